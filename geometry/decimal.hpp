@@ -1,0 +1,44 @@
+// A number exactly as the user wrote it, so that ties written in decimals (an aspect
+// ratio of 0.2, widths that add up to the line) are decided as written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace blocks::geometry {
+
+/// An exact decimal number, digits * 10^exponent, with its nearest double.
+class Decimal {
+ public:
+  /// Zero.
+  Decimal() = default;
+
+  /// A whole number.
+  Decimal(int value);  // NOLINT(google-explicit-constructor): 0, 1 read as numbers
+
+  /// Reads [+-]digits[.digits][(e|E|d|D)[+-]digits], surrounded by nothing.
+  /// Returns nothing for any other text, and for a value beyond the range of a finite
+  /// double (1e400); a value too small for a double keeps its exact digits.
+  static std::optional<Decimal> parse(std::string_view text);
+
+  /// The nearest double (round to nearest, ties to even).
+  double value() const { return value_; }
+
+  /// Digits with an optional sign and no point, and the power of ten that scales them.
+  const std::string& digits() const { return digits_; }
+  long exponent() const { return exponent_; }
+
+ private:
+  std::string digits_ = "0";
+  long exponent_ = 0;
+  double value_ = 0.0;
+};
+
+/// A point of the deck, [L].
+struct DecimalPoint {
+  Decimal x;
+  Decimal y;
+};
+
+}  // namespace blocks::geometry

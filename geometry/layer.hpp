@@ -1,0 +1,72 @@
+// Cuts a quadrilateral into blocks: even, listed or random spacing (LAYER, ORIENT and
+// MERGE cards; report A.2.4-A.2.6, rules 18-20). Constructed exactly on the decimals of
+// the deck, rounded once per vertex, and certified on the rounded result.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "geometry/decimal.hpp"
+#include "geometry/merge.hpp"
+#include "geometry/random.hpp"
+#include "geometry/tiling.hpp"
+
+namespace blocks::geometry {
+
+enum class Spacing { even, listed, random };
+
+/// What the deck asks for.
+struct LayerRequest {
+  std::array<DecimalPoint, 4>
+      corners;  ///< [L]: bottom left, top left, top right, bottom right
+  Spacing spacing = Spacing::even;
+  int count = 0;                ///< blocks before MERGE, >= 1
+  std::vector<Decimal> bottom;  ///< [L] listed: count widths from the left, > 0
+  std::vector<Decimal> top;     ///< [L] listed: count widths from the left, > 0
+  Decimal angle_min;  ///< degrees, anticlockwise from the normal of the mid-line
+  Decimal angle_max;  ///< degrees, >= angle_min
+  std::optional<Decimal> merge_ratio;  ///< MERGE: smallest width/height kept
+  StreamKey stream;                    ///< random spacing and angles
+};
+
+/// The blocks of a layer from left to right. Each cell of the mesh is BL, TL, TR, BR.
+struct Layer {
+  Mesh mesh;
+  TilingCertificate certificate;
+  std::vector<Absorption> absorptions;  ///< MERGE's record, in order
+  bool bottom_scaled = false;  ///< listed widths did not add up to the bottom line
+  bool top_scaled = false;     ///< likewise for the top line
+  int redrawn = 0;             ///< angles drawn again because sides crossed
+  int ruled = 0;               ///< sides that fell back to the ruling
+};
+
+/// Which corner of the request is at fault, if one is.
+class LayerError : public std::runtime_error {
+ public:
+  enum class Kind { shape, spacing, aspect, angle };
+  LayerError(Kind kind, const std::string& message, const std::string& hint)
+      : std::runtime_error(message), kind(kind), hint(hint) {}
+  Kind kind;
+  std::string hint;  ///< what would be possible
+};
+
+/// Order of four corners by exact predicates on the decimals.
+enum class QuadShape {
+  convex_clockwise,
+  convex_anticlockwise,
+  bow_tie,
+  dart,
+  degenerate
+};
+QuadShape classify_quad(const std::array<DecimalPoint, 4>& corners);
+
+/// Cuts the layer. Random widths along the mid-line obey 0.2 <= width/height <= 3.0,
+/// the height being the mean distance between the two lines. Throws LayerError: corners
+/// not convex and clockwise, widths not positive, no random widths possible between the
+/// limits, |angle| >= 80 degrees.
+Layer cut_layer(const LayerRequest& request);
+
+}  // namespace blocks::geometry

@@ -1,0 +1,21 @@
+// The two plain types every folder shares: a point of the plane and a block outline.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace blocks::geometry {
+
+/// A point or a vector of the plane, [L].
+using Vec2 = Eigen::Vector2d;
+
+/// Corners of a block outline, [L]: clockwise, not closed (the last corner differs from
+/// the first). Side i runs from corner i to corner i + 1.
+using Polygon = std::vector<Vec2>;
+
+/// z component of a x b: positive when b lies anticlockwise of a.
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace blocks::geometry

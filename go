@@ -1,0 +1,58 @@
+#!/bin/sh
+# Everything on a fresh machine: ./go run DECK [options], ./go test, ./go build.
+# Installs what packages.txt names and is missing, configures, builds, runs.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+
+usage() {
+  cat <<TEXT
+./go run decks/subsidence/subsidence.deck
+
+  ./go run DECK [options]   build if needed, then blocks run DECK (results beside you)
+  ./go test                 build with warnings as errors and run every test
+  ./go build                build only: build/release/src/blocks
+  ./go asan                 every test under the address and undefined sanitizers
+  ./go blocks ARGUMENTS     any other command of the program (plot, check, cards ...)
+TEXT
+}
+
+install_packages() {
+  missing=""
+  for package in $(cat "$here/packages.txt"); do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q "ok installed" || missing="$missing $package"
+  done
+  [ -z "$missing" ] && return
+  echo "installing:$missing" >&2
+  root=""
+  [ "$(id -u)" = 0 ] || root=sudo
+  $root apt-get update -qq >&2
+  # shellcheck disable=SC2086  # a list of words
+  DEBIAN_FRONTEND=noninteractive $root apt-get install -y -qq --no-install-recommends $missing >&2
+}
+
+build() {  # preset [target...]
+  preset=$1; shift
+  install_packages
+  log="$here/build/$preset.log"
+  mkdir -p "$here/build"
+  if ! { (cd "$here" && cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"}) >"$log" 2>&1; }; then
+    tail -n 60 "$log" >&2
+    echo "the build failed; the whole log: $log" >&2
+    exit 1
+  fi
+}
+
+command=${1:-help}
+[ $# -gt 0 ] && shift
+case $command in
+  run|blocks)
+    [ -x "$here/build/release/src/blocks" ] || echo "building (a few minutes, once) ..." >&2
+    build release blocks
+    if [ "$command" = run ]; then set -- run "$@"; fi
+    exec "$here/build/release/src/blocks" "$@" ;;
+  build) build release blocks ;;
+  test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
+  asan) build asan; cd "$here" && exec ctest --preset asan "$@" ;;
+  help|-h|--help) usage ;;
+  *) echo "go: no command '$command'" >&2; usage >&2; exit 2 ;;
+esac

@@ -1,0 +1,157 @@
+// The deck as data: an ordered list of plain structs named after the cards (report
+// Appendix A). Text only: knows no physics. Defaults and ranges stand in the card
+// table.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "deck/source_location.hpp"
+#include "geometry/decimal.hpp"
+
+namespace blocks::deck {
+
+/// A value and where it stands; `given` is false when the default was taken.
+template <class T> struct Given {
+  T value{};
+  SourceLocation where;
+  bool given = false;
+};
+
+using Int = Given<long>;
+using Real = Given<double>;
+using Exact = Given<geometry::Decimal>;  ///< a number that describes geometry
+using Word = Given<std::string>;
+
+// Preliminary data, A.1
+struct Start {
+  Int nblok, ncmx;
+  std::string title;
+};
+struct XLimits {
+  Real xmin, xmax;
+};
+struct YLimits {
+  Real ymin, ymax;
+};
+struct Boxes {
+  Int iboxes, jboxes;
+  Real ctol;
+};
+struct Stiff {
+  Real stifn, stifs;
+};
+struct Fraction {
+  Real tfrac;
+};
+struct Material {
+  Int mat;
+  Real e, g, rho;
+};
+struct Function {
+  Int ntimep;
+  std::vector<Real> t, p;
+};
+struct Rigid {};
+struct Seed {
+  Int seed;
+};  ///< ours, rule 18
+struct End {};
+struct Restart {
+  Word file;
+};  ///< the file name is ours
+
+// Problem definition data, A.2
+struct Cloop {
+  Int nloop;
+  Exact radd, zadd;
+};
+struct Create {
+  Int nc, mat, ifix;
+  std::vector<Exact> x, y;
+  std::optional<Cloop> loop;  ///< a CLOOP card stood directly before
+};
+struct Read9 {
+  Word file;
+};  ///< the file name is ours
+struct Layer {
+  Int ns, mat;
+  std::array<Exact, 8> corners;    ///< x1, y1, ..., x4, y4
+  Word rcommand;                   ///< RANDOM or blank
+  std::vector<Exact> bottom, top;  ///< ns > 0: ns widths each, short lists completed
+};
+struct Orient {
+  Exact angmin, angplus;
+};
+struct Merge {
+  Exact aratio;
+};
+struct Splane {
+  Real x1, y1, x2, y2;
+};
+struct Gravity {
+  Real gravx, gravy;
+};
+struct Fix {
+  Int nblok;
+};
+struct PressBc {
+  Int nblok, nside;
+  Real p1, p2, tarriv;
+};
+struct Force {
+  Int nblok;
+  Real fx, fy, tarriv;
+};
+struct Frictn {
+  Real fric;
+};
+struct SetVel {
+  Int nb1, nb2;
+  Real vx, vy, tdot;
+};
+struct SetVelM {
+  Int mat;
+  Real vx, vy, tdot;
+};
+struct Damping {
+  Real beta;
+};
+struct Dump {};
+struct Output {
+  Real dtout;
+  std::vector<Int> blocks;
+};
+struct Plots {
+  Real dtplot;
+};
+struct Motion {
+  Real dt;
+};
+struct Cycle {
+  Int ncycle;
+};
+struct Stop {};
+
+using Card =
+    std::variant<Start, XLimits, YLimits, Boxes, Stiff, Fraction, Material, Function,
+                 Rigid, Seed, End, Restart, Create, Read9, Layer, Orient, Merge, Splane,
+                 Gravity, Fix, PressBc, Force, Frictn, SetVel, SetVelM, Damping, Dump,
+                 Output, Plots, Motion, Cycle, Stop>;
+
+struct Command {
+  SourceLocation where;  ///< the keyword
+  std::string name;      ///< the keyword in capitals
+  Card card;
+};
+
+struct Deck {
+  std::string file;               ///< as named by the user; "-" for standard input
+  std::string text;               ///< the whole deck
+  std::vector<Command> commands;  ///< in the order of the deck
+};
+
+}  // namespace blocks::deck

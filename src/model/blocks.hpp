@@ -1,0 +1,65 @@
+// State of all blocks as structure of arrays (report Appendix D). n blocks, m corners.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "geometry/vec2.hpp"
+
+namespace blocks {
+
+using geometry::Vec2;
+
+/// Why a block does not move.
+enum class Fixity : int { free = 0, by_user = 1, left_domain = 2 };
+
+/// Second-order tensors are stored as rows 11, 12, 21, 22. Rotation anticlockwise
+/// positive, tension positive, per unit thickness, any consistent set of units.
+/// [F] force, [L] length, [T] time, [M] mass.
+struct Blocks {
+  // corners of block b: first_corner[b] .. first_corner[b + 1], clockwise
+  std::vector<int> first_corner = {0};  ///< (n + 1)
+  std::vector<int> corner_block;        ///< (m) block of each corner
+  Eigen::Matrix2Xd arm;                 ///< [L] (2, m) corner - centroid (13)
+  Eigen::Matrix2Xd corner;              ///< [L] (2, m) centroid + arm (15)
+
+  std::vector<int> material;   ///< (n) the deck's material number, MAT
+  std::vector<Fixity> fixity;  ///< (n) FIXED
+  std::vector<int> layer;      ///< (n) which LAYER card made it, from 1; 0: none
+  Eigen::VectorXd area;        ///< [L^2] (n) at creation
+  Eigen::VectorXd mass;        ///< [M] (n) > 0
+  Eigen::VectorXd inertia;     ///< [M L^2] (n) about the centroid, RMOI
+  Eigen::Matrix2Xd centroid;   ///< [L] (2, n) XC, YC
+  Eigen::Matrix2Xd velocity;   ///< [L/T] (2, n) VX, VY
+  Eigen::VectorXd angle;       ///< rad (n) accumulated, for output
+  Eigen::VectorXd spin;        ///< rad/T (n) TDOT
+  Eigen::Matrix2Xd force;      ///< [F] (2, n) FX, FY of the last step, without gravity
+  Eigen::VectorXd moment;      ///< [F L] (n) MOM of the last step
+  Eigen::Matrix4Xd applied;    ///< [F/L^2] (4, n) applied stress (9), TAUA
+  Eigen::Matrix4Xd stress;     ///< [F/L^2] (4, n) internal stress (12), TAUI; 12 = 21
+  Eigen::Matrix4Xd strain_rate;  ///< 1/T (4, n) (10), EDOT; 12 = 21
+
+  int size() const { return static_cast<int>(material.size()); }
+  int corners() const { return first_corner.back(); }
+  int corners_of(int b) const { return first_corner[b + 1] - first_corner[b]; }
+  bool is_free(int b) const { return fixity[b] == Fixity::free; }
+
+  /// The corner after c on the same block, clockwise.
+  int next(int c) const {
+    const int b = corner_block[c];
+    return c + 1 == first_corner[b + 1] ? first_corner[b] : c + 1;
+  }
+  /// The corner before c on the same block.
+  int previous(int c) const {
+    const int b = corner_block[c];
+    return c == first_corner[b] ? first_corner[b + 1] - 1 : c - 1;
+  }
+  /// The outline of block b as it stands.
+  geometry::Polygon outline(int b) const;
+
+  /// Appends a block at rest, made of a simple clockwise outline. density [M/L^2] > 0.
+  void append(const geometry::Polygon& outline, int material, double density,
+              Fixity fixity, int layer = 0);
+};
+
+}  // namespace blocks

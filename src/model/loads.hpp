@@ -1,0 +1,42 @@
+// Time function, pressures on sides and forces at centroids (report A.1.8, A.2.10,
+// A.2.11).
+#pragma once
+
+#include <vector>
+
+#include "geometry/vec2.hpp"
+
+namespace blocks {
+
+/// FUNCTION: piecewise linear, end values held.
+struct TimeFunction {
+  std::vector<double> t;  ///< [T] rising
+  std::vector<double> p;  ///< factor
+
+  bool empty() const { return t.empty(); }
+  /// 0 before the arrival time, then the function of the time since arrival (rule 23).
+  double factor(double time, double arrival) const;
+};
+
+/// PRESSBC: pressure p1 at the first corner of a side to p2 at the second, pushing
+/// inwards.
+struct Pressure {
+  int block = 0, side = 0;  ///< from 0
+  double p1 = 0, p2 = 0;    ///< [F/L^2] times the function
+  double arrival = 0;       ///< [T]
+};
+
+/// FORCE at the centroid.
+struct CentroidForce {
+  int block = 0;
+  geometry::Vec2 force = {0, 0};  ///< [F] times the function
+  double arrival = 0;             ///< [T]
+};
+
+struct Loads {
+  TimeFunction function;
+  std::vector<Pressure> pressures;
+  std::vector<CentroidForce> forces;
+};
+
+}  // namespace blocks

@@ -1,0 +1,58 @@
+// What the preliminary cards and the global problem cards set (report A.1, A.2).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/vec2.hpp"
+
+namespace blocks {
+
+/// MATERIAL card. Elastic constants are needed by deformable blocks only.
+struct Material {
+  double youngs_modulus = 0.0;  ///< [F/L^2] E
+  double shear_modulus = 0.0;   ///< [F/L^2] G; G > E/3 for nu < 0.5
+  double density = 0.0;         ///< [M/L^2] per unit thickness, > 0
+
+  double c11() const;  ///< [F/L^2] plane strain stiffness (rule 5)
+  double c12() const;  ///< [F/L^2] plane strain coupling (rule 5)
+};
+
+/// A symmetry plane through a and b; blocks stand on its left side (rule 21).
+struct Plane {
+  geometry::Vec2 a, b;  ///< [L]
+};
+
+struct Settings {
+  std::string title;
+  int max_blocks = 0;                             ///< NBLOKM
+  int max_corners = 0;                            ///< NCMAX
+  geometry::Vec2 lower = {0, 0}, upper = {0, 0};  ///< [L] domain: XL, YL, XU, YU
+  int boxes_x = 1, boxes_y = 1;                   ///< IBOXES, JBOXES
+  double contact_tolerance = 0.1;                 ///< [L] CTOL
+  double normal_stiffness = 1e6;                  ///< [F/L] STIFN per unit thickness
+  double shear_stiffness = 1e6;                   ///< [F/L] STIFS
+  double fraction = 0.0;            ///< TFRAC of the critical time step (4)
+  double damping = 0.0;             ///< BETA, fraction of critical damping (18)
+  double friction = 0.0;            ///< FRIC
+  geometry::Vec2 gravity = {0, 0};  ///< [L/T^2]
+  bool rigid = false;               ///< IRIGID
+  std::map<int, Material> materials;
+  std::vector<Plane> planes;
+  std::uint64_t seed = 1982;  ///< ISEED
+  // geometry cards in force
+  std::string angle_min = "0", angle_max = "0";  ///< degrees, as written (ORIENT)
+  std::optional<std::string> merge_ratio;        ///< as written (MERGE)
+  int layers_made = 0;
+};
+
+/// OUTPUT and PLOTS: intervals and when they are next due. Interval 0: not asked for.
+struct OutputClock {
+  double interval = 0.0;  ///< [T]
+  double due = 0.0;       ///< [T] TOUT, TPLOT
+};
+
+}  // namespace blocks

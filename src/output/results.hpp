@@ -1,0 +1,45 @@
+// The plot tape's heir: NAME.vtkhdf, a transient unstructured grid of polygons that
+// ParaView reads, with all block quantities as cell data (report A.2.18, Appendix G.1).
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "model/model.hpp"
+
+namespace blocks::output {
+
+/// A file that cannot be written or read: exit code 5.
+class FileError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Written once, at the head of the file.
+struct RunIdentity {
+  std::string deck_file, deck_text, title, version;
+  unsigned long long seed = 0;
+};
+
+/// Appends frames; readable by others at any moment.
+class ResultsWriter {
+ public:
+  /// Creates the file (an existing one of the same name is moved to NAME.vtkhdf.bak
+  /// first).
+  ResultsWriter(const std::string& path, const RunIdentity& identity);
+  /// Opens an existing file, keeps its first `frames` frames and goes on after them.
+  static ResultsWriter reopen(const std::string& path, long frames);
+  ~ResultsWriter();
+  ResultsWriter(ResultsWriter&&) noexcept;
+  ResultsWriter& operator=(ResultsWriter&&) noexcept;
+
+  /// Appends the state; does nothing if a frame of this step is already the last one.
+  void write(const Model& model);
+  long frames() const;
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace blocks::output
