@@ -13,6 +13,15 @@ using geometry::Vec2;
 /// Why a block does not move.
 enum class Fixity : int { free = 0, by_user = 1, left_domain = 2 };
 
+/// A block to be made from a simple clockwise outline.
+struct NewBlock {
+  geometry::Polygon outline;  ///< [L] clockwise
+  int material = 0;
+  double density = 0.0;  ///< [M/L^2] per unit thickness, > 0
+  Fixity fixity = Fixity::free;
+  int layer = 0;  ///< LAYER card that made it, from 1; 0: none
+};
+
 /// Second-order tensors are stored as rows 11, 12, 21, 22. Rotation anticlockwise
 /// positive, tension positive, per unit thickness, any consistent set of units.
 /// [F] force, [L] length, [T] time, [M] mass.
@@ -57,9 +66,12 @@ struct Blocks {
   /// The outline of block b as it stands.
   geometry::Polygon outline(int b) const;
 
-  /// Appends a block at rest, made of a simple clockwise outline. density [M/L^2] > 0.
-  void append(const geometry::Polygon& outline, int material, double density,
-              Fixity fixity, int layer = 0);
+  /// Appends blocks at rest. Throws std::invalid_argument when a corner is not finite or
+  /// an area or density is not positive.
+  void append(const std::vector<NewBlock>& blocks);
+
+  /// Stops block b for good: velocities, spin and strain rates zero (rules 14, 22).
+  void fix(int b, Fixity why);
 };
 
 }  // namespace blocks

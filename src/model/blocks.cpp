@@ -1,0 +1,74 @@
+#include "model/blocks.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "geometry/polygon.hpp"
+
+namespace blocks {
+
+geometry::Polygon Blocks::outline(int b) const {
+  geometry::Polygon result;
+  result.reserve(static_cast<std::size_t>(corners_of(b)));
+  for (int c = first_corner[b]; c < first_corner[b + 1]; ++c)
+    result.emplace_back(corner.col(c));
+  return result;
+}
+
+void Blocks::append(const std::vector<NewBlock>& added) {
+  const int old_blocks = size();
+  const int old_corners = corners();
+  int new_corners = old_corners;
+  for (const NewBlock& block : added)
+    new_corners += static_cast<int>(block.outline.size());
+  const int new_blocks = old_blocks + static_cast<int>(added.size());
+
+  arm.conservativeResize(2, new_corners);
+  corner.conservativeResize(2, new_corners);
+  const auto grow = [&](auto& column) {
+    column.conservativeResize(column.rows(), new_blocks);
+    column.rightCols(new_blocks - old_blocks).setZero();
+  };
+  const auto grow_vector = [&](Eigen::VectorXd& vector) {
+    vector.conservativeResize(new_blocks);
+    vector.tail(new_blocks - old_blocks).setZero();
+  };
+  for (Eigen::VectorXd* vector : {&area, &mass, &inertia, &angle, &spin, &moment})
+    grow_vector(*vector);
+  for (Eigen::Matrix2Xd* column : {&centroid, &velocity, &force})
+    grow(*column);
+  for (Eigen::Matrix4Xd* column : {&applied, &stress, &strain_rate})
+    grow(*column);
+
+  int b = old_blocks;
+  for (const NewBlock& block : added) {
+    const geometry::SectionProperties section = geometry::section_properties(block.outline);
+    if (!(section.area > 0.0) || !(block.density > 0.0) || !std::isfinite(section.area))
+      throw std::invalid_argument("a block needs a positive area and density");
+    area[b] = section.area;
+    mass[b] = block.density * section.area;
+    inertia[b] = block.density * section.second_moment;
+    centroid.col(b) = section.centroid;
+    material.push_back(block.material);
+    fixity.push_back(block.fixity);
+    layer.push_back(block.layer);
+    int c = first_corner.back();
+    for (const Vec2& point : block.outline) {
+      corner.col(c) = point;
+      arm.col(c) = point - section.centroid;
+      corner_block.push_back(b);
+      ++c;
+    }
+    first_corner.push_back(c);
+    ++b;
+  }
+}
+
+void Blocks::fix(int b, Fixity why) {
+  fixity[b] = why;
+  velocity.col(b).setZero();
+  spin[b] = 0.0;
+  strain_rate.col(b).setZero();
+}
+
+}  // namespace blocks

@@ -1,0 +1,33 @@
+#include <algorithm>
+
+#include "model/model.hpp"
+
+namespace blocks {
+
+ModelTotals totals(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  ModelTotals sum;
+  for (int b = 0; b < blocks.size(); ++b) {
+    const Vec2 v = blocks.velocity.col(b);
+    const Vec2 momentum = blocks.mass[b] * v;
+    sum.kinetic_energy +=
+        0.5 * (momentum.dot(v) + blocks.inertia[b] * blocks.spin[b] * blocks.spin[b]);
+    sum.momentum += momentum;
+    sum.angular_momentum += geometry::cross(blocks.centroid.col(b), momentum) +
+                            blocks.inertia[b] * blocks.spin[b];
+    sum.fastest = std::max(sum.fastest, v.norm());
+  }
+  sum.listed_contacts = model.contacts.size() + model.plane_contacts.size();
+  const auto count = [&](const auto& contacts) {
+    for (int i = 0; i < contacts.size(); ++i)
+      if (contacts.active[static_cast<std::size_t>(i)]) {
+        ++sum.active_contacts;
+        sum.worst_overlap = std::max(sum.worst_overlap, contacts.overlap[i]);
+      }
+  };
+  count(model.contacts);
+  count(model.plane_contacts);
+  return sum;
+}
+
+}  // namespace blocks
