@@ -16,6 +16,7 @@ namespace blocks {
 struct TimeStep {
   double dt = 0.0;       ///< [T] TDEL; 0: not chosen yet
   int block = -1;        ///< the block that set it
+  int blocks = 0;        ///< how many blocks there were when it was chosen
   bool elastic = false;  ///< by deformability (rule 2) rather than by contact (4)
 };
 

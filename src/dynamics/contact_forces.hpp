@@ -1,0 +1,18 @@
+// Forces between blocks (FORD, report 2.5 and 3.3) and from symmetry planes (SPLANE).
+#pragma once
+
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// Decides which potential contacts act (rules 9-12), advances their springs (rule 7)
+/// and adds force, moment and f_i x_j to both blocks. Reads corners and velocities;
+/// writes contacts, blocks.force, .moment, .applied.
+void add_contact_forces(Blocks& blocks, Contacts& contacts, const Settings& settings,
+                        double dt);
+
+/// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).
+void add_plane_forces(Blocks& blocks, PlaneContacts& contacts, const Settings& settings,
+                      double dt);
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,143 @@
+#include "dynamics/contact_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/contact_predicates.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+double squared_distance_to_segment(const Vec2& c, const Vec2& p, const Vec2& q) {
+  const Vec2 e = q - p;
+  const double s = std::clamp((c - p).dot(e) / e.squaredNorm(), 0.0, 1.0);
+  return (c - p - s * e).squaredNorm();
+}
+
+void find_near_corners(const Model& model, SearchBuffers& buffers) {
+  const Blocks& blocks = model.blocks;
+  const double reach = 2.0 * model.settings.contact_tolerance;
+  for (int b = 0; b < blocks.size(); ++b)
+    for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
+      const Vec2 p = blocks.corner.col(e), q = blocks.corner.col(blocks.next(e));
+      // the slack of rules 10 and 12 is measured in edge lengths
+      const double near = reach + geometry::contact_slack * (q - p).norm();
+      const Vec2 margin(near, near);
+      buffers.grid.visit(p.cwiseMin(q) - margin, p.cwiseMax(q) + margin, [&](int c) {
+        const int other = blocks.corner_block[c];
+        if (other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
+          return;
+        if (squared_distance_to_segment(blocks.corner.col(c), p, q) <= near * near)
+          buffers.found.push_back({std::min(b, other), std::max(b, other), c, e});
+      });
+    }
+}
+
+SearchBuffers::Record record(const Contacts& contacts, int i) {
+  const int a = contacts.corner_block[i], b = contacts.edge_block[i];
+  return {std::min(a, b), std::max(a, b), contacts.corner[i], contacts.edge[i]};
+}
+
+void keep_acting(const Model& model, SearchBuffers& buffers) {
+  const Contacts& contacts = model.contacts;
+  for (int i = 0; i < contacts.size(); ++i)
+    if (contacts.active[i] && (model.blocks.is_free(contacts.corner_block[i]) ||
+                               model.blocks.is_free(contacts.edge_block[i])))
+      buffers.found.push_back(record(contacts, i));
+}
+
+/// Writes the records found into `next`, with the state of those that were there
+/// before.
+void merge(const Blocks& blocks, const Contacts& old, SearchBuffers& buffers) {
+  Contacts& next = buffers.next;
+  next.resize(static_cast<int>(buffers.found.size()));
+  int j = 0;
+  for (int i = 0; i < next.size(); ++i) {
+    const SearchBuffers::Record& r = buffers.found[i];
+    next.corner[i] = r.corner;
+    next.edge[i] = r.edge;
+    next.corner_block[i] = blocks.corner_block[r.corner];
+    next.edge_block[i] = blocks.corner_block[r.edge];
+    next.active[i] = 0;
+    while (j < old.size() && record(old, j) < r)
+      ++j;
+    if (j < old.size() && record(old, j) == r) {
+      next.active[i] = old.active[j];
+      next.normal_elastic[i] = old.normal_elastic[j];
+      next.shear_elastic[i] = old.shear_elastic[j];
+      next.normal_force[i] = old.normal_force[j];
+      next.shear_force[i] = old.shear_force[j];
+      next.overlap[i] = old.overlap[j];
+    }
+  }
+}
+
+void update_plane_contacts(Model& model, SearchBuffers& buffers) {
+  const Blocks& blocks = model.blocks;
+  const PlaneContacts& old = model.plane_contacts;
+  const double reach = 2.0 * model.settings.contact_tolerance;
+  std::vector<std::pair<int, int>> found;
+  for (int k = 0; k < static_cast<int>(model.settings.planes.size()); ++k) {
+    const Plane& plane = model.settings.planes[k];
+    const Vec2 t = (plane.b - plane.a).normalized();
+    for (int c = 0; c < blocks.corners(); ++c)
+      if (blocks.is_free(blocks.corner_block[c]) &&
+          geometry::cross(t, blocks.corner.col(c) - plane.a) <= reach)
+        found.emplace_back(k, c);
+  }
+  PlaneContacts& next = buffers.next_planes;
+  next.resize(static_cast<int>(found.size()));
+  int j = 0;
+  for (int i = 0; i < next.size(); ++i) {
+    next.plane[i] = found[i].first;
+    next.corner[i] = found[i].second;
+    next.active[i] = 0;
+    while (j < old.size() && std::pair(old.plane[j], old.corner[j]) < found[i])
+      ++j;
+    if (j < old.size() && std::pair(old.plane[j], old.corner[j]) == found[i]) {
+      next.active[i] = old.active[j];
+      next.normal_elastic[i] = old.normal_elastic[j];
+      next.normal_force[i] = old.normal_force[j];
+      next.overlap[i] = old.overlap[j];
+    }
+  }
+  std::swap(model.plane_contacts, next);
+}
+
+}  // namespace
+
+double damping_against_fixed(const Settings& settings, double mass) {
+  return settings.damping * 2.0 * std::sqrt(settings.normal_stiffness * mass);
+}
+
+void set_contact_damping(Model& model) {
+  const Blocks& blocks = model.blocks;
+  Contacts& contacts = model.contacts;
+  for (int i = 0; i < contacts.size(); ++i) {
+    const int a = contacts.corner_block[i], b = contacts.edge_block[i];
+    const double ma = blocks.mass[a], mb = blocks.mass[b];
+    const double mass = !blocks.is_free(a)   ? mb
+                        : !blocks.is_free(b) ? ma
+                                             : ma * mb / (ma + mb);
+    contacts.damping[i] = damping_against_fixed(model.settings, mass);
+  }
+}
+
+void update_contacts(Model& model, SearchBuffers& buffers) {
+  buffers.found.clear();
+  buffers.grid.fill(model);
+  find_near_corners(model, buffers);
+  keep_acting(model, buffers);
+  std::sort(buffers.found.begin(), buffers.found.end());
+  buffers.found.erase(std::unique(buffers.found.begin(), buffers.found.end()),
+                      buffers.found.end());
+  merge(model.blocks, model.contacts, buffers);
+  std::swap(model.contacts, buffers.next);
+  update_plane_contacts(model, buffers);
+  set_contact_damping(model);
+  model.search.current = true;
+  model.search.travel = 0.0;
+  ++model.search.updates;
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,126 @@
+#include "dynamics/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/time_step.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// Orthogonal to round-off and free of trigonometry: h = spin dt / 2 (rule 6).
+Eigen::Matrix2d cayley_rotation(double turn) {
+  const double h = 0.5 * turn, scale = 1.0 / (1.0 + h * h);
+  const double c = (1.0 - h * h) * scale, s = 2.0 * h * scale;
+  return (Eigen::Matrix2d() << c, -s, s, c).finished();
+}
+
+/// R s R^T of a symmetric tensor stored as 11, 12, 21, 22.
+void rotate_symmetric(Eigen::Ref<Eigen::Vector4d> s, const Eigen::Matrix2d& r) {
+  const Eigen::Matrix2d t =
+      r * (Eigen::Matrix2d() << s[0], s[1], s[1], s[3]).finished() * r.transpose();
+  const double shear = 0.5 * (t(0, 1) + t(1, 0));
+  s << t(0, 0), shear, shear, t(1, 1);
+}
+
+}  // namespace
+
+void finish_applied_stress(Blocks& blocks) {
+  for (int b = 0; b < blocks.size(); ++b)
+    blocks.applied.col(b) /= blocks.area[b];
+}
+
+void update_velocities(Blocks& blocks, const Vec2& gravity, double dt) {
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (!blocks.is_free(b))
+      continue;
+    blocks.velocity.col(b) += dt * (blocks.force.col(b) / blocks.mass[b] + gravity);
+    blocks.spin[b] += dt * (blocks.moment[b] / blocks.inertia[b]);
+  }
+}
+
+void update_strain_rates(Blocks& blocks, double dt) {
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (!blocks.is_free(b))
+      continue;
+    const Vec2 l = extent(blocks, b);
+    const double mass_per_area = 0.25 * blocks.mass[b] / blocks.area[b];
+    const double m11 = l.x() * l.x() * mass_per_area;
+    const double m22 = l.y() * l.y() * mass_per_area;
+    const auto applied = blocks.applied.col(b), internal = blocks.stress.col(b);
+    auto rate = blocks.strain_rate.col(b);
+    const double shear = 0.5 * (applied[1] + applied[2]) - internal[1];
+    rate[0] += dt * (applied[0] - internal[0]) / m11;
+    rate[1] += dt * shear / (0.5 * (m11 + m22));
+    rate[2] = rate[1];
+    rate[3] += dt * (applied[3] - internal[3]) / m22;
+  }
+}
+
+void update_stress(Blocks& blocks, const Settings& settings, double dt) {
+  // Looked up once per run of equal materials: blocks of a layer stand together.
+  int material = 0;
+  double c11 = 0, c12 = 0, twice_g = 0;
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (!blocks.is_free(b))
+      continue;
+    if (blocks.material[b] != material) {
+      material = blocks.material[b];
+      const Material& m = settings.materials.at(material);
+      c11 = m.c11(), c12 = m.c12(), twice_g = 2.0 * m.shear_modulus;
+    }
+    const auto rate = blocks.strain_rate.col(b);
+    auto stress = blocks.stress.col(b);
+    stress[0] += dt * (c11 * rate[0] + c12 * rate[3]);
+    stress[1] += dt * twice_g * rate[1];
+    stress[2] = stress[1];
+    stress[3] += dt * (c12 * rate[0] + c11 * rate[3]);
+  }
+}
+
+Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt) {
+  Displacement result;
+  double largest = 0.0, sum = 0.0;
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (!blocks.is_free(b))
+      continue;
+    const Vec2 centroid = blocks.centroid.col(b) + dt * blocks.velocity.col(b);
+    const double turn = dt * blocks.spin[b];
+    Eigen::Matrix2d transform = cayley_rotation(turn);
+    if (!settings.rigid) {
+      rotate_symmetric(blocks.stress.col(b), transform);
+      auto rate = blocks.strain_rate.col(b);
+      transform = transform * (Eigen::Matrix2d() << 1.0 + dt * rate[0], dt * rate[1],
+                               dt * rate[2], 1.0 + dt * rate[3])
+                                  .finished();
+      rotate_symmetric(rate, cayley_rotation(turn));
+    }
+    blocks.centroid.col(b) = centroid;
+    blocks.angle[b] += turn;
+
+    double block_largest = 0.0;
+    bool inside = true;
+    for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
+      const Vec2 arm = transform * Vec2(blocks.arm.col(c));
+      const Vec2 corner = centroid + arm;
+      const double moved = (corner - blocks.corner.col(c)).squaredNorm();
+      blocks.arm.col(c) = arm;
+      blocks.corner.col(c) = corner;
+      block_largest = std::max(block_largest, moved);
+      sum += moved;  // carries a NaN that max would drop
+      inside = inside && corner.x() >= settings.lower.x() &&
+               corner.y() >= settings.lower.y() && corner.x() <= settings.upper.x() &&
+               corner.y() <= settings.upper.y();
+    }
+    if (block_largest > largest) {
+      largest = block_largest;
+      result.block = b;
+    }
+    result.left_domain = result.left_domain || !inside;
+  }
+  result.largest = std::sqrt(largest);
+  result.finite = std::isfinite(sum);
+  return result;
+}
+
+}  // namespace blocks::dynamics

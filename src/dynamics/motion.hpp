@@ -1,0 +1,34 @@
+// Equations of motion, strain rates, internal stress and corners (MOTION and STRESS,
+// report 2.1, 2.3, 2.4; rules 1, 3-6).
+#pragma once
+
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// What one step of motion did.
+struct Displacement {
+  double largest = 0.0;      ///< [L] of any corner (UDMAX)
+  int block = -1;            ///< block of that corner
+  bool finite = true;        ///< false: some corner is no longer a number
+  bool left_domain = false;  ///< some corner lies outside the domain
+};
+
+/// Turns the sums f_i x_j into the applied stress (9): divides by the area.
+void finish_applied_stress(Blocks& blocks);
+
+/// (1), (2): velocities and spin of free blocks from force, moment and gravity.
+void update_velocities(Blocks& blocks, const Vec2& gravity, double dt);
+
+/// (10): strain rates of free blocks, driven by the symmetric part of applied -
+/// internal stress over the effective mass l_j^2 M / (4 A). Deformable runs only.
+void update_strain_rates(Blocks& blocks, double dt);
+
+/// (12): internal stress by plane strain elasticity. Deformable runs only.
+void update_stress(Blocks& blocks, const Settings& settings, double dt);
+
+/// (3), (13)-(15): centroids, angles and corners; arm = R (I + strain rate dt) arm with
+/// the Cayley rotation R of spin dt, which also turns stress and strain rate.
+Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt);
+
+}  // namespace blocks::dynamics

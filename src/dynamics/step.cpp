@@ -1,0 +1,64 @@
+#include "dynamics/step.hpp"
+
+#include "dynamics/contact_forces.hpp"
+#include "dynamics/domain.hpp"
+#include "dynamics/loads.hpp"
+#include "dynamics/time_step.hpp"
+
+namespace blocks::dynamics {
+
+void prepare(Model& model) {
+  fix_outside_domain(model);
+  if (model.time_step.blocks != model.blocks.size()) {
+    // Time goes on from here in the new step.
+    model.time_origin = model.time;
+    model.step_origin = model.steps;
+    model.time_step = choose_time_step(model);
+  }
+  model.started = true;
+  set_contact_damping(model);
+}
+
+Displacement step(Model& model, SearchBuffers& buffers) {
+  Blocks& blocks = model.blocks;
+  const Settings& settings = model.settings;
+  const double dt = model.time_step.dt;
+
+  // 1. potential contacts
+  if (!model.search.current)
+    update_contacts(model, buffers);
+
+  // 2. contact forces, symmetry planes
+  blocks.force.setZero();
+  blocks.moment.setZero();
+  blocks.applied.setZero();
+  add_contact_forces(blocks, model.contacts, settings, dt);
+  add_plane_forces(blocks, model.plane_contacts, settings, dt);
+
+  // 3. loads at time t
+  add_loads(blocks, model.loads, model.time);
+  finish_applied_stress(blocks);
+
+  // 4. velocities, strain rates, internal stress
+  update_velocities(blocks, settings.gravity, dt);
+  if (!settings.rigid) {
+    update_strain_rates(blocks, dt);
+    update_stress(blocks, settings, dt);
+  }
+
+  // 5. corners
+  const Displacement moved = move_blocks(blocks, settings, dt);
+  ++model.steps;
+  model.time =
+      model.time_origin + static_cast<double>(model.steps - model.step_origin) * dt;
+
+  // 6. domain, accumulated travel
+  if (moved.left_domain)
+    fix_outside_domain(model);
+  model.search.travel += moved.largest;
+  if (model.search.travel > settings.contact_tolerance)
+    model.search.current = false;
+  return moved;
+}
+
+}  // namespace blocks::dynamics

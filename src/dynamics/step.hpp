@@ -1,0 +1,19 @@
+// One time step: the numbered list of calls of docs/architecture.md.
+#pragma once
+
+#include "dynamics/contact_search.hpp"
+#include "dynamics/motion.hpp"
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// Makes a model ready to step after cards have acted: first boxing, time step,
+/// dashpots. Call before the first step and whenever cards changed the model between
+/// steps.
+void prepare(Model& model);
+
+/// Advances the model by one step of model.time_step.dt. No input or output.
+/// Returns what moved; not finite: the state is lost and the run must stop.
+Displacement step(Model& model, SearchBuffers& buffers);
+
+}  // namespace blocks::dynamics

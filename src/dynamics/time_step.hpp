@@ -1,0 +1,19 @@
+// The critical time step (4) and the limits that go beyond it (rule 2).
+#pragma once
+
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// The step that (4), FRACTION and deformability allow, and which block set it.
+/// Deformable: at most half the smallest l_j sqrt(rho / C11) over the free blocks.
+TimeStep choose_time_step(const Model& model);
+
+/// Largest fraction of (4) at which a block with `contacts` contacts comes to rest
+/// under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n) (rule 2).
+double safe_fraction(double damping, int contacts = 8);
+
+/// Extents of the current corners of block b along x and y, l_1 and l_2 of (11), [L].
+Vec2 extent(const Blocks& blocks, int b);
+
+}  // namespace blocks::dynamics
