@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/decimal.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks {
@@ -44,8 +45,8 @@ struct Settings {
   std::vector<Plane> planes;
   std::uint64_t seed = 1982;  ///< ISEED
   // geometry cards in force
-  std::string angle_min = "0", angle_max = "0";  ///< degrees, as written (ORIENT)
-  std::optional<std::string> merge_ratio;        ///< as written (MERGE)
+  geometry::Decimal angle_min, angle_max;         ///< degrees (ORIENT)
+  std::optional<geometry::Decimal> merge_ratio;   ///< MERGE
   int layers_made = 0;
 };
 

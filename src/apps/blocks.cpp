@@ -1,0 +1,125 @@
+// The command line of BLOCKS, thin: each command calls one function of src/run or src/post.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "deck/cards_text.hpp"
+#include "geometry/numeric_environment.hpp"
+#include "output/results.hpp"
+#include "post/plot.hpp"
+#include "run/run.hpp"
+
+namespace {
+
+using blocks::run::RunOptions;
+
+/// CARD.field=value
+blocks::deck::Override parse_override(const std::string& text) {
+  const auto dot = text.find('.'), equals = text.find('=');
+  if (dot == std::string::npos || equals == std::string::npos || dot > equals)
+    throw CLI::ValidationError("--set", "expected CARD.field=value, found '" + text + "'");
+  return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
+          text.substr(equals + 1)};
+}
+
+void add_deck_options(CLI::App& command, RunOptions& options, std::vector<std::string>& sets) {
+  command.add_option("DECK", options.deck, "the deck, or - for standard input")->required();
+  command.add_option("--seed", options.seed, "seed of the random layers, wins over SEED");
+  command.add_option("--tape9", options.tape9, "mesh file of a READ9 card without a name");
+  command.add_option("--restart", options.restart, "checkpoint of a deck that begins with RESTART");
+  command.add_option("--set", sets, "CARD.field=value: replace a field of the deck");
+  command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
+}
+
+int cards(const std::string& name, bool markdown) {
+  if (markdown) {
+    std::cout << blocks::deck::card_reference_markdown();
+    return blocks::run::done;
+  }
+  if (name.empty()) {
+    std::cout << blocks::deck::all_cards();
+    return blocks::run::done;
+  }
+  if (const auto page = blocks::deck::card_page(name)) {
+    std::cout << *page;
+    return blocks::run::done;
+  }
+  fmt::print(stderr, "blocks: error: there is no card {}\n{}", name, blocks::deck::all_cards());
+  return blocks::run::usage_error;
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app(
+      "Example: blocks run decks/stack/stack.deck\n\n"
+      "BLOCKS: a 2D block motion code for jointed rock.\n"
+      "Exit codes: 0 done, 1 internal, 2 usage, 3 deck or geometry, 4 run unsound, 5 file,\n"
+      "75 stopped at a time limit, 130 interrupted.");
+  app.set_version_flag("--version", "blocks " BLOCKS_VERSION);
+  app.require_subcommand(1);
+
+  RunOptions options;
+  std::vector<std::string> sets;
+  auto* run = app.add_subcommand("run", "run a deck");
+  run->description("Example: blocks run decks/stack/stack.deck -o stack\n\n"
+                   "Runs a deck and writes NAME.out, NAME.vtkhdf, NAME.ckpt.h5, NAME.summary.json.");
+  add_deck_options(*run, options, sets);
+  run->add_option("-o,--output", options.output, "output NAME (default: the deck's stem, here)");
+  run->add_option("--time-limit", options.time_limit, "stop after so many seconds, exit 75")
+      ->check(CLI::PositiveNumber);
+  run->add_option("--checkpoint-every", options.checkpoint_every, "seconds between checkpoints")
+      ->check(CLI::PositiveNumber);
+  run->add_flag("--json", options.json, "print the summary as JSON instead of the table");
+
+  auto* check = app.add_subcommand("check", "parse, build and certify; no time step");
+  check->description("Example: blocks check decks/stack/stack.deck\n\n"
+                     "Reports every error of a deck in one pass and proves its layers.");
+  add_deck_options(*check, options, sets);
+  check->add_option("-o,--output", options.output, "output NAME (finds NAME.ckpt.h5)");
+
+  std::string card;
+  bool markdown = false;
+  auto* reference = app.add_subcommand("cards", "the card reference");
+  reference->description("Example: blocks cards LAYER\n\nLists all cards, or describes one.");
+  reference->add_option("NAME", card, "the card");
+  reference->add_flag("--markdown", markdown, "the whole reference as Markdown");
+
+  blocks::post::PlotOptions plot_options;
+  auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
+  blocks::post::add_plot_options(*plot, plot_options);
+
+  try {
+    app.parse(argc, argv);
+    for (const std::string& text : sets)
+      options.overrides.push_back(parse_override(text));
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? blocks::run::done : blocks::run::usage_error;
+  }
+
+  if (*run)
+    return blocks::run::run_deck(options);
+  if (*check)
+    return blocks::run::check_deck(options);
+  if (*reference)
+    return cards(card, markdown);
+  return blocks::post::plot(plot_options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (const std::string fault = blocks::geometry::check_numeric_environment(); !fault.empty()) {
+    fmt::print(stderr, "blocks: error: {}\n", fault);
+    return blocks::run::internal_error;
+  }
+  try {
+    return dispatch(argc, argv);
+  } catch (const blocks::output::FileError& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return blocks::run::file_error;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "blocks: internal error: {}\n", error.what());
+    return blocks::run::internal_error;
+  }
+}

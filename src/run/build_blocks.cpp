@@ -1,0 +1,230 @@
+#include "run/build_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/mesh_readers.hpp"
+#include "geometry/layer.hpp"
+
+namespace blocks::run {
+
+using geometry::QuadShape;
+
+double BlockBuilder::density(long material, deck::SourceLocation where) {
+  const auto& materials = model_.settings.materials;
+  if (const auto found = materials.find(static_cast<int>(material)); found != materials.end())
+    return found->second.density;
+  std::string known;
+  for (const auto& [number, unused] : materials)
+    known += (known.empty() ? "" : ", ") + std::to_string(number);
+  error(where, fmt::format("there is no material {}", material),
+        "materials defined: " + (known.empty() ? std::string("none") : known));
+  return 0.0;
+}
+
+bool BlockBuilder::fits(long more, deck::SourceLocation where) {
+  const long room = model_.settings.max_blocks - model_.blocks.size();
+  if (more <= room)
+    return true;
+  error(where, fmt::format("{} more blocks exceed START's maximum of {}", more,
+                           model_.settings.max_blocks),
+        fmt::format("{} exist so far: {} more are possible, or raise nblok on the START card",
+                    model_.blocks.size(), room));
+  return false;
+}
+
+bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where,
+                          const std::string& what, bool& warned) {
+  if (static_cast<long>(outline.size()) > model_.settings.max_corners) {
+    error(where, fmt::format("{} has {} corners, more than START's maximum of {}", what,
+                             outline.size(), model_.settings.max_corners),
+          "raise ncmx on the START card");
+    return false;
+  }
+  const geometry::OutlineCheck check = geometry::check_outline(outline);
+  if (check.fault != geometry::OutlineFault::none) {
+    error(where, fmt::format("{}: {}", what, geometry::describe(check)),
+          "give the corners in order around the block, clockwise, each one once");
+    return false;
+  }
+  if (check.anticlockwise) {
+    if (!warned)
+      warning(where, fmt::format("{}: the corners run anticlockwise", what),
+              "corner 1 is kept and the others are taken in the reverse order");
+    outline = geometry::reversed(outline);
+  }
+  if (!check.convex && !warned)
+    warning(where, fmt::format("{} is not convex", what),
+            "contacts are surest between convex blocks: consider cutting it in two");
+  warned = warned || check.anticlockwise || !check.convex;
+  return true;
+}
+
+void BlockBuilder::append(const std::vector<NewBlock>& blocks) {
+  model_.blocks.append(blocks);
+  model_.search.current = false;
+}
+
+void BlockBuilder::create(const deck::Create& card) {
+  const double rho = density(card.mat.value, card.mat.where);
+  const long copies = card.loop ? card.loop->nloop.value : 1;
+  if (!fits(copies, card.loop ? card.loop->nloop.where : command_.where) || !(rho > 0.0))
+    return;
+  std::vector<geometry::DecimalPoint> corners;
+  for (std::size_t i = 0; i < card.x.size(); ++i)
+    corners.push_back({card.x[i].value, card.y[i].value});
+  const geometry::DecimalPoint shift =
+      card.loop ? geometry::DecimalPoint{card.loop->radd.value, card.loop->zadd.value}
+                : geometry::DecimalPoint{};
+
+  std::vector<NewBlock> made;
+  bool warned = false;  // one warning speaks for all copies: they have the same shape
+  for (int copy = 0; copy < copies; ++copy) {
+    geometry::Polygon outline = geometry::place_outline(corners, shift, copy);
+    const auto what = copies == 1 ? fmt::format("block {}", model_.blocks.size() + 1)
+                                  : fmt::format("copy {} of the block", copy + 1);
+    if (!accept(outline, command_.where, what, warned))
+      return;
+    made.push_back({std::move(outline), static_cast<int>(card.mat.value), rho,
+                    card.ifix.value != 0 ? Fixity::by_user : Fixity::free});
+  }
+  append(made);
+}
+
+void BlockBuilder::layer(const deck::Layer& card) {
+  const Settings& settings = model_.settings;
+  const double rho = density(card.mat.value, card.mat.where);
+  const long count = std::abs(card.ns.value);
+  const bool random = card.rcommand.given;
+  // MERGE may leave fewer than |ns| blocks, so a random layer is counted when it is cut.
+  constexpr long most = 10'000'000;
+  if (count > most) {
+    error(card.ns.where, fmt::format("{} blocks in one layer", count),
+          fmt::format("a layer may have {} at most", most));
+    return;
+  }
+  if (!(rho > 0.0) || (!random && !fits(count, card.ns.where)))
+    return;
+
+  geometry::LayerRequest request;
+  for (std::size_t i = 0; i < 4; ++i)
+    request.corners[i] = {card.corners[2 * i].value, card.corners[2 * i + 1].value};
+  if (!orient_corners(card, request))
+    return;
+  request.count = static_cast<int>(count);
+  request.spacing = card.ns.value > 0 ? geometry::Spacing::listed
+                    : random          ? geometry::Spacing::random
+                                      : geometry::Spacing::even;
+  for (const deck::Exact& width : card.bottom)
+    request.bottom.push_back(width.value);
+  for (const deck::Exact& width : card.top)
+    request.top.push_back(width.value);
+  if (random) {
+    request.angle_min = settings.angle_min;
+    request.angle_max = settings.angle_max;
+    request.merge_ratio = settings.merge_ratio;
+  }
+  const int number = settings.layers_made + 1;
+  request.stream = {settings.seed, static_cast<std::uint64_t>(number)};
+
+  geometry::Layer cut;
+  try {
+    cut = geometry::cut_layer(request);
+  } catch (const geometry::LayerError& fault) {
+    error(command_.where, fault.what(), fault.hint);
+    return;
+  }
+  if (random && !fits(static_cast<long>(cut.mesh.cells.size()), card.ns.where))
+    return;
+  if (cut.bottom_scaled || cut.top_scaled)
+    warning(command_.where,
+            fmt::format("the widths on the {} line do not add up to its length",
+                        !cut.top_scaled      ? "bottom"
+                        : !cut.bottom_scaled ? "top"
+                                             : "bottom and on the top"),
+            "they are scaled to fit");
+  record(cut, number);
+  std::vector<NewBlock> made;
+  for (const std::vector<int>& cell : cut.mesh.cells) {
+    NewBlock block{{}, static_cast<int>(card.mat.value), rho, Fixity::free, number};
+    for (const int vertex : cell)
+      block.outline.push_back(cut.mesh.vertices[vertex]);
+    made.push_back(std::move(block));
+  }
+  append(made);
+}
+
+bool BlockBuilder::orient_corners(const deck::Layer& card, geometry::LayerRequest& request) {
+  auto& corners = request.corners;
+  const deck::SourceLocation where = card.corners[0].where;
+  const char* order = "the corners are 1 bottom left, 2 top left, 3 top right, 4 bottom right";
+  switch (geometry::classify_quad(corners)) {
+    case QuadShape::convex_clockwise:
+      return true;
+    case QuadShape::bow_tie:
+      error(where, "the corners form a bow-tie: two sides of the layer cross", order);
+      return false;
+    case QuadShape::dart:
+      error(where, "the corners form a dart: one corner lies inside the others", order);
+      return false;
+    case QuadShape::degenerate:
+      error(where, "the layer is degenerate: corners coincide or three lie on one line", order);
+      return false;
+    case QuadShape::convex_anticlockwise:
+      break;
+  }
+  // Anticlockwise from the bottom left: BL, BR, TR, TL (rule 18). Any other anticlockwise
+  // order would put the bottom line somewhere else, so it is refused.
+  if (!(corners[0].x.value() < corners[1].x.value() &&
+        corners[0].y.value() < corners[3].y.value())) {
+    error(where, "the corners are reversed: they run anticlockwise, from no bottom left corner",
+          order);
+    return false;
+  }
+  warning(where, "the corners run anticlockwise",
+          "read as 1 bottom left, 2 bottom right, 3 top right, 4 top left");
+  std::swap(corners[1], corners[3]);
+  return true;
+}
+
+void BlockBuilder::record(const geometry::Layer& cut, int number) {
+  model_.settings.layers_made = number;
+  model_.layers.push_back({number, model_.blocks.size(),
+                           static_cast<int>(cut.mesh.cells.size()), cut.certificate.cells,
+                           cut.certificate.interior_edges, cut.certificate.outline_edges,
+                           cut.redrawn, cut.ruled});
+  const double limit =
+      model_.settings.merge_ratio ? model_.settings.merge_ratio->value() : 0.0;
+  for (const geometry::Absorption& absorption : cut.absorptions)
+    model_.merges.push_back({number, absorption.absorbed, absorption.into,
+                             absorption.width_to_height, limit});
+}
+
+void BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
+  deck::MeshFile mesh;
+  try {
+    mesh = deck::read_mesh(path);
+  } catch (const deck::MeshError& fault) {
+    error(command_.where, fault.what(),
+          "READ9 reads the text form, Gmsh .msh, GENESIS and region records "
+          "(docs/mesh-formats.md)");
+    return;
+  }
+  if (!fits(static_cast<long>(mesh.blocks.size()), command_.where))
+    return;
+  std::vector<NewBlock> made;
+  bool warned = false;
+  for (deck::MeshBlock& block : mesh.blocks) {
+    const auto what = block.line > 0
+                          ? fmt::format("block {} of the mesh (its line {})", made.size() + 1,
+                                        block.line)
+                          : fmt::format("block {} of the mesh", made.size() + 1);
+    const double rho = density(block.material, command_.where);
+    if (!(rho > 0.0) || !accept(block.outline, command_.where, what, warned))
+      return;
+    made.push_back(
+        {std::move(block.outline), static_cast<int>(block.material), rho, Fixity::free});
+  }
+  append(made);
+}
+
+}  // namespace blocks::run

@@ -1,0 +1,50 @@
+// Cards that make blocks: CREATE with CLOOP, LAYER, READ9 (report A.2.1-A.2.6).
+#pragma once
+
+#include "deck/commands.hpp"
+#include "deck/diagnostics.hpp"
+#include "geometry/layer.hpp"
+#include "geometry/polygon.hpp"
+#include "model/model.hpp"
+
+namespace blocks::run {
+
+/// Works for one card; faults go to the diagnostics and the model stays as it was.
+class BlockBuilder {
+ public:
+  BlockBuilder(Model& model, deck::Diagnostics& diagnostics, const deck::Command& command)
+      : model_(model), diagnostics_(diagnostics), command_(command) {}
+
+  void create(const deck::Create& card);
+  void layer(const deck::Layer& card);
+  void read_mesh(const deck::Read9& card, const std::string& path);
+
+ private:
+  void error(deck::SourceLocation where, const std::string& message,
+             const std::string& hint = {}) {
+    diagnostics_.error(where, command_.name, message, hint);
+  }
+  void warning(deck::SourceLocation where, const std::string& message,
+               const std::string& hint = {}) {
+    diagnostics_.warning(where, command_.name, message, hint);
+  }
+
+  /// Density of a defined material, or 0 with an error at `where`.
+  double density(long material, deck::SourceLocation where);
+  /// Whether `more` blocks still fit under START's maximum; an error if not.
+  bool fits(long more, deck::SourceLocation where);
+  /// Checks an outline exactly and turns it clockwise; `what` names it in messages;
+  /// `warned` is set once a warning was given, which is then not repeated.
+  bool accept(geometry::Polygon& outline, deck::SourceLocation where,
+              const std::string& what, bool& warned);
+  /// Puts the corners of a layer in order, or refuses them.
+  bool orient_corners(const deck::Layer& card, geometry::LayerRequest& request);
+  void record(const geometry::Layer& cut, int number);
+  void append(const std::vector<NewBlock>& blocks);
+
+  Model& model_;
+  deck::Diagnostics& diagnostics_;
+  const deck::Command& command_;
+};
+
+}  // namespace blocks::run

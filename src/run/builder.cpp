@@ -1,0 +1,304 @@
+#include "run/builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "deck/mesh_readers.hpp"
+#include "dynamics/time_step.hpp"
+#include "geometry/contact_predicates.hpp"
+#include "geometry/overlap.hpp"
+#include "run/build_blocks.hpp"
+
+namespace blocks::run {
+
+using deck::Command;
+
+Builder::Builder(Model& model, deck::Diagnostics& diagnostics, BuildOptions options)
+    : model_(model), diagnostics_(diagnostics), options_(std::move(options)) {
+  if (options_.seed)
+    model_.settings.seed = *options_.seed;
+}
+
+/// One function per card.
+struct Builder::Visitor {
+  Builder& self;
+  const Command& command;
+  Model& model = self.model_;
+  Settings& settings = self.model_.settings;
+  Blocks& blocks = self.model_.blocks;
+
+  void error(deck::SourceLocation where, const std::string& message,
+             const std::string& hint = {}) {
+    self.diagnostics_.error(where, command.name, message, hint);
+  }
+  void warning(deck::SourceLocation where, const std::string& message,
+               const std::string& hint = {}) {
+    self.diagnostics_.warning(where, command.name, message, hint);
+  }
+  BlockBuilder builder() { return {model, self.diagnostics_, command}; }
+
+  /// Index from 0 of the block with this number, or -1 with an error.
+  int block(const deck::Int& number) {
+    if (number.value >= 1 && number.value <= blocks.size())
+      return static_cast<int>(number.value) - 1;
+    error(number.where, fmt::format("there is no block {}", number.value),
+          blocks.size() == 0 ? "no block has been created so far"
+                             : fmt::format("blocks 1 to {} exist here", blocks.size()));
+    return -1;
+  }
+  bool material(const deck::Int& number) {
+    if (settings.materials.contains(static_cast<int>(number.value)))
+      return true;
+    std::string known;
+    for (const auto& [mat, unused] : settings.materials)
+      known += (known.empty() ? "" : ", ") + std::to_string(mat);
+    error(number.where, fmt::format("there is no material {}", number.value),
+          "materials defined: " + (known.empty() ? std::string("none") : known));
+    return false;
+  }
+
+  // Preliminary data, A.1
+  void operator()(const deck::Start& card) {
+    settings.title = card.title;
+    settings.max_blocks = static_cast<int>(std::min(card.nblok.value, 1'000'000'000L));
+    settings.max_corners = static_cast<int>(std::min(card.ncmx.value, 1'000'000'000L));
+  }
+  void operator()(const deck::XLimits& card) {
+    settings.lower.x() = card.xmin.value;
+    settings.upper.x() = card.xmax.value;
+  }
+  void operator()(const deck::YLimits& card) {
+    settings.lower.y() = card.ymin.value;
+    settings.upper.y() = card.ymax.value;
+  }
+  void operator()(const deck::Boxes& card) {
+    constexpr long most = 100'000'000;  // 400 MB of box pointers
+    if (card.iboxes.value > most || card.jboxes.value > most / card.iboxes.value) {
+      error(card.iboxes.where, "too many boxes",
+            fmt::format("iboxes times jboxes may be {} at most", most));
+      return;
+    }
+    settings.boxes_x = static_cast<int>(card.iboxes.value);
+    settings.boxes_y = static_cast<int>(card.jboxes.value);
+    settings.contact_tolerance = card.ctol.value;
+  }
+  void operator()(const deck::Stiff& card) {
+    settings.normal_stiffness = card.stifn.value;
+    settings.shear_stiffness = card.stifs.value;
+  }
+  void operator()(const deck::Fraction& card) { settings.fraction = card.tfrac.value; }
+  void operator()(const deck::Material& card) {
+    settings.materials[static_cast<int>(card.mat.value)] = {card.e.value, card.g.value,
+                                                            card.rho.value};
+    materials.emplace_back(command, card);
+  }
+  void operator()(const deck::Function& card) {
+    for (const deck::Real& t : card.t)
+      model.loads.function.t.push_back(t.value);
+    for (const deck::Real& p : card.p)
+      model.loads.function.p.push_back(p.value);
+  }
+  void operator()(const deck::Rigid&) { settings.rigid = true; }
+  void operator()(const deck::Seed& card) {
+    if (!self.options_.seed)
+      settings.seed = static_cast<std::uint64_t>(card.seed.value);
+  }
+  void operator()(const deck::End&) {
+    if (settings.rigid)
+      return;
+    for (const auto& [where, card] : self.materials_)
+      check_elastic(where, card);
+  }
+  void check_elastic(const Command& where, const deck::Material& card) {
+    const double e = card.e.value, g = card.g.value;
+    const auto say = [&](deck::SourceLocation at, const std::string& message) {
+      self.diagnostics_.error(at, where.name, message,
+                              "or make the blocks rigid with a RIGID card");
+    };
+    if (!(e > 0.0))
+      say(card.e.where, "deformable blocks need E > 0");
+    else if (!(g > 0.0))
+      say(card.g.where, "deformable blocks need G > 0");
+    else if (!(g > e / 3.0))
+      say(card.g.where,
+          fmt::format("deformable blocks need G > E/3 = {:.9g} (Poisson's ratio < 0.5)",
+                      e / 3.0));
+  }
+  void operator()(const deck::Restart&) {}  // the executor loads the checkpoint
+
+  // Problem definition data, A.2
+  void operator()(const deck::Create& card) { builder().create(card); }
+  void operator()(const deck::Read9& card) {
+    const std::string name = card.file.given ? card.file.value : self.options_.tape9;
+    const auto path = std::filesystem::path(self.options_.folder) / name;
+    builder().read_mesh(card, path.string());
+  }
+  void operator()(const deck::Layer& card) { builder().layer(card); }
+  void operator()(const deck::Orient& card) {
+    settings.angle_min = card.angmin.value;
+    settings.angle_max = card.angplus.value;
+  }
+  void operator()(const deck::Merge& card) { settings.merge_ratio = card.aratio.value; }
+  void operator()(const deck::Splane& card) {
+    settings.planes.push_back({{card.x1.value, card.y1.value}, {card.x2.value, card.y2.value}});
+    model.search.current = false;
+    self.planes_.push_back(command);
+  }
+  void operator()(const deck::Gravity& card) {
+    settings.gravity = {card.gravx.value, card.gravy.value};
+  }
+  void operator()(const deck::Fix& card) {
+    const int b = block(card.nblok);
+    if (b < 0)
+      return;
+    blocks.fix(b, Fixity::by_user);
+    model.search.current = false;
+  }
+  void operator()(const deck::PressBc& card) {
+    const int b = block(card.nblok);
+    if (b < 0 || !has_function())
+      return;
+    if (card.nside.value < 1 || card.nside.value > blocks.corners_of(b)) {
+      error(card.nside.where, fmt::format("there is no side {}", card.nside.value),
+            fmt::format("block {} has sides 1 to {}", b + 1, blocks.corners_of(b)));
+      return;
+    }
+    model.loads.pressures.push_back({b, static_cast<int>(card.nside.value) - 1,
+                                     card.p1.value, card.p2.value, card.tarriv.value});
+  }
+  void operator()(const deck::Force& card) {
+    const int b = block(card.nblok);
+    if (b >= 0 && has_function())
+      model.loads.forces.push_back({b, {card.fx.value, card.fy.value}, card.tarriv.value});
+  }
+  bool has_function() {
+    if (model.loads.function.empty())
+      error(command.where, "no FUNCTION card was given, so the load has no time history",
+            "add FUNCTION, ntimep among the preliminary cards, followed by ntimep lines t, p");
+    return !model.loads.function.empty();
+  }
+  void operator()(const deck::Frictn& card) { settings.friction = card.fric.value; }
+  void operator()(const deck::SetVel& card) {
+    const int first = block(card.nb1);
+    if (first < 0)
+      return;
+    int last = first;
+    if (card.nb2.value < 0)
+      last = blocks.size() - 1;
+    else if (card.nb2.value > 0 && (last = block(card.nb2)) < 0)
+      return;
+    for (int b = first; b <= last; ++b)
+      set_velocity(b, card.vx.value, card.vy.value, card.tdot.value);
+  }
+  void operator()(const deck::SetVelM& card) {
+    if (!material(card.mat))
+      return;
+    int count = 0;
+    for (int b = 0; b < blocks.size(); ++b)
+      if (blocks.material[b] == card.mat.value) {
+        set_velocity(b, card.vx.value, card.vy.value, card.tdot.value);
+        ++count;
+      }
+    if (count == 0)
+      warning(card.mat.where, fmt::format("no block of material {} exists here", card.mat.value),
+              "SETVELM acts where it stands: put it after the cards that make the blocks");
+  }
+  void set_velocity(int b, double vx, double vy, double spin) {
+    if (!blocks.is_free(b))
+      return;
+    blocks.velocity.col(b) = Vec2(vx, vy);
+    blocks.spin[b] = spin;
+  }
+  void operator()(const deck::Damping& card) { settings.damping = card.beta.value; }
+  void operator()(const deck::Output& card) {
+    model.output_blocks.clear();
+    for (const deck::Int& number : card.blocks)
+      if (const int b = block(number); b >= 0)
+        model.output_blocks.push_back(b);
+    model.output = {card.dtout.value, model.time + card.dtout.value};
+  }
+  void operator()(const deck::Plots& card) {
+    model.plots = {card.dtplot.value, model.time + card.dtplot.value};
+  }
+  void operator()(const deck::Dump&) {}
+  void operator()(const deck::Motion&) {}
+  void operator()(const deck::Cycle&) {}
+  void operator()(const deck::Stop&) {}
+
+  std::vector<std::pair<Command, deck::Material>>& materials = self.materials_;
+};
+
+void Builder::apply(const Command& command) {
+  std::visit(Visitor{*this, command}, command.card);
+}
+
+void Builder::check_before_motion(const Command& command) {
+  const Blocks& blocks = model_.blocks;
+  if (blocks.size() == 0) {
+    diagnostics_.error(command.where, command.name, "there are no blocks to move",
+                       "make some with CREATE, LAYER or READ9");
+    return;
+  }
+  check_planes();
+  if (checked_blocks_ != blocks.size())
+    check_overlaps(command);
+  if (const double safe = dynamics::safe_fraction(model_.settings.damping);
+      model_.settings.fraction > safe && !fraction_checked_)
+    diagnostics_.warning(
+        command.where, command.name,
+        fmt::format("FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
+                    model_.settings.fraction, model_.settings.damping),
+        fmt::format("for 8 contacts a block the largest safe FRACTION is {:.3f} "
+                    "(docs/departures.md, time step)",
+                    safe));
+  fraction_checked_ = true;
+  if (!model_.settings.rigid && blocks.size() > checked_blocks_) {
+    const TimeStep chosen = dynamics::choose_time_step(model_);
+    if (chosen.elastic)
+      diagnostics_.warning(
+          command.where, command.name,
+          fmt::format("the time step is cut to {:.4g} by the stiffness of block {}",
+                      chosen.dt, chosen.block + 1),
+          "deformable blocks need dt < l sqrt(rho / C11); half of that is taken");
+  }
+  checked_blocks_ = blocks.size();
+}
+
+void Builder::check_planes() {
+  const Blocks& blocks = model_.blocks;
+  for (const Command& command : planes_) {
+    const auto& card = std::get<deck::Splane>(command.card);
+    const Vec2 a(card.x1.value, card.y1.value), b(card.x2.value, card.y2.value);
+    bool all_behind = true;
+    for (int c = 0; c < blocks.corners() && all_behind; ++c)
+      all_behind = geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;
+    if (all_behind)
+      diagnostics_.error(command.where, command.name, "all blocks lie behind the plane",
+                         "blocks stand to the left of point 1 -> point 2: swap the points");
+  }
+  planes_.clear();
+}
+
+void Builder::check_overlaps(const Command& command) {
+  const Blocks& blocks = model_.blocks;
+  std::vector<geometry::Polygon> outlines;
+  outlines.reserve(blocks.size());
+  for (int b = 0; b < blocks.size(); ++b)
+    outlines.push_back(blocks.outline(b));
+  const auto pairs = geometry::overlapping_pairs(outlines);
+  for (std::size_t i = 0; i < std::min<std::size_t>(pairs.size(), 5); ++i)
+    if (std::max(pairs[i].first, pairs[i].second) >= checked_blocks_)
+      diagnostics_.warning(
+          command.where, command.name,
+          fmt::format("blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, {:.6g}){}",
+                      pairs[i].first + 1, pairs[i].second + 1, pairs[i].area,
+                      pairs[i].place.x(), pairs[i].place.y(),
+                      i == 4 && pairs.size() > 5
+                          ? fmt::format(", and {} more pairs", pairs.size() - 5)
+                          : std::string()),
+          "an overlap at the start carries no force");
+}
+
+}  // namespace blocks::run

@@ -1,0 +1,35 @@
+#include "run/deck_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "output/results.hpp"
+
+namespace blocks::run {
+
+std::string read_deck(const std::string& path) {
+  if (path == "-")
+    return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (std::filesystem::is_directory(path))
+    throw output::FileError("cannot read " + path + ": it is a folder");
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw output::FileError("cannot read " + path + ": " + std::strerror(errno));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string output_name(const std::string& deck, const std::string& given) {
+  if (!given.empty())
+    return given;
+  return deck == "-" ? "blocks" : std::filesystem::path(deck).stem().string();
+}
+
+std::string deck_folder(const std::string& deck) {
+  return deck == "-" ? std::string() : std::filesystem::path(deck).parent_path().string();
+}
+
+}  // namespace blocks::run

@@ -1,0 +1,56 @@
+// Makes time pass: MOTION and CYCLE, with output when it is due (CYCLE of Appendix B).
+#pragma once
+
+#include <chrono>
+#include <set>
+
+#include "dynamics/step.hpp"
+#include "run/console.hpp"
+#include "run/run.hpp"
+#include "run/run_files.hpp"
+
+namespace blocks::run {
+
+/// How a stretch of steps ended.
+enum class Outcome { finished, unsound, time_limit, interrupted };
+
+class Executor {
+ public:
+  Executor(Model& model, RunFiles& files, Console& console, const RunOptions& options);
+
+  /// Runs the steps of a MOTION (an interval of time) or CYCLE (a number of steps) card.
+  Outcome motion(double interval);
+  Outcome cycle(long steps);
+
+  /// Part of the whole deck that a card's steps make up, for the progress line.
+  void set_share(double from, double to) { share_from_ = from, share_to_ = to; }
+
+  double worst_overlap() const { return worst_overlap_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  void start();
+  Outcome advance(long steps);
+  void output_if_due();
+  void watch(const dynamics::Displacement& moved);
+  void warn(const std::string& message);
+  Outcome pressed_for_time();
+
+  using Clock = std::chrono::steady_clock;
+  Model& model_;
+  RunFiles& files_;
+  Console& console_;
+  const RunOptions& options_;
+  dynamics::SearchBuffers buffers_;
+  std::vector<std::string> warnings_;
+  std::size_t exits_told_ = 0;
+  bool fast_told_ = false, echoed_ = false;
+  double share_from_ = 0.0, share_to_ = 1.0;
+  double worst_overlap_ = 0.0;
+  Clock::time_point started_ = Clock::now(), saved_ = Clock::now();
+};
+
+/// Steps that a MOTION of this interval takes: ceil(interval / dt - 1e-9) (rule 24).
+long steps_for(double interval, double dt);
+
+}  // namespace blocks::run

@@ -1,0 +1,196 @@
+#include "run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+
+#include "run/builder.hpp"
+#include "run/check_report.hpp"
+#include "run/deck_file.hpp"
+#include "run/executor.hpp"
+#include "run/interrupt.hpp"
+
+namespace blocks::run {
+namespace {
+
+bool passes_time(const deck::Command& command) {
+  return std::holds_alternative<deck::Motion>(command.card) ||
+         std::holds_alternative<deck::Cycle>(command.card);
+}
+
+/// A deck and what it takes to execute it twice: once to check, once to run.
+struct Job {
+  explicit Job(const RunOptions& given)
+      : options(given), text(read_deck(given.deck)),
+        diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
+        deck(deck::parse(given.deck, text, diagnostics, given.overrides)),
+        name(output_name(given.deck, given.output)) {}
+
+  BuildOptions build_options() const {
+    return {options.seed, options.tape9, deck_folder(options.deck)};
+  }
+  bool continues() const {
+    return !deck.commands.empty() &&
+           std::holds_alternative<deck::Restart>(deck.commands.front().card);
+  }
+  /// Checkpoint of a RESTART deck: --restart, the card, or NAME.ckpt.h5.
+  std::string checkpoint() const {
+    const auto& card = std::get<deck::Restart>(deck.commands.front().card);
+    return options.restart    ? *options.restart
+           : card.file.given ? card.file.value
+                             : name + ".ckpt.h5";
+  }
+  output::RunIdentity identity(const Model& model) const {
+    return {diagnostics.file(), text, model.settings.title, BLOCKS_VERSION,
+            model.settings.seed};
+  }
+
+  const RunOptions& options;
+  std::string text;
+  deck::Diagnostics diagnostics;
+  deck::Deck deck;
+  std::string name;
+};
+
+/// Executes every card but the passing of time. The model is what the deck describes
+/// before its first step; false when there were errors.
+bool check(Job& job, Model& model) {
+  if (job.diagnostics.has_errors() && job.deck.commands.empty())
+    return false;
+  if (job.options.restart && !job.continues()) {
+    job.diagnostics.error({1, 1, 1}, "RESTART", "--restart needs a deck that begins with RESTART",
+                          "write RESTART and the cards that follow the checkpoint");
+    return false;
+  }
+  if (job.continues()) {
+    output::CheckpointInfo info;
+    model = output::read_checkpoint(job.checkpoint(), info);
+  }
+  Builder builder(model, job.diagnostics, job.build_options());
+  for (const deck::Command& command : job.deck.commands) {
+    builder.apply(command);
+    if (passes_time(command) && !job.diagnostics.has_errors())
+      builder.check_before_motion(command);
+  }
+  return !job.diagnostics.has_errors();
+}
+
+/// Executes the deck for good. Returns an ExitCode.
+int execute(Job& job, Console& console, std::vector<std::string> warnings) {
+  const auto began = std::chrono::steady_clock::now();
+  Model model;
+  output::CheckpointInfo from;
+  if (job.continues())
+    model = output::read_checkpoint(job.checkpoint(), from);
+
+  // The faults and warnings of the cards were shown by the check.
+  deck::Diagnostics said(job.diagnostics.file(), job.text);
+  Builder builder(model, said, job.build_options());
+  // The title and the seed stand in the preliminary data, before anything is written.
+  std::size_t next = 0;
+  for (; next < job.deck.commands.size(); ++next) {
+    const deck::Command& command = job.deck.commands[next];
+    builder.apply(command);
+    if (std::holds_alternative<deck::End>(command.card) ||
+        std::holds_alternative<deck::Restart>(command.card)) {
+      ++next;
+      break;
+    }
+  }
+  RunFiles files = job.continues() ? RunFiles(job.name, job.identity(model), from)
+                                   : RunFiles(job.name, job.identity(model));
+  for (const std::string& warning : warnings)
+    files.message("warning: " + warning);
+
+  Executor executor(model, files, console, job.options);
+  const auto motions = static_cast<double>(
+      std::count_if(job.deck.commands.begin(), job.deck.commands.end(), passes_time));
+  double motion = 0.0;
+  Outcome outcome = Outcome::finished;
+  for (; next < job.deck.commands.size() && outcome == Outcome::finished; ++next) {
+    const deck::Command& command = job.deck.commands[next];
+    builder.apply(command);
+    if (passes_time(command)) {
+      executor.set_share(motion / motions, (motion + 1.0) / motions);
+      motion += 1.0;
+    }
+    if (const auto* card = std::get_if<deck::Motion>(&command.card))
+      outcome = executor.motion(card->dt.value);
+    else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
+      outcome = executor.cycle(cycle->ncycle.value);
+    else if (std::holds_alternative<deck::Dump>(command.card))
+      files.dump(model);
+    else if (std::holds_alternative<deck::Stop>(command.card))
+      break;
+  }
+  console.clear_progress();
+
+  output::RunReport report;
+  report.warnings = std::move(warnings);
+  report.warnings.insert(report.warnings.end(), executor.warnings().begin(),
+                         executor.warnings().end());
+  report.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  report.worst_overlap_ever = std::max(executor.worst_overlap(), totals(model).worst_overlap);
+  report.status = outcome == Outcome::finished     ? "done"
+                  : outcome == Outcome::unsound    ? "unsound"
+                  : outcome == Outcome::time_limit ? "time limit"
+                                                   : "interrupted";
+  files.close(model, report);
+  console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
+                           report.status, model.steps, model.time, report.wall_seconds,
+                           job.name + ".out", files.results_path(), files.checkpoint_path(),
+                           files.summary_path()));
+  if (job.options.json) {
+    std::ifstream summary(files.summary_path());
+    std::cout << summary.rdbuf() << std::flush;
+  }
+  switch (outcome) {
+    case Outcome::finished: return done;
+    case Outcome::unsound: return unsound_run;
+    case Outcome::time_limit: return time_limit;
+    case Outcome::interrupted: return interrupted;
+  }
+  return internal_error;
+}
+
+std::vector<std::string> warnings_of(const deck::Diagnostics& diagnostics) {
+  std::vector<std::string> result;
+  for (const deck::Diagnostic& diagnostic : diagnostics.all())
+    if (diagnostic.severity == deck::Severity::warning)
+      result.push_back(fmt::format("{}:{}:{}: {}: {}", diagnostics.file(),
+                                   diagnostic.where.line, diagnostic.where.column,
+                                   diagnostic.card, diagnostic.message));
+  return result;
+}
+
+}  // namespace
+
+int run_deck(const RunOptions& options) {
+  Job job(options);
+  Model checked;
+  const bool sound = check(job, checked);
+  fmt::print(stderr, "{}", job.diagnostics.format_all());
+  if (!sound)
+    return deck_error;
+  catch_interrupts();
+  Console console(!options.json, options.quiet);
+  return execute(job, console, warnings_of(job.diagnostics));
+}
+
+int check_deck(const RunOptions& options) {
+  Job job(options);
+  Model model;
+  const bool sound = check(job, model);
+  fmt::print(stderr, "{}", job.diagnostics.format_all());
+  if (!sound)
+    return deck_error;
+  if (!options.quiet)
+    fmt::print("{}", check_report(job.diagnostics.file(), model));
+  return done;
+}
+
+}  // namespace blocks::run
