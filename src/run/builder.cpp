@@ -287,18 +287,24 @@ void Builder::check_overlaps(const Command& command) {
   outlines.reserve(blocks.size());
   for (int b = 0; b < blocks.size(); ++b)
     outlines.push_back(blocks.outline(b));
-  const auto pairs = geometry::overlapping_pairs(outlines);
-  for (std::size_t i = 0; i < std::min<std::size_t>(pairs.size(), 5); ++i)
-    if (std::max(pairs[i].first, pairs[i].second) >= checked_blocks_)
-      diagnostics_.warning(
-          command.where, command.name,
-          fmt::format("blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, {:.6g}){}",
-                      pairs[i].first + 1, pairs[i].second + 1, pairs[i].area,
-                      pairs[i].place.x(), pairs[i].place.y(),
-                      i == 4 && pairs.size() > 5
-                          ? fmt::format(", and {} more pairs", pairs.size() - 5)
-                          : std::string()),
-          "an overlap at the start carries no force");
+  auto pairs = geometry::overlapping_pairs(outlines);
+  // Decimals of a turned block are rounded: an overlap of that size is no fault of a deck.
+  constexpr double rounding = 1e-9;
+  std::erase_if(pairs, [&](const geometry::BlockOverlap& pair) {
+    return std::max(pair.first, pair.second) < checked_blocks_ ||
+           pair.area <= rounding * std::min(blocks.area[pair.first], blocks.area[pair.second]);
+  });
+  constexpr std::size_t shown = 5;
+  for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
+    diagnostics_.warning(
+        command.where, command.name,
+        fmt::format("blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, {:.6g})",
+                    pairs[i].first + 1, pairs[i].second + 1, pairs[i].area,
+                    pairs[i].place.x(), pairs[i].place.y()),
+        i + 1 == shown && pairs.size() > shown
+            ? fmt::format("and {} more pairs; an overlap at the start carries no force",
+                          pairs.size() - shown)
+            : "an overlap at the start carries no force");
 }
 
 }  // namespace blocks::run

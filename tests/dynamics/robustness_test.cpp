@@ -1,0 +1,149 @@
+// Contact detection in awkward places, in 40 random frames and at offsets up to 1e6:
+// report 3.3, figure 4, rules 9-13.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes/scene.hpp"
+
+namespace blocks {
+namespace {
+
+using scenes::Frame;
+using scenes::random_frames;
+using scenes::Scene;
+
+// Figure 4b: block 1 stands on the floor's edge side by side with fixed block 2 and slides
+// down its face: without (20) and the nearest edge it hangs on the corner.
+TEST(Figure4b, BlockSlidesDownItsNeighbour) {
+  for (const Frame& frame : random_frames()) {
+    Scene scene(frame);
+    scene.box(0, 0, 1, 1, true);                     // block 2
+    const int b = scene.box(-1, 0.5, 1, 1);          // block 1, beside it, free to fall
+    scene.gravity(0, -10);
+    scene.run(0.3);
+    const double dt = scene.dt(), n = static_cast<double>(scene.model.steps);
+    EXPECT_NEAR(scene.centroid(b).y(), 1.0 - 10 * dt * dt * n * (n + 1) / 2,
+                1e-7 + 1e-9 * frame.offset.norm())
+        << frame.angle << " " << frame.offset.norm();
+  }
+}
+
+// A block falls past the top corner of its diagonal neighbour: it touches in one point and
+// must fall freely (rule 12: 0 of all frames may hang).
+TEST(DiagonalNeighbour, FallsPastTheCorner) {
+  for (const Frame& frame : random_frames()) {
+    Scene scene(frame);
+    scene.box(0, 0, 1, 1, true);
+    const int b = scene.box(-1, 1, 1, 1);  // its bottom right corner on the other's top left
+    scene.gravity(0, -10);
+    scene.run(0.3);
+    const double dt = scene.dt(), n = static_cast<double>(scene.model.steps);
+    EXPECT_NEAR(scene.centroid(b).y(), 1.5 - 10 * dt * dt * n * (n + 1) / 2,
+                1e-7 + 1e-9 * frame.offset.norm())
+        << frame.angle << " " << frame.offset.norm();
+  }
+}
+
+// Aligned faces carry four contacts (W / 4 Kn), offset faces two (W / 2 Kn); neither falls
+// through nor creeps down in a turned frame (rules 10, 12).
+void settle_stack(const Frame& frame, double shift, double contacts) {
+  Scene scene(frame);
+  scene.model.settings.damping = 0.5;
+  scene.model.settings.friction = 0.6;
+  scene.box(-3, -1, 6, 1, true);
+  constexpr int n = 4;
+  for (int i = 0; i < n; ++i)
+    scene.box(i % 2 == 0 ? 0 : shift, 0.5 * i, 1, 0.5);
+  scene.gravity(0, -10);
+  scene.run(1.0);
+  const double w = scene.weight(1), k = scene.model.settings.normal_stiffness;
+  double sunk = n * w / (2 * k);  // lowest brick on the wide floor: two contacts
+  const double tolerance = 1e-3 * sunk + 1e-8 * frame.offset.norm();
+  EXPECT_NEAR(0.25 - scene.centroid(1).y(), sunk, tolerance);
+  for (int i = 1; i < n; ++i) {
+    sunk += (n - i) * w / (contacts * k);
+    EXPECT_NEAR(0.25 + 0.5 * i - scene.centroid(1 + i).y(), sunk, tolerance)
+        << "brick " << i << " angle " << frame.angle << " offset " << frame.offset.norm();
+  }
+}
+
+TEST(Stack, AlignedRestsOnFourContacts) {
+  for (const Frame& frame : random_frames(16))
+    settle_stack(frame, 0.0, 4.0);
+}
+
+TEST(Stack, OffsetRestsOnTwoContacts) {
+  for (const Frame& frame : random_frames(16))
+    settle_stack(frame, 0.25, 2.0);
+}
+
+// A box slides over the joints of a floor of boxes as over one piece.
+TEST(FloorOfBoxes, DoesNotSnag) {
+  for (const Frame& frame : random_frames(8)) {
+    Scene scene(frame);
+    scene.model.settings.friction = 0.2;
+    scene.model.settings.damping = 0.5;
+    for (int i = 0; i < 12; ++i)
+      scene.box(i - 3, -1, 1, 1, true);
+    const int b = scene.box(0, 0, 0.7, 0.7);
+    scene.gravity(0, -10);
+    scene.run(0.2);
+    scene.velocity(b, 4, 0);
+    const double x0 = scene.centroid(b).x();
+    scene.run(1.0);
+    EXPECT_NEAR(scene.centroid(b).x() - x0, 4.0 - 0.5 * 2, 0.03) << frame.angle;
+    EXPECT_NEAR(scene.velocity(b).x(), 2.0, 0.03) << frame.angle;
+  }
+}
+
+// Rule 13: boxes and tolerance change the search, never the result.
+TEST(Search, ResultsDoNotDependOnBoxesOrTolerance) {
+  struct Choice { int boxes; double tolerance; };
+  const Choice choices[] = {{1, 0.1}, {7, 0.02}, {200, 0.1}, {999, 0.35}, {40, 0.005}};
+  std::vector<Eigen::Matrix2Xd> ends;
+  for (const Choice& choice : choices) {
+    Scene scene;
+    scene.model.settings.boxes_x = scene.model.settings.boxes_y = choice.boxes;
+    scene.model.settings.contact_tolerance = choice.tolerance;
+    scene.model.settings.friction = 0.4;
+    scene.model.settings.damping = 0.3;
+    scene.box(-10, -1, 20, 1, true);
+    for (int row = 0; row < 4; ++row)
+      for (int i = 0; i < 4; ++i)
+        scene.add({{i + 0.1 * row, row * 1.05 + 0.02 * i},
+                   {i + 0.2 + 0.1 * row, row * 1.05 + 0.9},
+                   {i + 0.8 + 0.1 * row, row * 1.05 + 1.0},
+                   {i + 0.95 + 0.1 * row, row * 1.05}});
+    scene.gravity(1, -10);
+    scene.velocity(16, -3, 1, 2);
+    scene.run(1.0);
+    ends.push_back(scene.model.blocks.corner);
+    EXPECT_GT(scene.model.search.updates, 1);
+  }
+  for (const Eigen::Matrix2Xd& end : ends)
+    EXPECT_EQ(end, ends.front());
+}
+
+// Scaling all lengths by a power of two, with time unchanged, is exact in binary: every
+// number of the run scales by a power of two.
+TEST(Scaling, ByAPowerOfTwoIsBitExact) {
+  const auto fall = [](double scale) {
+    Scene scene;
+    Settings& s = scene.model.settings;
+    s.lower *= scale, s.upper *= scale;
+    s.contact_tolerance *= scale;
+    s.materials[1].density /= scale * scale;  // the same masses
+    s.friction = 0.5, s.damping = 0.2;
+    scene.add({{-5 * scale, -scale}, {-5 * scale, 0}, {5 * scale, 0}, {5 * scale, -scale}}, true);
+    scene.add({{0, 0.3 * scale}, {0.2 * scale, 1.3 * scale}, {1.1 * scale, 1.2 * scale},
+               {0.9 * scale, 0.1 * scale}});
+    scene.gravity(2 * scale, -10 * scale);
+    scene.run(0.7);
+    return Eigen::Matrix2Xd(scene.model.blocks.corner / scale);
+  };
+  EXPECT_EQ(fall(1.0), fall(1024.0));
+}
+
+}  // namespace
+}  // namespace blocks
