@@ -19,7 +19,9 @@ class Decimal {
 
   /// Reads [+-]digits[.digits][(e|E|d|D)[+-]digits], surrounded by nothing.
   /// Returns nothing for any other text, and for a value beyond the range of a finite
-  /// double (1e400); a value too small for a double keeps its exact digits.
+  /// double (1e400); a value too small for a double keeps its exact digits down to
+  /// 1e-400, below which it is refused: no deck can ask for a rational of a million
+  /// digits. Digits have no zeros at either end, so equal values have equal digits.
   static std::optional<Decimal> parse(std::string_view text);
 
   /// The nearest double (round to nearest, ties to even).

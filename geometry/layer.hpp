@@ -47,8 +47,8 @@ struct Layer {
 class LayerError : public std::runtime_error {
  public:
   enum class Kind { shape, spacing, aspect, angle };
-  LayerError(Kind kind, const std::string& message, const std::string& hint)
-      : std::runtime_error(message), kind(kind), hint(hint) {}
+  LayerError(Kind which, const std::string& message, const std::string& possible)
+      : std::runtime_error(message), kind(which), hint(possible) {}
   Kind kind;
   std::string hint;  ///< what would be possible
 };
@@ -63,10 +63,19 @@ enum class QuadShape {
 };
 QuadShape classify_quad(const std::array<DecimalPoint, 4>& corners);
 
-/// Cuts the layer. Random widths along the mid-line obey 0.2 <= width/height <= 3.0,
-/// the height being the mean distance between the two lines. Throws LayerError: corners
-/// not convex and clockwise, widths not positive, no random widths possible between the
-/// limits, |angle| >= 80 degrees.
+/// Cuts the layer. Even and listed sides join equal places of the bottom and the top
+/// line. Random widths along the mid-line (between the middles of the two ends) obey
+/// 0.2 <= width/height <= 3.0 exactly and add up to it exactly; the height, the mean
+/// distance between the two lines, is the layer's area over the length of its mid-line:
+/// width/height is then rational and a tie written in decimals is decided as written.
+/// Law: independent uniform widths, then all drawn towards one limit in proportion so
+/// that the sum fits; every block has the same law and mean. A side whose angle would
+/// cross another is drawn again up to 16 times and then takes the ruling of the pencil
+/// spanned by its two neighbours. Angles and MERGE concern random spacing only.
+/// Vertices on slanted lines are rounded towards the layer, so that layers that share a
+/// line never overlap. Throws LayerError: corners not convex and clockwise, widths not
+/// positive, no random widths possible between the limits (the hint names the counts
+/// that are), |angle| >= 80 degrees, a layer too thin for doubles.
 Layer cut_layer(const LayerRequest& request);
 
 }  // namespace blocks::geometry

@@ -1,0 +1,27 @@
+// PRIVATE to geometry/: into the rationals and out of them again. CGAL::to_double is
+// not correctly rounded, so what leaves goes through MPFR.
+#pragma once
+
+#include "geometry/decimal.hpp"
+#include "geometry/exact/kernels.hpp"
+
+namespace blocks::geometry::exact {
+
+/// digits * 10^exponent, without error.
+Rational rational(const Decimal& decimal);
+Point rational(const DecimalPoint& point);
+
+/// The nearest double, ties to even. Laws: nearest(-r) = -nearest(r); a double comes
+/// back unchanged; infinite beyond the range of a double.
+double nearest(const Rational& value);
+Vec2 nearest(const Point& point);
+
+/// The largest double not above the value (side < 0), the smallest not below it
+/// (side > 0), or the nearest (side = 0).
+double rounded_towards(const Rational& value, int side);
+
+/// The tangent of an angle in degrees, |angle| < 90: the double nearest to it, the same
+/// on every machine (exactly 0 at 0 and 1 at 45 degrees).
+double tangent_of_degrees(const Rational& degrees);
+
+}  // namespace blocks::geometry::exact

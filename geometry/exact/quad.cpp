@@ -1,0 +1,158 @@
+#include "geometry/exact/quad.hpp"
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace blocks::geometry::exact {
+namespace {
+
+constexpr std::uint32_t use_width = 0;  // what a random number is for
+constexpr std::uint32_t use_angle = 1;
+constexpr std::uint32_t redraws = 16;  // rule 19
+
+Rational two_to_53() { return Rational(std::uint64_t{1} << 53U); }
+
+// Places sides one by one, the middle one first: each has to fit between the nearest
+// sides placed before it, left and right. In this order a side that does not fit next
+// to a layer end does not push its neighbours all along the layer.
+class Placer {
+ public:
+  Placer(const Quad& quad, const std::vector<Rational>& places,
+         const std::vector<std::size_t>& numbers, const Rational& angle_min,
+         const Rational& angle_max, StreamKey stream)
+      : quad_(quad), places_(places), numbers_(numbers), angle_min_(angle_min),
+        angle_range_(angle_max - angle_min), stream_(stream) {
+    result_.sides.resize(places.size());
+    result_.sides.front() = {Rational(0), Rational(0)};
+    result_.sides.back() = {Rational(1), Rational(1)};
+    same_angle_ = tangent_of_degrees(angle_min_);
+  }
+
+  OrientedSides run() {
+    place_between(0, places_.size() - 1);
+    return std::move(result_);
+  }
+
+ private:
+  void place_between(std::size_t left, std::size_t right) {
+    if (right - left < 2)
+      return;
+    const std::size_t here = left + (right - left) / 2;
+    result_.sides[here] = place(here, result_.sides[left], result_.sides[right]);
+    place_between(left, here);
+    place_between(here, right);
+  }
+
+  Side place(std::size_t here, const Side& left, const Side& right) {
+    const bool one_angle = angle_range_ == 0;
+    for (std::uint32_t draw = 0; draw <= redraws; ++draw) {
+      const double tangent = one_angle ? same_angle_ : drawn_tangent(here, draw);
+      const auto side = side_through(quad_, places_[here], tangent);
+      if (side && left_of(left, *side) && left_of(*side, right))
+        return *side;
+      if (one_angle)
+        break;
+      if (draw < redraws)
+        ++result_.redrawn;
+    }
+    ++result_.ruled;
+    return ruling(places_[here], left, right);
+  }
+
+  double drawn_tangent(std::size_t here, std::uint32_t draw) const {
+    const std::uint64_t bits = random_53_bits(stream_, numbers_[here], draw, use_angle);
+    return tangent_of_degrees(angle_min_ + angle_range_ * Rational(bits) / two_to_53());
+  }
+
+  // The line of the pencil spanned by the two neighbours: it goes through the point
+  // where they would meet outside the layer (or is parallel to them) and cannot cross
+  // either. Its tangent is rounded to a double, lest numbers grow from ruling to
+  // ruling.
+  Side ruling(const Rational& s, const Side& left, const Side& right) const {
+    const Point start = quad_.bl + quad_.bottom() * left.bottom;
+    const Point other = quad_.bl + quad_.bottom() * right.bottom;
+    const Vector along = quad_.tl + quad_.top() * left.top - start;
+    const Vector across = quad_.tl + quad_.top() * right.top - other;
+    const Rational turn = cross(along, across);
+    const Point here = quad_.middle(s);
+    const Vector direction =
+        turn == 0 ? along
+                  : here - (start + along * (cross(other - start, across) / turn));
+    const Vector mid = quad_.middle();
+    const Rational tangent = -(direction * mid) / cross(mid, direction);
+    if (const auto side = side_through(quad_, s, nearest(tangent));
+        side && left_of(left, *side) && left_of(*side, right)) {
+      return *side;
+    }
+    throw std::domain_error("no room for a side between its neighbours");
+  }
+
+  const Quad& quad_;
+  const std::vector<Rational>& places_;
+  const std::vector<std::size_t>& numbers_;
+  Rational angle_min_;
+  Rational angle_range_;
+  StreamKey stream_;
+  double same_angle_ = 0.0;
+  OrientedSides result_;
+};
+
+}  // namespace
+
+Rational Quad::length_to_height() const {
+  const Rational area = (cross(tr - bl, br - tl)) / Rational(-2);
+  return middle().squared_length() / area;
+}
+
+std::optional<Side> side_through(const Quad& quad, const Rational& s, double tangent) {
+  const Vector mid = quad.middle();
+  const Vector normal(-mid.y(), mid.x());
+  const Vector direction = normal - mid * Rational(tangent);
+  const Rational bottom_turn = cross(quad.bottom(), direction);
+  const Rational top_turn = cross(quad.top(), direction);
+  if (bottom_turn == 0 || top_turn == 0)
+    return std::nullopt;
+  const Point here = quad.middle(s);
+  return Side{cross(here - quad.bl, direction) / bottom_turn,
+              cross(here - quad.tl, direction) / top_turn};
+}
+
+OrientedSides orient_sides(const Quad& quad, const std::vector<Rational>& places,
+                           const std::vector<std::size_t>& numbers,
+                           const Rational& angle_min, const Rational& angle_max,
+                           StreamKey stream) {
+  return Placer(quad, places, numbers, angle_min, angle_max, stream).run();
+}
+
+Rational least_width_to_height() { return Rational(1, 5); }
+Rational greatest_width_to_height() { return Rational(3); }
+
+std::vector<Rational> random_places(int count, const Rational& length_to_height,
+                                    StreamKey stream) {
+  const Rational low = least_width_to_height() / length_to_height;
+  const Rational high = greatest_width_to_height() / length_to_height;
+  // The running sums are whole numbers, so the rationals stay short: a width is
+  // low + (high - low) u with u = k / 2^53.
+  std::vector<Rational> sum = {Rational(0)};
+  for (int block = 1; block <= count; ++block) {
+    const auto number = static_cast<std::uint64_t>(block);
+    sum.push_back(sum.back() + Rational(random_53_bits(stream, number, 0, use_width)));
+  }
+  const Rational n(count);
+  const Rational full = n * two_to_53();  // all widths at the upper limit
+  const bool too_wide = n * low + (high - low) * sum.back() / two_to_53() > 1;
+  std::vector<Rational> places;
+  places.reserve(sum.size());
+  for (int j = 0; j <= count; ++j) {
+    const Rational blocks(j);
+    const Rational& part = sum[static_cast<std::size_t>(j)];
+    places.push_back(too_wide
+                         ? blocks * low + (Rational(1) - n * low) * part / sum.back()
+                         : blocks * high - (n * high - Rational(1)) *
+                                               (blocks * two_to_53() - part) /
+                                               (full - sum.back()));
+  }
+  return places;
+}
+
+}  // namespace blocks::geometry::exact

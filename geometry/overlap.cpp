@@ -1,0 +1,204 @@
+#include "geometry/overlap.hpp"
+
+#include <CGAL/Partition_traits_2.h>
+#include <CGAL/partition_2.h>
+
+#include <algorithm>
+#include <iterator>
+#include <list>
+#include <numeric>
+
+#include "geometry/exact/kernels.hpp"
+#include "geometry/polygon.hpp"
+
+namespace blocks::geometry {
+namespace {
+
+using exact::Filtered;
+
+struct Box {
+  Vec2 low;
+  Vec2 high;
+};
+
+Box box_of(const Polygon& p) {
+  Box box{p.front(), p.front()};
+  for (const Vec2& corner : p) {
+    box.low = box.low.cwiseMin(corner);
+    box.high = box.high.cwiseMax(corner);
+  }
+  return box;
+}
+
+// Boxes that only touch hold no common interior.
+bool overlap(const Box& a, const Box& b) {
+  return (a.low.array() < b.high.array()).all() &&
+         (b.low.array() < a.high.array()).all();
+}
+
+CGAL::Orientation turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return CGAL::orientation(exact::point(a), exact::point(b), exact::point(c));
+}
+
+// An edge of the convex clockwise p has all of q on its outer side or on its line. Of
+// two convex outlines with disjoint interiors, one has such an edge.
+bool edge_separates(const Polygon& p, const Polygon& q) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vec2& a = p[i];
+    const Vec2& b = p[(i + 1) % p.size()];
+    if (std::none_of(q.begin(), q.end(), [&](const Vec2& corner) {
+          return turn(a, b, corner) == CGAL::RIGHT_TURN;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool interiors_meet(const Polygon& p, const Polygon& q) {
+  return !edge_separates(p, q) && !edge_separates(q, p);
+}
+
+// The outline cut into convex clockwise pieces by diagonals: no new corners, so nothing
+// is rounded.
+std::vector<Polygon> convex_pieces(const Polygon& outline) {
+  const OutlineCheck check = check_outline(outline);
+  if (check.fault != OutlineFault::none)
+    return {};
+  if (check.convex)
+    return {check.anticlockwise ? reversed(outline) : outline};
+  using Traits = CGAL::Partition_traits_2<Filtered>;
+  std::vector<Filtered::Point_2> points;  // anticlockwise, as CGAL wants them
+  for (const Vec2& corner : outline)
+    points.push_back(exact::point(corner));
+  if (!check.anticlockwise)
+    std::reverse(points.begin(), points.end());
+  std::list<Traits::Polygon_2> parts;
+  CGAL::approx_convex_partition_2(points.begin(), points.end(),
+                                  std::back_inserter(parts), Traits());
+  std::vector<Polygon> pieces;
+  for (const auto& part : parts) {
+    Polygon piece;
+    for (const auto& corner : part.container()) {
+      piece.emplace_back(corner.x(), corner.y());
+    }
+    std::reverse(piece.begin(), piece.end());
+    // A piece of three corners on one line covers nothing.
+    if (check_outline(piece).fault == OutlineFault::none) {
+      pieces.push_back(std::move(piece));
+    }
+  }
+  return pieces;
+}
+
+// What of the convex q lies inside the convex clockwise p (Sutherland-Hodgman), in
+// doubles and relative to `origin`: only for the figures of the report.
+Polygon clipped(const Polygon& p, const Polygon& q, const Vec2& origin) {
+  Polygon rest = q;
+  for (Vec2& corner : rest)
+    corner -= origin;
+  for (std::size_t i = 0; i < p.size() && !rest.empty(); ++i) {
+    const Vec2 a = p[i] - origin;
+    const Vec2 edge = p[(i + 1) % p.size()] - p[i];
+    const auto depth = [&](const Vec2& corner) { return -cross(edge, corner - a); };
+    Polygon inside;
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      const Vec2& here = rest[k];
+      const Vec2& then = rest[(k + 1) % rest.size()];
+      const double d = depth(here);
+      const double e = depth(then);
+      if (d >= 0.0)
+        inside.push_back(here);
+      if ((d > 0.0 && e < 0.0) || (d < 0.0 && e > 0.0)) {
+        inside.emplace_back(here + (then - here) * (d / (d - e)));
+      }
+    }
+    rest = std::move(inside);
+  }
+  return rest;
+}
+
+// The outlines with their boxes and, once asked for, their convex pieces.
+class Blocks {
+ public:
+  explicit Blocks(const std::vector<Polygon>& outlines)
+      : outlines_(outlines), pieces_(outlines.size()), cut_(outlines.size(), false) {}
+
+  const std::vector<Polygon>& pieces(std::size_t block) {
+    if (!cut_[block]) {
+      pieces_[block] = convex_pieces(outlines_[block]);
+      cut_[block] = true;
+    }
+    return pieces_[block];
+  }
+
+  void compare(std::size_t first, std::size_t second,
+               std::vector<BlockOverlap>& found) {
+    bool meet = false;
+    double area = 0.0;
+    const Vec2 origin = outlines_[first].front();
+    Vec2 moment = Vec2::Zero();
+    Vec2 some_place = Vec2::Zero();
+    for (const Polygon& p : pieces(first)) {
+      for (const Polygon& q : pieces(second)) {
+        if (!overlap(box_of(p), box_of(q)) || !interiors_meet(p, q))
+          continue;
+        const Polygon common = clipped(p, q, origin);
+        const SectionProperties part = section_properties(common);
+        // An overlap of an ulp may clip to nothing in doubles; it counts all the same.
+        if (!meet)
+          some_place = common.empty() ? Vec2(q.front() - origin) : common[0];
+        meet = true;
+        const double part_area = std::max(part.area, 0.0);
+        area += part_area;
+        moment += part_area * part.centroid;
+      }
+    }
+    if (!meet)
+      return;
+    const Vec2 place = area > 0.0 ? Vec2(moment / area) : some_place;
+    found.push_back(
+        {static_cast<int>(first), static_cast<int>(second), area, origin + place});
+  }
+
+ private:
+  const std::vector<Polygon>& outlines_;
+  std::vector<std::vector<Polygon>> pieces_;
+  std::vector<bool> cut_;
+};
+
+}  // namespace
+
+std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines) {
+  std::vector<Box> boxes;
+  boxes.reserve(outlines.size());
+  for (const Polygon& outline : outlines) {
+    boxes.push_back(outline.empty() ? Box{Vec2::Zero(), Vec2::Zero()}
+                                    : box_of(outline));
+  }
+  std::vector<std::size_t> order(outlines.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return boxes[a].low.x() < boxes[b].low.x();
+  });
+  Blocks blocks(outlines);
+  std::vector<BlockOverlap> found;
+  std::vector<std::size_t> active;  // boxes that reach the sweep line
+  for (const std::size_t here : order) {
+    std::erase_if(active, [&](std::size_t other) {
+      return boxes[other].high.x() <= boxes[here].low.x();
+    });
+    for (const std::size_t other : active) {
+      if (overlap(boxes[here], boxes[other])) {
+        blocks.compare(std::min(here, other), std::max(here, other), found);
+      }
+    }
+    active.push_back(here);
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
+  return found;
+}
+
+}  // namespace blocks::geometry

@@ -1,0 +1,25 @@
+// Which blocks overlap at the start: a report for the user, decided exactly. Knows
+// nothing of contacts.
+#pragma once
+
+#include <vector>
+
+#include "geometry/vec2.hpp"
+
+namespace blocks::geometry {
+
+/// Two outlines whose interiors intersect.
+struct BlockOverlap {
+  int first = 0;              ///< index of the outline, from 0; first < second
+  int second = 0;             ///< index of the other
+  double area = 0.0;          ///< [L^2] of the intersection, rounded
+  Vec2 place = Vec2::Zero();  ///< [L] a point of it: centroid, rounded
+};
+
+/// Every pair of outlines whose interiors intersect, in order of (first, second).
+/// outlines: simple and clockwise, [L]; concave ones are welcome. The decision is
+/// exact; touching along sides or at corners does not count. Laws: the order of the
+/// outlines does not matter; no pair is reported for the cells of a certified tiling.
+std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines);
+
+}  // namespace blocks::geometry

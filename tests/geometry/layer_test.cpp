@@ -1,0 +1,291 @@
+#include "geometry/layer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "geometry/overlap.hpp"
+#include "layers.hpp"
+
+namespace blocks::geometry {
+namespace {
+
+using testing::cell;
+using testing::corners;
+using testing::decimal;
+using ::testing::HasSubstr;
+using testing::random_layer;
+
+std::uint64_t fnv(const Mesh& mesh) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const Vec2& v : mesh.vertices) {
+    for (const double x : {v.x(), v.y()}) {
+      const auto bits = std::bit_cast<std::uint64_t>(x);
+      for (int shift = 0; shift < 64; shift += 8) {
+        hash = (hash ^ ((bits >> shift) & 0xffU)) * 0x100000001b3ULL;
+      }
+    }
+  }
+  return hash;
+}
+
+const char* const rectangle = "0 0 0 1 100 1 100 0";
+
+TEST(LayerShape, IsClassifiedExactly) {
+  EXPECT_EQ(classify_quad(corners("0 0 0 1 1 1 1 0")), QuadShape::convex_clockwise);
+  EXPECT_EQ(classify_quad(corners("0 0 1 0 1 1 0 1")), QuadShape::convex_anticlockwise);
+  EXPECT_EQ(classify_quad(corners("0 0 1 1 0 1 1 0")), QuadShape::bow_tie);
+  EXPECT_EQ(classify_quad(corners("0 0 0 3 1 1 3 0")), QuadShape::dart);
+  EXPECT_EQ(classify_quad(corners("0 0 0 0 1 1 1 0")), QuadShape::degenerate);
+  // On one line as written; the doubles 0.1, 0.2, 0.3 are not.
+  EXPECT_EQ(classify_quad(corners("0 0 0.1 0.1 0.3 0.3 1 0")), QuadShape::degenerate);
+  EXPECT_EQ(classify_quad(corners("0.1 0.3 0.2 0.6 0.3 0.9 1 0")),
+            QuadShape::degenerate);
+}
+
+TEST(LayerShape, AnythingButConvexAndClockwiseIsRefused) {
+  for (const char* quad : {"0 0 1 0 1 1 0 1", "0 0 1 1 0 1 1 0", "0 0 0 3 1 1 3 0",
+                           "0.1 0.3 0.2 0.6 0.3 0.9 1 0"}) {
+    LayerRequest request;
+    request.corners = corners(quad);
+    request.count = 2;
+    try {
+      cut_layer(request);
+      FAIL() << quad;
+    } catch (const LayerError& error) {
+      EXPECT_EQ(error.kind, LayerError::Kind::shape);
+      EXPECT_FALSE(error.hint.empty());
+    }
+  }
+}
+
+TEST(EvenLayer, HasEqualBlocksOnTheNearestDoubles) {
+  LayerRequest request;
+  request.corners = corners("0.1 0.2 0.1 0.7 1.0 0.7 1.0 0.2");
+  request.count = 3;
+  const Layer layer = cut_layer(request);
+  ASSERT_EQ(layer.mesh.cells.size(), 3U);
+  EXPECT_TRUE(layer.certificate.holds);
+  // 0.1 + 0.9 i / 3 rounded once.
+  const double x[] = {0.1, 0.4, 0.7, 1.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto c = cell(layer, i);
+    EXPECT_EQ(c[0], Vec2(x[i], 0.2));
+    EXPECT_EQ(c[1], Vec2(x[i], 0.7));
+    EXPECT_EQ(c[2], Vec2(x[i + 1], 0.7));
+    EXPECT_EQ(c[3], Vec2(x[i + 1], 0.2));
+  }
+}
+
+TEST(ListedLayer, ScalesOnlyWhatDoesNotFit) {
+  LayerRequest request;
+  request.corners = corners("0 0 0 1 4 4 4 3");  // both lines 5 long, slanted
+  request.spacing = Spacing::listed;
+  request.count = 3;
+  request.bottom = {decimal("0.1"), decimal("0.2"), decimal("4.7")};
+  request.top = {Decimal(1), Decimal(1), Decimal(2)};
+  const Layer layer = cut_layer(request);
+  EXPECT_FALSE(layer.bottom_scaled);  // 0.1 + 0.2 + 4.7 is 5 as written
+  EXPECT_TRUE(layer.top_scaled);
+  EXPECT_NEAR(cell(layer, 0)[3].x(), 0.08, 1e-15);
+  EXPECT_NEAR(cell(layer, 1)[2].x(), 2.0, 1e-15);
+}
+
+TEST(ListedLayer, RefusesWidthsThatAreNotThere) {
+  LayerRequest request;
+  request.corners = corners(rectangle);
+  request.spacing = Spacing::listed;
+  request.count = 2;
+  request.bottom = {Decimal(50), Decimal(50)};
+  request.top = {Decimal(100), Decimal(0)};
+  EXPECT_THROW(cut_layer(request), LayerError);
+  request.top = {Decimal(100)};
+  EXPECT_THROW(cut_layer(request), LayerError);
+}
+
+TEST(RandomLayer, IsTheSameOnEveryMachine) {
+  const LayerRequest request =
+      random_layer("0.3 -0.1 -0.7 3.2 71.9 9.4 70.2 5.5", 25, "-20", "35");
+  EXPECT_EQ(fnv(cut_layer(request).mesh), 4186346120225528651ULL);
+}
+
+TEST(RandomLayer, AnotherLayerDoesNotChangeIt) {
+  LayerRequest first = random_layer(rectangle, 60, "-10", "10");
+  first.stream = {5, 1};
+  const std::uint64_t alone = fnv(cut_layer(first).mesh);
+  LayerRequest second = first;
+  second.stream.layer = 2;
+  EXPECT_NE(fnv(cut_layer(second).mesh), alone);
+  EXPECT_EQ(fnv(cut_layer(first).mesh), alone);
+}
+
+TEST(RandomLayer, AspectLimitsAreExact) {
+  // Length 0.9, height 0.3: with 15 blocks every width/height is exactly 0.2, with one
+  // it is exactly 3. In doubles 0.9 / 0.3 is not 3.
+  const std::string quad = "0 0 0 0.3 0.9 0.3 0.9 0";
+  for (const int count : {1, 2, 7, 14, 15}) {
+    EXPECT_EQ(cut_layer(random_layer(quad, count)).mesh.cells.size(),
+              static_cast<std::size_t>(count));
+  }
+  const Layer full = cut_layer(random_layer(quad, 15));
+  EXPECT_EQ(cell(full, 6)[3].x(), 0.42);  // 7 * 0.06, rounded once
+  for (const auto& [narrow, count] :
+       {std::pair(quad, 16), std::pair(std::string("0 0 0 0.3 0.91 0.3 0.91 0"), 1)}) {
+    try {
+      cut_layer(random_layer(narrow, count));
+      FAIL() << narrow;
+    } catch (const LayerError& error) {
+      EXPECT_EQ(error.kind, LayerError::Kind::aspect);
+      EXPECT_EQ(error.hint, count == 16 ? "from 1 to 15 blocks are possible"
+                                        : "from 2 to 15 blocks are possible");
+    }
+  }
+  try {
+    cut_layer(random_layer("0 0 0 9 1 9 1 0", 1));
+    FAIL();
+  } catch (const LayerError& error) {
+    EXPECT_THAT(error.hint, HasSubstr("no number of blocks"));
+  }
+}
+
+TEST(RandomLayer, WidthsKeepTheLimitsAndShowNoBiasAlongTheLayer) {
+  // Mean width/height of each place over many layers; for 20 blocks of 1.2 and 400
+  // layers the standard error is about 0.03.
+  constexpr int blocks = 20;
+  constexpr int layers = 400;
+  std::array<double, blocks> mean{};
+  for (int k = 0; k < layers; ++k) {
+    LayerRequest request = random_layer("0 0 0 1 24 1 24 0", blocks);
+    request.stream = {11, static_cast<std::uint64_t>(k)};
+    const Layer layer = cut_layer(request);
+    for (std::size_t i = 0; i < blocks; ++i) {
+      const auto c = cell(layer, i);
+      const double width = c[3].x() - c[0].x();
+      ASSERT_GE(width, 0.2 - 1e-13);
+      ASSERT_LE(width, 3.0 + 1e-13);
+      mean[i] += width / layers;
+    }
+  }
+  for (const double m : mean)
+    EXPECT_NEAR(m, 1.2, 0.15);
+}
+
+TEST(RandomLayer, SidesAreNormalToTheMidLineWithoutOrient) {
+  // Mid-line along (4, 3): normals along (-3, 4); only sides near the ends are ruled.
+  const Layer layer = cut_layer(random_layer("0 0 -3 4 77 64 80 60", 18));
+  EXPECT_EQ(layer.ruled, 0);
+  for (std::size_t i = 0; i < layer.mesh.cells.size(); ++i) {
+    const auto c = cell(layer, i);
+    EXPECT_NEAR((c[1] - c[0]).dot(Vec2(4, 3)), 0.0, 1e-11);
+  }
+}
+
+TEST(RandomLayer, OneAngleTurnsAllSidesAnticlockwiseFromTheNormal) {
+  // Rule 19: positive is anticlockwise, so the top of a side lies to the left.
+  const Layer layer = cut_layer(random_layer(rectangle, 120, "45", "45"));
+  int turned = 0;
+  for (std::size_t i = 1; i < layer.mesh.cells.size(); ++i) {
+    const auto c = cell(layer, i);
+    const Vec2 side = c[1] - c[0];
+    EXPECT_LE(side.x(), 0.0);
+    turned += std::abs(side.x() + 1.0) < 1e-13 ? 1 : 0;
+  }
+  // Only those next to the ends give way, and not one after the other along the layer.
+  EXPECT_EQ(turned, 119 - layer.ruled);
+  EXPECT_LT(layer.ruled, 5);
+}
+
+TEST(RandomLayer, AnglesBeyondTheirLimitsAreRefused) {
+  for (const auto& [low, high] : {std::pair("-80", "0"), std::pair("0", "80"),
+                                  std::pair("5", "-5"), std::pair("100", "200")}) {
+    try {
+      cut_layer(random_layer(rectangle, 60, low, high));
+      FAIL() << low << ' ' << high;
+    } catch (const LayerError& error) {
+      EXPECT_EQ(error.kind, LayerError::Kind::angle);
+    }
+  }
+}
+
+TEST(RandomLayer, AwkwardQuadrilateralsAreAllCertified) {
+  std::mt19937 engine(20);
+  const auto real = [&engine](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
+  };
+  int cut = 0;
+  int ruled = 0;
+  for (int k = 0; k < 400; ++k) {
+    // Rotated, slanted, wedge-shaped, at the origin or 1e9 away, with leaning ends.
+    const double turn = real(-3.2, 3.2);
+    const double length = real(5.0, 200.0);
+    const double left = real(0.3, 4.0);
+    const double right = k % 3 == 0 ? real(0.01, 4.0) : left;
+    const double lean = real(-2.0, 2.0);
+    const double offset = k % 4 == 0 ? 1e9 : 0.0;
+    const double raw[8] = {0,     0,      lean, left, length + lean * real(-1, 1),
+                           right, length, 0};
+    std::string quad;
+    for (int i = 0; i < 4; ++i) {
+      const double x = raw[2 * i] * std::cos(turn) - raw[2 * i + 1] * std::sin(turn);
+      const double y = raw[2 * i] * std::sin(turn) + raw[2 * i + 1] * std::cos(turn);
+      char text[80];
+      std::snprintf(text, sizeof text, "%.4f %.4f ", x + offset, y - offset);
+      quad += text;
+    }
+    if (classify_quad(corners(quad)) != QuadShape::convex_clockwise)
+      continue;
+    const double height = 0.5 * (left + right);
+    const int count = std::max(1, static_cast<int>(length / (height * real(0.3, 2.0))));
+    const bool steep = k % 2 == 0;
+    LayerRequest request =
+        random_layer(quad, count, steep ? "-70" : "-15.5", steep ? "70" : "20");
+    request.stream = {1, static_cast<std::uint64_t>(k)};
+    if (k % 5 == 0)
+      request.merge_ratio = decimal("0.5");
+    try {
+      const Layer layer = cut_layer(request);
+      ASSERT_TRUE(layer.certificate.holds);
+      ruled += layer.ruled;
+      ++cut;
+    } catch (const LayerError& error) {
+      if (error.kind == LayerError::Kind::aspect)
+        continue;
+      FAIL() << k << ": " << error.what() << " | " << error.hint << " | " << quad;
+    }
+  }
+  EXPECT_GT(cut, 300);
+  EXPECT_GT(ruled, 0);  // the fall-back was reached
+}
+
+TEST(RandomLayer, LayersOnASharedSlantedLineDoNotOverlap) {
+  // Upper and lower layer, near the origin and far from it. Rounded to nearest nearly
+  // every such pair overlaps by an ulp.
+  const std::array<std::pair<const char*, const char*>, 3> pairs = {
+      {{"0.1 0.3 0.1 3.4 90.7 34.7 90.7 31.9", "0.1 -2.9 0.1 0.3 90.7 31.9 90.7 28.8"},
+       {"-50.1 20.3 -50.2 23.7 50.3 -17.2 50.7 -20.9",
+        "-50.3 17.2 -50.1 20.3 50.7 -20.9 50.4 -24.1"},
+       {"1000000.1 0.3 1000000.1 3.4 1000090.7 34.7 1000090.7 31.9",
+        "1000000.1 -2.9 1000000.1 0.3 1000090.7 31.9 1000090.7 28.8"}}};
+  for (const auto& [upper, lower] : pairs) {
+    std::vector<Polygon> outlines;
+    for (const char* quad : {upper, lower}) {
+      LayerRequest request = random_layer(quad, 50, "-20", "20");
+      request.stream.layer = outlines.size();
+      const Layer layer = cut_layer(request);
+      for (const auto& loop : layer.mesh.cells) {
+        outlines.push_back(testing::outline_of(layer.mesh, loop));
+      }
+    }
+    EXPECT_TRUE(overlapping_pairs(outlines).empty()) << upper;
+  }
+}
+
+TEST(RandomLayer, ThousandsOfBlocksAreCut) {
+  const LayerRequest wide =
+      random_layer("0 0 0.1 1.1 2000.3 31 2000 30", 2000, "-30", "30");
+  EXPECT_EQ(cut_layer(wide).mesh.cells.size(), 2000U);
+}
+
+}  // namespace
+}  // namespace blocks::geometry
