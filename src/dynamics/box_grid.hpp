@@ -32,7 +32,8 @@ class BoxGrid {
 
  private:
   static int index(double distance, double per, int boxes) {
-    return static_cast<int>(std::clamp(distance * per, 0.0, boxes - 1.0));
+    const double at = distance * per;
+    return at > 0.0 ? static_cast<int>(std::min(at, boxes - 1.0)) : 0;  // also if NaN
   }
 
   Vec2 lower_ = Vec2::Zero();

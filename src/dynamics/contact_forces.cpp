@@ -1,5 +1,6 @@
 #include "dynamics/contact_forces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/applied_force.hpp"
@@ -75,7 +76,8 @@ void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law) {
   const double length = along.norm();
   const Vec2 t = along / length;
   const Vec2 n(-t.y(), t.x());
-  const double overlap = geometry::cross(at - p1, along) / length;
+  // its sign was decided exactly; rounded, a tiny depth may come out below zero
+  const double overlap = std::max(0.0, geometry::cross(at - p1, along) / length);
   const Vec2 arm_a = blocks.arm.col(c);
   const Vec2 arm_b = at - blocks.centroid.col(b);
   const Vec2 v = point_velocity(blocks, a, arm_a) - point_velocity(blocks, b, arm_b);
@@ -133,7 +135,7 @@ void add_plane_forces(Blocks& blocks, PlaneContacts& contacts, const Settings& s
     const Vec2 along = plane.b - plane.a;
     const double length = along.norm();
     const Vec2 n(-along.y() / length, along.x() / length);
-    const double overlap = geometry::cross(at - plane.a, along) / length;
+    const double overlap = std::max(0.0, geometry::cross(at - plane.a, along) / length);
     const Vec2 arm = blocks.arm.col(c);
     ElasticForce spring{contacts.normal_elastic[i], 0.0};
     const double damping = damping_against_fixed(settings, blocks.mass[b]);

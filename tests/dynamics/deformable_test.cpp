@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "dynamics/motion.hpp"
 #include "dynamics/time_step.hpp"
 #include "scenes/scene.hpp"
 
@@ -20,7 +21,7 @@ TEST(Deformable, UniaxialStrainIsStressOverC11) {
   const Material material = scene.model.settings.materials.at(1);
   const double side = material.c12() / material.c11();
   const int b = scene.box(-1, -0.5, 2, 1);
-  scene.model.loads.function = {{0, 1}, {0.5, 1}};
+  scene.model.loads.function = {{0, 0.5}, {0, 1}};
   const double p = 1e7;
   scene.model.loads.pressures = {{b, 0, p, p, 0}, {b, 2, p, p, 0},
                                  {b, 1, p * side, p * side, 0}, {b, 3, p * side, p * side, 0}};
@@ -67,7 +68,7 @@ TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   scene.plane({n + 1, 1}, {-1, 1});
   scene.plane({0, 1}, {0, 0});
   // a small precompression keeps every contact closed: the law knows no tension
-  scene.model.loads.function = {{0, 0}, {2e-3, 1}, {1, 1}};
+  scene.model.loads.function = {{0, 2e-3, 1}, {0, 1, 1}};
   scene.model.loads.pressures.push_back({n - 1, 2, 1e6, 1e6, 0});
   const Material material = scene.model.settings.materials.at(1);
   const double stiff = 1 / (1 / material.c11() + 1.0 / (4 * 4e11));

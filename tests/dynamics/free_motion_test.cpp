@@ -68,7 +68,7 @@ TEST(Domain, FixesABlockThatLeaves) {
 TEST(Pressure, GivesForceMomentAndStress) {
   Scene scene;
   const int b = scene.box(0, 0, 3, 2);
-  scene.model.loads.function = {{0, 1}, {1, 1}};
+  scene.model.loads.function = {{0, 1}, {1, 1}};  // times, factors
   scene.model.loads.pressures.push_back({b, 1, 100, 400, 0});  // top side, from (0,2) to (3,2)
   scene.steps(1);
   const Blocks& blocks = scene.model.blocks;
