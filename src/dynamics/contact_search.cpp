@@ -8,42 +8,35 @@
 namespace blocks::dynamics {
 namespace {
 
-double squared_distance_to_segment(const Vec2& c, const Vec2& p, const Vec2& q) {
-  const Vec2 e = q - p;
-  const double s = std::clamp((c - p).dot(e) / e.squaredNorm(), 0.0, 1.0);
-  return (c - p - s * e).squaredNorm();
-}
-
 void find_near_corners(const Model& model, SearchBuffers& buffers) {
   const Blocks& blocks = model.blocks;
-  const double reach = 2.0 * model.settings.contact_tolerance;
-  for (int b = 0; b < blocks.size(); ++b)
-    for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
-      const Vec2 p = blocks.corner.col(e), q = blocks.corner.col(blocks.next(e));
-      // the slack of rules 10 and 12 is measured in edge lengths
-      const double near = reach + geometry::contact_slack * (q - p).norm();
-      const Vec2 margin(near, near);
-      buffers.grid.visit(p.cwiseMin(q) - margin, p.cwiseMax(q) + margin, [&](int c) {
-        const int other = blocks.corner_block[c];
-        if (other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
-          return;
-        if (squared_distance_to_segment(blocks.corner.col(c), p, q) <= near * near)
-          buffers.found.push_back({std::min(b, other), std::max(b, other), c, e});
-      });
-    }
+  const double travel = 2.0 * model.settings.contact_tolerance;
+  for (int b = 0; b < blocks.size(); ++b) {
+    const int first = blocks.first_corner[b], count = blocks.corners_of(b);
+    buffers.reach.clear();
+    for (int e = first; e < first + count; ++e)
+      buffers.reach.emplace_back(blocks, b, e, travel);
+    const auto corners = blocks.corner.middleCols(first, count);
+    const Vec2 least = corners.rowwise().minCoeff(),
+               most = corners.rowwise().maxCoeff();
+    // no edge is longer than the two extents together
+    const double near = travel + geometry::contact_slack * (most - least).sum();
+    const Vec2 lower = least.array() - near, upper = most.array() + near;
+    buffers.grid.visit(lower, upper, [&](int c) {
+      const int other = blocks.corner_block[c];
+      if (other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
+        return;
+      for (int e = 0; e < count; ++e)
+        if (buffers.reach[e].holds(blocks.corner.col(c)))
+          buffers.found.push_back(
+              {std::min(b, other), std::max(b, other), c, first + e});
+    });
+  }
 }
 
 SearchBuffers::Record record(const Contacts& contacts, int i) {
   const int a = contacts.corner_block[i], b = contacts.edge_block[i];
   return {std::min(a, b), std::max(a, b), contacts.corner[i], contacts.edge[i]};
-}
-
-void keep_acting(const Model& model, SearchBuffers& buffers) {
-  const Contacts& contacts = model.contacts;
-  for (int i = 0; i < contacts.size(); ++i)
-    if (contacts.active[i] && (model.blocks.is_free(contacts.corner_block[i]) ||
-                               model.blocks.is_free(contacts.edge_block[i])))
-      buffers.found.push_back(record(contacts, i));
 }
 
 /// Writes the records found into `next`, with the state of those that were there
@@ -127,10 +120,7 @@ void update_contacts(Model& model, SearchBuffers& buffers) {
   buffers.found.clear();
   buffers.grid.fill(model);
   find_near_corners(model, buffers);
-  keep_acting(model, buffers);
   std::sort(buffers.found.begin(), buffers.found.end());
-  buffers.found.erase(std::unique(buffers.found.begin(), buffers.found.end()),
-                      buffers.found.end());
   merge(model.blocks, model.contacts, buffers);
   std::swap(model.contacts, buffers.next);
   update_plane_contacts(model, buffers);

@@ -1,13 +1,36 @@
 // Finds the corners that are close enough to an edge (UPDAT, report 3.2, rule 13).
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "dynamics/box_grid.hpp"
+#include "geometry/contact_predicates.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
+
+/// Where a corner must lie for an edge to act on it within the next 2 CTOL of travel:
+/// in the edge's own frame, the rectangle that rules 9, 10 and 12 admit, grown by
+/// `near` on all sides. It holds every point within `near` of the edge, and also
+/// corners deep inside.
+struct Reach {
+  Vec2 origin, along;    ///< first corner; unit vector along the edge
+  double length, depth;  ///< [L] of the edge; to the centroid
+  double near;           ///< [L] 2 CTOL and the slack of rules 10 and 12
+
+  Reach(const Blocks& blocks, int b, int edge, double travel)
+      : origin(blocks.corner.col(edge)) {
+    const Vec2 e = Vec2(blocks.corner.col(blocks.next(edge))) - origin;
+    length = e.norm();
+    along = e / length;
+    depth = geometry::cross(Vec2(blocks.centroid.col(b)) - origin, along);
+    near = travel + geometry::contact_slack * length;
+  }
+  bool holds(const Vec2& c) const {
+    const double s = (c - origin).dot(along), d = geometry::cross(c - origin, along);
+    return s >= -near && s <= length + near && d >= -near && d <= depth + near;
+  }
+};
 
 /// Buffers of the search, kept between searches.
 struct SearchBuffers {
@@ -17,14 +40,17 @@ struct SearchBuffers {
     auto operator<=>(const Record&) const = default;
   };
   BoxGrid grid;
+  std::vector<Reach> reach;  ///< of the edges of one block
   std::vector<Record> found;
   Contacts next;
   PlaneContacts next_planes;
 };
 
 /// Brings the list of potential contacts up to date and sets the travel back to zero.
-/// Listed: every corner within 2 CTOL of an edge of another block, at least one of the
-/// two free, and every contact that acts. Records keep their elastic forces.
+/// Listed: every corner that an edge of another block could act on before the next
+/// search, at least one of the two free (docs/departures.md: the list holds more than
+/// the corners within 2 CTOL, so that results do not depend on CTOL). Records keep
+/// their elastic forces.
 void update_contacts(Model& model, SearchBuffers& buffers);
 
 /// Sets the dashpot constant C of (18) of every record: damping 2 sqrt(Kn m1 m2/(m1 +
