@@ -55,7 +55,7 @@ bool CardOrder::pass_preliminary(const CardSpec& spec, SourceLocation where) {
     }
     diagnostics_.error(where, card,
                        restart_ ? "this card may be given only once"
-                                : "RESTART must be the first card",
+                                : "must be the first card",
                        "a restart has no START and no other preliminary card");
     return false;
   }

@@ -19,15 +19,8 @@ std::string not_a_number_hint(const std::string& text) {
              "copied text often holds another kind of minus or blank";
     }
   }
-  bool digits = false;
-  bool letter_o = false;
-  bool others = false;
-  for (const char c : text) {
-    digits = digits || (c >= '0' && c <= '9');
-    letter_o = letter_o || c == 'O' || c == 'o';
-    others = others || ((c < '0' || c > '9') && c != '.' && c != 'O' && c != 'o');
-  }
-  if (digits && letter_o && !others) {
+  if (text.find_first_not_of("0123456789.+-Oo") == std::string::npos &&
+      text.find_first_of("Oo") != std::string::npos) {
     return "the letter O is not a zero";
   }
   return "write numbers like 12, -0.5, 1.E-3 or 1.D-3";

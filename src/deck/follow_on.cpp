@@ -93,19 +93,24 @@ TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
   std::size_t best = 0;  // the line that ends the first list
   long least = -1;
   int perfect = 0;
+  int perfect_comma_free = 0;
   for (std::size_t i = 0; i < flat.line_ends.size(); ++i) {
     const auto first = static_cast<long>(flat.line_ends[i]);
     const long sum = misfit(spec, first) + misfit(spec, total - first);
+    // Where several splits fit, a comma at the end of a line says the list goes on.
+    const bool comma_free = sum == 0 && !lines[i].comma;
     perfect += sum == 0 ? 1 : 0;
-    if (least < 0 || sum < least) {
+    perfect_comma_free += comma_free ? 1 : 0;
+    if (least < 0 || sum < least || (comma_free && perfect_comma_free == 1)) {
       least = sum;
       best = i;
     }
   }
-  if (perfect > 1) {
-    diagnostics.error(flat.fields[flat.line_ends[best]]->where, card,
-                      fmt::format("cannot tell where the {} start", spec.second),
-                      "put each list on one line of its own, or give all its values");
+  if (perfect > 1 && perfect_comma_free != 1) {
+    diagnostics.error(
+        flat.fields[flat.line_ends[best]]->where, card,
+        fmt::format("cannot tell where the {} start", spec.second),
+        "end the lines of a list that go on with a comma, or give all its values");
     return out;
   }
   const std::span<const Field* const> all(flat.fields);

@@ -148,6 +148,7 @@ Line split_fields(std::string_view text, int number) {
     }
   }
   line.end = {number, column(last), 1};
+  line.comma = !line.fields.empty() && !after_field;
   return line;
 }
 

@@ -24,6 +24,7 @@ struct Field {
 struct Line {
   std::vector<Field> fields;
   SourceLocation end;  ///< just behind the last field
+  bool comma = false;  ///< the line ends in a comma
   /// The next line of the deck, verbatim; only behind a START card.
   std::optional<std::string> title;
   SourceLocation title_where;

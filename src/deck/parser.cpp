@@ -53,6 +53,7 @@ class Parser {
   CardOrder order_;
   std::size_t next_ = 0;
   bool stopped_ = false;
+  std::optional<long> most_blocks_;   ///< START's nblok
   std::optional<long> most_corners_;  ///< START's ncmx
   std::map<long, int> materials_;     ///< number -> line
   std::optional<Cloop> loop_;         ///< a CLOOP that waits for its CREATE
@@ -184,16 +185,13 @@ void Parser::card() {
   }
   std::optional<Card> built = build_card(spec.name, values, diagnostics_);
   if (spec.name == "START") {
-    Start start;
-    const bool ok = title(start, line);
-    if (values.ok && values.fields[1].ok) {
+    Start untold;
+    if (values.ok) {
+      most_blocks_ = values.fields[0].integer;
       most_corners_ = values.fields[1].integer;
     }
-    built = built && ok ? std::optional<Card>(start) : std::nullopt;
-    if (built) {
-      auto& kept = std::get<Start>(*built);
-      kept.nblok = values.fields[0].as_int();
-      kept.ncmx = values.fields[1].as_int();
+    if (!title(built ? std::get<Start>(*built) : untold, line)) {
+      built.reset();
     }
   }
   if (!data.empty() && spec.follow_on.empty()) {
@@ -277,7 +275,7 @@ bool Parser::title(Start& card, const Line& line) {
     if (find_card(word.text) != nullptr) {
       diagnostics_.warning(
           word.where, "START",
-          fmt::format("the title looks like a {} card", capitals(word.text)),
+          fmt::format("the title looks like the card {}", capitals(word.text)),
           "the line behind START is always the title");
     }
   }
@@ -328,6 +326,13 @@ bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation e
       return false;
     }
     return true;
+  }
+  if (most_blocks_ && card.ns.value > *most_blocks_) {
+    diagnostics_.error(card.ns.where, "LAYER",
+                       fmt::format("{} blocks are more than START's maximum of {}",
+                                   card.ns.value, *most_blocks_),
+                       "raise nblok, the first value of START, or correct ns");
+    return false;
   }
   Range positive;
   positive.min = 0;

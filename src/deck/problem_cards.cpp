@@ -11,7 +11,7 @@ constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range angle{-80, 80, true, true, false};
 // A layer of more blocks than that is a slip of the hand, and short lists of widths
 // are completed in memory.
-constexpr Range layer_count{-1e7, 1e7, false, false, true};
+constexpr Range layer_count{-1e6, 1e6, false, false, true};
 
 /// Blocks: A.2.1 to A.2.6.
 void add_block_cards(std::vector<CardSpec>& cards) {
