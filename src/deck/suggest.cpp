@@ -40,20 +40,29 @@ std::string suggest(std::string_view word,
   }
   const std::string wanted = capitals(word);
   std::string best;
-  std::size_t least = std::string::npos;
+  long least = 0;
   for (const std::string_view candidate : candidates) {
     const std::string name = capitals(candidate);
-    std::size_t distance = edit_distance(wanted, name);
+    const std::size_t distance = edit_distance(wanted, name);
     const std::size_t shorter = std::min(wanted.size(), name.size());
-    if (distance > std::max<std::size_t>(1, shorter / 3)) {
+    const bool near = distance <= std::max<std::size_t>(1, shorter / 3);
+    if (!near) {
       // GRAV for GRAVITY, SETVELOCITY for SETVEL: behind every near miss.
       if (shorter < 3 || wanted.compare(0, shorter, name, 0, shorter) != 0) {
         continue;
       }
-      distance += longest;
     }
-    if (distance < least) {
-      least = distance;
+    // A common beginning counts half an edit a letter: FRICTION means FRICTN, although
+    // FRACTION is nearer by edits.
+    const auto same =
+        std::mismatch(wanted.begin(), wanted.begin() + static_cast<long>(shorter),
+                      name.begin())
+            .first -
+        wanted.begin();
+    const long score = 2 * static_cast<long>(distance) - same +
+                       (near ? 0 : static_cast<long>(4 * longest));
+    if (best.empty() || score < least) {
+      least = score;
       best = candidate;
     }
   }
