@@ -1,0 +1,176 @@
+#include "deck/card_builder.hpp"
+
+#include <fmt/format.h>
+#include <map>
+
+namespace blocks::deck {
+namespace {
+
+using Fields = std::vector<Value>;
+
+/// The second of two values must be greater than the first (or equal, if so said).
+bool in_order(const Value& low, const Value& high, bool may_be_equal, const char* card,
+              const std::string& message, const std::string& hint,
+              Diagnostics& diagnostics) {
+  const double a = low.number.value();
+  const double b = high.number.value();
+  if (a < b || (may_be_equal && a == b)) {
+    return true;
+  }
+  diagnostics.error(high.given ? high.where : low.where, card,
+                    fmt::format("{}, found {:g} and {:g}", message, a, b), hint);
+  return false;
+}
+
+using Builder = std::optional<Card> (*)(const Fields&, const Values&, Diagnostics&);
+using Maybe = std::optional<Card>;
+
+Maybe limits(const Fields& f, bool x, Diagnostics& diagnostics) {
+  if (!in_order(f[0], f[1], false, x ? "XLIMITS" : "YLIMITS",
+                x ? "xmin must be less than xmax" : "ymin must be less than ymax",
+                "the lower limit comes first", diagnostics)) {
+    return {};
+  }
+  if (x) {
+    return XLimits{f[0].as_real(), f[1].as_real()};
+  }
+  return YLimits{f[0].as_real(), f[1].as_real()};
+}
+
+Maybe layer(const Fields& f, Diagnostics& diagnostics) {
+  Layer card{f[0].as_int(), f[1].as_int(), {}, f[10].as_word(), {}, {}};
+  for (std::size_t i = 0; i < 8; ++i) {
+    card.corners[i] = f[i + 2].as_exact();
+  }
+  if (card.rcommand.value == "RANDOM" && card.ns.value > 0) {
+    diagnostics.warning(card.rcommand.where, "LAYER",
+                        "RANDOM is ignored where ns > 0: the widths are listed",
+                        fmt::format("write ns = {} for random widths", -card.ns.value));
+  }
+  return card;
+}
+
+Maybe splane(const Fields& f, Diagnostics& diagnostics) {
+  if (f[0].number.value() == f[2].number.value() &&
+      f[1].number.value() == f[3].number.value()) {
+    diagnostics.error(f[2].where, "SPLANE", "the two points are the same",
+                      "the plane runs through two different points");
+    return {};
+  }
+  return Splane{f[0].as_real(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+}
+
+Maybe setvel(const Fields& f, Diagnostics& diagnostics) {
+  const long nb1 = f[0].integer;
+  const long nb2 = f[1].integer;
+  if (nb2 > 0 && nb2 < nb1) {
+    diagnostics.error(
+        f[1].where, "SETVEL",
+        fmt::format("nb2 must not be less than nb1, found {} and {}", nb1, nb2),
+        "0 stands for nb1 alone, a negative number for all from nb1 on");
+    return {};
+  }
+  return SetVel{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real(),
+                f[4].as_real()};
+}
+
+Maybe output(const Fields& f, const Values& values) {
+  Output card{f[0].as_real(), {}};
+  for (const Value& value : values.repeated) {
+    card.blocks.push_back(value.as_int());
+  }
+  return card;
+}
+
+/// One line per card, in the order of the report. Lists and titles come later.
+const std::map<std::string_view, Builder>& builders() {
+  using F = const Fields&;
+  using V = const Values&;
+  using D = Diagnostics&;
+  static const std::map<std::string_view, Builder> table = {
+      {"START",
+       [](F f, V, D) -> Maybe {
+         return Start{f[0].as_int(), f[1].as_int(), {}};
+       }},
+      {"XLIMITS", [](F f, V, D d) -> Maybe { return limits(f, true, d); }},
+      {"YLIMITS", [](F f, V, D d) -> Maybe { return limits(f, false, d); }},
+      {"BOXES",
+       [](F f, V, D) -> Maybe {
+         return Boxes{f[0].as_int(), f[1].as_int(), f[2].as_real()};
+       }},
+      {"STIFF",
+       [](F f, V, D) -> Maybe {
+         return Stiff{f[0].as_real(), f[1].as_real()};
+       }},
+      {"FRACTION", [](F f, V, D) -> Maybe { return Fraction{f[0].as_real()}; }},
+      {"MATERIAL",
+       [](F f, V, D) -> Maybe {
+         return Material{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+       }},
+      {"FUNCTION",
+       [](F f, V, D) -> Maybe {
+         return Function{f[0].as_int(), {}, {}};
+       }},
+      {"RIGID", [](F, V, D) -> Maybe { return Rigid{}; }},
+      {"SEED", [](F f, V, D) -> Maybe { return Seed{f[0].as_int()}; }},
+      {"END", [](F, V, D) -> Maybe { return End{}; }},
+      {"RESTART", [](F f, V, D) -> Maybe { return Restart{f[0].as_word()}; }},
+      {"CREATE",
+       [](F f, V, D) -> Maybe {
+         return Create{f[0].as_int(), f[1].as_int(), f[2].as_int(), {}, {}, {}};
+       }},
+      {"READ9", [](F f, V, D) -> Maybe { return Read9{f[0].as_word()}; }},
+      {"LAYER", [](F f, V, D d) -> Maybe { return layer(f, d); }},
+      {"ORIENT",
+       [](F f, V, D d) -> Maybe {
+         if (!in_order(f[0], f[1], true, "ORIENT", "angmin must not exceed angplus",
+                       "the lesser angle comes first; a blank angle is 0", d)) {
+           return {};
+         }
+         return Orient{f[0].as_exact(), f[1].as_exact()};
+       }},
+      {"MERGE", [](F f, V, D) -> Maybe { return Merge{f[0].as_exact()}; }},
+      {"SPLANE", [](F f, V, D d) -> Maybe { return splane(f, d); }},
+      {"GRAVITY",
+       [](F f, V, D) -> Maybe {
+         return Gravity{f[0].as_real(), f[1].as_real()};
+       }},
+      {"FIX", [](F f, V, D) -> Maybe { return Fix{f[0].as_int()}; }},
+      {"PRESSBC",
+       [](F f, V, D) -> Maybe {
+         return PressBc{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real(),
+                        f[4].as_real()};
+       }},
+      {"FORCE",
+       [](F f, V, D) -> Maybe {
+         return Force{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+       }},
+      {"FRICTN", [](F f, V, D) -> Maybe { return Frictn{f[0].as_real()}; }},
+      {"SETVEL", [](F f, V, D d) -> Maybe { return setvel(f, d); }},
+      {"SETVELM",
+       [](F f, V, D) -> Maybe {
+         return SetVelM{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+       }},
+      {"DAMPING", [](F f, V, D) -> Maybe { return Damping{f[0].as_real()}; }},
+      {"DUMP", [](F, V, D) -> Maybe { return Dump{}; }},
+      {"OUTPUT", [](F f, V v, D) -> Maybe { return output(f, v); }},
+      {"PLOTS", [](F f, V, D) -> Maybe { return Plots{f[0].as_real()}; }},
+      {"MOTION", [](F f, V, D) -> Maybe { return Motion{f[0].as_real()}; }},
+      {"CYCLE", [](F f, V, D) -> Maybe { return Cycle{f[0].as_int()}; }},
+      {"STOP", [](F, V, D) -> Maybe { return Stop{}; }},
+  };
+  return table;
+}
+
+}  // namespace
+
+std::optional<Card> build_card(std::string_view name, const Values& values,
+                               Diagnostics& diagnostics) {
+  const auto builder = builders().find(name);
+  if (!values.ok || builder == builders().end()) {
+    return std::nullopt;
+  }
+  return builder->second(values.fields, values, diagnostics);
+}
+
+}  // namespace blocks::deck

@@ -1,0 +1,246 @@
+#include "deck/card_reader.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "deck/suggest.hpp"
+
+namespace blocks::deck {
+namespace {
+
+std::string did_you_mean(const std::string& word) {
+  return word.empty() ? "" : "did you mean " + word + "?";
+}
+
+std::string not_a_number_hint(const std::string& text) {
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) >= 0x80) {
+      return "a number holds plain digits, point, sign and exponent only; retype it, "
+             "copied text often holds another kind of minus or blank";
+    }
+  }
+  if (text.find_first_not_of("0123456789.+-Oo") == std::string::npos &&
+      text.find_first_of("Oo") != std::string::npos) {
+    return "the letter O is not a zero";
+  }
+  return "write numbers like 12, -0.5, 1.E-3 or 1.D-3";
+}
+
+Value read_word(const Field& field, const FieldSpec& spec, std::string_view card,
+                Diagnostics& diagnostics) {
+  Value value{.where = field.where, .given = true, .ok = true};
+  value.word = spec.choices.empty() ? field.text : capitals(field.text);
+  if (!spec.choices.empty()) {
+    for (const std::string_view choice : spec.choices) {
+      if (value.word == choice) {
+        return value;
+      }
+    }
+    std::string allowed;
+    for (const std::string_view choice : spec.choices) {
+      allowed += (allowed.empty() ? "" : ", ") + std::string(choice);
+    }
+    value.ok = false;
+    diagnostics.error(field.where, std::string(card),
+                      fmt::format("{} must be {} or blank, found {}", spec.name,
+                                  allowed, shown(field.text)),
+                      did_you_mean(suggest(field.text, spec.choices)));
+  }
+  return value;
+}
+
+Value default_value(const FieldSpec& spec, SourceLocation keyword) {
+  Value value{.where = keyword, .ok = true};
+  if (spec.kind == Kind::word) {
+    value.word = *spec.fallback;
+  } else {
+    value.number = read_number(*spec.fallback).value;
+    value.integer = std::lround(value.number.value());
+  }
+  return value;
+}
+
+/// Puts --set values in the place of those of the deck.
+std::vector<Field> overridden(const CardSpec& spec, const Line& line,
+                              const std::vector<OverrideFields>& overrides) {
+  std::vector<Field> fields(line.fields.begin() + 1, line.fields.end());
+  for (const OverrideFields& set : overrides) {
+    if (set.card != spec.name) {
+      continue;
+    }
+    const std::size_t at = *spec.find_field(set.field);
+    if (fields.size() <= at) {
+      fields.resize(at + 1, Field{"", line.end, true, false});
+    }
+    if (spec.fields[at].repeats) {
+      fields.resize(at);
+      fields.insert(fields.end(), set.fields.begin(), set.fields.end());
+    } else {
+      fields[at] = set.fields.front();
+    }
+  }
+  return fields;
+}
+
+}  // namespace
+
+std::string shown(const std::string& text) {
+  constexpr std::size_t longest = 40;
+  const std::vector<std::string> chars = characters(text);
+  std::string out;
+  for (std::size_t i = 0; i < chars.size() && i < longest; ++i) {
+    out += chars[i];
+  }
+  return "'" + out + (chars.size() > longest ? "...'" : "'");
+}
+
+std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overrides,
+                                              Diagnostics& diagnostics) {
+  std::vector<OverrideFields> out;
+  for (const Override& set : overrides) {
+    const SourceLocation where = diagnostics.from_command_line(
+        fmt::format("--set {}.{}={}", set.card, set.field, set.value));
+    const CardSpec* spec = find_card(set.card);
+    if (spec == nullptr) {
+      diagnostics.error(where, "", fmt::format("unknown card {}", shown(set.card)),
+                        did_you_mean(suggest(set.card, card_names())));
+      continue;
+    }
+    const auto at = spec->find_field(set.field);
+    if (!at) {
+      std::vector<std::string_view> names;
+      std::string list;
+      for (const FieldSpec& field : spec->fields) {
+        names.push_back(field.name);
+        list += (list.empty() ? "" : ", ") + std::string(field.name);
+      }
+      std::string hint = did_you_mean(suggest(set.field, names));
+      if (hint.empty()) {
+        hint = list.empty() ? "this card has no fields" : "its fields are " + list;
+      }
+      diagnostics.error(where, std::string(spec->name),
+                        fmt::format("unknown field {}", shown(set.field)), hint);
+      continue;
+    }
+    std::vector<Field> fields = split_fields(set.value, 0).fields;
+    if (fields.empty()) {
+      fields.push_back({"", where, true, false});
+    }
+    if (fields.size() > 1 && !spec->fields[*at].repeats) {
+      diagnostics.error(where, std::string(spec->name),
+                        fmt::format("{} takes one value, found {}",
+                                    spec->fields[*at].name, fields.size()));
+      continue;
+    }
+    for (Field& field : fields) {
+      field.where = where;
+    }
+    out.push_back({std::string(spec->name), capitals(set.field), std::move(fields)});
+  }
+  return out;
+}
+
+Value read_value(const Field& field, const FieldSpec& spec, std::string_view card,
+                 Diagnostics& diagnostics) {
+  if (spec.kind == Kind::word) {
+    return read_word(field, spec, card, diagnostics);
+  }
+  Value value{.where = field.where, .given = true};
+  const auto fault = [&](const std::string& message, std::string hint) {
+    diagnostics.error(field.where, std::string(card), message, std::move(hint));
+    return value;
+  };
+  const bool whole = spec.kind == Kind::integer;
+  const Number number = read_number(field.text);
+  if (number.fault == NumberFault::not_a_number) {
+    return fault(fmt::format("expected a {}number for {}, found {}",
+                             whole ? "whole " : "", spec.name, shown(field.text)),
+                 not_a_number_hint(field.text));
+  }
+  if (number.fault == NumberFault::not_finite) {
+    return fault(fmt::format("{} must be a finite number, found {}", spec.name,
+                             shown(field.text)),
+                 "numbers reach from about 1e-308 to 1e308");
+  }
+  value.number = number.value;
+  const double x = value.number.value();
+  if (whole) {
+    if (x != std::floor(x)) {
+      return fault(fmt::format("{} must be a whole number, found {}", spec.name,
+                               shown(field.text)),
+                   fmt::format("{}: {}", spec.name, spec.help));
+    }
+    constexpr double largest = 9007199254740992.0;  // 2^53: doubles are exact below
+    if (std::abs(x) >= largest) {
+      return fault(
+          fmt::format("{} is too large, found {}", spec.name, shown(field.text)),
+          "whole numbers reach to 9007199254740991");
+    }
+    value.integer = static_cast<long>(x);
+  }
+  if (!spec.range.contains(x)) {
+    return fault(fmt::format("{} must be {}, found {}", spec.name, spec.range.text(),
+                             shown(field.text)),
+                 fmt::format("{}: {}", spec.name, spec.help));
+  }
+  value.ok = true;
+  return value;
+}
+
+Values read_card(const CardSpec& spec, const Line& line,
+                 const std::vector<OverrideFields>& overrides,
+                 Diagnostics& diagnostics) {
+  const std::string card(spec.name);
+  const SourceLocation keyword = line.fields.front().where;
+  const std::vector<Field> fields = overridden(spec, line, overrides);
+  Values out;
+  std::string missing;
+  SourceLocation missing_at = line.end;
+  const auto report_missing = [&] {
+    if (!missing.empty()) {
+      diagnostics.error(missing_at, card, "missing " + missing,
+                        "syntax: " + spec.syntax());
+      missing.clear();
+    }
+  };
+  for (std::size_t i = 0; i < spec.fields.size(); ++i) {
+    const FieldSpec& field = spec.fields[i];
+    if (field.repeats) {
+      for (std::size_t k = i; k < fields.size(); ++k) {
+        if (!fields[k].blank) {
+          out.repeated.push_back(read_value(fields[k], field, card, diagnostics));
+          out.ok = out.ok && out.repeated.back().ok;
+        }
+      }
+      break;
+    }
+    if (i < fields.size() && !fields[i].blank) {
+      report_missing();
+      out.fields.push_back(read_value(fields[i], field, card, diagnostics));
+    } else if (field.fallback) {
+      out.fields.push_back(default_value(field, keyword));
+    } else {
+      // Neighbours that are missing together make one message.
+      if (missing.empty()) {
+        missing_at = i < fields.size() ? fields[i].where : line.end;
+      }
+      missing += (missing.empty() ? "" : ", ") + std::string(field.name);
+      out.fields.push_back({.where = keyword});
+    }
+    out.ok = out.ok && out.fields.back().ok;
+  }
+  report_missing();
+  const bool repeats = !spec.fields.empty() && spec.fields.back().repeats;
+  for (std::size_t i = spec.fields.size(); i < fields.size() && !repeats; ++i) {
+    if (!fields[i].blank) {
+      out.ok = false;
+      diagnostics.error(
+          fields[i].where, card, fmt::format("surplus value {}", shown(fields[i].text)),
+          spec.fields.empty() ? "this card has no values" : "syntax: " + spec.syntax());
+      break;
+    }
+  }
+  return out;
+}
+
+}  // namespace blocks::deck

@@ -1,0 +1,235 @@
+#include "deck/card_table.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/free_field.hpp"
+#include "deck/problem_cards.hpp"
+
+namespace blocks::deck {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{};
+constexpr Range positive{0, infinity, true, false, false};
+constexpr Range not_negative{0, infinity, false, false, false};
+constexpr Range from_one{1, infinity, false, false, false};
+
+std::vector<CardSpec> preliminary_cards() {
+  using enum Kind;
+  std::vector<CardSpec> cards;
+  const auto add = [&](CardSpec card) {
+    card.phase = Phase::preliminary;
+    cards.push_back(std::move(card));
+  };
+  add({.name = "START",
+       .once = true,
+       .required = true,
+       .section = "A.1.1",
+       .summary = "first card of a new run: sizes and title",
+       .fields = {{"nblok", integer, {}, from_one, "[-]", "maximum number of blocks"},
+                  {"ncmx",
+                   integer,
+                   {},
+                   {3, infinity, false, false, false},
+                   "[-]",
+                   "maximum number of corners per block"}},
+       .follow_on = {{"title", "title of the problem, one line, 80 characters"}},
+       .notes = "Must be the first card. The line after it is always the title, "
+                "whatever it holds.",
+       .example = "START, 100, 4\nColumn of five blocks"});
+  add({.name = "XLIMITS",
+       .once = true,
+       .required = true,
+       .section = "A.1.2",
+       .summary = "left and right end of the domain",
+       .fields = {{"xmin", real, {}, any, "[L]", "least x of the domain"},
+                  {"xmax", real, {}, any, "[L]", "greatest x of the domain, > xmin"}},
+       .notes = "A block with a corner strictly outside the domain is fixed where it "
+                "stands.",
+       .example = "XLIMITS, 0., 100."});
+  add({.name = "YLIMITS",
+       .once = true,
+       .required = true,
+       .section = "A.1.3",
+       .summary = "lower and upper end of the domain",
+       .fields = {{"ymin", real, {}, any, "[L]", "least y of the domain"},
+                  {"ymax", real, {}, any, "[L]", "greatest y of the domain, > ymin"}},
+       .example = "YLIMITS, -10., 40."});
+  add({.name = "BOXES",
+       .once = true,
+       .required = true,
+       .section = "A.1.4",
+       .summary = "boxes of the contact search and contact tolerance",
+       .fields = {{"iboxes", integer, {}, from_one, "[-]", "number of boxes along x"},
+                  {"jboxes", integer, {}, from_one, "[-]", "number of boxes along y"},
+                  {"ctol", real, "0.1", positive, "[L]",
+                   "contact tolerance: pairs within 2 ctol are listed, and the list is "
+                   "renewed when corners have moved by ctol"}},
+       .notes = "Results do not depend on this card, only speed does. A good ctol is a "
+                "little less than half the shortest edge.",
+       .example = "BOXES, 20, 10, .25"});
+  add({.name = "STIFF",
+       .once = true,
+       .section = "A.1.5",
+       .summary = "contact stiffness",
+       .fields = {{"stifn", real, "1e6", positive, "[F/L]", "normal stiffness Kn"},
+                  {"stifs", real, "1e6", positive, "[F/L]", "shear stiffness Ks"}},
+       .notes = "Per unit thickness.",
+       .example = "STIFF, 1.D7, 5.D6"});
+  add({.name = "FRACTION",
+       .once = true,
+       .required = true,
+       .section = "A.1.6",
+       .summary = "fraction of the critical time step",
+       .fields = {{"tfrac",
+                   real,
+                   {},
+                   {0, 1, true, false, false},
+                   "[-]",
+                   "time step over the critical one of a single contact, eq. (4)"}},
+       .notes =
+           "A block with n contacts and DAMPING b needs at most (sqrt(1 + 3 n b^2) "
+           "- b sqrt(3 n)) / sqrt(6 n); a warning gives the safe value.",
+       .example = "FRACTION, .05"});
+  add({.name = "MATERIAL",
+       .required = true,
+       .section = "A.1.7",
+       .summary = "a material: elastic constants and density",
+       .fields = {{"mat", integer, {}, from_one, "[-]", "material number"},
+                  {"E", real, "0", not_negative, "[F/L^2]", "Young's modulus"},
+                  {"G", real, "0", not_negative, "[F/L^2]", "shear modulus"},
+                  {"rho", real, {}, positive, "[M/L^3]", "mass density"}},
+       .notes = "One card per material, in any number; the same number twice is an "
+                "error. Blocks that deform (no RIGID card) need E > 0 and G > E/3.",
+       .example = "MATERIAL, 1, 2.D10, 8.D9, 2300."});
+  add({.name = "FUNCTION",
+       .once = true,
+       .section = "A.1.8",
+       .summary = "time function of PRESSBC and FORCE",
+       .fields = {{"ntimep",
+                   integer,
+                   {},
+                   from_one,
+                   "[-]",
+                   "number of points, one line each"}},
+       .follow_on = {{"t, p", "time [T] and value [-] of a point; ntimep lines, times "
+                              "strictly rising"}},
+       .notes = "Linear between the points; the end values are held. Time counts from "
+                "the arrival time of each load.",
+       .example = "FUNCTION, 3\n0., 0.\n1.D-3, 1.\n5.D-3, 0."});
+  add({.name = "RIGID",
+       .once = true,
+       .section = "A.1.9",
+       .summary = "blocks do not deform",
+       .fields = {},
+       .example = "RIGID"});
+  add({.name = "SEED",
+       .once = true,
+       .section = "ours",
+       .summary = "start of the random numbers",
+       .fields = {{"seed",
+                   integer,
+                   {},
+                   not_negative,
+                   "[-]",
+                   "seed of random layers; the same seed gives the same layers on "
+                   "every machine"}},
+       .notes = "Without it a fixed seed is used, and printed.",
+       .example = "SEED, 42"});
+  add({.name = "END",
+       .once = true,
+       .required = true,
+       .section = "A.1.10",
+       .summary = "end of the preliminary data",
+       .fields = {},
+       .notes = "Not needed in a restart.",
+       .example = "END"});
+  add({.name = "RESTART",
+       .once = true,
+       .section = "A.1.11",
+       .summary = "first card of a restart: continue an earlier run",
+       .fields = {{"file", word, "", any, "",
+                   "checkpoint to continue (ours); blank: the one named by the run"}},
+       .notes = "Must be the first card and is the only preliminary card of a restart. "
+                "Quote a file name that holds blanks or commas.",
+       .example = "RESTART, crater.ckpt.h5"});
+  return cards;
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  const bool above = open_min ? value > min : value >= min;
+  const bool below = open_max ? value < max : value <= max;
+  return above && below && !(nonzero && value == 0.0);
+}
+
+std::string Range::text() const {
+  std::string out;
+  const auto add = [&](const std::string& part) {
+    out += (out.empty() ? "" : " and ") + part;
+  };
+  if (min > -infinity) {
+    add(fmt::format("{} {}", open_min ? ">" : ">=", min));
+  }
+  if (max < infinity) {
+    add(fmt::format("{} {}", open_max ? "<" : "<=", max));
+  }
+  if (nonzero) {
+    add("not 0");
+  }
+  return out;
+}
+
+std::string CardSpec::syntax() const {
+  std::string out(name);
+  for (const FieldSpec& field : fields) {
+    out += ", ";
+    out += field.name;
+    if (field.repeats) {
+      out += "1, " + std::string(field.name) + "2, ...";
+    }
+  }
+  return out;
+}
+
+std::optional<std::size_t> CardSpec::find_field(std::string_view field) const {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (capitals(fields[i].name) == capitals(field)) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+const std::vector<CardSpec>& card_table() {
+  static const std::vector<CardSpec> table = [] {
+    std::vector<CardSpec> cards = preliminary_cards();
+    std::vector<CardSpec> problem = problem_cards();
+    for (CardSpec& card : problem) {
+      cards.push_back(std::move(card));
+    }
+    return cards;
+  }();
+  return table;
+}
+
+const CardSpec* find_card(std::string_view name) {
+  const std::string wanted = capitals(name);
+  for (const CardSpec& card : card_table()) {
+    if (card.name == wanted) {
+      return &card;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string_view> card_names() {
+  std::vector<std::string_view> names;
+  for (const CardSpec& card : card_table()) {
+    names.push_back(card.name);
+  }
+  return names;
+}
+
+}  // namespace blocks::deck

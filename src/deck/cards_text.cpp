@@ -1,0 +1,240 @@
+#include "deck/cards_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+#include "deck/card_table.hpp"
+
+namespace blocks::deck {
+namespace {
+
+constexpr std::size_t page_width = 80;
+
+std::string_view phase_title(Phase phase) {
+  return phase == Phase::preliminary ? "Preliminary cards, before END"
+                                     : "Problem cards, in the order they act";
+}
+
+std::string_view kind_name(Kind kind) {
+  switch (kind) {
+  case Kind::integer:
+    return "whole";
+  case Kind::real:
+    return "real";
+  case Kind::exact:
+    return "decimal";
+  case Kind::word:
+    return "word";
+  }
+  return "";
+}
+
+std::string default_text(const FieldSpec& field) {
+  if (!field.fallback) {
+    return "required";
+  }
+  return field.fallback->empty() ? "blank" : std::string(*field.fallback);
+}
+
+std::string range_text(const FieldSpec& field) {
+  std::string out = field.range.text();
+  for (const std::string_view choice : field.choices) {
+    out += (out.empty() ? "" : ", ") + std::string(choice);
+  }
+  return out.empty() ? "any" : out;
+}
+
+std::string standing(const CardSpec& card) {
+  std::string out = card.required ? "required" : "optional";
+  if (card.phase == Phase::preliminary) {
+    out += card.once ? ", once" : ", may repeat";
+  } else {
+    out = "may repeat";
+  }
+  return out + (card.section == "ours" ? "; not in the report"
+                                       : fmt::format("; report {}", card.section));
+}
+
+/// Words of a text in lines of at most page_width, each after the indent.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  const std::string margin(indent, ' ');
+  std::string out;
+  std::size_t column = 0;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find(' '), text.size());
+    if (column > 0 && column + 1 + length > page_width) {
+      out += '\n';
+      column = 0;
+    }
+    if (column == 0) {
+      out += margin;
+      column = indent;
+    } else {
+      out += ' ';
+      ++column;
+    }
+    out += text.substr(0, length);
+    column += length;
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return out + "\n";
+}
+
+/// Every line of a text after the indent.
+std::string indented(std::string_view text, std::size_t indent) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    out += std::string(indent, ' ') + std::string(text.substr(0, length)) + "\n";
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return out;
+}
+
+std::string sentence(std::string_view text) {
+  std::string out(text);
+  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') {
+    out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  }
+  return out + ".";
+}
+
+std::string field_table(const CardSpec& card) {
+  using Row = std::array<std::string, 5>;
+  std::vector<Row> rows = {{"field", "kind", "default", "range", "unit"}};
+  for (const FieldSpec& field : card.fields) {
+    rows.push_back({std::string(field.name) + (field.repeats ? "1, ..." : ""),
+                    std::string(kind_name(field.kind)), default_text(field),
+                    range_text(field), std::string(field.dimension)});
+  }
+  std::array<std::size_t, 5> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::string out;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      line += fmt::format("{:<{}}  ", rows[r][i], widths[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + "\n";
+    if (r > 0) {
+      out += wrapped(card.fields[r - 1].help, 6);
+    }
+  }
+  return out;
+}
+
+/// A text inside a Markdown table or paragraph.
+std::string markdown(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '|' || c == '<' || c == '>' || c == '*') {
+      out += '\\';
+    }
+    out += c;
+  }
+  return out;
+}
+
+std::string markdown_page(const CardSpec& card) {
+  std::string out = fmt::format("### {}\n\n{} ({})\n\n```\n{}\n", card.name,
+                                sentence(card.summary), standing(card), card.syntax());
+  for (const FollowOn& line : card.follow_on) {
+    out += fmt::format("{}\n", line.syntax);
+  }
+  out += "```\n\n";
+  if (!card.fields.empty()) {
+    out += "| field | kind | default | range | unit | meaning |\n"
+           "|---|---|---|---|---|---|\n";
+    for (const FieldSpec& field : card.fields) {
+      out += fmt::format("| `{}{}` | {} | {} | {} | {} | {} |\n", field.name,
+                         field.repeats ? "1, ..." : "", kind_name(field.kind),
+                         default_text(field), markdown(range_text(field)),
+                         field.dimension, markdown(field.help));
+    }
+    out += "\n";
+  }
+  for (const FollowOn& line : card.follow_on) {
+    out += fmt::format("Then `{}`: {}.\n\n", line.syntax, markdown(line.help));
+  }
+  if (!card.notes.empty()) {
+    out += markdown(card.notes) + "\n\n";
+  }
+  return out + fmt::format("Example:\n\n```\n{}\n```\n\n", card.example);
+}
+
+}  // namespace
+
+std::string all_cards() {
+  std::string out;
+  for (const Phase phase : {Phase::preliminary, Phase::problem}) {
+    out += fmt::format("{}{}\n", out.empty() ? "" : "\n", phase_title(phase));
+    for (const CardSpec& card : card_table()) {
+      if (card.phase == phase) {
+        out += fmt::format("  {:<9} {}{}\n", card.name, card.summary,
+                           card.required ? " (required)" : "");
+      }
+    }
+  }
+  return out;
+}
+
+std::optional<std::string> card_page(std::string_view name) {
+  const CardSpec* card = find_card(name);
+  if (card == nullptr) {
+    return std::nullopt;
+  }
+  std::string out = fmt::format("{}\n", card->syntax());
+  for (const FollowOn& line : card->follow_on) {
+    out += fmt::format("{}\n", line.syntax);
+  }
+  out += "\n" + wrapped(sentence(card->summary), 2);
+  out += fmt::format("  ({})\n", standing(*card));
+  if (!card->fields.empty()) {
+    out += "\nFields\n" + field_table(*card);
+  }
+  if (!card->follow_on.empty()) {
+    out += "\nLines that follow\n";
+    for (const FollowOn& line : card->follow_on) {
+      out += fmt::format("  {}\n", line.syntax) + wrapped(line.help, 6);
+    }
+  }
+  if (!card->notes.empty()) {
+    out += "\nNotes\n" + wrapped(card->notes, 2);
+  }
+  return out + "\nExample\n" + indented(card->example, 2);
+}
+
+std::string suggest_card(std::string_view name) { return suggest(name, card_names()); }
+
+std::string card_reference_markdown() {
+  std::string out =
+      "# Deck reference\n\n"
+      "Free field: a card is a keyword in any case and its values, separated by commas "
+      "(or blanks where no comma stands). A blank field takes its default. Exponents "
+      "are written with E or D. A `$` or `!` starts a comment; blank lines are "
+      "skipped. Lists of values may go on over several lines. The end of the deck acts "
+      "as STOP.\n\n"
+      "Kinds: *whole* is a whole number (3 or 3.0), *real* a number kept as the "
+      "nearest "
+      "double, *decimal* a number kept exactly as written because it describes "
+      "geometry, *word* a text. Units are any consistent set, per unit thickness: L "
+      "length, T time, M mass, F force.\n\n";
+  for (const Phase phase : {Phase::preliminary, Phase::problem}) {
+    out += fmt::format("## {}\n\n", phase_title(phase));
+    for (const CardSpec& card : card_table()) {
+      if (card.phase == phase) {
+        out += markdown_page(card);
+      }
+    }
+  }
+  out.pop_back();
+  return out;
+}
+
+}  // namespace blocks::deck

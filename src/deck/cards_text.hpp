@@ -1,0 +1,26 @@
+// The deck reference as text, from the card table: `blocks cards [NAME]` and
+// docs/cards.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "deck/suggest.hpp"
+
+namespace blocks::deck {
+
+/// One line per card, grouped by phase.
+std::string all_cards();
+
+/// The page of a card (name in any case): syntax, meaning, table of fields with default
+/// and range, lines that follow, example. Nothing for an unknown card.
+std::optional<std::string> card_page(std::string_view name);
+
+/// The card nearest to an unknown name, or empty.
+std::string suggest_card(std::string_view name);
+
+/// All pages in Markdown.
+std::string card_reference_markdown();
+
+}  // namespace blocks::deck

@@ -1,0 +1,267 @@
+#include "deck/free_field.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "deck/suggest.hpp"
+
+namespace blocks::deck {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// Blanks in the wide sense: tab, form feed, the Ctrl-Z that ended files under CP/M and
+/// DOS, and the no-break space that comes with copied text.
+bool is_blank(const std::string& c) {
+  return c == " " || c == "\t" || c == "\f" || c == "\v" || c == "\x1a" ||
+         c == "\xc2\xa0";
+}
+
+bool is_not_finite_word(std::string_view text) {
+  std::string word = capitals(text);
+  if (!word.empty() && (word[0] == '+' || word[0] == '-')) {
+    word.erase(0, 1);
+  }
+  return word == "NAN" || word == "INF" || word == "INFINITY";
+}
+
+/// Number of bytes of the UTF-8 character at the front, 0 when there is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  std::size_t length = 0;
+  if (lead < 0x80) {
+    return 1;
+  }
+  if (lead >= 0xc2 && lead < 0xe0) {
+    length = 2;
+  } else if (lead >= 0xe0 && lead < 0xf0) {
+    length = 3;
+  } else if (lead >= 0xf0 && lead < 0xf5) {
+    length = 4;
+  }
+  if (length == 0 || text.size() < length) {
+    return 0;
+  }
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) {
+      return 0;
+    }
+  }
+  return length;
+}
+
+}  // namespace
+
+bool Line::is_data() const {
+  const Field& first = fields.front();
+  if (first.blank) {
+    return true;
+  }
+  if (first.quoted) {
+    return false;
+  }
+  const char c = first.text.front();
+  if (!is_letter(c)) {
+    return true;
+  }
+  // Not "O.5" either, a zero mistyped: no card has a point in its name.
+  return is_not_finite_word(first.text) || first.text.find('.') != std::string::npos;
+}
+
+std::vector<std::string> source_lines(std::string_view text) {
+  if (text.substr(0, 3) == "\xef\xbb\xbf") {
+    text.remove_prefix(3);
+  }
+  std::vector<std::string> lines;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    lines.emplace_back(text.substr(begin, end - begin));
+    begin = end + 1;
+    if (end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n') {
+      ++begin;
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> characters(std::string_view line) {
+  std::vector<std::string> out;
+  out.reserve(line.size());
+  while (!line.empty()) {
+    const std::size_t length = utf8_length(line);
+    if (length == 0) {
+      out.emplace_back("?");
+      line.remove_prefix(1);
+    } else {
+      out.emplace_back(line.substr(0, length));
+      line.remove_prefix(length);
+    }
+  }
+  return out;
+}
+
+Line split_fields(std::string_view text, int number) {
+  const std::vector<std::string> chars = characters(text);
+  Line line;
+  std::size_t at = 0;
+  std::size_t last = 0;  // just behind the last field
+  bool after_field = false;
+  const auto column = [](std::size_t i) { return static_cast<int>(i) + 1; };
+  while (at < chars.size()) {
+    const std::string& c = chars[at];
+    if (is_blank(c)) {
+      ++at;
+    } else if (c == "$" || c == "!") {
+      break;
+    } else if (c == ",") {
+      if (!after_field) {
+        line.fields.push_back({"", {number, column(at), 1}, true, false});
+      }
+      after_field = false;
+      last = ++at;
+    } else {
+      const std::size_t begin = at;
+      std::string word;
+      const bool quoted = (c == "'" || c == "\"") &&
+                          std::find(chars.begin() + static_cast<long>(at) + 1,
+                                    chars.end(), c) != chars.end();
+      if (quoted) {
+        for (++at; chars[at] != c; ++at) {
+          word += chars[at];
+        }
+        ++at;
+      } else {
+        while (at < chars.size() && !is_blank(chars[at]) && chars[at] != "," &&
+               chars[at] != "$" && chars[at] != "!") {
+          word += chars[at++];
+        }
+      }
+      last = at;
+      after_field = true;
+      const bool blank = word.empty();
+      line.fields.push_back({std::move(word),
+                             {number, column(begin), static_cast<int>(at - begin)},
+                             blank,
+                             quoted});
+    }
+  }
+  line.end = {number, column(last), 1};
+  line.comma = !line.fields.empty() && !after_field;
+  return line;
+}
+
+std::vector<Line> split_deck(std::string_view text) {
+  const std::vector<std::string> source = source_lines(text);
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    Line line = split_fields(source[i], static_cast<int>(i) + 1);
+    if (line.fields.empty()) {
+      continue;
+    }
+    // A misspelt START at the head of the deck still has its title behind it.
+    const std::string word = capitals(line.fields.front().text);
+    if (word == "START" ||
+        (lines.empty() && !line.is_data() && !suggest(word, {"START"}).empty())) {
+      line.title_where = line.end;
+      if (i + 1 < source.size()) {
+        std::string title = source[++i];
+        title.erase(title.find_last_not_of(" \t\x1a") + 1);
+        line.title_where = {static_cast<int>(i) + 1, 1,
+                            static_cast<int>(characters(title).size())};
+        line.title = std::move(title);
+      }
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::string capitals(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (c >= 'a' && c <= 'z') {
+      c = static_cast<char>(c - 'a' + 'A');
+    }
+  }
+  return out;
+}
+
+Number read_number(std::string_view text) {
+  if (is_not_finite_word(text)) {
+    return {{}, NumberFault::not_finite};
+  }
+  const Number bad{{}, NumberFault::not_a_number};
+  std::size_t at = 0;
+  const auto digits = [&] {
+    std::string out;
+    while (at < text.size() && is_digit(text[at])) {
+      out += text[at++];
+    }
+    return out;
+  };
+  const auto sign = [&]() -> std::string {
+    if (at < text.size() && (text[at] == '+' || text[at] == '-')) {
+      return text[at++] == '-' ? "-" : "";
+    }
+    return "";
+  };
+  std::string plain = sign();
+  const std::string whole = digits();
+  std::string fraction;
+  if (at < text.size() && text[at] == '.') {
+    ++at;
+    fraction = digits();
+  }
+  if (whole.empty() && fraction.empty()) {
+    return bad;
+  }
+  plain += whole.empty() ? "0" : whole;
+  if (!fraction.empty()) {
+    plain += "." + fraction;
+  }
+  if (at < text.size()) {
+    const char letter = text[at];
+    if (letter != 'e' && letter != 'E' && letter != 'd' && letter != 'D') {
+      return bad;
+    }
+    ++at;
+    const std::string minus = sign();
+    std::string power = digits();
+    if (power.empty() || at < text.size()) {
+      return bad;
+    }
+    power.erase(0, std::min(power.find_first_not_of('0'), power.size() - 1));
+    // An exponent of six digits can only be a mistake, and no exact number of that
+    // size should be carried through the geometry.
+    if (power.size() > 5) {
+      return {{}, NumberFault::not_finite};
+    }
+    plain += "e" + minus + power;
+  }
+  const auto value = geometry::Decimal::parse(plain);
+  if (!value) {
+    return {{}, NumberFault::not_finite};
+  }
+  return {*value, NumberFault::none};
+}
+
+std::optional<SourceLocation> first_binary_byte(std::string_view text) {
+  SourceLocation where{1, 1, 1};
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n') {
+      ++where.line;
+      where.column = 0;
+    } else if ((byte < 0x20 && c != '\t' && c != '\r' && c != '\f' && c != '\v' &&
+                c != '\x1a') ||
+               byte == 0x7f) {
+      return where;
+    }
+    ++where.column;
+  }
+  return std::nullopt;
+}
+
+}  // namespace blocks::deck

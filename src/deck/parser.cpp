@@ -1,0 +1,398 @@
+#include "deck/parser.hpp"
+
+#include <fmt/format.h>
+#include <map>
+
+#include "deck/card_builder.hpp"
+#include "deck/card_order.hpp"
+#include "deck/card_reader.hpp"
+#include "deck/follow_on.hpp"
+#include "deck/suggest.hpp"
+
+namespace blocks::deck {
+namespace {
+
+constexpr std::size_t title_length = 80;
+
+class Parser {
+ public:
+  Parser(Deck& deck, std::vector<Line> lines, std::vector<OverrideFields> overrides,
+         Diagnostics& diagnostics)
+      : deck_(deck), lines_(std::move(lines)), overrides_(std::move(overrides)),
+        diagnostics_(diagnostics), order_(names(lines_), diagnostics) {}
+
+  void run();
+
+ private:
+  /// What a keyword means, misspelt or not; null when nothing is near.
+  static const CardSpec* meant(const Line& line);
+  static std::vector<std::string_view> names(const std::vector<Line>& lines);
+
+  bool more() const { return next_ < lines_.size(); }
+  /// The lines of values from here to the next keyword.
+  std::vector<Line> take_data();
+  /// Joins the lines a card goes on on.
+  Line take_card(const CardSpec& spec);
+
+  void card();
+  void unknown(const Line& line);
+  void finish(const CardSpec& spec, Card card, SourceLocation where);
+  void check_loop(const CardSpec* next);
+  void check_unused_overrides();
+
+  bool title(Start& card, const Line& line);
+  bool lists(Card& card, const std::vector<Line>& data, SourceLocation end);
+  bool coordinates(Create& card, const std::vector<Line>& data, SourceLocation end);
+  bool widths(Layer& card, const std::vector<Line>& data, SourceLocation end);
+  bool material(const Material& card);
+
+  Deck& deck_;
+  std::vector<Line> lines_;
+  std::vector<OverrideFields> overrides_;
+  Diagnostics& diagnostics_;
+  CardOrder order_;
+  std::size_t next_ = 0;
+  bool stopped_ = false;
+  std::optional<long> most_blocks_;   ///< START's nblok
+  std::optional<long> most_corners_;  ///< START's ncmx
+  std::map<long, int> materials_;     ///< number -> line
+  std::optional<Cloop> loop_;         ///< a CLOOP that waits for its CREATE
+  std::optional<SourceLocation> loop_at_;
+};
+
+const CardSpec* Parser::meant(const Line& line) {
+  if (line.is_data()) {
+    return nullptr;
+  }
+  const std::string& word = line.fields.front().text;
+  if (const CardSpec* spec = find_card(word)) {
+    return spec;
+  }
+  return find_card(suggest(word, card_names()));
+}
+
+std::vector<std::string_view> Parser::names(const std::vector<Line>& lines) {
+  std::vector<std::string_view> out;
+  for (const Line& line : lines) {
+    if (const CardSpec* spec = meant(line)) {
+      out.push_back(spec->name);
+      if (spec->name == "STOP") {
+        break;
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<Line> Parser::take_data() {
+  const std::size_t begin = next_;
+  while (more() && lines_[next_].is_data()) {
+    ++next_;
+  }
+  return {lines_.begin() + static_cast<long>(begin),
+          lines_.begin() + static_cast<long>(next_)};
+}
+
+Line Parser::take_card(const CardSpec& spec) {
+  Line line = lines_[next_++];
+  while (more() && lines_[next_].is_data() &&
+         line.fields.size() - 1 < spec.continue_below) {
+    const Line& more_fields = lines_[next_++];
+    line.fields.insert(line.fields.end(), more_fields.fields.begin(),
+                       more_fields.fields.end());
+    line.end = more_fields.end;
+  }
+  return line;
+}
+
+void Parser::run() {
+  if (more() && lines_.front().is_data()) {
+    diagnostics_.error(lines_.front().fields.front().where, "",
+                       "the deck must begin with a card, found values",
+                       "a new run begins with START, nblok, ncmx and a title line");
+    take_data();
+  }
+  while (more() && !stopped_) {
+    if (find_card(lines_[next_].fields.front().text) != nullptr) {
+      card();
+    } else {
+      unknown(lines_[next_]);
+    }
+  }
+  check_loop(nullptr);
+  SourceLocation end{1, 1, 1};
+  if (!lines_.empty()) {
+    const Line& last = stopped_ ? lines_[next_ - 1] : lines_.back();
+    end = last.title ? last.title_where : last.end;
+  }
+  order_.finish(end);
+  if (more()) {
+    diagnostics_.warning(lines_[next_].fields.front().where, "STOP",
+                         "text behind STOP is ignored");
+  }
+  check_unused_overrides();
+}
+
+void Parser::unknown(const Line& line) {
+  const Field& word = line.fields.front();
+  const CardSpec* spec = meant(line);
+  std::string hint = "'blocks cards' lists all cards";
+  if (spec != nullptr) {
+    hint = fmt::format("did you mean {}?", spec->name);
+  } else if (capitals(word.text) == "RANDOM") {
+    hint = "RANDOM is the last value of the LAYER card";
+  }
+  diagnostics_.error(word.where, "", fmt::format("unknown card {}", shown(word.text)),
+                     hint);
+  check_loop(spec);
+  loop_at_.reset();
+  loop_.reset();
+  if (spec != nullptr) {
+    order_.pass(*spec, word.where, true);
+    stopped_ = spec->name == "STOP";
+  }
+  ++next_;
+  take_data();
+}
+
+/// A CLOOP must be followed by CREATE and nothing else.
+void Parser::check_loop(const CardSpec* next) {
+  if (loop_at_ && (next == nullptr || next->name != "CREATE")) {
+    diagnostics_.error(*loop_at_, "CLOOP", "must be directly followed by CREATE",
+                       "CLOOP repeats the CREATE card that stands behind it");
+    loop_at_.reset();
+    loop_.reset();
+  }
+}
+
+void Parser::card() {
+  const CardSpec& spec = *find_card(lines_[next_].fields.front().text);
+  const Line line = take_card(spec);
+  const SourceLocation where = line.fields.front().where;
+  check_loop(&spec);
+  order_.pass(spec, where, false);
+  const Values values = read_card(spec, line, overrides_, diagnostics_);
+  stopped_ = spec.name == "STOP";
+  // What stands behind STOP is nobody's.
+  const std::vector<Line> data = stopped_ ? std::vector<Line>{} : take_data();
+
+  if (spec.name == "CLOOP") {
+    loop_at_ = where;
+    if (values.ok) {
+      loop_ = Cloop{values.fields[0].as_int(), values.fields[1].as_exact(),
+                    values.fields[2].as_exact()};
+    }
+  }
+  std::optional<Card> built = build_card(spec.name, values, diagnostics_);
+  if (spec.name == "START") {
+    Start untold;
+    if (values.ok) {
+      most_blocks_ = values.fields[0].integer;
+      most_corners_ = values.fields[1].integer;
+    }
+    if (!title(built ? std::get<Start>(*built) : untold, line)) {
+      built.reset();
+    }
+  }
+  if (!data.empty() && spec.follow_on.empty()) {
+    // Behind a faulty card the lines may be part of the same mistake.
+    if (values.ok) {
+      diagnostics_.error(data.front().fields.front().where, std::string(spec.name),
+                         "unexpected line of values behind this card",
+                         "syntax: " + spec.syntax());
+    }
+    built.reset();
+  } else if (spec.name == "START" && !data.empty()) {
+    diagnostics_.error(data.front().fields.front().where, "START",
+                       "unexpected line of values behind the title",
+                       "the title is one line");
+    built.reset();
+  } else if (!spec.follow_on.empty() && spec.name != "START") {
+    // The lists can be checked as soon as their count is known.
+    if (!built && values.fields[0].ok && spec.name == "CREATE") {
+      Card counted = Create{.nc = values.fields[0].as_int(),
+                            .mat = {},
+                            .ifix = {},
+                            .x = {},
+                            .y = {},
+                            .loop = {}};
+      lists(counted, data, line.end);
+    } else if (built && !lists(*built, data, line.end)) {
+      built.reset();
+    }
+  }
+  if (built) {
+    finish(spec, std::move(*built), where);
+  }
+  if (spec.name != "CLOOP") {
+    loop_.reset();
+    loop_at_.reset();
+  }
+}
+
+/// Puts a faultless card into the deck.
+void Parser::finish(const CardSpec& spec, Card card, SourceLocation where) {
+  if (auto* create = std::get_if<Create>(&card)) {
+    create->loop = loop_;
+  } else if (const auto* one = std::get_if<Material>(&card)) {
+    if (!material(*one)) {
+      return;
+    }
+  }
+  deck_.commands.push_back({where, std::string(spec.name), std::move(card)});
+}
+
+bool Parser::material(const Material& card) {
+  const auto [met, is_new] = materials_.emplace(card.mat.value, card.mat.where.line);
+  if (!is_new) {
+    diagnostics_.error(
+        card.mat.where, "MATERIAL",
+        fmt::format("material {} is defined twice", card.mat.value),
+        met->second > 0 ? fmt::format("the first one is on line {}", met->second) : "");
+  }
+  return is_new;
+}
+
+bool Parser::title(Start& card, const Line& line) {
+  if (!line.title) {
+    diagnostics_.error(line.end, "START", "the title line is missing",
+                       "the line behind START is the title of the problem");
+    return false;
+  }
+  card.title = *line.title;
+  const auto length = static_cast<std::size_t>(line.title_where.length);
+  if (length > title_length) {
+    diagnostics_.warning(
+        {line.title_where.line, static_cast<int>(title_length) + 1,
+         static_cast<int>(length - title_length)},
+        "START",
+        fmt::format("the title has {} characters, the report allows 80", length),
+        "it is kept in full");
+  }
+  const Line as_card = split_fields(*line.title, line.title_where.line);
+  if (!as_card.fields.empty() && line.title->find(',') != std::string::npos) {
+    const Field& word = as_card.fields.front();
+    if (find_card(word.text) != nullptr) {
+      diagnostics_.warning(
+          word.where, "START",
+          fmt::format("the title looks like the card {}", capitals(word.text)),
+          "the line behind START is always the title");
+    }
+  }
+  return true;
+}
+
+bool Parser::lists(Card& card, const std::vector<Line>& data, SourceLocation end) {
+  if (auto* create = std::get_if<Create>(&card)) {
+    return coordinates(*create, data, end);
+  }
+  if (auto* layer = std::get_if<Layer>(&card)) {
+    return widths(*layer, data, end);
+  }
+  if (auto* function = std::get_if<Function>(&card)) {
+    FunctionPoints points =
+        read_points(function->ntimep.value, data, end, diagnostics_);
+    function->t = std::move(points.t);
+    function->p = std::move(points.p);
+    return points.ok;
+  }
+  return true;
+}
+
+bool Parser::coordinates(Create& card, const std::vector<Line>& data,
+                         SourceLocation end) {
+  if (most_corners_ && card.nc.value > *most_corners_) {
+    diagnostics_.error(card.nc.where, "CREATE",
+                       fmt::format("{} corners are more than START's maximum of {}",
+                                   card.nc.value, *most_corners_),
+                       "raise ncmx, the second value of START, or correct nc");
+    return false;
+  }
+  TwoLists lists =
+      read_two_lists({"CREATE", card.nc.value, "x coordinates", "y coordinates",
+                      FieldSpec{"coordinate ", Kind::exact, {}, {}, "[L]", ""}, false},
+                     data, end, diagnostics_);
+  card.x = std::move(lists.first);
+  card.y = std::move(lists.second);
+  return lists.ok;
+}
+
+bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation end) {
+  if (card.ns.value < 0) {
+    if (!data.empty()) {
+      diagnostics_.error(data.front().fields.front().where, "LAYER",
+                         "unexpected line of values behind this card",
+                         "lists of widths follow only where ns > 0");
+      return false;
+    }
+    return true;
+  }
+  if (most_blocks_ && card.ns.value > *most_blocks_) {
+    diagnostics_.error(card.ns.where, "LAYER",
+                       fmt::format("{} blocks are more than START's maximum of {}",
+                                   card.ns.value, *most_blocks_),
+                       "raise nblok, the first value of START, or correct ns");
+    return false;
+  }
+  Range positive;
+  positive.min = 0;
+  positive.open_min = true;
+  TwoLists lists = read_two_lists(
+      {"LAYER", card.ns.value, "bottom widths", "top widths",
+       FieldSpec{"width ", Kind::exact, {}, positive, "[L]", "listed from the left"},
+       true},
+      data, end, diagnostics_);
+  card.bottom = std::move(lists.first);
+  card.top = std::move(lists.second);
+  return lists.ok;
+}
+
+/// An override that changes nothing would be a silent mistake.
+void Parser::check_unused_overrides() {
+  for (const OverrideFields& set : overrides_) {
+    bool used = false;
+    for (const Line& line : lines_) {
+      const CardSpec* spec = meant(line);
+      used = used || (spec != nullptr && spec->name == set.card);
+    }
+    if (!used) {
+      diagnostics_.error(set.fields.front().where, set.card,
+                         "the deck has no such card to set a value on",
+                         "add the card to the deck");
+    }
+  }
+}
+
+/// Says so when the text cannot be a deck at all.
+bool readable(const std::string& text, const std::vector<Line>& lines,
+              Diagnostics& diagnostics) {
+  if (const auto where = first_binary_byte(text)) {
+    diagnostics.error({}, "",
+                      fmt::format("not a text file: a control character on line {}, "
+                                  "byte {}",
+                                  where->line, where->column),
+                      "a deck is plain text, ASCII or UTF-8");
+    return false;
+  }
+  if (lines.empty()) {
+    diagnostics.error({}, "", "the deck is empty",
+                      "a new run begins with START, nblok, ncmx and a title line");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
+           const std::vector<Override>& overrides) {
+  Deck deck{file, text, {}};
+  std::vector<Line> lines = split_deck(text);
+  std::vector<OverrideFields> fields = prepare_overrides(overrides, diagnostics);
+  if (readable(text, lines, diagnostics)) {
+    Parser(deck, std::move(lines), std::move(fields), diagnostics).run();
+  }
+  return deck;
+}
+
+}  // namespace blocks::deck

@@ -1,0 +1,278 @@
+#include "deck/problem_cards.hpp"
+
+namespace blocks::deck {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{};
+constexpr Range positive{0, infinity, true, false, false};
+constexpr Range not_negative{0, infinity, false, false, false};
+constexpr Range from_one{1, infinity, false, false, false};
+constexpr Range angle{-80, 80, true, true, false};
+// A layer of more blocks than that is a slip of the hand, and short lists of widths
+// are completed in memory.
+constexpr Range layer_count{-1e6, 1e6, false, false, true};
+
+/// Blocks: A.2.1 to A.2.6.
+void add_block_cards(std::vector<CardSpec>& cards) {
+  using enum Kind;
+  cards.push_back(
+      {.name = "CREATE",
+       .section = "A.2.1",
+       .summary = "one block from its corners",
+       .fields = {{"nc",
+                   integer,
+                   {},
+                   {3, infinity, false, false, false},
+                   "[-]",
+                   "number of corners, at most ncmx of START"},
+                  {"mat", integer, {}, from_one, "[-]", "material number"},
+                  {"ifix", integer, "0", any, "[-]", "not 0: the block is fixed"}},
+       .follow_on = {{"x1, x2, ..., xnc", "x of the corners [L], clockwise; over as "
+                                          "many lines as needed"},
+                     {"y1, y2, ..., ync", "y of the corners [L], starting on a new "
+                                          "line"}},
+       .notes = "Anticlockwise corners are accepted with a warning: corner 1 is kept "
+                "and the rest reversed.",
+       .example = "CREATE, 4, 1\n0., 0., 2., 2.\n0., 1., 1., 0."});
+  cards.push_back(
+      {.name = "CLOOP",
+       .section = "A.2.2",
+       .summary = "repeat the next CREATE with a shift",
+       .fields = {{"nloop", integer, {}, from_one, "[-]", "number of blocks in total"},
+                  {"radd", exact, "0", any, "[L]", "shift in x from copy to copy"},
+                  {"zadd", exact, "0", any, "[L]", "shift in y from copy to copy"}},
+       .notes = "Must stand directly before its CREATE. Copy k is shifted by (k - 1) "
+                "(radd, zadd).",
+       .example = "CLOOP, 5, 0., 1.\nCREATE, 4, 1\n0., 0., 2., 2.\n0., 1., 1., 0."});
+  cards.push_back({.name = "READ9",
+                   .section = "A.2.3",
+                   .summary = "blocks from a mesh file",
+                   .fields = {{"file", word, "tape9", any, "",
+                               "mesh file (ours): text, Gmsh .msh, GENESIS or region "
+                               "records, found by its content"}},
+                   .notes = "Quote a file name that holds blanks or commas.",
+                   .example = "READ9, mine.msh"});
+  cards.push_back(
+      {.name = "LAYER",
+       .section = "A.2.4",
+       .summary = "a layer of blocks between two lines",
+       .fields = {{"ns",
+                   integer,
+                   {},
+                   layer_count,
+                   "[-]",
+                   "number of blocks; > 0: two lists of widths follow, < 0: even or "
+                   "random widths"},
+                  {"mat", integer, {}, from_one, "[-]", "material number"},
+                  {"x1", exact, {}, any, "[L]", "x of corner 1, bottom left"},
+                  {"y1", exact, {}, any, "[L]", "y of corner 1"},
+                  {"x2", exact, {}, any, "[L]", "x of corner 2, top left"},
+                  {"y2", exact, {}, any, "[L]", "y of corner 2"},
+                  {"x3", exact, {}, any, "[L]", "x of corner 3, top right"},
+                  {"y3", exact, {}, any, "[L]", "y of corner 3"},
+                  {"x4", exact, {}, any, "[L]", "x of corner 4, bottom right"},
+                  {"y4", exact, {}, any, "[L]", "y of corner 4"},
+                  {"rcommand",
+                   word,
+                   "",
+                   any,
+                   "",
+                   "RANDOM with ns < 0: random widths along the mid-line, each block "
+                   "0.2 to 3 times as wide as high",
+                   {"RANDOM"}}},
+       .follow_on = {{"sb1, sb2, ..., sbns",
+                      "ns > 0 only: widths along the bottom line "
+                      "[L], > 0, from the left"},
+                     {"st1, st2, ..., stns", "ns > 0 only: widths along the top line "
+                                             "[L], starting on a new line"}},
+       .notes = "The card itself may go on on the next line before its eighth "
+                "coordinate. A list of one or two widths repeats its last one. Widths "
+                "that do not add up to the line are scaled, with a message.",
+       .example = "LAYER, -12, 1, 0., 0., 0., 2., 30., 2., 30., 0., RANDOM",
+       .continue_below = 10});
+  cards.push_back(
+      {.name = "ORIENT",
+       .section = "A.2.5",
+       .summary = "inclination of the block sides of later RANDOM layers",
+       .fields = {{"angmin", exact, "0", angle, "[degrees]", "least angle"},
+                  {"angplus", exact, "0", angle, "[degrees]",
+                   "greatest angle, >= angmin; both the same: all sides parallel"}},
+       .notes = "From the normal of the mid-line, anticlockwise positive. Each side "
+                "draws its own angle.",
+       .example = "ORIENT, -10., 10."});
+  cards.push_back({.name = "MERGE",
+                   .section = "A.2.6",
+                   .summary = "absorb slender blocks of later RANDOM layers",
+                   .fields = {{"aratio",
+                               exact,
+                               {},
+                               not_negative,
+                               "[-]",
+                               "least width over height that is kept"}},
+                   .notes = "A slender block is absorbed by the next one on the right, "
+                            "the last one by its left neighbour.",
+                   .example = "MERGE, .5"});
+}
+
+/// Boundaries and loads: A.2.7 to A.2.15.
+void add_load_cards(std::vector<CardSpec>& cards) {
+  using enum Kind;
+  cards.push_back(
+      {.name = "SPLANE",
+       .section = "A.2.7",
+       .summary = "a symmetry plane",
+       .fields = {{"x1", real, {}, any, "[L]", "x of point 1"},
+                  {"y1", real, {}, any, "[L]", "y of point 1"},
+                  {"x2", real, {}, any, "[L]", "x of point 2"},
+                  {"y2", real, {}, any, "[L]", "y of point 2"}},
+       .notes =
+           "An infinite frictionless line; the blocks stand on the left of the way "
+           "from point 1 to point 2. Several are allowed.",
+       .example = "SPLANE, 0., 10., 0., 0."});
+  cards.push_back({.name = "GRAVITY",
+                   .section = "A.2.8",
+                   .summary = "acceleration due to gravity",
+                   .fields = {{"gravx", real, "0", any, "[L/T^2]", "in x"},
+                              {"gravy", real, "0", any, "[L/T^2]", "in y"}},
+                   .example = "GRAVITY, 0., -9.8"});
+  cards.push_back({.name = "FIX",
+                   .section = "A.2.9",
+                   .summary = "fix a block",
+                   .fields = {{"nblok", integer, {}, from_one, "[-]", "block number"}},
+                   .notes = "The same as ifix on its CREATE card.",
+                   .example = "FIX, 3"});
+  cards.push_back(
+      {.name = "PRESSBC",
+       .section = "A.2.10",
+       .summary = "pressure on a side of a block",
+       .fields = {{"nblok", integer, {}, from_one, "[-]", "block number"},
+                  {"nside",
+                   integer,
+                   {},
+                   from_one,
+                   "[-]",
+                   "side number, clockwise: side i runs from corner i to i + 1"},
+                  {"p1",
+                   real,
+                   {},
+                   any,
+                   "[F/L^2]",
+                   "pressure at the first corner, times FUNCTION; positive pushes "
+                   "inwards"},
+                  {"p2", real, {}, any, "[F/L^2]", "pressure at the second corner"},
+                  {"tarriv", real, "0", any, "[T]", "arrival time"}},
+       .notes = "Needs a FUNCTION card. Nothing acts before the arrival time.",
+       .example = "PRESSBC, 12, 2, 1.D6, 1.D6, .001"});
+  cards.push_back({.name = "FORCE",
+                   .section = "A.2.11",
+                   .summary = "force at the centroid of a block",
+                   .fields = {{"nblok", integer, {}, from_one, "[-]", "block number"},
+                              {"fx", real, "0", any, "[F]", "in x, times FUNCTION"},
+                              {"fy", real, "0", any, "[F]", "in y, times FUNCTION"},
+                              {"tarriv", real, "0", any, "[T]", "arrival time"}},
+                   .notes = "Needs a FUNCTION card. Several cards on a block add up.",
+                   .example = "FORCE, 4, 0., -2.D5, 0."});
+  cards.push_back(
+      {.name = "FRICTN",
+       .section = "A.2.12",
+       .summary = "friction between blocks",
+       .fields = {{"fric", real, "0", not_negative, "[-]", "coefficient of friction"}},
+       .example = "FRICTN, .6"});
+  cards.push_back(
+      {.name = "SETVEL",
+       .section = "A.2.13",
+       .summary = "velocities of blocks by number",
+       .fields = {{"nb1", integer, {}, from_one, "[-]", "block number"},
+                  {"nb2", integer, "0", any, "[-]",
+                   "0 or nb1: block nb1 alone; > nb1: nb1 to nb2; < 0: nb1 to the last "
+                   "so far"},
+                  {"vx", real, "0", any, "[L/T]", "velocity in x"},
+                  {"vy", real, "0", any, "[L/T]", "velocity in y"},
+                  {"tdot", real, "0", any, "[1/T]",
+                   "spin, radians per time, anticlockwise positive"}},
+       .notes = "Acts where it stands; ignored on fixed blocks.",
+       .example = "SETVEL, 1, 10, 0., 5., 0."});
+  cards.push_back({.name = "SETVELM",
+                   .section = "A.2.14",
+                   .summary = "velocities of all blocks of a material",
+                   .fields = {{"mat", integer, {}, from_one, "[-]", "material number"},
+                              {"vx", real, "0", any, "[L/T]", "velocity in x"},
+                              {"vy", real, "0", any, "[L/T]", "velocity in y"},
+                              {"tdot", real, "0", any, "[1/T]",
+                               "spin, radians per time, anticlockwise positive"}},
+                   .notes = "Handy for blocks from READ9, whose numbers are not known.",
+                   .example = "SETVELM, 2, 0., 30., 0."});
+  cards.push_back({.name = "DAMPING",
+                   .section = "A.2.15",
+                   .summary = "contact damping",
+                   .fields = {{"beta", real, "0", not_negative, "[-]",
+                               "fraction of critical damping"}},
+                   .example = "DAMPING, .2"});
+}
+
+/// Output and running: A.2.16 to A.2.21.
+void add_run_cards(std::vector<CardSpec>& cards) {
+  using enum Kind;
+  cards.push_back({.name = "DUMP",
+                   .section = "A.2.16",
+                   .summary = "print blocks, boxes and contacts in full",
+                   .fields = {},
+                   .notes = "Useful for debugging; long for many blocks.",
+                   .example = "DUMP"});
+  cards.push_back(
+      {.name = "OUTPUT",
+       .section = "A.2.17",
+       .summary = "printed output at intervals of time",
+       .fields =
+           {{"dtout", real, {}, positive, "[T]", "interval"},
+            {"nb",
+             integer,
+             "",
+             from_one,
+             "[-]",
+             "numbers of the blocks printed, any number of them; none: all blocks",
+             {},
+             true}},
+       .notes =
+           "The card may go on on further lines. The state at the start and at the "
+           "end is always printed.",
+       .example = "OUTPUT, .1, 1, 5, 9",
+       .continue_below = std::numeric_limits<std::size_t>::max()});
+  cards.push_back({.name = "PLOTS",
+                   .section = "A.2.18",
+                   .summary = "results for plotting at intervals of time",
+                   .fields = {{"dtplot", real, {}, positive, "[T]", "interval"}},
+                   .notes = "The state at the start and at the end is always written.",
+                   .example = "PLOTS, .01"});
+  cards.push_back({.name = "MOTION",
+                   .section = "A.2.19",
+                   .summary = "run for an interval of time",
+                   .fields = {{"dt", real, {}, positive, "[T]", "interval"}},
+                   .notes = "May repeat, with any cards between.",
+                   .example = "MOTION, .5"});
+  cards.push_back({.name = "CYCLE",
+                   .section = "A.2.20",
+                   .summary = "run for a number of time steps",
+                   .fields = {{"ncycle", integer, {}, from_one, "[-]", "time steps"}},
+                   .notes = "May repeat, with any cards between.",
+                   .example = "CYCLE, 1000"});
+  cards.push_back({.name = "STOP",
+                   .section = "A.2.21",
+                   .summary = "end of the run",
+                   .fields = {},
+                   .notes = "The end of the deck acts as STOP.",
+                   .example = "STOP"});
+}
+
+}  // namespace
+
+std::vector<CardSpec> problem_cards() {
+  std::vector<CardSpec> cards;
+  add_block_cards(cards);
+  add_load_cards(cards);
+  add_run_cards(cards);
+  return cards;
+}
+
+}  // namespace blocks::deck

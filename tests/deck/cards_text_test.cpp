@@ -1,0 +1,70 @@
+#include "deck/cards_text.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "deck/card_table.hpp"
+#include "deck_test_tools.hpp"
+
+namespace blocks::deck {
+namespace {
+
+using testing::HasSubstr;
+
+// The examples of the reference are decks people copy: each must parse, and as the card
+// it explains.
+TEST(CardsText, EveryExampleParses) {
+  for (const CardSpec& card : card_table()) {
+    std::string text = preliminary;
+    const std::string example(card.example);
+    const auto replace = [&](const std::string& line) {
+      text.replace(text.find(line), line.size(), example + "\n");
+    };
+    if (card.name == "RESTART") {
+      text = example;
+    } else if (card.name == "START") {
+      replace("START, 100, 6\nTitle\n");
+    } else if (card.phase == Phase::problem) {
+      text += example;
+    } else {
+      const auto at = text.find("\n" + std::string(card.name)) + 1;
+      if (at > 0) {
+        text.erase(at, text.find('\n', at) + 1 - at);
+      }
+      text.insert(card.name == "END" ? text.size() : text.find("END"), example + "\n");
+    }
+    EXPECT_EQ(parse_text(text).messages, "") << text;
+  }
+}
+
+TEST(CardsText, ListsEveryCardAndHasAPageForEach) {
+  const std::string all = all_cards();
+  const std::string markdown = card_reference_markdown();
+  for (const CardSpec& card : card_table()) {
+    EXPECT_THAT(all, HasSubstr("\n  " + std::string(card.name) + " "));
+    EXPECT_THAT(markdown, HasSubstr("\n### " + std::string(card.name) + "\n"));
+    ASSERT_TRUE(card_page(card.name).has_value());
+    EXPECT_THAT(*card_page(card.name), HasSubstr(std::string(card.summary.substr(1))));
+  }
+}
+
+TEST(CardsText, PageShowsSyntaxDefaultsAndRanges) {
+  const std::string page = card_page("boxes").value();
+  EXPECT_EQ(page.substr(0, page.find('\n')), "BOXES, iboxes, jboxes, ctol");
+  EXPECT_THAT(page, HasSubstr("iboxes  whole  required  >= 1   [-]\n"));
+  EXPECT_THAT(page, HasSubstr("ctol    real   0.1       > 0    [L]\n"));
+  EXPECT_FALSE(card_page("BOX").has_value());
+}
+
+TEST(CardsText, SuggestsTheNearestName) {
+  EXPECT_EQ(suggest_card("gravty"), "GRAVITY");
+  EXPECT_EQ(suggest_card("FRICTION"), "FRICTN");
+  EXPECT_EQ(suggest_card("SETVLEM"), "SETVELM");
+  EXPECT_EQ(suggest_card("PRESS"), "PRESSBC");
+  EXPECT_EQ(suggest_card("EDN"), "END");
+  EXPECT_EQ(suggest_card("WIND"), "");
+  EXPECT_EQ(suggest_card(std::string(100000, 'A')), "");
+}
+
+}  // namespace
+}  // namespace blocks::deck

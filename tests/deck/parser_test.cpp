@@ -1,0 +1,150 @@
+#include "deck/parser.hpp"
+
+#include <cctype>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "deck_test_tools.hpp"
+
+namespace blocks::deck {
+namespace {
+
+using testing::HasSubstr;
+
+// A deck as it was punched: capitals, D exponents, no blanks, lists over several cards.
+const std::string deck_of_1982 = R"(START,100,4
+CRATER IN OIL SHALE, HALF MODEL $ NOT A COMMENT
+XLIMITS,0.,100.
+YLIMITS,-1.D1,40.
+BOXES,20,10
+STIFF,1.D7,
+FRACTION,.05
+MATERIAL,1,2.D10,8.D9,2300.
+FUNCTION,3
+0.,0.
+1.D-3,1.
+5.D-3,0.
+END
+GRAVITY,0.,-9.8
+CREATE,4,1,1
+0.,0.,
+10.,10.
+0.,1.,
+1.,0.
+LAYER,4,1,0.,2.,0.,3.,
+8.,3.,8.,2.
+1.,2.,2.,3.
+2.
+LAYER,-12,1,0.,3.,0.,5.,30.,5.,30.,3.,RANDOM
+PRESSBC,1,2,1.D6,1.D6,
+OUTPUT,.1,1,2
+MOTION,.5
+STOP
+)";
+
+TEST(Parser, RunsADeckOf1982Unmodified) {
+  const Parsed p = parse_text(deck_of_1982);
+  EXPECT_EQ(p.messages, "");
+  std::string names;
+  for (const Command& command : p.deck.commands) {
+    names += command.name + " ";
+  }
+  EXPECT_EQ(names, "START XLIMITS YLIMITS BOXES STIFF FRACTION MATERIAL FUNCTION END "
+                   "GRAVITY CREATE LAYER LAYER PRESSBC OUTPUT MOTION STOP ");
+  EXPECT_EQ(p.only<Start>().title, "CRATER IN OIL SHALE, HALF MODEL $ NOT A COMMENT");
+  EXPECT_EQ(p.only<Create>().y[1].value.value(), 1.0);
+  EXPECT_EQ(p.only<Create>().y[1].where.line, 18);
+}
+
+// The same deck whatever system wrote it.
+TEST(Parser, LineEndsAndLetterCaseChangeNothing) {
+  std::string windows = "\xef\xbb\xbf";
+  std::string small;
+  for (const char c : deck_of_1982) {
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+    small += static_cast<char>(std::tolower(c));
+  }
+  const std::size_t count = parse_text(deck_of_1982).deck.commands.size();
+  for (const std::string& text : {windows, small}) {
+    const Parsed p = parse_text(text);
+    EXPECT_EQ(p.messages, "");
+    EXPECT_EQ(p.deck.commands.size(), count);
+    EXPECT_EQ(p.only<Layer>().rcommand.value, "RANDOM");
+    EXPECT_EQ(p.only<Motion>().dt.where.line, 27);
+  }
+}
+
+TEST(Parser, EndOfFileActsAsStop) {
+  EXPECT_EQ(parse_text(preliminary + "CYCLE, 1").messages, "");
+}
+
+TEST(Overrides, ReplaceTheFieldOfEveryOccurrence) {
+  const Parsed p = parse_text(
+      preliminary + "MOTION, 1\nMOTION, 2\nOUTPUT, 1, 4\n",
+      {{"motion", "DT", "3.D0"}, {"BOXES", "ctol", ".5"}, {"OUTPUT", "nb", "1,2"}});
+  EXPECT_EQ(p.messages, "");
+  EXPECT_EQ(std::get<Motion>(p.deck.commands[7].card).dt.value, 3.0);
+  EXPECT_EQ(std::get<Motion>(p.deck.commands[8].card).dt.value, 3.0);
+  EXPECT_EQ(p.only<Boxes>().ctol.value, 0.5);
+  EXPECT_TRUE(p.only<Boxes>().ctol.given);
+  EXPECT_EQ(p.only<Boxes>().ctol.where.line, 0);
+  EXPECT_EQ(p.only<Output>().blocks.size(), 2U);
+}
+
+// An override mends a value out of range, and its own faults are told once, under its
+// own name.
+TEST(Overrides, AreCheckedLikeTheDeck) {
+  EXPECT_EQ(parse_text(preliminary + "MOTION, -1\n", {{"MOTION", "dt", "1"}}).messages,
+            "");
+  EXPECT_EQ(
+      parse_text(preliminary + "MOTION, 1\nMOTION, 2\n", {{"MOTION", "dt", "-1"},
+                                                          {"MOTOIN", "dt", "1"},
+                                                          {"MOTION", "td", "1"},
+                                                          {"DUMP", "x", "1"},
+                                                          {"SEED", "seed", "5"}})
+          .messages,
+      "--set MOTION.dt=-1: error: MOTION: dt must be > 0, found '-1'\n"
+      "  hint: dt: interval\n"
+      "--set MOTOIN.dt=1: error: unknown card 'MOTOIN'\n"
+      "  hint: did you mean MOTION?\n"
+      "--set MOTION.td=1: error: MOTION: unknown field 'td'\n"
+      "  hint: did you mean dt?\n"
+      "--set DUMP.x=1: error: DUMP: unknown field 'x'\n"
+      "  hint: this card has no fields\n"
+      "--set SEED.seed=5: error: SEED: the deck has no such card to set a value on\n"
+      "  hint: add the card to the deck\n"
+      "5 errors\n");
+}
+
+TEST(Overrides, ChangeTheCountOfTheListsTheyRule) {
+  const std::string text = preliminary + "CREATE, 4, 1\n0,1,1\n0,1,0\n";
+  EXPECT_EQ(parse_text(text, {{"CREATE", "nc", "3"}}).messages, "");
+}
+
+TEST(Diagnostics, PrintsAtMostTwoHundred) {
+  std::string text = preliminary;
+  for (int i = 0; i < 205; ++i) {
+    text += "NONSENSE\n";
+  }
+  EXPECT_THAT(parse_text(text).messages,
+              HasSubstr("\n... and 5 more not shown\n205 errors\n"));
+}
+
+TEST(Diagnostics, SortsByPlaceAndCounts) {
+  Diagnostics d("a.deck", "one\n\ttwo\n");
+  d.warning({2, 2, 3}, "CARD", "late");
+  d.error({1, 1, 3}, "", "early", "try harder");
+  EXPECT_EQ(d.format_all(), "a.deck:1:1: error: early\n"
+                            "  one\n"
+                            "  ^~~\n"
+                            "  hint: try harder\n"
+                            "a.deck:2:2: warning: CARD: late\n"
+                            "          two\n"
+                            "          ^~~\n"
+                            "1 error, 1 warning\n");
+  EXPECT_TRUE(d.has_errors());
+  EXPECT_EQ(Diagnostics("b", "").format_all(), "");
+}
+
+}  // namespace
+}  // namespace blocks::deck
