@@ -121,17 +121,17 @@ TEST(RandomLayer, AnotherLayerDoesNotChangeIt) {
 }
 
 TEST(RandomLayer, AspectLimitsAreExact) {
-  // Length 0.9, height 0.3: with 15 blocks every width/height is exactly 0.2, with one
-  // it is exactly 3. In doubles 0.9 / 0.3 is not 3.
-  const std::string quad = "0 0 0 0.3 0.9 0.3 0.9 0";
+  // Length 2.1, height 0.7: with 15 blocks every width/height is exactly 0.2, with one
+  // it is exactly 3. In doubles 2.1 / 0.7 is greater than 3.
+  const std::string quad = "0 0 0 0.7 2.1 0.7 2.1 0";
   for (const int count : {1, 2, 7, 14, 15}) {
     EXPECT_EQ(cut_layer(random_layer(quad, count)).mesh.cells.size(),
               static_cast<std::size_t>(count));
   }
   const Layer full = cut_layer(random_layer(quad, 15));
-  EXPECT_EQ(cell(full, 6)[3].x(), 0.42);  // 7 * 0.06, rounded once
+  EXPECT_EQ(cell(full, 6)[3].x(), 0.98);  // 7 * 0.14, rounded once
   for (const auto& [narrow, count] :
-       {std::pair(quad, 16), std::pair(std::string("0 0 0 0.3 0.91 0.3 0.91 0"), 1)}) {
+       {std::pair(quad, 16), std::pair(std::string("0 0 0 0.7 2.11 0.7 2.11 0"), 1)}) {
     try {
       cut_layer(random_layer(narrow, count));
       FAIL() << narrow;
