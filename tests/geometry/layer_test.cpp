@@ -78,6 +78,31 @@ TEST(EvenLayer, HasEqualBlocksOnTheNearestDoubles) {
   }
 }
 
+TEST(LayerShape, TooThinForDoublesIsRefused) {
+  // Convex as written; at 1e17 doubles are 16 apart, so that the blocks vanish.
+  LayerRequest request;
+  request.corners = corners("1e17 0 1e17 1 100000000000000040 1 100000000000000040 0");
+  request.count = 40;
+  try {
+    cut_layer(request);
+    FAIL();
+  } catch (const LayerError& error) {
+    EXPECT_EQ(error.kind, LayerError::Kind::shape);
+    EXPECT_THAT(error.what(), HasSubstr("rounding"));
+  }
+}
+
+TEST(EvenLayer, KeepsTheFourCornersOfTheDeck) {
+  LayerRequest request;
+  request.corners = corners("0.1 0.3 -0.7 3.3 90.7 34.1 91.3 31.9");
+  request.count = 7;
+  const Layer layer = cut_layer(request);
+  EXPECT_EQ(cell(layer, 0)[0], Vec2(0.1, 0.3));
+  EXPECT_EQ(cell(layer, 0)[1], Vec2(-0.7, 3.3));
+  EXPECT_EQ(cell(layer, 6)[2], Vec2(90.7, 34.1));
+  EXPECT_EQ(cell(layer, 6)[3], Vec2(91.3, 31.9));
+}
+
 TEST(ListedLayer, ScalesOnlyWhatDoesNotFit) {
   LayerRequest request;
   request.corners = corners("0 0 0 1 4 4 4 3");  // both lines 5 long, slanted
