@@ -1,8 +1,7 @@
 #include "geometry/layer.hpp"
 
-#include <cstdlib>
-#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "geometry/exact/merge.hpp"
 #include "geometry/exact/numbers.hpp"
@@ -18,6 +17,12 @@ using exact::Side;
 using exact::Vector;
 
 constexpr int steepest_angle = 80;  // degrees
+
+LayerError not_for_doubles(const std::string& what) {
+  return {LayerError::Kind::shape,
+          "the blocks of the layer do not survive rounding to doubles: " + what,
+          "the layer is too thin, or too far from the origin for its size"};
+}
 
 Quad convex_quad(const LayerRequest& request) {
   const auto refuse = [](const std::string& what, const std::string& hint) {
@@ -150,37 +155,44 @@ std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,
   std::vector<Rational> places;
   for (const std::size_t i : kept)
     places.push_back(drawn[i]);
-  exact::OrientedSides oriented =
+  auto oriented =
       exact::orient_sides(quad, places, kept, angle_min, angle_max, request.stream);
-  layer.redrawn = oriented.redrawn;
-  layer.ruled = oriented.ruled;
-  return std::move(oriented.sides);
+  if (!oriented)
+    throw not_for_doubles("two sides are too close to each other");
+  layer.redrawn = oriented->redrawn;
+  layer.ruled = oriented->ruled;
+  return std::move(oriented->sides);
 }
 
-// A vertex at s of the line between two rounded corners, the layer lying to its left.
-// Rounded once; on a slanted line towards the layer in both coordinates, so that it is
-// never behind the line and layers that share the line never overlap.
-Vec2 rounded_on_line(const Vec2& from, const Vec2& to, const Rational& s) {
+// A vertex at s of the line, the layer lying to its left, rounded once. On a line along
+// an axis: the nearest doubles. On a slanted one: of the line through its rounded ends,
+// each coordinate towards the layer, so that no vertex is behind that line and layers
+// that share it never overlap.
+Vec2 rounded_on_line(const Point& from, const Point& to, const Rational& s) {
+  const Vec2 start = exact::nearest(from);
+  const Vec2 end = exact::nearest(to);
+  if (start.x() == end.x() || start.y() == end.y()) {
+    return exact::nearest(from + (to - from) * s);
+  }
   const auto between = [&s](double a, double b) {
     return Rational(a) + (Rational(b) - Rational(a)) * s;
   };
-  const bool slanted = from.x() != to.x() && from.y() != to.y();
-  const int side_x = !slanted ? 0 : (to.y() > from.y() ? -1 : 1);
-  const int side_y = !slanted ? 0 : (to.x() > from.x() ? 1 : -1);
-  return {exact::rounded_towards(between(from.x(), to.x()), side_x),
-          exact::rounded_towards(between(from.y(), to.y()), side_y)};
+  return {
+      exact::rounded_towards(between(start.x(), end.x()), end.y() > start.y() ? -1 : 1),
+      exact::rounded_towards(between(start.y(), end.y()),
+                             end.x() > start.x() ? 1 : -1)};
 }
 
 // Vertices: the bottom ends of the sides from the left, then their top ends.
-Mesh mesh_of(const std::array<Vec2, 4>& corners, const std::vector<Side>& sides) {
-  const auto& [bl, tl, tr, br] = corners;
+Mesh mesh_of(const Quad& quad, const std::vector<Side>& sides) {
   const std::size_t n = sides.size() - 1;
   Mesh mesh;
   mesh.vertices.resize(2 * (n + 1));
   for (std::size_t i = 0; i <= n; ++i) {
     // Seen from the right the top line, too, has the layer on its left.
-    mesh.vertices[i] = rounded_on_line(bl, br, sides[i].bottom);
-    mesh.vertices[n + 1 + i] = rounded_on_line(tr, tl, Rational(1) - sides[i].top);
+    mesh.vertices[i] = rounded_on_line(quad.bl, quad.br, sides[i].bottom);
+    mesh.vertices[n + 1 + i] =
+        rounded_on_line(quad.tr, quad.tl, Rational(1) - sides[i].top);
   }
   const auto bottom = [](std::size_t i) { return static_cast<int>(i); };
   const auto top = [n](std::size_t i) { return static_cast<int>(n + 1 + i); };
@@ -236,17 +248,10 @@ Layer cut_layer(const LayerRequest& request) {
     sides = random_sides(request, quad, layer);
     break;
   }
-  std::array<Vec2, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    corners[i] = {request.corners[i].x.value(), request.corners[i].y.value()};
-  }
-  layer.mesh = mesh_of(corners, sides);
+  layer.mesh = mesh_of(quad, sides);
   layer.certificate = certify_tiling(layer.mesh);
   if (!layer.certificate.holds) {
-    throw LayerError(LayerError::Kind::shape,
-                     "the blocks of the layer do not survive rounding to doubles: " +
-                         layer.certificate.fault,
-                     "the layer is too thin, or too far from the origin for its size");
+    throw not_for_doubles(layer.certificate.fault);
   }
   return layer;
 }

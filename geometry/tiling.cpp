@@ -1,7 +1,7 @@
 #include "geometry/tiling.hpp"
 
 #include <algorithm>
-#include <compare>
+#include <initializer_list>
 #include <optional>
 
 #include "geometry/polygon.hpp"

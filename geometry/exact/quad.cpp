@@ -1,7 +1,7 @@
 #include "geometry/exact/quad.hpp"
 
 #include <cstdint>
-#include <stdexcept>
+#include <utility>
 
 namespace blocks::geometry::exact {
 namespace {
@@ -28,22 +28,25 @@ class Placer {
     same_angle_ = tangent_of_degrees(angle_min_);
   }
 
-  OrientedSides run() {
-    place_between(0, places_.size() - 1);
+  std::optional<OrientedSides> run() {
+    if (!place_between(0, places_.size() - 1))
+      return std::nullopt;
     return std::move(result_);
   }
 
  private:
-  void place_between(std::size_t left, std::size_t right) {
+  bool place_between(std::size_t left, std::size_t right) {
     if (right - left < 2)
-      return;
+      return true;
     const std::size_t here = left + (right - left) / 2;
-    result_.sides[here] = place(here, result_.sides[left], result_.sides[right]);
-    place_between(left, here);
-    place_between(here, right);
+    const auto side = place(here, result_.sides[left], result_.sides[right]);
+    if (!side)
+      return false;
+    result_.sides[here] = *side;
+    return place_between(left, here) && place_between(here, right);
   }
 
-  Side place(std::size_t here, const Side& left, const Side& right) {
+  std::optional<Side> place(std::size_t here, const Side& left, const Side& right) {
     const bool one_angle = angle_range_ == 0;
     for (std::uint32_t draw = 0; draw <= redraws; ++draw) {
       const double tangent = one_angle ? same_angle_ : drawn_tangent(here, draw);
@@ -68,7 +71,8 @@ class Placer {
   // where they would meet outside the layer (or is parallel to them) and cannot cross
   // either. Its tangent is rounded to a double, lest numbers grow from ruling to
   // ruling.
-  Side ruling(const Rational& s, const Side& left, const Side& right) const {
+  std::optional<Side> ruling(const Rational& s, const Side& left,
+                             const Side& right) const {
     const Point start = quad_.bl + quad_.bottom() * left.bottom;
     const Point other = quad_.bl + quad_.bottom() * right.bottom;
     const Vector along = quad_.tl + quad_.top() * left.top - start;
@@ -80,11 +84,10 @@ class Placer {
                   : here - (start + along * (cross(other - start, across) / turn));
     const Vector mid = quad_.middle();
     const Rational tangent = -(direction * mid) / cross(mid, direction);
-    if (const auto side = side_through(quad_, s, nearest(tangent));
-        side && left_of(left, *side) && left_of(*side, right)) {
-      return *side;
-    }
-    throw std::domain_error("no room for a side between its neighbours");
+    const auto side = side_through(quad_, s, nearest(tangent));
+    if (side && left_of(left, *side) && left_of(*side, right))
+      return side;
+    return std::nullopt;
   }
 
   const Quad& quad_;
@@ -117,10 +120,11 @@ std::optional<Side> side_through(const Quad& quad, const Rational& s, double tan
               cross(here - quad.tl, direction) / top_turn};
 }
 
-OrientedSides orient_sides(const Quad& quad, const std::vector<Rational>& places,
-                           const std::vector<std::size_t>& numbers,
-                           const Rational& angle_min, const Rational& angle_max,
-                           StreamKey stream) {
+std::optional<OrientedSides> orient_sides(const Quad& quad,
+                                          const std::vector<Rational>& places,
+                                          const std::vector<std::size_t>& numbers,
+                                          const Rational& angle_min,
+                                          const Rational& angle_max, StreamKey stream) {
   return Placer(quad, places, numbers, angle_min, angle_max, stream).run();
 }
 

@@ -51,11 +51,13 @@ struct OrientedSides {
 
 /// places: increasing fractions of the mid-line, 0 and 1 included. numbers: which block
 /// of the layer ends at each place (names its random stream). Angles in degrees.
-/// Never crosses: 0 < s1 < s2 < ... < 1 strictly along both lines.
-OrientedSides orient_sides(const Quad& quad, const std::vector<Rational>& places,
-                           const std::vector<std::size_t>& numbers,
-                           const Rational& angle_min, const Rational& angle_max,
-                           StreamKey stream);
+/// Never crosses: 0 < s1 < s2 < ... < 1 strictly along both lines. Nothing where two
+/// neighbours leave so little room that no tangent that is a double fits between them.
+std::optional<OrientedSides> orient_sides(const Quad& quad,
+                                          const std::vector<Rational>& places,
+                                          const std::vector<std::size_t>& numbers,
+                                          const Rational& angle_min,
+                                          const Rational& angle_max, StreamKey stream);
 
 /// count random widths as fractions of the mid-line, given by the sides between them
 /// (0 and 1 included): width/height in [0.2, 3.0] and the sum 1, exactly. Needs

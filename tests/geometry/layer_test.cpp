@@ -78,6 +78,31 @@ TEST(EvenLayer, HasEqualBlocksOnTheNearestDoubles) {
   }
 }
 
+TEST(LayerShape, TooThinForDoublesIsRefused) {
+  // Convex as written; at 1e17 doubles are 16 apart, so that the blocks vanish.
+  LayerRequest request;
+  request.corners = corners("1e17 0 1e17 1 100000000000000040 1 100000000000000040 0");
+  request.count = 40;
+  try {
+    cut_layer(request);
+    FAIL();
+  } catch (const LayerError& error) {
+    EXPECT_EQ(error.kind, LayerError::Kind::shape);
+    EXPECT_THAT(error.what(), HasSubstr("rounding"));
+  }
+}
+
+TEST(EvenLayer, KeepsTheFourCornersOfTheDeck) {
+  LayerRequest request;
+  request.corners = corners("0.1 0.3 -0.7 3.3 90.7 34.1 91.3 31.9");
+  request.count = 7;
+  const Layer layer = cut_layer(request);
+  EXPECT_EQ(cell(layer, 0)[0], Vec2(0.1, 0.3));
+  EXPECT_EQ(cell(layer, 0)[1], Vec2(-0.7, 3.3));
+  EXPECT_EQ(cell(layer, 6)[2], Vec2(90.7, 34.1));
+  EXPECT_EQ(cell(layer, 6)[3], Vec2(91.3, 31.9));
+}
+
 TEST(ListedLayer, ScalesOnlyWhatDoesNotFit) {
   LayerRequest request;
   request.corners = corners("0 0 0 1 4 4 4 3");  // both lines 5 long, slanted
@@ -121,17 +146,17 @@ TEST(RandomLayer, AnotherLayerDoesNotChangeIt) {
 }
 
 TEST(RandomLayer, AspectLimitsAreExact) {
-  // Length 0.9, height 0.3: with 15 blocks every width/height is exactly 0.2, with one
-  // it is exactly 3. In doubles 0.9 / 0.3 is not 3.
-  const std::string quad = "0 0 0 0.3 0.9 0.3 0.9 0";
+  // Length 2.1, height 0.7: with 15 blocks every width/height is exactly 0.2, with one
+  // it is exactly 3. In doubles 2.1 / 0.7 is greater than 3.
+  const std::string quad = "0 0 0 0.7 2.1 0.7 2.1 0";
   for (const int count : {1, 2, 7, 14, 15}) {
     EXPECT_EQ(cut_layer(random_layer(quad, count)).mesh.cells.size(),
               static_cast<std::size_t>(count));
   }
   const Layer full = cut_layer(random_layer(quad, 15));
-  EXPECT_EQ(cell(full, 6)[3].x(), 0.42);  // 7 * 0.06, rounded once
+  EXPECT_EQ(cell(full, 6)[3].x(), 0.98);  // 7 * 0.14, rounded once
   for (const auto& [narrow, count] :
-       {std::pair(quad, 16), std::pair(std::string("0 0 0 0.3 0.91 0.3 0.91 0"), 1)}) {
+       {std::pair(quad, 16), std::pair(std::string("0 0 0 0.7 2.11 0.7 2.11 0"), 1)}) {
     try {
       cut_layer(random_layer(narrow, count));
       FAIL() << narrow;

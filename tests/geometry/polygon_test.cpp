@@ -48,8 +48,8 @@ TEST(Outline, FaultyOnesAreNamedWithTheirCorners) {
            Case{"pentagram",
                 {{0, 3}, {2, -3}, {-3, 1}, {3, 1}, {-2, -3}},
                 OutlineFault::self_crossing,
-                0,
-                2},
+                1,
+                3},
        }) {
     const OutlineCheck check = check_outline(c.outline);
     EXPECT_EQ(check.fault, c.fault) << c.name;
