@@ -8,7 +8,7 @@
 #include "deck/cards_text.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "output/results.hpp"
-#include "post/plot.hpp"
+#include "plot_command.hpp"
 #include "run/run.hpp"
 
 namespace {
@@ -85,9 +85,11 @@ int dispatch(int argc, char** argv) {
   reference->add_option("NAME", card, "the card");
   reference->add_flag("--markdown", markdown, "the whole reference as Markdown");
 
-  blocks::post::PlotOptions plot_options;
+  blocks::apps::PlotOptions plot_options;
   auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
-  blocks::post::add_plot_options(*plot, plot_options);
+  plot->description("Example: blocks plot stack.vtkhdf -o stack.png\n\n"
+                    "Draws the blocks at one time, coloured by material or a quantity.");
+  blocks::apps::add_plot_options(*plot, plot_options);
 
   try {
     app.parse(argc, argv);
@@ -103,7 +105,7 @@ int dispatch(int argc, char** argv) {
     return blocks::run::check_deck(options);
   if (*reference)
     return cards(card, markdown);
-  return blocks::post::plot(plot_options);
+  return blocks::apps::plot(plot_options);
 }
 
 }  // namespace
