@@ -1,4 +1,5 @@
-// The command line of BLOCKS, thin: each command calls one function of src/run or src/post.
+// The command line of BLOCKS, thin: each command calls one function of src/run or
+// src/post.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -19,16 +20,22 @@ using blocks::run::RunOptions;
 blocks::deck::Override parse_override(const std::string& text) {
   const auto dot = text.find('.'), equals = text.find('=');
   if (dot == std::string::npos || equals == std::string::npos || dot > equals)
-    throw CLI::ValidationError("--set", "expected CARD.field=value, found '" + text + "'");
+    throw CLI::ValidationError("--set",
+                               "expected CARD.field=value, found '" + text + "'");
   return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
           text.substr(equals + 1)};
 }
 
-void add_deck_options(CLI::App& command, RunOptions& options, std::vector<std::string>& sets) {
-  command.add_option("DECK", options.deck, "the deck, or - for standard input")->required();
-  command.add_option("--seed", options.seed, "seed of the random layers, wins over SEED");
-  command.add_option("--tape9", options.tape9, "mesh file of a READ9 card without a name");
-  command.add_option("--restart", options.restart, "checkpoint of a deck that begins with RESTART");
+void add_deck_options(CLI::App& command, RunOptions& options,
+                      std::vector<std::string>& sets) {
+  command.add_option("DECK", options.deck, "the deck, or - for standard input")
+      ->required();
+  command.add_option("--seed", options.seed,
+                     "seed of the random layers, wins over SEED");
+  command.add_option("--tape9", options.tape9,
+                     "mesh file of a READ9 card without a name");
+  command.add_option("--restart", options.restart,
+                     "checkpoint of a deck that begins with RESTART");
   command.add_option("--set", sets, "CARD.field=value: replace a field of the deck");
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
 }
@@ -46,49 +53,58 @@ int cards(const std::string& name, bool markdown) {
     std::cout << *page;
     return blocks::run::done;
   }
-  fmt::print(stderr, "blocks: error: there is no card {}\n{}", name, blocks::deck::all_cards());
+  fmt::print(stderr, "blocks: error: there is no card {}\n{}", name,
+             blocks::deck::all_cards());
   return blocks::run::usage_error;
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app(
-      "Example: blocks run decks/stack/stack.deck\n\n"
-      "BLOCKS: a 2D block motion code for jointed rock.\n"
-      "Exit codes: 0 done, 1 internal, 2 usage, 3 deck or geometry, 4 run unsound, 5 file,\n"
-      "75 stopped at a time limit, 130 interrupted.");
+  CLI::App app("Example: blocks run decks/stack/stack.deck\n\n"
+               "BLOCKS: a 2D block motion code for jointed rock.\n"
+               "Exit codes: 0 done, 1 internal, 2 usage, 3 deck or geometry, 4 run "
+               "unsound, 5 file,\n"
+               "75 stopped at a time limit, 130 interrupted.");
   app.set_version_flag("--version", "blocks " BLOCKS_VERSION);
   app.require_subcommand(1);
 
   RunOptions options;
   std::vector<std::string> sets;
   auto* run = app.add_subcommand("run", "run a deck");
-  run->description("Example: blocks run decks/stack/stack.deck -o stack\n\n"
-                   "Runs a deck and writes NAME.out, NAME.vtkhdf, NAME.ckpt.h5, NAME.summary.json.");
+  run->description(
+      "Example: blocks run decks/stack/stack.deck -o stack\n\n"
+      "Runs a deck and writes NAME.out, NAME.vtkhdf, NAME.ckpt.h5, NAME.summary.json.");
   add_deck_options(*run, options, sets);
-  run->add_option("-o,--output", options.output, "output NAME (default: the deck's stem, here)");
-  run->add_option("--time-limit", options.time_limit, "stop after so many seconds, exit 75")
+  run->add_option("-o,--output", options.output,
+                  "output NAME (default: the deck's stem, here)");
+  run->add_option("--time-limit", options.time_limit,
+                  "stop after so many seconds, exit 75")
       ->check(CLI::PositiveNumber);
-  run->add_option("--checkpoint-every", options.checkpoint_every, "seconds between checkpoints")
+  run->add_option("--checkpoint-every", options.checkpoint_every,
+                  "seconds between checkpoints")
       ->check(CLI::PositiveNumber);
-  run->add_flag("--json", options.json, "print the summary as JSON instead of the table");
+  run->add_flag("--json", options.json,
+                "print the summary as JSON instead of the table");
 
   auto* check = app.add_subcommand("check", "parse, build and certify; no time step");
-  check->description("Example: blocks check decks/stack/stack.deck\n\n"
-                     "Reports every error of a deck in one pass and proves its layers.");
+  check->description(
+      "Example: blocks check decks/stack/stack.deck\n\n"
+      "Reports every error of a deck in one pass and proves its layers.");
   add_deck_options(*check, options, sets);
   check->add_option("-o,--output", options.output, "output NAME (finds NAME.ckpt.h5)");
 
   std::string card;
   bool markdown = false;
   auto* reference = app.add_subcommand("cards", "the card reference");
-  reference->description("Example: blocks cards LAYER\n\nLists all cards, or describes one.");
+  reference->description(
+      "Example: blocks cards LAYER\n\nLists all cards, or describes one.");
   reference->add_option("NAME", card, "the card");
   reference->add_flag("--markdown", markdown, "the whole reference as Markdown");
 
   blocks::apps::PlotOptions plot_options;
   auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
-  plot->description("Example: blocks plot stack.vtkhdf -o stack.png\n\n"
-                    "Draws the blocks at one time, coloured by material or a quantity.");
+  plot->description(
+      "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
+      "Draws the blocks at one time, coloured by material or a quantity.");
   blocks::apps::add_plot_options(*plot, plot_options);
 
   try {
@@ -111,7 +127,8 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (const std::string fault = blocks::geometry::check_numeric_environment(); !fault.empty()) {
+  if (const std::string fault = blocks::geometry::check_numeric_environment();
+      !fault.empty()) {
     fmt::print(stderr, "blocks: error: {}\n", fault);
     return blocks::run::internal_error;
   }

@@ -13,8 +13,11 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command.add_option("FILE", options.file, "results of a run, NAME.vtkhdf")->required();
   command.add_option("-o,--output", options.output,
                      "figure: .png, .svg or .pdf (default: NAME.png)");
-  command.add_option("-t,--time", options.time, "time of the frame (default: the last)");
-  command.add_option("--zoom", options.zoom, "xmin xmax ymin ymax")->expected(4)->delimiter(',');
+  command.add_option("-t,--time", options.time,
+                     "time of the frame (default: the last)");
+  command.add_option("--zoom", options.zoom, "xmin xmax ymin ymax")
+      ->expected(4)
+      ->delimiter(',');
   command.add_option("--width", options.figure.width, "pixels or points")
       ->check(CLI::Range(100, 20000));
   command.add_option("--colour,--color", options.figure.colour,
@@ -22,7 +25,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command.add_flag("--numbers", options.figure.numbers, "write the block numbers");
   command.add_flag("--original", options.figure.original,
                    "outline of the first frame underneath");
-  command.add_option("--mirror", options.mirror, "draw the other half too, mirrored about this x");
+  command.add_option("--mirror", options.mirror,
+                     "draw the other half too, mirrored about this x");
 }
 
 int plot(PlotOptions options) {

@@ -12,10 +12,10 @@ namespace blocks::apps {
 
 struct PlotOptions {
   std::string file;
-  std::string output;           ///< empty: FILE's stem with .png
-  std::optional<double> time;   ///< the frame nearest to it; else the last
-  std::vector<double> zoom;     ///< xmin xmax ymin ymax
-  std::optional<double> mirror; ///< x of the plane
+  std::string output;            ///< empty: FILE's stem with .png
+  std::optional<double> time;    ///< the frame nearest to it; else the last
+  std::vector<double> zoom;      ///< xmin xmax ymin ymax
+  std::optional<double> mirror;  ///< x of the plane
   post::FigureOptions figure;
 };
 

@@ -11,8 +11,11 @@ using geometry::QuadShape;
 
 double BlockBuilder::density(long material, deck::SourceLocation where) {
   const auto& materials = model_.settings.materials;
-  if (const auto found = materials.find(static_cast<int>(material)); found != materials.end())
+  if (const auto found = materials.find(static_cast<int>(material));
+      found != materials.end())
     return found->second.density;
+  if (partial_)
+    return 1.0;
   std::string known;
   for (const auto& [number, unused] : materials)
     known += (known.empty() ? "" : ", ") + std::to_string(number);
@@ -22,21 +25,30 @@ double BlockBuilder::density(long material, deck::SourceLocation where) {
 }
 
 bool BlockBuilder::fits(long more, deck::SourceLocation where) {
+  constexpr long most = 20'000'000;  // some 10 GB of state
+  if (more > most) {
+    error(where, fmt::format("{} blocks at once", more),
+          fmt::format("one card may make {} blocks at most", most));
+    return false;
+  }
   const long room = model_.settings.max_blocks - model_.blocks.size();
-  if (more <= room)
+  if (more <= room || partial_)
     return true;
-  error(where, fmt::format("{} more blocks exceed START's maximum of {}", more,
-                           model_.settings.max_blocks),
-        fmt::format("{} exist so far: {} more are possible, or raise nblok on the START card",
-                    model_.blocks.size(), room));
+  error(where,
+        fmt::format("{} more blocks exceed START's maximum of {}", more,
+                    model_.settings.max_blocks),
+        fmt::format(
+            "{} exist so far: {} more are possible, or raise nblok on the START card",
+            model_.blocks.size(), room));
   return false;
 }
 
 bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where,
                           const std::string& what, bool& warned) {
-  if (static_cast<long>(outline.size()) > model_.settings.max_corners) {
-    error(where, fmt::format("{} has {} corners, more than START's maximum of {}", what,
-                             outline.size(), model_.settings.max_corners),
+  if (static_cast<long>(outline.size()) > model_.settings.max_corners && !partial_) {
+    error(where,
+          fmt::format("{} has {} corners, more than START's maximum of {}", what,
+                      outline.size(), model_.settings.max_corners),
           "raise ncmx on the START card");
     return false;
   }
@@ -67,7 +79,8 @@ void BlockBuilder::append(const std::vector<NewBlock>& blocks) {
 void BlockBuilder::create(const deck::Create& card) {
   const double rho = density(card.mat.value, card.mat.where);
   const long copies = card.loop ? card.loop->nloop.value : 1;
-  if (!fits(copies, card.loop ? card.loop->nloop.where : command_.where) || !(rho > 0.0))
+  if (!fits(copies, card.loop ? card.loop->nloop.where : command_.where) ||
+      !(rho > 0.0))
     return;
   std::vector<geometry::DecimalPoint> corners;
   for (std::size_t i = 0; i < card.x.size(); ++i)
@@ -95,7 +108,8 @@ void BlockBuilder::layer(const deck::Layer& card) {
   const double rho = density(card.mat.value, card.mat.where);
   const long count = std::abs(card.ns.value);
   const bool random = card.rcommand.given;
-  // MERGE may leave fewer than |ns| blocks, so a random layer is counted when it is cut.
+  // MERGE may leave fewer than |ns| blocks, so a random layer is counted when it is
+  // cut.
   constexpr long most = 10'000'000;
   if (count > most) {
     error(card.ns.where, fmt::format("{} blocks in one layer", count),
@@ -153,31 +167,36 @@ void BlockBuilder::layer(const deck::Layer& card) {
   append(made);
 }
 
-bool BlockBuilder::orient_corners(const deck::Layer& card, geometry::LayerRequest& request) {
+bool BlockBuilder::orient_corners(const deck::Layer& card,
+                                  geometry::LayerRequest& request) {
   auto& corners = request.corners;
   const deck::SourceLocation where = card.corners[0].where;
-  const char* order = "the corners are 1 bottom left, 2 top left, 3 top right, 4 bottom right";
+  const char* order =
+      "the corners are 1 bottom left, 2 top left, 3 top right, 4 bottom right";
   switch (geometry::classify_quad(corners)) {
-    case QuadShape::convex_clockwise:
-      return true;
-    case QuadShape::bow_tie:
-      error(where, "the corners form a bow-tie: two sides of the layer cross", order);
-      return false;
-    case QuadShape::dart:
-      error(where, "the corners form a dart: one corner lies inside the others", order);
-      return false;
-    case QuadShape::degenerate:
-      error(where, "the layer is degenerate: corners coincide or three lie on one line", order);
-      return false;
-    case QuadShape::convex_anticlockwise:
-      break;
+  case QuadShape::convex_clockwise:
+    return true;
+  case QuadShape::bow_tie:
+    error(where, "the corners form a bow-tie: two sides of the layer cross", order);
+    return false;
+  case QuadShape::dart:
+    error(where, "the corners form a dart: one corner lies inside the others", order);
+    return false;
+  case QuadShape::degenerate:
+    error(where, "the layer is degenerate: corners coincide or three lie on one line",
+          order);
+    return false;
+  case QuadShape::convex_anticlockwise:
+    break;
   }
-  // Anticlockwise from the bottom left: BL, BR, TR, TL (rule 18). Any other anticlockwise
-  // order would put the bottom line somewhere else, so it is refused.
+  // Anticlockwise from the bottom left: BL, BR, TR, TL (rule 18). Any other
+  // anticlockwise order would put the bottom line somewhere else, so it is refused.
   if (!(corners[0].x.value() < corners[1].x.value() &&
         corners[0].y.value() < corners[3].y.value())) {
-    error(where, "the corners are reversed: they run anticlockwise, from no bottom left corner",
-          order);
+    error(
+        where,
+        "the corners are reversed: they run anticlockwise, from no bottom left corner",
+        order);
     return false;
   }
   warning(where, "the corners run anticlockwise",
@@ -189,9 +208,9 @@ bool BlockBuilder::orient_corners(const deck::Layer& card, geometry::LayerReques
 void BlockBuilder::record(const geometry::Layer& cut, int number) {
   model_.settings.layers_made = number;
   model_.layers.push_back({number, model_.blocks.size(),
-                           static_cast<int>(cut.mesh.cells.size()), cut.certificate.cells,
-                           cut.certificate.interior_edges, cut.certificate.outline_edges,
-                           cut.redrawn, cut.ruled});
+                           static_cast<int>(cut.mesh.cells.size()),
+                           cut.certificate.cells, cut.certificate.interior_edges,
+                           cut.certificate.outline_edges, cut.redrawn, cut.ruled});
   const double limit =
       model_.settings.merge_ratio ? model_.settings.merge_ratio->value() : 0.0;
   for (const geometry::Absorption& absorption : cut.absorptions)
@@ -215,14 +234,14 @@ void BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
   bool warned = false;
   for (deck::MeshBlock& block : mesh.blocks) {
     const auto what = block.line > 0
-                          ? fmt::format("block {} of the mesh (its line {})", made.size() + 1,
-                                        block.line)
+                          ? fmt::format("block {} of the mesh (its line {})",
+                                        made.size() + 1, block.line)
                           : fmt::format("block {} of the mesh", made.size() + 1);
     const double rho = density(block.material, command_.where);
     if (!(rho > 0.0) || !accept(block.outline, command_.where, what, warned))
       return;
-    made.push_back(
-        {std::move(block.outline), static_cast<int>(block.material), rho, Fixity::free});
+    made.push_back({std::move(block.outline), static_cast<int>(block.material), rho,
+                    Fixity::free});
   }
   append(made);
 }

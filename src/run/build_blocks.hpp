@@ -12,8 +12,11 @@ namespace blocks::run {
 /// Works for one card; faults go to the diagnostics and the model stays as it was.
 class BlockBuilder {
  public:
-  BlockBuilder(Model& model, deck::Diagnostics& diagnostics, const deck::Command& command)
-      : model_(model), diagnostics_(diagnostics), command_(command) {}
+  /// partial: other cards could not be read, so materials and counts are not judged.
+  BlockBuilder(Model& model, deck::Diagnostics& diagnostics,
+               const deck::Command& command, bool partial)
+      : model_(model), diagnostics_(diagnostics), command_(command), partial_(partial) {
+  }
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
@@ -45,6 +48,7 @@ class BlockBuilder {
   Model& model_;
   deck::Diagnostics& diagnostics_;
   const deck::Command& command_;
+  bool partial_;
 };
 
 }  // namespace blocks::run

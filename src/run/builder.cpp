@@ -37,7 +37,9 @@ struct Builder::Visitor {
                const std::string& hint = {}) {
     self.diagnostics_.warning(where, command.name, message, hint);
   }
-  BlockBuilder builder() { return {model, self.diagnostics_, command}; }
+  BlockBuilder builder() {
+    return {model, self.diagnostics_, command, self.options_.partial};
+  }
 
   /// Index from 0 of the block with this number, or -1 with an error.
   int block(const deck::Int& number) {
@@ -142,7 +144,8 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Merge& card) { settings.merge_ratio = card.aratio.value; }
   void operator()(const deck::Splane& card) {
-    settings.planes.push_back({{card.x1.value, card.y1.value}, {card.x2.value, card.y2.value}});
+    settings.planes.push_back(
+        {{card.x1.value, card.y1.value}, {card.x2.value, card.y2.value}});
     model.search.current = false;
     self.planes_.push_back(command);
   }
@@ -171,12 +174,15 @@ struct Builder::Visitor {
   void operator()(const deck::Force& card) {
     const int b = block(card.nblok);
     if (b >= 0 && has_function())
-      model.loads.forces.push_back({b, {card.fx.value, card.fy.value}, card.tarriv.value});
+      model.loads.forces.push_back(
+          {b, {card.fx.value, card.fy.value}, card.tarriv.value});
   }
   bool has_function() {
     if (model.loads.function.empty())
-      error(command.where, "no FUNCTION card was given, so the load has no time history",
-            "add FUNCTION, ntimep among the preliminary cards, followed by ntimep lines t, p");
+      error(command.where,
+            "no FUNCTION card was given, so the load has no time history",
+            "add FUNCTION, ntimep among the preliminary cards, followed by ntimep "
+            "lines t, p");
     return !model.loads.function.empty();
   }
   void operator()(const deck::Frictn& card) { settings.friction = card.fric.value; }
@@ -202,8 +208,10 @@ struct Builder::Visitor {
         ++count;
       }
     if (count == 0)
-      warning(card.mat.where, fmt::format("no block of material {} exists here", card.mat.value),
-              "SETVELM acts where it stands: put it after the cards that make the blocks");
+      warning(
+          card.mat.where,
+          fmt::format("no block of material {} exists here", card.mat.value),
+          "SETVELM acts where it stands: put it after the cards that make the blocks");
   }
   void set_velocity(int b, double vx, double vy, double spin) {
     if (!blocks.is_free(b))
@@ -230,7 +238,25 @@ struct Builder::Visitor {
   std::vector<std::pair<Command, deck::Material>>& materials = self.materials_;
 };
 
+namespace {
+
+/// Cards that can be judged although others are missing.
+bool stands_alone(const deck::Card& card) {
+  return std::holds_alternative<deck::Start>(card) ||
+         std::holds_alternative<deck::Rigid>(card) ||
+         std::holds_alternative<deck::Material>(card) ||
+         std::holds_alternative<deck::End>(card) ||
+         std::holds_alternative<deck::Create>(card) ||
+         std::holds_alternative<deck::Layer>(card) ||
+         std::holds_alternative<deck::Orient>(card) ||
+         std::holds_alternative<deck::Merge>(card);
+}
+
+}  // namespace
+
 void Builder::apply(const Command& command) {
+  if (options_.partial && !stands_alone(command.card))
+    return;
   std::visit(Visitor{*this, command}, command.card);
 }
 
@@ -248,8 +274,9 @@ void Builder::check_before_motion(const Command& command) {
       model_.settings.fraction > safe && !fraction_checked_)
     diagnostics_.warning(
         command.where, command.name,
-        fmt::format("FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
-                    model_.settings.fraction, model_.settings.damping),
+        fmt::format(
+            "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
+            model_.settings.fraction, model_.settings.damping),
         fmt::format("for 8 contacts a block the largest safe FRACTION is {:.3f} "
                     "(docs/departures.md, time step)",
                     safe));
@@ -275,8 +302,9 @@ void Builder::check_planes() {
     for (int c = 0; c < blocks.corners() && all_behind; ++c)
       all_behind = geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;
     if (all_behind)
-      diagnostics_.error(command.where, command.name, "all blocks lie behind the plane",
-                         "blocks stand to the left of point 1 -> point 2: swap the points");
+      diagnostics_.error(
+          command.where, command.name, "all blocks lie behind the plane",
+          "blocks stand to the left of point 1 -> point 2: swap the points");
   }
   planes_.clear();
 }
@@ -288,19 +316,22 @@ void Builder::check_overlaps(const Command& command) {
   for (int b = 0; b < blocks.size(); ++b)
     outlines.push_back(blocks.outline(b));
   auto pairs = geometry::overlapping_pairs(outlines);
-  // Decimals of a turned block are rounded: an overlap of that size is no fault of a deck.
+  // Decimals of a turned block are rounded: an overlap of that size is no fault of a
+  // deck.
   constexpr double rounding = 1e-9;
   std::erase_if(pairs, [&](const geometry::BlockOverlap& pair) {
     return std::max(pair.first, pair.second) < checked_blocks_ ||
-           pair.area <= rounding * std::min(blocks.area[pair.first], blocks.area[pair.second]);
+           pair.area <=
+               rounding * std::min(blocks.area[pair.first], blocks.area[pair.second]);
   });
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
     diagnostics_.warning(
         command.where, command.name,
-        fmt::format("blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, {:.6g})",
-                    pairs[i].first + 1, pairs[i].second + 1, pairs[i].area,
-                    pairs[i].place.x(), pairs[i].place.y()),
+        fmt::format(
+            "blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, {:.6g})",
+            pairs[i].first + 1, pairs[i].second + 1, pairs[i].area, pairs[i].place.x(),
+            pairs[i].place.y()),
         i + 1 == shown && pairs.size() > shown
             ? fmt::format("and {} more pairs; an overlap at the start carries no force",
                           pairs.size() - shown)

@@ -18,6 +18,9 @@ struct BuildOptions {
   std::optional<std::uint64_t> seed;  ///< --seed, wins over SEED
   std::string tape9 = "tape9";        ///< --tape9: mesh of a READ9 card without a name
   std::string folder;                 ///< of the deck: file names are relative to it
+  /// Some cards could not be read: look at what was, without complaints that only
+  /// follow from the missing ones (block numbers, materials).
+  bool partial = false;
 };
 
 class Builder {
@@ -27,8 +30,8 @@ class Builder {
   /// Acts on one card. Faults go to the diagnostics; the model then stays as it was.
   void apply(const deck::Command& command);
 
-  /// What must hold before time may pass: blocks present, planes not in front of nothing,
-  /// no step without a driving FUNCTION. Called before MOTION and CYCLE.
+  /// What must hold before time may pass: blocks present, planes not in front of
+  /// nothing, no step without a driving FUNCTION. Called before MOTION and CYCLE.
   void check_before_motion(const deck::Command& command);
 
  private:

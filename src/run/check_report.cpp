@@ -12,23 +12,24 @@ std::string check_report(const std::string& file, const Model& model) {
   const Blocks& blocks = model.blocks;
   const auto fixed = std::count_if(blocks.fixity.begin(), blocks.fixity.end(),
                                    [](Fixity f) { return f != Fixity::free; });
-  std::string text = fmt::format("{}: no errors\n{} blocks ({} fixed), {} corners, area {:.9g}\n",
-                                 file, blocks.size(), fixed, blocks.corners(),
-                                 blocks.area.sum());
+  std::string text =
+      fmt::format("{}: no errors\n{} blocks ({} fixed), {} corners, area {:.9g}\n",
+                  file, blocks.size(), fixed, blocks.corners(), blocks.area.sum());
   for (const LayerRecord& layer : model.layers)
-    text += fmt::format("layer {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, "
-                        "{} outline sides; {} sides redrawn, {} ruled\n",
-                        layer.number, layer.first_block + 1, layer.first_block + layer.blocks,
-                        layer.cells, layer.interior_edges, layer.outline_edges, layer.redrawn,
-                        layer.ruled);
+    text += fmt::format(
+        "layer {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, "
+        "{} outline sides; {} sides redrawn, {} ruled\n",
+        layer.number, layer.first_block + 1, layer.first_block + layer.blocks,
+        layer.cells, layer.interior_edges, layer.outline_edges, layer.redrawn,
+        layer.ruled);
   for (const MergeRecord& merge : model.merges)
-    text += fmt::format("layer {}: block {} absorbed by {}: width/height {:.6g} < {:g}\n",
-                        merge.layer, merge.absorbed, merge.into, merge.width_to_height,
-                        merge.limit);
+    text += fmt::format(
+        "layer {}: block {} absorbed by {}: width/height {:.6g} < {:g}\n", merge.layer,
+        merge.absorbed, merge.into, merge.width_to_height, merge.limit);
   if (blocks.size() > 0) {
     const TimeStep step = dynamics::choose_time_step(model);
-    text += fmt::format("time step {:.6g}, set by block {} ({})\n", step.dt, step.block + 1,
-                        step.elastic ? "its stiffness" : "contact");
+    text += fmt::format("time step {:.6g}, set by block {} ({})\n", step.dt,
+                        step.block + 1, step.elastic ? "its stiffness" : "contact");
   }
   return text;
 }

@@ -20,7 +20,8 @@ std::string duration(double seconds) {
 }  // namespace
 
 Console::Console(bool table, bool quiet)
-    : table_(table && !quiet), quiet_(quiet), terminal_(!quiet && isatty(STDERR_FILENO)) {}
+    : table_(table && !quiet), quiet_(quiet),
+      terminal_(!quiet && isatty(STDERR_FILENO)) {}
 
 void Console::row(const Model& model) {
   if (!table_ || model.steps == last_step_)
@@ -32,9 +33,9 @@ void Console::row(const Model& model) {
                "kinetic energy", "worst overlap", "contacts", "searches");
   header_shown_ = true;
   const ModelTotals sum = totals(model);
-  fmt::print("{:>10} {:>12.6g} {:>12.5g} {:>14.6g} {:>14.6g} {:>9} {:>9}\n", model.steps,
-             model.time, model.time_step.dt, sum.kinetic_energy, sum.worst_overlap,
-             sum.active_contacts, model.search.updates);
+  fmt::print("{:>10} {:>12.6g} {:>12.5g} {:>14.6g} {:>14.6g} {:>9} {:>9}\n",
+             model.steps, model.time, model.time_step.dt, sum.kinetic_energy,
+             sum.worst_overlap, sum.active_contacts, model.search.updates);
   std::fflush(stdout);
 }
 
@@ -61,8 +62,9 @@ void Console::progress(const Model& model, double share) {
   const std::string remaining =
       share > 0.0 ? duration(spent * (1.0 - share) / share) + " left" : "";
   const ModelTotals sum = totals(model);
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] step {} t {:.4g} Ek {:.3g} contacts {} {}",
-             "", filled, "", width - filled, model.steps, model.time, sum.kinetic_energy,
+  fmt::print(stderr,
+             "\r\033[K[{:#<{}}{:.<{}}] step {} t {:.4g} Ek {:.3g} contacts {} {}", "",
+             filled, "", width - filled, model.steps, model.time, sum.kinetic_energy,
              sum.active_contacts, remaining);
   std::fflush(stderr);
 }

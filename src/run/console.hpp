@@ -1,5 +1,5 @@
-// What a run shows: the short table on standard output, warnings and a progress line with
-// the time remaining on standard error (the line on a terminal only).
+// What a run shows: the short table on standard output, warnings and a progress line
+// with the time remaining on standard error (the line on a terminal only).
 #pragma once
 
 #include <chrono>

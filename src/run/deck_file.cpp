@@ -29,7 +29,8 @@ std::string output_name(const std::string& deck, const std::string& given) {
 }
 
 std::string deck_folder(const std::string& deck) {
-  return deck == "-" ? std::string() : std::filesystem::path(deck).parent_path().string();
+  return deck == "-" ? std::string()
+                     : std::filesystem::path(deck).parent_path().string();
 }
 
 }  // namespace blocks::run

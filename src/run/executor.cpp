@@ -32,11 +32,10 @@ void Executor::start() {
   dynamics::prepare(model_);
   if (!echoed_) {
     files_.input_echo(model_);
-    console_.note(fmt::format(
-        "dt {:.6g} set by block {} ({}), {} blocks, seed {}", model_.time_step.dt,
-        model_.time_step.block + 1,
-        model_.time_step.elastic ? "its stiffness" : "contact", model_.blocks.size(),
-        model_.settings.seed));
+    console_.note(fmt::format("dt {:.6g} set by block {} ({}), {} blocks, seed {}",
+                              model_.time_step.dt, model_.time_step.block + 1,
+                              model_.time_step.elastic ? "its stiffness" : "contact",
+                              model_.blocks.size(), model_.settings.seed));
     files_.frame(model_);
     files_.table(model_);
   }
@@ -50,9 +49,10 @@ Outcome Executor::advance(long steps) {
   for (long i = 1; i <= steps; ++i) {
     const dynamics::Displacement moved = dynamics::step(model_, buffers_);
     if (!moved.finite) {
-      warn(fmt::format("at time {:g} (step {}) some position is no longer a number; the "
-                       "time step is probably too large: lower FRACTION",
-                       model_.time, model_.steps));
+      warn(
+          fmt::format("at time {:g} (step {}) some position is no longer a number; the "
+                      "time step is probably too large: lower FRACTION",
+                      model_.time, model_.steps));
       return Outcome::unsound;
     }
     watch(moved);
@@ -91,15 +91,17 @@ void Executor::output_if_due() {
 void Executor::watch(const dynamics::Displacement& moved) {
   if (moved.largest > model_.settings.contact_tolerance && !fast_told_) {
     fast_told_ = true;
-    warn(fmt::format("block {} moved a corner by {:.3g} in one step at time {:g}, more than "
-                     "ctol {:g}: contacts may be found late; lower FRACTION or raise ctol",
-                     moved.block + 1, moved.largest, model_.time,
-                     model_.settings.contact_tolerance));
+    warn(fmt::format(
+        "block {} moved a corner by {:.3g} in one step at time {:g}, more than "
+        "ctol {:g}: contacts may be found late; lower FRACTION or raise ctol",
+        moved.block + 1, moved.largest, model_.time,
+        model_.settings.contact_tolerance));
   }
   for (; exits_told_ < model_.exits.size(); ++exits_told_) {
     const DomainExit& exit = model_.exits[exits_told_];
-    warn(fmt::format("block {} left the domain at time {:g} and is fixed where it stands",
-                     exit.block + 1, exit.time));
+    warn(fmt::format(
+        "block {} left the domain at time {:g} and is fixed where it stands",
+        exit.block + 1, exit.time));
   }
 }
 
@@ -118,7 +120,8 @@ Outcome Executor::pressed_for_time() {
   const auto now = Clock::now();
   if (options_.time_limit > 0.0 && seconds(now - started_) >= options_.time_limit)
     return Outcome::time_limit;
-  if (options_.checkpoint_every > 0.0 && seconds(now - saved_) >= options_.checkpoint_every) {
+  if (options_.checkpoint_every > 0.0 &&
+      seconds(now - saved_) >= options_.checkpoint_every) {
     files_.checkpoint(model_);
     saved_ = Clock::now();
   }

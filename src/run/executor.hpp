@@ -18,7 +18,8 @@ class Executor {
  public:
   Executor(Model& model, RunFiles& files, Console& console, const RunOptions& options);
 
-  /// Runs the steps of a MOTION (an interval of time) or CYCLE (a number of steps) card.
+  /// Runs the steps of a MOTION (an interval of time) or CYCLE (a number of steps)
+  /// card.
   Outcome motion(double interval);
   Outcome cycle(long steps);
 

@@ -30,7 +30,8 @@ struct Job {
         name(output_name(given.deck, given.output)) {}
 
   BuildOptions build_options() const {
-    return {options.seed, options.tape9, deck_folder(options.deck)};
+    return {options.seed, options.tape9, deck_folder(options.deck),
+            diagnostics.has_errors()};
   }
   bool continues() const {
     return !deck.commands.empty() &&
@@ -39,7 +40,7 @@ struct Job {
   /// Checkpoint of a RESTART deck: --restart, the card, or NAME.ckpt.h5.
   std::string checkpoint() const {
     const auto& card = std::get<deck::Restart>(deck.commands.front().card);
-    return options.restart    ? *options.restart
+    return options.restart   ? *options.restart
            : card.file.given ? card.file.value
                              : name + ".ckpt.h5";
   }
@@ -58,14 +59,13 @@ struct Job {
 /// Executes every card but the passing of time. The model is what the deck describes
 /// before its first step; false when there were errors.
 bool check(Job& job, Model& model) {
-  if (job.diagnostics.has_errors() && job.deck.commands.empty())
-    return false;
   if (job.options.restart && !job.continues()) {
-    job.diagnostics.error({1, 1, 1}, "RESTART", "--restart needs a deck that begins with RESTART",
+    job.diagnostics.error({1, 1, 1}, "RESTART",
+                          "--restart needs a deck that begins with RESTART",
                           "write RESTART and the cards that follow the checkpoint");
     return false;
   }
-  if (job.continues()) {
+  if (job.continues() && !job.diagnostics.has_errors()) {
     output::CheckpointInfo info;
     model = output::read_checkpoint(job.checkpoint(), info);
   }
@@ -134,7 +134,8 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
                          executor.warnings().end());
   report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  report.worst_overlap_ever = std::max(executor.worst_overlap(), totals(model).worst_overlap);
+  report.worst_overlap_ever =
+      std::max(executor.worst_overlap(), totals(model).worst_overlap);
   report.status = outcome == Outcome::finished     ? "done"
                   : outcome == Outcome::unsound    ? "unsound"
                   : outcome == Outcome::time_limit ? "time limit"
@@ -142,17 +143,21 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
   files.close(model, report);
   console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
                            report.status, model.steps, model.time, report.wall_seconds,
-                           job.name + ".out", files.results_path(), files.checkpoint_path(),
-                           files.summary_path()));
+                           job.name + ".out", files.results_path(),
+                           files.checkpoint_path(), files.summary_path()));
   if (job.options.json) {
     std::ifstream summary(files.summary_path());
     std::cout << summary.rdbuf() << std::flush;
   }
   switch (outcome) {
-    case Outcome::finished: return done;
-    case Outcome::unsound: return unsound_run;
-    case Outcome::time_limit: return time_limit;
-    case Outcome::interrupted: return interrupted;
+  case Outcome::finished:
+    return done;
+  case Outcome::unsound:
+    return unsound_run;
+  case Outcome::time_limit:
+    return time_limit;
+  case Outcome::interrupted:
+    return interrupted;
   }
   return internal_error;
 }

@@ -1,5 +1,5 @@
-// `blocks run` and `blocks check`: executes the cards of a deck in order. The only place
-// that knows both files and physics.
+// `blocks run` and `blocks check`: executes the cards of a deck in order. The only
+// place that knows both files and physics.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,8 @@ struct RunOptions {
 /// Parses, checks the whole deck, then runs it. Returns an ExitCode.
 int run_deck(const RunOptions& options);
 
-/// Parses and builds everything, reports every fault, makes no step. Returns an ExitCode.
+/// Parses and builds everything, reports every fault, makes no step. Returns an
+/// ExitCode.
 int check_deck(const RunOptions& options);
 
 }  // namespace blocks::run

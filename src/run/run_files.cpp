@@ -24,7 +24,8 @@ RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
 RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity,
                    const output::CheckpointInfo& from)
     : name_(name), identity_(identity),
-      listing_(from.results == results_path() ? name + ".out" : put_aside(name + ".out"),
+      listing_(from.results == results_path() ? name + ".out"
+                                              : put_aside(name + ".out"),
                from.results == results_path()) {
   if (from.results == results_path() && std::filesystem::exists(results_path()))
     results_ = std::make_unique<output::ResultsWriter>(

@@ -14,7 +14,8 @@ namespace blocks::run {
 
 class RunFiles {
  public:
-  /// Creates NAME.out and NAME.vtkhdf (older ones become .bak). Throws output::FileError.
+  /// Creates NAME.out and NAME.vtkhdf (older ones become .bak). Throws
+  /// output::FileError.
   RunFiles(const std::string& name, const output::RunIdentity& identity);
   /// Continues NAME.out and NAME.vtkhdf behind a checkpoint's frames where they exist.
   RunFiles(const std::string& name, const output::RunIdentity& identity,
