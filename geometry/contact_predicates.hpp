@@ -1,7 +1,8 @@
-// The decisions of the contact check as signs of polynomials in the stored doubles: (19),
-// "between the corners", the depth rule, (20) and the nearest edge (report 3.3, rules 9-12).
-// An inline double filter with a proven error bound answers nearly always; what it cannot
-// decide goes to exact arithmetic in geometry/exact. Proofs: docs/predicates.md.
+// The decisions of the contact check as signs of polynomials in the stored doubles:
+// (19), "between the corners", the depth rule, (20) and the nearest edge (report 3.3,
+// rules 9-12). An inline double filter with a proven error bound answers nearly always;
+// what it cannot decide goes to exact arithmetic in geometry/exact. Proofs:
+// docs/predicates.md.
 //
 //            n   outward normal, left of the edge
 //            |
@@ -37,8 +38,8 @@ unsigned long long calls();
 
 namespace filter {
 
-/// 9 units of round-off: no filtered polynomial below collects more than 8, relative to the
-/// sum of the magnitudes of its terms.
+/// 9 units of round-off: no filtered polynomial below collects more than 8, relative to
+/// the sum of the magnitudes of its terms.
 inline constexpr double relative = 1e-15;
 /// Far above anything that underflow can hide, far below anything that matters.
 inline constexpr double absolute = 1e-290;
@@ -47,9 +48,9 @@ inline double bound(double magnitude) { return relative * magnitude + absolute; 
 
 }  // namespace filter
 
-/// Sign of 2A = (xc - x1)(y2 - y1) - (yc - y1)(x2 - x1), (19) on differences: 1 the corner
-/// has penetrated the edge's line, 0 it lies on it, -1 outside.
-/// Laws: swapping p1 and p2 changes the sign; cyclic shifts of (c, p1, p2) keep it.
+/// Sign of 2A = (xc - x1)(y2 - y1) - (yc - y1)(x2 - x1), (19) on differences: 1 the
+/// corner has penetrated the edge's line, 0 it lies on it, -1 outside. Laws: swapping
+/// p1 and p2 changes the sign; cyclic shifts of (c, p1, p2) keep it.
 inline int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const double a = (c.x() - p1.x()) * (p2.y() - p1.y());
   const double b = (c.y() - p1.y()) * (p2.x() - p1.x());
@@ -92,8 +93,8 @@ inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return exact::between(c, p1, p2);
 }
 
-/// The depth rule: the overlap of c is at most the distance of the edge from the centroid
-/// of its own block (rule 9): (c - centroid) x e <= 0. True on the limit.
+/// The depth rule: the overlap of c is at most the distance of the edge from the
+/// centroid of its own block (rule 9): (c - centroid) x e <= 0. True on the limit.
 inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                          const Vec2& p2) {
   const double a = (c.x() - centroid.x()) * (p2.y() - p1.y());
@@ -106,8 +107,30 @@ inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
   return exact::within_depth(c, centroid, p1, p2);
 }
 
-/// (20) for one of the corner's own edges, t = neighbour - c: t.n >= sin(-10 degrees) |t|.
-/// Rational input never ties. Law: scaling t or e by a positive factor changes nothing.
+/// False when it is certain that near_or_inside, between or within_depth is false: most
+/// potential contacts are turned away by this one branch. Decides nothing else.
+inline bool may_act(const Vec2& c, const Vec2& centroid, const Vec2& p1,
+                    const Vec2& p2) {
+  const double ex = p2.x() - p1.x(), ey = p2.y() - p1.y();
+  const double wx = c.x() - p1.x(), wy = c.y() - p1.y();
+  const double a = wx * ey, b = wy * ex, s = wx * ex + wy * ey;
+  const double square = ex * ex + ey * ey, slack = contact_slack * square;
+  const double depth_a = (c.x() - centroid.x()) * ey,
+               depth_b = (c.y() - centroid.y()) * ex;
+  // four times the bound that each single filter would need for these magnitudes
+  const double bound =
+      4.0 *
+      filter::bound(std::abs(a) + std::abs(b) + std::abs(wx * ex) + std::abs(wy * ey) +
+                    square + std::abs(depth_a) + std::abs(depth_b));
+  const bool outside = -(a - b + slack) > bound;
+  const bool before = -(s + slack) > bound, behind = -(square - s + slack) > bound;
+  const bool deep = depth_a - depth_b > bound;
+  return !(outside | before | behind | deep);
+}
+
+/// (20) for one of the corner's own edges, t = neighbour - c: t.n >= sin(-10 degrees)
+/// |t|. Rational input never ties. Law: scaling t or e by a positive factor changes
+/// nothing.
 inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
                        const Vec2& p2) {
   constexpr double sine = 0.17364817766693036;  // sin 10 degrees, rounded
@@ -115,8 +138,8 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
   const double tx = neighbour.x() - c.x(), ty = neighbour.y() - c.y();
   const double d = ex * ty - ey * tx;
   // |e| |t| lies between `least` and twice that
-  const double least = std::max(std::abs(ex), std::abs(ey)) *
-                       std::max(std::abs(tx), std::abs(ty));
+  const double least =
+      std::max(std::abs(ex), std::abs(ey)) * std::max(std::abs(tx), std::abs(ty));
   if (least > 1e-140 && least < 1e140) {
     if (d > -0.17 * least)  // 0.17 < sin 10 degrees
       return true;
@@ -130,8 +153,8 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
   return exact::faces_edge(c, neighbour, p1, p2);
 }
 
-/// Sign of the depth of c below edge p minus its depth below edge q, d = 2A / L (rule 12).
-/// Law: swapping the edges changes the sign.
+/// Sign of the depth of c below edge p minus its depth below edge q, d = 2A / L (rule
+/// 12). Law: swapping the edges changes the sign.
 inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
   const double px = p2.x() - p1.x(), py = p2.y() - p1.y();

@@ -24,11 +24,31 @@ Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
 bool admissible(const Blocks& blocks, int c, int edge, int edge_block) {
   using namespace geometry;
   const Vec2 corner = blocks.corner.col(c);
-  const Vec2 p1 = blocks.corner.col(edge), p2 = blocks.corner.col(blocks.next(edge));
+  const Vec2 p1 = blocks.corner.col(edge), p2 = blocks.corner.col(blocks.next[edge]);
+  if (!may_act(corner, blocks.centroid.col(edge_block), p1, p2))
+    return false;
   return near_or_inside(corner, p1, p2) && between(corner, p1, p2) &&
          within_depth(corner, blocks.centroid.col(edge_block), p1, p2) &&
-         faces_edge(corner, blocks.corner.col(blocks.previous(c)), p1, p2) &&
-         faces_edge(corner, blocks.corner.col(blocks.next(c)), p1, p2);
+         faces_edge(corner, blocks.corner.col(blocks.previous[c]), p1, p2) &&
+         faces_edge(corner, blocks.corner.col(blocks.next[c]), p1, p2);
+}
+
+/// Whether the corner is inside the block, not only behind the line of its nearest
+/// edge: beside a slanted side that line's strip reaches out of the block
+/// (docs/departures.md). Inside by more than nothing for the edge that acts, up to the
+/// slack for the others.
+bool penetrates(const Blocks& blocks, int c, int edge, int edge_block) {
+  const Vec2 corner = blocks.corner.col(c);
+  if (geometry::overlap_sign(corner, blocks.corner.col(edge),
+                             blocks.corner.col(blocks.next[edge])) <= 0)
+    return false;
+  if (!blocks.convex[edge_block])
+    return true;
+  for (int e = blocks.next[edge]; e != edge; e = blocks.next[e])
+    if (!geometry::near_or_inside(corner, blocks.corner.col(e),
+                                  blocks.corner.col(blocks.next[e])))
+      return false;
+  return true;
 }
 
 /// Of the records first .. last - 1 (one corner, edges of one block) the one that acts,
@@ -46,16 +66,14 @@ int acting_record(const Blocks& blocks, const Contacts& contacts, int first, int
     }
     const int e = contacts.edge[i], f = contacts.edge[best];
     if (geometry::compare_depth(blocks.corner.col(c), blocks.corner.col(e),
-                                blocks.corner.col(blocks.next(e)), blocks.corner.col(f),
-                                blocks.corner.col(blocks.next(f))) < 0)
+                                blocks.corner.col(blocks.next[e]), blocks.corner.col(f),
+                                blocks.corner.col(blocks.next[f])) < 0)
       best = i;
   }
   if (best < 0)
     return -1;
-  const int e = contacts.edge[best];
-  const int sign = geometry::overlap_sign(blocks.corner.col(c), blocks.corner.col(e),
-                                          blocks.corner.col(blocks.next(e)));
-  return sign > 0 ? best : -1;
+  return penetrates(blocks, c, contacts.edge[best], contacts.edge_block[best]) ? best
+                                                                               : -1;
 }
 
 void release(Contacts& contacts, int i) {
@@ -69,7 +87,7 @@ void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law) {
   const int c = contacts.corner[i], e = contacts.edge[i];
   const int a = contacts.corner_block[i], b = contacts.edge_block[i];
   const Vec2 at = blocks.corner.col(c);
-  const Vec2 p1 = blocks.corner.col(e), p2 = blocks.corner.col(blocks.next(e));
+  const Vec2 p1 = blocks.corner.col(e), p2 = blocks.corner.col(blocks.next[e]);
 
   // a. Frame of the edge and relative velocity of the two material points.
   const Vec2 along = p2 - p1;

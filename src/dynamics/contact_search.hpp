@@ -20,7 +20,7 @@ struct Reach {
 
   Reach(const Blocks& blocks, int b, int edge, double travel)
       : origin(blocks.corner.col(edge)) {
-    const Vec2 e = Vec2(blocks.corner.col(blocks.next(edge))) - origin;
+    const Vec2 e = Vec2(blocks.corner.col(blocks.next[edge])) - origin;
     length = e.norm();
     along = e / length;
     depth = geometry::cross(Vec2(blocks.centroid.col(b)) - origin, along);

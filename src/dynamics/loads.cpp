@@ -7,7 +7,7 @@ void add_loads(Blocks& blocks, const Loads& loads, double time) {
   for (const Pressure& pressure : loads.pressures) {
     const int b = pressure.block;
     const double factor = loads.function.factor(time, pressure.arrival);
-    const int c1 = blocks.first_corner[b] + pressure.side, c2 = blocks.next(c1);
+    const int c1 = blocks.first_corner[b] + pressure.side, c2 = blocks.next[c1];
     const Vec2 along = blocks.corner.col(c2) - blocks.corner.col(c1);
     const Vec2 inward(along.y(), -along.x());  // length L, against the outward normal
     const double p1 = factor * pressure.p1, p2 = factor * pressure.p2;

@@ -52,11 +52,15 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     material.push_back(block.material);
     fixity.push_back(block.fixity);
     layer.push_back(block.layer);
-    int c = first_corner.back();
+    const int first = first_corner.back(), count = static_cast<int>(block.outline.size());
+    convex.push_back(geometry::check_outline(block.outline).convex ? 1 : 0);
+    int c = first;
     for (const Vec2& point : block.outline) {
       corner.col(c) = point;
       arm.col(c) = point - section.centroid;
       corner_block.push_back(b);
+      next.push_back(c + 1 == first + count ? first : c + 1);
+      previous.push_back(c == first ? first + count - 1 : c - 1);
       ++c;
     }
     first_corner.push_back(c);

@@ -29,11 +29,14 @@ struct Blocks {
   // corners of block b: first_corner[b] .. first_corner[b + 1], clockwise
   std::vector<int> first_corner = {0};  ///< (n + 1)
   std::vector<int> corner_block;        ///< (m) block of each corner
+  std::vector<int> next;                ///< (m) the corner after, clockwise, same block
+  std::vector<int> previous;            ///< (m) the corner before, same block
   Eigen::Matrix2Xd arm;                 ///< [L] (2, m) corner - centroid (13)
   Eigen::Matrix2Xd corner;              ///< [L] (2, m) centroid + arm (15)
 
   std::vector<int> material;   ///< (n) the deck's material number, MAT
   std::vector<Fixity> fixity;  ///< (n) FIXED
+  std::vector<char> convex;    ///< (n) 1: no corner turns inwards (exact, at creation)
   std::vector<int> layer;      ///< (n) which LAYER card made it, from 1; 0: none
   Eigen::VectorXd area;        ///< [L^2] (n) at creation
   Eigen::VectorXd mass;        ///< [M] (n) > 0
@@ -53,16 +56,6 @@ struct Blocks {
   int corners_of(int b) const { return first_corner[b + 1] - first_corner[b]; }
   bool is_free(int b) const { return fixity[b] == Fixity::free; }
 
-  /// The corner after c on the same block, clockwise.
-  int next(int c) const {
-    const int b = corner_block[c];
-    return c + 1 == first_corner[b + 1] ? first_corner[b] : c + 1;
-  }
-  /// The corner before c on the same block.
-  int previous(int c) const {
-    const int b = corner_block[c];
-    return c == first_corner[b] ? first_corner[b + 1] - 1 : c - 1;
-  }
   /// The outline of block b as it stands.
   geometry::Polygon outline(int b) const;
 
