@@ -39,6 +39,7 @@ class ResultsWriter {
 
  private:
   struct File;
+  explicit ResultsWriter(std::unique_ptr<File> file);
   std::unique_ptr<File> file_;
 };
 

@@ -1,0 +1,141 @@
+// The file starts with a seal of 512 bytes in plain text (HDF5's user block): what it
+// is, the format, and a hash over all the bytes that follow. It is verified before HDF5
+// looks at a single byte, so that a damaged file is never half read.
+#include "output/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "output/file_tools.hpp"
+#include "output/model_archive.hpp"
+
+namespace blocks::output {
+namespace {
+
+constexpr int format = 1;
+constexpr std::size_t seal_size = 512;
+constexpr const char* magic = "BLOCKS checkpoint\n";
+
+std::string seal(std::uint64_t bytes, const std::string& hash) {
+  std::string text =
+      fmt::format("{}format {}\nbytes {}\nfnv1a {}\n", magic, format, bytes, hash);
+  text.resize(seal_size, '\0');
+  return text;
+}
+
+/// The seal the bytes after the first 512 ask for.
+std::string seal_of(std::istream& file) {
+  file.clear();
+  file.seekg(seal_size);
+  Fnv1a hash;
+  std::uint64_t bytes = 0;
+  std::vector<char> buffer(std::size_t{1} << 20);
+  while (file) {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    hash.add(buffer.data(), static_cast<std::size_t>(file.gcount()));
+    bytes += static_cast<std::uint64_t>(file.gcount());
+  }
+  return seal(bytes, hash.text());
+}
+
+void set_seal(const std::string& path) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string text = seal_of(file);
+  file.clear();
+  file.seekp(0);
+  file.write(text.data(), seal_size);
+  file.close();
+  if (!file)
+    throw_errno("write", path);
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+  std::string message = "cannot read " + path + ": " + reason;
+  std::error_code ignored;
+  if (const std::string previous = path + ".prev";
+      std::filesystem::exists(previous, ignored))
+    message += "; the checkpoint before it is " + previous;
+  throw FileError(message);
+}
+
+void verify_seal(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    refuse(path, "it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    refuse(path, std::generic_category().message(errno));
+  std::string head(seal_size, '\0');
+  file.read(head.data(), seal_size);
+  if (!head.starts_with(magic))
+    refuse(path, "it is not a checkpoint of BLOCKS");
+  if (int found = 0;
+      std::sscanf(head.c_str() + std::strlen(magic), "format %d", &found) == 1 &&
+      found > format)
+    refuse(path,
+           fmt::format("a newer version of BLOCKS wrote it (format {}, this version "
+                       "reads up to {})",
+                       found, format));
+  if (file.gcount() < static_cast<std::streamsize>(seal_size) || head != seal_of(file))
+    refuse(path, "it is damaged: its bytes do not give its checksum");
+}
+
+/// The report's "restart tape": the model and what belongs to the run.
+template <class M, class Info, class Archive>
+void visit(M& model, Info& info, Archive& ar) {
+  auto& [deck_file, deck_text, results, results_frames, version] = info;
+  ar("run/deck_file", deck_file);
+  ar("run/deck_text", deck_text);
+  ar("run/results", results);
+  ar("run/results_frames", results_frames);
+  ar("run/version", version);
+  visit_model(model, ar);
+}
+
+}  // namespace
+
+void write_checkpoint(const std::string& path, const Model& model,
+                      const CheckpointInfo& info) {
+  const std::string temporary = path + ".tmp";
+  std::error_code ignored;
+  try {
+    naming("write", path, [&] {
+      hdf5::Handle file = hdf5::create_file(temporary, seal_size);
+      hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
+      hdf5::write_attribute(file.get(), "format", format);
+      SavingArchive archive(file.get());
+      visit(model, info, archive);
+      hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
+      file.close();
+    });
+    set_seal(temporary);
+    sync_file(temporary);
+  } catch (const FileError&) {
+    std::filesystem::remove(temporary, ignored);
+    throw;
+  }
+  if (std::filesystem::exists(path, ignored))
+    move_file(path, path + ".prev");
+  move_file(temporary, path);
+  sync_folder_of(path);
+}
+
+Model read_checkpoint(const std::string& path, CheckpointInfo& info) {
+  verify_seal(path);
+  try {
+    const hdf5::Handle file = hdf5::open_file(path, false);
+    Model model;
+    LoadingArchive archive(file.get());
+    visit(model, info, archive);
+    return model;
+  } catch (const hdf5::Failure& failure) {
+    refuse(path, failure.what());
+  }
+}
+
+}  // namespace blocks::output

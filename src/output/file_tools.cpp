@@ -1,0 +1,53 @@
+#include "output/file_tools.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace blocks::output {
+namespace {
+
+bool sync(const std::string& path, int flags) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (descriptor < 0)
+    return false;
+  const bool synced = ::fsync(descriptor) == 0;
+  const int reason = errno;
+  ::close(descriptor);
+  errno = reason;
+  return synced;
+}
+
+}  // namespace
+
+void throw_errno(const char* verb, const std::string& path) {
+  throw FileError(fmt::format("cannot {} {}: {}", verb, path,
+                              std::generic_category().message(errno)));
+}
+
+void move_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0)
+    throw_errno("write", to);
+}
+
+void sync_file(const std::string& path) {
+  if (!sync(path, O_RDONLY))
+    throw_errno("write", path);
+}
+
+void sync_folder_of(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  // Some file systems cannot sync a folder; the file itself is safe by then.
+  if (!sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY) &&
+      errno != EINVAL && errno != ENOTSUP && errno != EACCES)
+    throw_errno("write", path);
+}
+
+std::string Fnv1a::text() const { return fmt::format("{:016x}", state_); }
+
+}  // namespace blocks::output

@@ -1,0 +1,216 @@
+#include "output/hdf5_handle.hpp"
+
+#include <algorithm>
+
+namespace blocks::output::hdf5 {
+namespace {
+
+herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
+  if (depth == 0 && entry->desc != nullptr)
+    *static_cast<std::string*>(text) = entry->desc;
+  return 0;
+}
+
+Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
+
+Handle file_access() {
+  // Failures become exceptions: the library must not print them.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  Handle access = property_list(H5P_FILE_ACCESS);
+  check(H5Pset_file_locking(access.get(), 0, 1));
+  return access;
+}
+
+Handle link_creation() {
+  Handle links = property_list(H5P_LINK_CREATE);
+  check(H5Pset_create_intermediate_group(links.get(), 1));
+  return links;
+}
+
+Handle text_type(std::size_t length, H5T_cset_t characters) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  check(H5Tset_size(type.get(), std::max<std::size_t>(length, 1)));
+  check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD));
+  check(H5Tset_cset(type.get(), characters));
+  return type;
+}
+
+/// The stored text without its padding.
+template <class Read> std::string fetch_text(const Handle& type, Read&& read) {
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0)
+    throw Failure("text expected");
+  std::string text(H5Tget_size(type.get()), '\0');
+  check(read(text.data()));
+  const auto end = text.find_last_not_of('\0');
+  text.resize(end == std::string::npos ? 0 : end + 1);
+  return text;
+}
+
+}  // namespace
+
+std::string last_error() {
+  std::string text;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &text);
+  // "unable to open file: name = 'x', errno = 2, error message = 'No such file...',
+  // ..."
+  const std::string mark = "error message = '";
+  if (const auto start = text.find(mark); start != std::string::npos) {
+    const auto from = start + mark.size();
+    return text.substr(from, text.find('\'', from) - from);
+  }
+  return text.empty() ? "unknown HDF5 error" : text;
+}
+
+Handle create_file(const std::string& path, hsize_t user_block) {
+  const Handle access = file_access(), creation = property_list(H5P_FILE_CREATE);
+  check(H5Pset_userblock(creation.get(), user_block));
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
+          H5Fclose};
+}
+
+Handle open_file(const std::string& path, bool writable) {
+  const Handle access = file_access();
+  return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.get()),
+          H5Fclose};
+}
+
+Handle create_group(hid_t parent, const std::string& path) {
+  const Handle links = link_creation();
+  return {H5Gcreate2(parent, path.c_str(), links.get(), H5P_DEFAULT, H5P_DEFAULT),
+          H5Gclose};
+}
+
+Handle open_group(hid_t parent, const std::string& path) {
+  return {H5Gopen2(parent, path.c_str(), H5P_DEFAULT), H5Gclose};
+}
+
+bool exists(hid_t parent, const std::string& name) {
+  return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
+  Handle attribute;
+  if (H5Aexists(object, name.c_str()) > 0) {
+    attribute = Handle(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  } else {
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    attribute = Handle(H5Acreate2(object, name.c_str(), H5T_NATIVE_INT64, space.get(),
+                                  H5P_DEFAULT, H5P_DEFAULT),
+                       H5Aclose);
+  }
+  check(H5Awrite(attribute.get(), H5T_NATIVE_INT64, &value));
+}
+
+std::int64_t read_attribute(hid_t object, const std::string& name) {
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space.get()) != 1)
+    throw Failure("attribute " + name + " is not one number");
+  std::int64_t value = 0;
+  check(H5Aread(attribute.get(), H5T_NATIVE_INT64, &value));
+  return value;
+}
+
+void write_text_attribute(hid_t object, const std::string& name,
+                          const std::string& value) {
+  const Handle type = text_type(value.size(), H5T_CSET_ASCII);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name.c_str(), type.get(), space.get(),
+                                    H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  check(H5Awrite(attribute.get(), type.get(), value.data()));
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(attribute.get()), H5Tclose);
+  return fetch_text(
+      type, [&](char* text) { return H5Aread(attribute.get(), type.get(), text); });
+}
+
+void write_text(hid_t parent, const std::string& path, const std::string& text) {
+  // A text of no length is one padding byte.
+  const Handle type = text_type(text.size(), H5T_CSET_UTF8), links = link_creation();
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle dataset(H5Dcreate2(parent, path.c_str(), type.get(), space.get(),
+                                  links.get(), H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose);
+  check(
+      H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()));
+}
+
+std::string read_text(hid_t parent, const std::string& path) {
+  const Handle dataset(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle type(H5Dget_type(dataset.get()), H5Tclose);
+  return fetch_text(type, [&](char* text) {
+    return H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
+  });
+}
+
+Column::Column(hid_t parent, const std::string& path, hid_t type, hsize_t width,
+               hsize_t chunk_rows, bool checked)
+    : path_(path), width_(width) {
+  const int rank = width == 0 ? 1 : 2;
+  const hsize_t start[2] = {0, width}, limit[2] = {H5S_UNLIMITED, width};
+  const hsize_t chunk[2] = {chunk_rows, width};
+  const Handle space(H5Screate_simple(rank, start, limit), H5Sclose);
+  const Handle creation = property_list(H5P_DATASET_CREATE), links = link_creation();
+  check(H5Pset_chunk(creation.get(), rank, chunk));
+  if (checked)
+    check(H5Pset_fletcher32(creation.get()));
+  dataset_ = Handle(H5Dcreate2(parent, path.c_str(), type, space.get(), links.get(),
+                               creation.get(), H5P_DEFAULT),
+                    H5Dclose);
+}
+
+Column Column::open(hid_t parent, const std::string& path) {
+  Column column;
+  column.path_ = path;
+  column.dataset_ = Handle(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space(H5Dget_space(column.dataset_.get()), H5Sclose);
+  const int rank = check(H5Sget_simple_extent_ndims(space.get()));
+  if (rank < 1 || rank > 2)
+    throw Failure(path + " has the wrong shape");
+  hsize_t extent[2] = {0, 0};
+  check(H5Sget_simple_extent_dims(space.get(), extent, nullptr));
+  column.rows_ = extent[0];
+  column.width_ = rank == 2 ? extent[1] : 0;
+  return column;
+}
+
+void Column::require(hsize_t row, hsize_t count) const {
+  if (row > rows_ || count > rows_ - row)
+    throw Failure(path_ + " is too short");
+}
+
+void Column::resize(hsize_t rows) {
+  const hsize_t extent[2] = {rows, width_};
+  check(H5Dset_extent(dataset_.get(), extent));
+  rows_ = rows;
+}
+
+void Column::truncate(hsize_t rows) {
+  require(rows, 0);
+  if (rows < rows_)
+    resize(rows);
+}
+
+void Column::transfer(hsize_t row, hsize_t count, hid_t type, const void* from,
+                      void* into) {
+  if (count == 0)
+    return;
+  if (from != nullptr && row + count > rows_)
+    resize(row + count);
+  const int rank = width_ == 0 ? 1 : 2;
+  const hsize_t start[2] = {row, 0}, size[2] = {count, width_};
+  const Handle in_file(H5Dget_space(dataset_.get()), H5Sclose);
+  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start, nullptr, size,
+                            nullptr));
+  const Handle in_memory(H5Screate_simple(rank, size, nullptr), H5Sclose);
+  check(from != nullptr ? H5Dwrite(dataset_.get(), type, in_memory.get(), in_file.get(),
+                                   H5P_DEFAULT, from)
+                        : H5Dread(dataset_.get(), type, in_memory.get(), in_file.get(),
+                                  H5P_DEFAULT, into));
+}
+
+}  // namespace blocks::output::hdf5

@@ -1,0 +1,141 @@
+// A thin layer over the HDF5 C API: handles that close themselves, failures as
+// exceptions with the system's reason, and columns that grow row by row.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace blocks::output::hdf5 {
+
+/// What HDF5 refused and why, without the file's name: callers know it.
+class Failure : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The innermost reason on HDF5's error stack, the system's own words where it has
+/// them.
+std::string last_error();
+
+/// Passes a result through; throws Failure when it is negative.
+template <class T> T check(T result) {
+  if (result < 0)
+    throw Failure(last_error());
+  return result;
+}
+
+/// Owns one identifier.
+class Handle {
+ public:
+  Handle() = default;
+  /// Takes over `id`; throws Failure when it is not valid.
+  Handle(hid_t id, herr_t (*closer)(hid_t)) : id_(check(id)), close_(closer) {}
+  Handle(Handle&& other) noexcept
+      : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0)
+      close_(id_);
+  }
+  /// Closes now and throws when that fails: a file's last bytes are written here.
+  void close() {
+    if (id_ >= 0)
+      check(close_(std::exchange(id_, -1)));
+  }
+  hid_t get() const { return id_; }
+  explicit operator bool() const { return id_ >= 0; }
+
+ private:
+  hid_t id_ = -1;
+  herr_t (*close_)(hid_t) = nullptr;
+};
+
+/// The type that holds T in memory and in the file.
+template <class T> hid_t type_of() {
+  if constexpr (std::is_same_v<T, double>)
+    return H5T_NATIVE_DOUBLE;
+  else if constexpr (std::is_same_v<T, std::int64_t>)
+    return H5T_NATIVE_INT64;
+  else if constexpr (std::is_same_v<T, std::uint64_t>)
+    return H5T_NATIVE_UINT64;
+  else if constexpr (std::is_same_v<T, int>)
+    return H5T_NATIVE_INT;
+  else if constexpr (std::is_same_v<T, char>)
+    return H5T_NATIVE_CHAR;
+  else {
+    static_assert(std::is_same_v<T, unsigned char>, "no HDF5 type for it");
+    return H5T_NATIVE_UCHAR;
+  }
+}
+
+/// Files are never locked, so that a reader can look during a run. `user_block`: bytes
+/// at the head that HDF5 leaves alone.
+Handle create_file(const std::string& path, hsize_t user_block = 0);
+Handle open_file(const std::string& path, bool writable);
+
+Handle create_group(hid_t parent, const std::string& path);
+Handle open_group(hid_t parent, const std::string& path);
+bool exists(hid_t parent, const std::string& name);
+
+/// Scalar attributes, overwritten in place.
+void write_attribute(hid_t object, const std::string& name, std::int64_t value);
+std::int64_t read_attribute(hid_t object, const std::string& name);
+/// An ASCII string of fixed length, the kind VTK insists on.
+void write_text_attribute(hid_t object, const std::string& name,
+                          const std::string& value);
+std::string read_text_attribute(hid_t object, const std::string& name);
+
+/// A text of any length as a scalar dataset; groups on the way are made.
+void write_text(hid_t parent, const std::string& path, const std::string& text);
+std::string read_text(hid_t parent, const std::string& path);
+
+/// A dataset that grows in its first dimension: rows of `width` values each.
+class Column {
+ public:
+  Column() = default;
+  /// width 0: plain one-dimensional. checked: fletcher32 on every chunk.
+  Column(hid_t parent, const std::string& path, hid_t type, hsize_t width,
+         hsize_t chunk_rows, bool checked = false);
+  static Column open(hid_t parent, const std::string& path);
+
+  hsize_t rows() const { return rows_; }
+  hsize_t width() const { return width_ == 0 ? 1 : width_; }
+
+  /// Writes rows from `row` on, growing as needed.
+  template <class T> void put(hsize_t row, const T* values, hsize_t count) {
+    transfer(row, count, type_of<T>(), values, nullptr);
+  }
+  /// Throws Failure unless all the rows exist.
+  template <class T> std::vector<T> read(hsize_t row, hsize_t count) {
+    require(row, count);
+    std::vector<T> values(count * width());
+    transfer(row, count, type_of<T>(), nullptr, values.data());
+    return values;
+  }
+  template <class T> T at(hsize_t row) { return read<T>(row, 1).front(); }
+
+  /// Forgets the rows from `rows` on. Throws Failure when there are fewer.
+  void truncate(hsize_t rows);
+
+ private:
+  void require(hsize_t row, hsize_t count) const;
+  void resize(hsize_t rows);
+  void transfer(hsize_t row, hsize_t count, hid_t type, const void* from, void* into);
+
+  std::string path_;
+  Handle dataset_;
+  hsize_t rows_ = 0, width_ = 0;
+};
+
+}  // namespace blocks::output::hdf5

@@ -1,0 +1,134 @@
+// DUMP: blocks with their corners, boxes with theirs, and the whole contact list
+// (report A.2.16).
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "output/listing.hpp"
+#include "output/listing_text.hpp"
+
+namespace blocks::output {
+namespace {
+
+/// Which of `boxes` boxes between lower and upper holds x, from 0: the nearest for a
+/// place outside, the first for one that is not a number.
+int box_index(double x, double lower, double upper, int boxes) {
+  const double along = (x - lower) * (boxes / (upper - lower));
+  return along > 0.0 ? static_cast<int>(std::min(along, boxes - 1.0)) : 0;
+}
+
+/// Corners of each box that holds any; boxes are numbered row by row from the bottom
+/// left.
+std::map<long, std::vector<int>> filled_boxes(const Model& model) {
+  const Settings& s = model.settings;
+  std::map<long, std::vector<int>> boxes;
+  for (int c = 0; c < model.blocks.corners(); ++c) {
+    const Vec2 p = model.blocks.corner.col(c);
+    const long column = box_index(p.x(), s.lower.x(), s.upper.x(), s.boxes_x);
+    const long row = box_index(p.y(), s.lower.y(), s.upper.y(), s.boxes_y);
+    boxes[row * s.boxes_x + column].push_back(c);
+  }
+  return boxes;
+}
+
+std::string blocks_dump(const Blocks& blocks) {
+  std::string text = over_whole("block") + over_whole("") + over_whole("MAT") +
+                     over_whole("corner") + over_number("x") + over_number("y") + "\n";
+  for (int b = 0; b < blocks.size(); ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    for (int c = blocks.first_corner[i]; c < blocks.first_corner[i + 1]; ++c) {
+      const bool first = c == blocks.first_corner[i];
+      text += first ? whole(b + 1) + fixity_word(blocks.fixity[i]) +
+                          whole(blocks.material[i])
+                    : fmt::format("{:27}", "");
+      text += whole(c - blocks.first_corner[i] + 1) + number(blocks.corner(0, c)) +
+              number(blocks.corner(1, c)) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string corner_name(const Blocks& blocks, int c) {
+  const int b = blocks.corner_block[static_cast<std::size_t>(c)];
+  return fmt::format(" {}:{}", b + 1,
+                     c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
+}
+
+std::string boxes_dump(const Model& model) {
+  std::string text = over_whole("box") + over_whole("column") + over_whole("row") +
+                     "   block:corner\n";
+  for (const auto& [box, corners] : filled_boxes(model)) {
+    text += whole(box + 1) + whole(box % model.settings.boxes_x + 1) +
+            whole(box / model.settings.boxes_x + 1) + "  ";
+    std::size_t in_line = 0;
+    for (const int c : corners) {
+      const std::string name = corner_name(model.blocks, c);
+      if (in_line + name.size() > 100) {
+        text += fmt::format("\n{:29}", "");
+        in_line = 0;
+      }
+      text += name;
+      in_line += name.size();
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string contacts_dump(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  const Contacts& list = model.contacts;
+  std::string text = over_whole("block") + over_whole("corner") + over_whole("block") +
+                     over_whole("edge") + over_whole("active") + over_number("FN") +
+                     over_number("FS") + over_number("normal force") +
+                     over_number("shear force") + over_number("overlap") + "\n";
+  const auto within = [&](int c, int b) {
+    return whole(c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
+  };
+  for (int i = 0; i < list.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    text += whole(list.corner_block[k] + 1) +
+            within(list.corner[k], list.corner_block[k]) +
+            whole(list.edge_block[k] + 1) + within(list.edge[k], list.edge_block[k]) +
+            over_whole(list.active[k] ? "yes" : "no") + number(list.normal_elastic[i]) +
+            number(list.shear_elastic[i]) + number(list.normal_force[i]) +
+            number(list.shear_force[i]) + number(list.overlap[i]) + "\n";
+  }
+  return text;
+}
+
+std::string plane_contacts_dump(const Model& model) {
+  const PlaneContacts& list = model.plane_contacts;
+  std::string text = over_whole("block") + over_whole("corner") + over_whole("plane") +
+                     over_whole("active") + over_number("FN") +
+                     over_number("normal force") + over_number("overlap") + "\n";
+  for (int i = 0; i < list.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const int b = model.blocks.corner_block[static_cast<std::size_t>(list.corner[k])];
+    text += whole(b + 1) +
+            whole(list.corner[k] -
+                  model.blocks.first_corner[static_cast<std::size_t>(b)] + 1) +
+            whole(list.plane[k] + 1) + over_whole(list.active[k] ? "yes" : "no") +
+            number(list.normal_elastic[i]) + number(list.normal_force[i]) +
+            number(list.overlap[i]) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void Listing::dump(const Model& model) {
+  out_ << heading(
+              fmt::format("DUMP    time {:.9g}    step {}", model.time, model.steps))
+       << blocks_dump(model.blocks) << heading("BOXES THAT HOLD CORNERS")
+       << boxes_dump(model)
+       << heading(fmt::format("CONTACTS, {} listed", model.contacts.size()))
+       << contacts_dump(model);
+  if (model.plane_contacts.size() > 0)
+    out_ << heading(fmt::format("CORNERS AT PLANES, {} listed",
+                                model.plane_contacts.size()))
+         << plane_contacts_dump(model);
+  flush();
+}
+
+}  // namespace blocks::output

@@ -1,0 +1,161 @@
+// The input echo (LISTI): what was understood of the deck, with the report's names.
+#include "output/listing.hpp"
+#include "output/listing_text.hpp"
+
+namespace blocks::output {
+namespace {
+
+std::string setting(const char* what, const char* name, const std::string& value) {
+  return fmt::format("  {:<34}{:<8}{:>17}\n", what, name, value);
+}
+std::string setting(const char* what, const char* name, double value) {
+  return setting(what, name, fmt::format("{:.9g}", value));
+}
+std::string setting(const char* what, const char* name, long value) {
+  return setting(what, name, fmt::format("{}", value));
+}
+std::string setting(const char* what, const char* name, int value) {
+  return setting(what, name, static_cast<long>(value));
+}
+
+std::string settings_echo(const Model& model) {
+  const Settings& s = model.settings;
+  const TimeStep& step = model.time_step;
+  std::string text =
+      setting("largest number of blocks", "NBLOKM", s.max_blocks) +
+      setting("most corners of a block", "NCMAX", s.max_corners) +
+      setting("domain, left", "XL", s.lower.x()) +
+      setting("domain, bottom", "YL", s.lower.y()) +
+      setting("domain, right", "XU", s.upper.x()) +
+      setting("domain, top", "YU", s.upper.y()) +
+      setting("boxes in x", "IBOXES", s.boxes_x) +
+      setting("boxes in y", "JBOXES", s.boxes_y) +
+      setting("contact tolerance", "CTOL", s.contact_tolerance) +
+      setting("normal stiffness", "STIFN", s.normal_stiffness) +
+      setting("shear stiffness", "STIFS", s.shear_stiffness) +
+      setting("coefficient of friction", "FRIC", s.friction) +
+      setting("fraction of critical damping", "BETA", s.damping) +
+      setting("gravity in x", "GRAVX", s.gravity.x()) +
+      setting("gravity in y", "GRAVY", s.gravity.y()) +
+      setting("blocks", "IRIGID", std::string(s.rigid ? "rigid" : "deformable")) +
+      setting("random seed", "ISEED", fmt::format("{}", s.seed)) +
+      setting("least angle of sides, degrees", "ANGM", s.angle_min.value()) +
+      setting("largest angle of sides, degrees", "ANGP", s.angle_max.value()) +
+      setting("least width/height kept (MERGE)", "ARATIO",
+              s.merge_ratio ? fmt::format("{:.9g}", s.merge_ratio->value())
+                            : std::string("none")) +
+      setting("interval of printed output", "DTOUT", model.output.interval) +
+      setting("interval of plot frames", "DTPLOT", model.plots.interval) +
+      setting("fraction of critical time step", "TFRAC", s.fraction) +
+      setting("time step", "TDEL", step.dt);
+  if (step.block >= 0)
+    text += fmt::format("  the time step is set by block {} ({})\n", step.block + 1,
+                        step.elastic ? "its elasticity" : "contact");
+  return text;
+}
+
+std::string materials_echo(const Settings& settings) {
+  std::string text = heading("MATERIALS") + over_whole("MAT") + over_number("E") +
+                     over_number("G") + over_number("RHO");
+  if (!settings.rigid)
+    text += over_number("C11") + over_number("C12");
+  text += "\n";
+  for (const auto& [mat, material] : settings.materials) {
+    text += whole(mat) + number(material.youngs_modulus) +
+            number(material.shear_modulus) + number(material.density);
+    if (!settings.rigid)
+      text += number(material.c11()) + number(material.c12());
+    text += "\n";
+  }
+  return text;
+}
+
+std::string loads_echo(const Model& model) {
+  const Loads& loads = model.loads;
+  std::string text;
+  if (!loads.function.empty()) {
+    text += heading("TIME FUNCTION") + over_whole("point") + over_number("T") +
+            over_number("P") + "\n";
+    for (std::size_t i = 0; i < loads.function.t.size(); ++i)
+      text += whole(static_cast<long>(i) + 1) + number(loads.function.t[i]) +
+              number(loads.function.p[i]) + "\n";
+  }
+  if (!loads.pressures.empty()) {
+    text += heading("PRESSURES") + over_whole("block") + over_whole("side") +
+            over_number("P1") + over_number("P2") + over_number("TARRIV") + "\n";
+    for (const Pressure& load : loads.pressures)
+      text += whole(load.block + 1) + whole(load.side + 1) + number(load.p1) +
+              number(load.p2) + number(load.arrival) + "\n";
+  }
+  if (!loads.forces.empty()) {
+    text += heading("FORCES") + over_whole("block") + over_number("FX") +
+            over_number("FY") + over_number("TARRIV") + "\n";
+    for (const CentroidForce& load : loads.forces)
+      text += whole(load.block + 1) + number(load.force.x()) + number(load.force.y()) +
+              number(load.arrival) + "\n";
+  }
+  if (!model.settings.planes.empty()) {
+    text += heading("SYMMETRY PLANES") + over_whole("plane") + over_number("X1") +
+            over_number("Y1") + over_number("X2") + over_number("Y2") + "\n";
+    long i = 0;
+    for (const Plane& plane : model.settings.planes)
+      text += whole(++i) + number(plane.a.x()) + number(plane.a.y()) +
+              number(plane.b.x()) + number(plane.b.y()) + "\n";
+  }
+  return text;
+}
+
+std::string layers_echo(const Model& model) {
+  std::string text;
+  if (!model.layers.empty()) {
+    text += heading("LAYERS") + over_whole("layer") + over_whole("first") +
+            over_whole("blocks") + over_whole("cells") + over_whole("interior") +
+            over_whole("outline") + over_whole("redrawn") + over_whole("ruled") + "\n" +
+            over_whole("") + over_whole("block") + over_whole("") + over_whole("") +
+            over_whole("edges") + over_whole("edges") + over_whole("angles") +
+            over_whole("sides") + "\n";
+    for (const LayerRecord& layer : model.layers)
+      text += whole(layer.number) + whole(layer.first_block + 1) + whole(layer.blocks) +
+              whole(layer.cells) + whole(layer.interior_edges) +
+              whole(layer.outline_edges) + whole(layer.redrawn) + whole(layer.ruled) +
+              "\n";
+    text +=
+        "  cells: simple and clockwise; interior edges: in pairs; outline edges: the "
+        "others\n";
+  }
+  if (!model.merges.empty()) {
+    text += heading("MERGED BLOCKS (numbers within the layer before MERGE)") +
+            over_whole("layer") + over_whole("block") + over_whole("into") +
+            over_number("width/height") + over_number("ARATIO") + "\n";
+    for (const MergeRecord& merge : model.merges)
+      text += whole(merge.layer) + whole(merge.absorbed) + whole(merge.into) +
+              number(merge.width_to_height) + number(merge.limit) + "\n";
+  }
+  return text;
+}
+
+std::string blocks_echo(const Blocks& blocks) {
+  std::string text = heading("BLOCKS") + over_whole("block") + over_whole("") +
+                     over_whole("MAT") + over_whole("layer") + over_whole("corners") +
+                     over_number("x") + over_number("y") + over_number("area") +
+                     over_number("mass") + over_number("inertia") + "\n";
+  for (int b = 0; b < blocks.size(); ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    text += whole(b + 1) + fixity_word(blocks.fixity[i]) + whole(blocks.material[i]) +
+            whole(blocks.layer[i]) + whole(blocks.corners_of(b)) +
+            number(blocks.centroid(0, b)) + number(blocks.centroid(1, b)) +
+            number(blocks.area[b]) + number(blocks.mass[b]) +
+            number(blocks.inertia[b]) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void Listing::input_echo(const Model& model) {
+  out_ << heading("INPUT") << settings_echo(model) << materials_echo(model.settings)
+       << loads_echo(model) << layers_echo(model) << blocks_echo(model.blocks);
+  flush();
+}
+
+}  // namespace blocks::output

@@ -1,0 +1,235 @@
+// Two archives for visit_model: one writes fields as datasets of a file, one reads them
+// back bit by bit. Doubles stay doubles, whole numbers become 64 bits.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "output/hdf5_handle.hpp"
+#include "output/model_fields.hpp"
+
+namespace blocks::output {
+
+template <class T>
+concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+template <class T>
+using Stored = std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>;
+
+template <class T> Stored<T> to_stored(T value) {
+  if constexpr (std::is_enum_v<T>)
+    return static_cast<std::int64_t>(value);
+  else
+    return static_cast<Stored<T>>(value);
+}
+
+/// Throws Failure when the value does not fit: the file then is not what it says it is.
+template <class T> T from_stored(Stored<T> value) {
+  const T result = static_cast<T>(value);
+  if constexpr (!std::is_floating_point_v<T>)
+    if (to_stored(result) != value)
+      throw hdf5::Failure("a number is out of range");
+  return result;
+}
+
+/// Members of a list of structs, one column each, in the order they are named.
+using RecordColumn = std::variant<std::vector<double>, std::vector<std::int64_t>>;
+
+class SavingArchive {
+ public:
+  explicit SavingArchive(hid_t group) : group_(group) {}
+
+  template <Number T> void operator()(const std::string& name, const T& value) {
+    const Stored<T> stored = to_stored(value);
+    put(name, &stored, 1, 0);
+  }
+  void operator()(const std::string& name, const std::string& text) {
+    hdf5::write_text(group_, name, text);
+  }
+  void operator()(const std::string& name, const geometry::Decimal& number) {
+    hdf5::write_text(group_, name,
+                     number.digits() + "e" + std::to_string(number.exponent()));
+  }
+  template <class T>
+  void operator()(const std::string& name, const std::optional<T>& value) {
+    (*this)(name + "_given", value.has_value());
+    if (value)
+      (*this)(name, *value);
+  }
+  template <Number T>
+  void operator()(const std::string& name, const std::vector<T>& values) {
+    std::vector<Stored<T>> stored;
+    stored.reserve(values.size());
+    for (const T value : values)
+      stored.push_back(to_stored(value));
+    put(name, stored.data(), stored.size(), 0);
+  }
+  /// One row of the dataset for each column of the matrix: a block, a corner, a
+  /// contact.
+  template <class Derived>
+  void operator()(const std::string& name,
+                  const Eigen::PlainObjectBase<Derived>& matrix) {
+    const bool vector = Derived::ColsAtCompileTime == 1;
+    put(name, matrix.data(),
+        static_cast<hsize_t>(vector ? matrix.size() : matrix.cols()),
+        vector ? 0 : static_cast<hsize_t>(matrix.rows()));
+  }
+  template <class Record, class Visit>
+  void records(const std::string& name, const std::vector<Record>& list,
+               Visit&& visit) {
+    (*this)(name + "/count", static_cast<std::int64_t>(list.size()));
+    Columns columns;
+    for (const Record& record : list) {
+      columns.next = 0;
+      visit(columns, record);
+    }
+    put(name, columns);
+  }
+  template <class Map, class Visit>
+  void materials(const std::string& name, const Map& map, Visit&& visit) {
+    (*this)(name + "/count", static_cast<std::int64_t>(map.size()));
+    Columns columns;
+    for (const auto& [number, material] : map) {
+      columns.next = 0;
+      visit(columns, number, material);
+    }
+    put(name, columns);
+  }
+
+ private:
+  struct Columns {
+    std::vector<std::pair<std::string, RecordColumn>> all;
+    std::size_t next = 0;
+    template <Number T> void operator()(const char* name, const T& member) {
+      if (next == all.size())
+        all.emplace_back(name, std::vector<Stored<T>>{});
+      std::get<std::vector<Stored<T>>>(all[next++].second).push_back(to_stored(member));
+    }
+  };
+
+  template <class T>
+  void put(const std::string& name, const T* values, hsize_t rows, hsize_t width) {
+    const hsize_t chunk = std::clamp<hsize_t>(rows, 1, 65536);
+    hdf5::Column column(group_, name, hdf5::type_of<T>(), width, chunk, true);
+    column.put(0, values, rows);
+  }
+  void put(const std::string& name, const Columns& columns) {
+    for (const auto& [member, column] : columns.all)
+      std::visit(
+          [&, &at = member](const auto& values) {
+            put(name + "/" + at, values.data(), values.size(), 0);
+          },
+          column);
+  }
+
+  hid_t group_;
+};
+
+class LoadingArchive {
+ public:
+  explicit LoadingArchive(hid_t group) : group_(group) {}
+
+  template <Number T> void operator()(const std::string& name, T& value) {
+    const auto stored = get<Stored<T>>(name);
+    if (stored.size() != 1)
+      throw hdf5::Failure(name + " is not one number");
+    value = from_stored<T>(stored.front());
+  }
+  void operator()(const std::string& name, std::string& text) {
+    text = hdf5::read_text(group_, name);
+  }
+  void operator()(const std::string& name, geometry::Decimal& number) {
+    const auto read = geometry::Decimal::parse(hdf5::read_text(group_, name));
+    if (!read)
+      throw hdf5::Failure(name + " is not a number");
+    number = *read;
+  }
+  template <class T> void operator()(const std::string& name, std::optional<T>& value) {
+    bool given = false;
+    (*this)(name + "_given", given);
+    value.reset();
+    if (given)
+      (*this)(name, value.emplace());
+  }
+  template <Number T> void operator()(const std::string& name, std::vector<T>& values) {
+    values.clear();
+    for (const auto stored : get<Stored<T>>(name))
+      values.push_back(from_stored<T>(stored));
+  }
+  template <class Derived>
+  void operator()(const std::string& name, Eigen::PlainObjectBase<Derived>& matrix) {
+    constexpr bool vector = Derived::ColsAtCompileTime == 1;
+    hdf5::Column column = hdf5::Column::open(group_, name);
+    const auto values = column.read<double>(0, column.rows());
+    const auto rows = static_cast<Eigen::Index>(column.rows());
+    const bool fits =
+        vector ? column.width() == 1 && (Derived::RowsAtCompileTime == Eigen::Dynamic ||
+                                         Derived::RowsAtCompileTime == rows)
+               : column.width() == Derived::RowsAtCompileTime;
+    if (!fits)
+      throw hdf5::Failure(name + " has the wrong shape");
+    if constexpr (vector)
+      matrix.resize(rows);
+    else
+      matrix.resize(Derived::RowsAtCompileTime, rows);
+    std::memcpy(matrix.data(), values.data(), values.size() * sizeof(double));
+  }
+  template <class Record, class Visit>
+  void records(const std::string& name, std::vector<Record>& list, Visit&& visit) {
+    Columns columns{*this, name, count(name), {}};
+    list.clear();
+    for (; columns.row < columns.rows; ++columns.row) {
+      columns.next = 0;
+      visit(columns, list.emplace_back());
+    }
+  }
+  template <class Map, class Visit>
+  void materials(const std::string& name, Map& map, Visit&& visit) {
+    Columns columns{*this, name, count(name), {}};
+    map.clear();
+    for (; columns.row < columns.rows; ++columns.row) {
+      columns.next = 0;
+      typename Map::key_type number{};
+      typename Map::mapped_type material;
+      visit(columns, number, material);
+      map.emplace(number, material);
+    }
+  }
+
+ private:
+  struct Columns {
+    LoadingArchive& from;
+    std::string list;
+    std::size_t rows;
+    std::vector<RecordColumn> all;
+    std::size_t row = 0, next = 0;
+    template <Number T> void operator()(const char* name, T& member) {
+      if (next == all.size()) {
+        auto values = from.get<Stored<T>>(list + "/" + name);
+        if (values.size() != rows)
+          throw hdf5::Failure(list + "/" + name + " has the wrong length");
+        all.emplace_back(std::move(values));
+      }
+      member = from_stored<T>(std::get<std::vector<Stored<T>>>(all[next++])[row]);
+    }
+  };
+
+  template <class T> std::vector<T> get(const std::string& name) {
+    hdf5::Column column = hdf5::Column::open(group_, name);
+    return column.read<T>(0, column.rows());
+  }
+  std::size_t count(const std::string& name) {
+    std::int64_t rows = 0;
+    (*this)(name + "/count", rows);
+    if (rows < 0)
+      throw hdf5::Failure(name + " has a negative length");
+    return static_cast<std::size_t>(rows);
+  }
+
+  hid_t group_;
+};
+
+}  // namespace blocks::output

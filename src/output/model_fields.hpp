@@ -1,0 +1,197 @@
+// Every field of a model, named once: the checkpoint's writer and reader both walk this
+// list, so they cannot drift apart. The structured bindings name every member, so that
+// a field added to a struct does not compile until it is listed here.
+#pragma once
+
+#include "model/model.hpp"
+
+namespace blocks::output {
+
+// An archive offers
+//   ar(name, field)             for numbers, enums, texts, vectors, Eigen columns
+//   ar.records(name, list, f)   for lists of structs: f(column, record) calls
+//                               column(name, member) for every member
+//   ar.materials(name, map, f)  for the map of materials: f(column, number, material)
+// M is Model or const Model.
+
+template <class S, class Archive> void visit_settings(S& settings, Archive& ar) {
+  auto& [title, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
+         contact_tolerance, normal_stiffness, shear_stiffness, fraction, damping,
+         friction, gravity, rigid, materials, planes, seed, angle_min, angle_max,
+         merge_ratio, layers_made] = settings;
+  ar("settings/title", title);
+  ar("settings/max_blocks", max_blocks);
+  ar("settings/max_corners", max_corners);
+  ar("settings/lower", lower);
+  ar("settings/upper", upper);
+  ar("settings/boxes_x", boxes_x);
+  ar("settings/boxes_y", boxes_y);
+  ar("settings/contact_tolerance", contact_tolerance);
+  ar("settings/normal_stiffness", normal_stiffness);
+  ar("settings/shear_stiffness", shear_stiffness);
+  ar("settings/fraction", fraction);
+  ar("settings/damping", damping);
+  ar("settings/friction", friction);
+  ar("settings/gravity", gravity);
+  ar("settings/rigid", rigid);
+  ar.materials("settings/materials", materials,
+               [](auto& column, auto& number, auto& material) {
+                 auto& [e, g, rho] = material;
+                 column("number", number);
+                 column("youngs_modulus", e);
+                 column("shear_modulus", g);
+                 column("density", rho);
+               });
+  ar.records("settings/planes", planes, [](auto& column, auto& plane) {
+    auto& [a, b] = plane;
+    column("ax", a.x());
+    column("ay", a.y());
+    column("bx", b.x());
+    column("by", b.y());
+  });
+  ar("settings/seed", seed);
+  ar("settings/angle_min", angle_min);
+  ar("settings/angle_max", angle_max);
+  ar("settings/merge_ratio", merge_ratio);
+  ar("settings/layers_made", layers_made);
+}
+
+template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
+  auto& [first_corner, corner_block, arm, corner, material, fixity, layer, area, mass,
+         inertia, centroid, velocity, angle, spin, force, moment, applied, stress,
+         strain_rate] = blocks;
+  ar("blocks/first_corner", first_corner);
+  ar("blocks/corner_block", corner_block);
+  ar("blocks/arm", arm);
+  ar("blocks/corner", corner);
+  ar("blocks/material", material);
+  ar("blocks/fixity", fixity);
+  ar("blocks/layer", layer);
+  ar("blocks/area", area);
+  ar("blocks/mass", mass);
+  ar("blocks/inertia", inertia);
+  ar("blocks/centroid", centroid);
+  ar("blocks/velocity", velocity);
+  ar("blocks/angle", angle);
+  ar("blocks/spin", spin);
+  ar("blocks/force", force);
+  ar("blocks/moment", moment);
+  ar("blocks/applied", applied);
+  ar("blocks/stress", stress);
+  ar("blocks/strain_rate", strain_rate);
+}
+
+template <class C, class Archive> void visit_contacts(C& contacts, Archive& ar) {
+  auto& [corner, edge, corner_block, edge_block, active, normal_elastic, shear_elastic,
+         normal_force, shear_force, overlap, damping] = contacts;
+  ar("contacts/corner", corner);
+  ar("contacts/edge", edge);
+  ar("contacts/corner_block", corner_block);
+  ar("contacts/edge_block", edge_block);
+  ar("contacts/active", active);
+  ar("contacts/normal_elastic", normal_elastic);
+  ar("contacts/shear_elastic", shear_elastic);
+  ar("contacts/normal_force", normal_force);
+  ar("contacts/shear_force", shear_force);
+  ar("contacts/overlap", overlap);
+  ar("contacts/damping", damping);
+}
+
+template <class C, class Archive> void visit_plane_contacts(C& contacts, Archive& ar) {
+  auto& [plane, corner, active, normal_elastic, normal_force, overlap] = contacts;
+  ar("plane_contacts/plane", plane);
+  ar("plane_contacts/corner", corner);
+  ar("plane_contacts/active", active);
+  ar("plane_contacts/normal_elastic", normal_elastic);
+  ar("plane_contacts/normal_force", normal_force);
+  ar("plane_contacts/overlap", overlap);
+}
+
+template <class L, class Archive> void visit_loads(L& loads, Archive& ar) {
+  auto& [function, pressures, forces] = loads;
+  auto& [t, p] = function;
+  ar("loads/function/t", t);
+  ar("loads/function/p", p);
+  ar.records("loads/pressures", pressures, [](auto& column, auto& pressure) {
+    auto& [block, side, p1, p2, arrival] = pressure;
+    column("block", block);
+    column("side", side);
+    column("p1", p1);
+    column("p2", p2);
+    column("arrival", arrival);
+  });
+  ar.records("loads/forces", forces, [](auto& column, auto& centroid_force) {
+    auto& [block, force, arrival] = centroid_force;
+    column("block", block);
+    column("fx", force.x());
+    column("fy", force.y());
+    column("arrival", arrival);
+  });
+}
+
+template <class C, class Archive>
+void visit_clock(C& clock, const char* interval_name, const char* due_name,
+                 Archive& ar) {
+  auto& [interval, due] = clock;
+  ar(interval_name, interval);
+  ar(due_name, due);
+}
+
+template <class M, class Archive> void visit_model(M& model, Archive& ar) {
+  auto& [settings, blocks, contacts, plane_contacts, loads, time_step, search, output,
+         plots, output_blocks, exits, merges, layers, steps, time, time_origin,
+         step_origin, started] = model;
+  visit_settings(settings, ar);
+  visit_blocks(blocks, ar);
+  visit_contacts(contacts, ar);
+  visit_plane_contacts(plane_contacts, ar);
+  visit_loads(loads, ar);
+  {
+    auto& [dt, block, block_count, elastic] = time_step;
+    ar("time_step/dt", dt);
+    ar("time_step/block", block);
+    ar("time_step/blocks", block_count);
+    ar("time_step/elastic", elastic);
+  }
+  {
+    auto& [current, travel, updates] = search;
+    ar("search/current", current);
+    ar("search/travel", travel);
+    ar("search/updates", updates);
+  }
+  visit_clock(output, "output/interval", "output/due", ar);
+  visit_clock(plots, "plots/interval", "plots/due", ar);
+  ar("output/blocks", output_blocks);
+  ar.records("exits", exits, [](auto& column, auto& exit) {
+    auto& [block, when] = exit;
+    column("block", block);
+    column("time", when);
+  });
+  ar.records("merges", merges, [](auto& column, auto& merge) {
+    auto& [layer, absorbed, into, width_to_height, limit] = merge;
+    column("layer", layer);
+    column("absorbed", absorbed);
+    column("into", into);
+    column("width_to_height", width_to_height);
+    column("limit", limit);
+  });
+  ar.records("layers", layers, [](auto& column, auto& layer) {
+    auto& [number, first_block, block_count, cells, interior_edges, outline_edges,
+           redrawn, ruled] = layer;
+    column("number", number);
+    column("first_block", first_block);
+    column("blocks", block_count);
+    column("cells", cells);
+    column("interior_edges", interior_edges);
+    column("outline_edges", outline_edges);
+    column("redrawn", redrawn);
+    column("ruled", ruled);
+  });
+  ar("steps", steps);
+  ar("time", time);
+  ar("time_origin", time_origin);
+  ar("step_origin", step_origin);
+  ar("started", started);
+}
+
+}  // namespace blocks::output

@@ -1,0 +1,361 @@
+// The layout follows VTKHDF 2.0: /VTKHDF holds the flattened arrays of all frames,
+// /VTKHDF/Steps where each frame begins in them, and its attribute NSteps how many
+// frames are complete. Free-form data are under /BLOCKS.
+#include "output/results.hpp"
+
+#include <filesystem>
+#include <map>
+
+#include "output/file_tools.hpp"
+#include "output/results_columns.hpp"
+#include "output/results_contacts.hpp"
+
+namespace blocks::output {
+namespace {
+
+using hdf5::Column;
+using Ints = std::vector<std::int64_t>;
+
+constexpr int format = 1;
+constexpr hsize_t frames_per_chunk = 256;
+constexpr unsigned char polygon = 7;  // VTK_POLYGON
+
+struct CellField {
+  const char* name;
+  bool whole;  ///< int, else double
+  hsize_t width;
+};
+constexpr CellField cell_fields[] = {
+    {"BlockNumber", true, 0}, {"Material", true, 0},       {"Fixed", true, 0},
+    {"Area", false, 0},       {"Mass", false, 0},          {"Inertia", false, 0},
+    {"Centroid", false, 3},   {"Velocity", false, 3},      {"Force", false, 3},
+    {"Angle", false, 0},      {"Spin", false, 0},          {"Moment", false, 0},
+    {"Stress", false, 4},     {"AppliedStress", false, 4}, {"StrainRate", false, 4}};
+constexpr CellField frame_fields[] = {{"Time", false, 0},
+                                      {"Step", true, 0},
+                                      {"KineticEnergy", false, 0},
+                                      {"Contacts", true, 0},
+                                      {"WorstOverlap", false, 0}};
+
+/// VTK wants three components: z = 0.
+std::vector<double> in_space(const Eigen::Matrix2Xd& plane) {
+  std::vector<double> rows(static_cast<std::size_t>(plane.cols()) * 3, 0.0);
+  for (Eigen::Index i = 0; i < plane.cols(); ++i) {
+    rows[static_cast<std::size_t>(3 * i)] = plane(0, i);
+    rows[static_cast<std::size_t>(3 * i) + 1] = plane(1, i);
+  }
+  return rows;
+}
+
+}  // namespace
+
+struct ResultsWriter::File {
+  std::string path;
+  hdf5::Handle file, vtk, steps, own;
+  long frames = 0;
+  std::int64_t last_step = -1;
+
+  // Made with the first frame, when the number of blocks is known.
+  bool laid_out = false;
+  Column points, connectivity, offsets, types;
+  Column number_of_points, number_of_cells, number_of_ids;
+  Column values, number_of_parts, part_offsets, point_offsets, cell_offsets, id_offsets;
+  std::map<std::string, FrameColumn> cells;
+  std::map<std::string, Column> frame_data, frame_offsets, frame_sizes;
+  std::unique_ptr<ContactColumns> contacts;
+
+  std::vector<int> topology;  ///< first corners of the topology last written
+  std::int64_t part = -1, first_cell = 0, first_id = 0;  ///< where it stands
+
+  template <class Make> void lay_out(Make&& make, hsize_t blocks, hsize_t corners);
+  void create_columns(const Model& model);
+  void open_columns();
+  void keep(long count);
+  void append(const Model& model);
+  void put_topology(const Blocks& blocks);
+  void put_cells(const Blocks& blocks);
+  void put_frame_data(const Model& model);
+  void publish(long count) {
+    hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
+    hdf5::write_attribute(steps.get(), "NSteps", count);
+    hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
+  }
+};
+
+/// Goes through all datasets once, for making and for opening. make(group, name, type,
+/// width, rows of a chunk) returns the column.
+template <class Make>
+void ResultsWriter::File::lay_out(Make&& make, hsize_t blocks, hsize_t corners) {
+  const hid_t whole = H5T_NATIVE_INT64, real = H5T_NATIVE_DOUBLE;
+  const hsize_t per_block = chunk_rows(blocks), per_corner = chunk_rows(corners);
+  points = make(vtk, "Points", real, 3, per_corner);
+  connectivity = make(vtk, "Connectivity", whole, 0, per_corner);
+  offsets = make(vtk, "Offsets", whole, 0, per_block);
+  types = make(vtk, "Types", H5T_NATIVE_UCHAR, 0, per_block);
+  for (auto& [column, name] : {std::pair{&number_of_points, "NumberOfPoints"},
+                               {&number_of_cells, "NumberOfCells"},
+                               {&number_of_ids, "NumberOfConnectivityIds"}})
+    *column = make(vtk, name, whole, 0, frames_per_chunk);
+  values = make(steps, "Values", real, 0, frames_per_chunk);
+  for (auto& [column, name] : {std::pair{&number_of_parts, "NumberOfParts"},
+                               {&part_offsets, "PartOffsets"},
+                               {&point_offsets, "PointOffsets"},
+                               {&cell_offsets, "CellOffsets"},
+                               {&id_offsets, "ConnectivityIdOffsets"}})
+    *column = make(steps, name, whole, 0, frames_per_chunk);
+  for (const CellField& field : cell_fields) {
+    const std::string name = field.name;
+    const hid_t type = field.whole ? H5T_NATIVE_INT : real;
+    cells.insert_or_assign(
+        name, FrameColumn(
+                  make(vtk, "CellData/" + name, type, field.width, per_block),
+                  make(steps, "CellDataOffsets/" + name, whole, 0, frames_per_chunk)));
+  }
+  for (const CellField& field : frame_fields) {
+    const std::string name = field.name;
+    const hid_t type = field.whole ? whole : real;
+    frame_data[name] = make(vtk, "FieldData/" + name, type, 0, frames_per_chunk);
+    frame_offsets[name] =
+        make(steps, "FieldDataOffsets/" + name, whole, 0, frames_per_chunk);
+    frame_sizes[name] =
+        make(steps, "FieldDataSizes/" + name, whole, 2, frames_per_chunk);
+  }
+  contacts = std::make_unique<ContactColumns>(
+      [&](const std::string& name, hid_t type, hsize_t width, hsize_t chunk) {
+        return make(own, "contacts/" + name, type, width, chunk);
+      });
+  laid_out = true;
+}
+
+void ResultsWriter::File::create_columns(const Model& model) {
+  const auto make = [](const hdf5::Handle& group, const std::string& name, hid_t type,
+                       hsize_t width, hsize_t chunk) {
+    return Column(group.get(), name, type, width, chunk);
+  };
+  lay_out(make, static_cast<hsize_t>(model.blocks.size()),
+          static_cast<hsize_t>(model.blocks.corners()));
+  hdf5::check(H5Lcreate_hard(vtk.get(), "FieldData/Step", own.get(), "steps",
+                             H5P_DEFAULT, H5P_DEFAULT));
+}
+
+void ResultsWriter::File::open_columns() {
+  const auto open = [](const hdf5::Handle& group, const std::string& name, hid_t,
+                       hsize_t width, hsize_t) {
+    Column column = Column::open(group.get(), name);
+    if (column.width() != (width == 0 ? 1 : width))
+      throw hdf5::Failure(name + " has the wrong shape");
+    return column;
+  };
+  lay_out(open, 0, 0);
+}
+
+void ResultsWriter::File::keep(long count) {
+  const auto stored = hdf5::read_attribute(steps.get(), "NSteps");
+  if (count < 0 || count > stored)
+    throw hdf5::Failure("it has " + std::to_string(stored) + " frames, not the " +
+                        std::to_string(count) + " that came before");
+  if (!hdf5::exists(own.get(), "steps"))
+    return;  // no frame was ever written
+  open_columns();
+  publish(count);  // from here on the later frames do not exist for any reader
+
+  hsize_t cell_count = 0, corner_end = 0, cell_end = 0, id_end = 0, parts = 0;
+  const auto kept = static_cast<hsize_t>(count);
+  if (count > 0) {
+    const hsize_t last = kept - 1;
+    const auto at = [](Column& column, hsize_t row) {
+      return static_cast<hsize_t>(column.at<std::int64_t>(row));
+    };
+    const hsize_t own_part = at(part_offsets, last);
+    cell_count = at(number_of_cells, own_part);
+    corner_end = at(point_offsets, last) + at(number_of_points, own_part);
+    cell_end = at(cell_offsets, last) + cell_count;
+    id_end = at(id_offsets, last) + at(number_of_ids, own_part);
+    parts = own_part + 1;
+    last_step = frame_data.at("Step").at<std::int64_t>(last);
+  }
+  contacts->truncate(count);
+  for (auto& [name, column] : cells)
+    column.truncate(count, cell_count);
+  points.truncate(corner_end);
+  connectivity.truncate(id_end);
+  types.truncate(cell_end);
+  offsets.truncate(cell_end + parts);  // one more than cells in each part
+  for (Column* column : {&number_of_points, &number_of_cells, &number_of_ids})
+    column->truncate(parts);
+  for (Column* column : {&values, &number_of_parts, &part_offsets, &point_offsets,
+                         &cell_offsets, &id_offsets})
+    column->truncate(kept);
+  for (auto* columns : {&frame_data, &frame_offsets, &frame_sizes})
+    for (auto& [name, column] : *columns)
+      column.truncate(kept);
+  frames = count;
+  hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
+}
+
+/// Connectivity is the identity within a frame, so it is written again only when blocks
+/// were added. VTK finds the n + 1 offsets of a part at CellOffsets + PartOffsets.
+void ResultsWriter::File::put_topology(const Blocks& blocks) {
+  if (part >= 0 && topology == blocks.first_corner)
+    return;
+  part = -1;  // stays so when the writing fails
+  const auto cell_count = static_cast<std::size_t>(blocks.size());
+  const auto corner_count = static_cast<std::size_t>(blocks.corners());
+  Ints ids(corner_count);
+  for (std::size_t i = 0; i < corner_count; ++i)
+    ids[i] = static_cast<std::int64_t>(i);
+  const Ints starts(blocks.first_corner.begin(), blocks.first_corner.end());
+  const std::vector<unsigned char> kinds(cell_count, polygon);
+  const auto points_here = static_cast<std::int64_t>(corner_count);
+  const auto cells_here = static_cast<std::int64_t>(cell_count);
+
+  // An interrupted write may have left the columns at unequal lengths: VTK needs cells,
+  // parts and offsets in step, so all are placed by the number of parts and cells.
+  const hsize_t next = number_of_cells.rows();
+  first_cell = static_cast<std::int64_t>(types.rows());
+  first_id = static_cast<std::int64_t>(connectivity.rows());
+  offsets.put(types.rows() + next, starts.data(), starts.size());
+  connectivity.put(connectivity.rows(), ids.data(), ids.size());
+  types.put(types.rows(), kinds.data(), kinds.size());
+  number_of_points.put(next, &points_here, 1);
+  number_of_ids.put(next, &points_here, 1);
+  number_of_cells.put(next, &cells_here, 1);
+  topology = blocks.first_corner;
+  part = static_cast<std::int64_t>(next);
+}
+
+void ResultsWriter::File::put_cells(const Blocks& blocks) {
+  const auto n = static_cast<hsize_t>(blocks.size());
+  std::vector<int> numbers(n), fixed(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    numbers[b] = static_cast<int>(b) + 1;
+    fixed[b] = static_cast<int>(blocks.fixity[b]);
+  }
+  const auto put = [&](const char* name, const auto* data) {
+    cells.at(name).put(frames, data, n);
+  };
+  put("BlockNumber", numbers.data());
+  put("Material", blocks.material.data());
+  put("Fixed", fixed.data());
+  put("Area", blocks.area.data());
+  put("Mass", blocks.mass.data());
+  put("Inertia", blocks.inertia.data());
+  put("Centroid", in_space(blocks.centroid).data());
+  put("Velocity", in_space(blocks.velocity).data());
+  put("Force", in_space(blocks.force).data());
+  put("Angle", blocks.angle.data());
+  put("Spin", blocks.spin.data());
+  put("Moment", blocks.moment.data());
+  put("Stress", blocks.stress.data());
+  put("AppliedStress", blocks.applied.data());
+  put("StrainRate", blocks.strain_rate.data());
+}
+
+void ResultsWriter::File::put_frame_data(const Model& model) {
+  const ModelTotals sums = totals(model);
+  const auto frame = static_cast<hsize_t>(frames);
+  const std::int64_t step = model.steps, active = sums.active_contacts;
+  frame_data.at("Time").put(frame, &model.time, 1);
+  frame_data.at("Step").put(frame, &step, 1);
+  frame_data.at("KineticEnergy").put(frame, &sums.kinetic_energy, 1);
+  frame_data.at("Contacts").put(frame, &active, 1);
+  frame_data.at("WorstOverlap").put(frame, &sums.worst_overlap, 1);
+  const std::int64_t offset = frames, size[2] = {1, 1};  // components, tuples
+  for (auto& [name, column] : frame_offsets)
+    column.put(frame, &offset, 1);
+  for (auto& [name, column] : frame_sizes)
+    column.put(frame, size, 1);
+}
+
+void ResultsWriter::File::append(const Model& model) {
+  if (!laid_out)
+    create_columns(model);
+  put_topology(model.blocks);
+  const auto frame = static_cast<hsize_t>(frames);
+  const auto first_point = static_cast<std::int64_t>(points.rows());
+  const std::int64_t one = 1;
+  points.put(points.rows(), in_space(model.blocks.corner).data(),
+             static_cast<hsize_t>(model.blocks.corners()));
+  put_cells(model.blocks);
+  put_frame_data(model);
+  contacts->put(frames, model);
+  values.put(frame, &model.time, 1);
+  number_of_parts.put(frame, &one, 1);
+  part_offsets.put(frame, &part, 1);
+  point_offsets.put(frame, &first_point, 1);
+  cell_offsets.put(frame, &first_cell, 1);
+  id_offsets.put(frame, &first_id, 1);
+  publish(frames + 1);
+  ++frames;
+  last_step = model.steps;
+}
+
+ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity)
+    : file_(std::make_unique<File>()) {
+  std::error_code ignored;  // whatever is wrong shows when the file is created
+  if (std::filesystem::exists(path, ignored))
+    move_file(path, path + ".bak");
+  File& to = *file_;
+  to.path = path;
+  naming("write", path, [&] {
+    to.file = hdf5::create_file(path);
+    to.vtk = hdf5::create_group(to.file.get(), "VTKHDF");
+    const hdf5::Handle version_space = [] {
+      const hsize_t two = 2;
+      return hdf5::Handle(H5Screate_simple(1, &two, nullptr), H5Sclose);
+    }();
+    const std::int64_t version[2] = {2, 0};
+    const hdf5::Handle attribute(H5Acreate2(to.vtk.get(), "Version", H5T_NATIVE_INT64,
+                                            version_space.get(), H5P_DEFAULT,
+                                            H5P_DEFAULT),
+                                 H5Aclose);
+    hdf5::check(H5Awrite(attribute.get(), H5T_NATIVE_INT64, version));
+    hdf5::write_text_attribute(to.vtk.get(), "Type", "UnstructuredGrid");
+    for (const char* group : {"CellData", "FieldData", "PointData"})
+      hdf5::create_group(to.vtk.get(), group);
+    to.steps = hdf5::create_group(to.vtk.get(), "Steps");
+    to.own = hdf5::create_group(to.file.get(), "BLOCKS");
+    hdf5::write_attribute(to.own.get(), "format", format);
+    hdf5::write_attribute(to.own.get(), "seed",
+                          static_cast<std::int64_t>(identity.seed));
+    hdf5::write_text(to.own.get(), "title", identity.title);
+    hdf5::write_text(to.own.get(), "version", identity.version);
+    hdf5::write_text(to.own.get(), "deck_file", identity.deck_file);
+    hdf5::write_text(to.own.get(), "deck_text", identity.deck_text);
+    to.publish(0);
+  });
+}
+
+ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
+
+ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
+  auto file = std::make_unique<File>();
+  file->path = path;
+  naming("continue", path, [&] {
+    file->file = hdf5::open_file(path, true);
+    if (!hdf5::exists(file->file.get(), "VTKHDF") ||
+        !hdf5::exists(file->file.get(), "BLOCKS"))
+      throw hdf5::Failure("it is not a results file of BLOCKS");
+    file->vtk = hdf5::open_group(file->file.get(), "VTKHDF");
+    file->own = hdf5::open_group(file->file.get(), "BLOCKS");
+    file->steps = hdf5::open_group(file->vtk.get(), "Steps");
+    if (hdf5::read_attribute(file->own.get(), "format") > format)
+      throw hdf5::Failure("a newer version of BLOCKS wrote it");
+    file->keep(frames);
+  });
+  return ResultsWriter(std::move(file));
+}
+
+ResultsWriter::~ResultsWriter() = default;
+ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
+ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
+
+void ResultsWriter::write(const Model& model) {
+  if (file_->frames > 0 && file_->last_step == model.steps)
+    return;
+  naming("write", file_->path, [&] { file_->append(model); });
+}
+
+long ResultsWriter::frames() const { return file_->frames; }
+
+}  // namespace blocks::output

@@ -1,0 +1,106 @@
+#include "output/results_contacts.hpp"
+
+namespace blocks::output {
+namespace {
+
+/// The active contacts of one state, column by column.
+struct Rows {
+  std::vector<int> corner_block, corner, edge_block, edge;
+  std::vector<double> point, normal, normal_force, shear_force, overlap;
+
+  void add(const Blocks& blocks, int c, const Vec2& n, double fn, double fs, double d) {
+    const int b = blocks.corner_block[static_cast<std::size_t>(c)];
+    corner_block.push_back(b + 1);
+    corner.push_back(c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
+    point.insert(point.end(), {blocks.corner(0, c), blocks.corner(1, c), 0.0});
+    normal.insert(normal.end(), {n.x(), n.y(), 0.0});
+    normal_force.push_back(fn);
+    shear_force.push_back(fs);
+    overlap.push_back(d);
+  }
+};
+
+Vec2 left_of(const Vec2& from, const Vec2& to) {
+  const Vec2 t = (to - from).normalized();
+  return {-t.y(), t.x()};
+}
+
+Rows active_contacts(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  Rows rows;
+  const Contacts& list = model.contacts;
+  for (int i = 0; i < list.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!list.active[k])
+      continue;
+    const int e = list.edge[k], b = list.edge_block[k];
+    rows.add(blocks, list.corner[k],
+             left_of(blocks.corner.col(e), blocks.corner.col(blocks.next(e))),
+             list.normal_force[i], list.shear_force[i], list.overlap[i]);
+    rows.edge_block.push_back(b + 1);
+    rows.edge.push_back(e - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
+  }
+  const PlaneContacts& on_planes = model.plane_contacts;
+  for (int i = 0; i < on_planes.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!on_planes.active[k])
+      continue;
+    const Plane& plane =
+        model.settings.planes[static_cast<std::size_t>(on_planes.plane[k])];
+    rows.add(blocks, on_planes.corner[k], left_of(plane.a, plane.b),
+             on_planes.normal_force[i], 0.0, on_planes.overlap[i]);
+    rows.edge_block.push_back(0);
+    rows.edge.push_back(on_planes.plane[k] + 1);
+  }
+  return rows;
+}
+
+constexpr hsize_t contacts_per_chunk = 1024, frames_per_chunk = 256;
+
+}  // namespace
+
+ContactColumns::ContactColumns(const Make& make)
+    : corner_block_(make("CornerBlock", H5T_NATIVE_INT, 0, contacts_per_chunk)),
+      corner_(make("Corner", H5T_NATIVE_INT, 0, contacts_per_chunk)),
+      edge_block_(make("EdgeBlock", H5T_NATIVE_INT, 0, contacts_per_chunk)),
+      edge_(make("Edge", H5T_NATIVE_INT, 0, contacts_per_chunk)),
+      point_(make("Point", H5T_NATIVE_DOUBLE, 3, contacts_per_chunk)),
+      normal_(make("Normal", H5T_NATIVE_DOUBLE, 3, contacts_per_chunk)),
+      normal_force_(make("NormalForce", H5T_NATIVE_DOUBLE, 0, contacts_per_chunk)),
+      shear_force_(make("ShearForce", H5T_NATIVE_DOUBLE, 0, contacts_per_chunk)),
+      overlap_(make("Overlap", H5T_NATIVE_DOUBLE, 0, contacts_per_chunk)),
+      offsets_(make("Offsets", H5T_NATIVE_INT64, 0, frames_per_chunk)),
+      counts_(make("Counts", H5T_NATIVE_INT64, 0, frames_per_chunk)) {}
+
+void ContactColumns::put(long frame, const Model& model) {
+  const Rows rows = active_contacts(model);
+  const hsize_t first = rows_, count = rows.corner.size();
+  corner_block_.put(first, rows.corner_block.data(), count);
+  corner_.put(first, rows.corner.data(), count);
+  edge_block_.put(first, rows.edge_block.data(), count);
+  edge_.put(first, rows.edge.data(), count);
+  point_.put(first, rows.point.data(), count);
+  normal_.put(first, rows.normal.data(), count);
+  normal_force_.put(first, rows.normal_force.data(), count);
+  shear_force_.put(first, rows.shear_force.data(), count);
+  overlap_.put(first, rows.overlap.data(), count);
+  const auto offset = static_cast<std::int64_t>(first);
+  const auto size = static_cast<std::int64_t>(count);
+  offsets_.put(static_cast<hsize_t>(frame), &offset, 1);
+  counts_.put(static_cast<hsize_t>(frame), &size, 1);
+  rows_ = first + count;
+}
+
+void ContactColumns::truncate(long frames) {
+  const auto kept = static_cast<hsize_t>(frames);
+  rows_ = frames == 0 ? 0
+                      : static_cast<hsize_t>(offsets_.at<std::int64_t>(kept - 1) +
+                                             counts_.at<std::int64_t>(kept - 1));
+  for (hdf5::Column* column : {&corner_block_, &corner_, &edge_block_, &edge_, &point_,
+                               &normal_, &normal_force_, &shear_force_, &overlap_})
+    column->truncate(rows_);
+  offsets_.truncate(kept);
+  counts_.truncate(kept);
+}
+
+}  // namespace blocks::output

@@ -1,0 +1,30 @@
+// Contacts of each frame under /BLOCKS/contacts: active records only, one after
+// another.
+#pragma once
+
+#include <functional>
+
+#include "model/model.hpp"
+#include "output/hdf5_handle.hpp"
+
+namespace blocks::output {
+
+/// Blocks, corners and edges count from 1; an edge is named by its first corner. A
+/// corner on a symmetry plane has edge block 0 and the plane's number as edge.
+class ContactColumns {
+ public:
+  /// make(name, type, width, rows of a chunk) makes or opens a column.
+  using Make = std::function<hdf5::Column(const std::string&, hid_t, hsize_t, hsize_t)>;
+  explicit ContactColumns(const Make& make);
+
+  void put(long frame, const Model& model);
+  void truncate(long frames);
+
+ private:
+  hdf5::Column corner_block_, corner_, edge_block_, edge_;
+  hdf5::Column point_, normal_, normal_force_, shear_force_, overlap_;
+  hdf5::Column offsets_, counts_;
+  hsize_t rows_ = 0;
+};
+
+}  // namespace blocks::output

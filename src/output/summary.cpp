@@ -1,0 +1,131 @@
+#include "output/summary.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "output/file_tools.hpp"
+
+namespace blocks::output {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector(const Vec2& v) { return {v.x(), v.y()}; }
+
+/// Number, from 1, and speed of the fastest block; null without blocks.
+Json fastest_block(const Blocks& blocks) {
+  int fastest = -1;
+  double speed = -1.0;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (const double v = blocks.velocity.col(b).norm(); v > speed) {
+      fastest = b;
+      speed = v;
+    }
+  return fastest < 0 ? Json() : Json{{"block", fastest + 1}, {"speed", speed}};
+}
+
+Json layers(const Model& model) {
+  Json list = Json::array();
+  for (const LayerRecord& layer : model.layers)
+    list.push_back({{"layer", layer.number},
+                    {"first_block", layer.first_block + 1},
+                    {"blocks", layer.blocks},
+                    {"certificate",
+                     {{"cells", layer.cells},
+                      {"interior_edges", layer.interior_edges},
+                      {"outline_edges", layer.outline_edges}}},
+                    {"angles_redrawn", layer.redrawn},
+                    {"sides_ruled", layer.ruled}});
+  return list;
+}
+
+Json merges(const Model& model) {
+  Json list = Json::array();
+  for (const MergeRecord& merge : model.merges)
+    list.push_back({{"layer", merge.layer},
+                    {"absorbed", merge.absorbed},
+                    {"into", merge.into},
+                    {"width_to_height", merge.width_to_height},
+                    {"limit", merge.limit}});
+  return list;
+}
+
+Json exits(const Model& model) {
+  Json list = Json::array();
+  for (const DomainExit& exit : model.exits)
+    list.push_back({{"block", exit.block + 1}, {"time", exit.time}});
+  return list;
+}
+
+}  // namespace
+
+std::string state_hash(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  Fnv1a hash;
+  const auto add = [&](const auto& matrix) {
+    hash.add(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
+  };
+  add(blocks.corner);
+  add(blocks.centroid);
+  add(blocks.angle);
+  add(blocks.velocity);
+  add(blocks.spin);
+  return hash.text();
+}
+
+void write_summary(const std::string& path, const Model& model,
+                   const RunReport& report) {
+  const ModelTotals sums = totals(model);
+  const Json json = {
+      {"title", report.identity.title},
+      {"deck", report.identity.deck_file},
+      {"version", report.identity.version},
+      {"seed", report.identity.seed},
+      {"status", report.status},
+      {"steps", model.steps},
+      {"time", model.time},
+      {"dt",
+       {{"value", model.time_step.dt},
+        {"block", model.time_step.block < 0 ? Json() : Json(model.time_step.block + 1)},
+        {"limit", model.time_step.block < 0 ? Json()
+                  : model.time_step.elastic ? Json("elasticity")
+                                            : Json("contact")}}},
+      {"blocks", model.blocks.size()},
+      {"corners", model.blocks.corners()},
+      {"contacts",
+       {{"listed", sums.listed_contacts}, {"active", sums.active_contacts}}},
+      {"list_updates", model.search.updates},
+      {"kinetic_energy", sums.kinetic_energy},
+      {"momentum", vector(sums.momentum)},
+      {"angular_momentum", sums.angular_momentum},
+      {"worst_overlap",
+       {{"end", sums.worst_overlap}, {"ever", report.worst_overlap_ever}}},
+      {"fastest_block", fastest_block(model.blocks)},
+      {"domain_exits", exits(model)},
+      {"merges", merges(model)},
+      {"layers", layers(model)},
+      {"warnings", report.warnings},
+      {"frames", report.frames},
+      {"state_hash", state_hash(model)},
+      {"wall_seconds", report.wall_seconds}};
+
+  const std::string temporary = path + ".tmp";
+  std::ofstream file(temporary, std::ios::binary);
+  if (!file)
+    throw_errno("write", path);
+  // A title may hold any bytes; numbers that are not finite become null.
+  file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  file.close();
+  if (!file) {
+    const int reason = errno;
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    errno = reason;
+    throw_errno("write", path);
+  }
+  move_file(temporary, path);
+}
+
+}  // namespace blocks::output

@@ -1,0 +1,164 @@
+#include "post/results_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/file_tools.hpp"
+#include "output/hdf5_handle.hpp"
+#include "output/results.hpp"
+
+namespace blocks::post {
+
+using output::hdf5::Column;
+using output::hdf5::Failure;
+using output::hdf5::Handle;
+
+struct ResultsReader::File {
+  std::string path;
+  Handle file, vtk, steps;
+  std::vector<double> times;
+  std::string title;
+
+  hsize_t step_value(const std::string& name, hsize_t row) const {
+    const auto value = Column::open(steps.get(), name).at<std::int64_t>(row);
+    if (value < 0)
+      throw Failure("Steps/" + name + " is negative");
+    return static_cast<hsize_t>(value);
+  }
+  hsize_t count(const std::string& name, hsize_t row) const {
+    const auto value = Column::open(vtk.get(), name).at<std::int64_t>(row);
+    if (value < 0)
+      throw Failure(name + " is negative");
+    return static_cast<hsize_t>(value);
+  }
+  template <class T>
+  std::vector<T> rows(const char* name, hsize_t row, hsize_t n) const {
+    return Column::open(vtk.get(), name).read<T>(row, n);
+  }
+  /// Cell data of a frame; `width` values per block.
+  template <class T>
+  std::vector<T> cells(const std::string& name, hsize_t frame, hsize_t n,
+                       hsize_t width) const {
+    Column column = Column::open(vtk.get(), "CellData/" + name);
+    if (column.width() != width)
+      throw Failure(name + " has the wrong shape");
+    return column.read<T>(step_value("CellDataOffsets/" + name, frame), n);
+  }
+  template <class T> T field(const std::string& name, hsize_t frame) const {
+    return Column::open(vtk.get(), "FieldData/" + name)
+        .at<T>(step_value("FieldDataOffsets/" + name, frame));
+  }
+  Frame read(hsize_t i) const;
+  void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
+};
+
+namespace {
+
+Eigen::Matrix2Xd in_plane(const std::vector<double>& rows) {
+  using Rows = Eigen::Map<const Eigen::Matrix3Xd>;
+  return Rows(rows.data(), 3, static_cast<Eigen::Index>(rows.size() / 3)).topRows(2);
+}
+
+Eigen::VectorXd vector(const std::vector<double>& rows) {
+  return Eigen::Map<const Eigen::VectorXd>(rows.data(),
+                                           static_cast<Eigen::Index>(rows.size()));
+}
+
+}  // namespace
+
+void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
+                                        Frame& frame) const {
+  const hsize_t points = count("NumberOfPoints", part);
+  const hsize_t ids = count("NumberOfConnectivityIds", part);
+  Column stored = Column::open(vtk.get(), "Points");
+  if (stored.width() != 3)
+    throw Failure("Points has the wrong shape");
+  const Eigen::Matrix2Xd corners =
+      in_plane(stored.read<double>(step_value("PointOffsets", i), points));
+  const auto starts =
+      rows<std::int64_t>("Offsets", step_value("CellOffsets", i) + part, n + 1);
+  const auto connectivity =
+      rows<std::int64_t>("Connectivity", step_value("ConnectivityIdOffsets", i), ids);
+
+  frame.outlines.resize(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    const std::int64_t from = starts[b], to = starts[b + 1];
+    if (from < 0 || to < from || to > static_cast<std::int64_t>(ids))
+      throw Failure("Offsets are out of range");
+    for (std::int64_t k = from; k < to; ++k) {
+      const std::int64_t point = connectivity[static_cast<std::size_t>(k)];
+      if (point < 0 || point >= corners.cols())
+        throw Failure("Connectivity is out of range");
+      frame.outlines[b].emplace_back(corners.col(point));
+    }
+  }
+}
+
+Frame ResultsReader::File::read(hsize_t i) const {
+  const hsize_t part = step_value("PartOffsets", i);
+  const hsize_t n = count("NumberOfCells", part);
+  Frame frame;
+  frame.time = times[i];
+  frame.step = field<std::int64_t>("Step", i);
+  frame.kinetic_energy = field<double>("KineticEnergy", i);
+  frame.number = cells<int>("BlockNumber", i, n, 1);
+  frame.material = cells<int>("Material", i, n, 1);
+  frame.fixed = cells<int>("Fixed", i, n, 1);
+  frame.centroid = in_plane(cells<double>("Centroid", i, n, 3));
+  frame.velocity = in_plane(cells<double>("Velocity", i, n, 3));
+  frame.angle = vector(cells<double>("Angle", i, n, 1));
+  frame.spin = vector(cells<double>("Spin", i, n, 1));
+  const auto stress = cells<double>("Stress", i, n, 4);
+  frame.stress = Eigen::Map<const Eigen::Matrix4Xd>(stress.data(), 4,
+                                                    static_cast<Eigen::Index>(n));
+  read_outlines(i, part, n, frame);
+  return frame;
+}
+
+ResultsReader::ResultsReader(const std::string& path)
+    : file_(std::make_unique<File>()) {
+  File& from = *file_;
+  from.path = path;
+  output::naming("read", path, [&] {
+    from.file = output::hdf5::open_file(path, false);
+    if (!output::hdf5::exists(from.file.get(), "VTKHDF") ||
+        !output::hdf5::exists(from.file.get(), "BLOCKS"))
+      throw Failure("it is not a results file of BLOCKS");
+    from.vtk = output::hdf5::open_group(from.file.get(), "VTKHDF");
+    from.steps = output::hdf5::open_group(from.vtk.get(), "Steps");
+    // Frames beyond NSteps are still being written, or were cut off.
+    const auto frames = output::hdf5::read_attribute(from.steps.get(), "NSteps");
+    if (frames <= 0)
+      throw Failure("it has no frames yet");
+    from.times = Column::open(from.steps.get(), "Values")
+                     .read<double>(0, static_cast<hsize_t>(frames));
+    from.title = output::hdf5::read_text(from.file.get(), "BLOCKS/title");
+  });
+}
+
+ResultsReader::~ResultsReader() = default;
+
+long ResultsReader::frames() const { return static_cast<long>(file_->times.size()); }
+
+const std::vector<double>& ResultsReader::times() const { return file_->times; }
+
+std::string ResultsReader::title() const { return file_->title; }
+
+Frame ResultsReader::frame(long i) const {
+  if (i < 0 || i >= frames())
+    throw output::FileError(file_->path + " has frames 0 to " +
+                            std::to_string(frames() - 1) + ", not " +
+                            std::to_string(i));
+  return output::naming("read", file_->path,
+                        [&] { return file_->read(static_cast<hsize_t>(i)); });
+}
+
+long ResultsReader::nearest(double time) const {
+  const auto& times = file_->times;
+  const auto closer = [time](double a, double b) {
+    return std::abs(a - time) < std::abs(b - time);
+  };
+  return std::min_element(times.begin(), times.end(), closer) - times.begin();
+}
+
+}  // namespace blocks::post

@@ -1,0 +1,255 @@
+#include "output/checkpoint.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+
+#include "output/model_fields.hpp"
+#include "sample_model.hpp"
+
+namespace blocks::output {
+namespace {
+
+using samples::contents;
+using samples::file_error;
+using samples::overwrite;
+using samples::TemporaryFolder;
+using ::testing::HasSubstr;
+
+// Writes each field as text, doubles by their bits, so that two models can be compared
+// field by field with a name for each difference.
+class Fields {
+ public:
+  std::map<std::string, std::string> all;
+
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void operator()(const std::string& name, const T& value) { all[name] += bits(value); }
+  void operator()(const std::string& name, const std::string& text) {
+    all[name] = text;
+  }
+  void operator()(const std::string& name, const geometry::Decimal& number) {
+    all[name] = number.digits() + "e" + std::to_string(number.exponent()) + " " +
+                bits(number.value());
+  }
+  template <class T>
+  void operator()(const std::string& name, const std::optional<T>& v) {
+    all[name] = "none";
+    if (v)
+      (*this)(name, *v);
+  }
+  template <class T> void operator()(const std::string& name, const std::vector<T>& v) {
+    all[name] = std::to_string(v.size()) + ":";
+    for (const T& value : v)
+      all[name] += bits(value);
+  }
+  template <class D>
+  void operator()(const std::string& name, const Eigen::PlainObjectBase<D>& m) {
+    all[name] = std::to_string(m.rows()) + "x" + std::to_string(m.cols()) + ":";
+    for (Eigen::Index i = 0; i < m.size(); ++i)
+      all[name] += bits(m.data()[i]);
+  }
+  template <class R, class Visit>
+  void records(const std::string& name, const std::vector<R>& list, Visit&& visit) {
+    all[name] = std::to_string(list.size());
+    for (const R& record : list) {
+      auto member = [&](const char* at, const auto& v) { (*this)(name + "/" + at, v); };
+      visit(member, record);
+    }
+  }
+  template <class Map, class Visit>
+  void materials(const std::string& name, const Map& map, Visit&& visit) {
+    all[name] = std::to_string(map.size());
+    for (const auto& [number, material] : map) {
+      auto member = [&](const char* at, const auto& v) { (*this)(name + "/" + at, v); };
+      visit(member, number, material);
+    }
+  }
+
+ private:
+  template <class T> static std::string bits(const T& value) {
+    if constexpr (std::is_same_v<T, double>)
+      return std::to_string(std::bit_cast<std::uint64_t>(value)) + " ";
+    else
+      return std::to_string(static_cast<long long>(value)) + " ";
+  }
+};
+
+std::map<std::string, std::string> fields(const Model& model) {
+  Fields result;
+  visit_model(model, result);
+  return result.all;
+}
+
+// Sets every field to something of its own, awkward doubles included.
+class Filler {
+ public:
+  template <class T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+  void operator()(const std::string&, T& value) {
+    if constexpr (std::is_same_v<T, bool>)
+      value = true;
+    else if constexpr (std::is_enum_v<T>)
+      value = static_cast<T>(++count_ % 3);
+    else if constexpr (std::is_same_v<T, double>)
+      value = next();
+    else if constexpr (std::is_same_v<T, char>)
+      value = static_cast<char>(++count_ % 2);
+    else
+      value = static_cast<T>(1000 + ++count_);
+  }
+  void operator()(const std::string& name, std::string& text) {
+    text = "text of " + name + " \xC3\xA9\n";
+  }
+  void operator()(const std::string&, geometry::Decimal& number) {
+    number = *geometry::Decimal::parse("-12." + std::to_string(++count_) + "1e-3");
+  }
+  template <class T> void operator()(const std::string& name, std::optional<T>& value) {
+    (*this)(name, value.emplace());
+  }
+  template <class T> void operator()(const std::string& name, std::vector<T>& values) {
+    values.resize(5);
+    for (T& value : values)
+      (*this)(name, value);
+  }
+  template <class D> void operator()(const std::string&, Eigen::PlainObjectBase<D>& m) {
+    if constexpr (D::SizeAtCompileTime == Eigen::Dynamic)
+      m.resize(D::RowsAtCompileTime == Eigen::Dynamic ? 7 : D::RowsAtCompileTime,
+               D::ColsAtCompileTime == Eigen::Dynamic ? 7 : D::ColsAtCompileTime);
+    for (Eigen::Index i = 0; i < m.size(); ++i)
+      m.data()[i] = next();
+  }
+  template <class R, class Visit>
+  void records(const std::string& name, std::vector<R>& list, Visit&& visit) {
+    list.resize(3);
+    for (R& record : list) {
+      auto member = [&](const char* at, auto& v) { (*this)(name + at, v); };
+      visit(member, record);
+    }
+  }
+  template <class Map, class Visit>
+  void materials(const std::string& name, Map& map, Visit&& visit) {
+    for (int i = 0; i < 3; ++i) {
+      int number = 0;
+      Material material;
+      auto member = [&](const char* at, auto& v) { (*this)(name + at, v); };
+      visit(member, number, material);
+      map.emplace(number, material);
+    }
+  }
+
+ private:
+  double next() {
+    constexpr double awkward[] = {-0.0, std::numeric_limits<double>::denorm_min(),
+                                  std::numeric_limits<double>::quiet_NaN(),
+                                  -std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::max()};
+    ++count_;
+    return count_ % 4 == 0 ? awkward[count_ / 4 % 5] : -1.0 / (3.0 + count_);
+  }
+  int count_ = 0;
+};
+
+Model filled_model() {
+  Model model;
+  Filler filler;
+  visit_model(model, filler);
+  model.settings.seed = 0xFFFFFFFFFFFFFFFFULL;  // beyond a signed number
+  return model;
+}
+
+const CheckpointInfo info = {"crater.deck", "START\n", "crater.vtkhdf", 12, "1.0.0"};
+
+// Rule 26: a continuation is bit-identical, so every field must survive bit by bit.
+TEST(Checkpoint, KeepsEveryFieldBitByBit) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ckpt.h5";
+  const Model model = filled_model();
+  const auto written = fields(model), untouched = fields(Model());
+  for (const auto& [name, value] : written) {
+    EXPECT_NE(value, untouched.contains(name) ? untouched.at(name) : "") << name;
+  }
+
+  write_checkpoint(path, model, info);
+  CheckpointInfo read;
+  const auto back = fields(read_checkpoint(path, read));
+  ASSERT_EQ(back.size(), written.size());
+  for (const auto& [name, value] : written)
+    EXPECT_EQ(back.at(name), value) << name;
+  EXPECT_EQ(read.deck_file, info.deck_file);
+  EXPECT_EQ(read.deck_text, info.deck_text);
+  EXPECT_EQ(read.results, info.results);
+  EXPECT_EQ(read.results_frames, info.results_frames);
+  EXPECT_EQ(read.version, info.version);
+}
+
+// A deck that stops before its first block has empty columns.
+TEST(Checkpoint, KeepsAModelWithoutBlocks) {
+  const TemporaryFolder folder;
+  write_checkpoint(folder / "a.ckpt.h5", Model(), {});
+  CheckpointInfo read;
+  EXPECT_EQ(fields(read_checkpoint(folder / "a.ckpt.h5", read)), fields(Model()));
+}
+
+// No damaged byte, wherever it is, may slip into a continuation or crash it.
+TEST(Checkpoint, RefusesAnyDamagedByte) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ckpt.h5";
+  write_checkpoint(path, samples::two_blocks(), info);
+  const std::string sound = contents(path);
+  CheckpointInfo read;
+  for (std::size_t at = 0; at < sound.size(); at = at < 600 ? at + 1 : at + 4099) {
+    std::string bytes = sound;
+    bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
+    overwrite(path, bytes);
+    EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }), HasSubstr(path))
+        << "byte " << at;
+  }
+  overwrite(path, sound.substr(0, sound.size() / 2));
+  EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }), HasSubstr("damaged"));
+}
+
+TEST(Checkpoint, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ckpt.h5";
+  CheckpointInfo read;
+  const auto error = [&] { return file_error([&] { read_checkpoint(path, read); }); };
+  EXPECT_THAT(error(), HasSubstr("No such file"));
+  overwrite(path, "START\n");
+  EXPECT_THAT(error(), HasSubstr("not a checkpoint of BLOCKS"));
+  write_checkpoint(path, samples::two_blocks(), info);
+  std::string bytes = contents(path);
+  bytes[bytes.find("format 1") + 7] = '2';
+  overwrite(path, bytes);
+  EXPECT_THAT(error(), HasSubstr("newer version"));
+}
+
+// The last two are kept: a run killed between two checkpoints loses one at most.
+TEST(Checkpoint, KeepsThePreviousOne) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ckpt.h5";
+  Model model = samples::two_blocks();
+  for (const long steps : {1L, 2L, 3L}) {
+    model.steps = steps;
+    write_checkpoint(path, model, info);
+  }
+  CheckpointInfo read;
+  EXPECT_EQ(read_checkpoint(path, read).steps, 3);
+  EXPECT_EQ(read_checkpoint(path + ".prev", read).steps, 2);
+  EXPECT_FALSE(std::filesystem::exists(path + ".tmp"));
+  std::filesystem::remove(path);
+  EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }), HasSubstr(".prev"));
+}
+
+TEST(Checkpoint, CannotBeWrittenIntoAMissingFolder) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(
+      file_error([&] { write_checkpoint(folder / "no/a.ckpt.h5", Model(), info); }),
+      testing::AllOf(HasSubstr("cannot write"),
+                     HasSubstr("No such file or directory")));
+}
+
+}  // namespace
+}  // namespace blocks::output

@@ -1,0 +1,266 @@
+#include "output/results.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "output/hdf5_handle.hpp"
+#include "post/results_reader.hpp"
+#include "sample_model.hpp"
+
+namespace blocks::output {
+namespace {
+
+using hdf5::Column;
+using post::Frame;
+using post::ResultsReader;
+using samples::file_error;
+using samples::TemporaryFolder;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const RunIdentity identity = {"two.deck", "START\n", "Two blocks", "1.0.0", 1982};
+
+/// Moves everything a little, so that no frame equals another.
+void move_on(Model& model) {
+  model.steps += 10;
+  model.time += 0.01;
+  model.blocks.centroid.array() += 1.0 / 3.0;
+  model.blocks.corner.array() += 1.0 / 3.0;
+  model.blocks.angle.array() += 0.1;
+  model.blocks.velocity.array() -= 0.7;
+}
+
+void expect_same(const Frame& frame, const Model& model) {
+  const Blocks& blocks = model.blocks;
+  EXPECT_EQ(frame.time, model.time);
+  EXPECT_EQ(frame.step, model.steps);
+  EXPECT_EQ(frame.kinetic_energy, totals(model).kinetic_energy);
+  ASSERT_EQ(frame.outlines.size(), static_cast<std::size_t>(blocks.size()));
+  for (int b = 0; b < blocks.size(); ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    EXPECT_EQ(frame.outlines[i], blocks.outline(b)) << "block " << b;
+    EXPECT_EQ(frame.number[i], b + 1);
+    EXPECT_EQ(frame.material[i], blocks.material[i]);
+    EXPECT_EQ(frame.fixed[i], static_cast<int>(blocks.fixity[i]));
+  }
+  EXPECT_EQ(frame.centroid, blocks.centroid);
+  EXPECT_EQ(frame.velocity, blocks.velocity);
+  EXPECT_EQ(frame.angle, blocks.angle);
+  EXPECT_EQ(frame.spin, blocks.spin);
+  EXPECT_EQ(frame.stress, blocks.stress);
+}
+
+// Blocks may be added between motions; columns that repeat themselves are stored once.
+// What is read must be the state written all the same, corners in their order.
+TEST(Results, ReadBackExactlyWhileBlocksAreAdded) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "two.vtkhdf";
+  std::vector<Model> states;
+  {
+    ResultsWriter writer(path, identity);
+    Model model = samples::two_blocks();
+    for (int i = 0; i < 6; ++i) {
+      if (i == 2)
+        samples::add_triangle(model, 5, 5);
+      if (i == 4)
+        model.blocks.fix(1, Fixity::left_domain);
+      if (i == 5)
+        for (int k = 0; k < 400; ++k)
+          samples::add_box(model, k, 20, 0.5, 0.5);
+      writer.write(model);
+      states.push_back(model);
+      move_on(model);
+      EXPECT_EQ(ResultsReader(path).frames(), i + 1);  // readable during the run
+    }
+  }
+  const ResultsReader reader(path);
+  ASSERT_EQ(reader.frames(), 6);
+  EXPECT_EQ(reader.title(), "Two blocks");
+  for (long i = 0; i < 6; ++i)
+    expect_same(reader.frame(i), states[static_cast<std::size_t>(i)]);
+  EXPECT_EQ(reader.nearest(-1.0), 0);
+  EXPECT_EQ(reader.nearest(0.0279), 2);
+  EXPECT_THROW(reader.frame(6), FileError);
+}
+
+// The last frame of a run is the state at its end, once, whatever PLOTS says.
+TEST(Results, WritesAStepOnce) {
+  const TemporaryFolder folder;
+  ResultsWriter writer(folder / "a.vtkhdf", identity);
+  Model model = samples::two_blocks();
+  writer.write(model);
+  writer.write(model);
+  EXPECT_EQ(writer.frames(), 1);
+  move_on(model);
+  writer.write(model);
+  EXPECT_EQ(writer.frames(), 2);
+}
+
+// A restart goes on behind the checkpoint's frame; what the lost run wrote after it
+// goes.
+TEST(Results, ReopenedFileForgetsLaterFrames) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.vtkhdf";
+  std::vector<Model> states;
+  Model model = samples::two_blocks();
+  {
+    ResultsWriter writer(path, identity);
+    for (int i = 0; i < 4; ++i) {
+      if (i == 3)
+        samples::add_box(model, 6, 6, 1, 1);  // only in a frame that is cut off
+      writer.write(model);
+      if (i < 2)
+        states.push_back(model);
+      move_on(model);
+    }
+  }
+  model = states.back();
+  {
+    ResultsWriter writer = ResultsWriter::reopen(path, 2);
+    EXPECT_EQ(writer.frames(), 2);
+    EXPECT_EQ(ResultsReader(path).frames(), 2);
+    writer.write(model);  // the same step as the last frame kept
+    EXPECT_EQ(writer.frames(), 2);
+    for (int i = 0; i < 2; ++i) {
+      move_on(model);
+      samples::add_triangle(model, 5, 5 + i);
+      writer.write(model);
+      states.push_back(model);
+    }
+  }
+  {
+    const ResultsReader reader(path);
+    ASSERT_EQ(reader.frames(), 4);
+    for (long i = 0; i < 4; ++i)
+      expect_same(reader.frame(i), states[static_cast<std::size_t>(i)]);
+  }
+
+  EXPECT_THAT(file_error([&] { ResultsWriter::reopen(path, 5); }),
+              HasSubstr("it has 4 frames"));
+  const TemporaryFolder other;
+  samples::overwrite(other / "x.vtkhdf", "not HDF5");
+  EXPECT_THAT(file_error([&] { ResultsWriter::reopen(other / "x.vtkhdf", 0); }),
+              HasSubstr("x.vtkhdf"));
+  EXPECT_EQ(ResultsWriter::reopen(path, 0).frames(), 0);
+}
+
+// The shapes vtkHDFReader asks for: it finds the offsets of a frame's cells at
+// CellOffsets + PartOffsets, n + 1 of them, and its counts at PartOffsets.
+TEST(Results, HaveTheLayoutOfVtkhdf) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.vtkhdf";
+  {
+    ResultsWriter writer(path, identity);
+    Model model = samples::two_blocks();
+    writer.write(model);
+    move_on(model);
+    writer.write(model);
+    move_on(model);
+    samples::add_triangle(model, 5, 5);
+    writer.write(model);
+  }
+  const hdf5::Handle file = hdf5::open_file(path, false);
+  const hdf5::Handle vtk = hdf5::open_group(file.get(), "VTKHDF");
+  const auto whole = [&](const char* name) {
+    Column column = Column::open(vtk.get(), name);
+    return column.read<std::int64_t>(0, column.rows());
+  };
+  EXPECT_EQ(hdf5::read_text_attribute(vtk.get(), "Type"), "UnstructuredGrid");
+  EXPECT_THAT(whole("NumberOfPoints"), ElementsAre(8, 11));
+  EXPECT_THAT(whole("NumberOfConnectivityIds"), ElementsAre(8, 11));
+  EXPECT_THAT(whole("NumberOfCells"), ElementsAre(2, 3));
+  EXPECT_THAT(whole("Offsets"), ElementsAre(0, 4, 8, 0, 4, 8, 11));
+  EXPECT_THAT(whole("Types"), ElementsAre(7, 7, 7, 7, 7));
+  EXPECT_THAT(whole("Steps/NumberOfParts"), ElementsAre(1, 1, 1));
+  EXPECT_THAT(whole("Steps/PartOffsets"), ElementsAre(0, 0, 1));
+  EXPECT_THAT(whole("Steps/PointOffsets"), ElementsAre(0, 8, 16));
+  EXPECT_THAT(whole("Steps/CellOffsets"), ElementsAre(0, 0, 2));
+  EXPECT_THAT(whole("Steps/ConnectivityIdOffsets"), ElementsAre(0, 0, 8));
+  EXPECT_THAT(whole("Steps/CellDataOffsets/Mass"), ElementsAre(0, 0, 2));
+  EXPECT_THAT(whole("Steps/CellDataOffsets/Centroid"), ElementsAre(0, 2, 4));
+  EXPECT_THAT(whole("Steps/FieldDataOffsets/Time"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(whole("Steps/FieldDataSizes/Time"), ElementsAre(1, 1, 1, 1, 1, 1));
+  EXPECT_EQ(Column::open(vtk.get(), "Points").width(), 3U);
+  EXPECT_EQ(Column::open(vtk.get(), "CellData/Force").width(), 3U);
+  EXPECT_EQ(Column::open(vtk.get(), "CellData/StrainRate").width(), 4U);
+}
+
+// Only acting contacts; the normal points out of the block that owns the edge, here up.
+TEST(Results, HoldTheActiveContacts) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.vtkhdf";
+  Model model = samples::two_blocks();
+  {
+    ResultsWriter writer(path, identity);
+    writer.write(model);
+    move_on(model);
+    model.plane_contacts.active[0] = 1;
+    model.plane_contacts.normal_force[0] = 2.5;
+    writer.write(model);
+  }
+  const hdf5::Handle file = hdf5::open_file(path, false);
+  const hdf5::Handle group = hdf5::open_group(file.get(), "BLOCKS/contacts");
+  const auto whole = [&](const char* name) {
+    Column column = Column::open(group.get(), name);
+    return column.read<std::int64_t>(0, column.rows());
+  };
+  const auto real = [&](const char* name) {
+    Column column = Column::open(group.get(), name);
+    return column.read<double>(0, column.rows());
+  };
+  EXPECT_THAT(whole("Offsets"), ElementsAre(0, 1));
+  EXPECT_THAT(whole("Counts"), ElementsAre(1, 2));
+  EXPECT_THAT(whole("CornerBlock"), ElementsAre(2, 2, 1));
+  EXPECT_THAT(whole("Corner"), ElementsAre(1, 1, 1));
+  EXPECT_THAT(whole("EdgeBlock"), ElementsAre(1, 1, 0));
+  EXPECT_THAT(whole("Edge"), ElementsAre(2, 2, 1));
+  EXPECT_THAT(real("Normal"), ElementsAre(0, 1, 0, 0, 1, 0, 1, 0, 0));
+  EXPECT_THAT(real("NormalForce"), ElementsAre(0.75, 0.75, 2.5));
+  EXPECT_THAT(real("ShearForce"), ElementsAre(-0.125, -0.125, 0));
+  EXPECT_THAT(real("Overlap"), ElementsAre(0.0625, 0.0625, 0));
+}
+
+TEST(Results, KeepsAnOlderFileAsBak) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.vtkhdf";
+  samples::overwrite(path, "older");
+  samples::overwrite(path + ".bak", "oldest");
+  const ResultsWriter writer(path, identity);
+  EXPECT_EQ(samples::contents(path + ".bak"), "older");
+}
+
+// The state of a run that went wrong is what one wants to look at.
+TEST(Results, KeepsWhatIsNotANumber) {
+  const TemporaryFolder folder;
+  Model model = samples::two_blocks();
+  model.blocks.velocity(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  model.blocks.corner(1, 5) = -std::numeric_limits<double>::infinity();
+  ResultsWriter(folder / "a.vtkhdf", identity).write(model);
+  const Frame frame = ResultsReader(folder / "a.vtkhdf").frame(0);
+  EXPECT_TRUE(std::isnan(frame.velocity(0, 1)));
+  EXPECT_EQ(frame.outlines[1][1].y(), -std::numeric_limits<double>::infinity());
+}
+
+TEST(Results, ErrorsNameTheFileAndTheReason) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(file_error([&] { ResultsWriter(folder / "no/a.vtkhdf", identity); }),
+              testing::AllOf(HasSubstr("cannot write"), HasSubstr("no/a.vtkhdf"),
+                             HasSubstr("No such file or directory")));
+  const std::string path = folder / "a.vtkhdf";
+  const auto error = [&] { return file_error([&] { ResultsReader reader(path); }); };
+  EXPECT_THAT(error(), testing::AllOf(HasSubstr(path), HasSubstr("No such file")));
+  samples::overwrite(path, "text");
+  EXPECT_THAT(error(), HasSubstr(path));
+  {
+    const ResultsWriter writer(path, identity);
+    EXPECT_THAT(error(), HasSubstr("no frames yet"));
+  }
+  const hdf5::Handle foreign = hdf5::create_file(path);
+  EXPECT_THAT(error(), HasSubstr("not a results file"));
+}
+
+}  // namespace
+}  // namespace blocks::output

@@ -1,0 +1,116 @@
+// Models for the tests of files: blocks built by hand, values that cannot be mistaken.
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "model/model.hpp"
+#include "output/results.hpp"
+
+namespace blocks::samples {
+
+/// Adds the rectangle [x, x + w] x [y, y + h] with density 2.
+inline void add_box(Model& model, double x, double y, double w, double h,
+                    Fixity fixity = Fixity::free, int layer = 0) {
+  model.blocks.append(
+      {{{{x, y}, {x, y + h}, {x + w, y + h}, {x + w, y}}, 3, 2.0, fixity, layer}});
+}
+
+inline void add_triangle(Model& model, double x, double y) {
+  model.blocks.append({{{{x, y}, {x, y + 1}, {x + 1, y}}, 4, 1.5, Fixity::free, 0}});
+}
+
+/// A box standing on a fixed one, in contact, and a plane.
+inline Model two_blocks() {
+  Model model;
+  Settings& s = model.settings;
+  s.title = "Two blocks";
+  s.max_blocks = 10;
+  s.max_corners = 4;
+  s.lower = {-10, -10};
+  s.upper = {10, 10};
+  s.boxes_x = 4;
+  s.boxes_y = 2;
+  s.normal_stiffness = 1e7;
+  s.shear_stiffness = 5e6;
+  s.fraction = 0.05;
+  s.friction = 0.5;
+  s.gravity = {0, -9.81};
+  s.rigid = true;
+  s.materials[3] = {1e10, 4e9, 2.0};
+  s.planes.push_back({{-5, 1}, {-5, 0}});
+  add_box(model, -4, -1, 8, 1, Fixity::by_user);
+  add_box(model, -1, -0.0625, 2, 2);
+  Contacts& list = model.contacts;
+  list.resize(2);
+  for (int i = 0; i < 2; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    list.corner[k] = i == 0 ? 4 : 7;
+    list.edge[k] = 1;
+    list.corner_block[k] = 1;
+    list.edge_block[k] = 0;
+    list.active[k] = i == 0;
+  }
+  list.normal_elastic[0] = 0.5;
+  list.normal_force[0] = 0.75;
+  list.shear_force[0] = -0.125;
+  list.overlap[0] = 0.0625;
+  model.plane_contacts.resize(1);
+  model.plane_contacts.plane[0] = 0;
+  model.plane_contacts.corner[0] = 0;
+  model.plane_contacts.active[0] = 0;
+  model.blocks.velocity.col(1) = Vec2(0.5, -0.25);
+  model.blocks.force.col(1) = Vec2(-0.125, 0.75);
+  model.blocks.stress.col(1) << 1, 2, 2, -3;
+  model.time_step = {0.001, 1, 2, false};
+  model.steps = 7;
+  model.time = 0.007;
+  return model;
+}
+
+/// A folder of its own, removed with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name =
+        (std::filesystem::temp_directory_path() / "blocks-output-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+inline std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline void overwrite(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+/// The message of the FileError that `action` throws; empty when it throws none.
+template <class Action> std::string file_error(Action&& action) {
+  try {
+    action();
+  } catch (const output::FileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace blocks::samples

@@ -1,0 +1,99 @@
+#include "output/summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "sample_model.hpp"
+
+namespace blocks::output {
+namespace {
+
+using nlohmann::json;
+using samples::file_error;
+using samples::TemporaryFolder;
+using ::testing::HasSubstr;
+
+RunReport report() {
+  return {{"two.deck", "START\n", "Two blocks", "1.0.0", 1982},
+          {"block 2 is thin"},
+          1.5,
+          "done",
+          4,
+          0.5};
+}
+
+TEST(Summary, HoldsWhatScriptsAskFor) {
+  const TemporaryFolder folder;
+  Model model = samples::two_blocks();
+  model.exits.push_back({1, 0.005});
+  model.layers.push_back({1, 0, 2, 2, 1, 6, 3, 0});
+  model.merges.push_back({1, 2, 3, 0.125, 0.2});
+  write_summary(folder / "a.summary.json", model, report());
+  const json summary = json::parse(samples::contents(folder / "a.summary.json"));
+  EXPECT_EQ(summary["title"], "Two blocks");
+  EXPECT_EQ(summary["seed"], 1982);
+  EXPECT_EQ(summary["status"], "done");
+  EXPECT_EQ(summary["steps"], 7);
+  EXPECT_EQ(summary["dt"],
+            json({{"value", 0.001}, {"block", 2}, {"limit", "contact"}}));
+  EXPECT_EQ(summary["blocks"], 2);
+  EXPECT_EQ(summary["corners"], 8);
+  EXPECT_EQ(summary["contacts"], json({{"listed", 3}, {"active", 1}}));
+  EXPECT_EQ(summary["kinetic_energy"], 0.5 * 8 * 0.3125);  // mass 8, v^2 = 0.3125
+  EXPECT_EQ(summary["momentum"], json({4.0, -2.0}));
+  EXPECT_EQ(summary["worst_overlap"], json({{"end", 0.0625}, {"ever", 0.5}}));
+  EXPECT_EQ(summary["fastest_block"]["block"], 2);
+  EXPECT_EQ(summary["domain_exits"][0]["block"], 2);
+  EXPECT_EQ(summary["merges"][0]["into"], 3);
+  EXPECT_EQ(summary["layers"][0]["certificate"]["outline_edges"], 6);
+  EXPECT_EQ(summary["warnings"], json({"block 2 is thin"}));
+  EXPECT_EQ(summary["frames"], 4);
+  EXPECT_EQ(summary["state_hash"], state_hash(model));
+}
+
+// A run that became unsound, with a title in no known encoding, must still leave a
+// file.
+TEST(Summary, IsValidJsonWhateverHappened) {
+  const TemporaryFolder folder;
+  Model model = samples::two_blocks();
+  model.blocks.velocity(0, 1) = std::numeric_limits<double>::quiet_NaN();
+  RunReport unsound = report();
+  unsound.identity.title = "caf\xE9";
+  write_summary(folder / "a.json", model, unsound);
+  const json summary = json::parse(samples::contents(folder / "a.json"));
+  EXPECT_TRUE(summary["kinetic_energy"].is_null());
+  write_summary(folder / "a.json", Model(), unsound);
+  EXPECT_TRUE(
+      json::parse(samples::contents(folder / "a.json"))["fastest_block"].is_null());
+}
+
+TEST(Summary, CannotBeWrittenIntoAMissingFolder) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(
+      file_error([&] { write_summary(folder / "no/a.json", Model(), report()); }),
+      HasSubstr("no/a.json: No such file or directory"));
+}
+
+// Equal runs have equal hashes, so the last bit of any coordinate or velocity must
+// count.
+TEST(StateHash, SeesTheLastBit) {
+  const Model model = samples::two_blocks();
+  EXPECT_EQ(state_hash(model), state_hash(samples::two_blocks()));
+  const auto changed = [&](auto&& change) {
+    Model other = model;
+    double& value = change(other.blocks);
+    value = std::nextafter(value, 1e9);
+    return state_hash(other) != state_hash(model);
+  };
+  EXPECT_TRUE(changed([](Blocks& b) -> double& { return b.corner(1, 7); }));
+  EXPECT_TRUE(changed([](Blocks& b) -> double& { return b.centroid(0, 0); }));
+  EXPECT_TRUE(changed([](Blocks& b) -> double& { return b.velocity(1, 1); }));
+  EXPECT_TRUE(changed([](Blocks& b) -> double& { return b.spin[1]; }));
+}
+
+}  // namespace
+}  // namespace blocks::output
