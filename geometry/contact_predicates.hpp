@@ -107,25 +107,29 @@ inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
   return exact::within_depth(c, centroid, p1, p2);
 }
 
-/// False when it is certain that near_or_inside, between or within_depth is false: most
-/// potential contacts are turned away by this one branch. Decides nothing else.
-inline bool may_act(const Vec2& c, const Vec2& centroid, const Vec2& p1,
-                    const Vec2& p2) {
+/// near_or_inside, between and within_depth together, for the loop: one evaluation of
+/// their common terms settles nearly every potential contact. Law: equal to
+/// near_or_inside && between && within_depth.
+inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1,
+                             const Vec2& p2) {
   const double ex = p2.x() - p1.x(), ey = p2.y() - p1.y();
   const double wx = c.x() - p1.x(), wy = c.y() - p1.y();
-  const double a = wx * ey, b = wy * ex, s = wx * ex + wy * ey;
+  const double a = wx * ey, b = wy * ex, sx = wx * ex, sy = wy * ey, s = sx + sy;
   const double square = ex * ex + ey * ey, slack = contact_slack * square;
   const double depth_a = (c.x() - centroid.x()) * ey,
                depth_b = (c.y() - centroid.y()) * ex;
-  // four times the bound that each single filter would need for these magnitudes
+  // at least the bound of each of the three, whose magnitudes are parts of this sum
   const double bound =
-      4.0 *
-      filter::bound(std::abs(a) + std::abs(b) + std::abs(wx * ex) + std::abs(wy * ey) +
-                    square + std::abs(depth_a) + std::abs(depth_b));
-  const bool outside = -(a - b + slack) > bound;
-  const bool before = -(s + slack) > bound, behind = -(square - s + slack) > bound;
-  const bool deep = depth_a - depth_b > bound;
-  return !(outside | before | behind | deep);
+      2.0 * filter::bound(std::abs(a) + std::abs(b) + std::abs(sx) + std::abs(sy) +
+                          square + slack + std::abs(depth_a) + std::abs(depth_b));
+  const double least = std::min(std::min(a - b + slack, depth_b - depth_a),
+                                std::min(s + slack, square - s + slack));
+  if (least < -bound)
+    return false;
+  if (least > bound)
+    return true;
+  return near_or_inside(c, p1, p2) && between(c, p1, p2) &&
+         within_depth(c, centroid, p1, p2);
 }
 
 /// (20) for one of the corner's own edges, t = neighbour - c: t.n >= sin(-10 degrees)

@@ -64,6 +64,9 @@ void expect_all_agree(const Case& k) {
   ASSERT_EQ(between(k.c, k.p1, k.p2), Oracle::between(k.c, k.p1, k.p2));
   ASSERT_EQ(within_depth(k.c, k.centroid, k.p1, k.p2),
             Oracle::within_depth(k.c, k.centroid, k.p1, k.p2));
+  ASSERT_EQ(in_reach_of_edge(k.c, k.centroid, k.p1, k.p2),
+            near_or_inside(k.c, k.p1, k.p2) && between(k.c, k.p1, k.p2) &&
+                within_depth(k.c, k.centroid, k.p1, k.p2));
   ASSERT_EQ(faces_edge(k.c, k.neighbour, k.p1, k.p2),
             Oracle::faces_edge(k.c, k.neighbour, k.p1, k.p2));
   ASSERT_EQ(compare_depth(k.c, k.p1, k.p2, k.q1, k.q2),
