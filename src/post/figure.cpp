@@ -135,8 +135,9 @@ class Drawing {
     cairo_save(pen_);
     cairo_clip(pen_);
     const double gap = 9.0 * unit_;
-    x0 = std::max(x0, axes_.left), x1 = std::min(x1, axes_.left + axes_.width);
-    y0 = std::max(y0, axes_.top), y1 = std::min(y1, axes_.top + axes_.height);
+    // a block far larger than the page needs no lines outside it
+    x0 = std::max(x0, 0.0), x1 = std::min(x1, axes_.page_width);
+    y0 = std::max(y0, 0.0), y1 = std::min(y1, axes_.page_height);
     for (double x = std::floor((x0 - (y1 - y0)) / gap) * gap; x < x1; x += gap) {
       cairo_move_to(pen_, x, y1);
       cairo_line_to(pen_, x + (y1 - y0), y0);

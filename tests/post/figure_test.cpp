@@ -1,0 +1,119 @@
+// Figures: what stands on the page, and what is refused.
+#include "post/figure.hpp"
+
+#include <cairo.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "post/axes.hpp"
+#include "post/colour_map.hpp"
+#include "post/quantity.hpp"
+
+namespace blocks::post {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// Two unit squares side by side, of materials 1 and 2; the second is fixed.
+Frame two_squares() {
+  Frame frame;
+  frame.outlines = {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}, {{1, 0}, {1, 1}, {2, 1}, {2, 0}}};
+  frame.number = {1, 2};
+  frame.material = {1, 2};
+  frame.fixed = {0, 1};
+  frame.centroid = (Eigen::Matrix2Xd(2, 2) << 0.5, 1.5, 0.5, 0.5).finished();
+  frame.velocity = (Eigen::Matrix2Xd(2, 2) << 3, 0, 4, 0).finished();
+  frame.angle = Eigen::Vector2d(0.1, -0.2);
+  frame.spin = Eigen::Vector2d::Zero();
+  frame.stress = Eigen::Matrix4Xd::Zero(4, 2);
+  frame.stress.col(0) << 3, 1, 1, 3;
+  return frame;
+}
+
+class Folder {
+ public:
+  Folder() { std::filesystem::create_directories(path_); }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                ("blocks_figure_" + std::to_string(getpid()));
+};
+
+// The middle of a free block has the colour of its material.
+TEST(Figure, PaintsBlocksInTheirMaterialsColour) {
+  const Folder folder;
+  const std::string path = folder.file("a.png");
+  FigureOptions options;
+  options.zoom = Eigen::Vector4d(0, 2, 0, 2);
+  draw_frame(path, two_squares(), two_squares(), "two squares", options);
+  cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
+  ASSERT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
+  EXPECT_EQ(cairo_image_surface_get_width(image), 1200);
+  const Axes axes(0, 2, 0, 2, 1200);
+  const int x = static_cast<int>(axes.x(0.4)), y = static_cast<int>(axes.y(0.4));
+  const unsigned char* pixel = cairo_image_surface_get_data(image) +
+                               y * cairo_image_surface_get_stride(image) + 4 * x;
+  const Colour expected = material_colour(1);
+  EXPECT_NEAR(pixel[2], 255 * expected.r, 2);
+  EXPECT_NEAR(pixel[1], 255 * expected.g, 2);
+  EXPECT_NEAR(pixel[0], 255 * expected.b, 2);
+  cairo_surface_destroy(image);
+}
+
+TEST(Figure, WritesVectorFormatsWholeOrNotAtAll) {
+  const Folder folder;
+  for (const char* name : {"a.svg", "a.pdf"}) {
+    draw_frame(folder.file(name), two_squares(), two_squares(), "", {});
+    std::ifstream in(folder.file(name));
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_GT(text.size(), 1000U);
+    EXPECT_FALSE(std::filesystem::exists(folder.file(name) + ".tmp"));
+  }
+  EXPECT_THROW(
+      draw_frame(folder.file("none/a.png"), two_squares(), two_squares(), "", {}),
+      std::runtime_error);
+}
+
+TEST(Figure, RefusalsNameWhatIsAvailable) {
+  const Folder folder;
+  try {
+    draw_frame(folder.file("a.gif"), two_squares(), two_squares(), "", {});
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(".png, .svg or .pdf"));
+  }
+  FigureOptions options;
+  options.colour = "heat";
+  try {
+    draw_frame(folder.file("a.png"), two_squares(), two_squares(), "", options);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("speed, displacement, rotation"));
+  }
+}
+
+// Principal stresses of (3, 1; 1, 3) are 4 and 2; the speed of (3, 4) is 5.
+TEST(Quantity, FollowsItsDefinition) {
+  const Frame frame = two_squares();
+  EXPECT_DOUBLE_EQ(quantity("speed", frame, frame).values[0], 5.0);
+  EXPECT_DOUBLE_EQ(quantity("p1", frame, frame).values[0], 4.0);
+  EXPECT_DOUBLE_EQ(quantity("p2", frame, frame).values[0], 2.0);
+  EXPECT_DOUBLE_EQ(quantity("displacement", frame, frame).values[1], 0.0);
+}
+
+TEST(Axes, TicksAreRoundNumbers) {
+  EXPECT_THAT(nice_ticks(-0.3, 10.2, 5), ElementsAre(0, 2, 4, 6, 8, 10));
+  EXPECT_TRUE(nice_ticks(1, 1, 5).empty());
+}
+
+}  // namespace
+}  // namespace blocks::post
