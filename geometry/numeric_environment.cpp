@@ -22,16 +22,17 @@ std::string check_numeric_environment() {
       !down_negative)
     return "floating-point rounding is not to nearest: contact decisions would not be "
            "reliable";
-  const double product = smallest_normal * half;
-  if (!(product > 0))
-    return "floating-point results are flushed to zero when subnormal (FTZ): was a "
-           "part "
-           "of the program built with -ffast-math?";
+  // First this one: under DAZ a subnormal product would compare as zero as well.
   const double scaled = smallest * 0x1p60;
   if (!(scaled > 0))
     return "subnormal floating-point arguments are read as zero (DAZ): was a part of "
            "the "
            "program built with -ffast-math?";
+  const double product = smallest_normal * half;
+  if (!(product > 0))
+    return "floating-point results are flushed to zero when subnormal (FTZ): was a "
+           "part "
+           "of the program built with -ffast-math?";
   return {};
 }
 
