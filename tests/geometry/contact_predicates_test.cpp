@@ -1,91 +1,20 @@
 // The contact predicates against an independent judge (boost's rationals): 0 wrong.
 #include "geometry/contact_predicates.hpp"
 
-#include "geometry/numeric_environment.hpp"
+#include "contact_judge.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cfenv>
 #include <cmath>
-#include <functional>
-#include <random>
 #include <utility>
 #include <vector>
-
-#ifdef __SSE2__
-#include <pmmintrin.h>
-#endif
 
 namespace blocks::geometry {
 namespace {
 
 using boost::multiprecision::cpp_int;
-using Rational = boost::multiprecision::cpp_rational;
-using Wide = boost::multiprecision::cpp_bin_float_100;
-
-/// A corner with a tangent, an edge, a second edge and the centroid of the edge's
-/// block.
-struct Case {
-  Vec2 c, p1, p2, q1, q2, centroid, neighbour;
-
-  void transform(const std::function<Vec2(const Vec2&)>& f) {
-    for (Vec2* v : {&c, &p1, &p2, &q1, &q2, &centroid, &neighbour})
-      *v = f(*v);
-  }
-};
-
-/// The definitions of the header, written out on rationals.
-struct Judge {
-  static Rational cross(const Vec2& a0, const Vec2& a1, const Vec2& b0,
-                        const Vec2& b1) {
-    return (Rational(a1.x()) - Rational(a0.x())) *
-               (Rational(b1.y()) - Rational(b0.y())) -
-           (Rational(a1.y()) - Rational(a0.y())) *
-               (Rational(b1.x()) - Rational(b0.x()));
-  }
-  static Rational dot(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
-    return (Rational(a1.x()) - Rational(a0.x())) *
-               (Rational(b1.x()) - Rational(b0.x())) +
-           (Rational(a1.y()) - Rational(a0.y())) *
-               (Rational(b1.y()) - Rational(b0.y()));
-  }
-  static int overlap_sign(const Case& k) { return cross(k.p1, k.c, k.p1, k.p2).sign(); }
-  static bool near_or_inside(const Case& k) {
-    return cross(k.p1, k.c, k.p1, k.p2) >=
-           -Rational(contact_slack) * dot(k.p1, k.p2, k.p1, k.p2);
-  }
-  static bool between(const Case& k) {
-    const Rational s = dot(k.p1, k.c, k.p1, k.p2);
-    const Rational length2 = dot(k.p1, k.p2, k.p1, k.p2);
-    const Rational slack = Rational(contact_slack) * length2;
-    return s >= -slack && s <= length2 + slack;
-  }
-  static bool within_depth(const Case& k) {
-    return cross(k.p1, k.c, k.p1, k.p2) <= cross(k.p1, k.centroid, k.p1, k.p2);
-  }
-  /// Twice: by sin 10 degrees to 100 digits, and by the cubic it is a root of.
-  static bool faces_edge(const Case& k) {
-    const Rational sine = cross(k.p1, k.p2, k.c, k.neighbour);
-    const Rational q =
-        dot(k.p1, k.p2, k.p1, k.p2) * dot(k.c, k.neighbour, k.c, k.neighbour);
-    static const Wide sin10 = sin(boost::math::constants::pi<Wide>() / 18);
-    const bool by_digits = Wide(sine) >= -sin10 * sqrt(Wide(q));
-    const Rational y = q == 0 ? Rational(0) : Rational(sine * sine / q);
-    const bool by_cubic = sine >= 0 || (4 * y < 1 && ((64 * y - 96) * y + 36) * y <= 1);
-    EXPECT_EQ(by_digits, by_cubic) << "the judges disagree";
-    return by_digits;
-  }
-  static int compare_depth(const Case& k) {
-    const Rational p = cross(k.p1, k.c, k.p1, k.p2), q = cross(k.q1, k.c, k.q1, k.q2);
-    const Rational p_squared = p * abs(p) * dot(k.q1, k.q2, k.q1, k.q2);
-    const Rational q_squared = q * abs(q) * dot(k.p1, k.p2, k.p1, k.p2);
-    return Rational(p_squared - q_squared).sign();
-  }
-};
 
 /// Compares both the filtered and the exact version with the judge.
 #define EXPECT_RIGHT(name, ...)                                                        \
@@ -111,54 +40,6 @@ void judge(const Case& k) {
       << k.p1.y() << " p2 " << k.p2.x() << ' ' << k.p2.y() << " q1 " << k.q1.x() << ' '
       << k.q1.y() << " q2 " << k.q2.x() << ' ' << k.q2.y() << " g " << k.centroid.x()
       << ' ' << k.centroid.y() << " n " << k.neighbour.x() << ' ' << k.neighbour.y();
-}
-
-class Random {
- public:
-  double uniform(double a, double b) {
-    return a + (b - a) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  int whole(int a, int b) {
-    return a + static_cast<int>(engine_() % static_cast<unsigned>(b - a + 1));
-  }
-  Vec2 vector(double size) {
-    const double x = uniform(-size, size);
-    return {x, uniform(-size, size)};
-  }
-  Case any(double size) {
-    Case k;
-    k.transform([&](const Vec2&) { return vector(size); });
-    return k;
-  }
-  /// Up to `most` doubles further, either way.
-  double nudge(double x, int most) {
-    const double to = whole(0, 1) ? HUGE_VAL : -HUGE_VAL;
-    for (int i = whole(0, most); i > 0; --i)
-      x = std::nextafter(x, to);
-    return x;
-  }
-  Vec2 nudge(const Vec2& v, int most) {
-    const double x = nudge(v.x(), most);
-    return {x, nudge(v.y(), most)};
-  }
-
- private:
-  std::mt19937_64 engine_{12345};
-};
-
-/// A brick (2 x 1, corners clockwise, edge p its top, edge q its right side) of a wall
-/// in half-brick bond, and a corner of the same wall: whole and half numbers.
-Case wall(Random& random) {
-  const double i = random.whole(-4, 4), j = random.whole(-3, 3);
-  const Vec2 c(i + random.whole(-1, 3), j + random.whole(-1, 2));
-  const Vec2 t(random.whole(0, 1) ? 2 : -2, 0), s(0, random.whole(0, 1) ? 1 : -1);
-  return {c,
-          {i, j + 1},
-          {i + 2, j + 1},
-          {i + 2, j + 1},
-          {i + 2, j},
-          {i + 1, j + 0.5},
-          c + (random.whole(0, 1) ? t : s)};
 }
 
 constexpr std::array<std::pair<int, int>, 4> pythagorean{
@@ -257,6 +138,29 @@ TEST(ContactPredicates, AgreeWithRationalsNextToEveryLimit) {
     k.c = random.nudge(k.c, 3);
     ASSERT_NO_FATAL_FAILURE(judge(k)) << n;
   }
+}
+
+// Corners of very different size on a line through the origin: no difference is a
+// double, and the last bit of the smallest decides.
+TEST(ContactPredicates, DecideLinesWhoseDifferencesAreInexact) {
+  Random random;
+  int on_line = 0;
+  for (int n = 0; n < 6000; ++n) {
+    const Vec2 along(random.whole(1, 1 << 26), random.whole(1, 1 << 26));
+    Case k = random.any(1);
+    k.c = along * random.whole(1, 9);
+    k.p1 = along * std::ldexp(random.whole(1, 9), random.whole(-64, -40));
+    k.p2 = along * -random.whole(1, 9);
+    k.centroid = random.nudge(along * std::ldexp(1, random.whole(-64, -40)), 1);
+    if (n % 3)
+      k.p1 = random.nudge(k.p1, 2);
+    if (n % 2)
+      std::swap(k.c, k.p1);
+    ASSERT_NO_FATAL_FAILURE(judge(k)) << n;
+    on_line += overlap_sign(k.c, k.p1, k.p2) == 0;
+  }
+  EXPECT_GT(on_line, 2000);
+  EXPECT_LT(on_line, 4000);
 }
 
 // On the limits themselves, where they are doubles, the answer is yes; one double
@@ -424,29 +328,6 @@ TEST(ContactPredicates, LeaveOnlyNearTiesToExactArithmetic) {
   const auto now = exact::calls();
   overlap_sign({1, 1}, {0, 0}, {2, 2});
   EXPECT_EQ(exact::calls(), now + 1);
-}
-
-// A wrong rounding mode or flushed subnormals void every proof: the check must see
-// them.
-TEST(NumericEnvironment, SeesRoundingModesAndFlushedSubnormals) {
-  EXPECT_EQ(check_numeric_environment(), "");
-  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-    std::fesetround(mode);
-    const std::string fault = check_numeric_environment();
-    std::fesetround(FE_TONEAREST);
-    EXPECT_NE(fault.find("rounding"), std::string::npos) << mode;
-  }
-#ifdef __SSE2__
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  const std::string flush = check_numeric_environment();
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_OFF);
-  EXPECT_NE(flush.find("FTZ"), std::string::npos);
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  const std::string zero = check_numeric_environment();
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_OFF);
-  EXPECT_NE(zero.find("DAZ"), std::string::npos);
-#endif
-  EXPECT_EQ(check_numeric_environment(), "");
 }
 
 }  // namespace
