@@ -13,24 +13,20 @@ namespace {
 
 /// Velocity of the material point of block b at `arm` from its centroid; strain rates
 /// included, zero for a rigid block (14).
-Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
+inline Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
   const auto rate = blocks.strain_rate.col(b);
   const double spin = blocks.spin[b];
   return {blocks.velocity(0, b) + rate[0] * arm.x() + (rate[1] - spin) * arm.y(),
           blocks.velocity(1, b) + (rate[2] + spin) * arm.x() + rate[3] * arm.y()};
 }
 
-/// Rules 9-12 for one record, in the order that rejects most first.
-bool admissible(const Blocks& blocks, int c, int edge, int edge_block) {
-  using namespace geometry;
+/// Rules 9, 10, 12 and (20) for one record.
+inline bool admissible(const Blocks& blocks, int c, int edge, int edge_block) {
   const Vec2 corner = blocks.corner.col(c);
   const Vec2 p1 = blocks.corner.col(edge), p2 = blocks.corner.col(blocks.next[edge]);
-  if (!may_act(corner, blocks.centroid.col(edge_block), p1, p2))
-    return false;
-  return near_or_inside(corner, p1, p2) && between(corner, p1, p2) &&
-         within_depth(corner, blocks.centroid.col(edge_block), p1, p2) &&
-         faces_edge(corner, blocks.corner.col(blocks.previous[c]), p1, p2) &&
-         faces_edge(corner, blocks.corner.col(blocks.next[c]), p1, p2);
+  return geometry::in_reach_of_edge(corner, blocks.centroid.col(edge_block), p1, p2) &&
+         geometry::faces_edge(corner, blocks.corner.col(blocks.previous[c]), p1, p2) &&
+         geometry::faces_edge(corner, blocks.corner.col(blocks.next[c]), p1, p2);
 }
 
 /// Whether the corner is inside the block, not only behind the line of its nearest
@@ -83,7 +79,7 @@ void release(Contacts& contacts, int i) {
   contacts.overlap[i] = 0.0;
 }
 
-void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law) {
+inline void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law) {
   const int c = contacts.corner[i], e = contacts.edge[i];
   const int a = contacts.corner_block[i], b = contacts.edge_block[i];
   const Vec2 at = blocks.corner.col(c);
@@ -119,22 +115,24 @@ void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law) {
 
 }  // namespace
 
-void add_contact_forces(Blocks& blocks, Contacts& contacts, const Settings& settings,
-                        double dt) {
+void add_contact_forces(Blocks& blocks, Contacts& contacts,
+                        std::vector<ContactGroup>& groups, double travel,
+                        const Settings& settings, double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
-  const int size = contacts.size();
-  for (int first = 0, last; first < size; first = last) {
-    last = first + 1;
-    while (last < size && contacts.corner[last] == contacts.corner[first] &&
-           contacts.edge_block[last] == contacts.edge_block[first])
-      ++last;
-    const int acting = acting_record(blocks, contacts, first, last);
-    for (int i = first; i < last; ++i)
+  for (ContactGroup& group : groups) {
+    if (travel < group.asleep_until)
+      continue;
+    const int acting = acting_record(blocks, contacts, group.first, group.last);
+    for (int i = group.first; i < group.last; ++i)
       if (i != acting && contacts.active[i])
         release(contacts, i);
     if (acting >= 0)
       act(blocks, contacts, acting, law);
+    else
+      group.asleep_until =
+          travel + travel_before_contact(blocks, contacts.corner[group.first],
+                                         contacts.edge_block[group.first]);
   }
 }
 

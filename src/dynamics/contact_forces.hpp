@@ -1,15 +1,20 @@
 // Forces between blocks (FORD, report 2.5 and 3.3) and from symmetry planes (SPLANE).
 #pragma once
 
+#include <vector>
+
+#include "dynamics/contact_groups.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
 
 /// Decides which potential contacts act (rules 9-12), advances their springs (rule 7)
-/// and adds force, moment and f_i x_j to both blocks. Reads corners and velocities;
-/// writes contacts, blocks.force, .moment, .applied.
-void add_contact_forces(Blocks& blocks, Contacts& contacts, const Settings& settings,
-                        double dt);
+/// and adds force, moment and f_i x_j to both blocks. Reads corners, velocities and the
+/// travel since the last search; writes contacts, the groups' sleep, blocks.force,
+/// .moment, .applied.
+void add_contact_forces(Blocks& blocks, Contacts& contacts,
+                        std::vector<ContactGroup>& groups, double travel,
+                        const Settings& settings, double dt);
 
 /// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).
 void add_plane_forces(Blocks& blocks, PlaneContacts& contacts, const Settings& settings,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dynamics/box_grid.hpp"
+#include "dynamics/contact_groups.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "model/model.hpp"
 
@@ -42,6 +43,8 @@ struct SearchBuffers {
   BoxGrid grid;
   std::vector<Reach> reach;  ///< of the edges of one block
   std::vector<Record> found;
+  std::vector<ContactGroup> groups;  ///< of the present list
+  long grouped_update = -1;          ///< NUPDAT when the groups were made
   Contacts next;
   PlaneContacts next_planes;
 };

@@ -27,12 +27,17 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   // 1. potential contacts
   if (!model.search.current)
     update_contacts(model, buffers);
+  if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
+    group_contacts(model.contacts, buffers.groups);
+    buffers.grouped_update = model.search.updates;
+  }
 
   // 2. contact forces, symmetry planes
   blocks.force.setZero();
   blocks.moment.setZero();
   blocks.applied.setZero();
-  add_contact_forces(blocks, model.contacts, settings, dt);
+  add_contact_forces(blocks, model.contacts, buffers.groups, model.search.travel,
+                     settings, dt);
   add_plane_forces(blocks, model.plane_contacts, settings, dt);
 
   // 3. loads at time t

@@ -57,15 +57,18 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
 }
 
 template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
-  auto& [first_corner, corner_block, arm, corner, material, fixity, layer, area, mass,
-         inertia, centroid, velocity, angle, spin, force, moment, applied, stress,
-         strain_rate] = blocks;
+  auto& [first_corner, corner_block, next, previous, arm, corner, material, fixity,
+         convex, layer, area, mass, inertia, centroid, velocity, angle, spin, force,
+         moment, applied, stress, strain_rate] = blocks;
   ar("blocks/first_corner", first_corner);
   ar("blocks/corner_block", corner_block);
+  ar("blocks/next", next);
+  ar("blocks/previous", previous);
   ar("blocks/arm", arm);
   ar("blocks/corner", corner);
   ar("blocks/material", material);
   ar("blocks/fixity", fixity);
+  ar("blocks/convex", convex);
   ar("blocks/layer", layer);
   ar("blocks/area", area);
   ar("blocks/mass", mass);

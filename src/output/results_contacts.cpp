@@ -35,7 +35,7 @@ Rows active_contacts(const Model& model) {
       continue;
     const int e = list.edge[k], b = list.edge_block[k];
     rows.add(blocks, list.corner[k],
-             left_of(blocks.corner.col(e), blocks.corner.col(blocks.next(e))),
+             left_of(blocks.corner.col(e), blocks.corner.col(blocks.next[e])),
              list.normal_force[i], list.shear_force[i], list.overlap[i]);
     rows.edge_block.push_back(b + 1);
     rows.edge.push_back(e - blocks.first_corner[static_cast<std::size_t>(b)] + 1);

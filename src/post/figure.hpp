@@ -1,4 +1,4 @@
-// `blocks plot`: the blocks at one time, coloured by material (heir of DBLOCK).
+// `blocks plot`: the blocks at one time (heir of DBLOCK, report Appendix E).
 #pragma once
 
 #include <optional>
@@ -10,16 +10,22 @@ namespace blocks::post {
 
 struct FigureOptions {
   double width = 1200;                  ///< pixels (PNG) or points (SVG, PDF)
+  std::string colour = "material";      ///< or a name of quantity.hpp
   std::optional<Eigen::Vector4d> zoom;  ///< xmin, xmax, ymin, ymax [L]
   bool numbers = false;                 ///< block numbers
-  bool original = false;                ///< first frame's outline underneath
-  bool mirror = false;  ///< mirrored about x = mirror_x beside the model
-  double mirror_x = 0.0;
+  bool original = false;                ///< outlines of the first frame underneath
+  bool mirror = false;    ///< the other half of a half model, about mirror_x
+  double mirror_x = 0.0;  ///< [L]
 };
 
-/// Draws one frame to a PNG, SVG or PDF file chosen by the ending. Throws
-/// std::runtime_error.
+/// Draws one frame to a PNG, SVG or PDF file chosen by the ending; the file appears
+/// whole or not at all. Throws std::runtime_error: unknown ending or quantity, file not
+/// writable.
 void draw_figure(const std::string& path, const ResultsReader& results, long frame,
                  const FigureOptions& options);
+
+/// The same for frames at hand.
+void draw_frame(const std::string& path, const Frame& now, const Frame& first,
+                const std::string& title, const FigureOptions& options);
 
 }  // namespace blocks::post

@@ -31,10 +31,8 @@ void judge(const Case& k) {
   EXPECT_RIGHT(within_depth, k.c, k.centroid, k.p1, k.p2);
   EXPECT_RIGHT(faces_edge, k.c, k.neighbour, k.p1, k.p2);
   EXPECT_RIGHT(compare_depth, k.c, k.p1, k.p2, k.q1, k.q2);
-  // What turns most candidates away must not turn away one that acts.
-  if (Judge::near_or_inside(k) && Judge::between(k) && Judge::within_depth(k)) {
-    EXPECT_TRUE(may_act(k.c, k.centroid, k.p1, k.p2));
-  }
+  EXPECT_EQ(in_reach_of_edge(k.c, k.centroid, k.p1, k.p2),
+            Judge::near_or_inside(k) && Judge::between(k) && Judge::within_depth(k));
   ASSERT_FALSE(testing::Test::HasFailure())
       << std::hexfloat << "c " << k.c.x() << ' ' << k.c.y() << " p1 " << k.p1.x() << ' '
       << k.p1.y() << " p2 " << k.p2.x() << ' ' << k.p2.y() << " q1 " << k.q1.x() << ' '

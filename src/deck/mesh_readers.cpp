@@ -1,0 +1,157 @@
+// Finds which of READ9's four forms a file has (report A.2.3; the QMESH tape of 1973 is
+// lost, docs/mesh-formats.md says what is read in its place), and collects elements.
+#include "deck/mesh_readers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "deck/mesh_forms.hpp"
+
+namespace blocks::deck {
+namespace mesh {
+
+void fail(const Place& place, const std::string& message) {
+  if (place.line > 0)
+    throw MeshError(fmt::format("{}:{}: {}", place.file, place.line, message));
+  if (place.record > 0)
+    throw MeshError(
+        fmt::format("{}: record {}: {}", place.file, place.record, message));
+  throw MeshError(fmt::format("{}: {}", place.file, message));
+}
+
+std::string counted(std::size_t n, const std::string& noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+bool turn_clockwise(geometry::Polygon& outline) {
+  double twice_area = 0;  // from the first corner: no loss far from the origin
+  for (std::size_t i = 2; i < outline.size(); ++i)
+    twice_area += geometry::cross(outline[i - 1] - outline[0], outline[i] - outline[0]);
+  if (twice_area > 0)
+    std::reverse(outline.begin() + 1, outline.end());
+  return std::isfinite(twice_area) && twice_area != 0;
+}
+
+void Elements::add_node(long id, double x, double y, const Place& place) {
+  if (!std::isfinite(x) || !std::isfinite(y))
+    fail(place, fmt::format("node {} has a coordinate that is not finite", id));
+  const geometry::Vec2 position(x, y);
+  const auto [known, added] = nodes_.emplace(id, position);
+  if (!added && known->second != position)
+    fail(place, fmt::format("node {} is given twice, at different places", id));
+}
+
+void Elements::add(std::span<const long> corners, long material,
+                   const std::string& name, const Place& place) {
+  if (material < 1)
+    fail(place, fmt::format("{}: material {} is not positive", name, material));
+  std::vector<long> ids;
+  for (const long id : corners)
+    if (ids.empty() || ids.back() != id)
+      ids.push_back(id);
+  while (ids.size() > 1 && ids.back() == ids.front())
+    ids.pop_back();
+
+  std::array<long, 4> key{};
+  key.fill(std::numeric_limits<long>::min());
+  std::copy_n(ids.begin(), std::min(ids.size(), key.size()), key.begin());
+  std::sort(key.begin(), key.end());
+  const auto first = key.end() - static_cast<std::ptrdiff_t>(ids.size());
+  if (ids.size() < 3 || std::adjacent_find(first, key.end()) != key.end())
+    fail(place, fmt::format("{} repeats a node: {}", name, fmt::join(corners, ", ")));
+  if (!taken_.insert(key).second)
+    fail(place, fmt::format("{} has the nodes of an earlier element: {}", name,
+                            fmt::join(corners, ", ")));
+
+  MeshBlock block{{}, material, place.line};
+  for (const long id : ids) {
+    const auto node = nodes_.find(id);
+    if (node == nodes_.end())
+      fail(place, fmt::format("{} refers to node {}, which is not there", name, id));
+    block.outline.push_back(node->second);
+  }
+  if (!turn_clockwise(block.outline))
+    fail(place, name + " has no area in the x, y plane");
+  ++(ids.size() == 3 ? triangles_ : quadrilaterals_);
+  blocks.push_back(std::move(block));
+}
+
+std::string Elements::found() const {
+  std::string text;
+  if (quadrilaterals_ > 0)
+    text = counted(quadrilaterals_, "quadrilateral");
+  if (triangles_ > 0)
+    text += (text.empty() ? "" : ", ") + counted(triangles_, "triangle");
+  return text;
+}
+
+namespace {
+
+std::string read_all(const std::string& path) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    fail({path}, fmt::format("cannot open the mesh file: {}", std::strerror(errno)));
+  std::string data;
+  try {
+    data.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  } catch (const std::ios_base::failure&) {  // libstdc++ throws here for a folder
+    fail({path}, "cannot read the mesh file");
+  }
+  if (in.bad())
+    fail({path}, "cannot read the mesh file");
+  return data;
+}
+
+/// A line whose first field is the word.
+bool has_line(std::string_view text, std::string_view word) {
+  for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const auto before = text.substr(0, at).find_last_not_of(" \t");
+    const auto after = text.substr(at + word.size(), 1);
+    if ((before == text.npos || text[before] == '\n' || text[before] == '\r') &&
+        after.find_first_not_of(" \t\r\n") == after.npos)
+      return true;
+  }
+  return false;
+}
+
+/// Why a file with bytes no text has is not read.
+std::string binary_reason(std::string_view data) {
+  if (data.starts_with("CDF") || data.starts_with("\x89HDF"))
+    return "a netCDF or HDF5 file (Exodus II?), which READ9 does not read; save the "
+           "mesh as Gmsh ASCII or as Fortran unformatted GENESIS";
+  return "a binary file that is neither GENESIS nor region records: the first Fortran "
+         "record should have 80, 28 or 56 bytes between 4-byte markers";
+}
+
+}  // namespace
+}  // namespace mesh
+
+MeshFile read_mesh(const std::string& path) {
+  const std::string data = mesh::read_all(path);
+  std::string_view text = data;
+  if (text.find_first_not_of(" \t\r\n") == text.npos)
+    mesh::fail({path}, "the mesh file is empty");
+  if (mesh::Records::recognise(text)) {
+    const mesh::Records records(path, text);
+    return records.length(0, "header") == 80 ? mesh::read_genesis(records)
+                                             : mesh::read_regions(records);
+  }
+  if (text.starts_with("\xEF\xBB\xBF"))
+    text.remove_prefix(3);
+  if (mesh::has_line(text, "$MeshFormat"))
+    return mesh::read_gmsh(path, text);
+  if (mesh::has_line(text, "$NOD"))
+    mesh::fail({path}, "a Gmsh 1 file; save it as Gmsh 2.2 or 4.1 ASCII");
+  if (text.find('\0') != text.npos || text.starts_with("\x89HDF"))
+    mesh::fail({path}, mesh::binary_reason(text));
+  return mesh::read_text(path, text);
+}
+
+}  // namespace blocks::deck

@@ -1,0 +1,27 @@
+// Where a figure's parts stand on the page, and the way from model to page.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace blocks::post {
+
+/// Equal scales on both axes; the page's y runs downwards. Page units: pixels or
+/// points.
+struct Axes {
+  double xmin, xmax, ymin, ymax;    ///< [L] shown
+  double left, top, width, height;  ///< of the plot on the page
+  double page_width, page_height;
+
+  /// Chooses the page height from the model's shape.
+  Axes(double xmin, double xmax, double ymin, double ymax, double page_width);
+
+  double scale() const { return width / (xmax - xmin); }
+  double x(double model_x) const { return left + (model_x - xmin) * scale(); }
+  double y(double model_y) const { return top + (ymax - model_y) * scale(); }
+};
+
+/// Round numbers between lower and upper, about `count` of them.
+std::vector<double> nice_ticks(double lower, double upper, int count);
+
+}  // namespace blocks::post

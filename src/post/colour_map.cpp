@@ -1,0 +1,49 @@
+#include "post/colour_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace blocks::post {
+namespace {
+
+constexpr Colour hex(unsigned rgb) {
+  return {(rgb >> 16) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0};
+}
+
+template <std::size_t n>
+Colour interpolate(const std::array<Colour, n>& stops, double s) {
+  const double at =
+      std::clamp(s, 0.0, 1.0) * (n - 1);  // NaN compares false: first stop
+  const auto i = at > 0.0 ? std::min(static_cast<std::size_t>(at), n - 2) : 0;
+  const double f = at > 0.0 ? at - static_cast<double>(i) : 0.0;
+  const Colour &a = stops[i], &b = stops[i + 1];
+  return {a.r + f * (b.r - a.r), a.g + f * (b.g - a.g), a.b + f * (b.b - a.b)};
+}
+
+}  // namespace
+
+Colour material_colour(int material) {
+  static constexpr std::array<Colour, 8> palette = {
+      hex(0xc9b79c), hex(0x6b7f8f), hex(0xb5886b), hex(0x8fa88b),
+      hex(0xd8c27a), hex(0x8a7a99), hex(0xa9c1cf), hex(0x7d6b5d)};
+  const int index = (material - 1) % 8;
+  return palette[static_cast<std::size_t>(index < 0 ? index + 8 : index)];
+}
+
+Colour sequential(double s) {
+  static constexpr std::array<Colour, 9> stops = {
+      hex(0x440154), hex(0x472d7b), hex(0x3b528b), hex(0x2c728e), hex(0x21918c),
+      hex(0x28ae80), hex(0x5ec962), hex(0xaddc30), hex(0xfde725)};
+  return interpolate(stops, s);
+}
+
+Colour diverging(double s) {
+  static constexpr std::array<Colour, 9> stops = {
+      hex(0x2166ac), hex(0x4393c3), hex(0x92c5de), hex(0xd1e5f0), hex(0xf7f7f7),
+      hex(0xfddbc7), hex(0xf4a582), hex(0xd6604d), hex(0xb2182b)};
+  return interpolate(stops, s);
+}
+
+}  // namespace blocks::post
