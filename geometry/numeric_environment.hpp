@@ -1,11 +1,12 @@
-// What the proofs take for granted of the processor's arithmetic.
+// Is the floating-point unit in the state the predicates were proved for?
 #pragma once
 
 #include <string>
 
 namespace blocks::geometry {
 
-/// Empty when doubles round to nearest and subnormals are kept; else what is wrong.
+/// Empty if the calling thread rounds to nearest and keeps subnormal numbers; otherwise
+/// a sentence that says what is wrong. Call it at the start of every thread that steps.
 std::string check_numeric_environment();
 
 }  // namespace blocks::geometry

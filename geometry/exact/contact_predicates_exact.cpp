@@ -1,90 +1,181 @@
-// Cold paths of the contact predicates: the same polynomials in exact arithmetic.
-#include <CGAL/Mpzf.h>
-
+// Cold halves of geometry/contact_predicates.hpp: first exact sums of a few doubles,
+// which settle corners lying on an edge, then CGAL's multiple-precision numbers.
 #include "geometry/contact_predicates.hpp"
 
-#ifndef CGAL_HAS_MPZF
+#include <CGAL/Mpzf.h>
+#ifdef CGAL_HAS_MPZF
+#include <CGAL/number_utils.h>
+#else
 #include <CGAL/Exact_rational.h>
 #endif
 
+#include <cmath>
+
 namespace blocks::geometry::exact {
+
 namespace {
 
+// Only sums and products are taken, so a ring is enough.
 #ifdef CGAL_HAS_MPZF
-using Number = CGAL::Mpzf;  // m 2^k, exact under +, -, *
+using Number = CGAL::Mpzf;
 #else
 using Number = CGAL::Exact_rational;
 #endif
 
-thread_local unsigned long long call_count = 0;
+thread_local unsigned long long undecided_by_filter = 0;
+thread_local unsigned long long undecided_by_doubles = 0;
 
-int sign(const Number& x) { return static_cast<int>(CGAL::sign(x)); }
+constexpr int unknown = 2;
+
+/// a - b as two doubles, exactly: value = fl(a - b), tail the rest (Knuth). NaN on
+/// overflow, so that no test of the tail passes.
+struct Difference {
+  double value;
+  double tail;
+
+  Difference(double a, double b) : value(a - b) {
+    const double b_part = a - value;
+    const double a_part = value + b_part;
+    tail = (a - a_part) + (b_part - b);
+  }
+};
+
+/// Sign of (c - o) x (p2 - p1) by exact sums of doubles, or `unknown`.
+int cross_sign_in_doubles(const Vec2& c, const Vec2& o, const Vec2& p1,
+                          const Vec2& p2) {
+  const Difference dx(c.x(), o.x());
+  const Difference dy(c.y(), o.y());
+  const Difference ex(p2.x(), p1.x());
+  const Difference ey(p2.y(), p1.y());
+  // A difference is zero only if the numbers are equal, so these zeros are exact.
+  const bool plus_zero = dx.value == 0 || ey.value == 0;
+  const bool minus_zero = dy.value == 0 || ex.value == 0;
+  if (plus_zero && minus_zero)
+    return 0;
+
+  const double plus = dx.value * ey.value;
+  const double minus = dy.value * ex.value;
+  // Room for the tails of the products and their products above the underflow.
+  constexpr double small = 0x1p-800;
+  constexpr double large = 0x1p1000;
+  const bool plus_safe =
+      plus_zero || (std::abs(plus) > small && std::abs(plus) < large);
+  const bool minus_safe =
+      minus_zero || (std::abs(minus) > small && std::abs(minus) < large);
+  if (!plus_safe || !minus_safe)
+    return unknown;
+  const double plus_tail = std::fma(dx.value, ey.value, -plus);
+  const double minus_tail = std::fma(dy.value, ex.value, -minus);
+
+  if (dx.tail == 0 && dy.tail == 0 && ex.tail == 0 && ey.tail == 0) {
+    // Rounding keeps order: only equal heads leave the decision to the tails.
+    if (plus != minus)
+      return plus > minus ? 1 : -1;
+    return filter::sign(plus_tail - minus_tail);
+  }
+  // Second order: what is left out is at most a few u^2 of the magnitude.
+  const Difference head(plus, minus);
+  const double rest =
+      (plus_tail - minus_tail) + ((dx.value * ey.tail + dx.tail * ey.value) -
+                                  (dy.value * ex.tail + dy.tail * ex.value));
+  const double sum = head.value + (head.tail + rest);
+  const bool sure = std::isfinite(sum) &&
+                    std::abs(sum) > 0x1p-98 * (std::abs(plus) + std::abs(minus));
+  if (sure)
+    return filter::sign(sum);
+  return unknown;
+}
 
 struct Vector {
-  Number x, y;
+  Number x;
+  Number y;
+
   Vector(const Vec2& from, const Vec2& to)
       : x(Number(to.x()) - Number(from.x())), y(Number(to.y()) - Number(from.y())) {}
-  Number squared() const { return x * x + y * y; }
 };
 
 Number cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 Number dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
 
+int sign(const Number& a) { return static_cast<int>(CGAL::sign(a)); }
+
+int cross_sign(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
+  const int quick = cross_sign_in_doubles(c, o, p1, p2);
+  if (quick != unknown)
+    return quick;
+  ++undecided_by_doubles;
+  return sign(cross(Vector(o, c), Vector(p1, p2)));
+}
+
 }  // namespace
 
-unsigned long long calls() { return call_count; }
+unsigned long long calls() { return undecided_by_filter; }
+unsigned long long multiprecision_calls() { return undecided_by_doubles; }
 
-[[gnu::cold]] int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  ++call_count;
-  return sign(cross(Vector(p1, c), Vector(p1, p2)));
+int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+  ++undecided_by_filter;
+  return cross_sign(c, p1, p1, p2);
 }
 
-[[gnu::cold]] bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  ++call_count;
+bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+  ++undecided_by_filter;
+  ++undecided_by_doubles;
   const Vector e(p1, p2);
-  return sign(cross(Vector(p1, c), e) + Number(contact_slack) * e.squared()) >= 0;
+  return sign(cross(Vector(p1, c), e) + Number(contact_slack) * dot(e, e)) >= 0;
 }
 
-[[gnu::cold]] bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  ++call_count;
+bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+  ++undecided_by_filter;
+  ++undecided_by_doubles;
   const Vector e(p1, p2);
-  const Number s = dot(Vector(p1, c), e), square = e.squared();
-  const Number slack = Number(contact_slack) * square;
-  return sign(s + slack) >= 0 && sign(square - s + slack) >= 0;
+  const Number along = dot(Vector(p1, c), e);
+  const Number length2 = dot(e, e);
+  const Number slack = Number(contact_slack) * length2;
+  return sign(along + slack) >= 0 && sign(length2 + slack - along) >= 0;
 }
 
-[[gnu::cold]] bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
-                                const Vec2& p2) {
-  ++call_count;
-  return sign(cross(Vector(centroid, c), Vector(p1, p2))) <= 0;
+bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1, const Vec2& p2) {
+  ++undecided_by_filter;
+  return cross_sign(c, centroid, p1, p2) <= 0;
 }
 
-// t.n / |t| = D / sqrt(Q). For D < 0 the corner faces the edge if y = D^2 / Q is at most
-// sin^2(10 degrees), the root of 64 y^3 - 96 y^2 + 36 y - 1, which rises on [0, 1/4].
-[[gnu::cold]] bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
-                              const Vec2& p2) {
-  ++call_count;
-  const Vector e(p1, p2), t(c, neighbour);
-  const Number d = cross(e, t);
-  if (sign(d) >= 0)
+bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1, const Vec2& p2) {
+  ++undecided_by_filter;
+  ++undecided_by_doubles;
+  const Vector e(p1, p2);
+  const Vector t(c, neighbour);
+  const Number sine = cross(e, t);
+  if (sign(sine) >= 0)
     return true;
-  const Number a = d * d, q = e.squared() * t.squared();
-  if (sign(Number(4.0) * a - q) >= 0)
+  // With y = sine^2 / q, the square of the sine of the angle: sin^2(10 deg) is the one
+  // root of 64y^3 - 96y^2 + 36y - 1 in [0, 1/4], where the cubic grows.
+  const Number a = sine * sine;
+  const Number q = dot(e, e) * dot(t, t);
+  if (sign(Number(4) * a - q) >= 0)
     return false;
-  return sign(a * (a * (Number(64.0) * a - Number(96.0) * q) + Number(36.0) * q * q) -
-              q * q * q) <= 0;
+  const Number a2 = a * a;
+  const Number q2 = q * q;
+  const Number cubic =
+      Number(64) * a2 * a - Number(96) * a2 * q + Number(36) * a * q2 - q2 * q;
+  return sign(cubic) <= 0;
 }
 
-[[gnu::cold]] int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                                const Vec2& q1, const Vec2& q2) {
-  ++call_count;
-  const Vector p(p1, p2), q(q1, q2);
-  const Number a = cross(Vector(p1, c), p), b = cross(Vector(q1, c), q);
-  const int sign_a = sign(a), sign_b = sign(b);
-  if (sign_a != sign_b)
-    return sign_a < sign_b ? -1 : 1;
-  // same side: compare the squares a^2 / |p|^2 and b^2 / |q|^2
-  return sign_a * sign(a * a * q.squared() - b * b * p.squared());
+int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
+                  const Vec2& q2) {
+  ++undecided_by_filter;
+  const int p_sign = cross_sign(c, p1, p1, p2);
+  const int q_sign = cross_sign(c, q1, q1, q2);
+  if (p_sign != q_sign)
+    return p_sign > q_sign ? 1 : -1;
+  if (p_sign == 0)
+    return 0;
+  ++undecided_by_doubles;
+  // Equal signs: compare d^2 = (2A)^2 / L^2 crosswise.
+  const Vector p(p1, p2);
+  const Vector q(q1, q2);
+  const Number a = cross(Vector(p1, c), p);
+  const Number b = cross(Vector(q1, c), q);
+  return p_sign * sign(a * a * dot(q, q) - b * b * dot(p, p));
 }
 
 }  // namespace blocks::geometry::exact
