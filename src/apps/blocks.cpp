@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <iostream>
+#include <map>
+#include <string>
 
 #include "deck/cards_text.hpp"
 #include "geometry/numeric_environment.hpp"
@@ -38,6 +40,25 @@ void add_deck_options(CLI::App& command, RunOptions& options,
                      "checkpoint of a deck that begins with RESTART");
   command.add_option("--set", sets, "CARD.field=value: replace a field of the deck");
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
+  command.add_flag("-v,--verbose", options.verbose, "say what every layer became");
+}
+
+/// The page of the command named on the command line opens with an example and says
+/// more than its line in the list of commands.
+void open_help_with_example(CLI::App& app, int argc, char** argv) {
+  const std::map<std::string, std::string> pages = {
+      {"run", "Example: blocks run decks/stack/stack.deck -o stack\n\n"
+              "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results),\n"
+              "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."},
+      {"check", "Example: blocks check decks/stack/stack.deck\n\n"
+                "Reports every error of a deck in one pass and proves its layers."},
+      {"cards", "Example: blocks cards LAYER\n\nLists all cards, or describes one."},
+      {"plot", "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
+               "Draws the blocks at one time, coloured by material or a quantity."}};
+  if (argc < 2)
+    return;
+  if (const auto page = pages.find(argv[1]); page != pages.end())
+    app.get_subcommand(page->first)->description(page->second);
 }
 
 int cards(const std::string& name, bool markdown) {
@@ -70,9 +91,6 @@ int dispatch(int argc, char** argv) {
   RunOptions options;
   std::vector<std::string> sets;
   auto* run = app.add_subcommand("run", "run a deck");
-  run->description(
-      "Example: blocks run decks/stack/stack.deck -o stack\n\n"
-      "Runs a deck and writes NAME.out, NAME.vtkhdf, NAME.ckpt.h5, NAME.summary.json.");
   add_deck_options(*run, options, sets);
   run->add_option("-o,--output", options.output,
                   "output NAME (default: the deck's stem, here)");
@@ -86,27 +104,21 @@ int dispatch(int argc, char** argv) {
                 "print the summary as JSON instead of the table");
 
   auto* check = app.add_subcommand("check", "parse, build and certify; no time step");
-  check->description(
-      "Example: blocks check decks/stack/stack.deck\n\n"
-      "Reports every error of a deck in one pass and proves its layers.");
   add_deck_options(*check, options, sets);
   check->add_option("-o,--output", options.output, "output NAME (finds NAME.ckpt.h5)");
 
   std::string card;
   bool markdown = false;
   auto* reference = app.add_subcommand("cards", "the card reference");
-  reference->description(
-      "Example: blocks cards LAYER\n\nLists all cards, or describes one.");
   reference->add_option("NAME", card, "the card");
   reference->add_flag("--markdown", markdown, "the whole reference as Markdown");
 
   blocks::apps::PlotOptions plot_options;
   auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
-  plot->description(
-      "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
-      "Draws the blocks at one time, coloured by material or a quantity.");
   blocks::apps::add_plot_options(*plot, plot_options);
 
+  app.name("blocks");
+  open_help_with_example(app, argc, argv);
   try {
     app.parse(argc, argv);
     for (const std::string& text : sets)

@@ -181,6 +181,8 @@ int run_deck(const RunOptions& options) {
   fmt::print(stderr, "{}", job.diagnostics.format_all());
   if (!sound)
     return deck_error;
+  if (options.verbose)
+    fmt::print(stderr, "{}", check_report(job.diagnostics.file(), checked));
   catch_interrupts();
   Console console(!options.json, options.quiet);
   return execute(job, console, warnings_of(job.diagnostics));
