@@ -16,7 +16,8 @@ namespace blocks::run {
 using deck::Command;
 
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics, BuildOptions options)
-    : model_(model), diagnostics_(diagnostics), options_(std::move(options)) {
+    : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
+      checked_blocks_(model.blocks.size()) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
 }

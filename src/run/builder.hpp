@@ -44,7 +44,7 @@ class Builder {
   BuildOptions options_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards not yet checked
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
-  int checked_blocks_ = 0;  ///< blocks already looked at before an earlier MOTION
+  int checked_blocks_;  ///< blocks already looked at before an earlier MOTION
   bool fraction_checked_ = false;
 };
 
