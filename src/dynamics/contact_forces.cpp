@@ -79,6 +79,17 @@ void release(Contacts& contacts, int i) {
   contacts.overlap[i] = 0.0;
 }
 
+/// Which record of the group acts, and for how long that is certain.
+void decide(const Blocks& blocks, const Swing& swing, Contacts& contacts,
+            ContactGroup& group) {
+  group.acting = acting_record(blocks, contacts, group.first, group.last);
+  for (int i = group.first; i < group.last; ++i)
+    if (i != group.acting && contacts.active[i])
+      release(contacts, i);
+  group.certain = certain_travel(blocks, contacts, group);
+  mark_position(blocks, swing, group);
+}
+
 inline void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law) {
   const int c = contacts.corner[i], e = contacts.edge[i];
   const int a = contacts.corner_block[i], b = contacts.edge_block[i];
@@ -116,23 +127,16 @@ inline void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law
 }  // namespace
 
 void add_contact_forces(Blocks& blocks, Contacts& contacts,
-                        std::vector<ContactGroup>& groups, double travel,
+                        std::vector<ContactGroup>& groups, const Swing& swing,
                         const Settings& settings, double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   for (ContactGroup& group : groups) {
-    if (travel < group.asleep_until)
-      continue;
-    const int acting = acting_record(blocks, contacts, group.first, group.last);
-    for (int i = group.first; i < group.last; ++i)
-      if (i != acting && contacts.active[i])
-        release(contacts, i);
-    if (acting >= 0)
-      act(blocks, contacts, acting, law);
-    else
-      group.asleep_until =
-          travel + travel_before_contact(blocks, contacts.corner[group.first],
-                                         contacts.edge_block[group.first]);
+    // the other way round a NaN would let a decision stand
+    if (!(relative_motion(blocks, swing, group) < group.certain))
+      decide(blocks, swing, contacts, group);
+    if (group.acting >= 0)
+      act(blocks, contacts, group.acting, law);
   }
 }
 

@@ -10,10 +10,10 @@ namespace blocks::dynamics {
 
 /// Decides which potential contacts act (rules 9-12), advances their springs (rule 7)
 /// and adds force, moment and f_i x_j to both blocks. Reads corners, velocities and the
-/// travel since the last search; writes contacts, the groups' sleep, blocks.force,
-/// .moment, .applied.
+/// blocks' swing; writes contacts, the groups' decisions, blocks.force, .moment,
+/// .applied.
 void add_contact_forces(Blocks& blocks, Contacts& contacts,
-                        std::vector<ContactGroup>& groups, double travel,
+                        std::vector<ContactGroup>& groups, const Swing& swing,
                         const Settings& settings, double dt);
 
 /// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).

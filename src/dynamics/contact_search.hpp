@@ -44,6 +44,7 @@ struct SearchBuffers {
   std::vector<Reach> reach;  ///< of the edges of one block
   std::vector<Record> found;
   std::vector<ContactGroup> groups;  ///< of the present list
+  Swing swing;                       ///< of the blocks since the groups were made
   long grouped_update = -1;          ///< NUPDAT when the groups were made
   Contacts next;
   PlaneContacts next_planes;

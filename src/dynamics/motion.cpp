@@ -78,7 +78,8 @@ void update_stress(Blocks& blocks, const Settings& settings, double dt) {
   }
 }
 
-Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt) {
+Displacement move_blocks(Blocks& blocks, Swing& swing, const Settings& settings,
+                         double dt) {
   Displacement result;
   double largest = 0.0, sum = 0.0;
   for (int b = 0; b < blocks.size(); ++b) {
@@ -98,12 +99,13 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt) {
     blocks.centroid.col(b) = centroid;
     blocks.angle[b] += turn;
 
-    double block_largest = 0.0;
+    double block_largest = 0.0, block_swing = 0.0;
     bool inside = true;
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
       const Vec2 arm = transform * Vec2(blocks.arm.col(c));
       const Vec2 corner = centroid + arm;
       const double moved = (corner - blocks.corner.col(c)).squaredNorm();
+      block_swing = std::max(block_swing, (arm - blocks.arm.col(c)).lpNorm<1>());
       blocks.arm.col(c) = arm;
       blocks.corner.col(c) = corner;
       block_largest = std::max(block_largest, moved);
@@ -112,6 +114,7 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt) {
                corner.y() >= settings.lower.y() && corner.x() <= settings.upper.x() &&
                corner.y() <= settings.upper.y();
     }
+    swing[b] += block_swing;
     if (block_largest > largest) {
       largest = block_largest;
       result.block = b;

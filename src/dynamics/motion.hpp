@@ -2,6 +2,7 @@
 // report 2.1, 2.3, 2.4; rules 1, 3-6).
 #pragma once
 
+#include "dynamics/contact_groups.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
@@ -28,7 +29,9 @@ void update_strain_rates(Blocks& blocks, double dt);
 void update_stress(Blocks& blocks, const Settings& settings, double dt);
 
 /// (3), (13)-(15): centroids, angles and corners; arm = R (I + strain rate dt) arm with
-/// the Cayley rotation R of spin dt, which also turns stress and strain rate.
-Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt);
+/// the Cayley rotation R of spin dt, which also turns stress and strain rate. Adds to
+/// swing.
+Displacement move_blocks(Blocks& blocks, Swing& swing, const Settings& settings,
+                         double dt);
 
 }  // namespace blocks::dynamics

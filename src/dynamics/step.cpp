@@ -29,6 +29,7 @@ Displacement step(Model& model, SearchBuffers& buffers) {
     update_contacts(model, buffers);
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
     group_contacts(model.contacts, buffers.groups);
+    buffers.swing.assign(blocks.size(), 0.0);
     buffers.grouped_update = model.search.updates;
   }
 
@@ -36,8 +37,8 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   blocks.force.setZero();
   blocks.moment.setZero();
   blocks.applied.setZero();
-  add_contact_forces(blocks, model.contacts, buffers.groups, model.search.travel,
-                     settings, dt);
+  add_contact_forces(blocks, model.contacts, buffers.groups, buffers.swing, settings,
+                     dt);
   add_plane_forces(blocks, model.plane_contacts, settings, dt);
 
   // 3. loads at time t
@@ -52,7 +53,7 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   }
 
   // 5. corners
-  const Displacement moved = move_blocks(blocks, settings, dt);
+  const Displacement moved = move_blocks(blocks, buffers.swing, settings, dt);
   ++model.steps;
   model.time =
       model.time_origin + static_cast<double>(model.steps - model.step_origin) * dt;
