@@ -1,0 +1,57 @@
+// Every deck that ships with the program: checked, then run cut short.
+#include <gtest/gtest.h>
+
+#include "post/results_reader.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+class ShippedDeck : public ::testing::TestWithParam<fs::path> {
+ protected:
+  std::string name() const { return GetParam().stem().string(); }
+  std::string quoted() const { return "'" + GetParam().string() + "'"; }
+};
+
+// The decks are what a new user meets first: an error in one is an error in the
+// program.
+TEST_P(ShippedDeck, PassesCheck) {
+  const TemporaryFolder folder;
+  const Outcome check = blocks("check " + quoted(), folder.path());
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_NE(check.out.find("no errors"), std::string::npos) << check.out;
+  EXPECT_TRUE(fs::is_empty(folder.path())) << "check writes no file";
+}
+
+// The state at the start and at the end is always in the results, whatever PLOTS says,
+// and every run leaves all four files.
+TEST_P(ShippedDeck, RunsAndWritesItsFiles) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      blocks("run " + quoted() + " --set MOTION.dt=0.002", folder.path());
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
+    EXPECT_TRUE(folder.holds(name() + ending)) << ending;
+
+  const auto json = summary(folder, name());
+  const post::ResultsReader results((folder / (name() + ".vtkhdf")).string());
+  ASSERT_GE(results.frames(), 2);
+  EXPECT_EQ(results.times().front(), 0.0);
+  EXPECT_EQ(results.times().back(), json["time"].get<double>());
+  EXPECT_EQ(results.frame(0).step, 0);
+  EXPECT_EQ(results.frame(results.frames() - 1).step, json["steps"].get<long>());
+  EXPECT_EQ(results.frames(), json["frames"].get<long>());
+  EXPECT_EQ(results.frame(0).outlines.size(), json["blocks"].get<std::size_t>());
+  // rule 24 counts ceil(dt / TDEL - 1e-9) steps: round-off in n TDEL is not a step more
+  EXPECT_GE(json["time"].get<double>(), 0.002 * (1 - 1e-9));
+  EXPECT_EQ(json["status"], "done");
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, ShippedDeck, ::testing::ValuesIn(decks_below("decks")),
+                         [](const auto& one) { return one.param.stem().string(); });
+
+// An empty folder would pass every test above.
+TEST(ShippedDecks, AreThere) { EXPECT_GE(decks_below("decks").size(), 8U); }
+
+}  // namespace
+}  // namespace blocks::testing

@@ -1,0 +1,87 @@
+#include "run/program.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace blocks::testing {
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "blocks_run_XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr)
+    throw std::runtime_error("cannot make a temporary folder");
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void TemporaryFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(path_ / name, std::ios::binary) << text;
+}
+
+Outcome blocks(const std::string& arguments, const fs::path& folder,
+               const std::string& input) {
+  const TemporaryFolder scratch;
+  scratch.write("in", input);
+  const std::string command =
+      fmt::format("cd '{}' && '{}' {} <'{}' >'{}' 2>'{}'", folder.string(),
+                  BLOCKS_PROGRAM, arguments, (scratch / "in").string(),
+                  (scratch / "out").string(), (scratch / "err").string());
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(scratch / "out"),
+          slurp(scratch / "err")};
+}
+
+std::string slurp(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_TRUE(in) << "cannot read " << path;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+nlohmann::json summary(const TemporaryFolder& folder, const std::string& name) {
+  return nlohmann::json::parse(slurp(folder / (name + ".summary.json")));
+}
+
+Outcome run_text(const TemporaryFolder& folder, const std::string& name,
+                 const std::string& deck, const std::string& more) {
+  folder.write(name + ".deck", deck);
+  Outcome outcome = blocks("run " + name + ".deck " + more, folder.path());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome;
+}
+
+std::vector<fs::path> decks_below(const std::string& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(BLOCKS_SOURCE_DIR) / folder))
+    if (entry.path().extension() == ".deck")
+      found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string preliminary(const std::string& more) {
+  return "START, 100, 6\nA SMALL PROBLEM\nXLIMITS, -10, 10\nYLIMITS, -10, 10\n"
+         "BOXES, 10, 10, 0.1\nSTIFF, 1.E7, 1.E7\nFRACTION, 0.02\n"
+         "MATERIAL, 1, 1.E9, 4.E8, 2000\nMATERIAL, 2, 1.E9, 4.E8, 1000\n" +
+         more + "END\n";
+}
+
+std::string rectangle(double left, double bottom, double right, double top,
+                      bool fixed) {
+  return fmt::format("CREATE, 4, 1, {}\n{}, {}, {}, {}\n{}, {}, {}, {}\n",
+                     fixed ? 1 : 0, left, left, right, right, bottom, top, top, bottom);
+}
+
+}  // namespace blocks::testing
