@@ -74,7 +74,7 @@ std::vector<fs::path> decks_below(const std::string& folder) {
 std::string preliminary(const std::string& more) {
   return "START, 100, 6\nA SMALL PROBLEM\nXLIMITS, -10, 10\nYLIMITS, -10, 10\n"
          "BOXES, 10, 10, 0.1\nSTIFF, 1.E7, 1.E7\nFRACTION, 0.02\n"
-         "MATERIAL, 1, 1.E9, 4.E8, 2000\nMATERIAL, 2, 1.E9, 4.E8, 1000\n" +
+         "MATERIAL, 1, 1.E9, 4.E8, 1000\nMATERIAL, 2, 1.E9, 4.E8, 2000\n" +
          more + "END\n";
 }
 

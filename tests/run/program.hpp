@@ -51,7 +51,8 @@ Outcome run_text(const TemporaryFolder& folder, const std::string& name,
 /// All decks of a folder and the folders in it, in order.
 std::vector<fs::path> decks_below(const std::string& folder);
 
-/// Preliminary cards of a small rigid problem: domain -10..10, material 1, no gravity.
+/// Preliminary cards of a small rigid problem: domain -10..10, materials 1 and 2. The
+/// time step of a unit square of material 1 is 0.0004.
 std::string preliminary(const std::string& more = "RIGID\n");
 
 /// CREATE of a clockwise rectangle.

@@ -1,0 +1,121 @@
+// Who may include whom (docs/architecture.md): the picture is kept by a test, since one
+// convenient include is how such borders fall.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace blocks {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+  std::string file;    ///< relative to the project, "src/deck/parser.cpp"
+  std::string folder;  ///< "deck", "geometry", "geometry/exact"
+  std::string target;  ///< as written between the quotes or brackets
+};
+
+std::vector<Include> includes() {
+  const fs::path root = BLOCKS_SOURCE_DIR;
+  const std::regex line_form(R"re(\s*#\s*include\s*[<"]([^>"]+)[>"].*)re");
+  std::vector<Include> found;
+  for (const char* top : {"src", "geometry"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending != ".hpp" && ending != ".cpp")
+        continue;
+      const std::string file = fs::relative(entry.path(), root).generic_string();
+      std::string folder = fs::path(file).parent_path().generic_string();
+      if (folder.starts_with("src/"))
+        folder.erase(0, 4);
+      std::ifstream in(entry.path());
+      std::smatch match;
+      for (std::string line; std::getline(in, line);)
+        if (std::regex_match(line, match, line_form))
+          found.push_back({file, folder, match[1]});
+    }
+  return found;
+}
+
+/// First part of "model/blocks.hpp"; empty for headers outside the project.
+std::string folder_of(const std::string& target) {
+  static const std::set<std::string> ours = {"geometry", "deck", "model", "dynamics",
+                                             "output",   "post", "run",   "apps"};
+  const std::string first = target.substr(0, target.find('/'));
+  return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
+}
+
+// The tests below pass when nothing is found at all: this one does not.
+TEST(Architecture, SourcesAreThere) {
+  std::set<std::string> folders;
+  for (const Include& include : includes())
+    folders.insert(include.folder);
+  EXPECT_EQ(folders, (std::set<std::string>{"apps", "deck", "dynamics", "geometry",
+                                            "geometry/exact", "model", "output", "post",
+                                            "run"}));
+}
+
+// CGAL compiles slowly and changes rounding flags: it stays behind geometry's headers.
+TEST(Architecture, CgalStaysInsideGeometry) {
+  int uses = 0;
+  for (const Include& include : includes())
+    if (include.target.starts_with("CGAL/")) {
+      ++uses;
+      EXPECT_TRUE(include.folder == "geometry/exact" ||
+                  (include.folder == "geometry" && include.file.ends_with(".cpp")))
+          << include.file << " includes " << include.target;
+    }
+  EXPECT_GT(uses, 0);
+}
+
+// The exact part of geometry is private to it.
+TEST(Architecture, ExactNumbersArePrivate) {
+  for (const Include& include : includes())
+    if (include.target.starts_with("geometry/exact/")) {
+      EXPECT_TRUE(include.folder == "geometry/exact" ||
+                  (include.folder == "geometry" && include.file.ends_with(".cpp")))
+          << include.file << " includes " << include.target;
+    }
+}
+
+// deck knows no physics, dynamics no files, output never the deck, post only results.
+TEST(Architecture, FoldersIncludeOnlyWhatTheyMay) {
+  const std::map<std::string, std::set<std::string>> may = {
+      {"geometry", {"geometry"}},
+      {"geometry/exact", {"geometry"}},
+      {"deck", {"deck", "geometry"}},
+      {"model", {"model", "geometry"}},
+      {"dynamics", {"dynamics", "model", "geometry"}},
+      {"output", {"output", "model", "geometry"}},
+      {"post", {"post", "output"}},
+      {"run", {"run", "deck", "dynamics", "output", "model", "geometry"}},
+  };
+  for (const Include& include : includes()) {
+    const std::string target = folder_of(include.target);
+    if (const auto rule = may.find(include.folder);
+        rule != may.end() && !target.empty()) {
+      EXPECT_TRUE(rule->second.contains(target))
+          << include.file << " includes " << include.target;
+    }
+  }
+}
+
+// Figures are drawn from result files: of output, post sees the results alone.
+TEST(Architecture, PostReadsResultsOnly) {
+  for (const Include& include : includes())
+    if (include.folder == "post" && folder_of(include.target) == "output") {
+      EXPECT_TRUE(include.target.starts_with("output/results") ||
+                  include.target == "output/file_tools.hpp" ||
+                  include.target == "output/hdf5_handle.hpp")
+          << include.file << " includes " << include.target;
+    }
+}
+
+}  // namespace
+}  // namespace blocks

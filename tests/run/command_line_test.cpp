@@ -1,0 +1,194 @@
+// The command line: exit codes, files kept, standard input, the card reference,
+// figures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "deck/card_table.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string falling =
+    preliminary() + rectangle(0, 0, 1, 1) + "GRAVITY, 0, -10\nPLOTS, 0.1\n";
+
+// Scripts tell the faults apart by these numbers.
+TEST(ExitCode, TellsTheKindOfFault) {
+  const TemporaryFolder folder;
+  folder.write("good.deck", falling + "CYCLE, 3\n");
+  folder.write("bad.deck", falling + "CYLCE, 3\n");
+  const auto code = [&](const std::string& arguments) {
+    return blocks(arguments, folder.path()).code;
+  };
+  EXPECT_EQ(code("run good.deck"), 0);
+  EXPECT_EQ(code("--help"), 0);
+  EXPECT_EQ(code("--version"), 0);
+  EXPECT_EQ(code(""), 2);
+  EXPECT_EQ(code("run"), 2);
+  EXPECT_EQ(code("walk good.deck"), 2);
+  EXPECT_EQ(code("run good.deck --fast"), 2);
+  EXPECT_EQ(code("run good.deck --set dt"), 2);
+  EXPECT_EQ(code("run good.deck --time-limit -1"), 2);
+  EXPECT_EQ(code("run bad.deck"), 3);
+  EXPECT_EQ(code("check bad.deck"), 3);
+  EXPECT_EQ(code("run good.deck --set CYLCE.ncycle=4"), 3);
+  EXPECT_EQ(code("run good.deck --restart good.ckpt.h5"), 3);
+  EXPECT_EQ(code("run absent.deck"), 5);
+  EXPECT_EQ(code("run ."), 5);
+  EXPECT_EQ(code("run good.deck -o nowhere/good"), 5);
+}
+
+// A step far beyond stability must end as a fault (4), not as a result.
+TEST(ExitCode, IsFourWhenTheRunIsUnsound) {
+  const TemporaryFolder folder;
+  folder.write("wild.deck", preliminary() + rectangle(0, 0, 1, 1) +
+                                "GRAVITY, 1.E308, 1.E308\nCYCLE, 99\n");
+  const Outcome run = blocks("run wild.deck", folder.path());
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_EQ(summary(folder, "wild")["status"], "unsound");
+}
+
+// A run stopped by the clock leaves a checkpoint from which it goes on.
+TEST(TimeLimit, StopsWithACheckpoint) {
+  const TemporaryFolder folder;
+  folder.write("long.deck", falling + "CYCLE, 900000000\n");
+  const Outcome run = blocks("run long.deck --time-limit 0.2", folder.path());
+  EXPECT_EQ(run.code, 75) << run.err;
+  const auto stopped = summary(folder, "long");
+  EXPECT_EQ(stopped["status"], "time limit");
+  EXPECT_GE(stopped["wall_seconds"].get<double>(), 0.2);
+  EXPECT_LT(stopped["wall_seconds"].get<double>(), 5.0);
+  run_text(folder, "on", "RESTART\nCYCLE, 10\n", "-o long");
+  EXPECT_EQ(summary(folder, "long")["steps"], stopped["steps"].get<long>() + 10);
+}
+
+// An afternoon's results are not lost to a second start.
+TEST(OlderResults, AreKept) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall", falling + "CYCLE, 3\n");
+  const std::string listing = slurp(folder / "fall.out"),
+                    results = slurp(folder / "fall.vtkhdf");
+  run_text(folder, "fall", falling + "CYCLE, 4\n");
+  EXPECT_EQ(slurp(folder / "fall.out.bak"), listing);
+  EXPECT_EQ(slurp(folder / "fall.vtkhdf.bak"), results);
+  EXPECT_NE(slurp(folder / "fall.out"), listing);
+}
+
+// A deck as punched in 1982 runs from standard input, and means what the same deck in
+// today's habits means.
+TEST(StandardInput, RunsADeckOf1982) {
+  const std::string old = "START,10,4\n"
+                          "TWO BRICKS ON A FLOOR\n"
+                          "XLIMITS,-5.,5.\nYLIMITS,-5.,5.\nBOXES,10,10,\n"
+                          "STIFF,1.D7,1.D7\nFRACTION,.02\nMATERIAL,1,,,2000.\nRIGID\n"
+                          "END\n"
+                          "CREATE,4,1,1\n-4.,-4.,\n4.,4.\n-1.,0.,0.,\n-1.\n"
+                          "CLOOP,2,0.,.5\n"
+                          "CREATE,4,1\n0.,0.,1.,1.\n0.,.5,.5,0.\n"
+                          "GRAVITY,,-9.81\nFRICTN,.5\nDAMPING,.3\n"
+                          "OUTPUT,.1\nMOTION,.1\nSTOP\n";
+  const std::string today = "$ comment\nstart 10 4\nTWO BRICKS ON A FLOOR\n"
+                            "xlimits -5 5\nylimits -5 5\nboxes, 10, 10, 0.1\n"
+                            "stiff 1e7 1e7 ! stiffness\nfraction 2e-2\n"
+                            "material, 1, 0, 0, 2e3\nrigid\nend\n\n"
+                            "create 4 1 1\n-4 -4 4 4\n-1 0 0 -1\n"
+                            "cloop 2 0 0.5\ncreate 4 1\n0 0 1 1\n0 0.5 0.5 0\n"
+                            "gravity 0 -9.81\nfrictn 0.5\ndamping 0.3\n"
+                            "output 0.1\nmotion 0.1\n";
+  const TemporaryFolder folder;
+  const Outcome run = blocks("run -", folder.path(), old);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto json = summary(folder, "blocks");
+  EXPECT_EQ(json["title"], "TWO BRICKS ON A FLOOR");
+  run_text(folder, "today", today);
+  EXPECT_EQ(json["state_hash"], summary(folder, "today")["state_hash"]);
+
+  const Outcome bad = blocks("check -", folder.path(), "START\n");
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_THAT(bad.err, StartsWith("<standard input>:1:"));
+}
+
+// For scripts: with --json standard output is one JSON value and nothing else.
+TEST(JsonOption, PrintsTheSummaryAlone) {
+  const TemporaryFolder folder;
+  const Outcome run = run_text(folder, "fall", falling + "CYCLE, 3\n", "--json");
+  EXPECT_EQ(nlohmann::json::parse(run.out), summary(folder, "fall"));
+}
+
+// --set acts on the deck that is executed, not only on the one that is checked.
+TEST(SetOption, ReplacesAField) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall", falling + "CYCLE, 3\n", "--set cycle.NCYCLE=5");
+  EXPECT_EQ(summary(folder, "fall")["steps"], 5);
+}
+
+// The reference is made of the card table: no card is left out.
+TEST(Cards, AreAllListed) {
+  const TemporaryFolder folder;
+  const Outcome all = blocks("cards", folder.path());
+  EXPECT_EQ(all.code, 0);
+  for (const std::string_view name : deck::card_names()) {
+    EXPECT_THAT(all.out, HasSubstr("\n  " + std::string(name) + " "));
+    const Outcome one = blocks("cards " + std::string(name), folder.path());
+    EXPECT_EQ(one.code, 0);
+    EXPECT_THAT(one.out, StartsWith(std::string(name)));
+  }
+  EXPECT_EQ(blocks("cards layer", folder.path()).out,
+            blocks("cards LAYER", folder.path()).out);
+  const Outcome none = blocks("cards LAYRE", folder.path());
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, StartsWith("blocks: error: there is no card LAYRE\n"));
+}
+
+class Plot : public ::testing::Test {
+ protected:
+  void SetUp() override { run_text(folder_, "fall", falling + "MOTION, 0.2\n"); }
+  Outcome plot(const std::string& arguments) {
+    return blocks("plot " + arguments, folder_.path());
+  }
+  TemporaryFolder folder_;
+};
+
+// The ending chooses the format; the file's first bytes say what it really is.
+TEST_F(Plot, WritesTheFormatOfTheEnding) {
+  for (const auto& [name, begin] :
+       {std::pair{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}}) {
+    const Outcome outcome = plot(std::string("fall.vtkhdf -o ") + name);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(slurp(folder_ / name), StartsWith(begin));
+  }
+  EXPECT_EQ(plot("fall.vtkhdf").code, 0);
+  EXPECT_TRUE(folder_.holds("fall.png"));
+}
+
+// The time and the quantity reach the figure.
+TEST_F(Plot, ShowsTheChosenTimeAndQuantity) {
+  const auto figure = [&](const std::string& options) {
+    EXPECT_EQ(plot("fall.vtkhdf -o a.svg " + options).code, 0) << options;
+    return slurp(folder_ / "a.svg");
+  };
+  EXPECT_NE(figure("-t 0"), figure("-t 0.2"));
+  EXPECT_EQ(figure("-t 0.2"), figure(""));
+  EXPECT_NE(figure("--colour speed"), figure("--colour material"));
+}
+
+// A wrong name is answered with the right ones, and nothing is written.
+TEST_F(Plot, RefusesWhatItCannotDraw) {
+  const Outcome ending = plot("fall.vtkhdf -o a.gif");
+  EXPECT_NE(ending.code, 0);
+  EXPECT_THAT(ending.err, HasSubstr(".png, .svg or .pdf, found 'a.gif'"));
+  const Outcome quantity = plot("fall.vtkhdf -o a.png --colour heat");
+  EXPECT_NE(quantity.code, 0);
+  EXPECT_THAT(quantity.err, HasSubstr("there is no quantity 'heat': choose material, "
+                                      "speed, displacement, rotation, s11"));
+  EXPECT_FALSE(folder_.holds("a.gif") || folder_.holds("a.png"));
+  EXPECT_EQ(plot("absent.vtkhdf").code, 5);
+  EXPECT_EQ(plot("fall.ckpt.h5").code, 5);
+  EXPECT_EQ(plot("fall.deck").code, 5);
+}
+
+}  // namespace
+}  // namespace blocks::testing

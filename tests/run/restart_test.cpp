@@ -1,0 +1,98 @@
+// RESTART continues bit-identically: the state after both halves is the state of the
+// whole run.
+#include <gtest/gtest.h>
+
+#include "post/results_reader.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+const std::string random_layers =
+    preliminary("SEED, 3\nRIGID\n") + rectangle(-9, -2, 9, -1, true) +
+    "ORIENT, -15, 15\nMERGE, 0.5\n"
+    "LAYER, -20, 1, -8,-1, -8,0, 8,0, 8,-1, RANDOM\n"
+    "LAYER, -20, 2, -8,0, -8,1, 8,1, 8,0, RANDOM\n"
+    "SPLANE, -8, 5, -8, -5\nGRAVITY, 0, -9.81\nFRICTN, 0.4\nDAMPING, 0.3\n"
+    "SETVELM, 2, 0.3, 0, 0\nPLOTS, 0.03\nOUTPUT, 0.07, 2, 3\n";
+
+const std::string deformable =
+    preliminary("FUNCTION, 3\n0, 0\n0.05, 1\n0.3, 0\n") +
+    rectangle(-9, -2, 9, -1, true) +
+    "LAYER, -6, 1, -3,-1, -3,0, 3,0, 3,-1\nLAYER, -5, 2, -3,0, -3,1, 3,1, 3,0\n"
+    "GRAVITY, 0, -9.81\nFRICTN, 0.4\nDAMPING, 0.1\nPLOTS, 0.03\n"
+    "PRESSBC, 2, 1, 1.E4, 2.E4, 0.1\nFORCE, 8, 1.E3, 2.E3, 0.15\n";
+
+class Restart : public ::testing::TestWithParam<std::string> {};
+
+// What the checkpoint forgot would show here: contact forces, clocks of OUTPUT and
+// PLOTS, planes, loads, stress.
+TEST_P(Restart, ContinuesBitForBit) {
+  const TemporaryFolder folder;
+  run_text(folder, "whole", GetParam() + "MOTION, 0.2\nMOTION, 0.2\nSTOP\n");
+  run_text(folder, "first", GetParam() + "MOTION, 0.2\nSTOP\n", "-o parts");
+  const auto half = summary(folder, "parts");
+  run_text(folder, "second", "RESTART\nMOTION, 0.2\nSTOP\n", "-o parts");
+
+  const auto whole = summary(folder, "whole"), parts = summary(folder, "parts");
+  EXPECT_NE(half["state_hash"], whole["state_hash"]);
+  for (const char* key : {"state_hash", "steps", "time", "kinetic_energy", "contacts",
+                          "list_updates", "title", "seed", "merges", "layers"})
+    EXPECT_EQ(parts[key], whole[key]) << key;
+}
+
+// The results go on behind the checkpoint's frames as if nothing had happened, save for
+// the one frame that the end of the first part wrote.
+TEST_P(Restart, ContinuesTheResults) {
+  const TemporaryFolder folder;
+  run_text(folder, "whole", GetParam() + "MOTION, 0.2\nMOTION, 0.2\nSTOP\n");
+  run_text(folder, "first", GetParam() + "MOTION, 0.2\nSTOP\n", "-o parts");
+  const double stopped = summary(folder, "parts")["time"];
+  run_text(folder, "second", "RESTART\nMOTION, 0.2\nSTOP\n", "-o parts");
+
+  const post::ResultsReader whole((folder / "whole.vtkhdf").string());
+  const post::ResultsReader parts((folder / "parts.vtkhdf").string());
+  std::vector<double> times = parts.times();
+  EXPECT_EQ(std::erase(times, stopped), 1);
+  EXPECT_EQ(times, whole.times());
+  EXPECT_FALSE(folder.holds("parts.vtkhdf.bak"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, Restart, ::testing::Values(random_layers, deformable),
+                         [](const auto& one) {
+                           return one.index == 0 ? "RandomLayers" : "Deformable";
+                         });
+
+// A layer cut after the restart is the one the whole run would have cut: seed, layer
+// count, ORIENT and MERGE are part of the state, which the 1982 list forgot.
+TEST(RestartOfRandomLayers, CutsTheNextLayerAlike) {
+  const std::string next = "LAYER, -20, 1, -8,3, -8,4, 8,4, 8,3, RANDOM\nMOTION, 0.1\n";
+  const TemporaryFolder folder;
+  run_text(folder, "whole", random_layers + "MOTION, 0.1\n" + next);
+  run_text(folder, "first", random_layers + "MOTION, 0.1\n");
+  run_text(folder, "second", "RESTART, first.ckpt.h5\n" + next);
+  const auto whole = summary(folder, "whole"), second = summary(folder, "second");
+  EXPECT_EQ(second["state_hash"], whole["state_hash"]);
+  EXPECT_EQ(second["merges"], whole["merges"]);
+  EXPECT_EQ(second["layers"].size(), 3U);
+}
+
+// --restart wins over the card, and a checkpoint that is none is a file error.
+TEST(RestartFile, IsNamedByTheOption) {
+  const TemporaryFolder folder;
+  run_text(folder, "first", deformable + "CYCLE, 20\n");
+  run_text(folder, "whole", deformable + "CYCLE, 30\n");
+  folder.write("second.deck", "RESTART, nowhere.ckpt.h5\nCYCLE, 10\n");
+  const Outcome lost = blocks("run second.deck", folder.path());
+  EXPECT_EQ(lost.code, 5);
+  EXPECT_NE(lost.err.find("nowhere.ckpt.h5"), std::string::npos) << lost.err;
+  const Outcome found =
+      blocks("run second.deck --restart first.ckpt.h5", folder.path());
+  ASSERT_EQ(found.code, 0) << found.err;
+  EXPECT_EQ(summary(folder, "second")["state_hash"],
+            summary(folder, "whole")["state_hash"]);
+  EXPECT_EQ(blocks("run second.deck --restart first.out", folder.path()).code, 5);
+}
+
+}  // namespace
+}  // namespace blocks::testing
