@@ -86,8 +86,14 @@ void decide(const Blocks& blocks, const Swing& swing, Contacts& contacts,
   for (int i = group.first; i < group.last; ++i)
     if (i != group.acting && contacts.active[i])
       release(contacts, i);
+  if (group.hopeless > 0) {
+    --group.hopeless;
+    return;
+  }
   group.certain = certain_travel(blocks, contacts, group);
   mark_position(blocks, swing, group);
+  if (group.certain == 0.0)
+    group.hopeless = 16;
 }
 
 /// a. Frame of the acting edge and overlap.
