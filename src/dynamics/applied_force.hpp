@@ -8,10 +8,17 @@ namespace blocks::dynamics {
 /// Adds force f [F] acting at `arm` [L] from the centroid of block b: resultant, moment
 /// (anticlockwise positive) and the sums f_i x_j of (9).
 inline void add_force(Blocks& blocks, int b, const Vec2& arm, const Vec2& f) {
-  blocks.force.col(b) += f;
-  blocks.moment[b] += arm.x() * f.y() - arm.y() * f.x();
-  blocks.applied.col(b) += Eigen::Vector4d(f.x() * arm.x(), f.x() * arm.y(),
-                                           f.y() * arm.x(), f.y() * arm.y());
+  // one number at a time: pairs written by halves and read whole stall the processor
+  const double x = arm.x(), y = arm.y(), fx = f.x(), fy = f.y();
+  double* const force = &blocks.force(0, b);
+  double* const sums = &blocks.applied(0, b);
+  force[0] += fx;
+  force[1] += fy;
+  blocks.moment[b] += x * fy - y * fx;
+  sums[0] += fx * x;
+  sums[1] += fx * y;
+  sums[2] += fy * x;
+  sums[3] += fy * y;
 }
 
 }  // namespace blocks::dynamics

@@ -86,31 +86,51 @@ void decide(const Blocks& blocks, const Swing& swing, Contacts& contacts,
   for (int i = group.first; i < group.last; ++i)
     if (i != group.acting && contacts.active[i])
       release(contacts, i);
+  if (group.hopeless > 0) {
+    --group.hopeless;
+    return;
+  }
   group.certain = certain_travel(blocks, contacts, group);
   mark_position(blocks, swing, group);
+  if (group.certain == 0.0)
+    group.hopeless = 16;
 }
 
-inline void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law) {
-  const int c = contacts.corner[i], e = contacts.edge[i];
-  const int a = contacts.corner_block[i], b = contacts.edge_block[i];
-  const Vec2 at = blocks.corner.col(c);
-  const Vec2 p1 = blocks.corner.col(e), p2 = blocks.corner.col(blocks.next[e]);
-
-  // a. Frame of the edge and relative velocity of the two material points.
-  const Vec2 along = p2 - p1;
-  const double length = along.norm();
-  const Vec2 t = along / length;
-  const Vec2 n(-t.y(), t.x());
+/// a. Frame of the acting edge and overlap.
+inline void measure(const Blocks& blocks, const Contacts& contacts,
+                    ContactGroup& group) {
+  const int c = contacts.corner[group.acting], e = contacts.edge[group.acting];
+  const int e2 = blocks.next[e];
+  const double x1 = blocks.corner(0, e), y1 = blocks.corner(1, e);
+  const double ex = blocks.corner(0, e2) - x1, ey = blocks.corner(1, e2) - y1;
+  const double wx = blocks.corner(0, c) - x1, wy = blocks.corner(1, c) - y1;
+  const double length = std::sqrt(ex * ex + ey * ey);
+  group.tangent_x = ex / length;
+  group.tangent_y = ey / length;
   // its sign was decided exactly; rounded, a tiny depth may come out below zero
-  const double overlap = std::max(0.0, geometry::cross(at - p1, along) / length);
-  const Vec2 arm_a = blocks.arm.col(c);
-  const Vec2 arm_b = at - blocks.centroid.col(b);
-  const Vec2 v = point_velocity(blocks, a, arm_a) - point_velocity(blocks, b, arm_b);
+  group.overlap = std::max(0.0, (wx * ey - wy * ex) / length);
+}
+
+inline void act(Blocks& blocks, Contacts& contacts, const ContactGroup& group,
+                const ContactLaw& law) {
+  const int i = group.acting, c = contacts.corner[i];
+  const int a = group.corner_block, b = group.edge_block;
+  const double tx = group.tangent_x, ty = group.tangent_y;
+  const double nx = -ty, ny = tx, overlap = group.overlap;
+  const double x = blocks.corner(0, c), y = blocks.corner(1, c);
+
+  // Relative velocity of the two material points. In plain numbers: vectors would go
+  // through memory here.
+  const Vec2 arm_a(blocks.arm(0, c), blocks.arm(1, c));
+  const Vec2 arm_b(x - blocks.centroid(0, b), y - blocks.centroid(1, b));
+  const Vec2 va = point_velocity(blocks, a, arm_a),
+             vb = point_velocity(blocks, b, arm_b);
+  const double vx = va.x() - vb.x(), vy = va.y() - vb.y();
 
   // b.-d.
   ElasticForce spring{contacts.normal_elastic[i], contacts.shear_elastic[i]};
-  const ContactForce force = apply(law, spring, -v.dot(n), v.dot(t), overlap,
-                                   contacts.damping[i], !contacts.active[i]);
+  const ContactForce force = apply(law, spring, -(vx * nx + vy * ny), vx * tx + vy * ty,
+                                   overlap, contacts.damping[i], !contacts.active[i]);
   contacts.active[i] = 1;
   contacts.normal_elastic[i] = spring.normal;
   contacts.shear_elastic[i] = spring.shear;
@@ -119,9 +139,10 @@ inline void act(Blocks& blocks, Contacts& contacts, int i, const ContactLaw& law
   contacts.overlap[i] = overlap;
 
   // e. Equal and opposite at one point.
-  const Vec2 f = force.normal * n - force.shear * t;
-  add_force(blocks, a, arm_a, f);
-  add_force(blocks, b, arm_b, -f);
+  const double fx = force.normal * nx - force.shear * tx;
+  const double fy = force.normal * ny - force.shear * ty;
+  add_force(blocks, a, arm_a, {fx, fy});
+  add_force(blocks, b, arm_b, {-fx, -fy});
 }
 
 }  // namespace
@@ -136,8 +157,12 @@ void add_contact_forces(Blocks& blocks, Contacts& contacts,
     if (!(relative_motion(blocks, swing, group) < group.certain))
       decide(blocks, swing, contacts, group);
     if (group.acting >= 0)
-      act(blocks, contacts, group.acting, law);
+      measure(blocks, contacts, group);
   }
+  // apart from the forces, whose branches would wait for each root and quotient
+  for (const ContactGroup& group : groups)
+    if (group.acting >= 0)
+      act(blocks, contacts, group, law);
 }
 
 void add_plane_forces(Blocks& blocks, PlaneContacts& contacts, const Settings& settings,

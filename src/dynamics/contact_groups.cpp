@@ -133,6 +133,11 @@ double certain_travel(const Blocks& blocks, const Contacts& contacts,
                       const ContactGroup& group) {
   const int c = contacts.corner[group.first], block = contacts.edge_block[group.first];
   const int acting = group.acting;
+  if (acting < 0) {
+    const double outside = travel_before_contact(blocks, c, block);
+    if (outside > 0.0)
+      return outside;
+  }
   double travel =
       acting < 0 ? std::numeric_limits<double>::max()
                  : std::min(admissible_travel(blocks, contacts, acting),
@@ -145,8 +150,6 @@ double certain_travel(const Blocks& blocks, const Contacts& contacts,
       unchanged = std::max(unchanged, deeper_travel(blocks, contacts, i, acting));
     travel = std::min(travel, unchanged);
   }
-  if (acting < 0)
-    travel = std::max(travel, travel_before_contact(blocks, c, block));
   return std::max(travel, 0.0);
 }
 

@@ -20,6 +20,10 @@ struct ContactGroup {
   double certain = 0.0;
   double offset_x = 0.0, offset_y = 0.0;  ///< [L] between the centroids
   double swing = 0.0;                     ///< [L] of both blocks together
+  int hopeless = 0;  ///< decisions left for which certainty is not even tried
+  // of the acting record in this step
+  double tangent_x = 0.0, tangent_y = 0.0;  ///< unit vector along the edge
+  double overlap = 0.0;                     ///< [L]
 };
 
 /// How far each block has turned and strained about its centroid: the sum over the
