@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/applied_force.hpp"
+#include "dynamics/contact_decision.hpp"
 #include "dynamics/contact_law.hpp"
 #include "dynamics/contact_search.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -20,59 +21,10 @@ inline Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
           blocks.velocity(1, b) + (rate[2] + spin) * arm.x() + rate[3] * arm.y()};
 }
 
-/// Rules 9, 10, 12 and (20) for one record.
-inline bool admissible(const Blocks& blocks, int c, int edge, int edge_block) {
-  const Vec2 corner = blocks.corner.col(c);
-  const Vec2 p1 = blocks.corner.col(edge), p2 = blocks.corner.col(blocks.next[edge]);
-  return geometry::in_reach_of_edge(corner, blocks.centroid.col(edge_block), p1, p2) &&
-         geometry::faces_edge(corner, blocks.corner.col(blocks.previous[c]), p1, p2) &&
-         geometry::faces_edge(corner, blocks.corner.col(blocks.next[c]), p1, p2);
-}
-
-/// Whether the corner is inside the block, not only behind the line of its nearest
-/// edge: beside a slanted side that line's strip reaches out of the block
-/// (docs/departures.md). Inside by more than nothing for the edge that acts, up to the
-/// slack for the others.
-bool penetrates(const Blocks& blocks, int c, int edge, int edge_block) {
-  const Vec2 corner = blocks.corner.col(c);
-  if (geometry::overlap_sign(corner, blocks.corner.col(edge),
-                             blocks.corner.col(blocks.next[edge])) <= 0)
-    return false;
-  if (!blocks.convex[edge_block])
-    return true;
-  for (int e = blocks.next[edge]; e != edge; e = blocks.next[e])
-    if (!geometry::near_or_inside(corner, blocks.corner.col(e),
-                                  blocks.corner.col(blocks.next[e])))
-      return false;
-  return true;
-}
-
-/// Of the records first .. last - 1 (one corner, edges of one block) the one that acts,
-/// or -1: the admissible edge with the least depth, if the corner is inside it (rule
-/// 12).
-int acting_record(const Blocks& blocks, const Contacts& contacts, int first, int last) {
-  int best = -1;
-  const int c = contacts.corner[first];
-  for (int i = first; i < last; ++i) {
-    if (!admissible(blocks, c, contacts.edge[i], contacts.edge_block[i]))
-      continue;
-    if (best < 0) {
-      best = i;
-      continue;
-    }
-    const int e = contacts.edge[i], f = contacts.edge[best];
-    if (geometry::compare_depth(blocks.corner.col(c), blocks.corner.col(e),
-                                blocks.corner.col(blocks.next[e]), blocks.corner.col(f),
-                                blocks.corner.col(blocks.next[f])) < 0)
-      best = i;
-  }
-  if (best < 0)
-    return -1;
-  return penetrates(blocks, c, contacts.edge[best], contacts.edge_block[best]) ? best
-                                                                               : -1;
-}
-
-void release(Contacts& contacts, int i) {
+void release(Contacts& contacts, int i, std::vector<LostForce>& lost) {
+  if (contacts.normal_elastic[i] > 0.0)
+    lost.push_back({contacts.corner[i], contacts.edge[i], contacts.normal_elastic[i],
+                    contacts.shear_elastic[i]});
   contacts.active[i] = 0;
   contacts.normal_elastic[i] = contacts.shear_elastic[i] = 0.0;
   contacts.normal_force[i] = contacts.shear_force[i] = 0.0;
@@ -80,18 +32,18 @@ void release(Contacts& contacts, int i) {
 }
 
 /// Which record of the group acts, and for how long that is certain.
-void decide(const Blocks& blocks, const Swing& swing, Contacts& contacts,
+void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
             ContactGroup& group) {
-  group.acting = acting_record(blocks, contacts, group.first, group.last);
+  group.acting = acting_record(blocks, contacts, group);
   for (int i = group.first; i < group.last; ++i)
     if (i != group.acting && contacts.active[i])
-      release(contacts, i);
+      release(contacts, i, groups.lost);
   if (group.hopeless > 0) {
     --group.hopeless;
     return;
   }
   group.certain = certain_travel(blocks, contacts, group);
-  mark_position(blocks, swing, group);
+  mark_position(blocks, groups.swing, group);
   if (group.certain == 0.0)
     group.hopeless = 16;
 }
@@ -145,22 +97,59 @@ inline void act(Blocks& blocks, Contacts& contacts, const ContactGroup& group,
   add_force(blocks, b, arm_b, {-fx, -fy});
 }
 
+/// A corner that passes from one edge to another takes its elastic force along, so that
+/// it does not sink anew at every joint it crosses (docs/departures.md). The edge that
+/// can take most takes it: springs' energies FN^2 / 2 Kn add up, and no spring becomes
+/// stronger than its overlap explains, so that energy never grows. Shear is taken by
+/// its component along the new edge.
+void hand_over(const Blocks& blocks, Contacts& contacts, const ContactGroups& groups,
+               const ContactLaw& law) {
+  for (const LostForce& lost : groups.lost) {
+    const ContactGroup* heir = nullptr;
+    double normal = 0.0, most = 0.0;
+    for (int k = groups.first_of_corner[lost.corner];
+         k < groups.first_of_corner[lost.corner + 1]; ++k) {
+      const ContactGroup& group = groups.all[groups.by_corner[k]];
+      if (group.acting < 0)
+        continue;
+      const double own = contacts.normal_elastic[group.acting];
+      const double both = std::min(std::sqrt(lost.normal * lost.normal + own * own),
+                                   law.normal_stiffness * group.overlap);
+      if (both - own > most)
+        heir = &group, normal = both, most = both - own;
+    }
+    if (heir == nullptr)
+      continue;
+    const int i = heir->acting;
+    contacts.active[i] = 1;
+    contacts.normal_elastic[i] = normal;
+    if (contacts.shear_elastic[i] == 0.0) {
+      const Vec2 along =
+          blocks.corner.col(blocks.next[lost.edge]) - blocks.corner.col(lost.edge);
+      const double cosine =
+          (along.x() * heir->tangent_x + along.y() * heir->tangent_y) / along.norm();
+      contacts.shear_elastic[i] = cosine * lost.shear;
+    }
+  }
+}
+
 }  // namespace
 
-void add_contact_forces(Blocks& blocks, Contacts& contacts,
-                        std::vector<ContactGroup>& groups, const Swing& swing,
+void add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
                         const Settings& settings, double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
-  for (ContactGroup& group : groups) {
+  for (ContactGroup& group : groups.all) {
     // the other way round a NaN would let a decision stand
-    if (!(relative_motion(blocks, swing, group) < group.certain))
-      decide(blocks, swing, contacts, group);
+    if (!(relative_motion(blocks, groups.swing, group) < group.certain))
+      decide(blocks, contacts, groups, group);
     if (group.acting >= 0)
       measure(blocks, contacts, group);
   }
+  hand_over(blocks, contacts, groups, law);
+  groups.lost.clear();
   // apart from the forces, whose branches would wait for each root and quotient
-  for (const ContactGroup& group : groups)
+  for (const ContactGroup& group : groups.all)
     if (group.acting >= 0)
       act(blocks, contacts, group, law);
 }

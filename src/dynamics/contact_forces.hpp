@@ -12,8 +12,7 @@ namespace blocks::dynamics {
 /// and adds force, moment and f_i x_j to both blocks. Reads corners, velocities and the
 /// blocks' swing; writes contacts, the groups' decisions, blocks.force, .moment,
 /// .applied.
-void add_contact_forces(Blocks& blocks, Contacts& contacts,
-                        std::vector<ContactGroup>& groups, const Swing& swing,
+void add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
                         const Settings& settings, double dt);
 
 /// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).

@@ -8,6 +8,27 @@
 namespace blocks::dynamics {
 namespace {
 
+/// The edges of block b that could act on corner c.
+void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
+  const Vec2 corner = blocks.corner.col(c);
+  const int other = blocks.corner_block[c];
+  const bool convex = blocks.convex[b];
+  const std::size_t before = buffers.found.size();
+  for (std::size_t e = 0; e < buffers.reach.size(); ++e) {
+    const Reach& reach = buffers.reach[e];
+    const double overlap = reach.overlap(corner);
+    const bool outside = overlap < -reach.near;
+    if (outside && convex) {  // of one edge is outside of the block
+      buffers.found.resize(before);
+      return;
+    }
+    if (!outside && overlap <= reach.depth + reach.near &&
+        (convex || reach.between(corner)))
+      buffers.found.push_back({std::min(b, other), std::max(b, other), c,
+                               blocks.first_corner[b] + static_cast<int>(e)});
+  }
+}
+
 void find_near_corners(const Model& model, SearchBuffers& buffers) {
   const Blocks& blocks = model.blocks;
   const double travel = 2.0 * model.settings.contact_tolerance;
@@ -26,10 +47,7 @@ void find_near_corners(const Model& model, SearchBuffers& buffers) {
       const int other = blocks.corner_block[c];
       if (other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
         return;
-      for (int e = 0; e < count; ++e)
-        if (buffers.reach[e].holds(blocks.corner.col(c)))
-          buffers.found.push_back(
-              {std::min(b, other), std::max(b, other), c, first + e});
+      add_records(blocks, b, c, buffers);
     });
   }
 }

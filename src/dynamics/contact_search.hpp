@@ -10,10 +10,9 @@
 
 namespace blocks::dynamics {
 
-/// Where a corner must lie for an edge to act on it within the next 2 CTOL of travel:
-/// in the edge's own frame, the rectangle that rules 9, 10 and 12 admit, grown by
-/// `near` on all sides. It holds every point within `near` of the edge, and also
-/// corners deep inside.
+/// A corner seen from an edge, for the question whether the edge could act on it within
+/// the next 2 CTOL of travel: as far outside as `near`, or as deep as rule 9 admits and
+/// that much more.
 struct Reach {
   Vec2 origin, along;    ///< first corner; unit vector along the edge
   double length, depth;  ///< [L] of the edge; to the centroid
@@ -27,9 +26,12 @@ struct Reach {
     depth = geometry::cross(Vec2(blocks.centroid.col(b)) - origin, along);
     near = travel + geometry::contact_slack * length;
   }
-  bool holds(const Vec2& c) const {
-    const double s = (c - origin).dot(along), d = geometry::cross(c - origin, along);
-    return s >= -near && s <= length + near && d >= -near && d <= depth + near;
+  /// Overlap with the edge's line, [L].
+  double overlap(const Vec2& c) const { return geometry::cross(c - origin, along); }
+  /// In the strip of the edge, `near` beyond its ends (rule 10).
+  bool between(const Vec2& c) const {
+    const double s = (c - origin).dot(along);
+    return s >= -near && s <= length + near;
   }
 };
 
@@ -43,9 +45,8 @@ struct SearchBuffers {
   BoxGrid grid;
   std::vector<Reach> reach;  ///< of the edges of one block
   std::vector<Record> found;
-  std::vector<ContactGroup> groups;  ///< of the present list
-  Swing swing;                       ///< of the blocks since the groups were made
-  long grouped_update = -1;          ///< NUPDAT when the groups were made
+  ContactGroups groups;      ///< of the present list
+  long grouped_update = -1;  ///< NUPDAT when the groups were made
   Contacts next;
   PlaneContacts next_planes;
 };

@@ -28,8 +28,7 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   if (!model.search.current)
     update_contacts(model, buffers);
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
-    group_contacts(model.contacts, buffers.groups);
-    buffers.swing.assign(blocks.size(), 0.0);
+    group_contacts(blocks, model.contacts, buffers.groups);
     buffers.grouped_update = model.search.updates;
   }
 
@@ -37,8 +36,7 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   blocks.force.setZero();
   blocks.moment.setZero();
   blocks.applied.setZero();
-  add_contact_forces(blocks, model.contacts, buffers.groups, buffers.swing, settings,
-                     dt);
+  add_contact_forces(blocks, model.contacts, buffers.groups, settings, dt);
   add_plane_forces(blocks, model.plane_contacts, settings, dt);
 
   // 3. loads at time t
@@ -53,7 +51,7 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   }
 
   // 5. corners
-  const Displacement moved = move_blocks(blocks, buffers.swing, settings, dt);
+  const Displacement moved = move_blocks(blocks, buffers.groups.swing, settings, dt);
   ++model.steps;
   model.time =
       model.time_origin + static_cast<double>(model.steps - model.step_origin) * dt;

@@ -78,6 +78,12 @@ class Scene {
       step();
   }
 
+  /// Every contact is decided anew in the next step.
+  void forget_decisions() {
+    for (dynamics::ContactGroup& group : buffers_.groups.all)
+      group.certain = 0.0;
+  }
+
   double dt() const { return model.time_step.dt; }
   double weight(int b) const { return model.blocks.mass[b] * model.settings.gravity.norm(); }
   /// Position, velocity in the scene's own frame.

@@ -1,0 +1,221 @@
+// Which edge acts, how long a decision stands, and what a corner takes along when it
+// passes from one edge to another: rules 7, 9-12, docs/departures.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "dynamics/contact_decision.hpp"
+#include "dynamics/contact_search.hpp"
+#include "scenes/scene.hpp"
+
+namespace blocks {
+namespace {
+
+using scenes::Frame;
+using scenes::random_frames;
+using scenes::Scene;
+
+/// A convex polygon inscribed in a circle, clockwise; sometimes slender.
+geometry::Polygon random_polygon(std::mt19937_64& random, const Vec2& centre,
+                                 double radius) {
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  const int n = std::uniform_int_distribution<int>(3, 7)(random);
+  const double squeeze = uniform(0, 1) < 0.3 ? 0.15 : 1.0, turn = uniform(0, 6.283);
+  geometry::Polygon corners;
+  for (int i = 0; i < n; ++i) {
+    const double angle = -6.283185307179586 * (i + uniform(-0.3, 0.3)) / n;
+    const Vec2 p = radius * Vec2(std::cos(angle), squeeze * std::sin(angle));
+    corners.push_back(centre + Frame{turn, Vec2::Zero()}.turn(p));
+  }
+  return corners;
+}
+
+/// Polygons dropped on a floor between walls.
+Scene pile(std::uint64_t seed, bool rigid) {
+  std::mt19937_64 random(seed);
+  Scene scene(random_frames()[seed % 40]);
+  Settings& s = scene.model.settings;
+  s.rigid = rigid;
+  s.friction = 0.4, s.damping = 0.2;
+  scene.box(-4, -1, 8, 1, true);
+  scene.box(-4, 0, 0.5, 5, true);
+  scene.box(3.5, 0, 0.5, 5, true);
+  for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 5; ++i)
+      scene.add(random_polygon(random, {-2.6 + 1.3 * i, 0.8 + 1.3 * row}, 0.6));
+  scene.gravity(1, -10);
+  return scene;
+}
+
+// Decisions are kept while the motion leaves them certain: the same bits as if each
+// were made in every step.
+TEST(KeptDecisions, ChangeNoBit) {
+  for (const bool rigid : {true, false})
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      Scene kept = pile(seed, rigid), anew = pile(seed, rigid);
+      kept.prepare(), anew.prepare();
+      while (kept.model.time < 1.2) {
+        kept.step();
+        anew.forget_decisions();
+        anew.step();
+      }
+      ASSERT_EQ(kept.model.blocks.corner, anew.model.blocks.corner) << seed;
+      ASSERT_EQ(kept.model.blocks.velocity, anew.model.blocks.velocity) << seed;
+      EXPECT_GT(totals(kept.model).active_contacts, 10);
+    }
+}
+
+/// A small motion of a block: shift, turn, strain.
+struct Nudge {
+  Vec2 shift;
+  double turn, strain;
+
+  /// Moves block b by this much times `size`; how far that counts in relative_motion.
+  double move(Blocks& blocks, int b, double size) const {
+    const int first = blocks.first_corner[b], count = blocks.corners_of(b);
+    auto arms = blocks.arm.middleCols(first, count);
+    const Eigen::Matrix2Xd before = arms;
+    const Eigen::Matrix2d change =
+        size * (Eigen::Matrix2d() << strain, -turn, turn, -strain).finished();
+    arms += change * before;
+    blocks.centroid.col(b) += size * shift;
+    blocks.corner.middleCols(first, count) = arms.colwise() + blocks.centroid.col(b);
+    return size * shift.lpNorm<1>() +
+           2.0 * (arms - before).colwise().lpNorm<1>().maxCoeff();
+  }
+};
+
+/// Any mixture, often of one kind alone.
+Nudge random_nudge(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto perhaps = [&](double x) { return uniform(random) > 0 ? x : 0.0; };
+  const double angle = 3.15 * uniform(random), size = perhaps(1.0);
+  return {size * Vec2(std::cos(angle), std::sin(angle)), perhaps(uniform(random)),
+          perhaps(0.3 * uniform(random))};
+}
+
+// The bound itself: any motion smaller than it leaves the acting edge as it was.
+TEST(CertainTravel, IsSound) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int judged = 0, acting = 0;
+  for (int trial = 0; trial < 8000; ++trial) {
+    Scene scene;
+    scene.add(random_polygon(random, {0, 0}, 1.0));
+    // mostly touching or overlapping by little
+    const double distance = 1.5 + 0.5 * uniform(random);
+    scene.add(random_polygon(random, {distance, 0.3 * uniform(random)}, 1.0));
+    dynamics::SearchBuffers buffers;
+    dynamics::update_contacts(scene.model, buffers);
+    const Contacts& contacts = scene.model.contacts;
+    dynamics::group_contacts(scene.model.blocks, contacts, buffers.groups);
+    for (dynamics::ContactGroup group : buffers.groups.all) {
+      group.acting = dynamics::acting_record(scene.model.blocks, contacts, group);
+      const double travel =
+          dynamics::certain_travel(scene.model.blocks, contacts, group);
+      if (travel <= 0.0)
+        continue;
+      ++judged, acting += group.acting >= 0;
+      for (int k = 0; k < 16; ++k) {
+        const Nudge one = random_nudge(random), other = random_nudge(random);
+        const int a = group.corner_block, b = group.edge_block;
+        const auto nudged = [&](double size, double& u) {
+          Blocks blocks = scene.model.blocks;
+          u = one.move(blocks, a, size) + other.move(blocks, b, size);
+          return blocks;
+        };
+        double u = 0.0;
+        nudged(1.0, u);
+        if (u == 0.0)
+          continue;
+        const Blocks moved = nudged(0.99 * travel / u, u);  // just below the bound
+        ASSERT_LT(u, travel);
+        ASSERT_EQ(dynamics::acting_record(moved, contacts, group), group.acting)
+            << "trial " << trial << " travel " << travel;
+      }
+    }
+  }
+  EXPECT_GT(judged, 10000);
+  EXPECT_GT(acting, 500);
+}
+
+// Neighbours along a slanted joint, the right one a little lower and pressed in: its
+// upper corner lies beside the strip of the joint's edge, and so does the other's lower
+// corner. With "between" asked of the edge neither acts, and the blocks pass through
+// each other.
+TEST(SlantedJoint, HoldsALowerNeighbour) {
+  for (const Frame& frame : random_frames()) {
+    Scene scene(frame);
+    const double in = 0.02, down = 1e-4;
+    scene.add({{0, 0}, {0, 2}, {3.0, 2}, {3.13, 0}});
+    scene.add({{3.13 - in, -down}, {3.0 - in, 2 - down}, {6, 2 - down}, {6, -down}});
+    dynamics::SearchBuffers buffers;
+    dynamics::update_contacts(scene.model, buffers);
+    const Blocks& blocks = scene.model.blocks;
+    dynamics::group_contacts(blocks, scene.model.contacts, buffers.groups);
+    std::vector<std::pair<int, int>> acting;  // corner, edge
+    for (const dynamics::ContactGroup& group : buffers.groups.all) {
+      const int i = dynamics::acting_record(blocks, scene.model.contacts, group);
+      if (i >= 0)
+        acting.emplace_back(scene.model.contacts.corner[i],
+                            scene.model.contacts.edge[i]);
+    }
+    // bottom right of the left block on the left side of the other, and vice versa
+    EXPECT_EQ(acting, (std::vector<std::pair<int, int>>{{3, 4}, {5, 2}}))
+        << frame.angle;
+  }
+}
+
+/// A box that slides on a floor of boxes at rest on its springs.
+struct SlidingBox {
+  explicit SlidingBox(const Frame& frame, double friction, double damping)
+      : scene(frame) {
+    scene.model.settings.friction = friction;
+    scene.model.settings.damping = 0.9;
+    for (int i = -30; i < 30; ++i)
+      scene.box(i, -1, 1, 1, true);
+    box = scene.box(0.13, 0, 2.3, 1);
+    scene.gravity(0, -10);
+    scene.run(1.0);
+    scene.model.settings.damping = damping;
+    rest = scene.centroid(box).y();
+  }
+  Scene scene;
+  int box = 0;
+  double rest = 0.0;  ///< height at rest
+};
+
+// At every joint the corners pass from one edge to the next. Were their springs to
+// start anew, the box would sink by one more overlap at every joint.
+TEST(FloorOfBoxes, DoesNotSwallowABox) {
+  for (const Frame& frame : random_frames(8))
+    for (const double speed : {5.0, -5.0}) {
+      SlidingBox s(frame, 0.1, 0.3);
+      s.scene.velocity(s.box, speed, 0);
+      s.scene.run(2.0);
+      EXPECT_GT(std::abs(s.scene.centroid(s.box).x() - 1.28), 7.0);
+      const double overlap = 0.5 - s.rest;
+      EXPECT_NEAR(s.scene.centroid(s.box).y(), s.rest, 2.0 * overlap) << frame.angle;
+    }
+}
+
+// What one spring loses the next takes: without friction and damping energy stays.
+TEST(FloorOfBoxes, GivesNoEnergy) {
+  for (const double speed : {5.0, -5.0}) {
+    SlidingBox s({}, 0.0, 0.0);
+    s.scene.velocity(s.box, speed, 0);
+    const double mass = s.scene.model.blocks.mass[s.box];
+    const double before = 0.5 * mass * speed * speed;
+    s.scene.run(2.0);
+    const auto end = totals(s.scene.model);
+    const double lifted = mass * 10 * (s.scene.centroid(s.box).y() - s.rest);
+    EXPECT_LT(end.kinetic_energy + lifted, before * (1 + 1e-4));
+  }
+}
+
+}  // namespace
+}  // namespace blocks
