@@ -9,11 +9,10 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Whether the corner is inside the convex block, up to the slack.
-bool inside(const Blocks& blocks, int c, int block) {
-  const Vec2 corner = blocks.corner.col(c);
+/// Whether a point is inside the convex block, up to the slack.
+bool inside(const Blocks& blocks, const Vec2& point, int block) {
   for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e)
-    if (!geometry::near_or_inside(corner, blocks.corner.col(e),
+    if (!geometry::near_or_inside(point, blocks.corner.col(e),
                                   blocks.corner.col(blocks.next[e])))
       return false;
   return true;
@@ -33,157 +32,108 @@ inline bool admissible(const Blocks& blocks, int c, int edge, int edge_block) {
          geometry::faces_edge(corner, blocks.corner.col(blocks.next[c]), p1, p2);
 }
 
-/// A corner seen from an edge.
-struct EdgeView {
-  Vec2 along, from_first;   ///< [L] the edge; first corner of the edge to the corner
-  double length, distance;  ///< [L] of the two
+bool nearer(const Blocks& blocks, int c, int edge, int other) {
+  return geometry::compare_depth(blocks.corner.col(c), blocks.corner.col(edge),
+                                 blocks.corner.col(blocks.next[edge]),
+                                 blocks.corner.col(other),
+                                 blocks.corner.col(blocks.next[other])) < 0;
+}
 
-  EdgeView(const Blocks& blocks, int c, int edge)
-      : along(blocks.corner.col(blocks.next[edge]) - blocks.corner.col(edge)),
-        from_first(blocks.corner.col(c) - blocks.corner.col(edge)),
-        length(along.norm()), distance(from_first.norm()) {}
-  double overlap_product() const { return geometry::cross(from_first, along); }
-  double slack() const { return geometry::contact_slack * length * length; }
+/// The two admissible records with the least depths, -1: none.
+struct Nearest {
+  int record = -1, next = -1;
 };
 
-/// Relative motion during which a product of two differences of lengths r and s keeps
-/// its sign; has that sign. Zero where round-off could matter.
-inline double sign_travel(double product, double r, double s) {
-  const double sum = r + s, travel = product / (1.5 * sum);
-  return std::abs(travel) > 1e-7 * sum ? travel : 0.0;
-}
-
-/// Of (20) for one of the corner's own edges.
-inline double facing_travel(const Blocks& blocks, int c, int neighbour,
-                            const EdgeView& edge) {
-  constexpr double sine = 0.17364817766693036;  // sin 10 degrees
-  const Vec2 own = blocks.corner.col(neighbour) - blocks.corner.col(c);
-  const double length = own.norm();
-  const double value = geometry::cross(edge.along, own) + sine * edge.length * length;
-  return sign_travel(value / (1.0 + sine), edge.length, length);
-}
-
-/// Positive: the record stays admissible for this travel. Negative: it stays
-/// inadmissible, for the sake of the inequality that fails by most.
-double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i) {
-  const int c = contacts.corner[i];
-  const int block = contacts.edge_block[i];
-  const EdgeView edge(blocks, c, contacts.edge[i]);
-  const double length = edge.length, slack = edge.slack();
-  const Vec2 from_centroid = blocks.corner.col(c) - blocks.centroid.col(block);
-  const double depth = geometry::cross(from_centroid, edge.along);
-  const double travel = std::min({sign_travel(-depth, length, from_centroid.norm()),
-                                  facing_travel(blocks, c, blocks.previous[c], edge),
-                                  facing_travel(blocks, c, blocks.next[c], edge)});
-  if (blocks.convex[block])
-    return travel;
-  const Vec2 to_second = edge.along - edge.from_first;
-  const double s = edge.from_first.dot(edge.along);
-  const double before = to_second.dot(edge.along);
-  return std::min({travel,
-                   sign_travel(edge.overlap_product() + slack, length, edge.distance),
-                   sign_travel(s + slack, length, edge.distance),
-                   sign_travel(before + slack, length, to_second.norm())});
-}
-
-/// The corner stays inside the block for this travel, if positive.
-double inside_travel(const Blocks& blocks, int c, int edge, int block) {
-  const EdgeView acting(blocks, c, edge);
-  double travel = sign_travel(acting.overlap_product(), acting.length, acting.distance);
-  if (!blocks.convex[block])
-    return travel;
-  for (int e = blocks.next[edge]; e != edge; e = blocks.next[e]) {
-    const EdgeView other(blocks, c, e);
-    travel = std::min(travel, sign_travel(other.overlap_product() + other.slack(),
-                                          other.length, other.distance));
+Nearest nearest_edges(const Blocks& blocks, const Contacts& contacts,
+                      const ContactGroup& group) {
+  const int c = contacts.corner[group.first], block = group.edge_block;
+  Nearest found;
+  if (blocks.convex[block] && !inside(blocks, blocks.corner.col(c), block))
+    return found;
+  const auto precedes = [&](int i, int other) {
+    return other < 0 || nearer(blocks, c, contacts.edge[i], contacts.edge[other]);
+  };
+  for (int i = group.first; i < group.last; ++i) {
+    if (!admissible(blocks, c, contacts.edge[i], block))
+      continue;
+    if (precedes(i, found.record))
+      found.next = found.record, found.record = i;
+    else if (precedes(i, found.next))
+      found.next = i;
   }
-  return travel;
+  return found;
 }
 
-/// The corner stays deeper below the edge of record i than below that of record j.
-double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int j) {
-  const EdgeView p(blocks, contacts.corner[i], contacts.edge[i]);
-  const EdgeView q(blocks, contacts.corner[j], contacts.edge[j]);
-  const double lead = p.overlap_product() / p.length - q.overlap_product() / q.length;
-  const double growth = 2.0 * (1.0 + p.distance / p.length + q.distance / q.length);
-  const double travel = 0.8 * lead / growth;
-  return travel > 1e-7 * (p.distance + q.distance) ? travel : 0.0;
+Vec2 unit_along(const Blocks& blocks, int edge) {
+  return (blocks.corner.col(blocks.next[edge]) - blocks.corner.col(edge)).normalized();
+}
+
+/// Whether a third block shields the nearest edge from this corner itself.
+bool covered(const Blocks& blocks, const Contacts& contacts,
+             const ContactGroups& groups, const ContactGroup& group,
+             const Nearest& found) {
+  const int c = contacts.corner[group.first];
+  const Vec2 corner = blocks.corner.col(c);
+  const int e = contacts.edge[found.record], f = contacts.edge[found.next];
+  const Vec2 out = unit_along(blocks, e), other = unit_along(blocks, f);
+  const double depth = geometry::cross(corner - Vec2(blocks.corner.col(f)), other);
+  if (!(depth <= shield_reach(blocks, group.edge_block)))
+    return false;
+  const Vec2 push = depth * Vec2(-out.y(), out.x());
+  for (int k = groups.first_of_corner[c]; k < groups.first_of_corner[c + 1]; ++k) {
+    const int third = groups.all[groups.by_corner[k]].edge_block;
+    if (third != group.edge_block && blocks.convex[third] &&
+        depth <= shield_reach(blocks, third) &&
+        (inside(blocks, corner + push, third) || inside(blocks, corner - push, third)))
+      return true;
+  }
+  return false;
+}
+
+/// The same for the corner of the edge's block that lies in this corner's block.
+bool partner_covered(const Blocks& blocks, const Contacts& contacts,
+                     const ContactGroups& groups, const ContactGroup& group,
+                     const Nearest& found) {
+  const int e = contacts.edge[found.record], f = contacts.edge[found.next];
+  const int partner = blocks.next[e] == f ? f : blocks.next[f] == e ? e : -1;
+  if (partner < 0)
+    return false;
+  for (int k = groups.first_of_corner[partner]; k < groups.first_of_corner[partner + 1];
+       ++k) {
+    const ContactGroup& its = groups.all[groups.by_corner[k]];
+    if (its.edge_block != group.corner_block)
+      continue;
+    const Nearest of_partner = nearest_edges(blocks, contacts, its);
+    return of_partner.next >= 0 && covered(blocks, contacts, groups, its, of_partner);
+  }
+  return false;
 }
 
 }  // namespace
 
 int acting_record(const Blocks& blocks, const Contacts& contacts,
-                  const ContactGroup& group) {
-  int best = -1;
-  const int c = contacts.corner[group.first], block = group.edge_block;
-  if (blocks.convex[block] && !inside(blocks, c, block))
+                  const ContactGroups& groups, const ContactGroup& group) {
+  const Nearest found = nearest_edges(blocks, contacts, group);
+  if (found.record < 0)
     return -1;
-  const Vec2 corner = blocks.corner.col(c);
-  for (int i = group.first; i < group.last; ++i) {
-    if (!admissible(blocks, c, contacts.edge[i], block))
-      continue;
-    if (best < 0) {
-      best = i;
-      continue;
-    }
-    const int e = contacts.edge[i], f = contacts.edge[best];
-    if (geometry::compare_depth(corner, blocks.corner.col(e),
-                                blocks.corner.col(blocks.next[e]), blocks.corner.col(f),
-                                blocks.corner.col(blocks.next[f])) < 0)
-      best = i;
-  }
-  if (best < 0)
+  const int edge = contacts.edge[found.record];
+  if (geometry::overlap_sign(blocks.corner.col(contacts.corner[group.first]),
+                             blocks.corner.col(edge),
+                             blocks.corner.col(blocks.next[edge])) <= 0)
     return -1;
-  const int e = contacts.edge[best];
-  return geometry::overlap_sign(corner, blocks.corner.col(e),
-                                blocks.corner.col(blocks.next[e])) > 0
-             ? best
-             : -1;
+  if (found.next >= 0 && (covered(blocks, contacts, groups, group, found) ||
+                          partner_covered(blocks, contacts, groups, group, found)))
+    return found.next;
+  return found.record;
 }
 
-double travel_before_contact(const Blocks& blocks, int corner, int block) {
-  if (!blocks.convex[block])
-    return 0.0;
-  const Vec2 c = blocks.corner.col(corner);
-  double travel = 0.0;
-  for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
-    const Vec2 p = blocks.corner.col(e);
-    const Vec2 along = Vec2(blocks.corner.col(blocks.next[e])) - p;
-    const double square = along.squaredNorm();
-    const double outside = -geometry::cross(c - p, along);  // gap times L
-    // well clear of the slack of rules 10 and 12, and of round-off
-    if (outside <= 16.0 * geometry::contact_slack * square)
-      continue;
-    const double length = std::sqrt(square), q = (c - p).dot(along) / square;
-    const double factor = 1.0 + std::abs(1.0 - q) + std::abs(q);
-    travel =
-        std::max(travel, std::min(0.75 * outside / (length * factor), 0.2 * length));
-  }
-  return travel;
-}
-
-double certain_travel(const Blocks& blocks, const Contacts& contacts,
-                      const ContactGroup& group) {
-  const int c = contacts.corner[group.first], block = group.edge_block;
-  const int acting = group.acting;
-  if (acting < 0) {
-    const double outside = travel_before_contact(blocks, c, block);
-    if (outside > 0.0)
-      return outside;
-  }
-  double travel =
-      acting < 0 ? std::numeric_limits<double>::max()
-                 : std::min(admissible_travel(blocks, contacts, acting),
-                            inside_travel(blocks, c, contacts.edge[acting], block));
-  for (int i = group.first; i < group.last && travel > 0.0; ++i) {
-    if (i == acting)
-      continue;
-    double unchanged = -admissible_travel(blocks, contacts, i);
-    if (acting >= 0 && unchanged < travel)
-      unchanged = std::max(unchanged, deeper_travel(blocks, contacts, i, acting));
-    travel = std::min(travel, unchanged);
-  }
-  return std::max(travel, 0.0);
+double shield_reach(const Blocks& blocks, int block) {
+  double least = std::numeric_limits<double>::max();
+  for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e)
+    least = std::min(
+        least,
+        Vec2(blocks.corner.col(blocks.next[e]) - blocks.corner.col(e)).squaredNorm());
+  return 0.01 * std::sqrt(least);
 }
 
 }  // namespace blocks::dynamics

@@ -1,5 +1,4 @@
-// Which edge of a block acts on a corner (report 3.3, rules 9-12), decided exactly, and
-// for how long the decision stands.
+// Which edge of a block acts on a corner (report 3.3, rules 9-12), decided exactly.
 #pragma once
 
 #include "dynamics/contact_groups.hpp"
@@ -12,31 +11,18 @@ namespace blocks::dynamics {
 /// the corner, the depth is at most that of the block's centroid (rule 9), and the
 /// corner is between the edge's ends (rule 10), which is asked of a convex block as a
 /// whole: the corner is inside all its edges (docs/departures.md).
-int acting_record(const Blocks& blocks, const Contacts& contacts,
-                  const ContactGroup& group);
-
-/// Relative motion that certainly passes before a corner now outside a convex block
-/// gets inside again, [L], or 0. Seen from the block's centroid, corners move by at
-/// most the relative motion u. The corner stands a gap g outside an edge's line,
-/// opposite to the point (1 - q) p1 + q p2 of that line, which moves by f = |1 - q| +
-/// |q| times u at most. While u (1 + f) <= 0.8 g and the edge turns by less than 0.4
-/// rad (u <= 0.2 L), the corner stays outside by more than the slack.
-double travel_before_contact(const Blocks& blocks, int corner, int block);
-
-/// Relative motion during which deciding the group again certainly gives the same
-/// acting record (or none, -1), [L], or 0 where the decision hangs by little. Sound, so
-/// that results do not depend on it:
 ///
-/// - Differences of two points change by the relative motion u at most, so a product
-///   (scalar or vector) of two differences of lengths r and s changes by u (r + s) +
-///   u^2. Being at most r s, it keeps its sign while u is below |product| / (1.5 (r +
-///   s)), with a fifth of it to spare for the slack and round-off.
-/// - A depth below an edge of length L changes by u + 2 u w / L at most, w the distance
-///   from the edge's first corner.
-/// - The acting record stays admissible and penetrated; every other one stays
-///   inadmissible or deeper. Without an acting record all stay inadmissible, or the
-///   corner stays outside.
-double certain_travel(const Blocks& blocks, const Contacts& contacts,
-                      const ContactGroup& group);
+/// Where a third block shields the nearest edge the next nearest acts: near a closed
+/// joint a corner slides along the surface of both blocks and has not come through the
+/// joint. The corner is within shield_reach of both edges, and as far out of the
+/// nearest edge as the next one is deep lies the third block, or as far inwards it
+/// covers the corner's own flank. Of two corners in each other's blocks, one shielded
+/// is enough.
+int acting_record(const Blocks& blocks, const Contacts& contacts,
+                  const ContactGroups& groups, const ContactGroup& group);
+
+/// How close to an edge of a block a corner can be shielded, [L]: a hundredth of the
+/// block's shortest edge.
+double shield_reach(const Blocks& blocks, int block);
 
 }  // namespace blocks::dynamics

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/applied_force.hpp"
+#include "dynamics/contact_certainty.hpp"
 #include "dynamics/contact_decision.hpp"
 #include "dynamics/contact_law.hpp"
 #include "dynamics/contact_search.hpp"
@@ -34,7 +35,7 @@ void release(Contacts& contacts, int i, std::vector<LostForce>& lost) {
 /// Which record of the group acts, and for how long that is certain.
 void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
             ContactGroup& group) {
-  group.acting = acting_record(blocks, contacts, group);
+  group.acting = acting_record(blocks, contacts, groups, group);
   for (int i = group.first; i < group.last; ++i)
     if (i != group.acting && contacts.active[i])
       release(contacts, i, groups.lost);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/contact_decision.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
@@ -31,8 +32,9 @@ void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
 
 void find_near_corners(const Model& model, SearchBuffers& buffers) {
   const Blocks& blocks = model.blocks;
-  const double travel = 2.0 * model.settings.contact_tolerance;
   for (int b = 0; b < blocks.size(); ++b) {
+    const double travel =
+        2.0 * model.settings.contact_tolerance + shield_reach(blocks, b);
     const int first = blocks.first_corner[b], count = blocks.corners_of(b);
     buffers.reach.clear();
     for (int e = first; e < first + count; ++e)

@@ -16,7 +16,7 @@ namespace blocks::dynamics {
 struct Reach {
   Vec2 origin, along;    ///< first corner; unit vector along the edge
   double length, depth;  ///< [L] of the edge; to the centroid
-  double near;           ///< [L] 2 CTOL and the slack of rules 10 and 12
+  double near;  ///< [L] 2 CTOL, the shield's reach, the slack of rules 10 and 12
 
   Reach(const Blocks& blocks, int b, int edge, double travel)
       : origin(blocks.corner.col(edge)) {

@@ -25,8 +25,8 @@ TEST(Resting, OverlapIsWeightOverTwiceStiffness) {
   EXPECT_LT(totals(scene.model).kinetic_energy, 1e-18);
 }
 
-// Restitution of a spring and dashpot without tension, in closed form. A flush face has two
-// contacts, so its damping ratio is z = b sqrt 2 (rule 8).
+// Restitution of a spring and dashpot without tension, in closed form. A flush face has
+// two contacts, so its damping ratio is z = b sqrt 2 (rule 8).
 double restitution(double z) {
   const double q = std::sqrt(1 - z * z);
   return std::exp(-z / q * (M_PI - std::atan2(2 * z * q, 1 - 2 * z * z)));
@@ -74,7 +74,8 @@ TEST(Incline, SlidesOrSticksAsCoulombSays) {
     const double v0 = scene.velocity(b).x(), t0 = scene.model.time;
     scene.run(1.0);
     const double a = (scene.velocity(b).x() - v0) / (scene.model.time - t0);
-    const double expected = mu > std::tan(psi) ? 0.0 : 10 * (std::sin(psi) - mu * std::cos(psi));
+    const double expected =
+        mu > std::tan(psi) ? 0.0 : 10 * (std::sin(psi) - mu * std::cos(psi));
     EXPECT_NEAR(a, expected, 1e-6) << mu;
   }
 }
@@ -149,9 +150,10 @@ TEST(ContactLaw, FirstStepCountsTheOverlapOnly) {
   EXPECT_DOUBLE_EQ(force.shear, 0.5 * 1e6 * 0.5e-3);
 }
 
-// Rule 21: half of a symmetric model beside a plane moves like half of the whole. Two boxes
-// that meet face to face close 4 contacts twice as fast as one box closes its 2 with the
-// plane, so 4 Kn and sqrt(2) b in the half model make the same springs and dashpots.
+// Rule 21: half of a symmetric model beside a plane moves like half of the whole. Two
+// boxes that meet face to face close 4 contacts twice as fast as one box closes its 2
+// with the plane, so 4 Kn and sqrt(2) b in the half model make the same springs and
+// dashpots.
 TEST(SymmetryPlane, HalfModelEqualsFullModel) {
   Scene full, half;
   full.model.settings.damping = 0.2;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "dynamics/contact_certainty.hpp"
 #include "dynamics/contact_decision.hpp"
 #include "dynamics/contact_search.hpp"
 #include "scenes/scene.hpp"
@@ -114,7 +115,8 @@ TEST(CertainTravel, IsSound) {
     const Contacts& contacts = scene.model.contacts;
     dynamics::group_contacts(scene.model.blocks, contacts, buffers.groups);
     for (dynamics::ContactGroup group : buffers.groups.all) {
-      group.acting = dynamics::acting_record(scene.model.blocks, contacts, group);
+      group.acting =
+          dynamics::acting_record(scene.model.blocks, contacts, buffers.groups, group);
       const double travel =
           dynamics::certain_travel(scene.model.blocks, contacts, group);
       if (travel <= 0.0)
@@ -134,7 +136,8 @@ TEST(CertainTravel, IsSound) {
           continue;
         const Blocks moved = nudged(0.99 * travel / u, u);  // just below the bound
         ASSERT_LT(u, travel);
-        ASSERT_EQ(dynamics::acting_record(moved, contacts, group), group.acting)
+        ASSERT_EQ(dynamics::acting_record(moved, contacts, buffers.groups, group),
+                  group.acting)
             << "trial " << trial << " travel " << travel;
       }
     }
@@ -159,7 +162,8 @@ TEST(SlantedJoint, HoldsALowerNeighbour) {
     dynamics::group_contacts(blocks, scene.model.contacts, buffers.groups);
     std::vector<std::pair<int, int>> acting;  // corner, edge
     for (const dynamics::ContactGroup& group : buffers.groups.all) {
-      const int i = dynamics::acting_record(blocks, scene.model.contacts, group);
+      const int i =
+          dynamics::acting_record(blocks, scene.model.contacts, buffers.groups, group);
       if (i >= 0)
         acting.emplace_back(scene.model.contacts.corner[i],
                             scene.model.contacts.edge[i]);

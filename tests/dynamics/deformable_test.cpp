@@ -13,8 +13,8 @@ namespace {
 using scenes::Frame;
 using scenes::Scene;
 
-// eps11 = -p / C11 and sigma22 = C12 / C11 sigma11 when only side pressures act that hold
-// the height; slow loading, so that the block has no time to swing.
+// eps11 = -p / C11 and sigma22 = C12 / C11 sigma11 when only side pressures act that
+// hold the height; slow loading, so that the block has no time to swing.
 TEST(Deformable, UniaxialStrainIsStressOverC11) {
   Scene scene;
   scene.model.settings.rigid = false;
@@ -23,12 +23,15 @@ TEST(Deformable, UniaxialStrainIsStressOverC11) {
   const int b = scene.box(-1, -0.5, 2, 1);
   scene.model.loads.function = {{0, 0.5}, {0, 1}};
   const double p = 1e7;
-  scene.model.loads.pressures = {{b, 0, p, p, 0}, {b, 2, p, p, 0},
-                                 {b, 1, p * side, p * side, 0}, {b, 3, p * side, p * side, 0}};
+  scene.model.loads.pressures = {{b, 0, p, p, 0},
+                                 {b, 2, p, p, 0},
+                                 {b, 1, p * side, p * side, 0},
+                                 {b, 3, p * side, p * side, 0}};
   scene.run(0.5);
   const Blocks& blocks = scene.model.blocks;
   const Vec2 extent = dynamics::extent(blocks, b);
-  EXPECT_NEAR(std::log(extent.x() / 2.0), -p / material.c11(), 0.003 * p / material.c11());
+  EXPECT_NEAR(std::log(extent.x() / 2.0), -p / material.c11(),
+              0.003 * p / material.c11());
   EXPECT_NEAR(std::log(extent.y()), 0.0, 0.003 * p / material.c11());
   EXPECT_NEAR(blocks.stress(0, b), -p, 0.003 * p);
   EXPECT_NEAR(blocks.stress(3, b), -p * side, 0.003 * p);
@@ -54,8 +57,8 @@ TEST(Deformable, StressTurnsWithTheBlock) {
   EXPECT_EQ(stress[1], stress[2]);
 }
 
-// Rules 4, 5: a bar of n blocks carries waves at sqrt(E_eff / rho), 1/E_eff = 1/E' + w/(n K l)
-// with n contacts on a face of width w and blocks of length l.
+// Rules 4, 5: a bar of n blocks carries waves at sqrt(E_eff / rho), 1/E_eff = 1/E' +
+// w/(n K l) with n contacts on a face of width w and blocks of length l.
 TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   Scene scene;
   scene.model.settings.rigid = false;
@@ -85,7 +88,8 @@ TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   EXPECT_NEAR(50.0 / (near - far), c, 0.03 * c);
 }
 
-// Rule 2: G <= E/3 has no plane strain stiffness; the step is capped at half l sqrt(rho/C11).
+// Rule 2: G <= E/3 has no plane strain stiffness; the step is capped at half l
+// sqrt(rho/C11).
 TEST(TimeStep, IsCutByDeformability) {
   Scene scene;
   scene.model.settings.rigid = false;

@@ -22,7 +22,8 @@ TEST(FreeFall, IsTheIntegratorsSumToRoundOff) {
   EXPECT_NEAR(scene.centroid(b).x(), 0.5 + 3 * dt * n, 1e-12);
 }
 
-// The printed update (14) shears the block and makes it grow; the Cayley rotation does not.
+// The printed update (14) shears the block and makes it grow; the Cayley rotation does
+// not.
 TEST(Spin, KeepsShapeAndSizeOverTenRadians) {
   Scene scene;
   const int b = scene.box(-0.5, -0.5, 2, 1);
@@ -36,7 +37,8 @@ TEST(Spin, KeepsShapeAndSizeOverTenRadians) {
   EXPECT_NEAR(after.second_moment, before.second_moment, 1e-12);
 }
 
-// Cayley's angle is 2 atan(h), so the corners lag spin x time by (spin dt)^2 / 12 of it.
+// Cayley's angle is 2 atan(h), so the corners lag spin x time by (spin dt)^2 / 12 of
+// it.
 TEST(Spin, TurnsCornersByTheAccumulatedAngle) {
   Scene scene;
   const int b = scene.box(-0.5, -0.5, 1, 1);
@@ -45,7 +47,8 @@ TEST(Spin, TurnsCornersByTheAccumulatedAngle) {
   const Vec2 arm = scene.model.blocks.arm.col(0);
   const double turned = std::atan2(arm.y(), arm.x()) - std::atan2(-0.5, -0.5);
   const double lag = std::pow(2.0 * scene.dt(), 2) / 12.0;
-  EXPECT_NEAR(turned, 2.0 * scene.model.time, 2.0 * lag * 2.0 * scene.model.time + 1e-12);
+  EXPECT_NEAR(turned, 2.0 * scene.model.time,
+              2.0 * lag * 2.0 * scene.model.time + 1e-12);
 }
 
 // Rule 14: a corner strictly outside fixes the block; one on the border does not.
@@ -64,12 +67,14 @@ TEST(Domain, FixesABlockThatLeaves) {
   EXPECT_NEAR(scene.centroid(leaves).x(), 9.5, 2 * scene.dt());
 }
 
-// Rule 23: p1 to p2 over a side of length L gives the force L (p1 + p2) / 2 and its moment.
+// Rule 23: p1 to p2 over a side of length L gives the force L (p1 + p2) / 2 and its
+// moment.
 TEST(Pressure, GivesForceMomentAndStress) {
   Scene scene;
   const int b = scene.box(0, 0, 3, 2);
   scene.model.loads.function = {{0, 1}, {1, 1}};  // times, factors
-  scene.model.loads.pressures.push_back({b, 1, 100, 400, 0});  // top side, from (0,2) to (3,2)
+  scene.model.loads.pressures.push_back(
+      {b, 1, 100, 400, 0});  // top side, from (0,2) to (3,2)
   scene.steps(1);
   const Blocks& blocks = scene.model.blocks;
   EXPECT_NEAR(blocks.force(0, b), 0, 1e-12);
@@ -77,11 +82,12 @@ TEST(Pressure, GivesForceMomentAndStress) {
   // trapezoid of pressure about the middle of the side: (p2 - p1) L^2 / 12, clockwise
   EXPECT_NEAR(blocks.moment[b], -225, 1e-10);
   EXPECT_NEAR(blocks.applied(3, b), -750.0 * 1.0 / 6.0, 1e-10);
-  EXPECT_NEAR(blocks.area[b] * (blocks.applied(2, b) - blocks.applied(1, b)), blocks.moment[b],
-              1e-10);
+  EXPECT_NEAR(blocks.area[b] * (blocks.applied(2, b) - blocks.applied(1, b)),
+              blocks.moment[b], 1e-10);
 }
 
-// Rule 23: nothing before the arrival, then f(t - arrival), end values held; forces add.
+// Rule 23: nothing before the arrival, then f(t - arrival), end values held; forces
+// add.
 TEST(Force, ActsAtTheCentroidFromItsArrival) {
   Scene scene;
   const int b = scene.box(0, 0, 1, 1);

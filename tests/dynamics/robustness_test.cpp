@@ -13,13 +13,13 @@ using scenes::Frame;
 using scenes::random_frames;
 using scenes::Scene;
 
-// Figure 4b: block 1 stands on the floor's edge side by side with fixed block 2 and slides
-// down its face: without (20) and the nearest edge it hangs on the corner.
+// Figure 4b: block 1 stands on the floor's edge side by side with fixed block 2 and
+// slides down its face: without (20) and the nearest edge it hangs on the corner.
 TEST(Figure4b, BlockSlidesDownItsNeighbour) {
   for (const Frame& frame : random_frames()) {
     Scene scene(frame);
-    scene.box(0, 0, 1, 1, true);                     // block 2
-    const int b = scene.box(-1, 0.5, 1, 1);          // block 1, beside it, free to fall
+    scene.box(0, 0, 1, 1, true);             // block 2
+    const int b = scene.box(-1, 0.5, 1, 1);  // block 1, beside it, free to fall
     scene.gravity(0, -10);
     scene.run(0.3);
     const double dt = scene.dt(), n = static_cast<double>(scene.model.steps);
@@ -29,13 +29,14 @@ TEST(Figure4b, BlockSlidesDownItsNeighbour) {
   }
 }
 
-// A block falls past the top corner of its diagonal neighbour: it touches in one point and
-// must fall freely (rule 12: 0 of all frames may hang).
+// A block falls past the top corner of its diagonal neighbour: it touches in one point
+// and must fall freely (rule 12: 0 of all frames may hang).
 TEST(DiagonalNeighbour, FallsPastTheCorner) {
   for (const Frame& frame : random_frames()) {
     Scene scene(frame);
     scene.box(0, 0, 1, 1, true);
-    const int b = scene.box(-1, 1, 1, 1);  // its bottom right corner on the other's top left
+    const int b =
+        scene.box(-1, 1, 1, 1);  // its bottom right corner on the other's top left
     scene.gravity(0, -10);
     scene.run(0.3);
     const double dt = scene.dt(), n = static_cast<double>(scene.model.steps);
@@ -45,9 +46,9 @@ TEST(DiagonalNeighbour, FallsPastTheCorner) {
   }
 }
 
-// Aligned faces carry four contacts (overlap W / 4 Kn), offset faces two (W / 2 Kn); neither
-// falls through nor creeps down in a turned frame (rules 10, 12). Each brick is narrower than
-// the one below by `step`.
+// Aligned faces carry four contacts (overlap W / 4 Kn), offset faces two (W / 2 Kn);
+// neither falls through nor creeps down in a turned frame (rules 10, 12). Each brick is
+// narrower than the one below by `step`.
 void settle_stack(const Frame& frame, double step, double contacts) {
   Scene scene(frame);
   scene.model.settings.damping = 0.5;
@@ -70,7 +71,8 @@ void settle_stack(const Frame& frame, double step, double contacts) {
     load -= scene.weight(1 + i);
     EXPECT_NEAR(0.25 + 0.5 * i - scene.centroid(1 + i).y(), sunk,
                 1e-3 * sunk + 1e-8 * frame.offset.norm())
-        << "brick " << i << " angle " << frame.angle << " offset " << frame.offset.norm();
+        << "brick " << i << " angle " << frame.angle << " offset "
+        << frame.offset.norm();
   }
 }
 
@@ -86,7 +88,10 @@ TEST(Stack, OffsetRestsOnTwoContacts) {
 
 // Rule 13: boxes and tolerance change the search, never the result.
 TEST(Search, ResultsDoNotDependOnBoxesOrTolerance) {
-  struct Choice { int boxes; double tolerance; };
+  struct Choice {
+    int boxes;
+    double tolerance;
+  };
   const Choice choices[] = {{1, 0.1}, {7, 0.02}, {200, 0.1}, {999, 0.35}, {40, 0.005}};
   std::vector<Eigen::Matrix2Xd> ends;
   for (const Choice& choice : choices) {
@@ -122,8 +127,12 @@ TEST(Scaling, ByAPowerOfTwoIsBitExact) {
     s.contact_tolerance *= scale;
     s.materials[1].density /= scale * scale;  // the same masses
     s.friction = 0.5, s.damping = 0.2;
-    scene.add({{-5 * scale, -scale}, {-5 * scale, 0}, {5 * scale, 0}, {5 * scale, -scale}}, true);
-    scene.add({{0, 0.3 * scale}, {0.2 * scale, 1.3 * scale}, {1.1 * scale, 1.2 * scale},
+    scene.add(
+        {{-5 * scale, -scale}, {-5 * scale, 0}, {5 * scale, 0}, {5 * scale, -scale}},
+        true);
+    scene.add({{0, 0.3 * scale},
+               {0.2 * scale, 1.3 * scale},
+               {1.1 * scale, 1.2 * scale},
                {0.9 * scale, 0.1 * scale}});
     scene.gravity(2 * scale, -10 * scale);
     scene.run(0.7);

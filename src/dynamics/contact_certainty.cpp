@@ -1,0 +1,141 @@
+#include "dynamics/contact_certainty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/contact_decision.hpp"
+#include "geometry/contact_predicates.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// A corner seen from an edge.
+struct EdgeView {
+  Vec2 along, from_first;   ///< [L] the edge; first corner of the edge to the corner
+  double length, distance;  ///< [L] of the two
+
+  EdgeView(const Blocks& blocks, int c, int edge)
+      : along(blocks.corner.col(blocks.next[edge]) - blocks.corner.col(edge)),
+        from_first(blocks.corner.col(c) - blocks.corner.col(edge)),
+        length(along.norm()), distance(from_first.norm()) {}
+  double overlap_product() const { return geometry::cross(from_first, along); }
+  double slack() const { return geometry::contact_slack * length * length; }
+};
+
+/// Relative motion during which a product of two differences of lengths r and s keeps
+/// its sign; has that sign. Zero where round-off could matter.
+inline double sign_travel(double product, double r, double s) {
+  const double sum = r + s, travel = product / (1.5 * sum);
+  return std::abs(travel) > 1e-7 * sum ? travel : 0.0;
+}
+
+/// Of (20) for one of the corner's own edges.
+inline double facing_travel(const Blocks& blocks, int c, int neighbour,
+                            const EdgeView& edge) {
+  constexpr double sine = 0.17364817766693036;  // sin 10 degrees
+  const Vec2 own = blocks.corner.col(neighbour) - blocks.corner.col(c);
+  const double length = own.norm();
+  const double value = geometry::cross(edge.along, own) + sine * edge.length * length;
+  return sign_travel(value / (1.0 + sine), edge.length, length);
+}
+
+/// Positive: the record stays admissible for this travel. Negative: it stays
+/// inadmissible, for the sake of the inequality that fails by most.
+double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i) {
+  const int c = contacts.corner[i];
+  const int block = contacts.edge_block[i];
+  const EdgeView edge(blocks, c, contacts.edge[i]);
+  const double length = edge.length, slack = edge.slack();
+  const Vec2 from_centroid = blocks.corner.col(c) - blocks.centroid.col(block);
+  const double depth = geometry::cross(from_centroid, edge.along);
+  const double travel = std::min({sign_travel(-depth, length, from_centroid.norm()),
+                                  facing_travel(blocks, c, blocks.previous[c], edge),
+                                  facing_travel(blocks, c, blocks.next[c], edge)});
+  if (blocks.convex[block])
+    return travel;
+  const Vec2 to_second = edge.along - edge.from_first;
+  const double s = edge.from_first.dot(edge.along);
+  const double before = to_second.dot(edge.along);
+  return std::min({travel,
+                   sign_travel(edge.overlap_product() + slack, length, edge.distance),
+                   sign_travel(s + slack, length, edge.distance),
+                   sign_travel(before + slack, length, to_second.norm())});
+}
+
+/// The corner stays inside the block for this travel, if positive.
+double inside_travel(const Blocks& blocks, int c, int edge, int block) {
+  const EdgeView acting(blocks, c, edge);
+  double travel = sign_travel(acting.overlap_product(), acting.length, acting.distance);
+  if (!blocks.convex[block])
+    return travel;
+  for (int e = blocks.next[edge]; e != edge; e = blocks.next[e]) {
+    const EdgeView other(blocks, c, e);
+    travel = std::min(travel, sign_travel(other.overlap_product() + other.slack(),
+                                          other.length, other.distance));
+  }
+  return travel;
+}
+
+/// The corner stays deeper below the edge of record i than below that of record j, and
+/// too deep for a shield.
+double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int j) {
+  const EdgeView p(blocks, contacts.corner[i], contacts.edge[i]);
+  const EdgeView q(blocks, contacts.corner[j], contacts.edge[j]);
+  const double depth = p.overlap_product() / p.length;
+  const double lead =
+      std::min(depth - q.overlap_product() / q.length,
+               depth - 2.0 * shield_reach(blocks, contacts.edge_block[i]));
+  const double growth = 2.0 * (1.0 + p.distance / p.length + q.distance / q.length);
+  const double travel = 0.8 * lead / growth;
+  return travel > 1e-7 * (p.distance + q.distance) ? travel : 0.0;
+}
+
+}  // namespace
+
+double travel_before_contact(const Blocks& blocks, int corner, int block) {
+  if (!blocks.convex[block])
+    return 0.0;
+  const Vec2 c = blocks.corner.col(corner);
+  double travel = 0.0;
+  for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
+    const Vec2 p = blocks.corner.col(e);
+    const Vec2 along = Vec2(blocks.corner.col(blocks.next[e])) - p;
+    const double square = along.squaredNorm();
+    const double outside = -geometry::cross(c - p, along);  // gap times L
+    // well clear of the slack of rules 10 and 12, and of round-off
+    if (outside <= 16.0 * geometry::contact_slack * square)
+      continue;
+    const double length = std::sqrt(square), q = (c - p).dot(along) / square;
+    const double factor = 1.0 + std::abs(1.0 - q) + std::abs(q);
+    travel =
+        std::max(travel, std::min(0.75 * outside / (length * factor), 0.2 * length));
+  }
+  return travel;
+}
+
+double certain_travel(const Blocks& blocks, const Contacts& contacts,
+                      const ContactGroup& group) {
+  const int c = contacts.corner[group.first], block = group.edge_block;
+  const int acting = group.acting;
+  if (acting < 0) {
+    const double outside = travel_before_contact(blocks, c, block);
+    if (outside > 0.0)
+      return outside;
+  }
+  double travel =
+      acting < 0 ? std::numeric_limits<double>::max()
+                 : std::min(admissible_travel(blocks, contacts, acting),
+                            inside_travel(blocks, c, contacts.edge[acting], block));
+  for (int i = group.first; i < group.last && travel > 0.0; ++i) {
+    if (i == acting)
+      continue;
+    double unchanged = -admissible_travel(blocks, contacts, i);
+    if (acting >= 0 && unchanged < travel)
+      unchanged = std::max(unchanged, deeper_travel(blocks, contacts, i, acting));
+    travel = std::min(travel, unchanged);
+  }
+  return std::max(travel, 0.0);
+}
+
+}  // namespace blocks::dynamics

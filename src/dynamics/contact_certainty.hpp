@@ -1,0 +1,34 @@
+// For how long the decision which edge acts on a corner stands.
+#pragma once
+
+#include "dynamics/contact_groups.hpp"
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// Relative motion that certainly passes before a corner now outside a convex block
+/// gets inside again, [L], or 0. Seen from the block's centroid, corners move by at
+/// most the relative motion u. The corner stands a gap g outside an edge's line,
+/// opposite to the point (1 - q) p1 + q p2 of that line, which moves by f = |1 - q| +
+/// |q| times u at most. While u (1 + f) <= 0.8 g and the edge turns by less than 0.4
+/// rad (u <= 0.2 L), the corner stays outside by more than the slack.
+double travel_before_contact(const Blocks& blocks, int corner, int block);
+
+/// Relative motion during which deciding the group again certainly gives the same
+/// acting record (or none, -1), [L], or 0 where the decision hangs by little. Sound, so
+/// that results do not depend on it:
+///
+/// - Differences of two points change by the relative motion u at most, so a product
+///   (scalar or vector) of two differences of lengths r and s changes by u (r + s) +
+///   u^2. Being at most r s, it keeps its sign while u is below |product| / (1.5 (r +
+///   s)), with a fifth of it to spare for the slack and round-off.
+/// - A depth below an edge of length L changes by u + 2 u w / L at most, w the distance
+///   from the edge's first corner.
+/// - The acting record stays admissible and penetrated; every other one stays
+///   inadmissible, or deeper and too deep for a shield, for a third block moves as it
+///   likes. Without an acting record all stay inadmissible, or the corner stays
+///   outside.
+double certain_travel(const Blocks& blocks, const Contacts& contacts,
+                      const ContactGroup& group);
+
+}  // namespace blocks::dynamics
