@@ -6,6 +6,7 @@
 #include "dynamics/applied_force.hpp"
 #include "dynamics/contact_certainty.hpp"
 #include "dynamics/contact_decision.hpp"
+#include "dynamics/contact_handover.hpp"
 #include "dynamics/contact_law.hpp"
 #include "dynamics/contact_search.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -22,23 +23,24 @@ inline Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
           blocks.velocity(1, b) + (rate[2] + spin) * arm.x() + rate[3] * arm.y()};
 }
 
-void release(Contacts& contacts, int i, std::vector<LostForce>& lost) {
-  if (contacts.normal_elastic[i] > 0.0)
-    lost.push_back({contacts.corner[i], contacts.edge[i], contacts.normal_elastic[i],
-                    contacts.shear_elastic[i]});
+void release(Contacts& contacts, int i) {
   contacts.active[i] = 0;
   contacts.normal_elastic[i] = contacts.shear_elastic[i] = 0.0;
   contacts.normal_force[i] = contacts.shear_force[i] = 0.0;
   contacts.overlap[i] = 0.0;
 }
 
-/// Which record of the group acts, and for how long that is certain.
-void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-            ContactGroup& group) {
+/// Which record of group g acts, and for how long that is certain.
+void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g) {
+  ContactGroup& group = groups.all[g];
   group.acting = acting_record(blocks, contacts, groups, group);
   for (int i = group.first; i < group.last; ++i)
-    if (i != group.acting && contacts.active[i])
-      release(contacts, i, groups.lost);
+    if (i != group.acting && contacts.active[i]) {
+      if (contacts.normal_elastic[i] > 0.0)
+        groups.lost.push_back(
+            {g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
+      release(contacts, i);
+    }
   if (group.hopeless > 0) {
     --group.hopeless;
     return;
@@ -98,57 +100,21 @@ inline void act(Blocks& blocks, Contacts& contacts, const ContactGroup& group,
   add_force(blocks, b, arm_b, {-fx, -fy});
 }
 
-/// A corner that passes from one edge to another takes its elastic force along, so that
-/// it does not sink anew at every joint it crosses (docs/departures.md). The edge that
-/// can take most takes it: springs' energies FN^2 / 2 Kn add up, and no spring becomes
-/// stronger than its overlap explains, so that energy never grows. Shear is taken by
-/// its component along the new edge.
-void hand_over(const Blocks& blocks, Contacts& contacts, const ContactGroups& groups,
-               const ContactLaw& law) {
-  for (const LostForce& lost : groups.lost) {
-    const ContactGroup* heir = nullptr;
-    double normal = 0.0, most = 0.0;
-    for (int k = groups.first_of_corner[lost.corner];
-         k < groups.first_of_corner[lost.corner + 1]; ++k) {
-      const ContactGroup& group = groups.all[groups.by_corner[k]];
-      if (group.acting < 0)
-        continue;
-      const double own = contacts.normal_elastic[group.acting];
-      const double both = std::min(std::sqrt(lost.normal * lost.normal + own * own),
-                                   law.normal_stiffness * group.overlap);
-      if (both - own > most)
-        heir = &group, normal = both, most = both - own;
-    }
-    if (heir == nullptr)
-      continue;
-    const int i = heir->acting;
-    contacts.active[i] = 1;
-    contacts.normal_elastic[i] = normal;
-    if (contacts.shear_elastic[i] == 0.0) {
-      const Vec2 along =
-          blocks.corner.col(blocks.next[lost.edge]) - blocks.corner.col(lost.edge);
-      const double cosine =
-          (along.x() * heir->tangent_x + along.y() * heir->tangent_y) / along.norm();
-      contacts.shear_elastic[i] = cosine * lost.shear;
-    }
-  }
-}
-
 }  // namespace
 
 void add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
                         const Settings& settings, double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
-  for (ContactGroup& group : groups.all) {
+  for (int g = 0; g < static_cast<int>(groups.all.size()); ++g) {
+    ContactGroup& group = groups.all[g];
     // the other way round a NaN would let a decision stand
     if (!(relative_motion(blocks, groups.swing, group) < group.certain))
-      decide(blocks, contacts, groups, group);
+      decide(blocks, contacts, groups, g);
     if (group.acting >= 0)
       measure(blocks, contacts, group);
   }
-  hand_over(blocks, contacts, groups, law);
-  groups.lost.clear();
+  hand_over(blocks, contacts, groups, settings.normal_stiffness);
   // apart from the forces, whose branches would wait for each root and quotient
   for (const ContactGroup& group : groups.all)
     if (group.acting >= 0)

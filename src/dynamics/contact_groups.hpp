@@ -26,9 +26,9 @@ struct ContactGroup {
   double overlap = 0.0;                     ///< [L]
 };
 
-/// Elastic force that a corner's record held when it ceased to act.
+/// Elastic force that a record held when it ceased to act.
 struct LostForce {
-  int corner, edge;
+  int group, record;
   double normal, shear;  ///< [F] FN > 0, FS
 };
 
