@@ -212,4 +212,12 @@ int check_deck(const RunOptions& options) {
   return done;
 }
 
+int build_deck(const RunOptions& options, Model& model) {
+  Job job(options);
+  std::vector<std::string> notes;
+  const bool sound = check(job, model, notes);
+  fmt::print(stderr, "{}", job.diagnostics.format_all());
+  return sound ? done : deck_error;
+}
+
 }  // namespace blocks::run
