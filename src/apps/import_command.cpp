@@ -135,12 +135,14 @@ int import_blocks(ImportOptions options) {
     file = format == "geojson" ? exchange::read_geojson(text)
            : format == "wkt"   ? exchange::read_wkt(text)
                                : read_mesh(name, text);
-  } catch (const deck::MeshError& fault) {
+  } catch (const deck::UnknownMesh& fault) {
     fmt::print(stderr,
-               "blocks: error: {}\n  hint: import reads GeoJSON, WKT, the text "
-               "form of READ9, Gmsh .msh, GENESIS and region records "
-               "(docs/exchange.md)\n",
+               "blocks: error: {}\n  hint: import reads GeoJSON, WKT and READ9's "
+               "forms (docs/exchange.md)\n",
                fault.what());
+    return run::deck_error;
+  } catch (const deck::MeshError& fault) {
+    fmt::print(stderr, "blocks: error: {}\n", fault.what());
     return run::deck_error;
   }
   const bool readable = !exchange::has_errors(file.messages);

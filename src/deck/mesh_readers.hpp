@@ -29,6 +29,11 @@ class MeshError : public std::runtime_error {
                                             // found 3"
 };
 
+/// A file in none of the four forms.
+class UnknownMesh : public MeshError {
+  using MeshError::MeshError;
+};
+
 /// Reads the file. Throws MeshError with file, line (or record) and reason.
 MeshFile read_mesh(const std::string& path);
 

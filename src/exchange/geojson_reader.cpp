@@ -24,7 +24,7 @@ class Reader {
   OutlineFile read() {
     try {
       const Json root = parse_json(text_);
-      if (!expect(root, Json::Kind::object, "GeoJSON"))
+      if (!expect(root, Json::Kind::object, "the file"))
         return rings_.finish("GeoJSON");
       object(root, {});
     } catch (const JsonFault& fault) {
@@ -130,8 +130,14 @@ Properties Reader::read_properties(const Json& node) {
 void Reader::polygon(const Json& rings, const Properties& properties) {
   if (!expect(rings, Json::Kind::array, "polygon"))
     return;
+  const auto is_position = [](const Json& ring) {
+    return !ring.items.empty() && ring.items[0].kind == Json::Kind::number;
+  };
   if (rings.items.empty())
     rings_.warning(rings.at, "an empty polygon is passed over");
+  else if (is_position(rings.items[0]))
+    rings_.error(rings.at, "ring: expected an array of positions, found a position",
+                 "a polygon is an array of rings, a ring an array of positions");
   else if (rings.items.size() > 1)
     rings_.refuse_holes(rings.items.size() - 1, rings.at);
   else if (std::vector<Position> positions; ring(rings.items[0], positions))
