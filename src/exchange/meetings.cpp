@@ -64,7 +64,8 @@ class CornerGrid {
 
   int index(double x, double from, double to) const {
     const double part = to > from ? (x / 2 - from / 2) / (to / 2 - from / 2) : 0.0;
-    return std::clamp(static_cast<int>(part * cells_), 0, cells_ - 1);
+    // Clamped before it becomes an int: a slender whole grown by `near` leaves it far.
+    return std::min(static_cast<int>(std::clamp(part, 0.0, 1.0) * cells_), cells_ - 1);
   }
   int column(double x) const { return index(x, lower_.x(), upper_.x()); }
   int row(double y) const { return index(y, lower_.y(), upper_.y()); }

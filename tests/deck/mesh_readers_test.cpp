@@ -113,10 +113,14 @@ struct FortranFile {
 
 // Square and triangle: block 5 has a quadrilateral of 8 nodes written anticlockwise,
 // block 2 a triangle as a quadrilateral with a repeated node.
-FortranFile genesis(bool big = false, std::size_t integers = 4, std::size_t reals = 8) {
+FortranFile genesis(bool big = false, std::size_t integers = 4, std::size_t reals = 8,
+                    bool version = true) {
   FortranFile file{big, integers, reals, "", ""};
   file.text("A SQUARE AND A TRIANGLE", 80).end();
-  file.integers({9, 2, 2, 2, 0, 0, 0, 0, 0, 1}).end();
+  file.integers({9, 2, 2, 2, 0, 0, 0, 0, 0});
+  if (version)
+    file.integers({1});
+  file.end();
   file.reals({0, 2, 2, 0, 1, 2, 1, 0, 4}).reals({0, 0, 2, 2, 0, 1, 2, 1, 0.5}).end();
   file.integers({1, 2}).end();
   file.integers({5, 1, 8, 0}).end();
@@ -216,6 +220,15 @@ TEST(MeshGenesis, ReadsEveryWordSizeAndByteOrder) {
       }
 }
 
+// The tenth word of the sizes came late; files without it are as good, and told apart.
+TEST(MeshGenesis, ReadsFilesWithoutVersionWord) {
+  for (const std::size_t integers : {4u, 8u}) {
+    const MeshFile mesh = read(genesis(true, integers, 4, false).bytes);
+    EXPECT_THAT(mesh.found, StartsWith("GENESIS, no version word, big-endian, "));
+    EXPECT_EQ(mesh.blocks.size(), 2u);
+  }
+}
+
 TEST(MeshRegions, ReadsSharedNodesInEveryWordSizeAndByteOrder) {
   for (const bool big : {false, true})
     for (const std::size_t integers : {4u, 8u})
@@ -244,6 +257,7 @@ TEST(MeshErrors, NameTheFileThatIsMissingEmptyOrAFolder) {
   EXPECT_EQ(refusal(""), ": the mesh file is empty");
   EXPECT_EQ(refusal(" \n\n"), ": the mesh file is empty");
   EXPECT_THAT(refusal("CREATE, 4\n"), HasSubstr(":1: not a mesh that READ9 knows"));
+  EXPECT_THAT(refusal("\x89HDF\r\n\x1a\n"), HasSubstr("Exodus II?"));
   EXPECT_THAT(refusal(std::string("CDF\1\0\0\0\0", 8)), HasSubstr("netCDF"));
 }
 

@@ -65,6 +65,14 @@ TEST(Soundness, PartsRoundingFromOverlap) {
   EXPECT_EQ(real.overlaps[0].area, 0x1p-20);
 }
 
+// A whole so slender that the tolerance is wider than it is high. (Found by fuzzing:
+// the grid's index overflowed, which the sanitizer sees.)
+TEST(Soundness, TakesExtremeShapes) {
+  const Soundness needle = examine({{{0, 0}, {1, 1}, {1e99, 0}}});
+  EXPECT_TRUE(needle.sound());
+  EXPECT_TRUE(needle.on_sides.empty());
+}
+
 // The law: the sense of the outlines and their order change nothing but the numbers;
 // bad outlines keep the numbers of the others right.
 TEST(Soundness, DoesNotDependOnSenseOrOrder) {
