@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "geometry/contact_predicates.hpp"
 
@@ -75,6 +76,20 @@ bool has_corner(const Polygon& outline, const Vec2& point) {
   return std::find(outline.begin(), outline.end(), point) != outline.end();
 }
 
+/// Two points near each other meet from either side, and in every block they belong to.
+void keep_one_for_each_pair_of_points(const std::vector<Polygon>& outlines,
+                                      std::vector<Meeting>& meetings) {
+  std::set<std::array<double, 4>> seen;
+  std::erase_if(meetings, [&](const Meeting& meeting) {
+    std::array<double, 2> p{meeting.place.x(), meeting.place.y()};
+    const Vec2& other = outlines[meeting.other][meeting.side];
+    std::array<double, 2> q{other.x(), other.y()};
+    if (q < p)
+      std::swap(p, q);
+    return !seen.insert({p[0], p[1], q[0], q[1]}).second;
+  });
+}
+
 }  // namespace
 
 void find_meetings(const std::vector<Polygon>& outlines, Soundness& result) {
@@ -111,15 +126,13 @@ void find_meetings(const std::vector<Polygon>& outlines, Soundness& result) {
       });
     }
   }
-  // Two corners near each other meet twice, once from either block.
-  std::erase_if(result.near_corners,
-                [](const Meeting& meeting) { return meeting.block > meeting.other; });
   const auto by_number = [](const Meeting& a, const Meeting& b) {
     return std::array{a.block, a.corner, a.other, a.side} <
            std::array{b.block, b.corner, b.other, b.side};
   };
   std::sort(result.on_sides.begin(), result.on_sides.end(), by_number);
   std::sort(result.near_corners.begin(), result.near_corners.end(), by_number);
+  keep_one_for_each_pair_of_points(outlines, result.near_corners);
 }
 
 }  // namespace blocks::exchange

@@ -7,7 +7,7 @@
 namespace blocks::exchange {
 namespace {
 
-constexpr std::size_t most_shown = 100;
+constexpr std::size_t most_shown = 40;
 constexpr std::size_t before = 50, after = 30;  // of the caret, in a long line
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
@@ -80,11 +80,13 @@ std::string format(std::vector<Message> messages, const std::string& file,
       column += characters(text.substr(counted_to, message.at - counted_to));
       counted_to = message.at;
       where += fmt::format(":{}:{}", line, column);
-      shown_line = picture(text, begin, message);
+      if (message.length > 0)
+        shown_line = picture(text, begin, message);
     }
     out += fmt::format("{}: {}: {}: {}\n{}", where, message.error ? "error" : "warning",
                        form, message.text, shown_line);
-    if (!message.hint.empty())
+    const bool last = i + 1 == std::min(messages.size(), most_shown);
+    if (!message.hint.empty() && (last || messages[i + 1].hint != message.hint))
       out += "  hint: " + message.hint + "\n";
   }
   if (messages.size() > most_shown)

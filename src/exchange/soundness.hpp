@@ -30,8 +30,9 @@ struct Soundness {
   /// Of the good outlines; those by rounding alone (at most 1e-9 of the smaller block)
   /// apart, for decimals cannot say where two sloping lines meet.
   std::vector<geometry::BlockOverlap> overlaps, roundings;
-  std::vector<Meeting> on_sides;      ///< T-junctions, exact and within the tolerance
-  std::vector<Meeting> near_corners;  ///< within the tolerance, yet not the same point
+  std::vector<Meeting> on_sides;  ///< T-junctions, exact and within the tolerance
+  /// Points within the tolerance of each other, yet not the same: each pair once.
+  std::vector<Meeting> near_corners;
 
   bool sound() const { return bad.empty() && overlaps.empty(); }
 };

@@ -8,6 +8,7 @@ namespace blocks::exchange {
 namespace {
 
 constexpr std::size_t shown = 5;
+constexpr std::size_t most_pairs = 10;  // that overlap, the largest
 
 std::string counted(std::size_t n, const std::string& noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
@@ -52,15 +53,26 @@ std::vector<Message> faults(const Soundness& soundness,
         {true, outlines[bad.block].at,
          fmt::format("block {}: {}", bad.block + 1, geometry::describe(bad.check)),
          "give the corners in order around the block, each one once"});
-  for (const geometry::BlockOverlap& pair : soundness.overlaps)
+  std::vector<geometry::BlockOverlap> largest = soundness.overlaps;
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
+  const std::string hint =
+      keep_overlaps ? "" : "correct the outlines, or take them with --keep-overlaps";
+  for (std::size_t i = 0; i < std::min(largest.size(), most_pairs); ++i) {
+    const geometry::BlockOverlap& pair = largest[i];
     messages.push_back(
         {!keep_overlaps, outlines[pair.first].at,
          fmt::format("blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, "
                      "{:.6g})",
                      pair.first + 1, pair.second + 1, pair.area, pair.place.x(),
                      pair.place.y()),
-         keep_overlaps ? ""
-                       : "correct the outlines, or take them with --keep-overlaps"});
+         hint, 0});
+  }
+  if (largest.size() > most_pairs)
+    messages.push_back({!keep_overlaps, nowhere,
+                        fmt::format("{} more pairs of blocks overlap, by less",
+                                    largest.size() - most_pairs),
+                        hint});
   return messages;
 }
 
@@ -94,7 +106,7 @@ std::string describe(const Soundness& soundness, const std::vector<Outline>& out
             });
   }
   if (!soundness.near_corners.empty())
-    text += fmt::format("corners that nearly meet, but are not the same point: {}\n",
+    text += fmt::format("points that nearly meet, but are not the same: {}\n",
                         soundness.near_corners.size()) +
             first_few(soundness.near_corners, [](const Meeting& m) {
               return fmt::format(

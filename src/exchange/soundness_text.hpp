@@ -9,8 +9,8 @@
 
 namespace blocks::exchange {
 
-/// An error for each bad outline and each pair that overlaps; overlaps become warnings
-/// when they are to be kept.
+/// An error for each bad outline and for the ten pairs that overlap most, the rest of
+/// the pairs counted; overlaps become warnings when they are to be kept.
 std::vector<Message> faults(const Soundness& soundness,
                             const std::vector<Outline>& outlines, bool keep_overlaps);
 
