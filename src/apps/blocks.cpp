@@ -9,7 +9,9 @@
 #include <string>
 
 #include "deck/cards_text.hpp"
+#include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
+#include "import_command.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
@@ -54,7 +56,15 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
                 "Reports every error of a deck in one pass and proves its layers."},
       {"cards", "Example: blocks cards LAYER\n\nLists all cards, or describes one."},
       {"plot", "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
-               "Draws the blocks at one time, coloured by material or a quantity."}};
+               "Draws the blocks at one time, coloured by material or a quantity."},
+      {"import",
+       "Example: blocks import decks/every_card/hexagons.txt --deck\n\n"
+       "Reads outlines from GeoJSON, WKT, Gmsh .msh or another form of READ9, checks\n"
+       "them exactly, and writes a mesh for READ9 and, with --deck, a deck around it."},
+      {"export",
+       "Example: blocks export decks/stack/stack.deck -o stack.geojson\n\n"
+       "Writes the blocks of a deck, or of results at one time, as GeoJSON, WKT, Gmsh\n"
+       ".msh or READ9's text form; every coordinate reads back bit for bit."}};
   if (argc < 2)
     return;
   if (const auto page = pages.find(argv[1]); page != pages.end())
@@ -117,6 +127,14 @@ int dispatch(int argc, char** argv) {
   auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
   blocks::apps::add_plot_options(*plot, plot_options);
 
+  blocks::apps::ImportOptions import_options;
+  auto* import = app.add_subcommand("import", "outlines of other programs, for READ9");
+  blocks::apps::add_import_options(*import, import_options);
+
+  blocks::apps::ExportOptions export_options;
+  auto* to_others = app.add_subcommand("export", "blocks for other programs");
+  blocks::apps::add_export_options(*to_others, export_options);
+
   app.name("blocks");
   open_help_with_example(app, argc, argv);
   try {
@@ -133,6 +151,10 @@ int dispatch(int argc, char** argv) {
     return blocks::run::check_deck(options);
   if (*reference)
     return cards(card, markdown);
+  if (*import)
+    return blocks::apps::import_blocks(import_options);
+  if (*to_others)
+    return blocks::apps::export_blocks(export_options);
   return blocks::apps::plot(plot_options);
 }
 

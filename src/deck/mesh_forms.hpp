@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -42,14 +43,14 @@ inline long magnitude(long id) {
 class Elements {
  public:
   /// Throws when a coordinate is not finite or the id already stands elsewhere.
-  void add_node(long id, double x, double y, const Place& place);
+  void add_node(long id, double x, double y, const Place& place, double z = 0);
 
   /// corners: node ids in order, either way round. Corners repeated one after the other
   /// count once, so that a quadrilateral with a repeated last node is a triangle. The
   /// outline comes out clockwise with the first corner kept first (LXK and GENESIS are
   /// anticlockwise, rule 27). name: "element 7", for messages. Throws for an unknown
-  /// node, fewer than three corners, no area, material < 1, or a second element on the
-  /// same corners.
+  /// node, fewer than three corners, no area, material < 1, a second element on the
+  /// same corners, or one off the plane z = constant of the others.
   void add(std::span<const long> corners, long material, const std::string& name,
            const Place& place);
 
@@ -59,7 +60,12 @@ class Elements {
   std::vector<MeshBlock> blocks;
 
  private:
-  std::unordered_map<long, geometry::Vec2> nodes_;
+  struct Node {
+    geometry::Vec2 position;
+    double z = 0;
+  };
+  std::unordered_map<long, Node> nodes_;
+  std::optional<double> level_;  ///< z of the first element
   std::set<std::array<long, 4>>
       taken_;  ///< sorted corners; 4th is the least long if none
   std::size_t triangles_ = 0, quadrilaterals_ = 0;

@@ -12,6 +12,7 @@ struct Header {
   std::size_t integer_width = 4;
   long nodes = 0, dimensions = 0, elements = 0, blocks = 0;
   long node_sets = 0, side_sets = 0;
+  std::optional<long> version;  // a tenth word, in later files
 };
 
 // NUMNP, NDIM, NUMEL, NELBLK, NUMNPS, LNPSNL, NUMESS, LESSEL, LESSNL(, version)
@@ -33,6 +34,8 @@ Header read_header(const Records& records) {
   header.blocks = at(3);
   header.node_sets = at(4);
   header.side_sets = at(6);
+  if (length == 10 * header.integer_width)
+    header.version = at(9);
   if (header.dimensions != 2)
     fail(records.place(1), fmt::format("NDIM is {}; READ9 reads plane meshes (NDIM 2)",
                                        header.dimensions));
@@ -150,7 +153,10 @@ MeshFile read_genesis(const Records& records) {
   MeshFile mesh;
   mesh.form = MeshForm::genesis;
   mesh.found =
-      fmt::format("GENESIS, {}, {}: {}", describe(records, width, real_width),
+      fmt::format("GENESIS, {}, {}, {}: {}",
+                  header.version ? fmt::format("version word {}", *header.version)
+                                 : "no version word",
+                  describe(records, width, real_width),
                   counted(static_cast<std::size_t>(header.blocks), "element block"),
                   elements.found());
   if (bars > 0)

@@ -1,5 +1,5 @@
 // READ9 form (b): Gmsh .msh, ASCII, versions 2 to 2.2 and 4.1 (docs/mesh-formats.md).
-// Triangles and quadrilaterals of any order give their corners; z is ignored.
+// Triangles and quadrilaterals of any order give their corners; z is the same for all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Reader {
   std::string version_;
   Elements elements_;
   std::unordered_map<long, long> physical_of_surface_;  // 4.1
-  std::size_t passed_over_ = 0;
+  std::size_t passed_over_ = 0, higher_order_ = 0;
   bool nodes_seen_ = false, elements_seen_ = false;
 
   void format();
@@ -116,7 +116,7 @@ void Reader::node(long id, std::size_t x_field, std::size_t fields) {
   if (lines_.fields().size() < fields)
     fail(lines_.place(), fmt::format("node {}: expected x, y, z", id));
   elements_.add_node(id, lines_.real(x_field, "x"), lines_.real(x_field + 1, "y"),
-                     lines_.place());
+                     lines_.place(), lines_.real(x_field + 2, "z"));
 }
 
 void Reader::nodes_2() {
@@ -187,6 +187,8 @@ void Reader::plane_element(const ElementType& element, std::size_t first_node,
     corners[c] = lines_.integer(first_node + c, name + ": node");
   elements_.add(std::span(corners).first(element.corners), material, name,
                 lines_.place());
+  if (element.nodes > element.corners)
+    ++higher_order_;
 }
 
 // number, type, number of tags, tags (physical group, elementary tag, ...), nodes
@@ -270,6 +272,9 @@ MeshFile Reader::read() {
   MeshFile mesh;
   mesh.form = MeshForm::gmsh;
   mesh.found = fmt::format("Gmsh {} ASCII, {}", version_, elements_.found());
+  if (higher_order_ > 0)
+    mesh.found +=
+        fmt::format(" ({} of higher order, reduced to corners)", higher_order_);
   if (passed_over_ > 0)
     mesh.found += fmt::format(" (points and lines passed over: {})", passed_over_);
   mesh.blocks = std::move(elements_.blocks);

@@ -38,12 +38,12 @@ bool turn_clockwise(geometry::Polygon& outline) {
   return std::isfinite(twice_area) && twice_area != 0;
 }
 
-void Elements::add_node(long id, double x, double y, const Place& place) {
-  if (!std::isfinite(x) || !std::isfinite(y))
+void Elements::add_node(long id, double x, double y, const Place& place, double z) {
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
     fail(place, fmt::format("node {} has a coordinate that is not finite", id));
-  const geometry::Vec2 position(x, y);
-  const auto [known, added] = nodes_.emplace(id, position);
-  if (!added && known->second != position)
+  const Node node{{x, y}, z};
+  const auto [known, added] = nodes_.emplace(id, node);
+  if (!added && (known->second.position != node.position || known->second.z != z))
     fail(place, fmt::format("node {} is given twice, at different places", id));
 }
 
@@ -74,7 +74,14 @@ void Elements::add(std::span<const long> corners, long material,
     const auto node = nodes_.find(id);
     if (node == nodes_.end())
       fail(place, fmt::format("{} refers to node {}, which is not there", name, id));
-    block.outline.push_back(node->second);
+    block.outline.push_back(node->second.position);
+    if (!level_)
+      level_ = node->second.z;
+    const double size = (block.outline.back() - block.outline.front()).norm();
+    if (std::abs(node->second.z - *level_) > 1e-9 * (std::abs(*level_) + size))
+      fail(place, fmt::format("{} leaves the plane of the mesh: node {} has z = {}, "
+                              "others {}",
+                              name, id, node->second.z, *level_));
   }
   if (!turn_clockwise(block.outline))
     fail(place, name + " has no area in the x, y plane");
@@ -134,8 +141,10 @@ std::string binary_reason(std::string_view data) {
 }  // namespace mesh
 
 MeshFile read_mesh(const std::string& path) {
-  const std::string data = mesh::read_all(path);
-  std::string_view text = data;
+  return parse_mesh(path, mesh::read_all(path));
+}
+
+MeshFile parse_mesh(const std::string& path, std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == text.npos)
     mesh::fail({path}, "the mesh file is empty");
   if (mesh::Records::recognise(text)) {

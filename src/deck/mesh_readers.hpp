@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/vec2.hpp"
@@ -28,7 +29,16 @@ class MeshError : public std::runtime_error {
                                             // found 3"
 };
 
+/// A file in none of the four forms.
+class UnknownMesh : public MeshError {
+  using MeshError::MeshError;
+};
+
 /// Reads the file. Throws MeshError with file, line (or record) and reason.
 MeshFile read_mesh(const std::string& path);
+
+/// The same for a file already in memory; name: as shown in messages. Allocates no more
+/// than a small multiple of the data, whatever counts it announces.
+MeshFile parse_mesh(const std::string& name, std::string_view data);
 
 }  // namespace blocks::deck

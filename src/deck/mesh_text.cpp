@@ -128,10 +128,10 @@ MeshFile read_text(std::string_view file, std::string_view text) {
   Lines lines(file, text, "$!", true);
   lines.need("the word BLOCKS");
   if (upper(lines.fields()[0]) != "BLOCKS")
-    fail(lines.place(),
-         fmt::format("not a mesh that READ9 knows: the text form starts with BLOCKS, "
-                     "Gmsh with $MeshFormat; found {}",
-                     quoted(lines.fields()[0])));
+    throw UnknownMesh(fmt::format(
+        "{}:{}: not a mesh that READ9 knows: the text form starts with BLOCKS, "
+        "Gmsh with $MeshFormat; found {}",
+        file, lines.place().line, quoted(lines.fields()[0])));
   if (lines.fields().size() > 2)
     fail(lines.place(), "expected BLOCKS and at most the number of blocks");
   const bool announced = lines.fields().size() == 2;

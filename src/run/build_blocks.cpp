@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "deck/mesh_readers.hpp"
 #include "geometry/layer.hpp"
 
@@ -11,8 +13,9 @@ using geometry::QuadShape;
 
 double BlockBuilder::density(long material, deck::SourceLocation where) {
   const auto& materials = model_.settings.materials;
+  const bool in_range = material <= std::numeric_limits<int>::max();
   if (const auto found = materials.find(static_cast<int>(material));
-      found != materials.end())
+      in_range && found != materials.end())
     return found->second.density;
   if (partial_)
     return 1.0;
@@ -218,7 +221,7 @@ void BlockBuilder::record(const geometry::Layer& cut, int number) {
                              absorption.width_to_height, limit});
 }
 
-void BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
+std::string BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
   deck::MeshFile mesh;
   try {
     mesh = deck::read_mesh(path);
@@ -226,10 +229,10 @@ void BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
     error(command_.where, fault.what(),
           "READ9 reads the text form, Gmsh .msh, GENESIS and region records "
           "(docs/mesh-formats.md)");
-    return;
+    return {};
   }
   if (!fits(static_cast<long>(mesh.blocks.size()), command_.where))
-    return;
+    return {};
   std::vector<NewBlock> made;
   bool warned = false;
   for (deck::MeshBlock& block : mesh.blocks) {
@@ -239,11 +242,14 @@ void BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
                           : fmt::format("block {} of the mesh", made.size() + 1);
     const double rho = density(block.material, command_.where);
     if (!(rho > 0.0) || !accept(block.outline, command_.where, what, warned))
-      return;
+      return {};
     made.push_back({std::move(block.outline), static_cast<int>(block.material), rho,
                     Fixity::free});
   }
+  const int first = model_.blocks.size() + 1;
   append(made);
+  return fmt::format("READ9: {}: {} (blocks {} to {})", path, mesh.found, first,
+                     model_.blocks.size());
 }
 
 }  // namespace blocks::run

@@ -20,7 +20,8 @@ class BlockBuilder {
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
-  void read_mesh(const deck::Read9& card, const std::string& path);
+  /// Returns what was found in the file, in words; empty after an error.
+  std::string read_mesh(const deck::Read9& card, const std::string& path);
 
  private:
   void error(deck::SourceLocation where, const std::string& message,

@@ -136,7 +136,8 @@ struct Builder::Visitor {
   void operator()(const deck::Read9& card) {
     const std::string name = card.file.given ? card.file.value : self.options_.tape9;
     const auto path = std::filesystem::path(self.options_.folder) / name;
-    builder().read_mesh(card, path.string());
+    if (std::string found = builder().read_mesh(card, path.string()); !found.empty())
+      self.notes_.push_back(std::move(found));
   }
   void operator()(const deck::Layer& card) { builder().layer(card); }
   void operator()(const deck::Orient& card) {

@@ -34,6 +34,9 @@ class Builder {
   /// nothing, no step without a driving FUNCTION. Called before MOTION and CYCLE.
   void check_before_motion(const deck::Command& command);
 
+  /// What was found in the mesh files, a line each, since the last call.
+  std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+
  private:
   struct Visitor;
   void check_planes();
@@ -42,6 +45,7 @@ class Builder {
   Model& model_;
   deck::Diagnostics& diagnostics_;
   BuildOptions options_;
+  std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards not yet checked
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
   int checked_blocks_;  ///< blocks already looked at before an earlier MOTION

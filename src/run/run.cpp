@@ -58,7 +58,8 @@ struct Job {
 
 /// Executes every card but the passing of time. The model is what the deck describes
 /// before its first step; false when there were errors.
-bool check(Job& job, Model& model) {
+/// notes: what the mesh files held.
+bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   if (job.options.restart && !job.continues()) {
     job.diagnostics.error({1, 1, 1}, "RESTART",
                           "--restart needs a deck that begins with RESTART",
@@ -75,6 +76,7 @@ bool check(Job& job, Model& model) {
     if (passes_time(command) && !job.diagnostics.has_errors())
       builder.check_before_motion(command);
   }
+  notes = builder.take_notes();
   return !job.diagnostics.has_errors();
 }
 
@@ -113,6 +115,8 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
   for (; next < job.deck.commands.size() && outcome == Outcome::finished; ++next) {
     const deck::Command& command = job.deck.commands[next];
     builder.apply(command);
+    for (const std::string& note : builder.take_notes())
+      files.message(note);
     if (passes_time(command)) {
       executor.set_share(motion / motions, (motion + 1.0) / motions);
       motion += 1.0;
@@ -177,12 +181,16 @@ std::vector<std::string> warnings_of(const deck::Diagnostics& diagnostics) {
 int run_deck(const RunOptions& options) {
   Job job(options);
   Model checked;
-  const bool sound = check(job, checked);
+  std::vector<std::string> notes;
+  const bool sound = check(job, checked, notes);
   fmt::print(stderr, "{}", job.diagnostics.format_all());
   if (!sound)
     return deck_error;
-  if (options.verbose)
+  if (options.verbose) {
     fmt::print(stderr, "{}", check_report(job.diagnostics.file(), checked));
+    for (const std::string& note : notes)
+      fmt::print(stderr, "{}\n", note);
+  }
   catch_interrupts();
   Console console(!options.json, options.quiet);
   return execute(job, console, warnings_of(job.diagnostics));
@@ -191,13 +199,25 @@ int run_deck(const RunOptions& options) {
 int check_deck(const RunOptions& options) {
   Job job(options);
   Model model;
-  const bool sound = check(job, model);
+  std::vector<std::string> notes;
+  const bool sound = check(job, model, notes);
   fmt::print(stderr, "{}", job.diagnostics.format_all());
   if (!sound)
     return deck_error;
-  if (!options.quiet)
+  if (!options.quiet) {
     fmt::print("{}", check_report(job.diagnostics.file(), model));
+    for (const std::string& note : notes)
+      fmt::print("{}\n", note);
+  }
   return done;
+}
+
+int build_deck(const RunOptions& options, Model& model) {
+  Job job(options);
+  std::vector<std::string> notes;
+  const bool sound = check(job, model, notes);
+  fmt::print(stderr, "{}", job.diagnostics.format_all());
+  return sound ? done : deck_error;
 }
 
 }  // namespace blocks::run

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "deck/parser.hpp"
+#include "model/model.hpp"
 
 namespace blocks::run {
 
@@ -43,5 +44,9 @@ int run_deck(const RunOptions& options);
 /// Parses and builds everything, reports every fault, makes no step. Returns an
 /// ExitCode.
 int check_deck(const RunOptions& options);
+
+/// The same without the report of a deck without faults: model becomes what the deck
+/// describes before its first step.
+int build_deck(const RunOptions& options, Model& model);
 
 }  // namespace blocks::run

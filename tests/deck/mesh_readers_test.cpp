@@ -13,6 +13,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ using blocks::geometry::Vec2;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const std::string samples = BLOCKS_SOURCE_DIR "/tests/data/mesh/";
 
@@ -111,10 +113,14 @@ struct FortranFile {
 
 // Square and triangle: block 5 has a quadrilateral of 8 nodes written anticlockwise,
 // block 2 a triangle as a quadrilateral with a repeated node.
-FortranFile genesis(bool big = false, std::size_t integers = 4, std::size_t reals = 8) {
+FortranFile genesis(bool big = false, std::size_t integers = 4, std::size_t reals = 8,
+                    bool version = true) {
   FortranFile file{big, integers, reals, "", ""};
   file.text("A SQUARE AND A TRIANGLE", 80).end();
-  file.integers({9, 2, 2, 2, 0, 0, 0, 0, 0, 1}).end();
+  file.integers({9, 2, 2, 2, 0, 0, 0, 0, 0});
+  if (version)
+    file.integers({1});
+  file.end();
   file.reals({0, 2, 2, 0, 1, 2, 1, 0, 4}).reals({0, 0, 2, 2, 0, 1, 2, 1, 0.5}).end();
   file.integers({1, 2}).end();
   file.integers({5, 1, 8, 0}).end();
@@ -200,9 +206,10 @@ TEST(MeshGenesis, ReadsEveryWordSizeAndByteOrder) {
       for (const std::size_t reals : {4u, 8u}) {
         const MeshFile mesh = read(genesis(big, integers, reals).bytes);
         EXPECT_EQ(mesh.form, MeshForm::genesis);
-        EXPECT_EQ(mesh.found, std::string("GENESIS, ") + (big ? "big" : "little") +
-                                  "-endian, " + std::to_string(integers) +
-                                  "-byte integers, " + std::to_string(reals) +
+        EXPECT_EQ(mesh.found, std::string("GENESIS, version word 1, ") +
+                                  (big ? "big" : "little") + "-endian, " +
+                                  std::to_string(integers) + "-byte integers, " +
+                                  std::to_string(reals) +
                                   "-byte reals, 2 element blocks: 1 quadrilateral, "
                                   "1 triangle");
         ASSERT_EQ(mesh.blocks.size(), 2u);
@@ -211,6 +218,15 @@ TEST(MeshGenesis, ReadsEveryWordSizeAndByteOrder) {
         EXPECT_EQ(mesh.blocks[1].outline, (Polygon{{2, 0}, {2, 2}, {4, 0.5}}));
         EXPECT_EQ(mesh.blocks[1].material, 2);
       }
+}
+
+// The tenth word of the sizes came late; files without it are as good, and told apart.
+TEST(MeshGenesis, ReadsFilesWithoutVersionWord) {
+  for (const std::size_t integers : {4u, 8u}) {
+    const MeshFile mesh = read(genesis(true, integers, 4, false).bytes);
+    EXPECT_THAT(mesh.found, StartsWith("GENESIS, no version word, big-endian, "));
+    EXPECT_EQ(mesh.blocks.size(), 2u);
+  }
 }
 
 TEST(MeshRegions, ReadsSharedNodesInEveryWordSizeAndByteOrder) {
@@ -241,6 +257,7 @@ TEST(MeshErrors, NameTheFileThatIsMissingEmptyOrAFolder) {
   EXPECT_EQ(refusal(""), ": the mesh file is empty");
   EXPECT_EQ(refusal(" \n\n"), ": the mesh file is empty");
   EXPECT_THAT(refusal("CREATE, 4\n"), HasSubstr(":1: not a mesh that READ9 knows"));
+  EXPECT_THAT(refusal("\x89HDF\r\n\x1a\n"), HasSubstr("Exodus II?"));
   EXPECT_THAT(refusal(std::string("CDF\1\0\0\0\0", 8)), HasSubstr("netCDF"));
 }
 
@@ -341,6 +358,85 @@ TEST(MeshErrors, BinaryFormsSayRecordAndReason) {
   infinite.end().integers({1, 2, 3, 0}).end();
   EXPECT_THAT(refusal(infinite.bytes), HasSubstr(": record 2: node 1 has a coordinate "
                                                  "that is not finite"));
+}
+
+// Whatever is done to a file, it is read or refused with its name and a reason: no
+// crash, no wild allocation, and nothing but finite outlines comes out.
+TEST(MeshErrors, SurviveMutation) {
+  const auto sample = [](const std::string& name) {
+    std::ifstream in(samples + name, std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+  };
+  const std::vector<std::string> seeds{
+      sample("two_quads.txt"),     sample("two_quads_2.2.msh"),
+      sample("two_quads_4.1.msh"), genesis().bytes,
+      genesis(true, 8, 4).bytes,   regions().bytes,
+      regions(true, 8, 4).bytes};
+  // Bytes that hurt: signs, huge counts, marks of other lengths, not-a-number.
+  const std::vector<std::string> splices{"-",
+                                         "999999999999",
+                                         "9",
+                                         "nan",
+                                         "1e999",
+                                         "$",
+                                         "\n",
+                                         ",",
+                                         {"\0\0\0\0", 4},
+                                         "\xff\xff\xff\xff",
+                                         "\x7f\xf8",
+                                         {"\0\0\0\x50", 4}};
+  std::mt19937 random(27);
+  const auto below = [&](std::size_t n) { return random() % n; };
+  std::size_t read = 0, refused = 0;
+  for (int mutant = 0; mutant < 20000; ++mutant) {
+    std::string bytes = seeds[below(seeds.size())];
+    for (std::size_t change = 0; change <= below(3); ++change) {
+      const std::size_t at = below(bytes.size() + 1);
+      switch (below(4)) {
+      case 0:  // a bit, often in a binary number
+        if (at < bytes.size())
+          bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
+        break;
+      case 1:
+        bytes.resize(std::max<std::size_t>(at, 1));
+        break;
+      case 2: {
+        const std::string& splice = splices[below(splices.size())];
+        bytes.replace(at, below(2) * splice.size(), splice);
+        break;
+      }
+      default:
+        bytes.insert(at, bytes.substr(below(bytes.size()), below(40)));
+      }
+    }
+    try {
+      const MeshFile mesh = blocks::deck::parse_mesh("mutant", bytes);
+      ++read;
+      for (const auto& block : mesh.blocks) {
+        EXPECT_GE(block.outline.size(), 3u);
+        for (const Vec2& corner : block.outline)
+          EXPECT_TRUE(corner.allFinite());
+      }
+    } catch (const MeshError& error) {
+      ++refused;
+      EXPECT_THAT(error.what(), StartsWith("mutant:"));
+    }
+  }
+  // Both happen, so that the mutants are neither all harmless nor all hopeless.
+  EXPECT_GT(read, 1000u);
+  EXPECT_GT(refused, 10000u);
+}
+
+// A mesh drawn in another plane must not be flattened in silence.
+TEST(MeshErrors, GmshElementsLieInOnePlane) {
+  const std::string mesh =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 5\n2 2 0 5\n3 0 2 5\n"
+      "$EndNodes\n$Elements\n1\n4 2 0 1 2 3\n$EndElements\n";
+  EXPECT_EQ(read(mesh).blocks.size(), 1u);
+  EXPECT_THAT(
+      refusal(replaced(mesh, "3 0 2 5", "3 0 2 6")),
+      HasSubstr(":12: element 4 leaves the plane of the mesh: node 3 has z = 6, "
+                "others 5"));
 }
 
 // Only whole region files of fewer regions, and a GENESIS file without the records of

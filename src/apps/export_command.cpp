@@ -1,0 +1,201 @@
+#include "export_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+#include "exchange/block_record.hpp"
+#include "exchange/mesh_writer.hpp"
+#include "geometry/polygon.hpp"
+#include "model/model.hpp"
+#include "output/results.hpp"
+#include "post/quantity.hpp"
+#include "post/results_reader.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using exchange::BlockRecord;
+
+/// What goes out.
+struct Scene {
+  std::vector<BlockRecord> blocks;
+  std::optional<double> time;
+};
+
+bool is_hdf5(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string head(8, '\0');
+  in.read(head.data(), 8);
+  return in && head == "\x89HDF\r\n\x1a\n";
+}
+
+Scene scene_of(const Model& model) {
+  Scene scene;
+  const Blocks& blocks = model.blocks;
+  for (int b = 0; b < blocks.size(); ++b)
+    scene.blocks.push_back({b + 1,
+                            blocks.material[b],
+                            !blocks.is_free(b),
+                            blocks.area[b],
+                            blocks.outline(b),
+                            {}});
+  return scene;
+}
+
+Scene scene_of(const post::ResultsReader& results, const std::optional<double>& time) {
+  const post::Frame frame =
+      results.frame(time ? results.nearest(*time) : results.frames() - 1);
+  const post::Frame first = results.frame(0);
+  Scene scene;
+  scene.time = frame.time;
+  for (std::size_t b = 0; b < frame.outlines.size(); ++b)
+    scene.blocks.push_back({frame.number[b],
+                            frame.material[b],
+                            frame.fixed[b] != 0,
+                            geometry::section_properties(frame.outlines[b]).area,
+                            frame.outlines[b],
+                            {}});
+  for (const char* name :
+       {"speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2"}) {
+    const Eigen::VectorXd values = post::quantity(name, frame, first).values;
+    for (std::size_t b = 0; b < scene.blocks.size(); ++b)
+      scene.blocks[b].results.emplace_back(name, values[static_cast<Eigen::Index>(b)]);
+  }
+  return scene;
+}
+
+/// The text form of READ9.
+std::string mesh_text(const Scene& scene, const std::string& comment) {
+  std::vector<exchange::Outline> outlines;
+  for (const BlockRecord& block : scene.blocks) {
+    exchange::Outline outline;
+    outline.corners = block.outline;
+    outline.material = block.material;
+    outlines.push_back(std::move(outline));
+  }
+  return exchange::write_mesh(outlines, comment);
+}
+
+/// Format by the ending of the output; empty for none that is known.
+std::string format_of(const std::string& path) {
+  static const std::map<std::string, std::string> formats = {{".geojson", "geojson"},
+                                                             {".json", "geojson"},
+                                                             {".wkt", "wkt"},
+                                                             {".msh", "msh"},
+                                                             {".txt", "txt"}};
+  const auto found = formats.find(fs::path(path).extension().string());
+  return found == formats.end() ? "" : found->second;
+}
+
+/// What the format cannot hold.
+std::string left_out(const Scene& scene, const std::string& format) {
+  std::string text;
+  if (format == "wkt")
+    text = "materials";
+  bool fixed = false;
+  for (const BlockRecord& block : scene.blocks)
+    fixed = fixed || block.fixed;
+  if (format != "geojson" && fixed)
+    text += (text.empty() ? "" : ", ") + std::string("which blocks are fixed");
+  if (format != "geojson" && scene.time)
+    text += (text.empty() ? "" : ", ") + std::string("results");
+  return text;
+}
+
+int refuse(int code, const std::string& message) {
+  fmt::print(stderr, "blocks: error: {}\n", message);
+  return code;
+}
+
+}  // namespace
+
+void add_export_options(CLI::App& command, ExportOptions& options) {
+  command
+      .add_option("INPUT", options.input.deck,
+                  "a deck (its blocks before the first step), or results, "
+                  "NAME.vtkhdf")
+      ->required();
+  command.add_option("-o,--output", options.output,
+                     ".geojson, .wkt, .msh or .txt, READ9's text form (default: "
+                     "INPUT's stem with .geojson, here)");
+  command
+      .add_option("--format", options.format,
+                  "geojson, wkt, msh or txt, whatever the ending")
+      ->check(CLI::IsMember({"geojson", "wkt", "msh", "txt"}));
+  command.add_option("-t,--time", options.time,
+                     "of results: time of the frame (default: the last)");
+  command.add_option("--seed", options.input.seed, "of a deck: seed of random layers");
+  command.add_option("--tape9", options.input.tape9,
+                     "of a deck: mesh file of a READ9 card without a name");
+  command.add_flag("-q,--quiet", options.input.quiet, "print errors and warnings only");
+}
+
+int export_blocks(ExportOptions options) {
+  const std::string& input = options.input.deck;
+  if (options.output.empty())
+    options.output = (input == "-" ? "blocks" : fs::path(input).stem().string()) + "." +
+                     (options.format.empty() ? "geojson" : options.format);
+  const std::string format =
+      options.format.empty() ? format_of(options.output) : options.format;
+  if (format.empty())
+    return refuse(run::usage_error,
+                  fmt::format("{}: the ending says no format: use .geojson, .wkt, .msh "
+                              "or .txt, or --format",
+                              options.output));
+  if (same_file(input, options.output))
+    return refuse(run::usage_error,
+                  input + " would be written over: choose another -o NAME");
+
+  Scene scene;
+  if (is_hdf5(input)) {
+    try {
+      const post::ResultsReader results(input);
+      if (results.frames() == 0)
+        return refuse(run::file_error, input + " holds no frames");
+      scene = scene_of(results, options.time);
+    } catch (const std::runtime_error& fault) {
+      return refuse(run::file_error, fault.what());
+    }
+  } else {
+    if (options.time)
+      return refuse(run::usage_error, "--time is for results; a deck gives its blocks "
+                                      "before the first step");
+    Model model;
+    if (const int code = run::build_deck(options.input, model); code != run::done)
+      return code;
+    scene = scene_of(model);
+  }
+  if (scene.blocks.empty())
+    return refuse(run::deck_error, input + " has no blocks");
+
+  std::string text;
+  try {
+    text = format == "geojson" ? exchange::write_geojson(scene.blocks, scene.time)
+           : format == "wkt"   ? exchange::write_wkt(scene.blocks)
+           : format == "msh"   ? exchange::write_gmsh(scene.blocks)
+                               : mesh_text(scene, "From " + input);
+  } catch (const std::invalid_argument& fault) {
+    return refuse(run::deck_error,
+                  fmt::format("{}\n  hint: .geojson, .wkt and .txt take any outline",
+                              fault.what()));
+  }
+  write_text_file(options.output, text);
+  if (!options.input.quiet) {
+    fmt::print("{}: {} blocks", options.output, scene.blocks.size());
+    if (scene.time)
+      fmt::print(" at time {:g}", *scene.time);
+    const std::string missing = left_out(scene, format);
+    fmt::print("{}\n",
+               missing.empty() ? "" : "; ." + format + " leaves out " + missing);
+  }
+  return run::done;
+}
+
+}  // namespace blocks::apps

@@ -1,0 +1,185 @@
+#include "import_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "deck/mesh_readers.hpp"
+#include "exchange/deck_skeleton.hpp"
+#include "exchange/geojson_reader.hpp"
+#include "exchange/mesh_writer.hpp"
+#include "exchange/soundness_text.hpp"
+#include "exchange/wkt_reader.hpp"
+#include "run/deck_file.hpp"
+#include "run/run.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using exchange::Outline;
+using exchange::OutlineFile;
+
+/// The format by the first characters that are not blank.
+std::string recognise(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF"))
+    text.remove_prefix(3);
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first != text.npos && (text[first] == '{' || text[first] == '['))
+    return "geojson";
+  return exchange::looks_like_wkt(text) ? "wkt" : "mesh";
+}
+
+/// READ9's forms.
+OutlineFile read_mesh(const std::string& name, const std::string& text) {
+  deck::MeshFile mesh = deck::parse_mesh(name, text);
+  OutlineFile file;
+  file.found = mesh.found;
+  std::size_t at = 0;
+  int line = 1;
+  for (deck::MeshBlock& block : mesh.blocks) {
+    Outline outline;
+    outline.corners = std::move(block.outline);
+    outline.material = block.material;
+    for (; line < block.line; ++line)  // blocks stand in the order of their lines
+      at = text.find('\n', at) + 1;
+    if (block.line > 0)
+      outline.at = at;
+    file.outlines.push_back(std::move(outline));
+  }
+  return file;
+}
+
+void give_material(OutlineFile& file, int material) {
+  std::size_t without = 0;
+  const Outline* first = nullptr;
+  for (Outline& outline : file.outlines) {
+    if (outline.material == 0 && material > 0)
+      outline.material = material;
+    if (outline.material == 0 && without++ == 0)
+      first = &outline;
+  }
+  if (without > 0)
+    file.messages.push_back(
+        {true, first->at,
+         fmt::format("{} of {} blocks without a material", without,
+                     file.outlines.size()),
+         "give --material N, or in GeoJSON the property \"material\""});
+}
+
+/// "here/roof.geojson" -> "roof"
+std::string stem_of(const std::string& path) {
+  return path == "-" ? "blocks" : fs::path(path).stem().string();
+}
+
+/// "roof.mesh.txt" -> "roof.deck"
+std::string deck_beside(const std::string& mesh) {
+  fs::path path = fs::path(mesh).replace_extension();
+  if (path.extension() == ".mesh")
+    path.replace_extension();
+  path += ".deck";
+  return path.string();
+}
+
+int usage(const std::string& message) {
+  fmt::print(stderr, "blocks: error: {}\n", message);
+  return run::usage_error;
+}
+
+}  // namespace
+
+void add_import_options(CLI::App& command, ImportOptions& options) {
+  command
+      .add_option("FILE", options.file,
+                  "GeoJSON, WKT, Gmsh .msh, or another form of READ9; - for "
+                  "standard input")
+      ->required();
+  command.add_option("-o,--output", options.output,
+                     "the mesh to write (default: FILE's stem with .mesh.txt, here)");
+  command
+      .add_option("--format", options.format,
+                  "auto (by content), geojson, wkt, or mesh for READ9's forms")
+      ->check(CLI::IsMember({"auto", "geojson", "wkt", "mesh"}));
+  command
+      .add_option("--material", options.material,
+                  "material of blocks whose material the file does not say")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--deck", options.deck,
+                   "write a deck around the mesh too, NAME.deck");
+  command.add_flag("--keep-overlaps", options.keep_overlaps,
+                   "take blocks that overlap, with a warning");
+  command.add_flag("--report-only", options.report_only,
+                   "say what is found, write nothing; unsound blocks exit 0");
+  command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
+}
+
+int import_blocks(ImportOptions options) {
+  const std::string text = run::read_deck(options.file);
+  const std::string name = options.file == "-" ? "<standard input>" : options.file;
+  const std::string format =
+      options.format == "auto" ? recognise(text) : options.format;
+  if (options.output.empty())
+    options.output = stem_of(options.file) + ".mesh.txt";
+  const std::string deck = deck_beside(options.output);
+  const std::string mesh_name = fs::path(options.output).filename().string();
+  if (same_file(options.file, options.output) || same_file(options.file, deck))
+    return usage(options.file + " would be written over: choose another -o NAME");
+  if (options.deck && mesh_name.find_first_of("'\"\n\r$!") != mesh_name.npos)
+    return usage("the name " + mesh_name + " cannot stand in a deck");
+
+  OutlineFile file;
+  std::string card = format == "geojson" ? "GeoJSON" : format == "wkt" ? "WKT" : "mesh";
+  try {
+    file = format == "geojson" ? exchange::read_geojson(text)
+           : format == "wkt"   ? exchange::read_wkt(text)
+                               : read_mesh(name, text);
+  } catch (const deck::UnknownMesh& fault) {
+    fmt::print(stderr,
+               "blocks: error: {}\n  hint: import reads GeoJSON, WKT and READ9's "
+               "forms (docs/exchange.md)\n",
+               fault.what());
+    return run::deck_error;
+  } catch (const deck::MeshError& fault) {
+    fmt::print(stderr, "blocks: error: {}\n", fault.what());
+    return run::deck_error;
+  }
+  const bool readable = !exchange::has_errors(file.messages);
+  std::string report;
+  if (readable) {
+    if (!options.report_only)
+      give_material(file, options.material);
+    std::vector<geometry::Polygon> corners;
+    for (const Outline& outline : file.outlines)
+      corners.push_back(outline.corners);
+    const exchange::Soundness soundness = exchange::examine(corners);
+    for (const int b : soundness.turned)
+      exchange::reverse(file.outlines[b]);
+    for (exchange::Message& fault :
+         exchange::faults(soundness, file.outlines, options.keep_overlaps))
+      file.messages.push_back(std::move(fault));
+    report = exchange::describe(soundness, file.outlines);
+  }
+  fmt::print(stderr, "{}", exchange::format(file.messages, name, card, text));
+  if (!readable)
+    return run::deck_error;
+  if (!options.quiet)
+    fmt::print("{}: {}\n{}", name, file.found, report);
+  if (options.report_only)
+    return run::done;
+  if (exchange::has_errors(file.messages)) {
+    fmt::print(stderr, "blocks: error: nothing written\n");
+    return run::deck_error;
+  }
+
+  const std::string wrote = fmt::format("From {}: {}.", name, file.found);
+  write_text_file(options.output, exchange::write_mesh(file.outlines, wrote));
+  if (options.deck)
+    write_text_file(deck, exchange::write_deck_skeleton(file.outlines, mesh_name));
+  if (!options.quiet)
+    fmt::print("written: {}{}\n", options.output, options.deck ? ", " + deck : "");
+  return run::done;
+}
+
+}  // namespace blocks::apps

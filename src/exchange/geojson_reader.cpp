@@ -1,0 +1,172 @@
+#include "exchange/geojson_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "exchange/json_tree.hpp"
+#include "exchange/ring.hpp"
+
+namespace blocks::exchange {
+namespace {
+
+struct Properties {
+  long material = 0;
+  bool fixed = false;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : text_(text) {}
+
+  OutlineFile read() {
+    try {
+      const Json root = parse_json(text_);
+      if (!expect(root, Json::Kind::object, "the file"))
+        return rings_.finish("GeoJSON");
+      object(root, {});
+    } catch (const JsonFault& fault) {
+      rings_.error(std::min(fault.at, text_.size()), fault.what());
+    }
+    return rings_.finish("GeoJSON");
+  }
+
+ private:
+  std::string_view text_;
+  RingReader rings_;
+
+  bool expect(const Json& node, Json::Kind kind, const std::string& what) {
+    if (node.kind == kind)
+      return true;
+    rings_.error(node.at, fmt::format("{}: expected {}, found {}", what, name_of(kind),
+                                      name_of(node.kind)));
+    return false;
+  }
+
+  /// Member of the kind; null with an error otherwise.
+  const Json* member(const Json& object, const std::string& key, Json::Kind kind) {
+    const Json* found = object.find(key);
+    if (!found)
+      rings_.error(object.at, fmt::format("\"{}\" is missing", key));
+    return found && expect(*found, kind, "\"" + key + "\"") ? found : nullptr;
+  }
+
+  void object(const Json& node, const Properties& properties);
+  void feature(const Json& node);
+  Properties read_properties(const Json& node);
+  void polygon(const Json& rings, const Properties& properties);
+  bool ring(const Json& node, std::vector<Position>& positions);
+};
+
+void Reader::object(const Json& node, const Properties& properties) {
+  const Json* type = member(node, "type", Json::Kind::string);
+  if (!type)
+    return;
+  const auto each = [&](const std::string& key, auto&& action) {
+    if (const Json* list = member(node, key, Json::Kind::array))
+      for (const Json& item : list->items)
+        action(item);
+  };
+  const auto as_object = [&](const Json& item, const Properties& with) {
+    if (expect(item, Json::Kind::object, type->text))
+      object(item, with);
+  };
+  if (type->text == "FeatureCollection")
+    each("features", [&](const Json& item) { as_object(item, {}); });
+  else if (type->text == "Feature")
+    feature(node);
+  else if (type->text == "GeometryCollection")
+    each("geometries", [&](const Json& item) { as_object(item, properties); });
+  else if (type->text == "MultiPolygon")
+    each("coordinates", [&](const Json& item) { polygon(item, properties); });
+  else if (type->text != "Polygon")
+    rings_.error(node.at, fmt::format("{} is no block", type->text.substr(0, 40)),
+                 "Polygon, MultiPolygon and collections of them are read");
+  else if (const Json* rings = member(node, "coordinates", Json::Kind::array))
+    polygon(*rings, properties);
+}
+
+void Reader::feature(const Json& node) {
+  Properties properties;
+  if (const Json* given = node.find("properties");
+      given && given->kind != Json::Kind::null &&
+      expect(*given, Json::Kind::object, "\"properties\""))
+    properties = read_properties(*given);
+  const Json* geometry = node.find("geometry");
+  if (!geometry || geometry->kind == Json::Kind::null)
+    rings_.warning(node.at, "a feature without geometry is passed over");
+  else if (expect(*geometry, Json::Kind::object, "\"geometry\""))
+    object(*geometry, properties);
+}
+
+Properties Reader::read_properties(const Json& node) {
+  Properties properties;
+  if (const Json* material = node.find("material");
+      material && material->kind != Json::Kind::null) {
+    double value = 0;
+    const std::string_view text = material->number;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    if (value >= 1 && value <= std::numeric_limits<int>::max() &&
+        value == std::floor(value))
+      properties.material = static_cast<long>(value);
+    else
+      rings_.error(material->at, "\"material\" should be a whole number from 1",
+                   "remove the property and give --material N instead");
+  }
+  if (const Json* fixed = node.find("fixed");
+      fixed && fixed->kind != Json::Kind::null) {
+    if (fixed->kind == Json::Kind::boolean)
+      properties.fixed = fixed->text == "true";
+    else if (fixed->number == "0" || fixed->number == "1")
+      properties.fixed = fixed->number == "1";
+    else
+      rings_.error(fixed->at, "\"fixed\" should be true or false");
+  }
+  return properties;
+}
+
+void Reader::polygon(const Json& rings, const Properties& properties) {
+  if (!expect(rings, Json::Kind::array, "polygon"))
+    return;
+  const auto is_position = [](const Json& ring) {
+    return !ring.items.empty() && ring.items[0].kind == Json::Kind::number;
+  };
+  if (rings.items.empty())
+    rings_.warning(rings.at, "an empty polygon is passed over");
+  else if (is_position(rings.items[0]))
+    rings_.error(rings.at, "ring: expected an array of positions, found a position",
+                 "a polygon is an array of rings, a ring an array of positions");
+  else if (rings.items.size() > 1)
+    rings_.refuse_holes(rings.items.size() - 1, rings.at);
+  else if (std::vector<Position> positions; ring(rings.items[0], positions))
+    rings_.add(positions, properties.material, properties.fixed, rings.at);
+}
+
+bool Reader::ring(const Json& node, std::vector<Position>& positions) {
+  if (!expect(node, Json::Kind::array, "ring"))
+    return false;
+  for (const Json& position : node.items) {
+    if (!expect(position, Json::Kind::array, "position"))
+      return false;
+    if (position.items.size() < 2) {
+      rings_.error(position.at, fmt::format("position: expected 2 numbers, found {}",
+                                            position.items.size()));
+      return false;
+    }
+    if (position.items.size() > 2)
+      rings_.saw_height(position.at);
+    const Json &x = position.items[0], &y = position.items[1];
+    if (!expect(x, Json::Kind::number, "x") || !expect(y, Json::Kind::number, "y"))
+      return false;
+    positions.push_back({WrittenNumber{x.number, x.at}, WrittenNumber{y.number, y.at}});
+  }
+  return true;
+}
+
+}  // namespace
+
+OutlineFile read_geojson(std::string_view text) { return Reader(text).read(); }
+
+}  // namespace blocks::exchange

@@ -1,0 +1,46 @@
+#include "exchange/soundness.hpp"
+
+#include <algorithm>
+
+#include "exchange/meetings.hpp"
+
+namespace blocks::exchange {
+
+Soundness examine(const std::vector<geometry::Polygon>& outlines) {
+  Soundness result;
+  std::vector<geometry::Polygon> good;
+  std::vector<int> number;  // of the good ones
+  std::vector<double> area;
+  for (int b = 0; b < static_cast<int>(outlines.size()); ++b) {
+    const geometry::OutlineCheck check = geometry::check_outline(outlines[b]);
+    if (check.fault != geometry::OutlineFault::none) {
+      result.bad.push_back({b, check});
+      continue;
+    }
+    if (check.anticlockwise)
+      result.turned.push_back(b);
+    if (!check.convex)
+      result.concave.push_back(b);
+    good.push_back(check.anticlockwise ? geometry::reversed(outlines[b]) : outlines[b]);
+    area.push_back(geometry::section_properties(good.back()).area);
+    number.push_back(b);
+  }
+
+  constexpr double rounding = 1e-9;
+  for (geometry::BlockOverlap pair : geometry::overlapping_pairs(good)) {
+    const bool rounded =
+        pair.area <= rounding * std::min(area[pair.first], area[pair.second]);
+    pair.first = number[pair.first];
+    pair.second = number[pair.second];
+    (rounded ? result.roundings : result.overlaps).push_back(pair);
+  }
+  find_meetings(good, result);
+  for (auto* meetings : {&result.on_sides, &result.near_corners})
+    for (Meeting& meeting : *meetings) {
+      meeting.block = number[meeting.block];
+      meeting.other = number[meeting.other];
+    }
+  return result;
+}
+
+}  // namespace blocks::exchange

@@ -1,0 +1,120 @@
+#include "exchange/soundness_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace blocks::exchange {
+namespace {
+
+constexpr std::size_t shown = 5;
+constexpr std::size_t most_pairs = 10;  // that overlap, the largest
+
+std::string counted(std::size_t n, const std::string& noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+/// "  ...\n" for the first few.
+template <class Items, class Text>
+std::string first_few(const Items& items, Text text_of) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(items.size(), shown); ++i)
+    text += "  " + text_of(items[i]) + "\n";
+  if (items.size() > shown)
+    text += fmt::format("  and {} more\n", items.size() - shown);
+  return text;
+}
+
+std::string near(const geometry::Vec2& place) {
+  return fmt::format("({:.9g}, {:.9g})", place.x(), place.y());
+}
+
+std::string totals(const std::vector<Outline>& outlines) {
+  geometry::Vec2 lower = outlines[0].corners[0], upper = lower;
+  std::size_t corners = 0;
+  for (const Outline& outline : outlines)
+    for (const geometry::Vec2& corner : outline.corners) {
+      ++corners;
+      lower = lower.cwiseMin(corner);
+      upper = upper.cwiseMax(corner);
+    }
+  return fmt::format("{}, {}, x {:.9g} to {:.9g}, y {:.9g} to {:.9g}\n",
+                     counted(outlines.size(), "block"), counted(corners, "corner"),
+                     lower.x(), upper.x(), lower.y(), upper.y());
+}
+
+}  // namespace
+
+std::vector<Message> faults(const Soundness& soundness,
+                            const std::vector<Outline>& outlines, bool keep_overlaps) {
+  std::vector<Message> messages;
+  for (const BadOutline& bad : soundness.bad)
+    messages.push_back(
+        {true, outlines[bad.block].at,
+         fmt::format("block {}: {}", bad.block + 1, geometry::describe(bad.check)),
+         "give the corners in order around the block, each one once"});
+  std::vector<geometry::BlockOverlap> largest = soundness.overlaps;
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
+  const std::string hint =
+      keep_overlaps ? "" : "correct the outlines, or take them with --keep-overlaps";
+  for (std::size_t i = 0; i < std::min(largest.size(), most_pairs); ++i) {
+    const geometry::BlockOverlap& pair = largest[i];
+    messages.push_back(
+        {!keep_overlaps, outlines[pair.first].at,
+         fmt::format("blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, "
+                     "{:.6g})",
+                     pair.first + 1, pair.second + 1, pair.area, pair.place.x(),
+                     pair.place.y()),
+         hint, 0});
+  }
+  if (largest.size() > most_pairs)
+    messages.push_back({!keep_overlaps, nowhere,
+                        fmt::format("{} more pairs of blocks overlap, by less",
+                                    largest.size() - most_pairs),
+                        hint});
+  return messages;
+}
+
+std::string describe(const Soundness& soundness, const std::vector<Outline>& outlines) {
+  if (outlines.empty())
+    return {};
+  std::string text = totals(outlines);
+  if (!soundness.turned.empty())
+    text += fmt::format("turned clockwise, corner 1 kept: {}\n",
+                        counted(soundness.turned.size(), "block"));
+  if (!soundness.concave.empty())
+    text +=
+        fmt::format("not convex: {}\n", counted(soundness.concave.size(), "block")) +
+        first_few(soundness.concave,
+                  [](int b) { return fmt::format("block {}", b + 1); });
+  if (!soundness.roundings.empty())
+    text += fmt::format("overlapping by no more than rounding: {}\n",
+                        counted(soundness.roundings.size(), "pair"));
+  if (!soundness.on_sides.empty()) {
+    const auto exact = static_cast<std::size_t>(
+        std::count_if(soundness.on_sides.begin(), soundness.on_sides.end(),
+                      [](const Meeting& meeting) { return meeting.distance == 0; }));
+    text += fmt::format("corners on another block's side (T-junctions): {}, {} of them "
+                        "exactly\n",
+                        soundness.on_sides.size(), exact) +
+            first_few(soundness.on_sides, [](const Meeting& m) {
+              return fmt::format("corner {} of block {} on side {} of block {} at {}",
+                                 m.corner + 1, m.block + 1, m.side + 1, m.other + 1,
+                                 near(m.place)) +
+                     (m.distance > 0 ? fmt::format(", {:.2g} off", m.distance) : "");
+            });
+  }
+  if (!soundness.near_corners.empty())
+    text += fmt::format("points that nearly meet, but are not the same: {}\n",
+                        soundness.near_corners.size()) +
+            first_few(soundness.near_corners, [](const Meeting& m) {
+              return fmt::format(
+                  "corner {} of block {} and corner {} of block {} at {}: {:.2g} apart",
+                  m.corner + 1, m.block + 1, m.side + 1, m.other + 1, near(m.place),
+                  m.distance);
+            });
+  return text;
+}
+
+}  // namespace blocks::exchange

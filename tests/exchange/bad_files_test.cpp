@@ -1,0 +1,115 @@
+// Files that `blocks import` refuses: tests/corpus/bad_exchange/FILE, what is printed
+// on standard error in FILE.expected. And whatever is done to a file, the readers of
+// GeoJSON and WKT read it or say why not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "exchange/geojson_reader.hpp"
+#include "exchange/soundness.hpp"
+#include "exchange/wkt_reader.hpp"
+#include "run/program.hpp"
+
+namespace blocks::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::slurp;
+using testing::TemporaryFolder;
+
+std::vector<fs::path> bad_files() {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(fs::path(BLOCKS_SOURCE_DIR) /
+                                                  "tests/corpus/bad_exchange"))
+    if (entry.path().extension() != ".expected")
+      found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+class BadFile : public ::testing::TestWithParam<fs::path> {};
+
+// Place, reason and hint are what the user meets; a refused file leaves nothing behind.
+TEST_P(BadFile, GetsExactlyTheseDiagnostics) {
+  const TemporaryFolder folder;
+  const std::string name = GetParam().filename().string();
+  fs::copy_file(GetParam(), folder / name);
+  const testing::Outcome import = testing::blocks("import " + name, folder.path());
+  EXPECT_EQ(import.code, 3);
+  EXPECT_EQ(import.err, slurp(GetParam().string() + ".expected"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, BadFile, ::testing::ValuesIn(bad_files()),
+                         [](const auto& one) {
+                           std::string name = one.param.filename().string();
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
+                         });
+
+// Guards the corpus itself: an empty folder would pass every comparison.
+TEST(BadFiles, AreThere) { EXPECT_GE(bad_files().size(), 35u); }
+
+// No crash, no outline with a number that is none; what is read can be examined.
+TEST(BadFiles, MutantsAreReadOrRefused) {
+  const std::vector<std::string> seeds = {
+      R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": )"
+      R"({"material": 2, "fixed": true}, "geometry": {"type": "Polygon", )"
+      R"("coordinates": [[[0, 0], [1.5, 0], [1.5, 1e0], [0, 0]]]}}, {"type": )"
+      R"("Feature", "properties": null, "geometry": {"type": "MultiPolygon", )"
+      R"("coordinates": [[[[2, 0], [3, 0], [3, 1], [2, 0]]]]}}]})",
+      "POLYGON ((0 0, 1.5 0, 1.5 1e0, 0 0))\nMULTIPOLYGON Z (((2 0 1, 3 0 1, 3 1 1, 2 "
+      "0 "
+      "1)), EMPTY);GEOMETRYCOLLECTION (POLYGON ((5 0, 6 0, 6 1, 5 0)))\n"};
+  const std::vector<std::string> splices = {
+      "-",     "1e999", "1e308",   "NaN",
+      "[",     "]",     "(",       ")",
+      ",",     "\"",    "{}",      "null",
+      "EMPTY", "\xff",  "\\u0000", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[["};
+  std::mt19937 random(1982);
+  const auto below = [&](std::size_t n) { return random() % n; };
+  std::size_t read = 0, refused = 0;
+  for (int mutant = 0; mutant < 8000; ++mutant) {
+    const bool wkt = mutant % 2 == 1;
+    std::string bytes = seeds[wkt];
+    for (std::size_t change = 0; change <= below(3); ++change) {
+      const std::size_t at = below(bytes.size() + 1);
+      const std::string& splice = splices[below(splices.size())];
+      switch (below(4)) {
+      case 0:
+        bytes.erase(at, 1);
+        break;
+      case 1:
+        bytes.resize(at);
+        break;
+      case 2:
+        bytes.replace(at, below(2) * splice.size(), splice);
+        break;
+      default:
+        bytes.insert(at, bytes.substr(below(bytes.size() + 1), below(60)));
+      }
+    }
+    const OutlineFile file = wkt ? read_wkt(bytes) : read_geojson(bytes);
+    const std::string said = format(file.messages, "mutant", "form", bytes);
+    if (has_errors(file.messages)) {
+      ++refused;
+      EXPECT_NE(said.find(": error: "), said.npos);
+      continue;
+    }
+    ++read;
+    std::vector<geometry::Polygon> outlines;
+    for (const Outline& outline : file.outlines) {
+      ASSERT_GE(outline.corners.size(), 3u);
+      for (const geometry::Vec2& corner : outline.corners)
+        ASSERT_TRUE(corner.allFinite());
+      outlines.push_back(outline.corners);
+    }
+    examine(outlines);
+  }
+  EXPECT_GT(read, 200u);
+  EXPECT_GT(refused, 4000u);
+}
+
+}  // namespace
+}  // namespace blocks::exchange

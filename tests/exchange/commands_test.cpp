@@ -1,0 +1,142 @@
+// `blocks import` and `blocks export` as a user meets them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::string square = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n";
+const std::string overlapping = square + "POLYGON ((0.5 0, 2 0, 2 1, 0.5 1, 0.5 0))\n";
+
+// The ending says nothing: the content does, blanks and byte order marks or not.
+TEST(Import, FindsTheFormatByContent) {
+  const TemporaryFolder folder;
+  folder.write("a.dat", "\n  " + square);
+  folder.write("b.dat", "\xEF\xBB\xBF {\"type\": \"Polygon\", \"coordinates\": "
+                        "[[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}");
+  folder.write("c.dat", "$ text\nBLOCKS\n4, 1\n0, 0\n0, 1\n1, 1\n1, 0\n");
+  for (const std::string name : {"a", "b", "c"}) {
+    const Outcome import =
+        blocks("import " + name + ".dat --material 1", folder.path());
+    EXPECT_EQ(import.code, 0) << import.err;
+    EXPECT_TRUE(folder.holds(name + ".mesh.txt"));
+  }
+  EXPECT_EQ(
+      slurp(folder / "a.mesh.txt"),
+      "$ From a.dat: WKT, 1 polygon.\nBLOCKS 1\n4, 1\n  0, 0\n  0, 1\n  1, 1\n  1, "
+      "0\n");
+  EXPECT_EQ(blocks("import a.dat --format geojson", folder.path()).code, 3);
+}
+
+// Unsound blocks: 3 and no file; 0 and no file when only asked; written when told to.
+TEST(Import, RefusesReportsOrKeepsOverlaps) {
+  const TemporaryFolder folder;
+  folder.write("two.wkt", overlapping);
+  const Outcome refused = blocks("import two.wkt --material 1", folder.path());
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, StartsWith("two.wkt:1:1: error: WKT: blocks 1 and 2 overlap "
+                                      "by an area of 0.5 near (0.75, 0.5)\n"));
+  const Outcome report = blocks("import two.wkt --report-only", folder.path());
+  EXPECT_EQ(report.code, 0);
+  EXPECT_THAT(report.err, HasSubstr("overlap by an area of 0.5"));
+  EXPECT_FALSE(folder.holds("two.mesh.txt"));
+  const Outcome kept =
+      blocks("import two.wkt --material 1 --keep-overlaps", folder.path());
+  EXPECT_EQ(kept.code, 0);
+  EXPECT_THAT(kept.err, StartsWith("two.wkt:1:1: warning: "));
+  EXPECT_TRUE(folder.holds("two.mesh.txt"));
+}
+
+// What a user may have edited is put aside, and the file that is read is never written.
+TEST(Import, KeepsOlderFiles) {
+  const TemporaryFolder folder;
+  folder.write("s.wkt", square);
+  folder.write("s.mesh.txt", "mine\n");
+  folder.write("s.deck", "mine too\n");
+  EXPECT_EQ(blocks("import s.wkt --material 1 --deck", folder.path()).code, 0);
+  EXPECT_EQ(slurp(folder / "s.mesh.txt.bak"), "mine\n");
+  EXPECT_EQ(slurp(folder / "s.deck.bak"), "mine too\n");
+  EXPECT_EQ(blocks("import s.wkt --material 1 -o s.wkt", folder.path()).code, 2);
+  EXPECT_EQ(slurp(folder / "s.wkt"), square);
+  EXPECT_EQ(blocks("import no.wkt", folder.path()).code, 5);
+  EXPECT_EQ(blocks("import s.wkt --material 1 -o no/s.txt", folder.path()).code, 5);
+}
+
+// The deck skeleton runs, wherever the blocks stand and however large they are.
+TEST(Import, WritesADeckThatRuns) {
+  const TemporaryFolder folder;
+  const std::string far = "POLYGON ((500000.25 4e6, 500000.5 4e6, 500000.5 4000000.25, "
+                          "500000.25 4e6))";
+  const std::string tiny = "POLYGON((0 0,1e-6 0,1e-6 2e-6,0 0))";
+  for (const std::string& wkt : {square, far, tiny}) {
+    folder.write("s.wkt", wkt);
+    EXPECT_EQ(blocks("import s.wkt --material 12 --deck", folder.path()).code, 0);
+    const Outcome check = blocks("check s.deck", folder.path());
+    EXPECT_EQ(check.code, 0) << check.err;
+    EXPECT_EQ(check.err, "");
+    EXPECT_EQ(blocks("run s.deck -q", folder.path()).code, 0);
+  }
+}
+
+// A frame of the results: the time asked for, quantities per block, coordinates of that
+// time.
+TEST(Export, WritesAFrameOfResults) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall",
+           preliminary() + rectangle(0, 0, 2, 1) +
+               "GRAVITY, 0, -10\nPLOTS, 0.1\nMOTION, 0.5\nSTOP\n");
+  EXPECT_EQ(blocks("export fall.vtkhdf -o now.json", folder.path()).code, 0);
+  EXPECT_EQ(blocks("export fall.vtkhdf -t 0 -o then.json", folder.path()).code, 0);
+  const auto now = nlohmann::json::parse(slurp(folder / "now.json"));
+  const auto then = nlohmann::json::parse(slurp(folder / "then.json"));
+  EXPECT_EQ(then["time"], 0.0);
+  EXPECT_NEAR(now["time"].get<double>(), 0.5, 1e-3);
+  const auto& properties = now["features"][0]["properties"];
+  const double time = now["time"].get<double>();
+  EXPECT_NEAR(properties["speed"].get<double>(), 10 * time, 1e-9);
+  EXPECT_NEAR(properties["displacement"].get<double>(), 5 * time * time, 0.01);
+  for (const char* name : {"number", "material", "fixed", "area", "rotation", "s11",
+                           "s12", "s22", "p1", "p2"})
+    EXPECT_TRUE(properties.contains(name)) << name;
+  const auto y = [](const nlohmann::json& file) {
+    return file["features"][0]["geometry"]["coordinates"][0][0][1].get<double>();
+  };
+  EXPECT_NEAR(y(then) - y(now), properties["displacement"].get<double>(), 1e-9);
+}
+
+// A hexagon is no Gmsh element: refused by name, not cut or dropped.
+TEST(Export, RefusesWhatTheFormatCannotHold) {
+  const TemporaryFolder folder;
+  const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
+  const Outcome msh = blocks("export " + deck + " -o a.msh", folder.path());
+  EXPECT_EQ(msh.code, 3);
+  EXPECT_THAT(msh.err, StartsWith("blocks: error: block 33 has 6 corners"));
+  EXPECT_FALSE(folder.holds("a.msh"));
+  EXPECT_THAT(blocks("export " + deck + " -o a.wkt", folder.path()).out,
+              HasSubstr(".wkt leaves out materials, which blocks are fixed"));
+  EXPECT_EQ(blocks("export " + deck + " -o a.dxf", folder.path()).code, 2);
+  EXPECT_EQ(blocks("export " + deck + " -t 1", folder.path()).code, 2);
+  EXPECT_EQ(blocks("export no.deck", folder.path()).code, 5);
+}
+
+// The example that opens each help page works.
+TEST(Help, ExamplesOfImportAndExportRun) {
+  for (const std::string command : {"import", "export"}) {
+    const TemporaryFolder folder;
+    const std::string help = blocks(command + " --help", folder.path()).out;
+    ASSERT_THAT(help, StartsWith("Example: blocks " + command + " decks/"));
+    std::string example = help.substr(16, help.find('\n') - 16);
+    example.replace(example.find("decks/"), 6, BLOCKS_SOURCE_DIR "/decks/");
+    const Outcome outcome = blocks(example, folder.path());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_FALSE(fs::is_empty(folder.path()));
+  }
+}
+
+}  // namespace
+}  // namespace blocks::testing

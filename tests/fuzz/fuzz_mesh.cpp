@@ -1,0 +1,20 @@
+// READ9's readers on any bytes: a mesh with finite outlines, or MeshError.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "deck/mesh_readers.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const auto mesh = blocks::deck::parse_mesh(
+        "fuzz", std::string_view(reinterpret_cast<const char*>(data), size));
+    for (const auto& block : mesh.blocks)
+      for (const auto& corner : block.outline)
+        if (!corner.allFinite())
+          std::abort();
+  } catch (const blocks::deck::MeshError&) {
+  }
+  return 0;
+}
