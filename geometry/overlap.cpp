@@ -1,12 +1,12 @@
 #include "geometry/overlap.hpp"
 
 #include <CGAL/Partition_traits_2.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/partition_2.h>
 
 #include <algorithm>
 #include <iterator>
 #include <list>
-#include <numeric>
 
 #include "geometry/exact/kernels.hpp"
 #include "geometry/polygon.hpp"
@@ -16,24 +16,22 @@ namespace {
 
 using exact::Filtered;
 
-struct Box {
-  Vec2 low;
-  Vec2 high;
-};
+/// The box of an outline, as CGAL's search wants it.
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
 
-Box box_of(const Polygon& p) {
-  Box box{p.front(), p.front()};
+CGAL::Bbox_2 bounds(const Polygon& p) {
+  Vec2 low = p.front(), high = p.front();
   for (const Vec2& corner : p) {
-    box.low = box.low.cwiseMin(corner);
-    box.high = box.high.cwiseMax(corner);
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
   }
-  return box;
+  return {low.x(), low.y(), high.x(), high.y()};
 }
 
 // Boxes that only touch hold no common interior.
-bool overlap(const Box& a, const Box& b) {
-  return (a.low.array() < b.high.array()).all() &&
-         (b.low.array() < a.high.array()).all();
+bool overlap(const CGAL::Bbox_2& a, const CGAL::Bbox_2& b) {
+  return a.xmin() < b.xmax() && b.xmin() < a.xmax() && a.ymin() < b.ymax() &&
+         b.ymin() < a.ymax();
 }
 
 CGAL::Orientation turn(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -141,7 +139,7 @@ class Blocks {
     Vec2 some_place = Vec2::Zero();
     for (const Polygon& p : pieces(first)) {
       for (const Polygon& q : pieces(second)) {
-        if (!overlap(box_of(p), box_of(q)) || !interiors_meet(p, q))
+        if (!overlap(bounds(p), bounds(q)) || !interiors_meet(p, q))
           continue;
         const Polygon common = clipped(p, q, origin);
         const SectionProperties part = section_properties(common);
@@ -172,29 +170,17 @@ class Blocks {
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines) {
   std::vector<Box> boxes;
   boxes.reserve(outlines.size());
-  for (const Polygon& outline : outlines) {
-    boxes.push_back(outline.empty() ? Box{Vec2::Zero(), Vec2::Zero()}
-                                    : box_of(outline));
-  }
-  std::vector<std::size_t> order(outlines.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return boxes[a].low.x() < boxes[b].low.x();
-  });
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (!outlines[i].empty())
+      boxes.emplace_back(bounds(outlines[i]), i);
   Blocks blocks(outlines);
   std::vector<BlockOverlap> found;
-  std::vector<std::size_t> active;  // boxes that reach the sweep line
-  for (const std::size_t here : order) {
-    std::erase_if(active, [&](std::size_t other) {
-      return boxes[other].high.x() <= boxes[here].low.x();
-    });
-    for (const std::size_t other : active) {
-      if (overlap(boxes[here], boxes[other])) {
-        blocks.compare(std::min(here, other), std::max(here, other), found);
-      }
-    }
-    active.push_back(here);
-  }
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+                                [&](const Box& a, const Box& b) {
+                                  if (overlap(a.bbox(), b.bbox()))
+                                    blocks.compare(std::min(a.info(), b.info()),
+                                                   std::max(a.info(), b.info()), found);
+                                });
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });
