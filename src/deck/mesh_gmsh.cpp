@@ -163,8 +163,8 @@ const ElementType& Reader::type(std::size_t field) const {
       element_types.begin(), element_types.end(),
       [&](const ElementType& candidate) { return candidate.number == number; });
   if (found == element_types.end())
-    fail(lines_.place(), fmt::format("Gmsh element type {} is no plane triangle or "
-                                     "quadrilateral; READ9 reads plane meshes",
+    fail(lines_.place(), fmt::format("Gmsh element type {} is not read; READ9 reads "
+                                     "plane triangles and quadrilaterals up to order 5",
                                      number));
   return *found;
 }
