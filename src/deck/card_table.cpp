@@ -13,6 +13,7 @@ constexpr Range any{};
 constexpr Range positive{0, infinity, true, false, false};
 constexpr Range not_negative{0, infinity, false, false, false};
 constexpr Range from_one{1, infinity, false, false, false};
+constexpr Range a_number{1, 2147483647, false, false, false};
 
 std::vector<CardSpec> preliminary_cards() {
   using enum Kind;
@@ -95,7 +96,7 @@ std::vector<CardSpec> preliminary_cards() {
        .required = true,
        .section = "A.1.7",
        .summary = "a material: elastic constants and density",
-       .fields = {{"mat", integer, {}, from_one, "[-]", "material number"},
+       .fields = {{"mat", integer, {}, a_number, "[-]", "material number"},
                   {"E", real, "0", not_negative, "[F/L^2]", "Young's modulus"},
                   {"G", real, "0", not_negative, "[F/L^2]", "shear modulus"},
                   {"rho", real, {}, positive, "[M/L^3]", "mass density"}},

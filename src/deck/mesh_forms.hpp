@@ -30,6 +30,9 @@ struct Place {
 /// Throws MeshError "file:line: message", "file: record N: message" or "file: message".
 [[noreturn]] void fail(const Place& place, const std::string& message);
 
+/// Fails unless it is a material number: 1 to 2147483647.
+void check_material(long material, const std::string& name, const Place& place);
+
 /// "1 triangle", "12 quadrilaterals".
 std::string counted(std::size_t n, const std::string& noun);
 

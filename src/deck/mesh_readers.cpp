@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "deck/mesh_forms.hpp"
 
@@ -47,10 +48,17 @@ void Elements::add_node(long id, double x, double y, const Place& place, double 
     fail(place, fmt::format("node {} is given twice, at different places", id));
 }
 
-void Elements::add(std::span<const long> corners, long material,
-                   const std::string& name, const Place& place) {
+void check_material(long material, const std::string& name, const Place& place) {
   if (material < 1)
     fail(place, fmt::format("{}: material {} is not positive", name, material));
+  if (material > std::numeric_limits<int>::max())
+    fail(place, fmt::format("{}: material {} is above {}", name, material,
+                            std::numeric_limits<int>::max()));
+}
+
+void Elements::add(std::span<const long> corners, long material,
+                   const std::string& name, const Place& place) {
+  check_material(material, name, place);
   std::vector<long> ids;
   for (const long id : corners)
     if (ids.empty() || ids.back() != id)

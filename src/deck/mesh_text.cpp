@@ -148,9 +148,7 @@ MeshFile read_text(std::string_view file, std::string_view text) {
     if (corners < 3)
       fail(lines.place(), name + " needs at least 3 corners");
     MeshBlock block{{}, lines.integer(1, name + ": material"), lines.place().line};
-    if (block.material < 1)
-      fail(lines.place(),
-           fmt::format("{}: material {} is not positive", name, block.material));
+    check_material(block.material, name, lines.place());
     for (std::size_t i = 1; i <= corners; ++i) {
       const std::string corner = fmt::format("{}: corner {} of {}", name, i, corners);
       lines.need(corner);

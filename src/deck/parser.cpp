@@ -367,15 +367,12 @@ void Parser::check_unused_overrides() {
 bool readable(const std::string& text, const std::vector<Line>& lines,
               Diagnostics& diagnostics) {
   if (const auto where = first_binary_byte(text)) {
-    diagnostics.error({}, "",
-                      fmt::format("not a text file: a control character on line {}, "
-                                  "byte {}",
-                                  where->line, where->column),
+    diagnostics.error(*where, "", "not a text file: a control character",
                       "a deck is plain text, ASCII or UTF-8");
     return false;
   }
   if (lines.empty()) {
-    diagnostics.error({}, "", "the deck is empty",
+    diagnostics.error({1, 1, 1}, "", "the deck is empty",
                       "a new run begins with START, nblok, ncmx and a title line");
     return false;
   }

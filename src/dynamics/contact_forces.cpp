@@ -102,8 +102,8 @@ inline void act(Blocks& blocks, Contacts& contacts, const ContactGroup& group,
 
 }  // namespace
 
-void add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                        const Settings& settings, double dt) {
+Extremes add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
+                            const Settings& settings, double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   for (int g = 0; g < static_cast<int>(groups.all.size()); ++g) {
@@ -116,14 +116,19 @@ void add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& group
   }
   hand_over(blocks, contacts, groups, settings.normal_stiffness);
   // apart from the forces, whose branches would wait for each root and quotient
+  Extremes extremes;
   for (const ContactGroup& group : groups.all)
-    if (group.acting >= 0)
+    if (group.acting >= 0) {
       act(blocks, contacts, group, law);
+      extremes.include(group.overlap, contacts.normal_elastic[group.acting]);
+    }
+  return extremes;
 }
 
-void add_plane_forces(Blocks& blocks, PlaneContacts& contacts, const Settings& settings,
-                      double dt) {
+Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
+                          const Settings& settings, double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness, 0.0, dt};
+  Extremes extremes;
   for (int i = 0; i < contacts.size(); ++i) {
     const Plane& plane = settings.planes[contacts.plane[i]];
     const int c = contacts.corner[i], b = blocks.corner_block[c];
@@ -148,7 +153,9 @@ void add_plane_forces(Blocks& blocks, PlaneContacts& contacts, const Settings& s
     contacts.normal_force[i] = force.normal;
     contacts.overlap[i] = overlap;
     add_force(blocks, b, arm, force.normal * n);
+    extremes.include(overlap, spring.normal);
   }
+  return extremes;
 }
 
 }  // namespace blocks::dynamics

@@ -83,7 +83,7 @@ void hand_over(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
     if (heir.group() == nullptr)
       continue;
     const int i = heir.group()->acting;
-    contacts.active[i] = 1;
+    contacts.active[i] = 0;  // starts anew, with what it was handed
     contacts.normal_elastic[i] = heir.normal();
     if (contacts.shear_elastic[i] == 0.0)
       contacts.shear_elastic[i] = heir.shear();

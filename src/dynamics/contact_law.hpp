@@ -29,7 +29,7 @@ struct ContactForce {
 /// Advances the springs and returns the acting forces.
 /// closing, sliding: relative velocity of the corner against the edge, inwards and
 /// along the edge [L/T]; overlap: depth [L] > 0; damping: C of (18) [F T/L]; starting:
-/// the contact did not act in the step before.
+/// the contact did not act in the step before, or was handed a force in this one.
 inline ContactForce apply(const ContactLaw& law, ElasticForce& spring, double closing,
                           double sliding, double overlap, double damping,
                           bool starting) {
@@ -37,6 +37,8 @@ inline ContactForce apply(const ContactLaw& law, ElasticForce& spring, double cl
   const double advance = closing * law.dt;
   const double share = starting && advance > overlap ? overlap / advance : 1.0;
   spring.normal = std::max(0.0, spring.normal + share * law.normal_stiffness * advance);
+  if (starting)  // with what it was handed no stronger than its overlap explains
+    spring.normal = std::min(spring.normal, law.normal_stiffness * overlap);
 
   // c. No tension. The dashpot is added, never stored.
   const double normal = std::max(0.0, spring.normal + damping * closing);

@@ -13,6 +13,7 @@ struct Displacement {
   int block = -1;            ///< block of that corner
   bool finite = true;        ///< false: some corner is no longer a number
   bool left_domain = false;  ///< some corner lies outside the domain
+  double strongest = 0.0;    ///< [F] largest elastic normal force of a contact
 };
 
 /// Turns the sums f_i x_j into the applied stress (9): divides by the area.

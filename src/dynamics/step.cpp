@@ -1,5 +1,7 @@
 #include "dynamics/step.hpp"
 
+#include <algorithm>
+
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/domain.hpp"
 #include "dynamics/loads.hpp"
@@ -36,8 +38,10 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   blocks.force.setZero();
   blocks.moment.setZero();
   blocks.applied.setZero();
-  add_contact_forces(blocks, model.contacts, buffers.groups, settings, dt);
-  add_plane_forces(blocks, model.plane_contacts, settings, dt);
+  const Extremes blocks_touching =
+      add_contact_forces(blocks, model.contacts, buffers.groups, settings, dt);
+  const Extremes planes_touching =
+      add_plane_forces(blocks, model.plane_contacts, settings, dt);
 
   // 3. loads at time t
   add_loads(blocks, model.loads, model.time);
@@ -51,7 +55,10 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   }
 
   // 5. corners
-  const Displacement moved = move_blocks(blocks, buffers.groups.swing, settings, dt);
+  Displacement moved = move_blocks(blocks, buffers.groups.swing, settings, dt);
+  moved.strongest = std::max(blocks_touching.spring, planes_touching.spring);
+  model.worst_overlap =
+      std::max({model.worst_overlap, blocks_touching.overlap, planes_touching.overlap});
   ++model.steps;
   model.time =
       model.time_origin + static_cast<double>(model.steps - model.step_origin) * dt;

@@ -65,6 +65,7 @@ struct Model {
   double time_origin = 0.0;  ///< [T] when the present dt came into force
   long step_origin = 0;      ///< likewise in steps
   bool started = false;      ///< a MOTION or CYCLE has run: FRACTION is fixed
+  double worst_overlap = 0.0;  ///< [L] of any acting contact in any step so far
 };
 
 /// Sums over the model. [F L], [M L/T], [M L^2/T], [L].

@@ -17,7 +17,7 @@
 namespace blocks::output {
 namespace {
 
-constexpr int format = 1;
+constexpr int format = 2;
 constexpr std::size_t seal_size = 512;
 constexpr const char* magic = "BLOCKS checkpoint\n";
 
@@ -88,11 +88,14 @@ void verify_seal(const std::string& path) {
 /// The report's "restart tape": the model and what belongs to the run.
 template <class M, class Info, class Archive>
 void visit(M& model, Info& info, Archive& ar) {
-  auto& [deck_file, deck_text, results, results_frames, version] = info;
+  auto& [deck_file, deck_text, results, results_run, results_frames, listing_bytes,
+         version] = info;
   ar("run/deck_file", deck_file);
   ar("run/deck_text", deck_text);
   ar("run/results", results);
+  ar("run/results_run", results_run);
   ar("run/results_frames", results_frames);
+  ar("run/listing_bytes", listing_bytes);
   ar("run/version", version);
   visit_model(model, ar);
 }

@@ -14,7 +14,9 @@ struct CheckpointInfo {
   std::string deck_file;  ///< deck that wrote it
   std::string deck_text;
   std::string results;      ///< results file that belongs to it
+  std::string results_run;  ///< run_id of that file
   long results_frames = 0;  ///< its frames at this moment
+  long listing_bytes = 0;   ///< length of the listing beside it at this moment
   std::string version;      ///< of the program
 };
 

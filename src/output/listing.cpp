@@ -14,6 +14,13 @@ Listing::Listing(const std::string& path, bool append)
     throw_errno("write", path_);
 }
 
+long Listing::size() {
+  flush();
+  std::error_code ignored;
+  const auto bytes = std::filesystem::file_size(path_, ignored);
+  return ignored ? 0 : static_cast<long>(bytes);
+}
+
 void Listing::flush() {
   out_.flush();
   if (!out_)

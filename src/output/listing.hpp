@@ -25,6 +25,7 @@ class Listing {
   table(const Model& model);  ///< OUT: position, velocity, stress of the chosen blocks
   void dump(const Model& model);     ///< DUMP: blocks, boxes, contacts
   void closing(const Model& model);  ///< totals at the end
+  long size();                       ///< bytes written so far
 
  private:
   void flush();  ///< throws FileError when the disk is full

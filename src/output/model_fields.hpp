@@ -143,7 +143,7 @@ void visit_clock(C& clock, const char* interval_name, const char* due_name,
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, plane_contacts, loads, time_step, search, output,
          plots, output_blocks, exits, merges, layers, steps, time, time_origin,
-         step_origin, started] = model;
+         step_origin, started, worst_overlap] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -195,6 +195,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   ar("time_origin", time_origin);
   ar("step_origin", step_origin);
   ar("started", started);
+  ar("worst_overlap", worst_overlap);
 }
 
 }  // namespace blocks::output

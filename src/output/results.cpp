@@ -3,8 +3,11 @@
 // frames are complete. Free-form data are under /BLOCKS.
 #include "output/results.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <map>
+#include <random>
 
 #include "output/file_tools.hpp"
 #include "output/results_columns.hpp"
@@ -290,6 +293,15 @@ void ResultsWriter::File::append(const Model& model) {
   last_step = model.steps;
 }
 
+namespace {
+
+std::string new_run_id() {
+  std::random_device source;
+  return fmt::format("{:08x}{:08x}", source(), source());
+}
+
+}  // namespace
+
 ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity)
     : file_(std::make_unique<File>()) {
   std::error_code ignored;  // whatever is wrong shows when the file is created
@@ -318,6 +330,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     hdf5::write_attribute(to.own.get(), "format", format);
     hdf5::write_attribute(to.own.get(), "seed",
                           static_cast<std::int64_t>(identity.seed));
+    hdf5::write_text(to.own.get(), "run_id", new_run_id());
     hdf5::write_text(to.own.get(), "title", identity.title);
     hdf5::write_text(to.own.get(), "version", identity.version);
     hdf5::write_text(to.own.get(), "deck_file", identity.deck_file);
@@ -357,5 +370,19 @@ void ResultsWriter::write(const Model& model) {
 }
 
 long ResultsWriter::frames() const { return file_->frames; }
+
+std::string ResultsWriter::run_id() const {
+  return naming("read", file_->path,
+                [&] { return hdf5::read_text(file_->own.get(), "run_id"); });
+}
+
+std::string ResultsWriter::run_id_of(const std::string& path) {
+  try {
+    const hdf5::Handle file = hdf5::open_file(path, false);
+    return hdf5::read_text(file.get(), "BLOCKS/run_id");
+  } catch (const hdf5::Failure&) {
+    return {};
+  }
+}
 
 }  // namespace blocks::output

@@ -33,6 +33,11 @@ class ResultsWriter {
   ResultsWriter(ResultsWriter&&) noexcept;
   ResultsWriter& operator=(ResultsWriter&&) noexcept;
 
+  /// Drawn when a file is made, so that a checkpoint knows the results it belongs to.
+  std::string run_id() const;
+  /// That of a file; empty when it cannot be read or is none of ours.
+  static std::string run_id_of(const std::string& path);
+
   /// Appends the state; does nothing if a frame of this step is already the last one.
   void write(const Model& model);
   long frames() const;

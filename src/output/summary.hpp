@@ -15,7 +15,6 @@ struct RunReport {
   double wall_seconds = 0.0;
   std::string status = "done";  ///< done, unsound, interrupted
   long frames = 0;
-  double worst_overlap_ever = 0.0;  ///< [L]
 };
 
 /// FNV-1a over the bits of all positions and velocities: two equal runs, two equal

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "deck/mesh_readers.hpp"
 #include "dynamics/time_step.hpp"
@@ -39,21 +40,22 @@ struct Builder::Visitor {
     self.diagnostics_.warning(where, command.name, message, hint);
   }
   BlockBuilder builder() {
-    return {model, self.diagnostics_, command, self.options_.partial};
+    return {model, self.diagnostics_, command,
+            self.options_.lacks({"START", "MATERIAL", "RESTART"})};
   }
 
   /// Index from 0 of the block with this number, or -1 with an error.
   int block(const deck::Int& number) {
     if (number.value >= 1 && number.value <= blocks.size())
       return static_cast<int>(number.value) - 1;
-    error(number.where, fmt::format("there is no block {}", number.value),
-          blocks.size() == 0 ? "no block has been created so far"
-                             : fmt::format("blocks 1 to {} exist here", blocks.size()));
+    self.error_no_block(command, number);
     return -1;
   }
   bool material(const deck::Int& number) {
     if (settings.materials.contains(static_cast<int>(number.value)))
       return true;
+    if (self.options_.lacks({"MATERIAL", "RESTART"}))
+      return false;
     std::string known;
     for (const auto& [mat, unused] : settings.materials)
       known += (known.empty() ? "" : ", ") + std::to_string(mat);
@@ -135,7 +137,10 @@ struct Builder::Visitor {
   void operator()(const deck::Create& card) { builder().create(card); }
   void operator()(const deck::Read9& card) {
     const std::string name = card.file.given ? card.file.value : self.options_.tape9;
-    const auto path = std::filesystem::path(self.options_.folder) / name;
+    // A name on the card is meant from the deck's folder, an option from where we are.
+    const auto path = card.file.given
+                          ? std::filesystem::path(self.options_.folder) / name
+                          : std::filesystem::path(name);
     if (std::string found = builder().read_mesh(card, path.string()); !found.empty())
       self.notes_.push_back(std::move(found));
   }
@@ -180,7 +185,7 @@ struct Builder::Visitor {
           {b, {card.fx.value, card.fy.value}, card.tarriv.value});
   }
   bool has_function() {
-    if (model.loads.function.empty())
+    if (model.loads.function.empty() && !self.options_.lacks({"FUNCTION", "RESTART"}))
       error(command.where,
             "no FUNCTION card was given, so the load has no time history",
             "add FUNCTION, ntimep among the preliminary cards, followed by ntimep "
@@ -224,9 +229,13 @@ struct Builder::Visitor {
   void operator()(const deck::Damping& card) { settings.damping = card.beta.value; }
   void operator()(const deck::Output& card) {
     model.output_blocks.clear();
-    for (const deck::Int& number : card.blocks)
-      if (const int b = block(number); b >= 0)
-        model.output_blocks.push_back(b);
+    self.output_blocks_.clear();
+    constexpr long most = std::numeric_limits<int>::max();
+    for (const deck::Int& number : card.blocks) {
+      model.output_blocks.push_back(
+          static_cast<int>(std::clamp(number.value, 1L, most)) - 1);
+      self.output_blocks_.emplace_back(command, number);  // it may come later
+    }
     model.output = {card.dtout.value, model.time + card.dtout.value};
   }
   void operator()(const deck::Plots& card) {
@@ -240,49 +249,24 @@ struct Builder::Visitor {
   std::vector<std::pair<Command, deck::Material>>& materials = self.materials_;
 };
 
-namespace {
-
-/// Cards that can be judged although others are missing.
-bool stands_alone(const deck::Card& card) {
-  return std::holds_alternative<deck::Start>(card) ||
-         std::holds_alternative<deck::Rigid>(card) ||
-         std::holds_alternative<deck::Material>(card) ||
-         std::holds_alternative<deck::End>(card) ||
-         std::holds_alternative<deck::Create>(card) ||
-         std::holds_alternative<deck::Layer>(card) ||
-         std::holds_alternative<deck::Orient>(card) ||
-         std::holds_alternative<deck::Merge>(card);
-}
-
-}  // namespace
-
 void Builder::apply(const Command& command) {
-  if (options_.partial && !stands_alone(command.card))
-    return;
   std::visit(Visitor{*this, command}, command.card);
 }
 
-void Builder::check_before_motion(const Command& command) {
+void Builder::check_before_motion(const Command& command, bool in_place) {
   const Blocks& blocks = model_.blocks;
   if (blocks.size() == 0) {
     diagnostics_.error(command.where, command.name, "there are no blocks to move",
                        "make some with CREATE, LAYER or READ9");
     return;
   }
+  check_fraction(command);
+  check_steps(command);
+  if (!in_place)
+    return;
   check_planes();
   if (checked_blocks_ != blocks.size())
     check_overlaps(command);
-  if (const double safe = dynamics::safe_fraction(model_.settings.damping);
-      model_.settings.fraction > safe && !fraction_checked_)
-    diagnostics_.warning(
-        command.where, command.name,
-        fmt::format(
-            "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
-            model_.settings.fraction, model_.settings.damping),
-        fmt::format("for 8 contacts a block the largest safe FRACTION is {:.3f} "
-                    "(docs/departures.md, time step)",
-                    safe));
-  fraction_checked_ = true;
   if (!model_.settings.rigid && blocks.size() > checked_blocks_) {
     const TimeStep chosen = dynamics::choose_time_step(model_);
     if (chosen.elastic)
@@ -293,6 +277,52 @@ void Builder::check_before_motion(const Command& command) {
           "deformable blocks need dt < l sqrt(rho / C11); half of that is taken");
   }
   checked_blocks_ = blocks.size();
+}
+
+void Builder::error_no_block(const Command& command, const deck::Int& number) {
+  if (options_.lacks({"START", "RESTART", "MATERIAL", "CREATE", "CLOOP", "LAYER",
+                      "READ9", "ORIENT", "MERGE"}))
+    return;
+  const int count = model_.blocks.size();
+  diagnostics_.error(number.where, command.name,
+                     fmt::format("there is no block {}", number.value),
+                     count == 0 ? "no block has been created so far"
+                                : fmt::format("blocks 1 to {} exist here", count));
+}
+
+void Builder::check_output_blocks() {
+  for (const auto& [command, number] : output_blocks_)
+    if (number.value < 1 || number.value > model_.blocks.size())
+      error_no_block(command, number);
+  output_blocks_.clear();
+}
+
+void Builder::check_fraction(const Command& command) {
+  const Settings& settings = model_.settings;
+  const double safe = dynamics::safe_fraction(settings.damping);
+  if (settings.fraction > safe && safe != fraction_told_)
+    diagnostics_.warning(
+        command.where, command.name,
+        fmt::format(
+            "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
+            settings.fraction, settings.damping),
+        fmt::format("for 8 contacts a block the largest safe FRACTION is {:.3f} "
+                    "(docs/departures.md, time step)",
+                    safe));
+  fraction_told_ = safe;
+}
+
+void Builder::check_steps(const Command& command) {
+  const auto* motion = std::get_if<deck::Motion>(&command.card);
+  if (motion == nullptr)
+    return;
+  constexpr double most = 1e15;
+  const double dt = dynamics::choose_time_step(model_).dt;
+  if (!(motion->dt.value / dt <= most))
+    diagnostics_.error(motion->dt.where, command.name,
+                       fmt::format("{:g} would take more than {:g} steps of {:g}",
+                                   motion->dt.value, most, dt),
+                       "give a shorter time");
 }
 
 void Builder::check_planes() {

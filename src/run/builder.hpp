@@ -2,8 +2,11 @@
 // (MOTION, CYCLE) or write files (DUMP). Knows the deck and the model, no dynamics.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,9 +21,15 @@ struct BuildOptions {
   std::optional<std::uint64_t> seed;  ///< --seed, wins over SEED
   std::string tape9 = "tape9";        ///< --tape9: mesh of a READ9 card without a name
   std::string folder;                 ///< of the deck: file names are relative to it
-  /// Some cards could not be read: look at what was, without complaints that only
-  /// follow from the missing ones (block numbers, materials).
-  bool partial = false;
+  /// Cards that could not be read, "" for a card of unknown name: no complaints about
+  /// blocks, materials or functions that may only be missing for that reason.
+  std::set<std::string> unread;
+
+  bool lacks(std::initializer_list<const char*> cards) const {
+    return unread.contains("") ||
+           std::any_of(cards.begin(), cards.end(),
+                       [&](const char* card) { return unread.contains(card); });
+  }
 };
 
 class Builder {
@@ -30,17 +39,25 @@ class Builder {
   /// Acts on one card. Faults go to the diagnostics; the model then stays as it was.
   void apply(const deck::Command& command);
 
-  /// What must hold before time may pass: blocks present, planes not in front of
-  /// nothing, no step without a driving FUNCTION. Called before MOTION and CYCLE.
-  void check_before_motion(const deck::Command& command);
+  /// What must hold before time may pass: blocks present and without overlap, planes
+  /// not in front of nothing, a time step that can do it. Called before MOTION and
+  /// CYCLE. in_place: blocks stand where they will be then; no MOTION lies between.
+  void check_before_motion(const deck::Command& command, bool in_place);
+
+  /// Blocks named by OUTPUT, which may be made after it. Called when all cards are
+  /// read.
+  void check_output_blocks();
 
   /// What was found in the mesh files, a line each, since the last call.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
  private:
   struct Visitor;
+  void error_no_block(const deck::Command& command, const deck::Int& number);
   void check_planes();
   void check_overlaps(const deck::Command& command);
+  void check_fraction(const deck::Command& command);
+  void check_steps(const deck::Command& command);
 
   Model& model_;
   deck::Diagnostics& diagnostics_;
@@ -48,8 +65,9 @@ class Builder {
   std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards not yet checked
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
-  int checked_blocks_;  ///< blocks already looked at before an earlier MOTION
-  bool fraction_checked_ = false;
+  int checked_blocks_;          ///< blocks already looked at before an earlier MOTION
+  double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
+  std::vector<std::pair<deck::Command, deck::Int>> output_blocks_;  ///< not yet checked
 };
 
 }  // namespace blocks::run

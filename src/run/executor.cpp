@@ -4,10 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "run/interrupt.hpp"
 
 namespace blocks::run {
+
+namespace {
+
+/// Distance of an edge from its block's centroid, [L].
+double depth_below(const Blocks& blocks, int edge, int block) {
+  const Vec2 p = blocks.corner.col(edge);
+  const Vec2 along = Vec2(blocks.corner.col(blocks.next[edge])) - p;
+  return geometry::cross(Vec2(blocks.centroid.col(block)) - p, along) / along.norm();
+}
+
+double least_depth(const Blocks& blocks) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int e = 0; e < blocks.corners(); ++e)
+    if (blocks.convex[blocks.corner_block[e]])
+      least = std::min(least, depth_below(blocks, e, blocks.corner_block[e]));
+  return std::max(least, 0.0);
+}
+
+}  // namespace
 
 long steps_for(double interval, double dt) {
   return static_cast<long>(std::ceil(interval / dt - 1e-9));
@@ -28,10 +48,21 @@ Outcome Executor::cycle(long steps) {
   return advance(steps);
 }
 
+void Executor::echo() {
+  if (!echoed_)
+    files_.input_echo(model_);
+  echoed_ = true;
+}
+
+void Executor::dump() {
+  echo();
+  files_.dump(model_);
+}
+
 void Executor::start() {
   dynamics::prepare(model_);
-  if (!echoed_) {
-    files_.input_echo(model_);
+  if (!started_moving_) {
+    echo();
     console_.note(fmt::format("dt {:.6g} set by block {} ({}), {} blocks, seed {}",
                               model_.time_step.dt, model_.time_step.block + 1,
                               model_.time_step.elastic ? "its stiffness" : "contact",
@@ -39,7 +70,8 @@ void Executor::start() {
     files_.frame(model_);
     files_.table(model_);
   }
-  echoed_ = true;
+  started_moving_ = true;
+  half_depth_ = 0.5 * least_depth(model_.blocks);
   watch({});
   console_.row(model_);
 }
@@ -55,6 +87,8 @@ Outcome Executor::advance(long steps) {
                       model_.time, model_.steps));
       return Outcome::unsound;
     }
+    if (moved.strongest > model_.settings.normal_stiffness * half_depth_ && runaway())
+      return Outcome::unsound;
     watch(moved);
     output_if_due();
     if (i % row_every == 0 || i == steps)
@@ -63,8 +97,10 @@ Outcome Executor::advance(long steps) {
       console_.progress(model_, share_from_ + (share_to_ - share_from_) *
                                                   static_cast<double>(i) /
                                                   static_cast<double>(steps));
-      if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished)
+      if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
+        tell_what_remains(steps - i);
         return outcome;
+      }
     }
   }
   return Outcome::finished;
@@ -77,13 +113,12 @@ void Executor::output_if_due() {
     if (!(clock.interval > 0.0) || now < clock.due)
       return false;
     const double missed = std::floor((now - clock.due) / clock.interval);
-    clock.due += (missed + 1.0) * clock.interval;
+    const double next = clock.due + (missed + 1.0) * clock.interval;
+    clock.due = std::isfinite(next) ? next : now;  // an interval far below dt
     return true;
   };
-  if (due(model_.plots)) {
+  if (due(model_.plots))
     files_.frame(model_);
-    worst_overlap_ = std::max(worst_overlap_, totals(model_).worst_overlap);
-  }
   if (due(model_.output))
     files_.table(model_);
 }
@@ -105,8 +140,41 @@ void Executor::watch(const dynamics::Displacement& moved) {
   }
 }
 
+/// A spring pressed in by more than half of what a block is deep holds no real force.
+bool Executor::runaway() {
+  const Contacts& contacts = model_.contacts;
+  const Blocks& blocks = model_.blocks;
+  for (int i = 0; i < contacts.size(); ++i) {
+    const double pressed =
+        contacts.normal_elastic[i] / model_.settings.normal_stiffness;
+    if (!contacts.active[i] || !blocks.convex[contacts.edge_block[i]] ||
+        pressed <= 0.5 * depth_below(blocks, contacts.edge[i], contacts.edge_block[i]))
+      continue;
+    warn(fmt::format(
+        "at time {:g} (step {}) a contact of blocks {} and {} is pressed in by {:.3g}, "
+        "more than half of what the block is deep; raise STIFF, or lower FRACTION if "
+        "the run is unstable",
+        model_.time, model_.steps, contacts.corner_block[i] + 1,
+        contacts.edge_block[i] + 1, pressed));
+    return true;
+  }
+  return false;
+}
+
+void Executor::tell_what_remains(long steps) {
+  if (steps > 0)
+    console_.note(
+        fmt::format("{} steps of this card remain: go on with RESTART, {} and "
+                    "CYCLE, {}",
+                    steps, files_.checkpoint_path(), steps));
+}
+
 void Executor::warn(const std::string& message) {
   console_.warn(message);
+  remember(message);
+}
+
+void Executor::remember(const std::string& message) {
   files_.message("warning: " + message);
   warnings_.push_back(message);
 }

@@ -12,7 +12,7 @@
 namespace blocks::run {
 
 /// How a stretch of steps ended.
-enum class Outcome { finished, unsound, time_limit, interrupted };
+enum class Outcome { finished, unsound, unsound_deck, time_limit, interrupted };
 
 class Executor {
  public:
@@ -26,11 +26,20 @@ class Executor {
   /// Part of the whole deck that a card's steps make up, for the progress line.
   void set_share(double from, double to) { share_from_ = from, share_to_ = to; }
 
-  double worst_overlap() const { return worst_overlap_; }
+  /// DUMP.
+  void dump();
+  /// A deck in which no time passed is echoed all the same.
+  void finish() { echo(); }
+
+  /// Keeps a warning that was shown already, for listing and summary.
+  void remember(const std::string& message);
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
+  void echo();
   void start();
+  bool runaway();
+  void tell_what_remains(long steps);
   Outcome advance(long steps);
   void output_if_due();
   void watch(const dynamics::Displacement& moved);
@@ -45,9 +54,9 @@ class Executor {
   dynamics::SearchBuffers buffers_;
   std::vector<std::string> warnings_;
   std::size_t exits_told_ = 0;
-  bool fast_told_ = false, echoed_ = false;
+  bool fast_told_ = false, echoed_ = false, started_moving_ = false;
   double share_from_ = 0.0, share_to_ = 1.0;
-  double worst_overlap_ = 0.0;
+  double half_depth_ = 0.0;  ///< [L] half the least depth of any block (rule 9)
   Clock::time_point started_ = Clock::now(), saved_ = Clock::now();
 };
 

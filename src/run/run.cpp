@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "deck/card_table.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
 #include "run/deck_file.hpp"
@@ -30,8 +31,12 @@ struct Job {
         name(output_name(given.deck, given.output)) {}
 
   BuildOptions build_options() const {
-    return {options.seed, options.tape9, deck_folder(options.deck),
-            diagnostics.has_errors()};
+    std::set<std::string> unread;
+    for (const deck::Diagnostic& diagnostic : diagnostics.all())
+      if (diagnostic.severity == deck::Severity::error)
+        unread.insert(deck::find_card(diagnostic.card) != nullptr ? diagnostic.card
+                                                                  : "");
+    return {options.seed, options.tape9, deck_folder(options.deck), std::move(unread)};
   }
   bool continues() const {
     return !deck.commands.empty() &&
@@ -71,13 +76,34 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
     model = output::read_checkpoint(job.checkpoint(), info);
   }
   Builder builder(model, job.diagnostics, job.build_options());
+  bool in_place = true;
   for (const deck::Command& command : job.deck.commands) {
     builder.apply(command);
-    if (passes_time(command) && !job.diagnostics.has_errors())
-      builder.check_before_motion(command);
+    if (!passes_time(command))
+      continue;
+    if (!job.diagnostics.has_errors())
+      builder.check_before_motion(command, in_place);
+    in_place = false;  // blocks move, here they do not
   }
+  builder.check_output_blocks();
   notes = builder.take_notes();
   return !job.diagnostics.has_errors();
+}
+
+/// Judges a later MOTION or CYCLE where the blocks stand by now, and tells what is
+/// wrong. False when there were errors.
+bool sound_in_place(Builder& builder, deck::Diagnostics& said,
+                    const deck::Command& command, Executor& executor) {
+  const std::size_t before = said.all().size();
+  builder.check_before_motion(command, true);
+  bool sound = true;
+  for (std::size_t i = before; i < said.all().size(); ++i) {
+    const deck::Diagnostic& diagnostic = said.all()[i];
+    fmt::print(stderr, "{}", said.format(diagnostic));
+    executor.remember(fmt::format("{}: {}", diagnostic.card, diagnostic.message));
+    sound = sound && diagnostic.severity != deck::Severity::error;
+  }
+  return sound;
 }
 
 /// Executes the deck for good. Returns an ExitCode.
@@ -102,8 +128,9 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
       break;
     }
   }
-  RunFiles files = job.continues() ? RunFiles(job.name, job.identity(model), from)
-                                   : RunFiles(job.name, job.identity(model));
+  RunFiles files = job.continues()
+                       ? RunFiles::behind(job.name, job.identity(model), from)
+                       : RunFiles(job.name, job.identity(model));
   for (const std::string& warning : warnings)
     files.message("warning: " + warning);
 
@@ -118,6 +145,10 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
     for (const std::string& note : builder.take_notes())
       files.message(note);
     if (passes_time(command)) {
+      if (motion > 0.0 && !sound_in_place(builder, said, command, executor)) {
+        outcome = Outcome::unsound_deck;
+        break;
+      }
       executor.set_share(motion / motions, (motion + 1.0) / motions);
       motion += 1.0;
     }
@@ -126,11 +157,12 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
     else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
       outcome = executor.cycle(cycle->ncycle.value);
     else if (std::holds_alternative<deck::Dump>(command.card))
-      files.dump(model);
+      executor.dump();
     else if (std::holds_alternative<deck::Stop>(command.card))
       break;
   }
   console.clear_progress();
+  executor.finish();
 
   output::RunReport report;
   report.warnings = std::move(warnings);
@@ -138,12 +170,11 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
                          executor.warnings().end());
   report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  report.worst_overlap_ever =
-      std::max(executor.worst_overlap(), totals(model).worst_overlap);
-  report.status = outcome == Outcome::finished     ? "done"
-                  : outcome == Outcome::unsound    ? "unsound"
-                  : outcome == Outcome::time_limit ? "time limit"
-                                                   : "interrupted";
+  report.status = outcome == Outcome::finished       ? "done"
+                  : outcome == Outcome::unsound_deck ? "deck error"
+                  : outcome == Outcome::unsound      ? "unsound"
+                  : outcome == Outcome::time_limit   ? "time limit"
+                                                     : "interrupted";
   files.close(model, report);
   console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
                            report.status, model.steps, model.time, report.wall_seconds,
@@ -156,6 +187,8 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
   switch (outcome) {
   case Outcome::finished:
     return done;
+  case Outcome::unsound_deck:
+    return deck_error;
   case Outcome::unsound:
     return unsound_run;
   case Outcome::time_limit:

@@ -17,9 +17,10 @@ class RunFiles {
   /// Creates NAME.out and NAME.vtkhdf (older ones become .bak). Throws
   /// output::FileError.
   RunFiles(const std::string& name, const output::RunIdentity& identity);
-  /// Continues NAME.out and NAME.vtkhdf behind a checkpoint's frames where they exist.
-  RunFiles(const std::string& name, const output::RunIdentity& identity,
-           const output::CheckpointInfo& from);
+  /// Continues NAME.out and NAME.vtkhdf behind a checkpoint, whatever was written later
+  /// cut off; new files where those beside us belong to another run.
+  static RunFiles behind(const std::string& name, const output::RunIdentity& identity,
+                         const output::CheckpointInfo& from);
 
   void input_echo(const Model& model) { listing_.input_echo(model); }
   void dump(const Model& model) { listing_.dump(model); }
@@ -35,6 +36,8 @@ class RunFiles {
   std::string results_path() const { return name_ + ".vtkhdf"; }
 
  private:
+  RunFiles(std::string name, const output::RunIdentity& identity, long kept_frames);
+
   std::string name_;
   output::RunIdentity identity_;
   output::Listing listing_;

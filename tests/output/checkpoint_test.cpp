@@ -160,7 +160,8 @@ Model filled_model() {
   return model;
 }
 
-const CheckpointInfo info = {"crater.deck", "START\n", "crater.vtkhdf", 12, "1.0.0"};
+const CheckpointInfo info = {"crater.deck", "START\n", "crater.vtkhdf", "0a1b2c3d", 12,
+                             4096,          "1.0.0"};
 
 // Rule 26: a continuation is bit-identical, so every field must survive bit by bit.
 TEST(Checkpoint, KeepsEveryFieldBitByBit) {
@@ -221,7 +222,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_THAT(error(), HasSubstr("not a checkpoint of BLOCKS"));
   write_checkpoint(path, samples::two_blocks(), info);
   std::string bytes = contents(path);
-  bytes[bytes.find("format 1") + 7] = '2';
+  bytes[bytes.find("format 2") + 7] = '3';
   overwrite(path, bytes);
   EXPECT_THAT(error(), HasSubstr("newer version"));
 }

@@ -22,14 +22,14 @@ RunReport report() {
           {"block 2 is thin"},
           1.5,
           "done",
-          4,
-          0.5};
+          4};
 }
 
 TEST(Summary, HoldsWhatScriptsAskFor) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
   model.exits.push_back({1, 0.005});
+  model.worst_overlap = 0.5;
   model.layers.push_back({1, 0, 2, 2, 1, 6, 3, 0});
   model.merges.push_back({1, 2, 3, 0.125, 0.2});
   write_summary(folder / "a.summary.json", model, report());

@@ -1,0 +1,190 @@
+// Cards that act in the middle of a run, and runs that end before their time.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string moving = preliminary() + rectangle(0, 0, 1, 1) +
+                           rectangle(4, 0, 5, 1) + "SETVEL, 2, 0, 2, 0\nMOTION, 1\n";
+
+// Block 2 has left its place when the third one is made there ...
+TEST(LaterCreate, IsJudgedWhereTheBlocksStandByThen) {
+  const TemporaryFolder folder;
+  const Outcome free =
+      run_text(folder, "free", moving + rectangle(4, 0, 5, 1) + "MOTION, 0.01\n");
+  EXPECT_THAT(free.err, Not(HasSubstr("overlap")));
+  // ... and stands where the other third one is.
+  const Outcome hit =
+      run_text(folder, "hit", moving + rectangle(6, 0, 7, 1) + "MOTION, 0.01\n");
+  EXPECT_THAT(hit.err, HasSubstr("warning: MOTION: blocks 2 and 3 overlap"));
+  EXPECT_THAT(summary(folder, "hit")["warnings"].dump(), HasSubstr("2 and 3 overlap"));
+}
+
+// A plane in front of nothing stops the run where it is, with its files whole.
+TEST(LaterSplane, IsJudgedWhereTheBlocksStandByThen) {
+  const TemporaryFolder folder;
+  // all behind it at first, block 2 in front of it by then
+  folder.write("late.deck", moving + "SPLANE, 5.5, 5, 5.5, -5\nMOTION, 0.01\n");
+  EXPECT_EQ(blocks("run late.deck", folder.path()).code, 0);
+  folder.write("front.deck", moving + "SPLANE, 8, 5, 8, -5\nMOTION, 0.01\n");
+  const Outcome front = blocks("run front.deck", folder.path());
+  EXPECT_EQ(front.code, 3);
+  EXPECT_THAT(front.err, HasSubstr("SPLANE: all blocks lie behind the plane"));
+  EXPECT_EQ(summary(folder, "front")["status"], "deck error");
+  EXPECT_NEAR(summary(folder, "front")["time"].get<double>(), 1.0, 1e-3);
+}
+
+// The warning of rule 2 belongs to the pair FRACTION and DAMPING, which DAMPING
+// changes.
+TEST(LaterDamping, IsWarnedOfAnew) {
+  const TemporaryFolder folder;
+  folder.write("d.deck", preliminary() + rectangle(0, 0, 1, 1) +
+                             "DAMPING, 0.1\nCYCLE, 1\nDAMPING, 0.9\nCYCLE, 1\n");
+  const Outcome run = blocks("check d.deck", folder.path());
+  EXPECT_THAT(run.err, HasSubstr("FRACTION 0.02 with DAMPING 0.9"));
+  EXPECT_THAT(run.err, Not(HasSubstr("DAMPING 0.1 may")));
+}
+
+// OUTPUT may name blocks that are made after it (report A.2.0: any order).
+TEST(Output, MayNameBlocksThatComeLater) {
+  const TemporaryFolder folder;
+  run_text(folder, "o",
+           preliminary() + "OUTPUT, 1, 1\n" + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
+  EXPECT_EQ(summary(folder, "o")["blocks"], 1);
+}
+
+// Faults of blocks, loads and materials are told beside the fault of another card.
+TEST(Check, TellsEverythingInOnePass) {
+  const TemporaryFolder folder;
+  folder.write("bad.deck",
+               preliminary() + rectangle(0, 0, 1, 1) +
+                   "GRAVITY, up\nFIX, 9\nFORCE, 1, 1, 1\nSETVELM, 7, 1, 1\n");
+  const Outcome check = blocks("check bad.deck", folder.path());
+  EXPECT_EQ(check.code, 3);
+  for (const char* fault :
+       {"GRAVITY: ", "FIX: there is no block 9", "FORCE: no FUNCTION",
+        "SETVELM: there is no material 7", "4 errors"})
+    EXPECT_THAT(check.err, HasSubstr(fault));
+}
+
+// A time beyond counting is refused, not rounded to no step at all.
+TEST(Motion, OfTooManyStepsIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("long.deck", preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 1.E300\n");
+  const Outcome run = blocks("run long.deck", folder.path());
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err,
+              HasSubstr("long.deck:15:9: error: MOTION: 1e+300 would take more"));
+}
+
+// An interval of PLOTS far below the step gives a frame in every step.
+TEST(Plots, MoreOftenThanStepsIsEveryStep) {
+  const TemporaryFolder folder;
+  run_text(folder, "p",
+           preliminary() + rectangle(0, 0, 1, 1) + "PLOTS, 1.E-320\nCYCLE, 5\n");
+  EXPECT_EQ(summary(folder, "p")["frames"], 6);
+}
+
+// The largest overlap is looked for in every step, not only where a frame is written.
+TEST(WorstOverlap, DoesNotDependOnPlots) {
+  const std::string falling = preliminary() + rectangle(0, 0, 1, 1, true) +
+                              rectangle(0, 1.01, 1, 2) +
+                              "GRAVITY, 0, -10\nDAMPING, 0.5\n";
+  const TemporaryFolder folder;
+  run_text(folder, "often", falling + "PLOTS, 0.0004\nCYCLE, 500\n");
+  run_text(folder, "never", falling + "CYCLE, 500\n");
+  run_text(folder, "half", falling + "CYCLE, 250\n", "-o parts");
+  run_text(folder, "rest", "RESTART\nCYCLE, 250\n", "-o parts");
+  const auto often = summary(folder, "often")["worst_overlap"];
+  EXPECT_GT(often["ever"], often["end"]);
+  EXPECT_EQ(summary(folder, "never")["worst_overlap"], often);
+  EXPECT_EQ(summary(folder, "parts")["worst_overlap"], often);
+}
+
+// The checkpoint of one run and the results of another do not become one file.
+TEST(Restart, LeavesTheResultsOfAnotherRunAlone) {
+  const std::string one = preliminary() + rectangle(0, 0, 1, 1);
+  const TemporaryFolder folder;
+  run_text(folder, "first", one + "CYCLE, 5\n", "-o x");
+  run_text(folder, "other", one + "CYCLE, 7\n", "-o x");
+  const std::string listing = slurp(folder / "x.out"),
+                    results = slurp(folder / "x.vtkhdf");
+  run_text(folder, "again", "RESTART, x.ckpt.h5.prev\nCYCLE, 2\n", "-o x");
+  EXPECT_EQ(summary(folder, "x")["steps"], 7);
+  EXPECT_EQ(slurp(folder / "x.out.bak"), listing);
+  EXPECT_EQ(slurp(folder / "x.vtkhdf.bak"), results);
+}
+
+// Tables later than the checkpoint are written once: a restart cuts the listing there.
+TEST(Restart, CutsTheListingAtTheCheckpoint) {
+  const std::string start =
+      preliminary() + rectangle(0, 0, 1, 1) + "SETVEL, 1, 0, 1, 0\nOUTPUT, 0.02\n";
+  const TemporaryFolder folder;
+  run_text(folder, "a", start + "MOTION, 0.1\n", "-o x");
+  const std::string before = slurp(folder / "x.out");
+  const std::string after = before + "\nOUTPUT of steps that a crash took back\n";
+  folder.write("x.out", after);
+  run_text(folder, "b", "RESTART\nMOTION, 0.1\n", "-o x");
+  EXPECT_EQ(slurp(folder / "x.out").substr(0, before.size()), before);
+  EXPECT_THAT(slurp(folder / "x.out"), Not(HasSubstr("a crash took back")));
+}
+
+// What a time limit left over can be done to the step.
+TEST(TimeLimit, SaysWhatRemains) {
+  const std::string start =
+      preliminary() + rectangle(0, 0, 1, 1) + "SETVEL, 1, 0, 1.E-9, 0\n";
+  const TemporaryFolder folder;
+  folder.write("long.deck", start + "CYCLE, 100000000\n");
+  const Outcome run = blocks("run long.deck --time-limit 0.05", folder.path());
+  EXPECT_EQ(run.code, 75);
+  const long rest = 100000000 - summary(folder, "long")["steps"].get<long>();
+  EXPECT_THAT(run.out + run.err,
+              HasSubstr(fmt::format("{} steps of this card remain: go on with RESTART, "
+                                    "long.ckpt.h5 and CYCLE, {}",
+                                    rest, rest)));
+}
+
+// Springs pressed in by half a block are no physics: the run ends, and the last good
+// checkpoint stays.
+TEST(Unsound, RunEndsWhenContactsRunAway) {
+  const TemporaryFolder folder;
+  run_text(folder, "good",
+           preliminary() + rectangle(0, 0, 1, 1, true) + rectangle(0, 1, 1, 2) +
+               "CYCLE, 5\n",
+           "-o x");
+  const std::string good = slurp(folder / "x.ckpt.h5");
+  folder.write("away.deck", "RESTART\nGRAVITY, 0, -1.E5\nMOTION, 10\n");
+  const Outcome run = blocks("run away.deck -o x", folder.path());
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("is pressed in by"));
+  EXPECT_EQ(slurp(folder / "x.ckpt.h5"), good);
+}
+
+// A deck in which no time passes is echoed all the same.
+TEST(Listing, EchoesADeckWithoutMotion) {
+  const TemporaryFolder folder;
+  run_text(folder, "still", preliminary() + rectangle(0, 0, 1, 1) + "DUMP\nSTOP\n");
+  const std::string listing = slurp(folder / "still.out");
+  ASSERT_THAT(listing, HasSubstr("MATERIALS"));
+  EXPECT_LT(listing.find("MATERIALS"), listing.find("\nDUMP "));
+}
+
+// An option's file is meant from here, a card's from the deck's folder.
+TEST(Tape9, OptionIsRelativeToTheCurrentFolder) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "sub");
+  folder.write("mesh.txt", "BLOCKS 1\n3, 1\n0 0\n0 1\n1 0\n");
+  folder.write("sub/r.deck", preliminary() + "READ9\nCYCLE, 1\n");
+  const Outcome run = blocks("check sub/r.deck --tape9 mesh.txt", folder.path());
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
+}  // namespace
+}  // namespace blocks::testing
