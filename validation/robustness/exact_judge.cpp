@@ -13,9 +13,8 @@ namespace {
 using geometry::Mesh;
 using geometry::Vec2;
 namespace mp = boost::multiprecision;
-// Wide enough for areas of coordinates of 400 bits; throws beyond.
-using Whole = mp::number<
-    mp::cpp_int_backend<1024, 1024, mp::signed_magnitude, mp::checked, void>>;
+// Any width; 512 bits without a trip to the heap.
+using Whole = mp::number<mp::cpp_int_backend<512>, mp::et_off>;
 
 struct Place {
   Whole x, y;

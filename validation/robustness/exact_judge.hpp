@@ -19,8 +19,7 @@ struct Judgement {
 
 /// Judges by definition, in n^2 exact comparisons: every pair of edges of a cell, every
 /// pair of cells (by the separating lines of their triangles), every cell against every
-/// edge of the outline, and the areas. Coordinates are scaled to whole numbers first;
-/// their exponents may span 300 bits.
+/// edge of the outline, and the areas. Coordinates are scaled to whole numbers first.
 Judgement judge(const geometry::Mesh& mesh);
 
 /// No vertex of the layer lies beyond the lines through its four corners, and these are
