@@ -58,10 +58,11 @@ case $command in
   validate)
     layers=${1:-100000}
     echo "building ..." >&2
-    build release robustness certificate_study
+    build release robustness certificate_study distribution_study
     programs="$here/build/release/validation/robustness"
     "$programs/robustness" --layers "$layers" --report "$here/validation/robustness/REPORT"
     "$programs/certificate_study" --report "$here/validation/robustness/CERTIFICATE"
+    "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
     "$here/validation/robustness/compilers.sh" "$here/build/compilers" ;;
   bench)
     [ "${1:-}" = generation ] || { echo "go: error: bench needs a name: generation" >&2; exit 2; }
