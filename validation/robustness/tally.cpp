@@ -77,7 +77,8 @@ std::string markdown(const Run& run) {
     disagree += t.disagree;
   }
   out << "\nIndependent judge (brute force on whole numbers, every " << run.every
-      << "th layer): " << judged << " meshes judged, " << total[0].judged
+      << "th layer of at most 300 blocks): " << judged << " meshes judged, "
+      << total[0].judged
       << " of them ours, of which not a tiling or beyond their four corners: "
       << total[0].judge_says << "; of naive " << total[1].judge_says << " of "
       << total[1].judged << ", of naive with check " << total[2].judge_says << " of "
@@ -114,14 +115,17 @@ std::string json(const Run& run) {
     family["name"] = families()[i].name;
     for (std::size_t g = 0; g < generators; ++g) {
       const Tally& t = run.families[i][g];
+      const auto listed = std::min<std::size_t>(t.failed.size(), 200);
+      const std::vector<std::uint64_t> failed(
+          t.failed.begin(), t.failed.begin() + static_cast<std::ptrdiff_t>(listed));
       family[names[g]] = {{"layers", t.layers},     {"blocks", t.blocks},
                           {"refused", t.refused},   {"failures", t.failures},
                           {"judged", t.judged},     {"judge_says", t.judge_says},
-                          {"disagree", t.disagree}, {"failed", t.failed}};
+                          {"disagree", t.disagree}, {"failed", failed}};
     }
     root["families"].push_back(std::move(family));
   }
-  return root.dump(1) + "\n";
+  return root.dump() + "\n";
 }
 
 }  // namespace blocks::robustness

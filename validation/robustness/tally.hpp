@@ -33,7 +33,8 @@ struct Run {
   std::vector<FamilyTally> families;
 };
 
-/// The failure table. Markdown for the reader, JSON with the numbers of all failures.
+/// The failure table. Markdown for the reader, JSON with the numbers of up to 200
+/// failures of each kind.
 std::string markdown(const Run& run);
 std::string json(const Run& run);
 
