@@ -11,6 +11,9 @@ usage() {
   ./go run DECK [options]   build if needed, then blocks run DECK (results beside you)
   ./go test                 build with warnings as errors and run every test
   ./go build                build only: build/release/src/blocks
+  ./go validate [N]         N random layers (100000) made and judged, the certificate
+                            against brute force, the same bits from g++ and clang++
+  ./go bench generation     time of cutting, rounding and certifying layers
   ./go asan                 every test under the address and undefined sanitizers
   ./go blocks ARGUMENTS     any other command of the program (plot, check, cards ...)
 TEXT
@@ -52,6 +55,20 @@ case $command in
     exec "$here/build/release/src/blocks" "$@" ;;
   build) build release blocks ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
+  validate)
+    layers=${1:-100000}
+    echo "building ..." >&2
+    build release robustness certificate_study distribution_study
+    programs="$here/build/release/validation/robustness"
+    "$programs/robustness" --layers "$layers" --report "$here/validation/robustness/REPORT"
+    "$programs/certificate_study" --report "$here/validation/robustness/CERTIFICATE"
+    "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
+    "$here/validation/robustness/compilers.sh" "$here/build/compilers" ;;
+  bench)
+    [ "${1:-}" = generation ] || { echo "go: error: bench needs a name: generation" >&2; exit 2; }
+    build release bench_generation
+    shift
+    "$here/build/release/validation/performance/bench_generation" "$@" ;;
   asan) build asan; cd "$here" && exec ctest --preset asan "$@" ;;
   help|-h|--help) usage ;;
   *) echo "go: no command '$command'" >&2; usage >&2; exit 2 ;;

@@ -10,6 +10,8 @@
 namespace blocks::geometry {
 namespace {
 
+using exact::Fraction;
+using exact::Integer;
 using exact::Point;
 using exact::Quad;
 using exact::Rational;
@@ -55,8 +57,7 @@ Quad convex_quad(const LayerRequest& request) {
 std::vector<Side> even_sides(int count) {
   std::vector<Side> sides;
   for (int i = 0; i <= count; ++i) {
-    const Rational s = Rational(i) / Rational(count);
-    sides.push_back({s, s});
+    sides.push_back({Fraction(i, count), Fraction(i, count)});
   }
   return sides;
 }
@@ -97,7 +98,7 @@ std::vector<Side> listed_sides(const LayerRequest& request, const Quad& quad,
       listed_fractions(request.top, request.count, quad.top(), "top", layer.top_scaled);
   std::vector<Side> sides;
   for (std::size_t i = 0; i < bottom.size(); ++i)
-    sides.push_back({bottom[i], top[i]});
+    sides.push_back({Fraction(bottom[i]), Fraction(top[i])});
   return sides;
 }
 
@@ -164,23 +165,42 @@ std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,
   return std::move(oriented->sides);
 }
 
-// A vertex at s of the line, the layer lying to its left, rounded once. On a line along
-// an axis: the nearest doubles. On a slanted one: of the line through its rounded ends,
-// each coordinate towards the layer, so that no vertex is behind that line and layers
-// that share it never overlap.
-Vec2 rounded_on_line(const Point& from, const Point& to, const Rational& s) {
+// One coordinate of the places on a line, each rounded once.
+class Coordinate {
+ public:
+  /// side: towards which the places are rounded, 0 for the nearest double.
+  Coordinate(const Rational& from, const Rational& to, int side)
+      : unit_(exact::common_denominator({from, to})), from_(exact::times(from, unit_)),
+        length_(exact::times(to, unit_) - from_), side_(side) {}
+  double at(const Fraction& s) const {
+    return exact::rounded_towards(
+        Fraction(from_ * s.den + length_ * s.num, unit_ * s.den), side_);
+  }
+
+ private:
+  Integer unit_, from_, length_;
+  int side_;
+};
+
+struct RoundedLine {
+  Coordinate x, y;
+  Vec2 at(const Fraction& s) const { return {x.at(s), y.at(s)}; }
+};
+
+// Places on a line, the layer lying to its left. On a line along an axis: the nearest
+// doubles. On a slanted one: of the line through its rounded ends, each coordinate
+// towards the layer, so that no vertex is behind that line and layers that share it
+// never overlap.
+RoundedLine rounded_line(const Point& from, const Point& to) {
   const Vec2 start = exact::nearest(from);
   const Vec2 end = exact::nearest(to);
-  if (start.x() == end.x() || start.y() == end.y()) {
-    return exact::nearest(from + (to - from) * s);
-  }
-  const auto between = [&s](double a, double b) {
-    return Rational(a) + (Rational(b) - Rational(a)) * s;
+  if (start.x() == end.x() || start.y() == end.y())
+    return {{from.x(), to.x(), 0}, {from.y(), to.y(), 0}};
+  const auto between = [](double a, double b, int side) {
+    return Coordinate(Rational(a), Rational(b), side);
   };
-  return {
-      exact::rounded_towards(between(start.x(), end.x()), end.y() > start.y() ? -1 : 1),
-      exact::rounded_towards(between(start.y(), end.y()),
-                             end.x() > start.x() ? 1 : -1)};
+  return {between(start.x(), end.x(), end.y() > start.y() ? -1 : 1),
+          between(start.y(), end.y(), end.x() > start.x() ? 1 : -1)};
 }
 
 // Vertices: the bottom ends of the sides from the left, then their top ends.
@@ -188,11 +208,13 @@ Mesh mesh_of(const Quad& quad, const std::vector<Side>& sides) {
   const std::size_t n = sides.size() - 1;
   Mesh mesh;
   mesh.vertices.resize(2 * (n + 1));
+  // Seen from the right the top line, too, has the layer on its left.
+  const RoundedLine bottom_line = rounded_line(quad.bl, quad.br);
+  const RoundedLine top_line = rounded_line(quad.tr, quad.tl);
   for (std::size_t i = 0; i <= n; ++i) {
-    // Seen from the right the top line, too, has the layer on its left.
-    mesh.vertices[i] = rounded_on_line(quad.bl, quad.br, sides[i].bottom);
-    mesh.vertices[n + 1 + i] =
-        rounded_on_line(quad.tr, quad.tl, Rational(1) - sides[i].top);
+    const Fraction& s = sides[i].top;
+    mesh.vertices[i] = bottom_line.at(sides[i].bottom);
+    mesh.vertices[n + 1 + i] = top_line.at({s.den - s.num, s.den});
   }
   const auto bottom = [](std::size_t i) { return static_cast<int>(i); };
   const auto top = [n](std::size_t i) { return static_cast<int>(n + 1 + i); };

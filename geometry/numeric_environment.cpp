@@ -36,4 +36,14 @@ std::string check_numeric_environment() {
   return {};
 }
 
+RoundToNearest::RoundToNearest() : before_(std::fegetround()) {
+  if (before_ != FE_TONEAREST)
+    std::fesetround(FE_TONEAREST);
+}
+
+RoundToNearest::~RoundToNearest() {
+  if (before_ != FE_TONEAREST)
+    std::fesetround(before_);
+}
+
 }  // namespace blocks::geometry

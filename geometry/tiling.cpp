@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "geometry/numeric_environment.hpp"
 #include "geometry/polygon.hpp"
 
 namespace blocks::geometry {
@@ -128,6 +129,7 @@ void check_edges(const Mesh& mesh, TilingCertificate& certificate) {
 }  // namespace
 
 TilingCertificate certify_tiling(const Mesh& mesh) {
+  const RoundToNearest mode;  // the filters of the predicates are proved for it
   TilingCertificate certificate;
   if (mesh.cells.empty())
     refuse(certificate, "no cells");

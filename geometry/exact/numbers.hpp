@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/decimal.hpp"
-#include "geometry/exact/kernels.hpp"
+#include "geometry/exact/fraction.hpp"
 
 namespace blocks::geometry::exact {
 
@@ -19,9 +19,10 @@ Vec2 nearest(const Point& point);
 /// The largest double not above the value (side < 0), the smallest not below it
 /// (side > 0), or the nearest (side = 0).
 double rounded_towards(const Rational& value, int side);
+double rounded_towards(const Fraction& value, int side);
 
-/// The tangent of an angle in degrees, |angle| < 90: the double nearest to it, the same
-/// on every machine (exactly 0 at 0 and 1 at 45 degrees).
+/// The tangent of an angle in degrees, |angle| <= 89: the double nearest to it, the
+/// same on every machine (exactly 0 at 0 and 1 at 45 degrees).
 double tangent_of_degrees(const Rational& degrees);
 
 }  // namespace blocks::geometry::exact

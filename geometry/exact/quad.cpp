@@ -20,11 +20,11 @@ class Placer {
   Placer(const Quad& quad, const std::vector<Rational>& places,
          const std::vector<std::size_t>& numbers, const Rational& angle_min,
          const Rational& angle_max, StreamKey stream)
-      : quad_(quad), places_(places), numbers_(numbers), angle_min_(angle_min),
-        angle_range_(angle_max - angle_min), stream_(stream) {
+      : quad_(quad), finder_(quad), places_(places), numbers_(numbers),
+        angle_min_(angle_min), angle_range_(angle_max - angle_min), stream_(stream) {
     result_.sides.resize(places.size());
-    result_.sides.front() = {Rational(0), Rational(0)};
-    result_.sides.back() = {Rational(1), Rational(1)};
+    result_.sides.front() = {Fraction(0, 1), Fraction(0, 1)};
+    result_.sides.back() = {Fraction(1, 1), Fraction(1, 1)};
     same_angle_ = tangent_of_degrees(angle_min_);
   }
 
@@ -50,7 +50,7 @@ class Placer {
     const bool one_angle = angle_range_ == 0;
     for (std::uint32_t draw = 0; draw <= redraws; ++draw) {
       const double tangent = one_angle ? same_angle_ : drawn_tangent(here, draw);
-      const auto side = side_through(quad_, places_[here], tangent);
+      const auto side = finder_.through(places_[here], tangent);
       if (side && left_of(left, *side) && left_of(*side, right))
         return *side;
       if (one_angle)
@@ -73,10 +73,10 @@ class Placer {
   // ruling.
   std::optional<Side> ruling(const Rational& s, const Side& left,
                              const Side& right) const {
-    const Point start = quad_.bl + quad_.bottom() * left.bottom;
-    const Point other = quad_.bl + quad_.bottom() * right.bottom;
-    const Vector along = quad_.tl + quad_.top() * left.top - start;
-    const Vector across = quad_.tl + quad_.top() * right.top - other;
+    const Point start = quad_.bl + quad_.bottom() * left.bottom.reduced();
+    const Point other = quad_.bl + quad_.bottom() * right.bottom.reduced();
+    const Vector along = quad_.tl + quad_.top() * left.top.reduced() - start;
+    const Vector across = quad_.tl + quad_.top() * right.top.reduced() - other;
     const Rational turn = cross(along, across);
     const Point here = quad_.middle(s);
     const Vector direction =
@@ -84,13 +84,14 @@ class Placer {
                   : here - (start + along * (cross(other - start, across) / turn));
     const Vector mid = quad_.middle();
     const Rational tangent = -(direction * mid) / cross(mid, direction);
-    const auto side = side_through(quad_, s, nearest(tangent));
+    const auto side = finder_.through(s, nearest(tangent));
     if (side && left_of(left, *side) && left_of(*side, right))
       return side;
     return std::nullopt;
   }
 
   const Quad& quad_;
+  SideFinder finder_;
   const std::vector<Rational>& places_;
   const std::vector<std::size_t>& numbers_;
   Rational angle_min_;
@@ -107,17 +108,47 @@ Rational Quad::length_to_height() const {
   return middle().squared_length() / area;
 }
 
-std::optional<Side> side_through(const Quad& quad, const Rational& s, double tangent) {
+SideFinder::SideFinder(const Quad& quad) {
   const Vector mid = quad.middle();
   const Vector normal(-mid.y(), mid.x());
-  const Vector direction = normal - mid * Rational(tangent);
-  const Rational bottom_turn = cross(quad.bottom(), direction);
-  const Rational top_turn = cross(quad.top(), direction);
-  if (bottom_turn == 0 || top_turn == 0)
+  const Vector half = (quad.tl - quad.bl) / Rational(2);  // M - BL, and TL - M
+  const Rational squared = mid.squared_length();
+  const Rational start_normal = cross(half, normal);
+  const Rational start_middle = cross(half, mid);
+  const auto products = [&](const Vector& along) {
+    return std::pair(cross(along, normal), cross(along, mid));
+  };
+  const auto [bottom_normal, bottom_middle] = products(quad.bottom());
+  const auto [top_normal, top_middle] = products(quad.top());
+  const Integer unit =
+      common_denominator({squared, start_normal, start_middle, bottom_normal,
+                          bottom_middle, top_normal, top_middle});
+  squared_middle_ = times(squared, unit);
+  bottom_ = {times(start_normal, unit), times(start_middle, unit),
+             times(bottom_normal, unit), times(bottom_middle, unit)};
+  top_ = {-bottom_.start_normal, -bottom_.start_middle, times(top_normal, unit),
+          times(top_middle, unit)};
+}
+
+std::optional<Fraction> SideFinder::meet(const Line& line, const Fraction& s,
+                                         const Fraction& tangent) const {
+  const Integer& t = tangent.num;
+  const Integer& one = tangent.den;
+  const Integer turn = line.along_normal * one - line.along_middle * t;
+  if (turn == 0)
     return std::nullopt;
-  const Point here = quad.middle(s);
-  return Side{cross(here - quad.bl, direction) / bottom_turn,
-              cross(here - quad.tl, direction) / top_turn};
+  const Integer start = line.start_normal * one - line.start_middle * t;
+  return Fraction(s.num * (squared_middle_ * one) + s.den * start, s.den * turn);
+}
+
+std::optional<Side> SideFinder::through(const Rational& s, double tangent) const {
+  const Fraction place(s);
+  const Fraction slope{Rational(tangent)};
+  auto bottom = meet(bottom_, place, slope);
+  auto top = meet(top_, place, slope);
+  if (!bottom || !top)
+    return std::nullopt;
+  return Side{std::move(*bottom), std::move(*top)};
 }
 
 std::optional<OrientedSides> orient_sides(const Quad& quad,

@@ -29,8 +29,8 @@ struct Quad {
 
 /// Where a side meets the bottom and the top line, as fractions from the left.
 struct Side {
-  Rational bottom;
-  Rational top;
+  Fraction bottom;
+  Fraction top;
 };
 
 /// Strictly to the left of, along both lines.
@@ -38,9 +38,29 @@ inline bool left_of(const Side& a, const Side& b) {
   return a.bottom < b.bottom && a.top < b.top;
 }
 
-/// The line through the mid-line at s, turned anticlockwise from the normal by the
-/// angle with this tangent. Nothing where it is parallel to the bottom or the top line.
-std::optional<Side> side_through(const Quad& quad, const Rational& s, double tangent);
+/// Finds the sides of one quad.
+class SideFinder {
+ public:
+  explicit SideFinder(const Quad& quad);
+
+  /// The line through the mid-line at s, turned anticlockwise from the normal by the
+  /// angle with this tangent. Nothing where it is parallel to the bottom or the top
+  /// line.
+  std::optional<Side> through(const Rational& s, double tangent) const;
+
+ private:
+  // The side through M + s m has the direction n - t m, with n normal to m and as long.
+  // It meets the line p + f v at f = (s m.m + (M - p) x n - t (M - p) x m) /
+  // (v x n - t v x m). These four products, all in whole numbers of one unit.
+  struct Line {
+    Integer start_normal, start_middle, along_normal, along_middle;
+  };
+  std::optional<Fraction> meet(const Line& line, const Fraction& s,
+                               const Fraction& tangent) const;
+
+  Integer squared_middle_;  // m.m in the same unit
+  Line bottom_, top_;
+};
 
 /// Interior sides of a layer with a drawn angle each (ORIENT, rule 19).
 struct OrientedSides {

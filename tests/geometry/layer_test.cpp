@@ -174,28 +174,6 @@ TEST(RandomLayer, AspectLimitsAreExact) {
   }
 }
 
-TEST(RandomLayer, WidthsKeepTheLimitsAndShowNoBiasAlongTheLayer) {
-  // Mean width/height of each place over many layers; for 20 blocks of 1.2 and 400
-  // layers the standard error is about 0.03.
-  constexpr int blocks = 20;
-  constexpr int layers = 400;
-  std::array<double, blocks> mean{};
-  for (int k = 0; k < layers; ++k) {
-    LayerRequest request = random_layer("0 0 0 1 24 1 24 0", blocks);
-    request.stream = {11, static_cast<std::uint64_t>(k)};
-    const Layer layer = cut_layer(request);
-    for (std::size_t i = 0; i < blocks; ++i) {
-      const auto c = cell(layer, i);
-      const double width = c[3].x() - c[0].x();
-      ASSERT_GE(width, 0.2 - 1e-13);
-      ASSERT_LE(width, 3.0 + 1e-13);
-      mean[i] += width / layers;
-    }
-  }
-  for (const double m : mean)
-    EXPECT_NEAR(m, 1.2, 0.15);
-}
-
 TEST(RandomLayer, SidesAreNormalToTheMidLineWithoutOrient) {
   // Mid-line along (4, 3): normals along (-3, 4); only sides near the ends are ruled.
   const Layer layer = cut_layer(random_layer("0 0 -3 4 77 64 80 60", 18));

@@ -1,0 +1,35 @@
+#!/bin/sh
+# The same layers from every compiler: builds geometry/ and layer_hashes with g++ and
+# clang++ at -O0, -O2 and -O3 and compares what they print. Usage: compilers.sh BUILD_DIR
+set -eu
+here=$(cd "$(dirname "$0")/../.." && pwd)
+out=${1:?usage: compilers.sh BUILD_DIR}
+mkdir -p "$out"
+# As in CMakeLists.txt, and -frounding-math as CGAL asks for.
+flags="-std=c++20 -w -frounding-math -ffp-contract=off -fno-math-errno -fno-trapping-math"
+flags="$flags -I$here $(pkg-config --cflags eigen3)"
+failed=0
+for compiler in g++ clang++; do
+  if ! command -v "$compiler" >/dev/null; then
+    echo "blocks: error: no $compiler on this machine (packages.txt names it)" >&2
+    exit 5
+  fi
+  for level in -O0 -O2 -O3; do
+    (cd "$here" && $compiler $flags $level -o "$out/hashes" \
+      validation/robustness/families.cpp validation/robustness/layer_hashes.cpp \
+      geometry/decimal.cpp geometry/layer.cpp geometry/merge.cpp \
+      geometry/numeric_environment.cpp geometry/polygon.cpp geometry/random.cpp \
+      geometry/tiling.cpp geometry/exact/numbers.cpp geometry/exact/quad.cpp -lmpfr -lgmp)
+    "$out/hashes" 200 >"$out/found"
+    [ -f "$out/first.$$" ] || cp "$out/found" "$out/first.$$"
+    if cmp -s "$out/found" "$out/first.$$"; then
+      echo "$compiler $level: same bits"
+    else
+      echo "$compiler $level: DIFFERENT"
+      diff "$out/first.$$" "$out/found" || true
+      failed=4
+    fi
+  done
+done
+rm -f "$out/first.$$"
+exit $failed
