@@ -17,12 +17,11 @@ struct TJunction {
   Vec2 place = Vec2::Zero();
 };
 
-/// Two blocks that nearly touch.
+/// Two blocks that nearly touch along facing edges.
 struct Slit {
   int first = 0, second = 0;  ///< blocks from 0, first < second
-  double width = 0.0;  ///< [L] > 0: largest distance of a corner of one from the other,
-                       ///< among those within reach
-  Vec2 place = Vec2::Zero();  ///< the corner concerned
+  double width = 0.0;         ///< [L] > 0: the largest along the common length
+  Vec2 place = Vec2::Zero();  ///< the corner where it is so wide
 };
 
 struct Joints {
@@ -33,10 +32,9 @@ struct Joints {
 /// A slit is at most this wide, in square roots of the smaller block's area.
 constexpr double widest_slit = 1e-3;
 
-/// How the blocks meet. outlines: simple and clockwise, [L]. T-junctions are decided
-/// exactly; slits where corner and edge do not touch exactly, with the width in
-/// doubles. Two blocks with a common corner point at the place touch there. Pairs that
-/// overlap have no slit but what their other corners leave. n log n for blocks of like
+/// How the blocks meet. outlines: simple and clockwise, [L]. Exact: which corners lie
+/// inside edges, and whether facing edges touch or leave a slit, be it of an ulp. Edges
+/// with no more in common than `widest_slit` have none. n log n for blocks of like
 /// size.
 Joints find_joints(const std::vector<Polygon>& outlines);
 

@@ -10,6 +10,7 @@
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
+#include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 
 namespace blocks::run {
@@ -37,6 +38,9 @@ class Builder {
   /// What was found in the mesh files, a line each, since the last call.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
+  /// What the blocks proved to be when time last passed; nothing before.
+  const std::optional<AssemblyCertificate>& certificate() const { return certificate_; }
+
  private:
   struct Visitor;
   void check_planes();
@@ -49,6 +53,7 @@ class Builder {
   std::vector<deck::Command> planes_;  ///< SPLANE cards not yet checked
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
   int checked_blocks_;  ///< blocks already looked at before an earlier MOTION
+  std::optional<AssemblyCertificate> certificate_;
   bool fraction_checked_ = false;
 };
 

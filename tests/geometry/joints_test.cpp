@@ -114,6 +114,22 @@ TEST(Joints, SlitsHaveAWidth) {
   EXPECT_TRUE(above(1.0 - 1e-6).slits.empty());  // an overlap
 }
 
+// Where four blocks nearly meet in one point, the two that are diagonal to each other
+// leave nothing open: the others lie between. A wedge that opens by an ulp is a slit.
+TEST(Joints, NeighboursAtACornerLeaveNoSlit) {
+  const double shift = 1e-4;
+  EXPECT_TRUE(find_joints({rectangle(0, 0, 1, 1), rectangle(1, 0, 1, 1),
+                           rectangle(0, 1, 1 + shift, 1),
+                           rectangle(1 + shift, 1, 1 - shift, 1)})
+                  .slits.empty());
+  Polygon tilted = rectangle(0, 1, 2, 1);
+  tilted[3].y() = std::nextafter(1.0, 2.0);
+  const Joints joints = find_joints({rectangle(0, 0, 2, 1), tilted});
+  ASSERT_EQ(joints.slits.size(), 1U);
+  EXPECT_EQ(joints.slits[0].width, std::ldexp(1.0, -52));
+  EXPECT_DOUBLE_EQ(joints.slits[0].place.x(), 2.0);
+}
+
 TEST(BlockShape, OfARectangleAndAWedge) {
   const BlockShape bar = measure_shape(rectangle(1e6, -1e6, 8, 2));
   EXPECT_DOUBLE_EQ(bar.area, 16);
