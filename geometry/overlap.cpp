@@ -1,13 +1,13 @@
 #include "geometry/overlap.hpp"
 
 #include <CGAL/Partition_traits_2.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/partition_2.h>
 
 #include <algorithm>
 #include <iterator>
 #include <list>
 
+#include "geometry/exact/box_pairs.hpp"
 #include "geometry/exact/kernels.hpp"
 #include "geometry/polygon.hpp"
 
@@ -16,22 +16,24 @@ namespace {
 
 using exact::Filtered;
 
-/// The box of an outline, as CGAL's search wants it.
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
+struct Box {
+  Vec2 low;
+  Vec2 high;
+};
 
-CGAL::Bbox_2 bounds(const Polygon& p) {
-  Vec2 low = p.front(), high = p.front();
+Box box_of(const Polygon& p) {
+  Box box{p.front(), p.front()};
   for (const Vec2& corner : p) {
-    low = low.cwiseMin(corner);
-    high = high.cwiseMax(corner);
+    box.low = box.low.cwiseMin(corner);
+    box.high = box.high.cwiseMax(corner);
   }
-  return {low.x(), low.y(), high.x(), high.y()};
+  return box;
 }
 
 // Boxes that only touch hold no common interior.
-bool overlap(const CGAL::Bbox_2& a, const CGAL::Bbox_2& b) {
-  return a.xmin() < b.xmax() && b.xmin() < a.xmax() && a.ymin() < b.ymax() &&
-         b.ymin() < a.ymax();
+bool overlap(const Box& a, const Box& b) {
+  return (a.low.array() < b.high.array()).all() &&
+         (b.low.array() < a.high.array()).all();
 }
 
 CGAL::Orientation turn(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -139,7 +141,7 @@ class Blocks {
     Vec2 some_place = Vec2::Zero();
     for (const Polygon& p : pieces(first)) {
       for (const Polygon& q : pieces(second)) {
-        if (!overlap(bounds(p), bounds(q)) || !interiors_meet(p, q))
+        if (!overlap(box_of(p), box_of(q)) || !interiors_meet(p, q))
           continue;
         const Polygon common = clipped(p, q, origin);
         const SectionProperties part = section_properties(common);
@@ -168,19 +170,11 @@ class Blocks {
 }  // namespace
 
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines) {
-  std::vector<Box> boxes;
-  boxes.reserve(outlines.size());
-  for (std::size_t i = 0; i < outlines.size(); ++i)
-    if (!outlines[i].empty())
-      boxes.emplace_back(bounds(outlines[i]), i);
   Blocks blocks(outlines);
   std::vector<BlockOverlap> found;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-                                [&](const Box& a, const Box& b) {
-                                  if (overlap(a.bbox(), b.bbox()))
-                                    blocks.compare(std::min(a.info(), b.info()),
-                                                   std::max(a.info(), b.info()), found);
-                                });
+  exact::for_each_close_pair(outlines, {}, [&](std::size_t first, std::size_t second) {
+    blocks.compare(first, second, found);
+  });
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "check_command.hpp"
 #include "deck/cards_text.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
@@ -52,8 +53,11 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"run", "Example: blocks run decks/stack/stack.deck -o stack\n\n"
               "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results),\n"
               "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."},
-      {"check", "Example: blocks check decks/stack/stack.deck\n\n"
-                "Reports every error of a deck in one pass and proves its layers."},
+      {"check",
+       "Example: blocks check decks/stack/stack.deck\n\n"
+       "Reports every error of a deck in one pass and proves its layers.\n"
+       "With --geometry: shapes, overlaps, gaps and joints of the blocks; exit\n"
+       "code 3 when blocks overlap."},
       {"cards", "Example: blocks cards LAYER\n\nLists all cards, or describes one."},
       {"plot", "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
                "Draws the blocks at one time, coloured by material or a quantity."},
@@ -116,6 +120,8 @@ int dispatch(int argc, char** argv) {
   auto* check = app.add_subcommand("check", "parse, build and certify; no time step");
   add_deck_options(*check, options, sets);
   check->add_option("-o,--output", options.output, "output NAME (finds NAME.ckpt.h5)");
+  blocks::apps::GeometryOptions geometry_options;
+  blocks::apps::add_geometry_options(*check, geometry_options);
 
   std::string card;
   bool markdown = false;
@@ -148,7 +154,7 @@ int dispatch(int argc, char** argv) {
   if (*run)
     return blocks::run::run_deck(options);
   if (*check)
-    return blocks::run::check_deck(options);
+    return blocks::apps::check(options, geometry_options);
   if (*reference)
     return cards(card, markdown);
   if (*import)

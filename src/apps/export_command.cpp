@@ -167,10 +167,10 @@ int export_blocks(ExportOptions options) {
     if (options.time)
       return refuse(run::usage_error, "--time is for results; a deck gives its blocks "
                                       "before the first step");
-    Model model;
-    if (const int code = run::build_deck(options.input, model); code != run::done)
-      return code;
-    scene = scene_of(model);
+    const auto checked = run::build_checked(options.input);
+    if (!checked)
+      return run::deck_error;
+    scene = scene_of(checked->model);
   }
   if (scene.blocks.empty())
     return refuse(run::deck_error, input + " has no blocks");

@@ -1,5 +1,6 @@
 #include "output/summary.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -39,6 +40,20 @@ Json layers(const Model& model) {
                     {"angles_redrawn", layer.redrawn},
                     {"sides_ruled", layer.ruled}});
   return list;
+}
+
+/// The verdict and its counts; null when a continued run has no new blocks.
+Json certificate(const std::optional<AssemblyCertificate>& proof) {
+  if (!proof)
+    return nullptr;
+  double largest = 0.0;
+  for (const auto& pair : proof->overlaps)
+    largest = std::max(largest, pair.area);
+  return {{"holds", proof->holds()},
+          {"blocks", proof->blocks},
+          {"overlapping_pairs", proof->overlaps.size()},
+          {"largest_overlap_area", largest},
+          {"rounding_pairs", proof->rounding_pairs}};
 }
 
 Json merges(const Model& model) {
@@ -105,6 +120,7 @@ void write_summary(const std::string& path, const Model& model,
       {"domain_exits", exits(model)},
       {"merges", merges(model)},
       {"layers", layers(model)},
+      {"certificate", certificate(report.certificate)},
       {"warnings", report.warnings},
       {"frames", report.frames},
       {"state_hash", state_hash(model)},

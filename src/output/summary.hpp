@@ -1,9 +1,11 @@
 // NAME.summary.json: what scripts want to know of a run.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 #include "output/results.hpp"
 
@@ -15,6 +17,7 @@ struct RunReport {
   double wall_seconds = 0.0;
   std::string status = "done";  ///< done, unsound, interrupted
   long frames = 0;
+  std::optional<AssemblyCertificate> certificate = {};  ///< nothing: no new blocks
 };
 
 /// FNV-1a over the bits of all positions and velocities: two equal runs, two equal

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 
 #include "post/axes.hpp"
@@ -27,6 +28,7 @@ using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 constexpr Colour ink{0.16, 0.16, 0.18}, faint{0.62, 0.62, 0.64},
     paper{0.992, 0.99, 0.984};
+constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// Draws one frame; holds what all parts share.
 class Drawing {
@@ -62,6 +64,7 @@ class Drawing {
     }
     if (options_.mirror)
       centre_line();
+    marks();
     cairo_restore(pen_);
     frame_and_ticks();
     heading(title);
@@ -169,6 +172,85 @@ class Drawing {
     cairo_set_dash(pen_, nullptr, 0, 0);
   }
 
+  static Colour mark_colour(Mark::Kind kind) {
+    switch (kind) {
+    case Mark::Kind::overlap:
+      return {0.84, 0.10, 0.11};
+    case Mark::Kind::slender:
+      return {0.90, 0.47, 0.05};
+    case Mark::Kind::angle:
+      return {0.46, 0.17, 0.62};
+    case Mark::Kind::gap:
+      return {0.03, 0.38, 0.72};
+    }
+    return ink;
+  }
+
+  /// Blocks tinted, what two blocks share filled, a ring around the place.
+  void marks() {
+    for (const Mark& mark : options_.marks) {
+      const Colour c = mark_colour(mark.kind);
+      cairo_save(pen_);
+      for (const int b : mark.blocks) {
+        path(now_.outlines[static_cast<std::size_t>(b)]);
+        if (mark.kind == Mark::Kind::overlap) {
+          cairo_clip(pen_);  // one after the other: the common part is left
+        } else {
+          colour(c, 0.35);
+          cairo_fill(pen_);
+        }
+      }
+      if (mark.kind == Mark::Kind::overlap) {
+        colour(c, 0.85);
+        cairo_paint(pen_);
+      }
+      cairo_restore(pen_);
+    }
+    for (const Mark& mark : options_.marks) {
+      const Colour c = mark_colour(mark.kind);
+      const double x = page_x(mark.place.x()), y = axes_.y(mark.place.y());
+      cairo_arc(pen_, x, y, 9 * unit_, 0, full_turn);
+      cairo_set_line_width(pen_, 4.5 * unit_);
+      colour(paper, 0.9);
+      cairo_stroke_preserve(pen_);
+      cairo_set_line_width(pen_, 2.2 * unit_);
+      colour(c);
+      cairo_stroke(pen_);
+      if (!mark.label.empty())
+        tag(mark.label, x + 16 * unit_, y - 14 * unit_, c);
+    }
+  }
+
+  /// Text on a piece of paper, readable on any ground.
+  void tag(const std::string& text, double x, double y, const Colour& c) {
+    cairo_set_font_size(pen_, 13 * unit_);
+    cairo_text_extents_t box;
+    cairo_text_extents(pen_, text.c_str(), &box);
+    const double edge = 4 * unit_;
+    cairo_rectangle(pen_, x - edge, y - 0.5 * box.height - edge, box.width + 2 * edge,
+                    box.height + 2 * edge);
+    colour(paper, 0.85);
+    cairo_fill(pen_);
+    text_at(text, x, y, 13, c, 0, 0.5);
+  }
+
+  void mark_legend(double x, double y) {
+    using Kind = Mark::Kind;
+    for (const auto& [kind, name] :
+         {std::pair{Kind::overlap, "overlap"}, std::pair{Kind::slender, "most slender"},
+          std::pair{Kind::angle, "sharpest"}, std::pair{Kind::gap, "gap"}}) {
+      if (std::none_of(options_.marks.begin(), options_.marks.end(),
+                       [kind = kind](const Mark& m) { return m.kind == kind; }))
+        continue;
+      cairo_arc(pen_, x + 10 * unit_, y + 7 * unit_, 6 * unit_, 0, full_turn);
+      cairo_set_line_width(pen_, 2.2 * unit_);
+      colour(mark_colour(kind));
+      cairo_stroke(pen_);
+      text_at(name, x + 28 * unit_, y + 7 * unit_, 14, ink, 0, 0.5);
+      y += 26 * unit_;
+    }
+  }
+
   void centre_line() {
     const double dashes[] = {14 * unit_, 4 * unit_, 3 * unit_, 4 * unit_};
     cairo_set_dash(pen_, dashes, 4, 0);
@@ -224,8 +306,10 @@ class Drawing {
 
   void heading(const std::string& title) {
     text_at(title.empty() ? "BLOCKS" : title, axes_.left, 34 * unit_, 21, ink, 0, 1);
-    text_at(fmt::format("t = {:.4g}    step {}    {} blocks", now_.time, now_.step,
-                        now_.outlines.size()),
+    text_at(options_.subtitle.empty()
+                ? fmt::format("t = {:.4g}    step {}    {} blocks", now_.time,
+                              now_.step, now_.outlines.size())
+                : options_.subtitle,
             axes_.left, 62 * unit_, 15, {0.36, 0.36, 0.4}, 0, 1);
   }
 
@@ -258,7 +342,9 @@ class Drawing {
     if (any_fixed) {
       swatch(x, y, {0.9, 0.9, 0.9}, true);
       text_at("fixed", x + 28 * unit_, y + 7 * unit_, 14, ink, 0, 0.5);
+      y += 26 * unit_;
     }
+    mark_legend(x, y + 8 * unit_);
   }
 
   void colour_bar() {

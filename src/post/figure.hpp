@@ -3,10 +3,20 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "post/results_reader.hpp"
 
 namespace blocks::post {
+
+/// A place of the figure that deserves a look.
+struct Mark {
+  enum class Kind { overlap, slender, angle, gap };
+  Kind kind = Kind::overlap;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< [L]
+  std::string label;                                ///< written beside it; may be empty
+  std::vector<int> blocks;  ///< drawn over in the mark's colour, from 0
+};
 
 struct FigureOptions {
   double width = 1200;                  ///< pixels (PNG) or points (SVG, PDF)
@@ -16,6 +26,8 @@ struct FigureOptions {
   bool original = false;                ///< outlines of the first frame underneath
   bool mirror = false;    ///< the other half of a half model, about mirror_x
   double mirror_x = 0.0;  ///< [L]
+  std::vector<Mark> marks;
+  std::string subtitle;  ///< instead of time and step
 };
 
 /// Draws one frame to a PNG, SVG or PDF file chosen by the ending; the file appears

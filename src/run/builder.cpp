@@ -9,7 +9,6 @@
 #include "deck/mesh_readers.hpp"
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
-#include "geometry/overlap.hpp"
 #include "run/build_blocks.hpp"
 
 namespace blocks::run {
@@ -342,21 +341,9 @@ void Builder::check_planes() {
 }
 
 void Builder::check_overlaps(const Command& command) {
-  const Blocks& blocks = model_.blocks;
-  std::vector<geometry::Polygon> outlines;
-  outlines.reserve(blocks.size());
-  for (int b = 0; b < blocks.size(); ++b)
-    outlines.push_back(blocks.outline(b));
-  auto pairs = geometry::overlapping_pairs(outlines);
-  // Decimals of a turned block are rounded: an overlap of that size is no fault of a
-  // deck.
-  constexpr double rounding = 1e-9;
-  std::erase_if(pairs, [&](const geometry::BlockOverlap& pair) {
-    return std::max(pair.first, pair.second) < checked_blocks_ ||
-           pair.area <=
-               rounding * std::min(blocks.area[pair.first], blocks.area[pair.second]);
-  });
-  constexpr std::size_t shown = 5;
+  certificate_ = certify_assembly(model_.blocks, checked_blocks_);
+  const auto& pairs = certificate_->overlaps;
+  constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
     diagnostics_.warning(
         command.where, command.name,

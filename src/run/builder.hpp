@@ -13,6 +13,7 @@
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
+#include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 
 namespace blocks::run {
@@ -51,6 +52,9 @@ class Builder {
   /// What was found in the mesh files, a line each, since the last call.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
+  /// What the blocks proved to be when time last passed; nothing before.
+  const std::optional<AssemblyCertificate>& certificate() const { return certificate_; }
+
  private:
   struct Visitor;
   void error_no_block(const deck::Command& command, const deck::Int& number);
@@ -68,6 +72,7 @@ class Builder {
   int checked_blocks_;          ///< blocks already looked at before an earlier MOTION
   double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
   std::vector<std::pair<deck::Command, deck::Int>> output_blocks_;  ///< not yet checked
+  std::optional<AssemblyCertificate> certificate_;
 };
 
 }  // namespace blocks::run

@@ -8,7 +8,8 @@
 
 namespace blocks::run {
 
-std::string check_report(const std::string& file, const Model& model) {
+std::string check_report(const std::string& file, const Model& model,
+                         const std::optional<AssemblyCertificate>& certificate) {
   const Blocks& blocks = model.blocks;
   const auto fixed = std::count_if(blocks.fixity.begin(), blocks.fixity.end(),
                                    [](Fixity f) { return f != Fixity::free; });
@@ -26,6 +27,8 @@ std::string check_report(const std::string& file, const Model& model) {
     text += fmt::format(
         "layer {}: block {} absorbed by {}: width/height {:.6g} < {:g}\n", merge.layer,
         merge.absorbed, merge.into, merge.width_to_height, merge.limit);
+  if (certificate)
+    text += verdict(*certificate) + "\n";
   if (blocks.size() > 0) {
     const TimeStep step = dynamics::choose_time_step(model);
     text += fmt::format("time step {:.6g}, set by block {} ({})\n", step.dt,

@@ -59,6 +59,7 @@ struct Job {
   deck::Diagnostics diagnostics;
   deck::Deck deck;
   std::string name;
+  std::optional<AssemblyCertificate> certificate;  ///< of all blocks, by the check
 };
 
 /// Executes every card but the passing of time. The model is what the deck describes
@@ -87,6 +88,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   }
   builder.check_output_blocks();
   notes = builder.take_notes();
+  job.certificate = builder.certificate();
   return !job.diagnostics.has_errors();
 }
 
@@ -133,6 +135,8 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
                        : RunFiles(job.name, job.identity(model));
   for (const std::string& warning : warnings)
     files.message("warning: " + warning);
+  if (job.certificate)
+    files.message("certificate: " + verdict(*job.certificate));
 
   Executor executor(model, files, console, job.options);
   const auto motions = static_cast<double>(
@@ -166,6 +170,7 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
 
   output::RunReport report;
   report.warnings = std::move(warnings);
+  report.certificate = job.certificate;
   report.warnings.insert(report.warnings.end(), executor.warnings().begin(),
                          executor.warnings().end());
   report.wall_seconds =
@@ -220,7 +225,8 @@ int run_deck(const RunOptions& options) {
   if (!sound)
     return deck_error;
   if (options.verbose) {
-    fmt::print(stderr, "{}", check_report(job.diagnostics.file(), checked));
+    fmt::print(stderr, "{}",
+               check_report(job.diagnostics.file(), checked, job.certificate));
     for (const std::string& note : notes)
       fmt::print(stderr, "{}\n", note);
   }
@@ -229,28 +235,28 @@ int run_deck(const RunOptions& options) {
   return execute(job, console, warnings_of(job.diagnostics));
 }
 
-int check_deck(const RunOptions& options) {
+std::optional<CheckedDeck> build_checked(const RunOptions& options) {
   Job job(options);
-  Model model;
-  std::vector<std::string> notes;
-  const bool sound = check(job, model, notes);
+  CheckedDeck checked;
+  checked.file = job.diagnostics.file();
+  const bool sound = check(job, checked.model, checked.notes);
   fmt::print(stderr, "{}", job.diagnostics.format_all());
   if (!sound)
+    return std::nullopt;
+  checked.certificate = job.certificate;
+  return checked;
+}
+
+int check_deck(const RunOptions& options) {
+  const auto checked = build_checked(options);
+  if (!checked)
     return deck_error;
   if (!options.quiet) {
-    fmt::print("{}", check_report(job.diagnostics.file(), model));
-    for (const std::string& note : notes)
+    fmt::print("{}", check_report(checked->file, checked->model, checked->certificate));
+    for (const std::string& note : checked->notes)
       fmt::print("{}\n", note);
   }
   return done;
-}
-
-int build_deck(const RunOptions& options, Model& model) {
-  Job job(options);
-  std::vector<std::string> notes;
-  const bool sound = check(job, model, notes);
-  fmt::print(stderr, "{}", job.diagnostics.format_all());
-  return sound ? done : deck_error;
 }
 
 }  // namespace blocks::run

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "deck/parser.hpp"
+#include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 
 namespace blocks::run {
@@ -41,12 +42,19 @@ struct RunOptions {
 /// Parses, checks the whole deck, then runs it. Returns an ExitCode.
 int run_deck(const RunOptions& options);
 
-/// Parses and builds everything, reports every fault, makes no step. Returns an
-/// ExitCode.
-int check_deck(const RunOptions& options);
+/// What a deck describes before its first step.
+struct CheckedDeck {
+  std::string file;  ///< as shown in messages
+  Model model;
+  std::optional<AssemblyCertificate> certificate;  ///< nothing: no time passes
+  std::vector<std::string> notes;  ///< what was found in the mesh files, a line each
+};
 
-/// The same without the report of a deck without faults: model becomes what the deck
-/// describes before its first step.
-int build_deck(const RunOptions& options, Model& model);
+/// Parses and builds everything, prints every fault, makes no step. Nothing when the
+/// deck has errors.
+std::optional<CheckedDeck> build_checked(const RunOptions& options);
+
+/// The same, and a short report. Returns an ExitCode.
+int check_deck(const RunOptions& options);
 
 }  // namespace blocks::run

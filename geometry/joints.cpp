@@ -1,0 +1,123 @@
+#include "geometry/joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/exact/box_pairs.hpp"
+#include "geometry/exact/kernels.hpp"
+#include "geometry/exact/numbers.hpp"
+#include "geometry/polygon.hpp"
+
+namespace blocks::geometry {
+namespace {
+
+bool in_box(const Vec2& a, const Vec2& b, const Vec2& corner) {
+  return (a.cwiseMin(b).array() <= corner.array()).all() &&
+         (corner.array() <= a.cwiseMax(b).array()).all();
+}
+
+/// The corner lies inside an edge of the block, exactly; shared corners do not count.
+bool inside_an_edge(const Vec2& corner, const Polygon& block) {
+  bool inside = false;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const Vec2& a = block[i];
+    const Vec2& b = block[(i + 1) % block.size()];
+    if (corner == a || corner == b)
+      return false;
+    inside = inside || (in_box(a, b, corner) &&
+                        CGAL::orientation(exact::point(a), exact::point(b),
+                                          exact::point(corner)) == CGAL::COLLINEAR);
+  }
+  return inside;
+}
+
+/// How far outside the edge a -> b of a clockwise block the corner lies, [L]; 0 on its
+/// line or inside. The sign is exact, and so is the distance but for its last rounding.
+double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
+  if (CGAL::orientation(exact::point(a), exact::point(b), exact::point(corner)) !=
+      CGAL::LEFT_TURN)
+    return 0.0;
+  const auto vector = [](const Vec2& from, const Vec2& to) {
+    return exact::Vector(exact::Rational(to.x()) - exact::Rational(from.x()),
+                         exact::Rational(to.y()) - exact::Rational(from.y()));
+  };
+  return exact::nearest(exact::cross(vector(a, b), vector(a, corner))) / (b - a).norm();
+}
+
+/// What two edges that face each other leave open: the larger of the distances at the
+/// two ends of their common length; each end is a corner of one of them. 0 if they
+/// touch all along, or are no neighbours within reach.
+void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double reach,
+           Slit& slit) {
+  const Vec2 edge = b - a;
+  const double length = edge.norm();
+  if (edge.dot(d - c) >= 0.0)
+    return;  // both clockwise: facing edges run in opposite senses
+  const auto along = [&](const Vec2& p) { return edge.dot(p - a) / length; };
+  const auto aside = [&](const Vec2& p) {
+    return std::abs(cross(edge, p - a)) / length;
+  };
+  const double from = along(d), to = along(c);
+  if (std::min(to, length) - std::max(from, 0.0) <= reach)
+    return;  // no more than a corner in common
+  // Far beyond the other's end an edge may be far aside; the common part counts.
+  const double slope = (aside(c) - aside(d)) / (to - from);
+  const double at_start = aside(d) + slope * std::max(0.0, -from);
+  const double at_end = aside(c) - slope * std::max(0.0, to - length);
+  if (at_start > reach || at_end > reach)
+    return;
+  const Vec2& start = from > 0.0 ? d : a;
+  const Vec2& end = to < length ? c : b;
+  const double first = from > 0.0 ? outside(a, b, d) : outside(c, d, a);
+  const double last = to < length ? outside(a, b, c) : outside(c, d, b);
+  if (const double width = std::max(first, last); width > slit.width) {
+    slit.width = width;
+    slit.place = first > last ? start : end;
+  }
+}
+
+}  // namespace
+
+Joints find_joints(const std::vector<Polygon>& outlines) {
+  std::vector<double> reach;
+  reach.reserve(outlines.size());
+  for (const Polygon& outline : outlines)
+    reach.push_back(widest_slit *
+                    std::sqrt(std::abs(section_properties(outline).area)));
+  Joints joints;
+  const auto corners_of = [&](std::size_t from, std::size_t to) {
+    const exact::Box box = exact::box_of(outlines[to], to);
+    for (std::size_t c = 0; c < outlines[from].size(); ++c) {
+      const Vec2& corner = outlines[from][c];
+      if (box.min_coord(0) <= corner.x() && corner.x() <= box.max_coord(0) &&
+          box.min_coord(1) <= corner.y() && corner.y() <= box.max_coord(1) &&
+          inside_an_edge(corner, outlines[to]))
+        joints.t_junctions.push_back({static_cast<int>(from), static_cast<int>(c),
+                                      static_cast<int>(to), corner});
+    }
+  };
+  exact::for_each_close_pair(outlines, reach, [&](std::size_t i, std::size_t j) {
+    corners_of(i, j);
+    corners_of(j, i);
+    const Polygon &p = outlines[i], &q = outlines[j];
+    Slit slit{static_cast<int>(i), static_cast<int>(j), 0.0, Vec2::Zero()};
+    for (std::size_t k = 0; k < p.size(); ++k)
+      for (std::size_t l = 0; l < q.size(); ++l)
+        widen(p[k], p[(k + 1) % p.size()], q[l], q[(l + 1) % q.size()],
+              std::min(reach[i], reach[j]), slit);
+    if (slit.width > 0.0)
+      joints.slits.push_back(slit);
+  });
+  std::sort(joints.t_junctions.begin(), joints.t_junctions.end(),
+            [](const TJunction& a, const TJunction& b) {
+              return std::tie(a.block, a.corner, a.other) <
+                     std::tie(b.block, b.corner, b.other);
+            });
+  std::sort(joints.slits.begin(), joints.slits.end(), [](const Slit& a, const Slit& b) {
+    return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+  });
+  return joints;
+}
+
+}  // namespace blocks::geometry

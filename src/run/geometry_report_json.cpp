@@ -1,0 +1,92 @@
+// The report on the geometry for scripts.
+#include <nlohmann/json.hpp>
+
+#include "run/geometry_report.hpp"
+
+namespace blocks::run {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector(const Vec2& v) { return {v.x(), v.y()}; }
+
+/// where: name of the corner's or side's number; nullptr: a measure of the whole block.
+Json measure(const Measure& m, const char* where) {
+  Json worst = Json::array();
+  for (const auto& place : m.worst) {
+    Json entry = {{"value", place.value}, {"block", place.block + 1}};
+    if (where != nullptr)
+      entry[where] = place.corner + 1;
+    entry["place"] = vector(place.at);
+    worst.push_back(entry);
+  }
+  return {{"smallest", m.smallest},
+          {"median", m.median},
+          {"largest", m.largest},
+          {"classes", {{"limits", m.edges}, {"blocks", m.counts}}},
+          {"worst", worst}};
+}
+
+Json layers(const GeometryReport& report) {
+  Json list = Json::array();
+  for (const LayerRecord& layer : report.layers)
+    list.push_back({{"layer", layer.number},
+                    {"first_block", layer.first_block + 1},
+                    {"blocks", layer.blocks},
+                    {"cells", layer.cells},
+                    {"interior_edges", layer.interior_edges},
+                    {"outline_edges", layer.outline_edges},
+                    {"angles_redrawn", layer.redrawn},
+                    {"sides_ruled", layer.ruled}});
+  return list;
+}
+
+Json merges(const GeometryReport& report) {
+  Json list = Json::array();
+  for (const MergeRecord& merge : report.merges)
+    list.push_back({{"layer", merge.layer},
+                    {"absorbed", merge.absorbed},
+                    {"into", merge.into},
+                    {"width_to_height", merge.width_to_height},
+                    {"limit", merge.limit}});
+  return list;
+}
+
+}  // namespace
+
+std::string json(const GeometryReport& report) {
+  Json overlaps = Json::array(), gaps = Json::array();
+  for (const auto& pair : report.certificate.overlaps)
+    overlaps.push_back({{"blocks", {pair.first + 1, pair.second + 1}},
+                        {"area", pair.area},
+                        {"place", vector(pair.place)}});
+  for (const auto& slit : report.joints.slits)
+    gaps.push_back({{"blocks", {slit.first + 1, slit.second + 1}},
+                    {"width", slit.width},
+                    {"place", vector(slit.place)}});
+  const Json all = {{"deck", report.file},
+                    {"blocks", report.blocks},
+                    {"corners", report.corners},
+                    {"area", measure(report.area, nullptr)},
+                    {"aspect_ratio", measure(report.aspect, nullptr)},
+                    {"shortest_side", measure(report.edge, "side")},
+                    {"smallest_angle", measure(report.angle, "corner")},
+                    {"layers", layers(report)},
+                    {"merges", merges(report)},
+                    {"certificate",
+                     {{"holds", report.certificate.holds()},
+                      {"overlaps", overlaps},
+                      {"rounding_pairs", report.certificate.rounding_pairs},
+                      {"largest_rounding", report.certificate.largest_rounding}}},
+                    {"t_junctions", report.joints.t_junctions.size()},
+                    {"gaps", gaps},
+                    {"widest_gap", report.widest_slit()},
+                    {"resolution",
+                     {{"ulp", report.ulp},
+                      {"ulp_over_shortest_side", report.resolution()},
+                      {"bound", coarsest_resolution},
+                      {"sufficient", report.resolved()}}}};
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace blocks::run

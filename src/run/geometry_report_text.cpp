@@ -1,0 +1,143 @@
+// The report on the geometry for a terminal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/geometry_report.hpp"
+
+namespace blocks::run {
+namespace {
+
+constexpr std::size_t most_listed = 10;
+
+/// A bar of eighths of a character, `full` characters long at most.
+std::string bar(long count, long largest, int full) {
+  static const char* const eighths[] = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
+  const long parts = std::max(count > 0 ? 1L : 0L, count * full * 8 / largest);
+  std::string text;
+  for (long i = 0; i < parts / 8; ++i)
+    text += "█";
+  return text + eighths[parts % 8];
+}
+
+std::string at(const Vec2& place) {
+  return fmt::format("({:.6g}, {:.6g})", place.x(), place.y());
+}
+
+std::string row(const char* name, const Measure& m) {
+  return fmt::format("  {:<22}{:>13.6g}{:>13.6g}{:>13.6g}\n", name, m.smallest,
+                     m.median, m.largest);
+}
+
+std::string histogram(const char* name, const Measure& m) {
+  std::string text = fmt::format("\n{}\n", name);
+  const long largest = *std::max_element(m.counts.begin(), m.counts.end());
+  for (std::size_t i = 0; i < m.counts.size(); ++i)
+    text += fmt::format("  {:>10.4g} to {:<10.4g} {:>8}  {}\n", m.edges[i],
+                        m.edges[i + 1], m.counts[i], bar(m.counts[i], largest, 36));
+  return text;
+}
+
+/// where: "side" or "corner", or nothing for a measure of the whole block.
+std::string worst(const char* name, const Measure& m, const std::string& where) {
+  if (m.worst.empty())
+    return {};
+  std::string text = fmt::format("\n{}\n", name);
+  for (const auto& place : m.worst)
+    text += fmt::format("  {:>12.6g}  block {}{} at {}\n", place.value, place.block + 1,
+                        where.empty() ? where
+                                      : fmt::format(", {} {}", where, place.corner + 1),
+                        at(place.at));
+  return text;
+}
+
+template <typename List, typename Line>
+std::string first_of(const List& list, Line line) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(list.size(), most_listed); ++i)
+    text += "  " + line(list[i]) + "\n";
+  if (list.size() > most_listed)
+    text += fmt::format("  and {} more\n", list.size() - most_listed);
+  return text;
+}
+
+std::string layers(const GeometryReport& report) {
+  std::string text;
+  for (const LayerRecord& layer : report.layers) {
+    text += fmt::format(
+        "  layer {}: blocks {} to {} tile it: {} cells, {} shared and {} "
+        "outline sides",
+        layer.number, layer.first_block + 1, layer.first_block + layer.blocks,
+        layer.cells, layer.interior_edges, layer.outline_edges);
+    if (layer.redrawn > 0 || layer.ruled > 0)
+      text += fmt::format("; ORIENT: {} angles redrawn, {} sides ruled", layer.redrawn,
+                          layer.ruled);
+    text += "\n";
+  }
+  for (const MergeRecord& merge : report.merges)
+    text += fmt::format(
+        "  layer {}: MERGE: block {} absorbed by {}, width/height {:.6g} "
+        "< {:g}\n",
+        merge.layer, merge.absorbed, merge.into, merge.width_to_height, merge.limit);
+  return text;
+}
+
+std::string joints(const GeometryReport& report) {
+  const auto& found = report.joints;
+  std::string text = fmt::format(
+      "  {} T-junction{} (a corner inside a side of another block: legal)\n",
+      found.t_junctions.size(), found.t_junctions.size() == 1 ? "" : "s");
+  if (found.slits.empty())
+    return text + "  no gaps: no two blocks nearly touch\n";
+  text += fmt::format("  {} gap{}, the widest {:.3g}: blocks that nearly touch\n",
+                      found.slits.size(), found.slits.size() == 1 ? "" : "s",
+                      report.widest_slit());
+  return text + first_of(found.slits, [](const geometry::Slit& slit) {
+           return fmt::format("  blocks {} and {}: {:.3g} at {}", slit.first + 1,
+                              slit.second + 1, slit.width, at(slit.place));
+         });
+}
+
+std::string resolution(const GeometryReport& report) {
+  std::string text = fmt::format(
+      "  doubles lie {:.2g} apart at the largest coordinate: {:.2g} of the shortest "
+      "side\n",
+      report.ulp, report.resolution());
+  if (!report.resolved())
+    text += fmt::format("  warning: above {:g} contacts are poorly resolved; move the "
+                        "origin of the deck near the blocks\n",
+                        coarsest_resolution);
+  return text;
+}
+
+}  // namespace
+
+std::string text(const GeometryReport& report) {
+  std::string text = fmt::format("{}: {} blocks, {} corners\n", report.file,
+                                 report.blocks, report.corners);
+  if (report.blocks == 0)
+    return text;
+  text += fmt::format("\n  {:<22}{:>13}{:>13}{:>13}\n", "of each block", "smallest",
+                      "median", "largest");
+  text += row("area", report.area) + row("aspect ratio", report.aspect) +
+          row("shortest side", report.edge) + row("smallest angle, deg", report.angle);
+  text += histogram("Areas", report.area) + histogram("Aspect ratios", report.aspect) +
+          histogram("Shortest sides", report.edge) +
+          histogram("Smallest angles, degrees", report.angle);
+  text += worst("Most slender blocks", report.aspect, "") +
+          worst("Shortest sides", report.edge, "side") +
+          worst("Smallest angles, degrees", report.angle, "corner");
+  text += "\nCertificate\n" + layers(report);
+  text += fmt::format("  {}: {}\n", report.certificate.holds() ? "proved" : "FAILS",
+                      verdict(report.certificate));
+  text += first_of(report.certificate.overlaps, [](const geometry::BlockOverlap& pair) {
+    return fmt::format("  blocks {} and {}: area {:.6g} near {}", pair.first + 1,
+                       pair.second + 1, pair.area, at(pair.place));
+  });
+  text += "\nJoints\n" + joints(report);
+  text += "\nResolution\n" + resolution(report);
+  return text;
+}
+
+}  // namespace blocks::run
