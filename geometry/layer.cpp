@@ -1,5 +1,6 @@
 #include "geometry/layer.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -182,26 +183,45 @@ class Coordinate {
   int side_;
 };
 
-struct RoundedLine {
-  Coordinate x, y;
-  Vec2 at(const Fraction& s) const { return {x.at(s), y.at(s)}; }
-};
-
 // Places on a line, the layer lying to its left. On a line along an axis: the nearest
-// doubles. On a slanted one: of the line through its rounded ends, each coordinate
-// towards the layer, so that no vertex is behind that line and layers that share it
-// never overlap.
-RoundedLine rounded_line(const Point& from, const Point& to) {
-  const Vec2 start = exact::nearest(from);
-  const Vec2 end = exact::nearest(to);
-  if (start.x() == end.x() || start.y() == end.y())
-    return {{from.x(), to.x(), 0}, {from.y(), to.y(), 0}};
-  const auto between = [](double a, double b, int side) {
-    return Coordinate(Rational(a), Rational(b), side);
-  };
-  return {between(start.x(), end.x(), end.y() > start.y() ? -1 : 1),
-          between(start.y(), end.y(), end.x() > start.x() ? 1 : -1)};
-}
+// doubles. On a slanted one each coordinate is rounded towards the layer, so that no
+// vertex, corners included, is behind the line as the decimals give it, nor behind the
+// line through its rounded ends, on which other cards put their corners: layers and
+// blocks that share any part of a line never overlap.
+class RoundedLine {
+ public:
+  RoundedLine(const Point& from, const Point& to) {
+    const int rises = CGAL::sign(to.y() - from.y()),
+              runs = CGAL::sign(to.x() - from.x());
+    const bool slanted = rises != 0 && runs != 0;
+    x_side_ = slanted ? -rises : 0;
+    y_side_ = slanted ? runs : 0;
+    add(from, to);
+    const Vec2 start = exact::nearest(from), end = exact::nearest(to);
+    const Point first(start.x(), start.y()), last(end.x(), end.y());
+    if (slanted && (first != from || last != to))
+      add(first, last);
+  }
+  Vec2 at(const Fraction& s) const {
+    Vec2 place(x_[0].at(s), y_[0].at(s));
+    if (x_.size() > 1)
+      place = {inner(place.x(), x_[1].at(s), x_side_),
+               inner(place.y(), y_[1].at(s), y_side_)};
+    return place;
+  }
+
+ private:
+  void add(const Point& from, const Point& to) {
+    x_.emplace_back(from.x(), to.x(), x_side_);
+    y_.emplace_back(from.y(), to.y(), y_side_);
+  }
+  static double inner(double a, double b, int side) {
+    return side < 0 ? std::min(a, b) : std::max(a, b);
+  }
+
+  int x_side_, y_side_;
+  std::vector<Coordinate> x_, y_;  ///< of the exact line, and of the rounded one
+};
 
 // Vertices: the bottom ends of the sides from the left, then their top ends.
 Mesh mesh_of(const Quad& quad, const std::vector<Side>& sides) {
@@ -209,8 +229,8 @@ Mesh mesh_of(const Quad& quad, const std::vector<Side>& sides) {
   Mesh mesh;
   mesh.vertices.resize(2 * (n + 1));
   // Seen from the right the top line, too, has the layer on its left.
-  const RoundedLine bottom_line = rounded_line(quad.bl, quad.br);
-  const RoundedLine top_line = rounded_line(quad.tr, quad.tl);
+  const RoundedLine bottom_line(quad.bl, quad.br);
+  const RoundedLine top_line(quad.tr, quad.tl);
   for (std::size_t i = 0; i <= n; ++i) {
     const Fraction& s = sides[i].top;
     mesh.vertices[i] = bottom_line.at(sides[i].bottom);

@@ -21,6 +21,17 @@ namespace {
 
 using blocks::run::RunOptions;
 
+/// CLI::PositiveNumber lets NaN pass.
+CLI::Validator positive_number() {
+  return {[](std::string& text) {
+            double value = 0.0;
+            return CLI::detail::lexical_cast(text, value) && value > 0.0
+                       ? std::string()
+                       : "expected a number above 0, found '" + text + "'";
+          },
+          "POSITIVE"};
+}
+
 /// CARD.field=value
 blocks::deck::Override parse_override(const std::string& text) {
   const auto dot = text.find('.'), equals = text.find('=');
@@ -110,10 +121,10 @@ int dispatch(int argc, char** argv) {
                   "output NAME (default: the deck's stem, here)");
   run->add_option("--time-limit", options.time_limit,
                   "stop after so many seconds, exit 75")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   run->add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   run->add_flag("--json", options.json,
                 "print the summary as JSON instead of the table");
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <limits>
 
 #include "deck/mesh_readers.hpp"
@@ -59,6 +61,17 @@ bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where
   if (check.fault != geometry::OutlineFault::none) {
     error(where, fmt::format("{}: {}", what, geometry::describe(check)),
           "give the corners in order around the block, clockwise, each one once");
+    return false;
+  }
+  const geometry::SectionProperties section = geometry::section_properties(
+      check.anticlockwise ? geometry::reversed(outline) : outline);
+  if (!(section.area > 0.0 && std::isfinite(section.area) &&
+        section.second_moment > 0.0 && std::isfinite(section.second_moment))) {
+    error(where,
+          fmt::format("{}: its area {:g} or second moment {:g} is no number to "
+                      "calculate with",
+                      what, section.area, section.second_moment),
+          "choose a unit of length in which blocks are neither vanishing nor endless");
     return false;
   }
   if (check.anticlockwise) {

@@ -322,6 +322,10 @@ void Builder::check_steps(const Command& command) {
                        fmt::format("{:g} would take more than {:g} steps of {:g}",
                                    motion->dt.value, most, dt),
                        "give a shorter time");
+  else if (motion->dt.value <= 1e-9 * dt)
+    diagnostics_.warning(motion->dt.where, command.name,
+                         fmt::format("{:g} is no step of {:.4g}", motion->dt.value, dt),
+                         "no time passes; CYCLE, 1 makes one step");
 }
 
 void Builder::check_planes() {

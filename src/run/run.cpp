@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -218,6 +219,16 @@ std::vector<std::string> warnings_of(const deck::Diagnostics& diagnostics) {
 
 int run_deck(const RunOptions& options) {
   Job job(options);
+  for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"}) {
+    std::error_code absent;
+    if (std::filesystem::equivalent(options.deck, job.name + ending, absent)) {
+      fmt::print(stderr,
+                 "blocks: error: the deck {} would be written over by the run\n  hint: "
+                 "choose another name with -o NAME\n",
+                 options.deck);
+      return usage_error;
+    }
+  }
   Model checked;
   std::vector<std::string> notes;
   const bool sound = check(job, checked, notes);

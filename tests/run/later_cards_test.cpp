@@ -84,6 +84,14 @@ TEST(Motion, OfTooManyStepsIsRefused) {
               HasSubstr("long.deck:15:9: error: MOTION: 1e+300 would take more"));
 }
 
+// Nor is one that no step fits into done in silence.
+TEST(Motion, OfNoStepIsWarnedOf) {
+  const TemporaryFolder folder;
+  const Outcome run = run_text(
+      folder, "short", preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 1.E-300\n");
+  EXPECT_THAT(run.err, HasSubstr("warning: MOTION: 1e-300 is no step"));
+}
+
 // An interval of PLOTS far below the step gives a frame in every step.
 TEST(Plots, MoreOftenThanStepsIsEveryStep) {
   const TemporaryFolder folder;
@@ -174,6 +182,36 @@ TEST(Listing, EchoesADeckWithoutMotion) {
   const std::string listing = slurp(folder / "still.out");
   ASSERT_THAT(listing, HasSubstr("MATERIALS"));
   EXPECT_LT(listing.find("MATERIALS"), listing.find("\nDUMP "));
+}
+
+// Blocks of vanishing or endless size are a fault of the deck, told at their card.
+TEST(Create, RefusesSizesNoMassCanBeMadeOf) {
+  const TemporaryFolder folder;
+  for (const char* size : {"1.E-200", "1.E200"}) {
+    const std::string s = size;
+    folder.write("size.deck", preliminary() + "CREATE, 4, 1\n0, 0, " + s + ", " + s +
+                                  "\n0, " + s + ", " + s + ", 0\nCYCLE, 1\n");
+    const Outcome check = blocks("check size.deck", folder.path());
+    EXPECT_EQ(check.code, 3);
+    EXPECT_THAT(check.err,
+                HasSubstr("size.deck:12:1: error: CREATE: block 1: its area"));
+  }
+}
+
+// A deck that happens to bear the listing's name is not written over.
+TEST(Deck, IsNotTakenForAnOldListing) {
+  const TemporaryFolder folder;
+  const std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n";
+  folder.write("x.out", deck);
+  EXPECT_EQ(blocks("run x.out", folder.path()).code, 2);
+  EXPECT_EQ(slurp(folder / "x.out"), deck);
+  EXPECT_FALSE(folder.holds("x.out.bak"));
+}
+
+TEST(TimeLimit, IsANumber) {
+  const TemporaryFolder folder;
+  folder.write("x.deck", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
+  EXPECT_EQ(blocks("run x.deck --time-limit nan", folder.path()).code, 2);
 }
 
 // An option's file is meant from here, a card's from the deck's folder.
