@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "exchange/meetings.hpp"
-
 namespace blocks::exchange {
 
 Soundness examine(const std::vector<geometry::Polygon>& outlines) {
@@ -34,12 +32,15 @@ Soundness examine(const std::vector<geometry::Polygon>& outlines) {
     pair.second = number[pair.second];
     (rounded ? result.roundings : result.overlaps).push_back(pair);
   }
-  find_meetings(good, result);
-  for (auto* meetings : {&result.on_sides, &result.near_corners})
-    for (Meeting& meeting : *meetings) {
-      meeting.block = number[meeting.block];
-      meeting.other = number[meeting.other];
-    }
+  result.joints = geometry::find_joints(good);
+  for (geometry::TJunction& junction : result.joints.t_junctions) {
+    junction.block = number[junction.block];
+    junction.other = number[junction.other];
+  }
+  for (geometry::Slit& slit : result.joints.slits) {
+    slit.first = number[slit.first];
+    slit.second = number[slit.second];
+  }
   return result;
 }
 

@@ -91,28 +91,21 @@ std::string describe(const Soundness& soundness, const std::vector<Outline>& out
   if (!soundness.roundings.empty())
     text += fmt::format("overlapping by no more than rounding: {}\n",
                         counted(soundness.roundings.size(), "pair"));
-  if (!soundness.on_sides.empty()) {
-    const auto exact = static_cast<std::size_t>(
-        std::count_if(soundness.on_sides.begin(), soundness.on_sides.end(),
-                      [](const Meeting& meeting) { return meeting.distance == 0; }));
-    text += fmt::format("corners on another block's side (T-junctions): {}, {} of them "
-                        "exactly\n",
-                        soundness.on_sides.size(), exact) +
-            first_few(soundness.on_sides, [](const Meeting& m) {
-              return fmt::format("corner {} of block {} on side {} of block {} at {}",
-                                 m.corner + 1, m.block + 1, m.side + 1, m.other + 1,
-                                 near(m.place)) +
-                     (m.distance > 0 ? fmt::format(", {:.2g} off", m.distance) : "");
+  const geometry::Joints& joints = soundness.joints;
+  if (!joints.t_junctions.empty())
+    text += fmt::format("T-junctions, corners inside another block's side: {}\n",
+                        joints.t_junctions.size()) +
+            first_few(joints.t_junctions, [](const geometry::TJunction& junction) {
+              return fmt::format("corner {} of block {} on block {} at {}",
+                                 junction.corner + 1, junction.block + 1,
+                                 junction.other + 1, near(junction.place));
             });
-  }
-  if (!soundness.near_corners.empty())
-    text += fmt::format("points that nearly meet, but are not the same: {}\n",
-                        soundness.near_corners.size()) +
-            first_few(soundness.near_corners, [](const Meeting& m) {
-              return fmt::format(
-                  "corner {} of block {} and corner {} of block {} at {}: {:.2g} apart",
-                  m.corner + 1, m.block + 1, m.side + 1, m.other + 1, near(m.place),
-                  m.distance);
+  if (!joints.slits.empty())
+    text += fmt::format("gaps between blocks that nearly touch: {}\n",
+                        joints.slits.size()) +
+            first_few(joints.slits, [](const geometry::Slit& slit) {
+              return fmt::format("blocks {} and {}: {:.3g} wide at {}", slit.first + 1,
+                                 slit.second + 1, slit.width, near(slit.place));
             });
   return text;
 }
