@@ -1,6 +1,7 @@
 #include "geometry/layer.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -269,6 +270,21 @@ QuadShape classify_quad(const std::array<DecimalPoint, 4>& corners) {
   if (left == 4)
     return QuadShape::convex_anticlockwise;
   return left == 2 ? QuadShape::bow_tie : QuadShape::dart;
+}
+
+std::uint64_t stream_of(const LayerRequest& request) {
+  std::uint64_t key = static_cast<std::uint64_t>(request.count);
+  const auto add = [&key](double value) {
+    key += std::bit_cast<std::uint64_t>(value + 0.0) + 0x9E3779B97F4A7C15ULL;
+    key = (key ^ (key >> 30)) * 0xBF58476D1CE4E5B9ULL;  // splitmix64
+    key = (key ^ (key >> 27)) * 0x94D049BB133111EBULL;
+    key ^= key >> 31;
+  };
+  for (const DecimalPoint& corner : request.corners) {
+    add(corner.x.value());
+    add(corner.y.value());
+  }
+  return key;
 }
 
 Layer cut_layer(const LayerRequest& request) {

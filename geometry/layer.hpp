@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,10 @@ struct Layer {
   int ruled = 0;               ///< sides that fell back to the ruling
 };
 
+/// Names the stream of a layer by what it is, its four corners and its number of
+/// blocks: adding, moving or removing another layer does not change it.
+std::uint64_t stream_of(const LayerRequest& request);
+
 /// Which corner of the request is at fault, if one is.
 class LayerError : public std::runtime_error {
  public:
@@ -72,10 +77,11 @@ QuadShape classify_quad(const std::array<DecimalPoint, 4>& corners);
 /// that the sum fits; every block has the same law and mean. A side whose angle would
 /// cross another is drawn again up to 16 times and then takes the ruling of the pencil
 /// spanned by its two neighbours. Angles and MERGE concern random spacing only.
-/// Vertices on slanted lines are rounded towards the layer, so that layers and blocks
-/// that share any part of a line never overlap. Throws LayerError: corners not convex and clockwise, widths not
-/// positive, no random widths possible between the limits (the hint names the counts
-/// that are), |angle| >= 80 degrees, a layer too thin for doubles.
+/// Vertices on slanted lines are rounded towards the layer, so that layers that share
+/// any part of a line never overlap. Throws LayerError: corners not convex
+/// and clockwise, widths not positive, no random widths possible between the limits
+/// (the hint names the counts that are), |angle| >= 80 degrees, a layer too thin for
+/// doubles.
 Layer cut_layer(const LayerRequest& request);
 
 }  // namespace blocks::geometry

@@ -169,12 +169,25 @@ class Blocks {
 
 }  // namespace
 
-std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines) {
+std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
+                                            const std::vector<int>& layer) {
+  struct Enough {};
   Blocks blocks(outlines);
   std::vector<BlockOverlap> found;
-  exact::for_each_close_pair(outlines, {}, [&](std::size_t first, std::size_t second) {
-    blocks.compare(first, second, found);
-  });
+  const auto one_tiling = [&](std::size_t first, std::size_t second) {
+    return !layer.empty() && layer[first] != 0 && layer[first] == layer[second];
+  };
+  try {
+    exact::for_each_close_pair(outlines, {},
+                               [&](std::size_t first, std::size_t second) {
+                                 if (one_tiling(first, second))
+                                   return;
+                                 blocks.compare(first, second, found);
+                                 if (found.size() == most_overlaps)
+                                   throw Enough{};
+                               });
+  } catch (Enough) {
+  }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : a.second < b.second;
   });

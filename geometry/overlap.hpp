@@ -20,6 +20,12 @@ struct BlockOverlap {
 /// outlines: simple and clockwise, [L]; concave ones are welcome. The decision is
 /// exact; touching along sides or at corners does not count. Laws: the order of the
 /// outlines does not matter; no pair is reported for the cells of a certified tiling.
-std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines);
+/// layer: for each outline which certified tiling it is a cell of, 0: none; pairs of
+/// one tiling are known to be disjoint and not looked at. The search ends at
+/// most_overlaps pairs: whoever has so many wants no list of them.
+std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
+                                            const std::vector<int>& layer = {});
+
+constexpr std::size_t most_overlaps = 1'000'000;
 
 }  // namespace blocks::geometry

@@ -1,5 +1,6 @@
 // Counter-based, portable, seeded random streams (Philox 4x64): order-free, keyed by
-// (seed, layer, block), so that adding a layer does not change the others.
+// (seed, layer, block), so that adding a layer does not change the others
+// (stream_of in layer.hpp names a layer).
 #pragma once
 
 #include <cstdint>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/contact_predicates.hpp"
 
@@ -103,8 +104,15 @@ bool partner_covered(const Blocks& blocks, const Contacts& contacts,
     const ContactGroup& its = groups.all[groups.by_corner[k]];
     if (its.edge_block != group.corner_block)
       continue;
-    const Nearest of_partner = nearest_edges(blocks, contacts, its);
-    return of_partner.next >= 0 && covered(blocks, contacts, groups, its, of_partner);
+    // of its two edges the one that faces ours, though it may be the deeper one
+    Nearest faced = nearest_edges(blocks, contacts, its);
+    if (faced.next < 0)
+      return false;
+    const Vec2 ours = unit_along(blocks, e);
+    if (ours.dot(unit_along(blocks, contacts.edge[faced.next])) <
+        ours.dot(unit_along(blocks, contacts.edge[faced.record])))
+      std::swap(faced.record, faced.next);
+    return covered(blocks, contacts, groups, its, faced);
   }
   return false;
 }

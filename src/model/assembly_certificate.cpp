@@ -3,8 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace blocks {
+namespace {
+
+/// What rounding of corners alone can make of an overlap, [L^2].
+double rounding_area(const geometry::Polygon& p, const geometry::Polygon& q) {
+  double largest = 0.0;
+  const auto outline_length = [&](const geometry::Polygon& outline) {
+    double length = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      largest = std::max(largest, outline[i].cwiseAbs().maxCoeff());
+      length += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+    }
+    return length;
+  };
+  const double length = std::min(outline_length(p), outline_length(q));
+  const double unit =
+      std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  return rounding_units * unit * length;
+}
+
+}  // namespace
 
 AssemblyCertificate certify_assembly(const Blocks& blocks, int first_new) {
   AssemblyCertificate certificate;
@@ -13,15 +35,15 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int first_new) {
   outlines.reserve(static_cast<std::size_t>(blocks.size()));
   for (int b = 0; b < blocks.size(); ++b)
     outlines.push_back(blocks.outline(b));
-  for (const auto& pair : geometry::overlapping_pairs(outlines)) {
+  for (const auto& pair : geometry::overlapping_pairs(outlines, blocks.layer)) {
     if (pair.second < first_new)
       continue;
     const double part =
         pair.area / std::min(blocks.area[pair.first], blocks.area[pair.second]);
-    if (part > rounding_overlap) {
+    if (pair.area > rounding_area(outlines[pair.first], outlines[pair.second])) {
       certificate.overlaps.push_back(pair);
     } else {
-      ++certificate.rounding_pairs;
+      certificate.roundings.push_back(pair);
       certificate.largest_rounding = std::max(certificate.largest_rounding, part);
     }
   }
@@ -31,7 +53,8 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int first_new) {
 std::string verdict(const AssemblyCertificate& certificate) {
   std::string text;
   if (certificate.holds()) {
-    text = fmt::format("no two of {} blocks overlap", certificate.blocks);
+    text = fmt::format("no two of {} blocks overlap{}", certificate.blocks,
+                       certificate.roundings.empty() ? "" : " beyond rounding");
   } else {
     const auto worst =
         std::max_element(certificate.overlaps.begin(), certificate.overlaps.end(),
@@ -43,11 +66,11 @@ std::string verdict(const AssemblyCertificate& certificate) {
                        certificate.overlaps.size() == 1 ? "s" : "", worst->first + 1,
                        worst->second + 1, worst->area);
   }
-  if (certificate.rounding_pairs > 0)
-    text += fmt::format(" ({} pair{} by rounding only, at most {:.2g} of the smaller "
-                        "block)",
-                        certificate.rounding_pairs,
-                        certificate.rounding_pairs == 1 ? "" : "s",
+  if (!certificate.roundings.empty())
+    text += fmt::format("; {} pair{} by the rounding of corners, the largest by {:.2g} "
+                        "of the smaller block",
+                        certificate.roundings.size(),
+                        certificate.roundings.size() == 1 ? "" : "s",
                         certificate.largest_rounding);
   return text;
 }

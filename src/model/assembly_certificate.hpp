@@ -10,14 +10,15 @@
 
 namespace blocks {
 
-/// Corners of turned blocks are rounded decimals: an overlap of up to this part of the
-/// smaller block is no fault of a deck.
-constexpr double rounding_overlap = 1e-9;
+/// Corners are rounded to doubles: neighbours may overlap by this many units in the
+/// last place of their largest coordinate, along their whole outline, without a fault
+/// of the deck.
+constexpr double rounding_units = 4.0;
 
 struct AssemblyCertificate {
-  int blocks = 0;                                ///< blocks looked at
-  std::vector<geometry::BlockOverlap> overlaps;  ///< beyond rounding, in order
-  int rounding_pairs = 0;         ///< pairs that overlap by rounding only
+  int blocks = 0;                                 ///< blocks looked at
+  std::vector<geometry::BlockOverlap> overlaps;   ///< beyond rounding, in order
+  std::vector<geometry::BlockOverlap> roundings;  ///< by rounding only, in order
   double largest_rounding = 0.0;  ///< their largest area over the smaller block's
   bool holds() const { return overlaps.empty(); }
 };

@@ -42,7 +42,8 @@ void Blocks::append(const std::vector<NewBlock>& added) {
 
   int b = old_blocks;
   for (const NewBlock& block : added) {
-    const geometry::SectionProperties section = geometry::section_properties(block.outline);
+    const geometry::SectionProperties section =
+        geometry::section_properties(block.outline);
     if (!(section.area > 0.0) || !(block.density > 0.0) || !std::isfinite(section.area))
       throw std::invalid_argument("a block needs a positive area and density");
     area[b] = section.area;
@@ -52,7 +53,8 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     material.push_back(block.material);
     fixity.push_back(block.fixity);
     layer.push_back(block.layer);
-    const int first = first_corner.back(), count = static_cast<int>(block.outline.size());
+    const int first = first_corner.back(),
+              count = static_cast<int>(block.outline.size());
     convex.push_back(geometry::check_outline(block.outline).convex ? 1 : 0);
     int c = first;
     for (const Vec2& point : block.outline) {

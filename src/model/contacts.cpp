@@ -7,8 +7,8 @@ void Contacts::resize(int k) {
   for (auto* column : {&corner, &edge, &corner_block, &edge_block})
     column->resize(n);
   active.resize(n);
-  for (auto* column :
-       {&normal_elastic, &shear_elastic, &normal_force, &shear_force, &overlap, &damping})
+  for (auto* column : {&normal_elastic, &shear_elastic, &normal_force, &shear_force,
+                       &overlap, &damping})
     column->setZero(k);
 }
 

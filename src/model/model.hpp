@@ -60,11 +60,11 @@ struct Model {
   std::vector<DomainExit> exits;
   std::vector<MergeRecord> merges;
   std::vector<LayerRecord> layers;
-  long steps = 0;            ///< MCYCLE, steps done
-  double time = 0.0;         ///< [T] TIME = time_origin + (steps - step_origin) dt
-  double time_origin = 0.0;  ///< [T] when the present dt came into force
-  long step_origin = 0;      ///< likewise in steps
-  bool started = false;      ///< a MOTION or CYCLE has run: FRACTION is fixed
+  long steps = 0;              ///< MCYCLE, steps done
+  double time = 0.0;           ///< [T] TIME = time_origin + (steps - step_origin) dt
+  double time_origin = 0.0;    ///< [T] when the present dt came into force
+  long step_origin = 0;        ///< likewise in steps
+  bool started = false;        ///< a MOTION or CYCLE has run: FRACTION is fixed
   double worst_overlap = 0.0;  ///< [L] of any acting contact in any step so far
 };
 

@@ -45,8 +45,8 @@ struct Settings {
   std::vector<Plane> planes;
   std::uint64_t seed = 1982;  ///< ISEED
   // geometry cards in force
-  geometry::Decimal angle_min, angle_max;         ///< degrees (ORIENT)
-  std::optional<geometry::Decimal> merge_ratio;   ///< MERGE
+  geometry::Decimal angle_min, angle_max;        ///< degrees (ORIENT)
+  std::optional<geometry::Decimal> merge_ratio;  ///< MERGE
   int layers_made = 0;
 };
 

@@ -53,7 +53,7 @@ Json certificate(const std::optional<AssemblyCertificate>& proof) {
           {"blocks", proof->blocks},
           {"overlapping_pairs", proof->overlaps.size()},
           {"largest_overlap_area", largest},
-          {"rounding_pairs", proof->rounding_pairs}};
+          {"rounding_pairs", proof->roundings.size()}};
 }
 
 Json merges(const Model& model) {

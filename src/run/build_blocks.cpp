@@ -154,7 +154,7 @@ void BlockBuilder::layer(const deck::Layer& card) {
     request.merge_ratio = settings.merge_ratio;
   }
   const int number = settings.layers_made + 1;
-  request.stream = {settings.seed, static_cast<std::uint64_t>(number)};
+  request.stream = {settings.seed, geometry::stream_of(request)};
 
   geometry::Layer cut;
   try {

@@ -289,6 +289,13 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
                                 : fmt::format("blocks 1 to {} exist here", count));
 }
 
+void Builder::check_without_motion(const Command& last) {
+  if (model_.blocks.size() == checked_blocks_)
+    return;
+  check_planes();
+  check_overlaps(last);
+}
+
 void Builder::check_output_blocks() {
   for (const auto& [command, number] : output_blocks_)
     if (number.value < 1 || number.value > model_.blocks.size())

@@ -45,6 +45,9 @@ class Builder {
   /// CYCLE. in_place: blocks stand where they will be then; no MOTION lies between.
   void check_before_motion(const deck::Command& command, bool in_place);
 
+  /// The same of the blocks, for a deck in which no time passes.
+  void check_without_motion(const deck::Command& last);
+
   /// Blocks named by OUTPUT, which may be made after it. Called when all cards are
   /// read.
   void check_output_blocks();

@@ -52,14 +52,24 @@ Json merges(const GeometryReport& report) {
   return list;
 }
 
+Json overlaps(const std::vector<geometry::BlockOverlap>& pairs) {
+  Json list = Json::array();
+  for (const geometry::BlockOverlap& pair : pairs)
+    list.push_back({{"blocks", {pair.first + 1, pair.second + 1}},
+                    {"area", pair.area},
+                    {"place", vector(pair.place)}});
+  return list;
+}
+
 }  // namespace
 
 std::string json(const GeometryReport& report) {
-  Json overlaps = Json::array(), gaps = Json::array();
-  for (const auto& pair : report.certificate.overlaps)
-    overlaps.push_back({{"blocks", {pair.first + 1, pair.second + 1}},
-                        {"area", pair.area},
-                        {"place", vector(pair.place)}});
+  Json gaps = Json::array(), junctions = Json::array();
+  for (const auto& junction : report.joints.t_junctions)
+    junctions.push_back({{"block", junction.block + 1},
+                         {"corner", junction.corner + 1},
+                         {"inside_a_side_of", junction.other + 1},
+                         {"place", vector(junction.place)}});
   for (const auto& slit : report.joints.slits)
     gaps.push_back({{"blocks", {slit.first + 1, slit.second + 1}},
                     {"width", slit.width},
@@ -75,10 +85,10 @@ std::string json(const GeometryReport& report) {
                     {"merges", merges(report)},
                     {"certificate",
                      {{"holds", report.certificate.holds()},
-                      {"overlaps", overlaps},
-                      {"rounding_pairs", report.certificate.rounding_pairs},
+                      {"overlaps", overlaps(report.certificate.overlaps)},
+                      {"roundings", overlaps(report.certificate.roundings)},
                       {"largest_rounding", report.certificate.largest_rounding}}},
-                    {"t_junctions", report.joints.t_junctions.size()},
+                    {"t_junctions", junctions},
                     {"gaps", gaps},
                     {"widest_gap", report.widest_slit()},
                     {"resolution",

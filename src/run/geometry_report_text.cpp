@@ -86,8 +86,13 @@ std::string layers(const GeometryReport& report) {
 std::string joints(const GeometryReport& report) {
   const auto& found = report.joints;
   std::string text = fmt::format(
-      "  {} T-junction{} (a corner inside a side of another block: legal)\n",
+      "  {} T-junction{}: a corner inside a side of another block (legal)\n",
       found.t_junctions.size(), found.t_junctions.size() == 1 ? "" : "s");
+  text += first_of(found.t_junctions, [](const geometry::TJunction& junction) {
+    return fmt::format("  corner {} of block {} in a side of block {} at {}",
+                       junction.corner + 1, junction.block + 1, junction.other + 1,
+                       at(junction.place));
+  });
   if (found.slits.empty())
     return text + "  no gaps: no two blocks nearly touch\n";
   text += fmt::format("  {} gap{}, the widest {:.3g}: blocks that nearly touch\n",

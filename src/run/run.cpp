@@ -87,6 +87,8 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
       builder.check_before_motion(command, in_place);
     in_place = false;  // blocks move, here they do not
   }
+  if (in_place && !job.diagnostics.has_errors() && !job.deck.commands.empty())
+    builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
   notes = builder.take_notes();
   job.certificate = builder.certificate();

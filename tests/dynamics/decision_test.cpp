@@ -214,6 +214,31 @@ TEST(FloorOfBoxes, LetsABoxSlide) {
     }
 }
 
+// The same over some 970 joints, turned and a million units away: position, speed and
+// overlap are those of a box on one smooth floor.
+TEST(FloorOfBoxes, LetsABoxSlideOverAThousandJoints) {
+  const Frame frame{0.7, Vec2(1e6, -1e6)};
+  Scene scene(frame);
+  Settings& s = scene.model.settings;
+  s.lower = frame.offset - Vec2(2000, 2000), s.upper = frame.offset + Vec2(2000, 2000);
+  s.friction = 0.1, s.damping = 0.9, s.fraction = 0.016;
+  for (int i = 0; i < 1010; ++i)
+    scene.box(i, -1, 1, 1, true);
+  const int box = scene.box(1.13, 0, 2.3, 1);
+  scene.gravity(0, -10);
+  scene.run(1.0);
+  s.damping = 0.3;
+  scene.velocity(box, 44, 0);
+  const double began = scene.model.time;
+  scene.run(43.0);
+  const double t = scene.model.time - began;
+  EXPECT_NEAR(scene.velocity(box).x(), 44 - t, 1e-3);
+  EXPECT_NEAR(scene.centroid(box).x(), 2.28 + 44 * t - 0.5 * t * t, 0.05);
+  EXPECT_NEAR(scene.model.blocks.spin[box], 0.0, 1e-9);
+  const double overlap = scene.weight(box) / (2 * s.normal_stiffness);
+  EXPECT_NEAR(scene.centroid(box).y(), 0.5 - overlap, 0.01 * overlap);
+}
+
 // What one spring loses the next takes: without friction and damping energy stays.
 TEST(FloorOfBoxes, GivesNoEnergy) {
   for (const double speed : {5.0, -5.0}) {

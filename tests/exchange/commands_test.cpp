@@ -115,7 +115,7 @@ TEST(Export, RefusesWhatTheFormatCannotHold) {
   const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
   const Outcome msh = blocks("export " + deck + " -o a.msh", folder.path());
   EXPECT_EQ(msh.code, 3);
-  EXPECT_THAT(msh.err, StartsWith("blocks: error: block 33 has 6 corners"));
+  EXPECT_THAT(msh.err, StartsWith("blocks: error: block 32 has 6 corners"));
   EXPECT_FALSE(folder.holds("a.msh"));
   EXPECT_THAT(blocks("export " + deck + " -o a.wkt", folder.path()).out,
               HasSubstr(".wkt leaves out materials, which blocks are fixed"));

@@ -49,7 +49,7 @@ TEST(GeometryReport, NamesTheBlocksThatOverlap) {
 TEST(GeometryReport, FindsGapsAndTJunctions) {
   const TemporaryFolder folder;
   const Json json = geometry_json(folder, overlapping, 3);
-  EXPECT_EQ(json["t_junctions"], 2);  // block 2 on the base
+  EXPECT_EQ(json["t_junctions"].size(), 2);  // block 2 on the base
   ASSERT_EQ(json["gaps"].size(), 1U);
   EXPECT_EQ(json["gaps"][0]["blocks"], Json({1, 4}));
   EXPECT_DOUBLE_EQ(json["widest_gap"].get<double>(), 0.0004);

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The same layers from every compiler: builds geometry/ and layer_hashes with g++ and
-# clang++ at -O0, -O2 and -O3 and compares what they print. Usage: compilers.sh BUILD_DIR
+# clang++ at -O0 to -O3 and compares what they print. Usage: compilers.sh BUILD_DIR
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 out=${1:?usage: compilers.sh BUILD_DIR}
@@ -14,7 +14,7 @@ for compiler in g++ clang++; do
     echo "blocks: error: no $compiler on this machine (packages.txt names it)" >&2
     exit 5
   fi
-  for level in -O0 -O2 -O3; do
+  for level in -O0 -O1 -O2 -O3; do
     (cd "$here" && $compiler $flags $level -o "$out/hashes" \
       validation/robustness/families.cpp validation/robustness/layer_hashes.cpp \
       geometry/decimal.cpp geometry/layer.cpp geometry/merge.cpp \
