@@ -184,26 +184,30 @@ class Coordinate {
   int side_;
 };
 
-// Places on a line, the layer lying to its left. On a line along an axis: the nearest
-// doubles. On a slanted one each coordinate is rounded towards the layer, so that no
-// vertex, corners included, is behind the line as the decimals give it, nor behind the
-// line through its rounded ends, on which other cards put their corners: layers and
-// blocks that share any part of a line never overlap.
+// Places on a line, the layer lying to its left. The two ends, and all places on a line
+// along an axis: the nearest doubles, which other layers and blocks share. Between the
+// ends of a slanted line each coordinate is rounded towards the layer, so that no
+// vertex is behind the line through the rounded ends, nor behind the line as the
+// decimals give it: what shares the whole line never overlaps.
 class RoundedLine {
  public:
-  RoundedLine(const Point& from, const Point& to) {
+  RoundedLine(const Point& from, const Point& to)
+      : start_(exact::nearest(from)), end_(exact::nearest(to)) {
     const int rises = CGAL::sign(to.y() - from.y()),
               runs = CGAL::sign(to.x() - from.x());
     const bool slanted = rises != 0 && runs != 0;
     x_side_ = slanted ? -rises : 0;
     y_side_ = slanted ? runs : 0;
     add(from, to);
-    const Vec2 start = exact::nearest(from), end = exact::nearest(to);
-    const Point first(start.x(), start.y()), last(end.x(), end.y());
+    const Point first(start_.x(), start_.y()), last(end_.x(), end_.y());
     if (slanted && (first != from || last != to))
       add(first, last);
   }
   Vec2 at(const Fraction& s) const {
+    if (s.num == 0)
+      return start_;
+    if (s.num == s.den)
+      return end_;
     Vec2 place(x_[0].at(s), y_[0].at(s));
     if (x_.size() > 1)
       place = {inner(place.x(), x_[1].at(s), x_side_),
@@ -220,6 +224,7 @@ class RoundedLine {
     return side < 0 ? std::min(a, b) : std::max(a, b);
   }
 
+  Vec2 start_, end_;
   int x_side_, y_side_;
   std::vector<Coordinate> x_, y_;  ///< of the exact line, and of the rounded one
 };

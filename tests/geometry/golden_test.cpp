@@ -19,9 +19,9 @@ using robustness::hash_of;
 // First 24 layers of each family (2 of the family with 2000 blocks). A change here
 // changes the blocks that users get from the same deck and seed.
 constexpr std::array<std::uint64_t, 11> golden = {
-    0x2f04fae3354b3f9c, 0x6b4777392ec30659, 0xc08e7f391fccb4a0, 0x6fabb3a2ddb5f6df,
-    0x7f917a46d91c6a81, 0x5e1c2ac092892da8, 0x109aa2c52ba8fe75, 0x22eb79402c78bcaf,
-    0xd05cbb0dbfc7d482, 0x7b3955c0d5b6f7c8, 0xfaf02f7ca7dbd965};
+    0x2f04fae3354b3f9c, 0xb9983f65d7400ccc, 0x123ded24cfb75435, 0x9fd4d272ab5925e1,
+    0x4441b2e6dea333e2, 0x77512e6d6701561d, 0x87c762a84c159ac8, 0xd2f0453f573c0f7e,
+    0xed6c9c00aa0aa6fd, 0x5180dbe5ae85ea36, 0xfaf02f7ca7dbd965};
 
 std::array<std::uint64_t, 11> hashes(int layers) {
   std::array<std::uint64_t, 11> result{};

@@ -349,7 +349,7 @@ bool within_corners(const Mesh& mesh, const std::array<Vec2, 4>& corners) {
     quad.push_back(scale(v));
   return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec2& v) {
     const Place p = scale(v);
-    for (const std::size_t i : {1, 3})  // top line, bottom line
+    for (std::size_t i = 0; i < 4; ++i)
       if (turn(quad[i], next(quad, i), p) > 0)
         return false;
     return true;

@@ -22,9 +22,8 @@ struct Judgement {
 /// edge of the outline, and the areas. Coordinates are scaled to whole numbers first.
 Judgement judge(const geometry::Mesh& mesh);
 
-/// No vertex of the layer lies beyond its bottom line or its top line, drawn through
-/// the given corners: bottom left, top left, top right, bottom right. (At the two ends
-/// a corner of a slanted line may give way by a unit.)
+/// No vertex of the layer lies beyond the lines through its four corners, and these are
+/// given: bottom left, top left, top right, bottom right.
 bool within_corners(const geometry::Mesh& mesh,
                     const std::array<geometry::Vec2, 4>& corners);
 

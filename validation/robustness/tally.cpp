@@ -79,7 +79,7 @@ std::string markdown(const Run& run) {
   out << "\nIndependent judge (brute force on whole numbers, every " << run.every
       << "th layer of at most 300 blocks): " << judged << " meshes judged, "
       << total[0].judged
-      << " of them ours, of which not a tiling or beyond their two lines: "
+      << " of them ours, of which not a tiling or beyond their four corners: "
       << total[0].judge_says << "; of naive " << total[1].judge_says << " of "
       << total[1].judged << ", of naive with check " << total[2].judge_says << " of "
       << total[2].judged << ". Certificate and judge disagreed " << disagree
