@@ -30,7 +30,7 @@ struct Joints {
 };
 
 /// A slit is at most this wide, in square roots of the smaller block's area.
-constexpr double widest_slit = 1e-3;
+constexpr double widest_slit = 1e-2;
 
 /// How the blocks meet. outlines: simple and clockwise, [L]. Exact: which corners lie
 /// inside edges, and whether facing edges touch or leave a slit, be it of an ulp. Edges

@@ -21,6 +21,21 @@ namespace {
 
 using blocks::run::RunOptions;
 
+/// The range of the SEED card; whole numbers alone would wrap and take 010 for 8.
+CLI::Validator seed_number() {
+  return {[](std::string& text) {
+            const bool digits =
+                !text.empty() && text.size() <= 16 &&
+                text.find_first_not_of("0123456789") == std::string::npos;
+            if (!digits || std::stoull(text) > 9007199254740992ULL)
+              return "expected a whole number from 0 to 9007199254740992, found '" +
+                     text + "'";
+            text = std::to_string(std::stoull(text));  // 010 is ten
+            return std::string();
+          },
+          "0 TO 2^53"};
+}
+
 /// CLI::PositiveNumber lets NaN pass.
 CLI::Validator positive_number() {
   return {[](std::string& text) {
@@ -46,8 +61,9 @@ void add_deck_options(CLI::App& command, RunOptions& options,
                       std::vector<std::string>& sets) {
   command.add_option("DECK", options.deck, "the deck, or - for standard input")
       ->required();
-  command.add_option("--seed", options.seed,
-                     "seed of the random layers, wins over SEED");
+  command
+      .add_option("--seed", options.seed, "seed of the random layers, wins over SEED")
+      ->check(seed_number());
   command.add_option("--tape9", options.tape9,
                      "mesh file of a READ9 card without a name");
   command.add_option("--restart", options.restart,

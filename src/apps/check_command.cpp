@@ -35,7 +35,8 @@ std::vector<post::Mark> marks_of(const run::GeometryReport& report) {
   for (const auto& place : report.angle.worst)
     marks.push_back({Kind::angle, place.at, {}, {}});
   const auto& slits = report.joints.slits;
-  for (const auto& slit : slits | std::views::take(static_cast<std::ptrdiff_t>(most)))
+  for (const auto& slit : slits | std::views::take(static_cast<std::ptrdiff_t>(
+                                      std::min(most, report.gaps()))))
     marks.push_back({Kind::gap, slit.place, {}, {}});
   for (const auto& pair : report.certificate.overlaps)
     marks.push_back({Kind::overlap,

@@ -23,7 +23,8 @@ double rounding_area(const geometry::Polygon& p, const geometry::Polygon& q) {
   const double length = std::min(outline_length(p), outline_length(q));
   const double unit =
       std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-  return rounding_units * unit * length;
+  // a square of this outline is `length / 4` wide
+  return (rounding_units * unit + rounding_part * 0.25 * length) * length;
 }
 
 }  // namespace

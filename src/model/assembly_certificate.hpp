@@ -10,10 +10,11 @@
 
 namespace blocks {
 
-/// Corners are rounded to doubles: neighbours may overlap by this many units in the
-/// last place of their largest coordinate, along their whole outline, without a fault
-/// of the deck.
-constexpr double rounding_units = 4.0;
+/// Corners are rounded, to doubles and before that to the decimals of a deck: neighbours
+/// may overlap along their whole outline by this many units in the last place of their
+/// largest coordinate, and by this part of the smaller block's size (twelve digits),
+/// without a fault of the deck.
+constexpr double rounding_units = 4.0, rounding_part = 1e-11;
 
 struct AssemblyCertificate {
   int blocks = 0;                                 ///< blocks looked at

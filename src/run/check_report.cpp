@@ -19,14 +19,15 @@ std::string check_report(const std::string& file, const Model& model,
   for (const LayerRecord& layer : model.layers)
     text += fmt::format(
         "layer {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, "
-        "{} outline sides; {} sides redrawn, {} ruled\n",
+        "{} outline sides; {} angles redrawn, {} sides ruled\n",
         layer.number, layer.first_block + 1, layer.first_block + layer.blocks,
         layer.cells, layer.interior_edges, layer.outline_edges, layer.redrawn,
         layer.ruled);
   for (const MergeRecord& merge : model.merges)
     text += fmt::format(
-        "layer {}: block {} absorbed by {}: width/height {:.6g} < {:g}\n", merge.layer,
-        merge.absorbed, merge.into, merge.width_to_height, merge.limit);
+        "layer {}: block {} absorbed by {} (counted within the layer before MERGE): "
+        "width/height {:.6g} < {:g}\n",
+        merge.layer, merge.absorbed, merge.into, merge.width_to_height, merge.limit);
   if (certificate)
     text += verdict(*certificate) + "\n";
   if (blocks.size() > 0) {

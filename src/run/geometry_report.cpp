@@ -66,13 +66,6 @@ Measure measure_of(const std::vector<Measure::Place>& places, double sign) {
 
 }  // namespace
 
-double GeometryReport::widest_slit() const {
-  double widest = 0.0;
-  for (const auto& slit : joints.slits)
-    widest = std::max(widest, slit.width);
-  return widest;
-}
-
 GeometryReport examine_geometry(const std::string& file, const Model& model) {
   const Blocks& blocks = model.blocks;
   GeometryReport report;
@@ -103,6 +96,13 @@ GeometryReport examine_geometry(const std::string& file, const Model& model) {
   report.angle = measure_of(angle, 1.0);
   report.certificate = certify_assembly(blocks);
   report.joints = geometry::find_joints(outlines);
+  auto& slits = report.joints.slits;
+  std::stable_sort(slits.begin(), slits.end(),
+                   [](const auto& a, const auto& b) { return a.width > b.width; });
+  report.rounding_slits = static_cast<std::size_t>(
+      std::count_if(slits.begin(), slits.end(), [&](const geometry::Slit& slit) {
+        return slit.width <= rounding_units * report.ulp;
+      }));
   return report;
 }
 

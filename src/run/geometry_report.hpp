@@ -39,7 +39,9 @@ struct GeometryReport {
   Measure edge;    ///< [L] shortest of each block
   Measure angle;   ///< degrees, smallest of each block
   AssemblyCertificate certificate;
-  geometry::Joints joints;
+  geometry::Joints joints;  ///< slits: the widest first
+  std::size_t rounding_slits =
+      0;             ///< those of joints no wider than rounding makes them
   double ulp = 0.0;  ///< [L] between neighbouring doubles at the largest coordinate
   std::vector<LayerRecord> layers;
   std::vector<MergeRecord> merges;
@@ -47,7 +49,8 @@ struct GeometryReport {
   /// ulp over the shortest edge of all.
   double resolution() const { return blocks > 0 ? ulp / edge.smallest : 0.0; }
   bool resolved() const { return resolution() <= coarsest_resolution; }
-  double widest_slit() const;  ///< [L] 0: none
+  /// Slits wider than rounding makes them.
+  std::size_t gaps() const { return joints.slits.size() - rounding_slits; }
 };
 
 /// Looks at the blocks as they stand. n log n.

@@ -70,32 +70,36 @@ std::string json(const GeometryReport& report) {
                          {"corner", junction.corner + 1},
                          {"inside_a_side_of", junction.other + 1},
                          {"place", vector(junction.place)}});
-  for (const auto& slit : report.joints.slits)
+  for (std::size_t i = 0; i < report.gaps(); ++i) {
+    const geometry::Slit& slit = report.joints.slits[i];
     gaps.push_back({{"blocks", {slit.first + 1, slit.second + 1}},
                     {"width", slit.width},
                     {"place", vector(slit.place)}});
-  const Json all = {{"deck", report.file},
-                    {"blocks", report.blocks},
-                    {"corners", report.corners},
-                    {"area", measure(report.area, nullptr)},
-                    {"aspect_ratio", measure(report.aspect, nullptr)},
-                    {"shortest_side", measure(report.edge, "side")},
-                    {"smallest_angle", measure(report.angle, "corner")},
-                    {"layers", layers(report)},
-                    {"merges", merges(report)},
-                    {"certificate",
-                     {{"holds", report.certificate.holds()},
-                      {"overlaps", overlaps(report.certificate.overlaps)},
-                      {"roundings", overlaps(report.certificate.roundings)},
-                      {"largest_rounding", report.certificate.largest_rounding}}},
-                    {"t_junctions", junctions},
-                    {"gaps", gaps},
-                    {"widest_gap", report.widest_slit()},
-                    {"resolution",
-                     {{"ulp", report.ulp},
-                      {"ulp_over_shortest_side", report.resolution()},
-                      {"bound", coarsest_resolution},
-                      {"sufficient", report.resolved()}}}};
+  }
+  const Json all = {
+      {"deck", report.file},
+      {"blocks", report.blocks},
+      {"corners", report.corners},
+      {"area", measure(report.area, nullptr)},
+      {"aspect_ratio", measure(report.aspect, nullptr)},
+      {"shortest_side", measure(report.edge, "side")},
+      {"smallest_angle", measure(report.angle, "corner")},
+      {"layers", layers(report)},
+      {"merges", merges(report)},
+      {"certificate",
+       {{"holds", report.certificate.holds()},
+        {"overlaps", overlaps(report.certificate.overlaps)},
+        {"roundings", overlaps(report.certificate.roundings)},
+        {"largest_rounding", report.certificate.largest_rounding}}},
+      {"t_junctions", junctions},
+      {"gaps", gaps},
+      {"widest_gap", report.gaps() > 0 ? report.joints.slits.front().width : 0.0},
+      {"slits_by_rounding", report.rounding_slits},
+      {"resolution",
+       {{"ulp", report.ulp},
+        {"ulp_over_shortest_side", report.resolution()},
+        {"bound", coarsest_resolution},
+        {"sufficient", report.resolved()}}}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -76,10 +76,11 @@ std::string layers(const GeometryReport& report) {
     text += "\n";
   }
   for (const MergeRecord& merge : report.merges)
-    text += fmt::format(
-        "  layer {}: MERGE: block {} absorbed by {}, width/height {:.6g} "
-        "< {:g}\n",
-        merge.layer, merge.absorbed, merge.into, merge.width_to_height, merge.limit);
+    text += fmt::format("  layer {}: MERGE: block {} absorbed by {} (counted within "
+                        "the layer before MERGE), width/height {:.6g} "
+                        "< {:g}\n",
+                        merge.layer, merge.absorbed, merge.into, merge.width_to_height,
+                        merge.limit);
   return text;
 }
 
@@ -93,15 +94,25 @@ std::string joints(const GeometryReport& report) {
                        junction.corner + 1, junction.block + 1, junction.other + 1,
                        at(junction.place));
   });
-  if (found.slits.empty())
-    return text + "  no gaps: no two blocks nearly touch\n";
-  text += fmt::format("  {} gap{}, the widest {:.3g}: blocks that nearly touch\n",
-                      found.slits.size(), found.slits.size() == 1 ? "" : "s",
-                      report.widest_slit());
-  return text + first_of(found.slits, [](const geometry::Slit& slit) {
-           return fmt::format("  blocks {} and {}: {:.3g} at {}", slit.first + 1,
-                              slit.second + 1, slit.width, at(slit.place));
-         });
+  if (report.gaps() == 0)
+    text +=
+        fmt::format("  no gaps up to {:g} of a block's size\n", geometry::widest_slit);
+  else
+    text += fmt::format("  {} gap{} up to {:g} of a block's size, the widest {:.3g}\n",
+                        report.gaps(), report.gaps() == 1 ? "" : "s",
+                        geometry::widest_slit, found.slits.front().width);
+  const std::vector<geometry::Slit> gaps(
+      found.slits.begin(),
+      found.slits.begin() + static_cast<std::ptrdiff_t>(report.gaps()));
+  text += first_of(gaps, [](const geometry::Slit& slit) {
+    return fmt::format("  blocks {} and {}: {:.3g} at {}", slit.first + 1,
+                       slit.second + 1, slit.width, at(slit.place));
+  });
+  if (report.rounding_slits > 0)
+    text += fmt::format("  {} slit{} made by rounding, the widest {:.2g}\n",
+                        report.rounding_slits, report.rounding_slits == 1 ? "" : "s",
+                        found.slits[report.gaps()].width);
+  return text;
 }
 
 std::string resolution(const GeometryReport& report) {
@@ -136,10 +147,14 @@ std::string text(const GeometryReport& report) {
   text += "\nCertificate\n" + layers(report);
   text += fmt::format("  {}: {}\n", report.certificate.holds() ? "proved" : "FAILS",
                       verdict(report.certificate));
-  text += first_of(report.certificate.overlaps, [](const geometry::BlockOverlap& pair) {
+  const auto pair_text = [](const geometry::BlockOverlap& pair) {
     return fmt::format("  blocks {} and {}: area {:.6g} near {}", pair.first + 1,
                        pair.second + 1, pair.area, at(pair.place));
-  });
+  };
+  text += first_of(report.certificate.overlaps, pair_text);
+  if (!report.certificate.roundings.empty())
+    text += "  by the rounding of corners:\n" +
+            first_of(report.certificate.roundings, pair_text);
   text += "\nJoints\n" + joints(report);
   text += "\nResolution\n" + resolution(report);
   return text;

@@ -110,7 +110,7 @@ TEST(Joints, SlitsHaveAWidth) {
     EXPECT_DOUBLE_EQ(joints.slits[0].width, y - 1.0);
     EXPECT_TRUE(joints.t_junctions.empty());
   }
-  EXPECT_TRUE(above(1.01).slits.empty());
+  EXPECT_TRUE(above(1.1).slits.empty());
   EXPECT_TRUE(above(1.0 - 1e-6).slits.empty());  // an overlap
 }
 

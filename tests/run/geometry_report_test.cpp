@@ -91,11 +91,11 @@ TEST(GeometryReport, TextAndJsonAgree) {
   }
   ASSERT_FALSE(json["merges"].empty());
   for (const Json& merge : json["merges"])
-    EXPECT_THAT(text, HasSubstr(fmt::format("layer 1: MERGE: block {} absorbed by {}, "
-                                            "width/height {:.6g} < 0.5",
-                                            merge["absorbed"].get<int>(),
-                                            merge["into"].get<int>(),
-                                            merge["width_to_height"].get<double>())));
+    EXPECT_THAT(text, HasSubstr(fmt::format(
+                          "layer 1: MERGE: block {} absorbed by {} (counted "
+                          "within the layer before MERGE), width/height {:.6g} < 0.5",
+                          merge["absorbed"].get<int>(), merge["into"].get<int>(),
+                          merge["width_to_height"].get<double>())));
   const Json& layer = json["layers"][0];
   EXPECT_THAT(text, HasSubstr(fmt::format("{} cells, {} shared and {} outline sides",
                                           layer["cells"].get<int>(),
