@@ -138,11 +138,11 @@ std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,
                                Layer& layer) {
   const Rational angle_min = exact::rational(request.angle_min);
   const Rational angle_max = exact::rational(request.angle_max);
-  if (angle_min > angle_max || angle_min <= -steepest_angle ||
-      angle_max >= steepest_angle) {
+  if (angle_min > angle_max || angle_min < -steepest_angle ||
+      angle_max > steepest_angle) {
     throw LayerError(LayerError::Kind::angle,
                      "the angles of the block sides are out of range",
-                     "-80 < angmin <= angplus < 80 degrees");
+                     "-80 <= angmin <= angplus <= 80 degrees");
   }
   const Rational length_to_height = quad.length_to_height();
   check_aspect(request.count, length_to_height);

@@ -80,7 +80,7 @@ QuadShape classify_quad(const std::array<DecimalPoint, 4>& corners);
 /// Corners are the nearest doubles; other vertices on slanted lines are rounded towards
 /// the layer, so that layers that share a whole line, or an end, never overlap. Throws
 /// LayerError: corners not convex and clockwise, widths not positive, no random widths
-/// possible between the limits (the hint names the counts that are), |angle| >= 80
+/// possible between the limits (the hint names the counts that are), |angle| > 80
 /// degrees, a layer too thin for doubles.
 Layer cut_layer(const LayerRequest& request);
 

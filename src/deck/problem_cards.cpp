@@ -8,7 +8,7 @@ constexpr Range any{};
 constexpr Range positive{0, infinity, true, false, false};
 constexpr Range not_negative{0, infinity, false, false, false};
 constexpr Range from_one{1, infinity, false, false, false};
-constexpr Range angle{-80, 80, true, true, false};
+constexpr Range angle{-80, 80, false, false, false};
 // A layer of more blocks than that is a slip of the hand, and short lists of widths
 // are completed in memory.
 constexpr Range layer_count{-1e6, 1e6, false, false, true};

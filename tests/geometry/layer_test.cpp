@@ -250,7 +250,7 @@ TEST(RandomLayer, OneAngleTurnsAllSidesAnticlockwiseFromTheNormal) {
 }
 
 TEST(RandomLayer, AnglesBeyondTheirLimitsAreRefused) {
-  for (const auto& [low, high] : {std::pair("-80", "0"), std::pair("0", "80"),
+  for (const auto& [low, high] : {std::pair("-80.1", "0"), std::pair("0", "80.1"),
                                   std::pair("5", "-5"), std::pair("100", "200")}) {
     try {
       cut_layer(random_layer(rectangle, 60, low, high));

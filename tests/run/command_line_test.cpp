@@ -143,6 +143,13 @@ TEST(Cards, AreAllListed) {
   EXPECT_THAT(none.err, StartsWith("blocks: error: there is no card LAYRE\n"));
 }
 
+// docs/cards.md is that reference, and not an older one.
+TEST(Cards, DocumentationIsTheTable) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(blocks("cards --markdown", folder.path()).out,
+            slurp(fs::path(BLOCKS_SOURCE_DIR) / "docs/cards.md"));
+}
+
 class Plot : public ::testing::Test {
  protected:
   void SetUp() override { run_text(folder_, "fall", falling + "MOTION, 0.2\n"); }
