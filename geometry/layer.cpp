@@ -184,15 +184,15 @@ class Coordinate {
   int side_;
 };
 
-// Places on a line, the layer lying to its left. The two ends, and all places on a line
-// along an axis: the nearest doubles, which other layers and blocks share. Between the
-// ends of a slanted line each coordinate is rounded towards the layer, so that no
+// Places on a line, the layer lying to its left. The two ends as given; all places on a
+// line along an axis: the nearest doubles, which other layers and blocks share. Between
+// the ends of a slanted line each coordinate is rounded towards the layer, so that no
 // vertex is behind the line through the rounded ends, nor behind the line as the
 // decimals give it: what shares the whole line never overlaps.
 class RoundedLine {
  public:
-  RoundedLine(const Point& from, const Point& to)
-      : start_(exact::nearest(from)), end_(exact::nearest(to)) {
+  RoundedLine(const Point& from, const Point& to, const Vec2& start, const Vec2& end)
+      : start_(start), end_(end) {
     const int rises = CGAL::sign(to.y() - from.y()),
               runs = CGAL::sign(to.x() - from.x());
     const bool slanted = rises != 0 && runs != 0;
@@ -230,13 +230,14 @@ class RoundedLine {
 };
 
 // Vertices: the bottom ends of the sides from the left, then their top ends.
-Mesh mesh_of(const Quad& quad, const std::vector<Side>& sides) {
+Mesh mesh_of(const Quad& quad, const std::array<Vec2, 4>& corners,
+             const std::vector<Side>& sides) {
   const std::size_t n = sides.size() - 1;
   Mesh mesh;
   mesh.vertices.resize(2 * (n + 1));
   // Seen from the right the top line, too, has the layer on its left.
-  const RoundedLine bottom_line(quad.bl, quad.br);
-  const RoundedLine top_line(quad.tr, quad.tl);
+  const RoundedLine bottom_line(quad.bl, quad.br, corners[0], corners[3]);
+  const RoundedLine top_line(quad.tr, quad.tl, corners[2], corners[1]);
   for (std::size_t i = 0; i <= n; ++i) {
     const Fraction& s = sides[i].top;
     mesh.vertices[i] = bottom_line.at(sides[i].bottom);
@@ -311,7 +312,10 @@ Layer cut_layer(const LayerRequest& request) {
     sides = random_sides(request, quad, layer);
     break;
   }
-  layer.mesh = mesh_of(quad, sides);
+  const std::array<Vec2, 4> corners = request.rounded.value_or(
+      std::array{exact::nearest(quad.bl), exact::nearest(quad.tl),
+                 exact::nearest(quad.tr), exact::nearest(quad.br)});
+  layer.mesh = mesh_of(quad, corners, sides);
   layer.certificate = certify_tiling(layer.mesh);
   if (!layer.certificate.holds) {
     throw not_for_doubles(layer.certificate.fault);

@@ -23,6 +23,8 @@ enum class Spacing { even, listed, random };
 struct LayerRequest {
   std::array<DecimalPoint, 4>
       corners;  ///< [L]: bottom left, top left, top right, bottom right
+  std::optional<std::array<Vec2, 4>>
+      rounded;  ///< [L] the corners' doubles (SharedCorners); not given: the nearest
   Spacing spacing = Spacing::even;
   int count = 0;                ///< blocks before MERGE, >= 1
   std::vector<Decimal> bottom;  ///< [L] listed: count widths from the left, > 0
@@ -77,11 +79,11 @@ QuadShape classify_quad(const std::array<DecimalPoint, 4>& corners);
 /// that the sum fits; every block has the same law and mean. A side whose angle would
 /// cross another is drawn again up to 16 times and then takes the ruling of the pencil
 /// spanned by its two neighbours. Angles and MERGE concern random spacing only.
-/// Corners are the nearest doubles; other vertices on slanted lines are rounded towards
-/// the layer, so that layers that share a whole line, or an end, never overlap. Throws
-/// LayerError: corners not convex and clockwise, widths not positive, no random widths
-/// possible between the limits (the hint names the counts that are), |angle| > 80
-/// degrees, a layer too thin for doubles.
+/// Corners are the doubles given, or the nearest; other vertices on slanted lines are
+/// rounded towards the layer, so that layers that share a line, a part of it, or an
+/// end, never overlap. Throws LayerError: corners not convex and clockwise, widths not
+/// positive, no random widths possible between the limits (the hint names the counts
+/// that are), |angle| > 80 degrees, a layer too thin for doubles.
 Layer cut_layer(const LayerRequest& request);
 
 }  // namespace blocks::geometry

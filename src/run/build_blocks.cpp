@@ -109,6 +109,8 @@ void BlockBuilder::create(const deck::Create& card) {
   bool warned = false;  // one warning speaks for all copies: they have the same shape
   for (int copy = 0; copy < copies; ++copy) {
     geometry::Polygon outline = geometry::place_outline(corners, shift, copy);
+    for (Vec2& corner : outline)
+      corner = corners_.place(corner);
     const auto what = copies == 1 ? fmt::format("block {}", model_.blocks.size() + 1)
                                   : fmt::format("copy {} of the block", copy + 1);
     if (!accept(outline, command_.where, what, warned))
@@ -140,6 +142,10 @@ void BlockBuilder::layer(const deck::Layer& card) {
     request.corners[i] = {card.corners[2 * i].value, card.corners[2 * i + 1].value};
   if (!orient_corners(card, request))
     return;
+  request.rounded.emplace();
+  for (std::size_t i = 0; i < 4; ++i)
+    (*request.rounded)[i] =
+        corners_.place({request.corners[i].x.value(), request.corners[i].y.value()});
   request.count = static_cast<int>(count);
   request.spacing = card.ns.value > 0 ? geometry::Spacing::listed
                     : random          ? geometry::Spacing::random

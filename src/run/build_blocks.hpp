@@ -5,6 +5,7 @@
 #include "deck/diagnostics.hpp"
 #include "geometry/layer.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/shared_corners.hpp"
 #include "model/model.hpp"
 
 namespace blocks::run {
@@ -12,11 +13,13 @@ namespace blocks::run {
 /// Works for one card; faults go to the diagnostics and the model stays as it was.
 class BlockBuilder {
  public:
+  /// corners: of the outlines of this stretch of the deck.
   /// partial: other cards could not be read, so materials and counts are not judged.
   BlockBuilder(Model& model, deck::Diagnostics& diagnostics,
-               const deck::Command& command, bool partial)
-      : model_(model), diagnostics_(diagnostics), command_(command), partial_(partial) {
-  }
+               const deck::Command& command, const geometry::SharedCorners& corners,
+               bool partial)
+      : model_(model), diagnostics_(diagnostics), command_(command), corners_(corners),
+        partial_(partial) {}
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
@@ -49,6 +52,7 @@ class BlockBuilder {
   Model& model_;
   deck::Diagnostics& diagnostics_;
   const deck::Command& command_;
+  const geometry::SharedCorners& corners_;
   bool partial_;
 };
 

@@ -10,14 +10,16 @@
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "run/build_blocks.hpp"
+#include "run/deck_outlines.hpp"
 
 namespace blocks::run {
 
 using deck::Command;
 
-Builder::Builder(Model& model, deck::Diagnostics& diagnostics, BuildOptions options)
+Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
+                 const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
-      checked_blocks_(model.blocks.size()) {
+      corners_(shared_corners(cards)), checked_blocks_(model.blocks.size()) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
 }
@@ -39,7 +41,7 @@ struct Builder::Visitor {
     self.diagnostics_.warning(where, command.name, message, hint);
   }
   BlockBuilder builder() {
-    return {model, self.diagnostics_, command,
+    return {model, self.diagnostics_, command, self.corners_[self.stretch_],
             self.options_.lacks({"START", "MATERIAL", "RESTART"})};
   }
 
@@ -241,8 +243,8 @@ struct Builder::Visitor {
     model.plots = {card.dtplot.value, model.time + card.dtplot.value};
   }
   void operator()(const deck::Dump&) {}
-  void operator()(const deck::Motion&) {}
-  void operator()(const deck::Cycle&) {}
+  void operator()(const deck::Motion&) { ++self.stretch_; }
+  void operator()(const deck::Cycle&) { ++self.stretch_; }
   void operator()(const deck::Stop&) {}
 
   std::vector<std::pair<Command, deck::Material>>& materials = self.materials_;

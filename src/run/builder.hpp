@@ -13,6 +13,7 @@
 
 #include "deck/commands.hpp"
 #include "deck/diagnostics.hpp"
+#include "geometry/shared_corners.hpp"
 #include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 
@@ -35,9 +36,12 @@ struct BuildOptions {
 
 class Builder {
  public:
-  Builder(Model& model, deck::Diagnostics& diagnostics, BuildOptions options);
+  /// cards: the whole deck, whose outlines share corners.
+  Builder(Model& model, deck::Diagnostics& diagnostics,
+          const std::vector<deck::Command>& cards, BuildOptions options);
 
-  /// Acts on one card. Faults go to the diagnostics; the model then stays as it was.
+  /// Acts on one card, the next of the deck. Faults go to the diagnostics; the model
+  /// then stays as it was.
   void apply(const deck::Command& command);
 
   /// What must hold before time may pass: blocks present and without overlap, planes
@@ -69,6 +73,8 @@ class Builder {
   Model& model_;
   deck::Diagnostics& diagnostics_;
   BuildOptions options_;
+  std::vector<geometry::SharedCorners> corners_;  ///< for each stretch of the deck
+  std::size_t stretch_ = 0;                       ///< between MOTIONs and CYCLEs
   std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards not yet checked
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END

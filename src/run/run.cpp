@@ -77,7 +77,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
     output::CheckpointInfo info;
     model = output::read_checkpoint(job.checkpoint(), info);
   }
-  Builder builder(model, job.diagnostics, job.build_options());
+  Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
   bool in_place = true;
   for (const deck::Command& command : job.deck.commands) {
     builder.apply(command);
@@ -121,7 +121,7 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
 
   // The faults and warnings of the cards were shown by the check.
   deck::Diagnostics said(job.diagnostics.file(), job.text);
-  Builder builder(model, said, job.build_options());
+  Builder builder(model, said, job.deck.commands, job.build_options());
   // The title and the seed stand in the preliminary data, before anything is written.
   std::size_t next = 0;
   for (; next < job.deck.commands.size(); ++next) {

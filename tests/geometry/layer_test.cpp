@@ -114,9 +114,8 @@ std::string on_line(int a, int b, int x, int up) {
 }
 
 // Layers that share a slanted line, or an end, slanted or not, and a block whose
-// corners are the same decimals: corners are shared to the bit and nothing overlaps. A
-// layer that shares a part only ends at a double that may be off the line: an overlap
-// of an ulp.
+// corners are the same decimals: corners are shared to the bit and nothing overlaps.
+// Those that share a part only: shared_corners_test.cpp.
 TEST(SlantedLine, IsNotCrossedByTheBlocksThatShareIt) {
   std::mt19937 engine(5);
   const auto whole = [&engine](int low, int high) {
