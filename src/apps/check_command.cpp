@@ -83,14 +83,14 @@ int check(const run::RunOptions& options, const GeometryOptions& geometry) {
   if (!geometry.report)
     return run::check_deck(options);
   const auto checked = run::build_checked(options);
-  if (!checked)
-    return run::deck_error;
-  const auto report = run::examine_geometry(checked->file, checked->model);
+  if (checked.code != run::done)
+    return checked.code;
+  const auto report = run::examine_geometry(checked.file, checked.model);
   if (!options.quiet)
     fmt::print("{}", geometry.json ? run::json(report) : run::text(report));
   if (!geometry.plot.empty()) {
     try {
-      draw(geometry.plot, checked->model, report);
+      draw(geometry.plot, checked.model, report);
     } catch (const std::exception& error) {
       fmt::print(stderr, "blocks: error: {}\n", error.what());
       return run::file_error;

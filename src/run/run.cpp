@@ -61,6 +61,7 @@ struct Job {
   deck::Deck deck;
   std::string name;
   std::optional<AssemblyCertificate> certificate;  ///< of all blocks, by the check
+  ExitCode fault = deck_error;                     ///< what a failed check exits with
 };
 
 /// Executes every card but the passing of time. The model is what the deck describes
@@ -75,7 +76,19 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   }
   if (job.continues() && !job.diagnostics.has_errors()) {
     output::CheckpointInfo info;
-    model = output::read_checkpoint(job.checkpoint(), info);
+    try {
+      model = output::read_checkpoint(job.checkpoint(), info);
+    } catch (const output::FileError& fault) {
+      if (job.options.restart)
+        throw;
+      const deck::Command& command = job.deck.commands.front();
+      const auto& card = std::get<deck::Restart>(command.card);
+      job.diagnostics.error(card.file.given ? card.file.where : command.where,
+                            command.name, fault.what(),
+                            "--restart FILE names another checkpoint");
+      job.fault = file_error;
+      return false;
+    }
   }
   Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
   bool in_place = true;
@@ -236,7 +249,7 @@ int run_deck(const RunOptions& options) {
   const bool sound = check(job, checked, notes);
   fmt::print(stderr, "{}", job.diagnostics.format_all());
   if (!sound)
-    return deck_error;
+    return job.fault;
   if (options.verbose) {
     fmt::print(stderr, "{}",
                check_report(job.diagnostics.file(), checked, job.certificate));
@@ -248,25 +261,24 @@ int run_deck(const RunOptions& options) {
   return execute(job, console, warnings_of(job.diagnostics));
 }
 
-std::optional<CheckedDeck> build_checked(const RunOptions& options) {
+CheckedDeck build_checked(const RunOptions& options) {
   Job job(options);
   CheckedDeck checked;
   checked.file = job.diagnostics.file();
   const bool sound = check(job, checked.model, checked.notes);
   fmt::print(stderr, "{}", job.diagnostics.format_all());
-  if (!sound)
-    return std::nullopt;
+  checked.code = sound ? done : job.fault;
   checked.certificate = job.certificate;
   return checked;
 }
 
 int check_deck(const RunOptions& options) {
   const auto checked = build_checked(options);
-  if (!checked)
-    return deck_error;
+  if (checked.code != done)
+    return checked.code;
   if (!options.quiet) {
-    fmt::print("{}", check_report(checked->file, checked->model, checked->certificate));
-    for (const std::string& note : checked->notes)
+    fmt::print("{}", check_report(checked.file, checked.model, checked.certificate));
+    for (const std::string& note : checked.notes)
       fmt::print("{}\n", note);
   }
   return done;

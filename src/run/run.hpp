@@ -44,15 +44,15 @@ int run_deck(const RunOptions& options);
 
 /// What a deck describes before its first step.
 struct CheckedDeck {
-  std::string file;  ///< as shown in messages
+  ExitCode code = done;  ///< of a deck with faults: theirs, and nothing below counts
+  std::string file;      ///< as shown in messages
   Model model;
   std::optional<AssemblyCertificate> certificate;  ///< nothing: no time passes
   std::vector<std::string> notes;  ///< what was found in the mesh files, a line each
 };
 
-/// Parses and builds everything, prints every fault, makes no step. Nothing when the
-/// deck has errors.
-std::optional<CheckedDeck> build_checked(const RunOptions& options);
+/// Parses and builds everything, prints every fault, makes no step.
+CheckedDeck build_checked(const RunOptions& options);
 
 /// The same, and a short report. Returns an ExitCode.
 int check_deck(const RunOptions& options);
