@@ -163,6 +163,7 @@ std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,
   if (!oriented)
     throw not_for_doubles("two sides are too close to each other");
   layer.redrawn = oriented->redrawn;
+  layer.redrawn_sides = oriented->redrawn_sides;
   layer.ruled = oriented->ruled;
   return std::move(oriented->sides);
 }

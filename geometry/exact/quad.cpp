@@ -56,6 +56,8 @@ class Placer {
         return *side;
       if (one_angle)
         break;
+      if (draw == 0)
+        ++result_.redrawn_sides;
       if (draw < redraws)
         ++result_.redrawn;
     }

@@ -17,7 +17,7 @@
 namespace blocks::output {
 namespace {
 
-constexpr int format = 2;
+constexpr int format = 3;
 constexpr std::size_t seal_size = 512;
 constexpr const char* magic = "BLOCKS checkpoint\n";
 
@@ -81,6 +81,12 @@ void verify_seal(const std::string& path) {
            fmt::format("a newer version of BLOCKS wrote it (format {}, this version "
                        "reads up to {})",
                        found, format));
+  if (int found = 0;
+      std::sscanf(head.c_str() + std::strlen(magic), "format %d", &found) == 1 &&
+      found < format)
+    refuse(path, fmt::format("an older version of BLOCKS wrote it (format {}, this "
+                             "version reads {})",
+                             found, format));
   if (file.gcount() < static_cast<std::streamsize>(seal_size) || head != seal_of(file))
     refuse(path, "it is damaged: its bytes do not give its checksum");
 }

@@ -38,11 +38,33 @@ Json layers(const Model& model) {
                       {"interior_edges", layer.interior_edges},
                       {"outline_edges", layer.outline_edges}}},
                     {"angles_redrawn", layer.redrawn},
+                    {"sides_redrawn", layer.redrawn_sides},
                     {"sides_ruled", layer.ruled}});
   return list;
 }
 
-/// The verdict and its counts; null when a continued run has no new blocks.
+/// The first pairs; the certificate has their number beside them.
+Json pairs(const std::vector<geometry::BlockOverlap>& overlaps) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(overlaps.size(), most_pairs_named); ++i)
+    list.push_back({{"blocks", {overlaps[i].first + 1, overlaps[i].second + 1}},
+                    {"area", overlaps[i].area},
+                    {"place", vector(overlaps[i].place)}});
+  return list;
+}
+
+Json gaps(const AssemblyCertificate& proof) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(proof.gaps(), most_pairs_named); ++i) {
+    const geometry::Slit& slit = proof.joints.slits[i];
+    list.push_back({{"blocks", {slit.first + 1, slit.second + 1}},
+                    {"width", slit.width},
+                    {"place", vector(slit.place)}});
+  }
+  return list;
+}
+
+/// Null for a model without blocks.
 Json certificate(const std::optional<AssemblyCertificate>& proof) {
   if (!proof)
     return nullptr;
@@ -50,10 +72,21 @@ Json certificate(const std::optional<AssemblyCertificate>& proof) {
   for (const auto& pair : proof->overlaps)
     largest = std::max(largest, pair.area);
   return {{"holds", proof->holds()},
+          {"verdict", verdict(*proof)},
           {"blocks", proof->blocks},
+          {"moved_blocks", proof->moved},
           {"overlapping_pairs", proof->overlaps.size()},
           {"largest_overlap_area", largest},
-          {"rounding_pairs", proof->roundings.size()}};
+          {"overlaps", pairs(proof->overlaps)},
+          {"rounding_pairs", proof->roundings.size()},
+          {"roundings", pairs(proof->roundings)},
+          {"contact_pairs", proof->contacts.size()},
+          {"contacts", pairs(proof->contacts)},
+          {"gap_count", proof->gaps()},
+          {"widest_gap", proof->gaps() > 0 ? proof->joints.slits.front().width : 0.0},
+          {"gaps", gaps(*proof)},
+          {"slits_by_rounding", proof->rounding_slits},
+          {"t_junction_count", proof->joints.t_junctions.size()}};
 }
 
 Json merges(const Model& model) {

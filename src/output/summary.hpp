@@ -17,7 +17,7 @@ struct RunReport {
   double wall_seconds = 0.0;
   std::string status = "done";  ///< done, unsound, interrupted
   long frames = 0;
-  std::optional<AssemblyCertificate> certificate = {};  ///< nothing: no new blocks
+  std::optional<AssemblyCertificate> certificate = {};  ///< nothing: no blocks
 };
 
 /// FNV-1a over the bits of all positions and velocities: two equal runs, two equal

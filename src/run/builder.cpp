@@ -19,7 +19,8 @@ using deck::Command;
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
-      corners_(shared_corners(cards)), checked_blocks_(model.blocks.size()) {
+      corners_(shared_corners(cards)), checked_blocks_(model.blocks.size()),
+      moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
 }
@@ -266,8 +267,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   if (!in_place)
     return;
   check_planes();
-  if (checked_blocks_ != blocks.size())
-    check_overlaps(command);
+  check_overlaps(command);
   if (!model_.settings.rigid && blocks.size() > checked_blocks_) {
     const TimeStep chosen = dynamics::choose_time_step(model_);
     if (chosen.elastic)
@@ -277,7 +277,14 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
                       chosen.dt, chosen.block + 1),
           "deformable blocks need dt < l sqrt(rho / C11); half of that is taken");
   }
-  checked_blocks_ = blocks.size();
+  checked_blocks_ = moved_blocks_ = blocks.size();
+}
+
+void Builder::begin_to_move(const std::optional<AssemblyCertificate>& certificate) {
+  certificate_ = certificate;
+  planes_.clear();
+  fraction_told_ = dynamics::safe_fraction(model_.settings.damping);
+  checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
@@ -292,9 +299,10 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
 }
 
 void Builder::check_without_motion(const Command& last) {
-  if (model_.blocks.size() == checked_blocks_)
+  if (model_.blocks.size() == 0)
     return;
-  check_planes();
+  if (model_.blocks.size() != checked_blocks_)
+    check_planes();
   check_overlaps(last);
 }
 
@@ -354,8 +362,13 @@ void Builder::check_planes() {
 }
 
 void Builder::check_overlaps(const Command& command) {
-  certificate_ = certify_assembly(model_.blocks, checked_blocks_);
-  const auto& pairs = certificate_->overlaps;
+  if (certificate_ && certificate_->blocks == model_.blocks.size())
+    return;
+  certificate_ = certify_assembly(model_.blocks, moved_blocks_,
+                                  certificate_.value_or(AssemblyCertificate{}));
+  std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;
+  std::erase_if(pairs,
+                [this](const auto& pair) { return pair.second < checked_blocks_; });
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
     diagnostics_.warning(

@@ -108,12 +108,9 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   return !job.diagnostics.has_errors();
 }
 
-/// Judges a later MOTION or CYCLE where the blocks stand by now, and tells what is
-/// wrong. False when there were errors.
-bool sound_in_place(Builder& builder, deck::Diagnostics& said,
-                    const deck::Command& command, Executor& executor) {
-  const std::size_t before = said.all().size();
-  builder.check_before_motion(command, true);
+/// Tells what was found wrong since there were `before` diagnostics. False when there
+/// were errors.
+bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& executor) {
   bool sound = true;
   for (std::size_t i = before; i < said.all().size(); ++i) {
     const deck::Diagnostic& diagnostic = said.all()[i];
@@ -122,6 +119,21 @@ bool sound_in_place(Builder& builder, deck::Diagnostics& said,
     sound = sound && diagnostic.severity != deck::Severity::error;
   }
   return sound;
+}
+
+/// Judges a later MOTION or CYCLE where the blocks stand by now, or the blocks made
+/// after the last one. False when there were errors.
+bool sound_in_place(Builder& builder, deck::Diagnostics& said,
+                    const deck::Command& command, Executor& executor, RunFiles& files) {
+  const std::size_t before = said.all().size();
+  const int proved = builder.certificate() ? builder.certificate()->blocks : 0;
+  if (passes_time(command))
+    builder.check_before_motion(command, true);
+  else
+    builder.check_without_motion(command);
+  if (const auto& now = builder.certificate(); now && now->blocks != proved)
+    files.message("certificate: " + full_text(*now));
+  return tell_new(said, before, executor);
 }
 
 /// Executes the deck for good. Returns an ExitCode.
@@ -152,7 +164,7 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
   for (const std::string& warning : warnings)
     files.message("warning: " + warning);
   if (job.certificate)
-    files.message("certificate: " + verdict(*job.certificate));
+    files.message("certificate: " + full_text(*job.certificate));
 
   Executor executor(model, files, console, job.options);
   const auto motions = static_cast<double>(
@@ -165,7 +177,9 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
     for (const std::string& note : builder.take_notes())
       files.message(note);
     if (passes_time(command)) {
-      if (motion > 0.0 && !sound_in_place(builder, said, command, executor)) {
+      if (motion == 0.0) {
+        builder.begin_to_move(job.certificate);
+      } else if (!sound_in_place(builder, said, command, executor, files)) {
         outcome = Outcome::unsound_deck;
         break;
       }
@@ -181,12 +195,15 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
     else if (std::holds_alternative<deck::Stop>(command.card))
       break;
   }
+  if (motion > 0.0 && outcome == Outcome::finished &&
+      !sound_in_place(builder, said, job.deck.commands.back(), executor, files))
+    outcome = Outcome::unsound_deck;
   console.clear_progress();
   executor.finish();
 
   output::RunReport report;
   report.warnings = std::move(warnings);
-  report.certificate = job.certificate;
+  report.certificate = motion > 0.0 ? builder.certificate() : job.certificate;
   report.warnings.insert(report.warnings.end(), executor.warnings().begin(),
                          executor.warnings().end());
   report.wall_seconds =

@@ -47,7 +47,7 @@ struct CheckedDeck {
   ExitCode code = done;  ///< of a deck with faults: theirs, and nothing below counts
   std::string file;      ///< as shown in messages
   Model model;
-  std::optional<AssemblyCertificate> certificate;  ///< nothing: no time passes
+  std::optional<AssemblyCertificate> certificate;  ///< nothing: no blocks
   std::vector<std::string> notes;  ///< what was found in the mesh files, a line each
 };
 

@@ -222,7 +222,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_THAT(error(), HasSubstr("not a checkpoint of BLOCKS"));
   write_checkpoint(path, samples::two_blocks(), info);
   std::string bytes = contents(path);
-  bytes[bytes.find("format 2") + 7] = '3';
+  bytes[bytes.find("format 3") + 7] = '4';
   overwrite(path, bytes);
   EXPECT_THAT(error(), HasSubstr("newer version"));
 }
