@@ -13,6 +13,8 @@ usage() {
   ./go build                build only: build/release/src/blocks
   ./go validate [N]         N random layers (100000) made and judged, the certificate
                             against brute force, the same bits from g++ and clang++
+  ./go validate predicates [N]
+                            the contact predicates on N inputs (10000000) against MPFR
   ./go bench generation     time of cutting, rounding and certifying layers
   ./go asan                 every test under the address and undefined sanitizers
   ./go blocks ARGUMENTS     any other command of the program (plot, check, cards ...)
@@ -56,13 +58,19 @@ case $command in
   build) build release blocks ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   validate)
+    programs="$here/build/release/validation/robustness"
+    if [ "${1:-}" = predicates ]; then
+      echo "building ..." >&2
+      build release predicates
+      exec "$programs/predicates" --inputs "${2:-10000000}" --report "$here/validation/robustness/PREDICATES"
+    fi
     layers=${1:-100000}
     echo "building ..." >&2
-    build release robustness certificate_study distribution_study
-    programs="$here/build/release/validation/robustness"
+    build release robustness certificate_study distribution_study predicates
     "$programs/robustness" --layers "$layers" --report "$here/validation/robustness/REPORT"
     "$programs/certificate_study" --report "$here/validation/robustness/CERTIFICATE"
     "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
+    "$programs/predicates" --report "$here/validation/robustness/PREDICATES"
     "$here/validation/robustness/compilers.sh" "$here/build/compilers" ;;
   bench)
     [ "${1:-}" = generation ] || { echo "go: error: bench needs a name: generation" >&2; exit 2; }
