@@ -76,7 +76,8 @@ struct Estimate {
   double value;
   double bound;
 
-  bool certain() const { return std::abs(value) > bound; }
+  bool positive() const { return value > bound; }
+  bool negative() const { return value < -bound; }
 };
 
 // NaN goes to where the bound is NaN or infinite too.
@@ -178,7 +179,7 @@ inline Estimate faces_edge(const Point& c, const Point& neighbour, const Point& 
   const double t2 = squared_length(c, neighbour);
   const double q = e2 * t2;
   return {sine * std::abs(sine) + sin10_squared * q,
-          unless((e2 > 0x1p-480) & (t2 > 0x1p-480), u16 * q)};
+          unless(least(e2, t2) > 0x1p-480, u16 * q)};
 }
 
 template <class Point>
@@ -191,7 +192,7 @@ inline Estimate depth_difference(const Point& c, const Point& p1, const Point& p
   const double p_length = std::sqrt(p_length2);
   const double q_length = std::sqrt(q_length2);
   return {a.value() * q_length - b.value() * p_length,
-          unless((p_length2 > 0x1p-900) & (q_length2 > 0x1p-900),
+          unless(least(p_length2, q_length2) > 0x1p-900,
                  u16 * ((a.magnitude() + underflow) * q_length +
                         (b.magnitude() + underflow) * p_length) +
                      underflow)};
@@ -205,8 +206,10 @@ inline Estimate depth_difference(const Point& c, const Point& p1, const Point& p
 /// (c, p1, p2) gives the same sign.
 inline int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const filter::Estimate d = filter::overlap(c, p1, p2);
-  if (d.certain()) [[likely]]
-    return filter::sign(d.value);
+  if (d.positive())
+    return 1;
+  if (d.negative())
+    return -1;
   return exact::overlap_sign(c, p1, p2);
 }
 
@@ -214,8 +217,10 @@ inline int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 /// overlap_sign >= 0; of p1 -> p2 and p2 -> p1 at least one is true.
 inline bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const filter::Estimate d = filter::near_or_inside(c, p1, p2);
-  if (d.certain()) [[likely]]
-    return d.value > 0;
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::near_or_inside(c, p1, p2);
 }
 
@@ -223,8 +228,10 @@ inline bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 /// p2 are swapped.
 inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const filter::Estimate d = filter::between(c, p1, p2);
-  if (d.certain()) [[likely]]
-    return d.value > 0;
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::between(c, p1, p2);
 }
 
@@ -234,8 +241,10 @@ inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                          const Vec2& p2) {
   const filter::Estimate d = filter::above_centroid(c, centroid, p1, p2);
-  if (d.certain()) [[likely]]
-    return d.value > 0;
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::within_depth(c, centroid, p1, p2);
 }
 
@@ -245,8 +254,10 @@ inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
 inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                              const Vec2& p2) {
   const filter::Estimate d = filter::in_reach_of_edge(c, centroid, p1, p2);
-  if (d.certain()) [[likely]]
-    return d.value > 0;
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return near_or_inside(c, p1, p2) && between(c, p1, p2) &&
          within_depth(c, centroid, p1, p2);
 }
@@ -258,8 +269,10 @@ inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1
 inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
                        const Vec2& p2) {
   const filter::Estimate d = filter::faces_edge(c, neighbour, p1, p2);
-  if (d.certain()) [[likely]]
-    return d.value > 0;
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::faces_edge(c, neighbour, p1, p2);
 }
 
@@ -270,8 +283,10 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
 inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
   const filter::Estimate d = filter::depth_difference(c, p1, p2, q1, q2);
-  if (d.certain()) [[likely]]
-    return filter::sign(d.value);
+  if (d.positive())
+    return 1;
+  if (d.negative())
+    return -1;
   return exact::compare_depth(c, p1, p2, q1, q2);
 }
 

@@ -70,8 +70,7 @@ template <class Filter> inline Answers answers(Filter&& filter) {
   Answers found;
   for (std::size_t lane = 0; lane < batch_lanes; ++lane) {
     const filter::Estimate d = filter(lane);
-    found.verdict[lane] =
-        (d.value > d.bound ? 1.0 : 0.0) - (d.value < -d.bound ? 1.0 : 0.0);
+    found.verdict[lane] = (d.positive() ? 1.0 : 0.0) - (d.negative() ? 1.0 : 0.0);
   }
   return found;
 }
