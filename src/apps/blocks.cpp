@@ -16,6 +16,7 @@
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
+#include "study_command.hpp"
 
 namespace {
 
@@ -95,7 +96,11 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"export",
        "Example: blocks export decks/stack/stack.deck -o stack.geojson\n\n"
        "Writes the blocks of a deck, or of results at one time, as GeoJSON, WKT, Gmsh\n"
-       ".msh or READ9's text form; every coordinate reads back bit for bit."}};
+       ".msh or READ9's text form; every coordinate reads back bit for bit."},
+      {"study",
+       "Example: blocks study contacts figure4b --variants default,report\n\n"
+       "Runs variants of the contact rules side by side, in random frames; see\n"
+       "docs/robustness.md."}};
   if (argc < 2)
     return;
   if (const auto page = pages.find(argv[1]); page != pages.end())
@@ -168,6 +173,13 @@ int dispatch(int argc, char** argv) {
   auto* to_others = app.add_subcommand("export", "blocks for other programs");
   blocks::apps::add_export_options(*to_others, export_options);
 
+  blocks::apps::StudyOptions study_options;
+  auto* study = app.add_subcommand("study", "how robust is contact detection?");
+  study->require_subcommand(1);
+  blocks::apps::add_study_options(
+      *study->add_subcommand("contacts", "variants of the contact rules side by side"),
+      study_options);
+
   app.name("blocks");
   open_help_with_example(app, argc, argv);
   try {
@@ -188,6 +200,8 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::import_blocks(import_options);
   if (*to_others)
     return blocks::apps::export_blocks(export_options);
+  if (*study)
+    return blocks::apps::study_contacts(study_options);
   return blocks::apps::plot(plot_options);
 }
 
