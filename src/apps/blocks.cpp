@@ -47,6 +47,18 @@ CLI::Validator positive_number() {
           "POSITIVE"};
 }
 
+/// A number of steps: CLI::PositiveNumber takes fractions too, and names its range.
+CLI::Validator whole_steps() {
+  return {
+      [](std::string& text) {
+        const bool sound = !text.empty() && text.size() <= 15 && text.front() != '0' &&
+                           text.find_first_not_of("0123456789") == std::string::npos;
+        return sound ? std::string()
+                     : "expected a whole number of steps from 1, found '" + text + "'";
+      },
+      "STEPS"};
+}
+
 /// CARD.field=value
 blocks::deck::Override parse_override(const std::string& text) {
   const auto dot = text.find('.'), equals = text.find('=');
@@ -141,6 +153,10 @@ int dispatch(int argc, char** argv) {
   run->add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints")
       ->check(positive_number());
+  run->add_flag("--audit{100}", options.audit_every,
+                "every 100 steps, or every N with --audit=N, judge the contacts by "
+                "exact brute force; exit 4 on a wrong decision")
+      ->check(whole_steps());
   run->add_flag("--json", options.json,
                 "print the summary as JSON instead of the table");
 

@@ -131,7 +131,8 @@ class Auditor {
       const Held& by = held[{a, b}];
       const ExcessOverlap excess{
           a, b, overlap.depth, by.depth, by.pressed, overlap.area, overlap.place};
-      found_.worst_excess = std::max(found_.worst_excess, excess.excess());
+      if (excess.excess() > found_.worst.excess())
+        found_.worst = excess;
       if (excess.excess() >
           explained_slack * std::min(shortest_edge(a), shortest_edge(b)))
         found_.excess.push_back(excess);

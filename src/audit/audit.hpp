@@ -42,7 +42,7 @@ struct Findings {
   std::vector<MissedPair> missed;
   std::vector<WrongDecision> wrong;
   std::vector<ExcessOverlap> excess;
-  double worst_excess = 0.0;  ///< [L] of any pair, a finding or not
+  ExcessOverlap worst;  ///< of all pairs, a finding or not; excess() 0: none
 
   bool sound() const { return missed.empty() && wrong.empty(); }
 };

@@ -195,7 +195,7 @@ TEST(Audit, ABlockAtRestIsExplained) {
   EXPECT_TRUE(found.sound());
   EXPECT_EQ(found.acting, 2);
   EXPECT_TRUE(found.excess.empty());
-  EXPECT_LT(found.worst_excess, 1e-12);
+  EXPECT_LT(found.worst.excess(), 1e-12);
 }
 
 }  // namespace
