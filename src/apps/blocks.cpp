@@ -16,6 +16,7 @@
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
+#include "why_command.hpp"
 
 namespace {
 
@@ -92,6 +93,11 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"run", "Example: blocks run decks/stack/stack.deck -o stack\n\n"
               "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results),\n"
               "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."},
+      {"why", "Example: blocks run decks/stack/stack.deck && blocks why stack.vtkhdf "
+              "--block 2 --block 3\n\n"
+              "Tells of every corner of two blocks which edge of the other one it "
+              "touches, and\nwhy the others are refused: every rule with its number, "
+              "decided exactly."},
       {"check",
        "Example: blocks check decks/stack/stack.deck\n\n"
        "Reports every error of a deck in one pass and proves its layers.\n"
@@ -184,6 +190,10 @@ int dispatch(int argc, char** argv) {
   auto* to_others = app.add_subcommand("export", "blocks for other programs");
   blocks::apps::add_export_options(*to_others, export_options);
 
+  blocks::apps::WhyOptions why_options;
+  auto* why = app.add_subcommand("why", "why two blocks touch, or do not, at one time");
+  blocks::apps::add_why_options(*why, why_options);
+
   app.name("blocks");
   open_help_with_example(app, argc, argv);
   try {
@@ -204,6 +214,8 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::import_blocks(import_options);
   if (*to_others)
     return blocks::apps::export_blocks(export_options);
+  if (*why)
+    return blocks::apps::why(why_options);
   return blocks::apps::plot(plot_options);
 }
 

@@ -49,34 +49,22 @@ class Auditor {
 
   void look_for_missed(const Decision& decision) {
     const int c = decision.corner, b = decision.block;
-    const int first = blocks_.first_corner[b], last = blocks_.first_corner[b + 1];
-    // rounded, so a little less than the whole promise
-    const double margin = -promise_ * (1.0 - 1e-9);
-    std::vector<double> overlap;
-    for (int e = first; e < last; ++e)
-      overlap.push_back(rules_.overlap(c, e));
-    const bool convex = blocks_.convex[b];
-    if (convex && *std::min_element(overlap.begin(), overlap.end()) < margin)
-      return;
-    for (int e = first; e < last; ++e) {
-      const double d = overlap[e - first];
-      if (!convex && (d < margin || !beside(c, e, margin)))
-        continue;
-      if (!rules_.within_depth(c, e))
+    for (int e = blocks_.first_corner[b]; e < blocks_.first_corner[b + 1]; ++e) {
+      if (!within_promise(c, e) && !(decision.inside && rules_.admits(c, e)))
         continue;
       ++found_.records;
       if (!listed_.contains({c, e}))
-        found_.missed.push_back({c, e, d, decision.allows(e)});
+        found_.missed.push_back({c, e, rules_.overlap(c, e), decision.allows(e)});
     }
   }
 
-  /// In the strip of an edge, widened by the promise.
-  bool beside(int corner, int edge, double margin) const {
+  /// The corner is this close to the edge's segment; rounded, so a little less.
+  bool within_promise(int corner, int edge) const {
     const Vec2 p = blocks_.corner.col(edge);
     const Vec2 e = Vec2(blocks_.corner.col(blocks_.next[edge])) - p;
-    const double length = e.norm();
-    const double s = (Vec2(blocks_.corner.col(corner)) - p).dot(e) / length;
-    return s >= margin && s <= length - margin;
+    const Vec2 from = Vec2(blocks_.corner.col(corner)) - p;
+    const double s = std::clamp(from.dot(e) / e.squaredNorm(), 0.0, 1.0);
+    return (from - s * e).norm() <= promise_ * (1.0 - 1e-9);
   }
 
   void compare(const Decision& decision) {

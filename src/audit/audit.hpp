@@ -13,7 +13,7 @@ namespace blocks::audit {
 /// A corner and an edge that the list ought to hold.
 struct MissedPair {
   int corner = 0, edge = 0;
-  double overlap = 0.0;  ///< [L] below zero: the corner is this far outside of the edge
+  double overlap = 0.0;  ///< [L] below zero: outside of the edge's line
   bool acts = false;     ///< the exact decision is that it acts
 };
 
@@ -56,9 +56,9 @@ struct Moment {
 };
 
 /// All corners against all blocks near them, by a sweep. A pair is missed when the list
-/// does not hold it though the corner is not farther outside of the block than what is
-/// left of the list's promise, 2 CTOL less twice the travel, and not deeper than rule 9
-/// admits. An overlap is in excess when it goes beyond the deepest acting contact of
+/// does not hold it though the edge is admitted for the corner, or the corner as near
+/// to the edge as what is left of the list's promise: 2 CTOL less twice the travel. An
+/// overlap is in excess when it goes beyond the deepest acting contact of
 /// the two blocks by more than explained_slack of the shortest edge of either.
 Findings audit(const Moment& moment);
 

@@ -94,7 +94,7 @@ bool ExactRules::inside(int corner, int block) const {
 }
 
 /// Of a convex block the corner is known to be inside.
-bool ExactRules::admissible(int corner, int edge) const {
+bool ExactRules::admits(int corner, int edge) const {
   return within_depth(corner, edge) &&
          (blocks_.convex[blocks_.corner_block[edge]] ||
           (near_or_inside(corner, edge) && between(corner, edge))) &&
@@ -113,7 +113,7 @@ ExactRules::Two ExactRules::nearest_edges(int corner, int block) const {
   if (blocks_.convex[block] && !inside(corner, block))
     return found;
   for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
-    if (!admissible(corner, e))
+    if (!admits(corner, e))
       continue;
     if (found.nearest < 0 || compare_depth(corner, e, found.nearest) < 0)
       found.next = found.nearest, found.nearest = e;
@@ -174,7 +174,7 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   story.facing_before = faces(corner, blocks_.previous[corner], edge);
   story.facing_after = faces(corner, blocks_.next[corner], edge);
   story.admissible =
-      (!blocks_.convex[block] || inside(corner, block)) && admissible(corner, edge);
+      (!blocks_.convex[block] || inside(corner, block)) && admits(corner, edge);
   return story;
 }
 

@@ -68,7 +68,8 @@ class ExactRules {
   EdgeStory examine(int corner, int edge) const;
   /// Depth of a corner below an edge's line, [L].
   double overlap(int corner, int edge) const;
-  bool within_depth(int corner, int edge) const;
+  /// Whether the edge of a block may act on a corner that is inside, if it is convex.
+  bool admits(int corner, int edge) const;
 
   /// Blocks that a corner is near to (blocks_near_corners).
   const std::vector<int>& near(int corner) const { return near_[corner]; }
@@ -84,8 +85,8 @@ class ExactRules {
   bool near_or_inside(int corner, int edge) const;
   bool between(int corner, int edge) const;
   bool faces(int corner, int neighbour, int edge) const;
+  bool within_depth(int corner, int edge) const;
   bool inside(int corner, int block) const;
-  bool admissible(int corner, int edge) const;
   int compare_depth(int corner, int edge, int other) const;
   Two nearest_edges(int corner, int block) const;
 

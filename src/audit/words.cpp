@@ -70,12 +70,11 @@ std::string numbers(const Blocks& blocks, const EdgeStory& edge) {
 std::string faces_away(const ExactRules& rules, int corner, const EdgeStory& edge) {
   const Blocks& blocks = rules.blocks();
   const auto side = [&](int neighbour) {
-    return fmt::format("its side to corner {} points into the edge, below sin -10 = "
-                       "-0.173648",
+    return fmt::format("its side to corner {} points into the block (below -0.173648)",
                        number(blocks, neighbour));
   };
   if (!edge.facing_before && !edge.facing_after)
-    return "both its sides point into the edge, below sin -10 = -0.173648";
+    return "both its sides point into the block (below -0.173648)";
   return side(edge.facing_before ? blocks.next[corner] : blocks.previous[corner]);
 }
 
@@ -139,7 +138,7 @@ std::string tell(const Blocks& blocks, const MissedPair& missed) {
                      missed.acts ? "which acts"
                      : missed.overlap >= 0.0
                          ? fmt::format("{:.6g} deep", missed.overlap)
-                         : fmt::format("{:.6g} away", -missed.overlap));
+                         : fmt::format("{:.6g} beyond its line", -missed.overlap));
 }
 
 std::string tell(const Blocks& blocks, const WrongDecision& wrong) {
