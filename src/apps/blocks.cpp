@@ -17,6 +17,7 @@
 #include "plot_command.hpp"
 #include "run/run.hpp"
 #include "study_command.hpp"
+#include "why_command.hpp"
 
 namespace {
 
@@ -46,6 +47,18 @@ CLI::Validator positive_number() {
                        : "expected a number above 0, found '" + text + "'";
           },
           "POSITIVE"};
+}
+
+/// A number of steps: CLI::PositiveNumber takes fractions too, and names its range.
+CLI::Validator whole_steps() {
+  return {
+      [](std::string& text) {
+        const bool sound = !text.empty() && text.size() <= 15 && text.front() != '0' &&
+                           text.find_first_not_of("0123456789") == std::string::npos;
+        return sound ? std::string()
+                     : "expected a whole number of steps from 1, found '" + text + "'";
+      },
+      "STEPS"};
 }
 
 /// CARD.field=value
@@ -81,6 +94,11 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"run", "Example: blocks run decks/stack/stack.deck -o stack\n\n"
               "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results),\n"
               "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."},
+      {"why", "Example: blocks run decks/stack/stack.deck && blocks why stack.vtkhdf "
+              "--block 2 --block 3\n\n"
+              "Tells of every corner of two blocks which edge of the other one it "
+              "touches, and\nwhy the others are refused: every rule with its number, "
+              "decided exactly."},
       {"check",
        "Example: blocks check decks/stack/stack.deck\n\n"
        "Reports every error of a deck in one pass and proves its layers.\n"
@@ -146,6 +164,10 @@ int dispatch(int argc, char** argv) {
   run->add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints")
       ->check(positive_number());
+  run->add_flag("--audit{100}", options.audit_every,
+                "every 100 steps, or every N with --audit=N, judge the contacts by "
+                "exact brute force; exit 4 on a wrong decision")
+      ->check(whole_steps());
   run->add_flag("--json", options.json,
                 "print the summary as JSON instead of the table");
 
@@ -179,6 +201,9 @@ int dispatch(int argc, char** argv) {
   blocks::apps::add_study_options(
       *study->add_subcommand("contacts", "variants of the contact rules side by side"),
       study_options);
+  blocks::apps::WhyOptions why_options;
+  auto* why = app.add_subcommand("why", "why two blocks touch, or do not, at one time");
+  blocks::apps::add_why_options(*why, why_options);
 
   app.name("blocks");
   open_help_with_example(app, argc, argv);
@@ -202,6 +227,8 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::export_blocks(export_options);
   if (*study)
     return blocks::apps::study_contacts(study_options);
+  if (*why)
+    return blocks::apps::why(why_options);
   return blocks::apps::plot(plot_options);
 }
 

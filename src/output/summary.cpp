@@ -89,6 +89,42 @@ Json certificate(const std::optional<AssemblyCertificate>& proof) {
           {"t_junction_count", proof->joints.t_junctions.size()}};
 }
 
+Json audited(const AuditedOverlap& pair) {
+  return {{"blocks", {pair.first + 1, pair.second + 1}},
+          {"step", pair.step},
+          {"time", pair.time},
+          {"excess", pair.excess()},
+          {"overlap", pair.depth},
+          {"deepest_contact", pair.explained},
+          {"springs_pressed_in", pair.pressed}};
+}
+
+/// Counts, faults in words, and the ten worst overlaps; null without audit.
+Json audit(const std::optional<AuditTotals>& totals) {
+  if (!totals)
+    return nullptr;
+  std::vector<AuditedOverlap> worst = totals->excess;
+  std::sort(worst.begin(), worst.end(),
+            [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
+  worst.resize(std::min<std::size_t>(worst.size(), 10));
+  Json list = Json::array();
+  for (const AuditedOverlap& pair : worst)
+    list.push_back(audited(pair));
+  return {
+      {"every", totals->every},
+      {"moments", totals->moments},
+      {"pairs", totals->pairs},
+      {"records_due", totals->records},
+      {"acting", totals->acting},
+      {"missed_pairs", totals->missed},
+      {"wrong_decisions", totals->wrong},
+      {"decided_by_rounding", totals->hanging},
+      {"excess_pairs", totals->excess.size()},
+      {"worst_excess", totals->worst.excess() > 0.0 ? audited(totals->worst) : Json()},
+      {"faults", totals->faults},
+      {"excess_overlaps", list}};
+}
+
 Json merges(const Model& model) {
   Json list = Json::array();
   for (const MergeRecord& merge : model.merges)
@@ -154,6 +190,7 @@ void write_summary(const std::string& path, const Model& model,
       {"merges", merges(model)},
       {"layers", layers(model)},
       {"certificate", certificate(report.certificate)},
+      {"audit", audit(report.audit)},
       {"warnings", report.warnings},
       {"frames", report.frames},
       {"state_hash", state_hash(model)},

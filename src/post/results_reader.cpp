@@ -48,7 +48,9 @@ struct ResultsReader::File {
     return Column::open(vtk.get(), "FieldData/" + name)
         .at<T>(step_value("FieldDataOffsets/" + name, frame));
   }
+  hsize_t checked(long i) const;
   Frame read(hsize_t i) const;
+  std::vector<StoredContact> read_contacts(hsize_t i) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
 };
 
@@ -115,6 +117,29 @@ Frame ResultsReader::File::read(hsize_t i) const {
   return frame;
 }
 
+std::vector<StoredContact> ResultsReader::File::read_contacts(hsize_t i) const {
+  const auto open = [&](const std::string& name) {
+    return Column::open(file.get(), "BLOCKS/contacts/" + name);
+  };
+  const auto first = open("Offsets").at<std::int64_t>(i);
+  const auto n = open("Counts").at<std::int64_t>(i);
+  if (first < 0 || n < 0)
+    throw Failure("contacts are out of range");
+  const auto from = static_cast<hsize_t>(first), rows = static_cast<hsize_t>(n);
+  const auto corner_block = open("CornerBlock").read<int>(from, rows);
+  const auto corner = open("Corner").read<int>(from, rows);
+  const auto edge_block = open("EdgeBlock").read<int>(from, rows);
+  const auto edge = open("Edge").read<int>(from, rows);
+  const auto normal = open("NormalForce").read<double>(from, rows);
+  const auto shear = open("ShearForce").read<double>(from, rows);
+  const auto overlap = open("Overlap").read<double>(from, rows);
+  std::vector<StoredContact> contacts;
+  for (std::size_t k = 0; k < rows; ++k)
+    contacts.push_back({corner_block[k], corner[k], edge_block[k], edge[k], normal[k],
+                        shear[k], overlap[k]});
+  return contacts;
+}
+
 ResultsReader::ResultsReader(const std::string& path)
     : file_(std::make_unique<File>()) {
   File& from = *file_;
@@ -144,13 +169,22 @@ const std::vector<double>& ResultsReader::times() const { return file_->times; }
 
 std::string ResultsReader::title() const { return file_->title; }
 
+hsize_t ResultsReader::File::checked(long i) const {
+  const auto frames = static_cast<long>(times.size());
+  if (i < 0 || i >= frames)
+    throw output::FileError(path + " has frames 0 to " + std::to_string(frames - 1) +
+                            ", not " + std::to_string(i));
+  return static_cast<hsize_t>(i);
+}
+
 Frame ResultsReader::frame(long i) const {
-  if (i < 0 || i >= frames())
-    throw output::FileError(file_->path + " has frames 0 to " +
-                            std::to_string(frames() - 1) + ", not " +
-                            std::to_string(i));
-  return output::naming("read", file_->path,
-                        [&] { return file_->read(static_cast<hsize_t>(i)); });
+  const hsize_t at = file_->checked(i);
+  return output::naming("read", file_->path, [&] { return file_->read(at); });
+}
+
+std::vector<StoredContact> ResultsReader::contacts(long i) const {
+  const hsize_t at = file_->checked(i);
+  return output::naming("read", file_->path, [&] { return file_->read_contacts(at); });
 }
 
 long ResultsReader::nearest(double time) const {

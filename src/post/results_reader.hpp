@@ -22,6 +22,14 @@ struct Frame {
   Eigen::Matrix4Xd stress;
 };
 
+/// A contact that acted in the step that led to a frame, as stored.
+struct StoredContact {
+  int corner_block, corner;  ///< from 1
+  int edge_block, edge;      ///< from 1; edge block 0: a symmetry plane, and its number
+  double normal_force, shear_force;  ///< [F] with the dashpots
+  double overlap;                    ///< [L]
+};
+
 class ResultsReader {
  public:
   /// Throws output::FileError-like std::runtime_error naming the file and what is
@@ -33,6 +41,8 @@ class ResultsReader {
   std::string title() const;
   /// 0 <= i < frames().
   Frame frame(long i) const;
+  /// 0 <= i < frames().
+  std::vector<StoredContact> contacts(long i) const;
   /// Index of the frame nearest in time.
   long nearest(double time) const;
 

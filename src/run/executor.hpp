@@ -5,6 +5,7 @@
 #include <set>
 
 #include "dynamics/step.hpp"
+#include "run/audit_watch.hpp"
 #include "run/console.hpp"
 #include "run/run.hpp"
 #include "run/run_files.hpp"
@@ -29,16 +30,18 @@ class Executor {
   /// DUMP.
   void dump();
   /// A deck in which no time passed is echoed all the same.
-  void finish() { echo(); }
+  void finish();
 
   /// Keeps a warning that was shown already, for listing and summary.
   void remember(const std::string& message);
   const std::vector<std::string>& warnings() const { return warnings_; }
+  const AuditWatch& audit() const { return audit_; }
 
  private:
   void echo();
   void start();
   bool runaway();
+  bool passes_audit();
   void tell_what_remains(long steps);
   Outcome advance(long steps);
   void output_if_due();
@@ -52,6 +55,7 @@ class Executor {
   Console& console_;
   const RunOptions& options_;
   dynamics::SearchBuffers buffers_;
+  AuditWatch audit_;
   std::vector<std::string> warnings_;
   std::size_t exits_told_ = 0;
   bool fast_told_ = false, echoed_ = false, started_moving_ = false;

@@ -204,6 +204,8 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
   output::RunReport report;
   report.warnings = std::move(warnings);
   report.certificate = motion > 0.0 ? builder.certificate() : job.certificate;
+  if (job.options.audit_every > 0)
+    report.audit = executor.audit().totals();
   report.warnings.insert(report.warnings.end(), executor.warnings().begin(),
                          executor.warnings().end());
   report.wall_seconds =

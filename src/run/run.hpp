@@ -34,6 +34,7 @@ struct RunOptions {
   std::vector<deck::Override> overrides;
   double time_limit = 0.0;        ///< seconds of wall clock, 0: none
   double checkpoint_every = 0.0;  ///< seconds of wall clock, 0: at the end only
+  long audit_every = 0;           ///< steps between audits of the contacts, 0: none
   bool quiet = false;
   bool verbose = false;
   bool json = false;  ///< the summary on standard output instead of the table
