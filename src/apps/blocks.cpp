@@ -17,6 +17,7 @@
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
+#include "view_command.hpp"
 
 namespace {
 
@@ -95,6 +96,11 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
        "Follows quantities of blocks, corners and the model in time: a table, CSV,\n"
        "JSON, a figure. Several runs are laid over each other. With --profile: across\n"
        "the model at some times, such as a subsidence trough."},
+      {"view",
+       "Example: blocks view stack.vtkhdf -o stack.html\n"
+       "(after blocks run decks/stack/stack.deck)\n\n"
+       "Writes one page for the browser, which needs no server and no network:\n"
+       "play, zoom, pick a block, see its numbers and their history."},
       {"import",
        "Example: blocks import decks/every_card/hexagons.txt --deck\n\n"
        "Reads outlines from GeoJSON, WKT, Gmsh .msh or another form of READ9, checks\n"
@@ -171,6 +177,10 @@ int dispatch(int argc, char** argv) {
   auto* in_time = app.add_subcommand("history", "quantities against time or place");
   blocks::apps::add_history_options(*in_time, history_options);
 
+  blocks::apps::ViewOptions view_options;
+  auto* page = app.add_subcommand("view", "a page to play a run in the browser");
+  blocks::apps::add_view_options(*page, view_options);
+
   blocks::apps::ImportOptions import_options;
   auto* import = app.add_subcommand("import", "outlines of other programs, for READ9");
   blocks::apps::add_import_options(*import, import_options);
@@ -197,6 +207,8 @@ int dispatch(int argc, char** argv) {
     return cards(card, markdown);
   if (*in_time)
     return blocks::apps::history(history_options);
+  if (*page)
+    return blocks::apps::view(view_options);
   if (*import)
     return blocks::apps::import_blocks(import_options);
   if (*to_others)

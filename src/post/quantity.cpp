@@ -94,13 +94,13 @@ const std::vector<QuantityKind>& quantity_kinds() {
        [](const F& now, const F&) -> VectorXd {
          return now.angle * (180.0 / std::numbers::pi);
        }},
-      {"x", "", "x", length, is_signed, each, row(&F::centroid, 0)},
-      {"y", "", "y", length, is_signed, each, row(&F::centroid, 1)},
+      {"x", "", "x", length, magnitude, each, row(&F::centroid, 0)},
+      {"y", "", "y", length, magnitude, each, row(&F::centroid, 1)},
       {"dx", "", "displacement x", length, is_signed, each, moved_along(0)},
       {"dy", "", "displacement y", length, is_signed, each, moved_along(1)},
       {"vx", "VELX", "velocity x", velocity, is_signed, each, row(&F::velocity, 0)},
       {"vy", "VELY", "velocity y", velocity, is_signed, each, row(&F::velocity, 1)},
-      {"spin", "TOUT", "spin", spin, is_signed, each, column(&F::spin)},
+      {"spin", "TDOT", "spin", spin, is_signed, each, column(&F::spin)},
       {"fx", "FORCEX", "force x", force, is_signed, additive, row(&F::force, 0)},
       {"fy", "FORCEY", "force y", force, is_signed, additive, row(&F::force, 1)},
       {"moment", "MOMENT", "moment", moment, is_signed, each, column(&F::moment)},
@@ -139,6 +139,8 @@ const QuantityKind* find_quantity(const std::string& name) {
     return text;
   };
   const std::string wanted = upper(name);
+  if (wanted == "TOUT")  // Table F.1's misprint
+    return find_quantity("TDOT");
   for (const QuantityKind& kind : quantity_kinds())
     if (wanted == upper(kind.name) || (!wanted.empty() && wanted == kind.report_name))
       return &kind;
