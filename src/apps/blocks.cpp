@@ -12,11 +12,13 @@
 #include "deck/cards_text.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
+#include "history_command.hpp"
 #include "import_command.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
 #include "study_command.hpp"
+#include "view_command.hpp"
 #include "why_command.hpp"
 
 namespace {
@@ -107,6 +109,17 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"cards", "Example: blocks cards LAYER\n\nLists all cards, or describes one."},
       {"plot", "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
                "Draws the blocks at one time, coloured by material or a quantity."},
+      {"history",
+       "Example: blocks history stack.vtkhdf -q y:4,speed:max -o stack.png\n"
+       "(after blocks run decks/stack/stack.deck)\n\n"
+       "Follows quantities of blocks, corners and the model in time: a table, CSV,\n"
+       "JSON, a figure. Several runs are laid over each other. With --profile: across\n"
+       "the model at some times, such as a subsidence trough."},
+      {"view",
+       "Example: blocks view stack.vtkhdf -o stack.html\n"
+       "(after blocks run decks/stack/stack.deck)\n\n"
+       "Writes one page for the browser, which needs no server and no network:\n"
+       "play, zoom, pick a block, see its numbers and their history."},
       {"import",
        "Example: blocks import decks/every_card/hexagons.txt --deck\n\n"
        "Reads outlines from GeoJSON, WKT, Gmsh .msh or another form of READ9, checks\n"
@@ -187,6 +200,14 @@ int dispatch(int argc, char** argv) {
   auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
   blocks::apps::add_plot_options(*plot, plot_options);
 
+  blocks::apps::HistoryOptions history_options;
+  auto* in_time = app.add_subcommand("history", "quantities against time or place");
+  blocks::apps::add_history_options(*in_time, history_options);
+
+  blocks::apps::ViewOptions view_options;
+  auto* page = app.add_subcommand("view", "a page to play a run in the browser");
+  blocks::apps::add_view_options(*page, view_options);
+
   blocks::apps::ImportOptions import_options;
   auto* import = app.add_subcommand("import", "outlines of other programs, for READ9");
   blocks::apps::add_import_options(*import, import_options);
@@ -221,6 +242,10 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::check(options, geometry_options);
   if (*reference)
     return cards(card, markdown);
+  if (*in_time)
+    return blocks::apps::history(history_options);
+  if (*page)
+    return blocks::apps::view(view_options);
   if (*import)
     return blocks::apps::import_blocks(import_options);
   if (*to_others)

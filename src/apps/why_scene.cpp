@@ -60,14 +60,13 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
   blocks.convex = convexity(results, frame.outlines.size());
   blocks.convex.resize(frame.outlines.size());
 
-  for (const post::StoredContact& stored : results.contacts(scene.frame)) {
-    if (stored.edge_block == 0)
-      continue;  // a symmetry plane
-    scene.contacts.push_back(
-        {blocks.first_corner[stored.corner_block - 1] + stored.corner - 1,
-         blocks.first_corner[stored.edge_block - 1] + stored.edge - 1, true,
-         stored.normal_force, stored.shear_force, stored.overlap});
-  }
+  const post::FrameContacts stored = results.contacts(scene.frame);
+  for (int i = 0; i < stored.size(); ++i)
+    if (stored.edge_block[i] != 0)  // 0: a symmetry plane
+      scene.contacts.push_back(
+          {blocks.first_corner[stored.corner_block[i] - 1] + stored.corner[i] - 1,
+           blocks.first_corner[stored.edge_block[i] - 1] + stored.edge[i] - 1, true,
+           stored.normal_force[i], stored.shear_force[i], stored.overlap[i]});
   return scene;
 }
 

@@ -1,29 +1,21 @@
 #include "post/figure.hpp"
 
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <map>
-#include <memory>
+#include <numbers>
 #include <stdexcept>
 
 #include "post/axes.hpp"
 #include "post/colour_map.hpp"
+#include "post/page_file.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
 namespace {
-
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 constexpr Colour ink{0.16, 0.16, 0.18}, faint{0.62, 0.62, 0.64},
     paper{0.992, 0.99, 0.984};
@@ -395,50 +387,14 @@ Axes choose_axes(const Frame& now, const Frame& first, const FigureOptions& opti
           options.width};
 }
 
-[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
-  throw std::runtime_error("cannot write " + path + ": " + why);
-}
-
 }  // namespace
 
 void draw_frame(const std::string& path, const Frame& now, const Frame& first,
                 const std::string& title, const FigureOptions& options) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending != ".png" && ending != ".svg" && ending != ".pdf")
-    throw std::runtime_error(
-        "the figure's name must end in .png, .svg or .pdf, found '" + path + "'");
   const Axes axes = choose_axes(now, first, options);
-  const std::string draft = path + ".tmp";
-  const double w = axes.page_width, h = axes.page_height;
-  Surface surface(ending == ".svg" ? cairo_svg_surface_create(draft.c_str(), w, h)
-                  : ending == ".pdf"
-                      ? cairo_pdf_surface_create(draft.c_str(), w, h)
-                      : cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                                   static_cast<int>(std::ceil(w)),
-                                                   static_cast<int>(std::ceil(h))),
-                  cairo_surface_destroy);
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    cannot_write(path, cairo_status_to_string(cairo_surface_status(surface.get())));
-  {
-    const Pen pen(cairo_create(surface.get()), cairo_destroy);
-    Drawing(pen.get(), axes, now, first, options).draw(title);
-    cairo_show_page(pen.get());
-  }
-  cairo_status_t status = ending == ".png"
-                              ? cairo_surface_write_to_png(surface.get(), draft.c_str())
-                              : CAIRO_STATUS_SUCCESS;
-  cairo_surface_finish(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS)
-    status = cairo_surface_status(surface.get());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    std::remove(draft.c_str());
-    cannot_write(path, cairo_status_to_string(status));
-  }
-  std::error_code ignored;  // what cannot be moved shows in the next line
-  if (std::filesystem::is_regular_file(path, ignored))
-    std::filesystem::rename(path, path + ".bak", ignored);
-  if (std::rename(draft.c_str(), path.c_str()) != 0)
-    cannot_write(path, std::strerror(errno));
+  write_page(path, axes.page_width, axes.page_height, [&](cairo_t* pen) {
+    Drawing(pen, axes, now, first, options).draw(title);
+  });
 }
 
 void draw_figure(const std::string& path, const ResultsReader& results, long frame,
