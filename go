@@ -16,6 +16,8 @@ usage() {
   ./go validate predicates [N]
                             the contact predicates on N inputs (10000000) against MPFR
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
+  ./go study [N]            N frames (1000) of every scene of contact detection by the
+                            rules of every run: no hang-up, no fall-through
   ./go bench generation     time of cutting, rounding and certifying layers
   ./go bench exactness      whole runs with exact predicates against plain doubles
   ./go asan                 every test under the address and undefined sanitizers
@@ -79,6 +81,12 @@ case $command in
     "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
     "$programs/predicates" --report "$here/validation/robustness/PREDICATES"
     "$here/validation/robustness/compilers.sh" "$here/build/compilers" ;;
+  study)
+    echo "building ..." >&2
+    build release blocks
+    exec "$here/build/release/src/blocks" study contacts all --variants default \
+      --frames "${1:-1000}" -j "$(nproc)" --gate \
+      --csv "$here/validation/robustness/CONTACTS.csv" ;;
   bench)
     case ${1:-} in
       generation|exactness) ;;

@@ -7,7 +7,9 @@
 #include <filesystem>
 
 #include "deck/suggest.hpp"
+#include "output/results.hpp"
 #include "run/run.hpp"
+#include "study/figure.hpp"
 #include "study/report.hpp"
 #include "text_file.hpp"
 
@@ -71,6 +73,30 @@ variants_meant(const std::vector<std::string>& given) {
   return meant;
 }
 
+/// Before minutes of work: can the files be written?
+void check_files(const StudyOptions& options) {
+  for (const std::string* path : {&options.csv, &options.json, &options.figure}) {
+    const auto folder = std::filesystem::path(*path).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+      throw output::FileError("cannot write " + *path + ": there is no folder " +
+                              folder.string());
+  }
+  const auto ending = std::filesystem::path(options.figure).extension();
+  if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
+      ending != ".pdf")
+    throw output::FileError(
+        "the figure's name must end in .png, .svg or .pdf, found '" + options.figure +
+        "'");
+}
+
+bool default_is_sound(const std::vector<study::Study>& studies) {
+  for (const study::Study& study : studies)
+    for (const study::Row& row : study.rows)
+      if (row.variant == &study::all_variants().front() && row.hung + row.fell > 0)
+        return false;
+  return true;
+}
+
 }  // namespace
 
 void add_study_options(CLI::App& command, StudyOptions& options) {
@@ -79,6 +105,10 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--frames", options.frames, "random frames of each scene")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  command.add_option("--first", options.first, "number of the first frame (0)")
+      ->check(CLI::Range(0, 1000000000));
+  command.add_flag("--gate", options.gate,
+                   "exit 4 when the default rules hang or let a block through");
   command.add_option("--variants", options.variants, "default,report,... (all)")
       ->delimiter(',');
   command
@@ -97,6 +127,8 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("-j,--threads", options.threads, "threads; results do not change")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command.add_option("--figure", options.figure,
+                     "draw hang-ups and fall-throughs: .png, .svg or .pdf");
   command.add_option("--csv", options.csv, "write the table as CSV");
   command.add_option("--json", options.json, "write it as JSON, with frames by number");
 }
@@ -112,6 +144,7 @@ int study_contacts(const StudyOptions& options) {
   }
   const auto scenes = scenes_meant(options.scenes);
   study::StudyChoice choice{{options.seed, options.offset, options.scale},
+                            options.first,
                             options.frames,
                             options.steps,
                             scenes.empty() ? std::vector<const study::Variant*>()
@@ -120,6 +153,12 @@ int study_contacts(const StudyOptions& options) {
   if (choice.variants.empty())
     return run::usage_error;
 
+  try {
+    check_files(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::file_error;
+  }
   std::vector<study::Study> studies;
   for (const std::string& name : scenes) {
     study::Scene scene;
@@ -135,13 +174,15 @@ int study_contacts(const StudyOptions& options) {
     }
     studies.push_back(study::run_study(std::move(scene), choice));
     fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(studies.back()));
-    std::fflush(stdout);
+    std::fflush(stdout);  // the next scene may take a minute
   }
   if (!options.csv.empty())
     write_text_file(options.csv, study::csv(studies));
   if (!options.json.empty())
     write_text_file(options.json, study::json(studies, {options.frames, options.seed}));
-  return run::done;
+  if (!options.figure.empty())
+    study::draw_studies(options.figure, studies);
+  return options.gate && !default_is_sound(studies) ? run::unsound_run : run::done;
 }
 
 }  // namespace blocks::apps

@@ -117,7 +117,7 @@ void judge_end(const Scene& scene, const Frame& frame, const Model& model,
     const Vec2 moved =
         frame.back(Vec2(model.blocks.centroid.col(b)) - Vec2(start.col(b)));
     const Vec2 way = expected.col(b);
-    if (way.norm() > 0.05 * scene.size)
+    if (way.norm() > scene.least_way * scene.size)
       outcome.hung |= !(moved.dot(way) >= scene.least_share * way.squaredNorm());
     if (scene.most_sinking > 0.0 && gravity > 0.0) {
       const double sunk = scene.model.settings.gravity.dot(moved - way) / gravity;

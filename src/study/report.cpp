@@ -38,6 +38,17 @@ std::string divergence(const Row& row) {
                                          row.median_step);
 }
 
+/// Where the default rules failed: whoever mends them needs the frames.
+std::string frames_line(const char* what, const std::vector<int>& frames) {
+  if (frames.empty())
+    return {};
+  std::string line = fmt::format("default {} in frame", what);
+  for (std::size_t i = 0; i < frames.size() && i < 10; ++i)
+    line += fmt::format(" {}", frames[i]);
+  return line + fmt::format("{}; one again: --frames 1 --first {}\n",
+                            frames.size() > 10 ? " ..." : "", frames.front());
+}
+
 /// {:<18} counts bytes, and ± has two.
 std::string left(const std::string& s, std::size_t width) {
   std::size_t shown = 0;
@@ -89,6 +100,11 @@ std::string text(const Study& study) {
           counted(row.hung, row.frames, row.hang_ups),
           counted(row.fell, row.frames, row.fall_throughs), small(row.energy.value),
           divergence(row)});
+  for (const Row& row : study.rows)
+    if (row.variant == &all_variants().front()) {
+      out += frames_line("hung", row.hung_in);
+      out += frames_line("fell through", row.fell_in);
+    }
   return out;
 }
 

@@ -28,8 +28,8 @@ struct Scene {
   /// Displacement of each block after so many steps of dt, (2, n) [L].
   std::function<Eigen::Matrix2Xd(long steps, double dt)> expected;
   /// A block that comes less than this share of its expected way hangs. Asked of blocks
-  /// that are expected to move by a twentieth of the size.
-  double least_share = 0.9;
+  /// whose way is longer than least_way, in units of the size.
+  double least_share = 0.9, least_way = 0.05;
   /// A block that sinks along gravity by this much more than expected has lost its
   /// support, in units of the size; 0: not asked.
   double most_sinking = 0.05;

@@ -43,10 +43,11 @@ void add_share(std::vector<double>& shares, long part, long whole) {
     shares.push_back(static_cast<double>(part) / static_cast<double>(whole));
 }
 
-Row summarise(const Variant* variant, const std::vector<Outcomes>& all, std::size_t v,
-              std::uint64_t seed) {
+Row summarise(const StudyChoice& choice, const std::vector<Outcomes>& all,
+              std::size_t v) {
   Row row;
-  row.variant = variant;
+  const std::uint64_t seed = choice.frames.seed;
+  row.variant = choice.variants[v];
   row.frames = static_cast<int>(all.size());
   std::vector<double> signs, tangents, phantom, missed, energy, steps;
   for (int f = 0; f < row.frames; ++f) {
@@ -58,9 +59,9 @@ Row summarise(const Variant* variant, const std::vector<Outcomes>& all, std::siz
     if (!std::isnan(o.energy_error))
       energy.push_back(o.energy_error);
     if (o.hung)
-      row.hung_in.push_back(f);
+      row.hung_in.push_back(choice.first + f);
     if (o.fell_through)
-      row.fell_in.push_back(f);
+      row.fell_in.push_back(choice.first + f);
     if (o.diverged >= 0)
       steps.push_back(static_cast<double>(o.diverged));
   }
@@ -90,7 +91,7 @@ Study run_study(Scene scene, const StudyChoice& choice) {
   const Variant& reference = all_variants().front();
   std::vector<Outcomes> all(static_cast<std::size_t>(choice.count));
   in_parallel(choice.count, choice.threads, [&](int f) {
-    const Frame frame = random_frame(choice.frames, f, scene.size);
+    const Frame frame = random_frame(choice.frames, choice.first + f, scene.size);
     Trace trace;
     const Outcome leading = measure(scene, frame, reference, study.steps, trace);
     for (const Variant* variant : choice.variants)
@@ -99,7 +100,7 @@ Study run_study(Scene scene, const StudyChoice& choice) {
                                 : measure(scene, frame, *variant, study.steps, trace));
   });
   for (std::size_t v = 0; v < choice.variants.size(); ++v)
-    study.rows.push_back(summarise(choice.variants[v], all, v, choice.frames.seed));
+    study.rows.push_back(summarise(choice, all, v));
   return study;
 }
 

@@ -11,6 +11,7 @@ namespace blocks::study {
 
 struct StudyChoice {
   FrameChoice frames;
+  int first = 0;                         ///< number of the first frame
   int count = 20;                        ///< frames
   long steps = 0;                        ///< 0: the scene's own
   std::vector<const Variant*> variants;  ///< default need not be among them
