@@ -129,9 +129,9 @@ int study_contacts(const StudyOptions& options) {
       run::RunOptions deck;
       deck.deck = name;
       const auto checked = run::build_checked(deck);
-      if (!checked)
-        return run::deck_error;
-      scene = study::scene_of_deck(checked->file, checked->model);
+      if (checked.code != run::done)
+        return checked.code;
+      scene = study::scene_of_deck(checked.file, checked.model);
     }
     studies.push_back(study::run_study(std::move(scene), choice));
     fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(studies.back()));
