@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "audit/words.hpp"
@@ -44,6 +45,21 @@ std::vector<std::string> remembered(const WhyScene& scene,
     lines.push_back("in the file: not in the list of potential contacts: edges " +
                     unlisted);
   return lines;
+}
+
+/// The deepest of the contacts that act, [L]; 0: none.
+double deepest(const WhyReport& report, const audit::ExactRules& rules) {
+  double depth = 0.0;
+  for (const audit::Decision& decision : report.decisions)
+    if (decision.acting >= 0)
+      depth = std::max(depth, rules.overlap(decision.corner, decision.acting));
+  return depth;
+}
+
+std::string explained(const WhyReport& report, const audit::ExactRules& rules) {
+  const double depth = deepest(report, rules);
+  return depth > 0.0 ? fmt::format("their deepest contact is {:.6g}", depth)
+                     : "no contact explains it";
 }
 
 const char* word(audit::Answer answer) {
@@ -137,10 +153,10 @@ std::string text(const WhyReport& report, const WhyScene& scene,
     out +=
         "(rebuilt from the geometry: the file holds no list of potential contacts)\n";
   if (report.overlap)
-    out +=
-        fmt::format("they overlap by {:.6g}, an area of {:.6g} near ({:.6g}, {:.6g})\n",
-                    report.overlap->depth, report.overlap->area,
-                    report.overlap->place.x(), report.overlap->place.y());
+    out += fmt::format(
+        "they overlap by {:.6g}, an area of {:.6g} near ({:.6g}, {:.6g}); {}\n",
+        report.overlap->depth, report.overlap->area, report.overlap->place.x(),
+        report.overlap->place.y(), explained(report, rules));
   else
     out += "they do not overlap\n";
   for (const audit::Decision& decision : report.decisions) {
@@ -180,7 +196,8 @@ std::string json(const WhyReport& report, const WhyScene& scene,
       {"blocks", {report.first + 1, report.second + 1}},
       {"contact_list", scene.listed ? "stored" : "rebuilt from the geometry"},
       {"overlap", report.overlap ? Json{{"depth", report.overlap->depth},
-                                        {"area", report.overlap->area}}
+                                        {"area", report.overlap->area},
+                                        {"deepest_contact", deepest(report, rules)}}
                                  : Json()},
       {"corners", pairs}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

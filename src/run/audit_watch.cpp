@@ -74,11 +74,12 @@ AuditWatch::Verdict AuditWatch::after(const Model& model) {
 
 std::string AuditWatch::closing() const {
   return fmt::format(
-      "audit of every {}. step: {} moments, {} pairs of a corner and a block, {} "
-      "records "
-      "due in the list, {} acting contacts; {} missed, {} wrong decisions, {} by "
-      "rounding at a closed joint, {} pairs of blocks overlap more than their contacts "
-      "explain (worst {:.3g})",
+      "audit every {} steps: {} moments, {} pairs of a corner and a block, {} records "
+      "due "
+      "in the list, {} acting contacts; pairs missed: {}; wrong decisions: {}; decided "
+      "by "
+      "rounding at a closed joint: {}; blocks that overlap more than their contacts "
+      "explain: {} pairs, worst {:.3g}",
       totals_.every, totals_.moments, totals_.pairs, totals_.records, totals_.acting,
       totals_.missed, totals_.wrong, totals_.hanging, totals_.excess.size(),
       totals_.worst.excess());

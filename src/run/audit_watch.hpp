@@ -30,7 +30,7 @@ class AuditWatch {
   Verdict after(const Model& model);
 
   const AuditTotals& totals() const { return totals_; }
-  /// One line: "audit: 12 moments, ... 0 wrong decisions".
+  /// One line: "audit every 100 steps: 12 moments, ... wrong decisions: 0; ...".
   std::string closing() const;
 
  private:

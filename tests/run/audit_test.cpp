@@ -30,7 +30,7 @@ TEST(RunAudit, ChangesNoBit) {
   EXPECT_EQ(audit["acting"], 2 * (audit["moments"].get<long>() - 1));
   EXPECT_EQ(audit["wrong_decisions"], 0);
   EXPECT_EQ(audit["missed_pairs"], 0);
-  EXPECT_THAT(slurp(folder / "audited.out"), HasSubstr("audit of every 50. step"));
+  EXPECT_THAT(slurp(folder / "audited.out"), HasSubstr("audit every 50 steps: "));
 }
 
 // Blocks in flight and rubble, as a shipped deck makes them.
