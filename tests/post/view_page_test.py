@@ -20,7 +20,7 @@ import browser
 QUANTITIES = ["x", "y", "dx", "dy", "displacement", "speed", "vx", "vy", "rotation", "spin", "fx", "fy", "moment",
               "s11", "s22", "s12", "p1", "p2"]
 SEEN = """Object.fromEntries([...$("numbers").rows].map((row) =>
-    [row.dataset.name, row.cells[1].textContent.replace("−", "-")]))"""
+    [row.dataset.name, row.cells[1].textContent.replaceAll("−", "-")]))"""
 
 
 def history(program, results, curves):
@@ -61,6 +61,20 @@ def check_playing(page, frames):
         assert time.monotonic() < end, "it plays for ever"
     assert seen == sorted(seen) and len(set(seen)) > frames / 2, seen
     assert page.evaluate("state.frame") == frames - 1
+
+
+def check_forces(page, acting):
+    """At rest every force of the stack stands upright, at a corner where two bricks meet, and together the forces on
+    the floor, of opposite sign on the bricks, carry twelve bricks of 10 kN (in steps of 3 %)."""
+    count, directions, heights, floor = page.evaluate(
+        "(() => { const {corner, direction, size} = data.contacts.at(-1);"
+        "const at = [...corner].map((c) => corners[2 * c + 1]);"
+        "const force = (i) => meta.largest_force * 10 ** (6 * (size[i] / 255 - 1));"
+        "return [corner.length, [...direction], at, at.reduce((sum, y, i) => sum + (Math.abs(y) < 0.01 ? force(i) : 0), 0)];"
+        "})()")
+    assert count == acting and {d % 128 for d in directions} == {64}, directions
+    assert all(abs(2 * y - round(2 * y)) < 0.01 for y in heights), heights
+    assert abs(floor / 120e3 - 1) < 0.03, floor
 
 
 def check_hands(page):
@@ -117,6 +131,7 @@ def check(program, deck, folder, followed, page, hands):
     check_playing(page, len(rows))
     page.picture(folder / f"{deck.stem}_block.png")
     if hands:
+        check_forces(page, history(program, results, ["contacts"])[-1]["contacts"])
         check_hands(page)
     assert not page.faults(), page.faults()
     assert not page.requests(), page.requests()

@@ -73,8 +73,10 @@ const value = (name, block, frame) => data[name][frame * meta.blocks + block];
 const exists = (block, frame) => block < meta.counts[frame];
 /// Six digits, as in the file; no zeros that say nothing.
 const digits = (number) => {
-  const text = number.toPrecision(6);
-  return String(Number(text)).length <= text.length + 1 ? String(Number(text)) : text;
+  const size = Math.abs(number);
+  return size !== 0 && (size < 1e-3 || size >= 1e7)
+    ? number.toExponential(5).replace(/\.?0+e/, "e").replace("e+", "e")
+    : String(Number(number.toPrecision(6)));
 };
 const with_unit = (text, unit) => unit ? `${text} [${unit}]` : text;
 
@@ -133,10 +135,10 @@ const to_model = (px, py) => [
   state.view.x + (px - model.clientWidth / 2) / state.view.scale,
   state.view.y - (py - model.clientHeight / 2) / state.view.scale];
 
-/// Everything of the first and the last frame.
+/// Everything of the first and the present frame, beside the legend where there is room.
 function fit() {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (const f of [0, frames - 1]) {
+  for (const f of new Set([0, state.frame])) {
     const all = place_corners(f, new Float64Array(2 * data.first_corner[meta.blocks]));
     for (let i = 0; i < 2 * data.first_corner[meta.counts[f]]; i += 2) {
       left = Math.min(left, all[i]); right = Math.max(right, all[i]);
@@ -144,8 +146,9 @@ function fit() {
     }
   }
   if (!(left < right)) [left, right, low, high] = [0, 1, 0, 1];
-  state.view = {x: (left + right) / 2, y: (low + high) / 2, scale: Math.min(
-    0.92 * model.clientWidth / (right - left), 0.86 * model.clientHeight / (high - low))};
+  const legend = model.clientWidth > 700 ? 130 : 0, room = model.clientWidth - legend;
+  const scale = Math.min(0.92 * room / (right - left), 0.86 * model.clientHeight / (high - low));
+  state.view = {x: (left + right) / 2 + legend / 2 / scale, y: (low + high) / 2, scale};
   redraw();
 }
 
@@ -157,6 +160,15 @@ function trace(b, from) {
   for (let i = first + 2; i < end; i += 2)
     pen.lineTo(u + from[i] * scale, v - from[i + 1] * scale);
   pen.closePath();
+}
+
+/// Paths of many blocks cost far more than many paths of few.
+function in_parts(blocks, from, paint, most = 32) {
+  for (let i = 0; i < blocks.length; i += most) {
+    pen.beginPath();
+    for (const b of blocks.slice(i, i + most)) trace(b, from);
+    paint();
+  }
 }
 
 /// Blocks by colour: one path for each shade.
@@ -182,28 +194,21 @@ function draw_model() {
   place_corners(f, corners);
   const half_w = model.clientWidth / 2 / scale, half_h = model.clientHeight / 2 / scale;
   const visible = [];
-  let largest = 0;
   for (let b = 0; b < meta.counts[f]; ++b) {
     const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
-    if (Math.abs(cx - x) < half_w + r && Math.abs(cy - y) < half_h + r) {
-      visible.push(b);
-      largest = Math.max(largest, data.size[b] * scale);
-    }
+    if (Math.abs(cx - x) < half_w + r && Math.abs(cy - y) < half_h + r) visible.push(b);
   }
   for (const [shade, group] of shades(f, visible)) {
-    pen.beginPath();
-    for (const b of group) trace(b, corners);
     pen.fillStyle = shade;
-    pen.fill();
+    in_parts(group, corners, () => pen.fill());
   }
   hatch_fixed(f, visible);
-  if (largest > 2.5) {
-    pen.beginPath();
-    for (const b of visible) if (data.size[b] * scale > 2) trace(b, corners);
+  const edge = Math.min(1, typical_size() * scale / 24);
+  if (edge > 0.2) {
     pen.strokeStyle = style("--edge");
-    pen.lineWidth = Math.min(1, largest / 16);
+    pen.lineWidth = edge;
     pen.lineJoin = "round";
-    pen.stroke();
+    in_parts(visible, corners, () => pen.stroke());
   }
   if (state.original) draw_original();
   if (state.forces) draw_forces(f);
@@ -236,11 +241,18 @@ function draw_original() {
   first_corners ??= place_corners(0, new Float64Array(corners.length));
   pen.save();
   pen.setLineDash([4, 3]);
-  pen.beginPath();
-  for (let b = 0; b < meta.counts[0]; ++b) trace(b, first_corners);
   pen.strokeStyle = style("--first"); pen.lineWidth = 0.9;
-  pen.stroke();
+  in_parts([...Array(meta.counts[0]).keys()], first_corners, () => pen.stroke());
   pen.restore();
+}
+
+/// The largest force of a usual frame, as a byte: an impact must not hide all others.
+let usual = -1;
+function usual_force() {
+  if (usual >= 0) return usual;
+  const largest = data.contacts.map(({size}) => size.reduce((most, s) => Math.max(most, s), 0))
+    .filter((most) => most > 0).sort((a, b) => a - b);
+  return usual = largest[largest.length >> 1] ?? 255;
 }
 
 /// A line through the contact along its force; lengths by the square root, so that the
@@ -248,18 +260,28 @@ function draw_original() {
 function draw_forces(f) {
   const {corner, direction, size} = data.contacts[f];
   const full = Math.min(60, 1.2 * typical_size() * state.view.scale);
-  pen.beginPath();
+  const lines = [];
   for (let i = 0; i < corner.length; ++i) {
-    const length = full * Math.sqrt(10 ** (6 * (size[i] / 255 - 1)));
+    const length = Math.min(2 * full, full * Math.sqrt(10 ** (6 * (size[i] - usual_force()) / 255)));
     if (length < 0.7) continue;
     const [px, py] = to_screen(corners[2 * corner[i]], corners[2 * corner[i] + 1]);
+    if (px < -full || py < -full || px > model.clientWidth + full || py > model.clientHeight + full) continue;
     const turn = direction[i] / 256 * 2 * Math.PI;
     const dx = Math.cos(turn) * length / 2, dy = -Math.sin(turn) * length / 2;
-    pen.moveTo(px - dx, py - dy);
-    pen.lineTo(px + dx, py + dy);
+    lines.push([px - dx, py - dy, px + dx, py + dy]);
   }
-  pen.strokeStyle = style("--sheet"); pen.lineWidth = 3.4; pen.lineCap = "round"; pen.globalAlpha = 0.7; pen.stroke();
-  pen.strokeStyle = style("--force"); pen.lineWidth = 1.8; pen.globalAlpha = 1; pen.stroke();
+  const paint = (colour, width, alpha) => {
+    pen.strokeStyle = colour; pen.lineWidth = width; pen.globalAlpha = alpha;
+    for (let i = 0; i < lines.length; i += 64) {
+      pen.beginPath();
+      for (const [x0, y0, x1, y1] of lines.slice(i, i + 64)) { pen.moveTo(x0, y0); pen.lineTo(x1, y1); }
+      pen.stroke();
+    }
+  };
+  pen.lineCap = full > 10 ? "round" : "butt";
+  if (full > 10) paint(style("--sheet"), 3.4, 0.7);
+  paint(style("--force"), Math.max(0.6, Math.min(1.8, full / 8)), 1);
+  pen.globalAlpha = 1;
 }
 
 let typical = 0;
@@ -313,8 +335,8 @@ function nice_ticks(low, high, count) {
 }
 const tick_text = (t, step) => {
   if (t === 0) return "0";
-  const big = Math.abs(t) >= 1e5 || Math.abs(t) < 1e-4;
-  return (big ? Number(t.toPrecision(4)).toExponential() : String(Number(t.toPrecision(6)))).replace("-", "−");
+  const big = Math.abs(t) >= 1e6 || Math.abs(t) < 1e-4;
+  return (big ? Number(t.toPrecision(4)).toExponential() : String(Number(t.toPrecision(6)))).replaceAll("-", "−");
 };
 
 function draw_key() {
@@ -336,14 +358,15 @@ function draw_key() {
   const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
   const [low, high] = ranges[q.name], brush = bar.getContext("2d");
   $("key_label").textContent = with_unit(q.label, q.unit);
+  const tall = bar.clientHeight;
   const fill = brush.createLinearGradient(0, 160, 0, 0);
   map.forEach((shade, i) => fill.addColorStop(i / (map.length - 1), shade));
   brush.fillStyle = fill;
   brush.fillRect(0, 0, 10, 160);
-  ticks.style.height = "160px";
+  ticks.style.height = `${tall}px`;
   for (const t of nice_ticks(low, high, 5)) {
     const text = document.createElement("span");
-    text.style.top = `${160 * (high - t) / (high - low)}px`;
+    text.style.top = `${tall * (high - t) / (high - low)}px`;
     text.textContent = tick_text(t);
     ticks.append(text);
   }
@@ -379,7 +402,7 @@ function draw_numbers() {
   const followed = list.find(({name}) => name === state.followed) ?? list[0];
   list.forEach(({name, all}, i) => {
     const row = body.rows[i];
-    row.cells[1].textContent = Number.isNaN(all[f]) ? "–" : digits(all[f]).replace("-", "−");
+    row.cells[1].textContent = Number.isNaN(all[f]) ? "–" : digits(all[f]).replaceAll("-", "−");
     row.setAttribute("aria-selected", name === followed.name);
   });
   $("block_name").textContent = b < 0 ? "Whole model" : `Block ${b + 1}`;
