@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/block_shape.hpp"
 #include "geometry/exact/box_pairs.hpp"
 #include "geometry/exact/kernels.hpp"
 #include "geometry/exact/numbers.hpp"
@@ -12,22 +13,18 @@
 namespace blocks::geometry {
 namespace {
 
-bool in_box(const Vec2& a, const Vec2& b, const Vec2& corner) {
-  return (a.cwiseMin(b).array() <= corner.array()).all() &&
-         (corner.array() <= a.cwiseMax(b).array()).all();
-}
-
-/// The corner lies inside an edge of the block, exactly; shared corners do not count.
-bool inside_an_edge(const Vec2& corner, const Polygon& block) {
+/// The corner lies inside an edge of the block, up to reach; shared corners do not
+/// count.
+bool inside_an_edge(const Vec2& corner, const Polygon& block, double reach) {
   bool inside = false;
   for (std::size_t i = 0; i < block.size(); ++i) {
     const Vec2& a = block[i];
-    const Vec2& b = block[(i + 1) % block.size()];
-    if (corner == a || corner == b)
+    const Vec2 edge = block[(i + 1) % block.size()] - a, to = corner - a;
+    const double length = edge.norm(), along = to.dot(edge) / length;
+    if (to.norm() <= reach || (to - edge).norm() <= reach)
       return false;
-    inside = inside || (in_box(a, b, corner) &&
-                        CGAL::orientation(exact::point(a), exact::point(b),
-                                          exact::point(corner)) == CGAL::COLLINEAR);
+    inside = inside || (0.0 < along && along < length &&
+                        std::abs(cross(edge, to)) <= reach * length);
   }
   return inside;
 }
@@ -87,12 +84,13 @@ Joints find_joints(const std::vector<Polygon>& outlines) {
                     std::sqrt(std::abs(section_properties(outline).area)));
   Joints joints;
   const auto corners_of = [&](std::size_t from, std::size_t to) {
-    const exact::Box box = exact::box_of(outlines[to], to);
+    const double rounding = rounding_units * coarsest_ulp(outlines[to]);
+    const exact::Box box = exact::box_of(outlines[to], to, rounding);
     for (std::size_t c = 0; c < outlines[from].size(); ++c) {
       const Vec2& corner = outlines[from][c];
       if (box.min_coord(0) <= corner.x() && corner.x() <= box.max_coord(0) &&
           box.min_coord(1) <= corner.y() && corner.y() <= box.max_coord(1) &&
-          inside_an_edge(corner, outlines[to]))
+          inside_an_edge(corner, outlines[to], rounding))
         joints.t_junctions.push_back({static_cast<int>(from), static_cast<int>(c),
                                       static_cast<int>(to), corner});
     }

@@ -8,8 +8,12 @@
 
 namespace blocks::geometry {
 
-/// A corner of one block exactly inside an edge of another. Legal: layers with joints
-/// out of line have them, a conforming mesh has none.
+/// Corners are rounded to doubles: what lies so many units in the last place of the
+/// largest coordinate apart may be meant to touch.
+constexpr double rounding_units = 4.0;
+
+/// A corner of one block inside an edge of another, up to rounding. Legal: layers with
+/// joints out of line have them, a conforming mesh has none.
 struct TJunction {
   int block = 0;  ///< whose corner, from 0
   int corner = 0;
@@ -32,10 +36,9 @@ struct Joints {
 /// A slit is at most this wide, in square roots of the smaller block's area.
 constexpr double widest_slit = 1e-2;
 
-/// How the blocks meet. outlines: simple and clockwise, [L]. Exact: which corners lie
-/// inside edges, and whether facing edges touch or leave a slit, be it of an ulp. Edges
-/// with no more in common than `widest_slit` have none. n log n for blocks of like
-/// size.
+/// How the blocks meet. outlines: simple and clockwise, [L]. Exact: whether facing
+/// edges touch or leave a slit, be it of an ulp. Edges with no more in common than
+/// `widest_slit` have none. n log n for blocks of like size.
 Joints find_joints(const std::vector<Polygon>& outlines);
 
 }  // namespace blocks::geometry

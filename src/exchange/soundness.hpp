@@ -22,7 +22,8 @@ struct Soundness {
   /// Of the good outlines; those by rounding alone (at most 1e-9 of the smaller block)
   /// apart, for decimals cannot say where two sloping lines meet.
   std::vector<geometry::BlockOverlap> overlaps, roundings;
-  geometry::Joints joints;  ///< T-junctions, and slits between the good ones
+  geometry::Joints joints;  ///< T-junctions, and gaps between the good ones
+  std::size_t slits_by_rounding = 0;
 
   bool sound() const { return bad.empty() && overlaps.empty(); }
 };

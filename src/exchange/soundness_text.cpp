@@ -107,6 +107,8 @@ std::string describe(const Soundness& soundness, const std::vector<Outline>& out
               return fmt::format("blocks {} and {}: {:.3g} wide at {}", slit.first + 1,
                                  slit.second + 1, slit.width, near(slit.place));
             });
+  if (soundness.slits_by_rounding > 0)
+    text += fmt::format("slits made by rounding: {}\n", soundness.slits_by_rounding);
   return text;
 }
 

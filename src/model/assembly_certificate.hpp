@@ -16,7 +16,8 @@ namespace blocks {
 /// place of their largest coordinate, and by this part of the smaller block's size
 /// (twelve digits), without a fault of the deck. A slit no wider than so many units is
 /// none either.
-constexpr double rounding_units = 4.0, rounding_part = 1e-11;
+using geometry::rounding_units;
+constexpr double rounding_part = 1e-11;
 
 /// Listing and summary name so many pairs of each kind; the count stands beside them.
 constexpr std::size_t most_pairs_named = 100;
