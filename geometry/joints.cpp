@@ -1,6 +1,7 @@
 #include "geometry/joints.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -42,36 +43,90 @@ double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
   return exact::nearest(exact::cross(vector(a, b), vector(a, corner))) / (b - a).norm();
 }
 
+/// A slit and three points in the middle of it, along its length.
+struct Opening {
+  Slit slit;
+  std::array<Vec2, 3> middle;
+};
+
 /// What two edges that face each other leave open: the larger of the distances at the
 /// two ends of their common length; each end is a corner of one of them. 0 if they
 /// touch all along, or are no neighbours within reach.
 void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double reach,
-           Slit& slit) {
+           Opening& opening) {
   const Vec2 edge = b - a;
   const double length = edge.norm();
   if (edge.dot(d - c) >= 0.0)
     return;  // both clockwise: facing edges run in opposite senses
   const auto along = [&](const Vec2& p) { return edge.dot(p - a) / length; };
   const auto aside = [&](const Vec2& p) {
-    return std::abs(cross(edge, p - a)) / length;
-  };
+    return cross(edge, p - a) / length;
+  };  // outwards
   const double from = along(d), to = along(c);
-  if (std::min(to, length) - std::max(from, 0.0) <= reach)
+  const double low = std::max(from, 0.0), high = std::min(to, length);
+  if (high - low <= reach)
     return;  // no more than a corner in common
   // Far beyond the other's end an edge may be far aside; the common part counts.
   const double slope = (aside(c) - aside(d)) / (to - from);
-  const double at_start = aside(d) + slope * std::max(0.0, -from);
-  const double at_end = aside(c) - slope * std::max(0.0, to - length);
-  if (at_start > reach || at_end > reach)
+  const auto aside_at = [&](double place) { return aside(d) + slope * (place - from); };
+  if (std::abs(aside_at(low)) > reach || std::abs(aside_at(high)) > reach)
     return;
   const Vec2& start = from > 0.0 ? d : a;
   const Vec2& end = to < length ? c : b;
   const double first = from > 0.0 ? outside(a, b, d) : outside(c, d, a);
   const double last = to < length ? outside(a, b, c) : outside(c, d, b);
-  if (const double width = std::max(first, last); width > slit.width) {
-    slit.width = width;
-    slit.place = first > last ? start : end;
+  if (const double width = std::max(first, last); width > opening.slit.width) {
+    opening.slit.width = width;
+    opening.slit.place = first > last ? start : end;
+    // off the lines of symmetry, where two blocks that fill it may meet
+    constexpr std::array shares = {0.17, 0.44, 0.81};
+    const Vec2 unit = edge / length, out(-unit.y(), unit.x());
+    for (std::size_t i = 0; i < opening.middle.size(); ++i) {
+      const double place = low + shares[i] * (high - low);
+      opening.middle[i] = a + place * unit + 0.39 * aside_at(place) * out;
+    }
   }
+}
+
+/// Crossing number, in doubles.
+bool holds(const Polygon& outline, const Vec2& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i] - point, b = outline[(i + 1) % outline.size()] - point;
+    if ((a.y() > 0.0) != (b.y() > 0.0) && (cross(a, b) > 0.0) == (b.y() > a.y()))
+      inside = !inside;
+  }
+  return inside;
+}
+
+/// Drops the openings that another block fills: two flanks of a sharp wedge face each
+/// other, too.
+void drop_filled(const std::vector<Polygon>& outlines, std::vector<Opening>& openings) {
+  std::vector<exact::Box> points, boxes;
+  std::vector<int> filled(openings.size(), 0);
+  for (std::size_t k = 0; k < openings.size(); ++k)
+    if (!openings[k].slit.by_rounding)
+      for (const Vec2& middle : openings[k].middle)
+        points.push_back(exact::box_of({middle}, k));
+  if (points.empty())
+    return;
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (!outlines[i].empty())
+      boxes.push_back(exact::box_of(outlines[i], i));
+  CGAL::box_intersection_d(
+      points.begin(), points.end(), boxes.begin(), boxes.end(),
+      [&](const exact::Box& point, const exact::Box& box) {
+        const Slit& slit = openings[point.info()].slit;
+        const auto block = static_cast<int>(box.info());
+        if (block != slit.first && block != slit.second &&
+            holds(outlines[box.info()], {point.min_coord(0), point.min_coord(1)}))
+          ++filled[point.info()];
+      });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < openings.size(); ++k)
+    if (filled[k] < static_cast<int>(openings[k].middle.size()))
+      openings[kept++] = openings[k];
+  openings.resize(kept);
 }
 
 }  // namespace
@@ -83,6 +138,7 @@ Joints find_joints(const std::vector<Polygon>& outlines) {
     reach.push_back(widest_slit *
                     std::sqrt(std::abs(section_properties(outline).area)));
   Joints joints;
+  std::vector<Opening> openings;
   const auto corners_of = [&](std::size_t from, std::size_t to) {
     const double rounding = rounding_units * coarsest_ulp(outlines[to]);
     const exact::Box box = exact::box_of(outlines[to], to, rounding);
@@ -99,14 +155,20 @@ Joints find_joints(const std::vector<Polygon>& outlines) {
     corners_of(i, j);
     corners_of(j, i);
     const Polygon &p = outlines[i], &q = outlines[j];
-    Slit slit{static_cast<int>(i), static_cast<int>(j), 0.0, Vec2::Zero()};
+    Opening opening{{static_cast<int>(i), static_cast<int>(j), 0.0, Vec2::Zero()}, {}};
+    Slit& slit = opening.slit;
     for (std::size_t k = 0; k < p.size(); ++k)
       for (std::size_t l = 0; l < q.size(); ++l)
         widen(p[k], p[(k + 1) % p.size()], q[l], q[(l + 1) % q.size()],
-              std::min(reach[i], reach[j]), slit);
+              std::min(reach[i], reach[j]), opening);
+    slit.by_rounding =
+        slit.width <= rounding_units * std::max(coarsest_ulp(p), coarsest_ulp(q));
     if (slit.width > 0.0)
-      joints.slits.push_back(slit);
+      openings.push_back(opening);
   });
+  drop_filled(outlines, openings);
+  for (const Opening& opening : openings)
+    joints.slits.push_back(opening.slit);
   std::sort(joints.t_junctions.begin(), joints.t_junctions.end(),
             [](const TJunction& a, const TJunction& b) {
               return std::tie(a.block, a.corner, a.other) <

@@ -21,11 +21,12 @@ struct TJunction {
   Vec2 place = Vec2::Zero();
 };
 
-/// Two blocks that nearly touch along facing edges.
+/// Two blocks that nearly touch along facing edges, with no third block between them.
 struct Slit {
   int first = 0, second = 0;  ///< blocks from 0, first < second
   double width = 0.0;         ///< [L] > 0: the largest along the common length
   Vec2 place = Vec2::Zero();  ///< the corner where it is so wide
+  bool by_rounding = false;   ///< no wider than rounding of the two makes it
 };
 
 struct Joints {

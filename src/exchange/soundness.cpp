@@ -1,7 +1,5 @@
 #include "exchange/soundness.hpp"
 
-#include "geometry/block_shape.hpp"
-
 #include <algorithm>
 
 namespace blocks::exchange {
@@ -35,13 +33,8 @@ Soundness examine(const std::vector<geometry::Polygon>& outlines) {
     (rounded ? result.roundings : result.overlaps).push_back(pair);
   }
   result.joints = geometry::find_joints(good);
-  double ulp = 0.0;
-  for (const geometry::Polygon& outline : good)
-    ulp = std::max(ulp, geometry::coarsest_ulp(outline));
-  result.slits_by_rounding =
-      std::erase_if(result.joints.slits, [ulp](const geometry::Slit& slit) {
-        return slit.width <= geometry::rounding_units * ulp;
-      });
+  result.slits_by_rounding = std::erase_if(
+      result.joints.slits, [](const geometry::Slit& slit) { return slit.by_rounding; });
   for (geometry::TJunction& junction : result.joints.t_junctions) {
     junction.block = number[junction.block];
     junction.other = number[junction.other];

@@ -42,12 +42,12 @@ void find_joints(const std::vector<geometry::Polygon>& outlines,
     return std::max(junction.block, junction.other) < moved;
   });
   std::erase_if(slits, [moved](const geometry::Slit& s) { return s.second < moved; });
-  std::stable_sort(slits.begin(), slits.end(),
-                   [](const auto& a, const auto& b) { return a.width > b.width; });
-  const double widest = rounding_units * certificate.ulp;
+  std::stable_sort(slits.begin(), slits.end(), [](const auto& a, const auto& b) {
+    return a.by_rounding != b.by_rounding ? b.by_rounding : a.width > b.width;
+  });
   certificate.rounding_slits = static_cast<std::size_t>(
       std::count_if(slits.begin(), slits.end(),
-                    [widest](const geometry::Slit& s) { return s.width <= widest; }));
+                    [](const geometry::Slit& s) { return s.by_rounding; }));
 }
 
 std::string counted(std::size_t count, const char* noun) {

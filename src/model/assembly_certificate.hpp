@@ -32,7 +32,8 @@ struct AssemblyCertificate {
   std::vector<geometry::BlockOverlap> contacts;   ///< of moved blocks, in order
   double largest_rounding = 0.0;  ///< their largest area over the smaller block's
 
-  /// Slits: the widest first; T-junctions. None between moved blocks.
+  /// Slits: gaps, then those of rounding, the widest first; T-junctions. None between
+  /// moved blocks.
   geometry::Joints joints;
   std::size_t rounding_slits = 0;  ///< the last of the slits, made by rounding
   double ulp = 0.0;  ///< [L] between neighbouring doubles at the largest coordinate

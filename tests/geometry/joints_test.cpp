@@ -151,6 +151,24 @@ TEST(Joints, NeighboursAtACornerLeaveNoSlit) {
   EXPECT_DOUBLE_EQ(joints.slits[0].place.x(), 2.0);
 }
 
+// The flanks of a sharp wedge face each other; what lies between decides.
+TEST(Joints, AFilledWedgeIsNoGap) {
+  const Polygon below = {{0, 0}, {10, 0}, {10, -3}, {0, -3}};
+  const Polygon above = {{0, 0}, {0, 3}, {10, 3}, {10, 0.02}};
+  const Polygon tip = {{0, 0}, {10, 0.02}, {10, 0}};
+  EXPECT_TRUE(find_joints({below, above, tip}).slits.empty());
+  ASSERT_EQ(find_joints({below, above}).slits.size(), 1U);
+  EXPECT_NEAR(find_joints({below, above}).slits[0].width, 0.02, 1e-6);
+}
+
+// What is far away changes nothing near by.
+TEST(Joints, AFarBlockDoesNotHideAGap) {
+  const Joints joints = find_joints(
+      {rectangle(5, 0, 1, 1), rectangle(6.0001, 0, 1, 1), rectangle(1e12, 0, 1, 1)});
+  ASSERT_EQ(joints.slits.size(), 1U);
+  EXPECT_FALSE(joints.slits[0].by_rounding);
+}
+
 TEST(BlockShape, OfARectangleAndAWedge) {
   const BlockShape bar = measure_shape(rectangle(1e6, -1e6, 8, 2));
   EXPECT_DOUBLE_EQ(bar.area, 16);
