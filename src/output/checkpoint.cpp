@@ -17,7 +17,7 @@
 namespace blocks::output {
 namespace {
 
-constexpr int format = 2;
+constexpr int format = 3;
 constexpr std::size_t seal_size = 512;
 constexpr const char* magic = "BLOCKS checkpoint\n";
 
@@ -76,11 +76,10 @@ void verify_seal(const std::string& path) {
     refuse(path, "it is not a checkpoint of BLOCKS");
   if (int found = 0;
       std::sscanf(head.c_str() + std::strlen(magic), "format %d", &found) == 1 &&
-      found > format)
-    refuse(path,
-           fmt::format("a newer version of BLOCKS wrote it (format {}, this version "
-                       "reads up to {})",
-                       found, format));
+      found != format)
+    refuse(path, fmt::format("{} version of BLOCKS wrote it (format {}, this version "
+                             "reads format {})",
+                             found > format ? "a newer" : "an older", found, format));
   if (file.gcount() < static_cast<std::streamsize>(seal_size) || head != seal_of(file))
     refuse(path, "it is damaged: its bytes do not give its checksum");
 }
@@ -88,15 +87,29 @@ void verify_seal(const std::string& path) {
 /// The report's "restart tape": the model and what belongs to the run.
 template <class M, class Info, class Archive>
 void visit(M& model, Info& info, Archive& ar) {
-  auto& [deck_file, deck_text, results, results_run, results_frames, listing_bytes,
-         version] = info;
+  auto& [deck_file, deck_text, overrides, results, results_run, results_frames,
+         listing_bytes, version, progress] = info;
   ar("run/deck_file", deck_file);
   ar("run/deck_text", deck_text);
+  ar("run/overrides", overrides);
   ar("run/results", results);
   ar("run/results_run", results_run);
   ar("run/results_frames", results_frames);
   ar("run/listing_bytes", listing_bytes);
   ar("run/version", version);
+  {
+    auto& [card, steps_left, frames, bytes, tabled_step, half_depth, fast_told,
+           finished, warnings] = progress;
+    ar("run/progress/card", card);
+    ar("run/progress/steps_left", steps_left);
+    ar("run/progress/frames", frames);
+    ar("run/progress/listing_bytes", bytes);
+    ar("run/progress/tabled_step", tabled_step);
+    ar("run/progress/half_depth", half_depth);
+    ar("run/progress/fast_told", fast_told);
+    ar("run/progress/finished", finished);
+    ar("run/progress/warnings", warnings);
+  }
   visit_model(model, ar);
 }
 

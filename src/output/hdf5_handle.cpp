@@ -183,6 +183,15 @@ void Column::require(hsize_t row, hsize_t count) const {
     throw Failure(path_ + " is too short");
 }
 
+std::vector<unsigned char> Column::bytes(hsize_t row, hsize_t count) {
+  require(row, count);
+  const Handle stored(H5Dget_type(dataset_.get()), H5Tclose);
+  const Handle native(H5Tget_native_type(stored.get(), H5T_DIR_ASCEND), H5Tclose);
+  std::vector<unsigned char> raw(count * width() * H5Tget_size(native.get()));
+  transfer(row, count, native.get(), nullptr, raw.data());
+  return raw;
+}
+
 void Column::resize(hsize_t rows) {
   const hsize_t extent[2] = {rows, width_};
   check(H5Dset_extent(dataset_.get(), extent));

@@ -125,6 +125,9 @@ class Column {
   }
   template <class T> T at(hsize_t row) { return read<T>(row, 1).front(); }
 
+  /// The rows as they lie in memory, whatever their type.
+  std::vector<unsigned char> bytes(hsize_t row, hsize_t count);
+
   /// Forgets the rows from `rows` on. Throws Failure when there are fewer.
   void truncate(hsize_t rows);
 

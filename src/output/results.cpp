@@ -175,6 +175,13 @@ void ResultsWriter::File::keep(long count) {
     cell_end = at(cell_offsets, last) + cell_count;
     id_end = at(id_offsets, last) + at(number_of_ids, own_part);
     parts = own_part + 1;
+    part = static_cast<std::int64_t>(own_part);
+    first_cell = cell_offsets.at<std::int64_t>(last);
+    first_id = id_offsets.at<std::int64_t>(last);
+    topology.clear();
+    for (const auto start : offsets.read<std::int64_t>(
+             static_cast<hsize_t>(first_cell) + own_part, cell_count + 1))
+      topology.push_back(static_cast<int>(start));
     last_step = frame_data.at("Step").at<std::int64_t>(last);
   }
   contacts->truncate(count);

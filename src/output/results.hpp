@@ -19,6 +19,7 @@ class FileError : public std::runtime_error {
 struct RunIdentity {
   std::string deck_file, deck_text, title, version;
   unsigned long long seed = 0;
+  std::string overrides = {};  ///< --set options, a line each
 };
 
 /// Appends frames; readable by others at any moment.

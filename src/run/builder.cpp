@@ -280,6 +280,12 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   checked_blocks_ = blocks.size();
 }
 
+void Builder::take_as_checked() {
+  planes_.clear();
+  checked_blocks_ = model_.blocks.size();
+  fraction_told_ = dynamics::safe_fraction(model_.settings.damping);
+}
+
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
   if (options_.lacks({"START", "RESTART", "MATERIAL", "CREATE", "CLOOP", "LAYER",
                       "READ9", "ORIENT", "MERGE"}))

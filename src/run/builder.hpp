@@ -49,6 +49,9 @@ class Builder {
   /// CYCLE. in_place: blocks stand where they will be then; no MOTION lies between.
   void check_before_motion(const deck::Command& command, bool in_place);
 
+  /// All of this was told before: what stands now is not judged again.
+  void take_as_checked();
+
   /// The same of the blocks, for a deck in which no time passes.
   void check_without_motion(const deck::Command& last);
 
