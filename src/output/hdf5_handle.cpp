@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "output/ordered_file.hpp"
+
 namespace blocks::output::hdf5 {
 namespace {
 
@@ -72,6 +74,18 @@ Handle open_file(const std::string& path, bool writable) {
   const Handle access = file_access();
   return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.get()),
           H5Fclose};
+}
+
+Handle create_ordered(const std::string& path) {
+  const Handle access = file_access();
+  write_in_order(access.get());
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose};
+}
+
+Handle open_ordered(const std::string& path) {
+  const Handle access = file_access();
+  write_in_order(access.get());
+  return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose};
 }
 
 Handle create_group(hid_t parent, const std::string& path) {

@@ -54,6 +54,7 @@ std::vector<double> in_space(const Eigen::Matrix2Xd& plane) {
 
 struct ResultsWriter::File {
   std::string path;
+  std::string written_as;  ///< temporary name, until there is a first frame
   hdf5::Handle file, vtk, steps, own;
   long frames = 0;
   std::int64_t last_step = -1;
@@ -78,6 +79,7 @@ struct ResultsWriter::File {
   void put_topology(const Blocks& blocks);
   void put_cells(const Blocks& blocks);
   void put_frame_data(const Model& model);
+  void appear();
   void publish(long count) {
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
     hdf5::write_attribute(steps.get(), "NSteps", count);
@@ -277,6 +279,17 @@ void ResultsWriter::File::put_frame_data(const Model& model) {
     column.put(frame, size, 1);
 }
 
+/// With its first frame the file takes its name, and an older one steps aside.
+void ResultsWriter::File::appear() {
+  if (written_as.empty())
+    return;
+  std::error_code ignored;  // whatever is wrong shows at the next move
+  if (std::filesystem::exists(path, ignored))
+    move_file(path, path + ".bak");
+  move_file(written_as, path);
+  written_as.clear();
+}
+
 void ResultsWriter::File::append(const Model& model) {
   if (!laid_out)
     create_columns(model);
@@ -296,6 +309,7 @@ void ResultsWriter::File::append(const Model& model) {
   cell_offsets.put(frame, &first_cell, 1);
   id_offsets.put(frame, &first_id, 1);
   publish(frames + 1);
+  appear();
   ++frames;
   last_step = model.steps;
 }
@@ -311,13 +325,11 @@ std::string new_run_id() {
 
 ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity)
     : file_(std::make_unique<File>()) {
-  std::error_code ignored;  // whatever is wrong shows when the file is created
-  if (std::filesystem::exists(path, ignored))
-    move_file(path, path + ".bak");
   File& to = *file_;
   to.path = path;
+  to.written_as = path + ".tmp";
   naming("write", path, [&] {
-    to.file = hdf5::create_file(path);
+    to.file = hdf5::create_ordered(to.written_as);
     to.vtk = hdf5::create_group(to.file.get(), "VTKHDF");
     const hdf5::Handle version_space = [] {
       const hsize_t two = 2;
@@ -352,7 +364,7 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
   auto file = std::make_unique<File>();
   file->path = path;
   naming("continue", path, [&] {
-    file->file = hdf5::open_file(path, true);
+    file->file = hdf5::open_ordered(path);
     if (!hdf5::exists(file->file.get(), "VTKHDF") ||
         !hdf5::exists(file->file.get(), "BLOCKS"))
       throw hdf5::Failure("it is not a results file of BLOCKS");
@@ -366,7 +378,12 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
   return ResultsWriter(std::move(file));
 }
 
-ResultsWriter::~ResultsWriter() = default;
+ResultsWriter::~ResultsWriter() {
+  if (file_ == nullptr || file_->written_as.empty())
+    return;
+  std::error_code ignored;  // no frame: nothing to keep
+  std::filesystem::remove(file_->written_as, ignored);
+}
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 

@@ -25,8 +25,8 @@ struct RunIdentity {
 /// Appends frames; readable by others at any moment.
 class ResultsWriter {
  public:
-  /// Creates the file (an existing one of the same name is moved to NAME.vtkhdf.bak
-  /// first).
+  /// Creates the file as PATH.tmp. It takes its name when its first frame is in it; an
+  /// existing one of that name is moved to PATH.bak then.
   ResultsWriter(const std::string& path, const RunIdentity& identity);
   /// Opens an existing file, keeps its first `frames` frames and goes on after them.
   static ResultsWriter reopen(const std::string& path, long frames);

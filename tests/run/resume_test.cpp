@@ -165,15 +165,15 @@ TEST(Resumed, AfterKillIsTheStraightRun) {
 TEST(Resumed, AfterASignalIsTheStraightRun) {
   const TemporaryFolder straight, parts;
   const std::string deck =
-      layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 15000\n";
+      layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 20000\n";
   for (const TemporaryFolder* folder : {&straight, &parts})
     folder->write("signal.deck", deck);
   ASSERT_EQ(blocks("run signal.deck", straight.path()).code, 0);
   EXPECT_EQ(killed("run signal.deck", "signal.vtkhdf", 0.02, SIGINT, parts.path()),
             130);
   EXPECT_EQ(summary(parts, "signal")["status"], "interrupted");
-  EXPECT_EQ(killed("run signal.deck --restart signal.ckpt.h5", "signal.ckpt.h5", 0.1,
-                   SIGTERM, parts.path()),
+  EXPECT_EQ(killed("run signal.deck --restart signal.ckpt.h5 --checkpoint-every 0.001",
+                   "signal.ckpt.h5.prev", 0.0, SIGTERM, parts.path()),
             130);
   ASSERT_EQ(blocks("run signal.deck --restart signal.ckpt.h5", parts.path()).code, 0);
   expect_same(left_by_run(parts.path(), "signal"),
