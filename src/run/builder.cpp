@@ -286,6 +286,13 @@ void Builder::take_as_checked() {
   fraction_told_ = dynamics::safe_fraction(model_.settings.damping);
 }
 
+void Builder::go_on(const std::vector<Command>& cards, std::size_t next) {
+  for (std::size_t i = 0; i < next; ++i)
+    stretch_ += std::holds_alternative<deck::Motion>(cards[i].card) ||
+                std::holds_alternative<deck::Cycle>(cards[i].card);
+  take_as_checked();
+}
+
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
   if (options_.lacks({"START", "RESTART", "MATERIAL", "CREATE", "CLOOP", "LAYER",
                       "READ9", "ORIENT", "MERGE"}))

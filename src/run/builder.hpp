@@ -52,6 +52,9 @@ class Builder {
   /// All of this was told before: what stands now is not judged again.
   void take_as_checked();
 
+  /// The next card is cards[next]: those before it made the model.
+  void go_on(const std::vector<deck::Command>& cards, std::size_t next);
+
   /// The same of the blocks, for a deck in which no time passes.
   void check_without_motion(const deck::Command& last);
 

@@ -115,7 +115,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
     model = job.load();
   Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
   if (job.resumes)
-    builder.take_as_checked();
+    builder.go_on(job.deck.commands, job.first_command());
   bool in_place = !job.resumes;  // else the run itself judges, as it would have
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
@@ -178,7 +178,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
                         : RunFiles(job.name, job.identity(model));
   Executor executor(model, files, console, job.options);
   if (job.resumes) {
-    builder.take_as_checked();
+    builder.go_on(job.deck.commands, job.first_command());
     executor.resume(job.from.progress);
   } else {
     for (const std::string& warning : warnings)
