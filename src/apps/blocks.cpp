@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -203,6 +204,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "blocks: error: {}\n", fault);
     return blocks::run::internal_error;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
   try {
     return dispatch(argc, argv);
   } catch (const blocks::output::FileError& error) {

@@ -43,7 +43,8 @@ std::string seal_of(std::istream& file) {
   return seal(bytes, hash.text());
 }
 
-void set_seal(const std::string& path) {
+/// `meant`: the name for messages.
+void set_seal(const std::string& path, const std::string& meant) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   const std::string text = seal_of(file);
   file.clear();
@@ -51,7 +52,7 @@ void set_seal(const std::string& path) {
   file.write(text.data(), seal_size);
   file.close();
   if (!file)
-    throw_errno("write", path);
+    throw_errno("write", meant);
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
@@ -129,15 +130,15 @@ void write_checkpoint(const std::string& path, const Model& model,
       hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
       file.close();
     });
-    set_seal(temporary);
-    sync_file(temporary);
+    set_seal(temporary, path);
+    sync_file(temporary, path);
+    if (std::filesystem::exists(path, ignored))
+      move_file(path, path + ".prev");
+    move_file(temporary, path);
   } catch (const FileError&) {
     std::filesystem::remove(temporary, ignored);
     throw;
   }
-  if (std::filesystem::exists(path, ignored))
-    move_file(path, path + ".prev");
-  move_file(temporary, path);
   sync_folder_of(path);
 }
 

@@ -15,11 +15,13 @@ herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
 
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-Handle file_access() {
+Handle file_access(bool writable) {
   // Failures become exceptions: the library must not print them.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Handle access = property_list(H5P_FILE_ACCESS);
   check(H5Pset_file_locking(access.get(), 0, 1));
+  if (writable)
+    write_in_order(access.get());
   return access;
 }
 
@@ -64,28 +66,16 @@ std::string last_error() {
 }
 
 Handle create_file(const std::string& path, hsize_t user_block) {
-  const Handle access = file_access(), creation = property_list(H5P_FILE_CREATE);
+  const Handle access = file_access(true), creation = property_list(H5P_FILE_CREATE);
   check(H5Pset_userblock(creation.get(), user_block));
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
           H5Fclose};
 }
 
 Handle open_file(const std::string& path, bool writable) {
-  const Handle access = file_access();
+  const Handle access = file_access(writable);
   return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.get()),
           H5Fclose};
-}
-
-Handle create_ordered(const std::string& path) {
-  const Handle access = file_access();
-  write_in_order(access.get());
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose};
-}
-
-Handle open_ordered(const std::string& path) {
-  const Handle access = file_access();
-  write_in_order(access.get());
-  return {H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), H5Fclose};
 }
 
 Handle create_group(hid_t parent, const std::string& path) {

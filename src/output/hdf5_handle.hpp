@@ -79,13 +79,11 @@ template <class T> hid_t type_of() {
   }
 }
 
-/// Files are never locked, so that a reader can look during a run. `user_block`: bytes
+/// Files are never locked, so that a reader can look during a run; those that are
+/// written are sound at every moment (ordered_file.hpp). `user_block`: bytes
 /// at the head that HDF5 leaves alone.
 Handle create_file(const std::string& path, hsize_t user_block = 0);
 Handle open_file(const std::string& path, bool writable);
-/// The same for a file that is sound at every moment (ordered_file.hpp).
-Handle create_ordered(const std::string& path);
-Handle open_ordered(const std::string& path);
 
 Handle create_group(hid_t parent, const std::string& path);
 Handle open_group(hid_t parent, const std::string& path);

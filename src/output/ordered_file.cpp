@@ -32,6 +32,7 @@ struct OrderedFile {
   haddr_t end_allocated = 0, end_written = 0;
   haddr_t end_known = 0;                        ///< of what readers may follow
   std::map<haddr_t, Bytes>* waiting = nullptr;  ///< metadata, not yet in the file
+  bool lost = false;                            ///< a write failed: no more of them
 };
 
 OrderedFile& ordered(H5FD_t* file) { return *reinterpret_cast<OrderedFile*>(file); }
@@ -45,8 +46,10 @@ bool put(OrderedFile& to, haddr_t at, const unsigned char* bytes, std::size_t si
     const ssize_t done = ::pwrite(to.file, bytes, size, static_cast<off_t>(at));
     if (done < 0 && errno == EINTR)
       continue;
-    if (done < 0)
+    if (done <= 0) {
+      to.lost = true;
       return false;
+    }
     at += static_cast<haddr_t>(done);
     bytes += done;
     size -= static_cast<std::size_t>(done);
@@ -75,6 +78,10 @@ void make_room(std::map<haddr_t, Bytes>& waiting, haddr_t at, std::size_t size) 
   }
 }
 
+bool is_superblock(const Bytes& bytes) {
+  return bytes.size() > 4 && std::memcmp(bytes.data(), "\x89HDF", 4) == 0;
+}
+
 /// Height of a B-tree node above the leaves, 0 for everything else.
 int height(const Bytes& bytes) {
   constexpr std::size_t level = 5;
@@ -87,19 +94,23 @@ int height(const Bytes& bytes) {
 /// the file is; then nodes before the nodes below them, since a split moves entries
 /// from a node to a new one that only its parent tells of.
 bool publish(OrderedFile& file) {
+  if (file.lost)
+    return true;
   std::vector<std::pair<haddr_t, const Bytes*>> runs;
   for (const auto& [at, bytes] : *file.waiting)
     runs.emplace_back(at, &bytes);
   const auto turn = [&](const auto& run) {
-    return std::tuple(run.first < file.end_known, run.first != 0, -height(*run.second),
-                      run.first);
+    return std::tuple(run.first < file.end_known, !is_superblock(*run.second),
+                      -height(*run.second), run.first);
   };
   std::sort(runs.begin(), runs.end(),
             [&](const auto& a, const auto& b) { return turn(a) < turn(b); });
   for (const auto& [at, bytes] : runs) {
-    if (at == 0 && file.end_written < file.end_allocated) {
-      if (::ftruncate(file.file, static_cast<off_t>(file.end_allocated)) != 0)
+    if (is_superblock(*bytes) && file.end_written < file.end_allocated) {
+      if (::ftruncate(file.file, static_cast<off_t>(file.end_allocated)) != 0) {
+        file.lost = true;
         return false;
+      }
       file.end_written = file.end_allocated;
     }
     if (!put(file, at, bytes->data(), bytes->size()))
@@ -130,13 +141,11 @@ H5FD_t* open_file_for(const char* name, unsigned flags, hid_t, haddr_t) {
 
 herr_t close_file(H5FD_t* shared) {
   OrderedFile& file = ordered(shared);
-  const bool sound = publish(file);
-  if (!sound)
-    fail(H5E_WRITEERROR);
+  publish(file);
   ::close(file.file);
   delete file.waiting;
   delete &file;
-  return sound ? 0 : failed;
+  return 0;
 }
 
 herr_t query(const H5FD_t*, unsigned long* flags) {
@@ -204,23 +213,20 @@ herr_t write(H5FD_t* shared, H5FD_mem_t type, hid_t, haddr_t at, std::size_t siz
     file.waiting->emplace(at, Bytes(bytes, bytes + size));
     return 0;
   }
-  return put(file, at, bytes, size) ? 0 : fail(H5E_WRITEERROR);
+  return file.lost || put(file, at, bytes, size) ? 0 : fail(H5E_WRITEERROR);
 }
 
-herr_t flush(H5FD_t* shared, hid_t, hbool_t) {
-  OrderedFile& file = ordered(shared);
-  return publish(file) ? 0 : fail(H5E_WRITEERROR);
+/// At closing there is nobody to be told, and HDF5 would keep the file half closed: who
+/// wants to know flushes first.
+herr_t flush(H5FD_t* shared, hid_t, hbool_t closing) {
+  return publish(ordered(shared)) || closing ? 0 : fail(H5E_WRITEERROR);
 }
 
 herr_t truncate(H5FD_t* shared, hid_t, hbool_t closing) {
   OrderedFile& file = ordered(shared);
-  if (!closing)
-    return 0;
-  if (flush(shared, H5P_DEFAULT, closing) < 0)
-    return failed;
-  if (::ftruncate(file.file, static_cast<off_t>(file.end_allocated)) != 0)
-    return fail(H5E_SEEKERROR);
-  file.end_written = file.end_allocated;
+  if (closing && publish(file) && !file.lost &&
+      ::ftruncate(file.file, static_cast<off_t>(file.end_allocated)) == 0)
+    file.end_written = file.end_allocated;
   return 0;
 }
 

@@ -55,6 +55,7 @@ std::vector<double> in_space(const Eigen::Matrix2Xd& plane) {
 struct ResultsWriter::File {
   std::string path;
   std::string written_as;  ///< temporary name, until there is a first frame
+  std::string aside;       ///< ending that an older file of its name then gets
   hdf5::Handle file, vtk, steps, own;
   long frames = 0;
   std::int64_t last_step = -1;
@@ -80,6 +81,7 @@ struct ResultsWriter::File {
   void put_cells(const Blocks& blocks);
   void put_frame_data(const Model& model);
   void appear();
+  void discard();
   void publish(long count) {
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
     hdf5::write_attribute(steps.get(), "NSteps", count);
@@ -285,9 +287,16 @@ void ResultsWriter::File::appear() {
     return;
   std::error_code ignored;  // whatever is wrong shows at the next move
   if (std::filesystem::exists(path, ignored))
-    move_file(path, path + ".bak");
+    move_file(path, path + aside);
   move_file(written_as, path);
   written_as.clear();
+}
+
+/// Without a frame there is nothing to keep.
+void ResultsWriter::File::discard() {
+  std::error_code ignored;
+  if (!written_as.empty())
+    std::filesystem::remove(written_as, ignored);
 }
 
 void ResultsWriter::File::append(const Model& model) {
@@ -323,13 +332,20 @@ std::string new_run_id() {
 
 }  // namespace
 
-ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity)
+std::string RunIdentity::deck_name() const {
+  return fmt::format("{} '{}'", std::filesystem::path(deck_file).filename().string(),
+                     title);
+}
+
+ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity,
+                             std::string aside)
     : file_(std::make_unique<File>()) {
   File& to = *file_;
   to.path = path;
   to.written_as = path + ".tmp";
-  naming("write", path, [&] {
-    to.file = hdf5::create_ordered(to.written_as);
+  to.aside = std::move(aside);
+  const auto create = [&] {
+    to.file = hdf5::create_file(to.written_as);
     to.vtk = hdf5::create_group(to.file.get(), "VTKHDF");
     const hdf5::Handle version_space = [] {
       const hsize_t two = 2;
@@ -355,7 +371,13 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     hdf5::write_text(to.own.get(), "deck_file", identity.deck_file);
     hdf5::write_text(to.own.get(), "deck_text", identity.deck_text);
     to.publish(0);
-  });
+  };
+  try {
+    naming("write", path, create);
+  } catch (const FileError&) {
+    to.discard();
+    throw;
+  }
 }
 
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
@@ -364,7 +386,7 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
   auto file = std::make_unique<File>();
   file->path = path;
   naming("continue", path, [&] {
-    file->file = hdf5::open_ordered(path);
+    file->file = hdf5::open_file(path, true);
     if (!hdf5::exists(file->file.get(), "VTKHDF") ||
         !hdf5::exists(file->file.get(), "BLOCKS"))
       throw hdf5::Failure("it is not a results file of BLOCKS");
@@ -379,10 +401,8 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
 }
 
 ResultsWriter::~ResultsWriter() {
-  if (file_ == nullptr || file_->written_as.empty())
-    return;
-  std::error_code ignored;  // no frame: nothing to keep
-  std::filesystem::remove(file_->written_as, ignored);
+  if (file_ != nullptr)
+    file_->discard();
 }
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
@@ -404,6 +424,18 @@ std::string ResultsWriter::run_id_of(const std::string& path) {
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     return hdf5::read_text(file.get(), "BLOCKS/run_id");
+  } catch (const hdf5::Failure&) {
+    return {};
+  }
+}
+
+std::string ResultsWriter::deck_of(const std::string& path) {
+  try {
+    const hdf5::Handle file = hdf5::open_file(path, false);
+    RunIdentity identity;
+    identity.deck_file = hdf5::read_text(file.get(), "BLOCKS/deck_file");
+    identity.title = hdf5::read_text(file.get(), "BLOCKS/title");
+    return identity.deck_name();
   } catch (const hdf5::Failure&) {
     return {};
   }

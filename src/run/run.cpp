@@ -176,6 +176,8 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       job.resumes       ? RunFiles::resumed(job.name, job.identity(model), job.from)
       : job.continues() ? RunFiles::behind(job.name, job.identity(model), job.from)
                         : RunFiles(job.name, job.identity(model));
+  if (!files.put_aside().empty())
+    console.warn(files.put_aside());
   Executor executor(model, files, console, job.options);
   if (job.resumes) {
     builder.go_on(job.deck.commands, job.first_command());

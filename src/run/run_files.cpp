@@ -1,24 +1,57 @@
 #include "run/run_files.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+
+#include "output/file_tools.hpp"
 
 namespace blocks::run {
 namespace {
 
-/// An older file of that name is kept as .bak.
-std::string put_aside(const std::string& path) {
-  std::error_code ignored;  // what cannot be moved shows when the new file is opened
-  if (std::filesystem::is_regular_file(path, ignored))
-    std::filesystem::rename(path, path + ".bak", ignored);
-  return path;
+/// The first ending under which no files of another deck are kept.
+std::string free_ending(const std::string& results, const std::string& deck) {
+  for (int number = 1;; ++number) {
+    std::string ending = number == 1 ? ".bak" : fmt::format(".bak{}", number);
+    std::error_code ignored;
+    if (!std::filesystem::exists(results + ending, ignored) ||
+        output::ResultsWriter::deck_of(results + ending) == deck)
+      return ending;
+  }
+}
+
+/// What is told of older results that belong to another deck.
+std::string foreign(const std::string& results, const std::string& deck,
+                    const std::string& ending) {
+  const std::string other = output::ResultsWriter::deck_of(results);
+  if (other.empty() || other == deck)
+    return {};
+  return fmt::format("{} held results of another deck, {}: its files are kept with the "
+                     "ending {}",
+                     results, other, ending);
 }
 
 }  // namespace
 
 RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
-    : name_(name), identity_(identity), listing_(put_aside(name + ".out"), false),
-      results_(std::make_unique<output::ResultsWriter>(name + ".vtkhdf", identity)) {
+    : name_(name), identity_(identity),
+      aside_(free_ending(results_path(), identity.deck_name())),
+      put_aside_(foreign(results_path(), identity.deck_name(), aside_)),
+      results_(
+          std::make_unique<output::ResultsWriter>(results_path(), identity, aside_)),
+      listing_(step_aside(name + ".out"), false) {
+  for (const std::string& path :
+       {checkpoint_path(), checkpoint_path() + ".prev", summary_path()})
+    step_aside(path);
   listing_.deck_echo(identity);
+}
+
+/// Keeps an older file under its new ending.
+std::string RunFiles::step_aside(const std::string& path) {
+  std::error_code ignored;  // what cannot be moved shows when the new file is opened
+  if (std::filesystem::is_regular_file(path, ignored))
+    std::filesystem::rename(path, path + aside_, ignored);
+  return path;
 }
 
 RunFiles RunFiles::behind(const std::string& name, const output::RunIdentity& identity,
@@ -56,9 +89,10 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
 
 RunFiles::RunFiles(std::string name, const output::RunIdentity& identity,
                    long kept_frames)
-    : name_(std::move(name)), identity_(identity), listing_(name_ + ".out", true),
+    : name_(std::move(name)), identity_(identity),
       results_(std::make_unique<output::ResultsWriter>(
-          output::ResultsWriter::reopen(results_path(), kept_frames))) {}
+          output::ResultsWriter::reopen(results_path(), kept_frames))),
+      listing_(name_ + ".out", true) {}
 
 void RunFiles::table(const Model& model) {
   if (model.steps == tabled_step_)
@@ -75,6 +109,10 @@ output::Progress RunFiles::here(output::Progress progress) {
 }
 
 void RunFiles::checkpoint_at(const Model& model, const output::Progress& progress) {
+  // What a checkpoint leads to is on disk before it is.
+  for (const std::string& path : {results_path(), name_ + ".out"})
+    if (std::filesystem::is_regular_file(path))
+      output::sync_file(path, path);
   output::write_checkpoint(checkpoint_path(), model,
                            {identity_.deck_file, identity_.deck_text,
                             identity_.overrides, results_path(), results_->run_id(),

@@ -14,7 +14,8 @@ namespace blocks::run {
 
 class RunFiles {
  public:
-  /// Creates NAME.out and NAME.vtkhdf (older ones become .bak). Throws
+  /// Creates NAME.out and NAME.vtkhdf. The older files of that name get the ending
+  /// .bak; where files of another deck have that name already, .bak2 and so on. Throws
   /// output::FileError.
   RunFiles(const std::string& name, const output::RunIdentity& identity);
   /// Continues NAME.out and NAME.vtkhdf behind a checkpoint, whatever was written later
@@ -38,12 +39,16 @@ class RunFiles {
   void close(const Model& model, output::RunReport report,
              const output::Progress& progress);
 
+  /// What was put aside, in words, if it belongs to another deck; else empty.
+  const std::string& put_aside() const { return put_aside_; }
+
   std::string checkpoint_path() const { return name_ + ".ckpt.h5"; }
   std::string summary_path() const { return name_ + ".summary.json"; }
   std::string results_path() const { return name_ + ".vtkhdf"; }
 
  private:
   RunFiles(std::string name, const output::RunIdentity& identity, long kept_frames);
+  std::string step_aside(const std::string& path);
   static bool continues(const std::string& name, const output::CheckpointInfo& from,
                         long listing_bytes);
   output::Progress here(output::Progress progress);
@@ -51,8 +56,10 @@ class RunFiles {
 
   std::string name_;
   output::RunIdentity identity_;
-  output::Listing listing_;
+  std::string aside_;  ///< ending of the older files
+  std::string put_aside_;
   std::unique_ptr<output::ResultsWriter> results_;
+  output::Listing listing_;
   long tabled_step_ = -1;
 };
 

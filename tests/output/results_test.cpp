@@ -260,7 +260,7 @@ TEST(Results, ErrorsNameTheFileAndTheReason) {
   EXPECT_THAT(error(), testing::AllOf(HasSubstr(path), HasSubstr("No such file")));
   samples::overwrite(path, "text");
   EXPECT_THAT(error(), HasSubstr(path));
-  const hdf5::Handle foreign = hdf5::create_file(path);
+  hdf5::create_file(path).close();
   EXPECT_THAT(error(), HasSubstr("not a results file"));
 }
 
