@@ -297,6 +297,11 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
   if (options_.lacks({"START", "RESTART", "MATERIAL", "CREATE", "CLOOP", "LAYER",
                       "READ9", "ORIENT", "MERGE"}))
     return;
+  // A card that should have made blocks and could not was told of already.
+  for (const deck::Diagnostic& told : diagnostics_.all())
+    if (told.severity == deck::Severity::error &&
+        (told.card == "CREATE" || told.card == "LAYER" || told.card == "READ9"))
+      return;
   const int count = model_.blocks.size();
   diagnostics_.error(number.where, command.name,
                      fmt::format("there is no block {}", number.value),
