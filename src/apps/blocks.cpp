@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <new>
 #include <string>
 
 #include "check_command.hpp"
@@ -210,6 +211,9 @@ int main(int argc, char** argv) {
   } catch (const blocks::output::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return blocks::run::file_error;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "blocks: error: there is not enough memory for this problem\n");
+    return blocks::run::internal_error;
   } catch (const std::exception& error) {
     fmt::print(stderr, "blocks: internal error: {}\n", error.what());
     return blocks::run::internal_error;
