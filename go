@@ -13,7 +13,13 @@ usage() {
   ./go build                build only: build/release/src/blocks
   ./go validate [N]         N random layers (100000) made and judged, the certificate
                             against brute force, the same bits from g++ and clang++
+  ./go validate predicates [N]
+                            the contact predicates on N inputs (10000000) against MPFR
+  ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
+  ./go study [N]            N frames (1000) of every scene of contact detection by the
+                            rules of every run: no hang-up, no fall-through
   ./go bench generation     time of cutting, rounding and certifying layers
+  ./go bench exactness      whole runs with exact predicates against plain doubles
   ./go asan                 every test under the address and undefined sanitizers
   ./go blocks ARGUMENTS     any other command of the program (plot, check, cards ...)
 TEXT
@@ -56,19 +62,40 @@ case $command in
   build) build release blocks ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   validate)
+    programs="$here/build/release/validation/robustness"
+    if [ "${1:-}" = predicates ]; then
+      echo "building ..." >&2
+      build release predicates
+      exec "$programs/predicates" --inputs "${2:-10000000}" --report "$here/validation/robustness/PREDICATES"
+    fi
+    if [ "${1:-}" = rest ]; then
+      echo "building ..." >&2
+      build release rest
+      exec "$here/build/release/validation/rest/rest" --steps "${2:-1000000}" --report "$here/validation/rest/REST"
+    fi
     layers=${1:-100000}
     echo "building ..." >&2
-    build release robustness certificate_study distribution_study
-    programs="$here/build/release/validation/robustness"
+    build release robustness certificate_study distribution_study predicates
     "$programs/robustness" --layers "$layers" --report "$here/validation/robustness/REPORT"
     "$programs/certificate_study" --report "$here/validation/robustness/CERTIFICATE"
     "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
+    "$programs/predicates" --report "$here/validation/robustness/PREDICATES"
     "$here/validation/robustness/compilers.sh" "$here/build/compilers" ;;
+  study)
+    echo "building ..." >&2
+    build release blocks
+    exec "$here/build/release/src/blocks" study contacts all --variants default \
+      --frames "${1:-1000}" -j "$(nproc)" --gate \
+      --csv "$here/validation/robustness/CONTACTS.csv" ;;
   bench)
-    [ "${1:-}" = generation ] || { echo "go: error: bench needs a name: generation" >&2; exit 2; }
-    build release bench_generation
+    case ${1:-} in
+      generation|exactness) ;;
+      *) echo "go: error: bench needs a name: generation, exactness" >&2; exit 2 ;;
+    esac
+    name=bench_$1
+    build release "$name"
     shift
-    "$here/build/release/validation/performance/bench_generation" "$@" ;;
+    "$here/build/release/validation/performance/$name" "$@" ;;
   asan) build asan; cd "$here" && exec ctest --preset asan "$@" ;;
   help|-h|--help) usage ;;
   *) echo "go: no command '$command'" >&2; usage >&2; exit 2 ;;

@@ -13,7 +13,6 @@
 
 #include "geometry/vec2.hpp"
 
-#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <limits>
@@ -72,6 +71,22 @@ inline constexpr double sin10_squared = 0.030153689607045807973;  // sin^2(10 de
 /// -1, 0 or +1.
 inline int sign(double x) { return int{x > 0} - int{x < 0}; }
 
+/// A value and the bound of its error: its sign is certain beyond the bound.
+struct Estimate {
+  double value;
+  double bound;
+
+  bool positive() const { return value > bound; }
+  bool negative() const { return value < -bound; }
+};
+
+// NaN goes to where the bound is NaN or infinite too.
+inline double least(double a, double b) { return b < a ? b : a; }
+
+inline double unless(bool safe, double bound) {
+  return safe ? bound : std::numeric_limits<double>::infinity();
+}
+
 /// (c - o) x (p2 - p1) as two products whose difference it is.
 struct Cross {
   double plus;
@@ -81,8 +96,106 @@ struct Cross {
   double magnitude() const { return std::abs(plus) + std::abs(minus); }
 };
 
-inline Cross cross(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
+/// (c - p1).(p2 - p1) as two products whose sum it is.
+struct Dot {
+  double x;
+  double y;
+
+  double value() const { return x + y; }
+  double magnitude() const { return std::abs(x) + std::abs(y); }
+};
+
+template <class Point>
+inline Cross cross(const Point& c, const Point& o, const Point& p1, const Point& p2) {
   return {(c.x() - o.x()) * (p2.y() - p1.y()), (c.y() - o.y()) * (p2.x() - p1.x())};
+}
+
+template <class Point>
+inline Dot dot(const Point& c, const Point& p1, const Point& p2) {
+  return {(c.x() - p1.x()) * (p2.x() - p1.x()), (c.y() - p1.y()) * (p2.y() - p1.y())};
+}
+
+template <class Point> inline double squared_length(const Point& p1, const Point& p2) {
+  const double ex = p2.x() - p1.x();
+  const double ey = p2.y() - p1.y();
+  return ex * ex + ey * ey;
+}
+
+// The filters themselves, for one corner and edge here and for the lanes of
+// geometry/contact_predicates_batch.hpp. A Point has x() and y().
+
+template <class Point>
+inline Estimate overlap(const Point& c, const Point& p1, const Point& p2) {
+  const Cross a = cross(c, p1, p1, p2);
+  return {a.value(), u4 * a.magnitude() + underflow};
+}
+
+template <class Point>
+inline Estimate near_or_inside(const Point& c, const Point& p1, const Point& p2) {
+  const Cross a = cross(c, p1, p1, p2);
+  const double slack = contact_slack * squared_length(p1, p2);
+  return {a.value() + slack, u8 * (a.magnitude() + slack) + underflow};
+}
+
+template <class Point>
+inline Estimate between(const Point& c, const Point& p1, const Point& p2) {
+  const Dot along = dot(c, p1, p2);
+  const double length2 = squared_length(p1, p2);
+  const double slack = contact_slack * length2;
+  return {least(along.value() + slack, (length2 - along.value()) + slack),
+          u8 * (along.magnitude() + length2) + underflow};
+}
+
+/// Positive: less deep than the centroid.
+template <class Point>
+inline Estimate above_centroid(const Point& c, const Point& centroid, const Point& p1,
+                               const Point& p2) {
+  const Cross a = cross(c, centroid, p1, p2);
+  return {a.minus - a.plus, u4 * a.magnitude() + underflow};
+}
+
+/// The least of the four values above, and a bound above all of theirs.
+template <class Point>
+inline Estimate in_reach_of_edge(const Point& c, const Point& centroid, const Point& p1,
+                                 const Point& p2) {
+  const Dot along = dot(c, p1, p2);
+  const double length2 = squared_length(p1, p2);
+  const double slack = contact_slack * length2;
+  const Cross a = cross(c, p1, p1, p2);
+  const Cross g = cross(c, centroid, p1, p2);
+  return {least(least(a.value() + slack, -g.value()),
+                least(along.value() + slack, (length2 - along.value()) + slack)),
+          u16 * (a.magnitude() + g.magnitude() + along.magnitude() + length2) +
+              underflow};
+}
+
+/// x|x| grows with x, so squares with their sign compare as the sines do: no root.
+template <class Point>
+inline Estimate faces_edge(const Point& c, const Point& neighbour, const Point& p1,
+                           const Point& p2) {
+  const Cross a = cross(neighbour, c, p1, p2);
+  const double sine = a.minus - a.plus;  // |e| |t| times t.n
+  const double e2 = squared_length(p1, p2);
+  const double t2 = squared_length(c, neighbour);
+  const double q = e2 * t2;
+  return {sine * std::abs(sine) + sin10_squared * q,
+          unless(least(e2, t2) > 0x1p-480, u16 * q)};
+}
+
+template <class Point>
+inline Estimate depth_difference(const Point& c, const Point& p1, const Point& p2,
+                                 const Point& q1, const Point& q2) {
+  const Cross a = cross(c, p1, p1, p2);
+  const Cross b = cross(c, q1, q1, q2);
+  const double p_length2 = squared_length(p1, p2);
+  const double q_length2 = squared_length(q1, q2);
+  const double p_length = std::sqrt(p_length2);
+  const double q_length = std::sqrt(q_length2);
+  return {a.value() * q_length - b.value() * p_length,
+          unless(least(p_length2, q_length2) > 0x1p-900,
+                 u16 * ((a.magnitude() + underflow) * q_length +
+                        (b.magnitude() + underflow) * p_length) +
+                     underflow)};
 }
 
 }  // namespace filter
@@ -92,44 +205,33 @@ inline Cross cross(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2)
 /// Swapping p1 and p2 changes the sign; c = p1 and c = p2 give 0; any cyclic change of
 /// (c, p1, p2) gives the same sign.
 inline int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  const filter::Cross a = filter::cross(c, p1, p1, p2);
-  const double area = a.value();
-  if (std::abs(area) > filter::u4 * a.magnitude() + filter::underflow) [[likely]]
-    return filter::sign(area);
+  const filter::Estimate d = filter::overlap(c, p1, p2);
+  if (d.positive())
+    return 1;
+  if (d.negative())
+    return -1;
   return exact::overlap_sign(c, p1, p2);
 }
 
 /// 2A >= -eps L^2, that is d >= -eps L: true on the limit itself. True whenever
 /// overlap_sign >= 0; of p1 -> p2 and p2 -> p1 at least one is true.
 inline bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  const double ex = p2.x() - p1.x();
-  const double ey = p2.y() - p1.y();
-  const filter::Cross a = filter::cross(c, p1, p1, p2);
-  const double slack = contact_slack * (ex * ex + ey * ey);
-  const double sum = a.value() + slack;
-  if (std::abs(sum) > filter::u8 * (a.magnitude() + slack) + filter::underflow)
-      [[likely]]
-    return sum > 0;
+  const filter::Estimate d = filter::near_or_inside(c, p1, p2);
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::near_or_inside(c, p1, p2);
 }
 
 /// -eps L^2 <= (c - p1).e <= (1 + eps) L^2: true on both limits. Unchanged when p1 and
 /// p2 are swapped.
 inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  const double ex = p2.x() - p1.x();
-  const double ey = p2.y() - p1.y();
-  const double along_x = (c.x() - p1.x()) * ex;
-  const double along_y = (c.y() - p1.y()) * ey;
-  const double along = along_x + along_y;
-  const double length2 = ex * ex + ey * ey;
-  const double slack = contact_slack * length2;
-  const double after_start = along + slack;
-  const double before_end = (length2 - along) + slack;
-  const double bound = filter::u8 * (std::abs(along_x) + std::abs(along_y) + length2) +
-                       filter::underflow;
-  const bool sure = (std::abs(after_start) > bound) & (std::abs(before_end) > bound);
-  if (sure) [[likely]]
-    return (after_start > 0) & (before_end > 0);
+  const filter::Estimate d = filter::between(c, p1, p2);
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::between(c, p1, p2);
 }
 
@@ -138,10 +240,11 @@ inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 /// True when equally deep; of (c, g) and (g, c) at least one is true.
 inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                          const Vec2& p2) {
-  const filter::Cross a = filter::cross(c, centroid, p1, p2);
-  const double deeper = a.value();
-  if (std::abs(deeper) > filter::u4 * a.magnitude() + filter::underflow) [[likely]]
-    return deeper < 0;
+  const filter::Estimate d = filter::above_centroid(c, centroid, p1, p2);
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::within_depth(c, centroid, p1, p2);
 }
 
@@ -150,23 +253,11 @@ inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
 /// near_or_inside && between && within_depth.
 inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                              const Vec2& p2) {
-  const double ex = p2.x() - p1.x();
-  const double ey = p2.y() - p1.y();
-  const double along_x = (c.x() - p1.x()) * ex;
-  const double along_y = (c.y() - p1.y()) * ey;
-  const double along = along_x + along_y;
-  const double length2 = ex * ex + ey * ey;
-  const double slack = contact_slack * length2;
-  const filter::Cross a = filter::cross(c, p1, p1, p2);
-  const filter::Cross g = filter::cross(c, centroid, p1, p2);
-  // One bound above those of the three single filters.
-  const double bound = filter::u16 * (a.magnitude() + g.magnitude() +
-                                      std::abs(along_x) + std::abs(along_y) + length2) +
-                       filter::underflow;
-  const double least = std::min(std::min(a.value() + slack, -g.value()),
-                                std::min(along + slack, (length2 - along) + slack));
-  if (std::abs(least) > bound) [[likely]]
-    return least > 0;
+  const filter::Estimate d = filter::in_reach_of_edge(c, centroid, p1, p2);
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return near_or_inside(c, p1, p2) && between(c, p1, p2) &&
          within_depth(c, centroid, p1, p2);
 }
@@ -177,20 +268,11 @@ inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1
 /// are swapped and one of them reversed.
 inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
                        const Vec2& p2) {
-  const double ex = p2.x() - p1.x();
-  const double ey = p2.y() - p1.y();
-  const double tx = neighbour.x() - c.x();
-  const double ty = neighbour.y() - c.y();
-  const double sine = ex * ty - ey * tx;  // |e| |t| times t.n
-  const double e2 = ex * ex + ey * ey;
-  const double t2 = tx * tx + ty * ty;
-  const double q = e2 * t2;
-  // x|x| grows with x, so squares with their sign compare as the sines do: no root.
-  const double excess = sine * std::abs(sine) + filter::sin10_squared * q;
-  const bool sure =
-      (std::abs(excess) > filter::u16 * q) & (e2 > 0x1p-480) & (t2 > 0x1p-480);
-  if (sure) [[likely]]
-    return excess > 0;
+  const filter::Estimate d = filter::faces_edge(c, neighbour, p1, p2);
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
   return exact::faces_edge(c, neighbour, p1, p2);
 }
 
@@ -200,20 +282,11 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
 /// equally deep, 0, in both.
 inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
-  const filter::Cross a = filter::cross(c, p1, p1, p2);
-  const filter::Cross b = filter::cross(c, q1, q1, q2);
-  const double p_length2 = (p2 - p1).squaredNorm();
-  const double q_length2 = (q2 - q1).squaredNorm();
-  const double p_length = std::sqrt(p_length2);
-  const double q_length = std::sqrt(q_length2);
-  const double difference = a.value() * q_length - b.value() * p_length;
-  const double bound = filter::u16 * ((a.magnitude() + filter::underflow) * q_length +
-                                      (b.magnitude() + filter::underflow) * p_length) +
-                       filter::underflow;
-  const bool sure =
-      (std::abs(difference) > bound) & (p_length2 > 0x1p-900) & (q_length2 > 0x1p-900);
-  if (sure) [[likely]]
-    return filter::sign(difference);
+  const filter::Estimate d = filter::depth_difference(c, p1, p2, q1, q2);
+  if (d.positive())
+    return 1;
+  if (d.negative())
+    return -1;
   return exact::compare_depth(c, p1, p2, q1, q2);
 }
 

@@ -163,6 +163,7 @@ std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,
   if (!oriented)
     throw not_for_doubles("two sides are too close to each other");
   layer.redrawn = oriented->redrawn;
+  layer.redrawn_sides = oriented->redrawn_sides;
   layer.ruled = oriented->ruled;
   return std::move(oriented->sides);
 }
@@ -175,8 +176,7 @@ class Coordinate {
       : unit_(exact::common_denominator({from, to})), from_(exact::times(from, unit_)),
         length_(exact::times(to, unit_) - from_), side_(side) {}
   double at(const Fraction& s) const {
-    return exact::rounded_towards(
-        Fraction(from_ * s.den + length_ * s.num, unit_ * s.den), side_);
+    return exact::rounded_place(from_, length_, unit_, s, side_);
   }
 
  private:

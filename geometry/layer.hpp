@@ -43,6 +43,7 @@ struct Layer {
   bool bottom_scaled = false;  ///< listed widths did not add up to the bottom line
   bool top_scaled = false;     ///< likewise for the top line
   int redrawn = 0;             ///< angles drawn again because sides crossed
+  int redrawn_sides = 0;       ///< sides whose angle was drawn again at least once
   int ruled = 0;               ///< sides that fell back to the ruling
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <list>
 
 #include "geometry/exact/box_pairs.hpp"
@@ -57,6 +58,25 @@ bool edge_separates(const Polygon& p, const Polygon& q) {
 
 bool interiors_meet(const Polygon& p, const Polygon& q) {
   return !edge_separates(p, q) && !edge_separates(q, p);
+}
+
+// How far q reaches behind the edges of p, the least over the edges.
+double least_reach(const Polygon& p, const Polygon& q) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vec2& a = p[i];
+    const Vec2 edge = (p[(i + 1) % p.size()] - a).normalized();
+    double reach = 0.0;
+    for (const Vec2& corner : q)
+      reach = std::max(reach, -cross(edge, corner - a));
+    least = std::min(least, reach);
+  }
+  return least;
+}
+
+// Two convex outlines are separated first along the normal of one of their edges.
+double separating_shift(const Polygon& p, const Polygon& q) {
+  return std::min(least_reach(p, q), least_reach(q, p));
 }
 
 // The outline cut into convex clockwise pieces by diagonals: no new corners, so nothing
@@ -135,7 +155,7 @@ class Blocks {
   void compare(std::size_t first, std::size_t second,
                std::vector<BlockOverlap>& found) {
     bool meet = false;
-    double area = 0.0;
+    double area = 0.0, depth = 0.0;
     const Vec2 origin = outlines_[first].front();
     Vec2 moment = Vec2::Zero();
     Vec2 some_place = Vec2::Zero();
@@ -149,6 +169,7 @@ class Blocks {
         if (!meet)
           some_place = common.empty() ? Vec2(q.front() - origin) : common[0];
         meet = true;
+        depth = std::max(depth, separating_shift(p, q));
         const double part_area = std::max(part.area, 0.0);
         area += part_area;
         moment += part_area * part.centroid;
@@ -157,8 +178,8 @@ class Blocks {
     if (!meet)
       return;
     const Vec2 place = area > 0.0 ? Vec2(moment / area) : some_place;
-    found.push_back(
-        {static_cast<int>(first), static_cast<int>(second), area, origin + place});
+    found.push_back({static_cast<int>(first), static_cast<int>(second), area,
+                     origin + place, depth});
   }
 
  private:

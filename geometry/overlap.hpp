@@ -14,6 +14,9 @@ struct BlockOverlap {
   int second = 0;             ///< index of the other
   double area = 0.0;          ///< [L^2] of the intersection, rounded
   Vec2 place = Vec2::Zero();  ///< [L] a point of it: centroid, rounded
+  /// [L] shortest shift that separates the two, rounded; of concave outlines the
+  /// largest such shift among their convex pieces, which is no more than theirs
+  double depth = 0.0;
 };
 
 /// Every pair of outlines whose interiors intersect, in order of (first, second).

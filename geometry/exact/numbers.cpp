@@ -4,61 +4,66 @@
 #include <mpfr.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace blocks::geometry::exact {
 namespace {
 
-// The exponent range of a double for the life of the object. MPFR keeps it per thread.
-class DoubleRange {
- public:
-  DoubleRange() : low_(mpfr_get_emin()), high_(mpfr_get_emax()) {
-    mpfr_set_emin(-1073);
-    mpfr_set_emax(1024);
-  }
-  ~DoubleRange() {
-    mpfr_set_emin(low_);
-    mpfr_set_emax(high_);
-  }
-  DoubleRange(const DoubleRange&) = delete;
-  DoubleRange& operator=(const DoubleRange&) = delete;
-
- private:
-  mpfr_exp_t low_;
-  mpfr_exp_t high_;
+// Whole numbers of this thread that keep their memory: rounding asks for none.
+struct Scratch {
+  Scratch() { mpz_inits(scaled, quotient, remainder, nullptr); }
+  ~Scratch() { mpz_clears(scaled, quotient, remainder, nullptr); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  mpz_t scaled, quotient, remainder;
 };
 
-// A whole number as it stands, for the life of the object.
-class WholeNumber {
- public:
-  explicit WholeNumber(const Integer& z) {
-    const std::size_t bits = mpz_sizeinbase(z.mpz(), 2);
-    mpfr_init2(value_,
-               std::max<mpfr_prec_t>(MPFR_PREC_MIN, static_cast<mpfr_prec_t>(bits)));
-    mpfr_set_z(value_, z.mpz(), MPFR_RNDN);
+constexpr int digits = std::numeric_limits<double>::digits;  // 53
+constexpr long least_exponent = std::numeric_limits<double>::min_exponent - digits;
+
+// |num| / den = (whole + a rest in [0, 1)) * 2^exponent; the whole has 53 bits, or
+// fewer for a subnormal. up: whether the rest rounds to one more.
+double round_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
+  const int sign = mpz_sgn(num);
+  if (sign == 0)
+    return 0.0;
+  static thread_local Scratch scratch;
+  const auto bits = [](mpz_srcptr z) {
+    return static_cast<long>(mpz_sizeinbase(z, 2));
+  };
+  // quotient < 2^(bits(num) - bits(den) + 1): of the exponent that leaves 53 bits or
+  // 54, in the latter case the next
+  long exponent = std::max(bits(num) - bits(den) - digits, least_exponent);
+  for (;; ++exponent) {
+    mpz_srcptr divisor = den;
+    if (exponent <= 0) {
+      mpz_mul_2exp(scratch.scaled, num, static_cast<mp_bitcnt_t>(-exponent));
+      mpz_abs(scratch.scaled, scratch.scaled);
+      mpz_tdiv_qr(scratch.quotient, scratch.remainder, scratch.scaled, divisor);
+    } else {
+      mpz_mul_2exp(scratch.scaled, den, static_cast<mp_bitcnt_t>(exponent));
+      divisor = scratch.scaled;
+      mpz_tdiv_qr(scratch.quotient, scratch.remainder, num, divisor);
+      mpz_abs(scratch.quotient, scratch.quotient);
+      mpz_abs(scratch.remainder, scratch.remainder);
+    }
+    if (bits(scratch.quotient) > digits)
+      continue;
+    bool up = side * sign > 0 && mpz_sgn(scratch.remainder) != 0;
+    if (side == 0) {  // to the nearest, ties to even
+      mpz_mul_2exp(scratch.remainder, scratch.remainder, 1);
+      const int half = mpz_cmp(scratch.remainder, divisor);
+      up = half > 0 || (half == 0 && mpz_odd_p(scratch.quotient) != 0);
+    }
+    const double whole = mpz_get_d(scratch.quotient) + (up ? 1.0 : 0.0);
+    const double rounded =
+        std::ldexp(whole, static_cast<int>(std::min(exponent, 2000L)));
+    const bool towards_zero = side * sign < 0;
+    return sign * (towards_zero ? std::min(rounded, std::numeric_limits<double>::max())
+                                : rounded);
   }
-  ~WholeNumber() { mpfr_clear(value_); }
-  WholeNumber(const WholeNumber&) = delete;
-  WholeNumber& operator=(const WholeNumber&) = delete;
-  mpfr_srcptr get() const { return value_; }
-
- private:
-  mpfr_t value_;
-};
-
-double round_quotient(const Integer& num, const Integer& den, mpfr_rnd_t mode) {
-  const WholeNumber n(num);  // before the range of a double: they may exceed it
-  const WholeNumber d(den);
-  const DoubleRange range;
-  MPFR_DECL_INIT(result, 53);
-  const int ternary = mpfr_div(result, n.get(), d.get(), mode);
-  mpfr_subnormalize(result, ternary, mode);
-  return mpfr_get_d(result, mode);
-}
-
-mpfr_rnd_t mode_of(int side) {
-  return side < 0 ? MPFR_RNDD : (side > 0 ? MPFR_RNDU : MPFR_RNDN);
 }
 
 // The tangent to so many bits, and the double nearest to the true one if they suffice.
@@ -107,11 +112,20 @@ double nearest(const Rational& value) { return rounded_towards(value, 0); }
 Vec2 nearest(const Point& point) { return {nearest(point.x()), nearest(point.y())}; }
 
 double rounded_towards(const Rational& value, int side) {
-  return rounded_towards(Fraction(value), side);
+  return round_quotient(mpq_numref(value.mpq()), mpq_denref(value.mpq()), side);
 }
 
 double rounded_towards(const Fraction& value, int side) {
-  return round_quotient(value.num, value.den, mode_of(side));
+  return round_quotient(value.num.mpz(), value.den.mpz(), side);
+}
+
+double rounded_place(const Integer& from, const Integer& length, const Integer& unit,
+                     const Fraction& s, int side) {
+  static thread_local Scratch scratch;
+  mpz_mul(scratch.quotient, from.mpz(), s.den.mpz());
+  mpz_addmul(scratch.quotient, length.mpz(), s.num.mpz());
+  mpz_mul(scratch.scaled, unit.mpz(), s.den.mpz());
+  return round_quotient(scratch.quotient, scratch.scaled, side);
 }
 
 double tangent_of_degrees(const Rational& degrees) {

@@ -1,5 +1,5 @@
 // PRIVATE to geometry/: into the rationals and out of them again. CGAL::to_double is
-// not correctly rounded, so what leaves goes through MPFR.
+// not correctly rounded, so what leaves is rounded here, from the whole numbers.
 #pragma once
 
 #include "geometry/decimal.hpp"
@@ -20,6 +20,10 @@ Vec2 nearest(const Point& point);
 /// (side > 0), or the nearest (side = 0).
 double rounded_towards(const Rational& value, int side);
 double rounded_towards(const Fraction& value, int side);
+
+/// (from + length * s) / unit, rounded the same way; unit > 0.
+double rounded_place(const Integer& from, const Integer& length, const Integer& unit,
+                     const Fraction& s, int side);
 
 /// The tangent of an angle in degrees, |angle| <= 89: the double nearest to it, the
 /// same on every machine (exactly 0 at 0 and 1 at 45 degrees).

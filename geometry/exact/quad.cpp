@@ -21,7 +21,8 @@ class Placer {
          const std::vector<std::size_t>& numbers, const Rational& angle_min,
          const Rational& angle_max, StreamKey stream)
       : quad_(quad), finder_(quad), places_(places), numbers_(numbers),
-        angle_min_(angle_min), angle_range_(angle_max - angle_min), stream_(stream) {
+        angle_min_(angle_min), angle_part_((angle_max - angle_min) / two_to_53()),
+        stream_(stream) {
     result_.sides.resize(places.size());
     result_.sides.front() = {Fraction(0, 1), Fraction(0, 1)};
     result_.sides.back() = {Fraction(1, 1), Fraction(1, 1)};
@@ -47,7 +48,7 @@ class Placer {
   }
 
   std::optional<Side> place(std::size_t here, const Side& left, const Side& right) {
-    const bool one_angle = angle_range_ == 0;
+    const bool one_angle = angle_part_ == 0;
     for (std::uint32_t draw = 0; draw <= redraws; ++draw) {
       const double tangent = one_angle ? same_angle_ : drawn_tangent(here, draw);
       const auto side = finder_.through(places_[here], tangent);
@@ -55,6 +56,8 @@ class Placer {
         return *side;
       if (one_angle)
         break;
+      if (draw == 0)
+        ++result_.redrawn_sides;
       if (draw < redraws)
         ++result_.redrawn;
     }
@@ -64,7 +67,7 @@ class Placer {
 
   double drawn_tangent(std::size_t here, std::uint32_t draw) const {
     const std::uint64_t bits = random_53_bits(stream_, numbers_[here], draw, use_angle);
-    return tangent_of_degrees(angle_min_ + angle_range_ * Rational(bits) / two_to_53());
+    return tangent_of_degrees(angle_min_ + angle_part_ * Rational(bits));
   }
 
   // The line of the pencil spanned by the two neighbours: it goes through the point
@@ -95,7 +98,7 @@ class Placer {
   const std::vector<Rational>& places_;
   const std::vector<std::size_t>& numbers_;
   Rational angle_min_;
-  Rational angle_range_;
+  Rational angle_part_;  ///< of the range of angles, 2^-53
   StreamKey stream_;
   double same_angle_ = 0.0;
   OrientedSides result_;
@@ -176,16 +179,17 @@ std::vector<Rational> random_places(int count, const Rational& length_to_height,
   const Rational n(count);
   const Rational full = n * two_to_53();  // all widths at the upper limit
   const bool too_wide = n * low + (high - low) * sum.back() / two_to_53() > 1;
+  // blocks at their lower (upper) limit, and a share of what is left (too much) each
+  const Rational limit = too_wide ? low : high;
+  const Rational share = too_wide ? (Rational(1) - n * low) / sum.back()
+                                  : (Rational(1) - n * high) / (full - sum.back());
   std::vector<Rational> places;
   places.reserve(sum.size());
   for (int j = 0; j <= count; ++j) {
     const Rational blocks(j);
     const Rational& part = sum[static_cast<std::size_t>(j)];
-    places.push_back(too_wide
-                         ? blocks * low + (Rational(1) - n * low) * part / sum.back()
-                         : blocks * high - (n * high - Rational(1)) *
-                                               (blocks * two_to_53() - part) /
-                                               (full - sum.back()));
+    places.push_back(blocks * limit +
+                     share * (too_wide ? part : blocks * two_to_53() - part));
   }
   return places;
 }

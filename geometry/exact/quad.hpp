@@ -65,7 +65,8 @@ class SideFinder {
 /// Interior sides of a layer with a drawn angle each (ORIENT, rule 19).
 struct OrientedSides {
   std::vector<Side> sides;  ///< one per place, the ends 0 and 1 included
-  int redrawn = 0;
+  int redrawn = 0;          ///< angles drawn again
+  int redrawn_sides = 0;    ///< sides with an angle drawn again
   int ruled = 0;
 };
 

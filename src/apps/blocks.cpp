@@ -14,10 +14,14 @@
 #include "deck/cards_text.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
+#include "history_command.hpp"
 #include "import_command.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
+#include "study_command.hpp"
+#include "view_command.hpp"
+#include "why_command.hpp"
 
 namespace {
 
@@ -47,6 +51,18 @@ CLI::Validator positive_number() {
                        : "expected a number above 0, found '" + text + "'";
           },
           "POSITIVE"};
+}
+
+/// A number of steps: CLI::PositiveNumber takes fractions too, and names its range.
+CLI::Validator whole_steps() {
+  return {
+      [](std::string& text) {
+        const bool sound = !text.empty() && text.size() <= 15 && text.front() != '0' &&
+                           text.find_first_not_of("0123456789") == std::string::npos;
+        return sound ? std::string()
+                     : "expected a whole number of steps from 1, found '" + text + "'";
+      },
+      "STEPS"};
 }
 
 /// CARD.field=value
@@ -83,6 +99,11 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"run", "Example: blocks run decks/stack/stack.deck -o stack\n\n"
               "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results),\n"
               "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."},
+      {"why", "Example: blocks run decks/stack/stack.deck && blocks why stack.vtkhdf "
+              "--block 2 --block 3\n\n"
+              "Tells of every corner of two blocks which edge of the other one it "
+              "touches, and\nwhy the others are refused: every rule with its number, "
+              "decided exactly."},
       {"check",
        "Example: blocks check decks/stack/stack.deck\n\n"
        "Reports every error of a deck in one pass and proves its layers.\n"
@@ -91,6 +112,17 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"cards", "Example: blocks cards LAYER\n\nLists all cards, or describes one."},
       {"plot", "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
                "Draws the blocks at one time, coloured by material or a quantity."},
+      {"history",
+       "Example: blocks history stack.vtkhdf -q y:4,speed:max -o stack.png\n"
+       "(after blocks run decks/stack/stack.deck)\n\n"
+       "Follows quantities of blocks, corners and the model in time: a table, CSV,\n"
+       "JSON, a figure. Several runs are laid over each other. With --profile: across\n"
+       "the model at some times, such as a subsidence trough."},
+      {"view",
+       "Example: blocks view stack.vtkhdf -o stack.html\n"
+       "(after blocks run decks/stack/stack.deck)\n\n"
+       "Writes one page for the browser, which needs no server and no network:\n"
+       "play, zoom, pick a block, see its numbers and their history."},
       {"import",
        "Example: blocks import decks/every_card/hexagons.txt --deck\n\n"
        "Reads outlines from GeoJSON, WKT, Gmsh .msh or another form of READ9, checks\n"
@@ -98,7 +130,11 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"export",
        "Example: blocks export decks/stack/stack.deck -o stack.geojson\n\n"
        "Writes the blocks of a deck, or of results at one time, as GeoJSON, WKT, Gmsh\n"
-       ".msh or READ9's text form; every coordinate reads back bit for bit."}};
+       ".msh or READ9's text form; every coordinate reads back bit for bit."},
+      {"study",
+       "Example: blocks study contacts figure4b --variants default,report\n\n"
+       "Runs variants of the contact rules side by side, in random frames; see\n"
+       "docs/robustness.md."}};
   if (argc < 2)
     return;
   if (const auto page = pages.find(argv[1]); page != pages.end())
@@ -147,6 +183,10 @@ int dispatch(int argc, char** argv) {
   run->add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints")
       ->check(positive_number());
+  run->add_flag("--audit{100}", options.audit_every,
+                "every 100 steps, or every N with --audit=N, judge the contacts by "
+                "exact brute force; exit 4 on a wrong decision")
+      ->check(whole_steps());
   run->add_flag("--json", options.json,
                 "print the summary as JSON instead of the table");
 
@@ -166,6 +206,14 @@ int dispatch(int argc, char** argv) {
   auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
   blocks::apps::add_plot_options(*plot, plot_options);
 
+  blocks::apps::HistoryOptions history_options;
+  auto* in_time = app.add_subcommand("history", "quantities against time or place");
+  blocks::apps::add_history_options(*in_time, history_options);
+
+  blocks::apps::ViewOptions view_options;
+  auto* page = app.add_subcommand("view", "a page to play a run in the browser");
+  blocks::apps::add_view_options(*page, view_options);
+
   blocks::apps::ImportOptions import_options;
   auto* import = app.add_subcommand("import", "outlines of other programs, for READ9");
   blocks::apps::add_import_options(*import, import_options);
@@ -173,6 +221,16 @@ int dispatch(int argc, char** argv) {
   blocks::apps::ExportOptions export_options;
   auto* to_others = app.add_subcommand("export", "blocks for other programs");
   blocks::apps::add_export_options(*to_others, export_options);
+
+  blocks::apps::StudyOptions study_options;
+  auto* study = app.add_subcommand("study", "how robust is contact detection?");
+  study->require_subcommand(1);
+  blocks::apps::add_study_options(
+      *study->add_subcommand("contacts", "variants of the contact rules side by side"),
+      study_options);
+  blocks::apps::WhyOptions why_options;
+  auto* why = app.add_subcommand("why", "why two blocks touch, or do not, at one time");
+  blocks::apps::add_why_options(*why, why_options);
 
   app.name("blocks");
   open_help_with_example(app, argc, argv);
@@ -190,10 +248,18 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::check(options, geometry_options);
   if (*reference)
     return cards(card, markdown);
+  if (*in_time)
+    return blocks::apps::history(history_options);
+  if (*page)
+    return blocks::apps::view(view_options);
   if (*import)
     return blocks::apps::import_blocks(import_options);
   if (*to_others)
     return blocks::apps::export_blocks(export_options);
+  if (*study)
+    return blocks::apps::study_contacts(study_options);
+  if (*why)
+    return blocks::apps::why(why_options);
   return blocks::apps::plot(plot_options);
 }
 

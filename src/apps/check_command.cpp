@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <ranges>
 
 #include "post/figure.hpp"
 #include "run/geometry_report.hpp"
@@ -25,44 +23,59 @@ post::Frame frame_of(const Blocks& blocks) {
   return frame;
 }
 
-/// The same places that the text lists.
-std::vector<post::Mark> marks_of(const run::GeometryReport& report) {
+/// The same places that the text lists, the least of the faults first, and the legend.
+void mark_places(const run::GeometryReport& report, post::FigureOptions& options) {
   using Kind = post::Mark::Kind;
   constexpr std::size_t most = 10;
-  std::vector<post::Mark> marks;
-  for (const auto& place : report.aspect.worst)
-    marks.push_back({Kind::slender, place.at, {}, {place.block}});
-  for (const auto& place : report.angle.worst)
-    marks.push_back({Kind::angle, place.at, {}, {}});
-  const auto& slits = report.joints.slits;
-  for (const auto& slit : slits | std::views::take(static_cast<std::ptrdiff_t>(
-                                      std::min(most, report.gaps()))))
-    marks.push_back({Kind::gap, slit.place, {}, {}});
-  for (const auto& pair : report.certificate.overlaps)
-    marks.push_back({Kind::overlap,
-                     pair.place,
-                     report.certificate.overlaps.size() <= most
-                         ? fmt::format("{} and {}: area {:.3g}", pair.first + 1,
-                                       pair.second + 1, pair.area)
-                         : std::string(),
-                     {pair.first, pair.second}});
-  return marks;
+  const auto name = [&](Kind kind, const char* what, std::size_t shown,
+                        std::size_t count) {
+    if (count > 0)
+      options.mark_names.insert(options.mark_names.begin(),
+                                {kind, what,
+                                 shown < count ? fmt::format("{} of {}", shown, count)
+                                               : fmt::format("{}", count)});
+  };
+  const auto first = [&](const auto& list, std::size_t count, Kind kind,
+                         const char* what) {
+    const std::size_t shown = std::min(most, count);
+    for (std::size_t i = 0; i < shown; ++i)
+      options.marks.push_back({kind, list[i].place, {}, {}});
+    name(kind, what, shown, count);
+  };
+  const auto worst = [&](const run::Measure& measure, Kind kind, const char* what) {
+    for (const auto& place : measure.worst)
+      options.marks.push_back(
+          {kind,
+           place.at,
+           {},
+           kind == Kind::slender ? std::vector{place.block} : std::vector<int>()});
+    name(kind, what, measure.worst.size(), measure.worst.size());
+  };
+  const auto& proof = report.certificate;
+  first(proof.joints.t_junctions, proof.joints.t_junctions.size(), Kind::junction,
+        "T-junction");
+  worst(report.aspect, Kind::slender, "slender");
+  worst(report.angle, Kind::angle, "sharp");
+  worst(report.edge, Kind::edge, "short side");
+  first(proof.joints.slits, proof.gaps(), Kind::gap, "gap");
+  for (const auto& pair : proof.overlaps)
+    options.marks.push_back({Kind::overlap,
+                             pair.place,
+                             proof.overlaps.size() <= most
+                                 ? fmt::format("{} and {}: area {:.3g}", pair.first + 1,
+                                               pair.second + 1, pair.area)
+                                 : std::string(),
+                             {pair.first, pair.second}});
+  name(Kind::overlap, "overlap", proof.overlaps.size(), proof.overlaps.size());
 }
 
 void draw(const std::string& path, const Model& model,
           const run::GeometryReport& report) {
   const post::Frame frame = frame_of(model.blocks);
   post::FigureOptions options;
-  options.marks = marks_of(report);
+  mark_places(report, options);
   options.subtitle = verdict(report.certificate);
-  // Drawn first, so that a wrong name costs nobody an older figure.
-  const std::string ending = std::filesystem::path(path).extension().string();
-  const std::string fresh = path + ".new" + ending;
-  post::draw_frame(fresh, frame, frame, model.settings.title, options);
-  std::error_code fault;
-  if (std::filesystem::is_regular_file(path, fault))
-    std::filesystem::rename(path, path + ".bak", fault);
-  std::filesystem::rename(fresh, path);
+  post::draw_frame(path, frame, frame, model.settings.title, options);
 }
 
 }  // namespace
@@ -83,14 +96,16 @@ int check(const run::RunOptions& options, const GeometryOptions& geometry) {
   if (!geometry.report)
     return run::check_deck(options);
   const auto checked = run::build_checked(options);
-  if (!checked)
-    return run::deck_error;
-  const auto report = run::examine_geometry(checked->file, checked->model);
+  if (checked.code != run::done)
+    return checked.code;
+  const auto report =
+      run::examine_geometry(checked.file, checked.model,
+                            checked.certificate ? checked.certificate->moved : 0);
   if (!options.quiet)
     fmt::print("{}", geometry.json ? run::json(report) : run::text(report));
   if (!geometry.plot.empty()) {
     try {
-      draw(geometry.plot, checked->model, report);
+      draw(geometry.plot, checked.model, report);
     } catch (const std::exception& error) {
       fmt::print(stderr, "blocks: error: {}\n", error.what());
       return run::file_error;

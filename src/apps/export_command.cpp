@@ -168,9 +168,9 @@ int export_blocks(ExportOptions options) {
       return refuse(run::usage_error, "--time is for results; a deck gives its blocks "
                                       "before the first step");
     const auto checked = run::build_checked(options.input);
-    if (!checked)
-      return run::deck_error;
-    scene = scene_of(checked->model);
+    if (checked.code != run::done)
+      return checked.code;
+    scene = scene_of(checked.model);
   }
   if (scene.blocks.empty())
     return refuse(run::deck_error, input + " has no blocks");

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <stdexcept>
 
 #include "deck/mesh_readers.hpp"
 #include "exchange/deck_skeleton.hpp"
@@ -173,10 +174,22 @@ int import_blocks(ImportOptions options) {
     return run::deck_error;
   }
 
+  std::string skeleton;
+  try {
+    if (options.deck)
+      skeleton = exchange::write_deck_skeleton(file.outlines, mesh_name);
+  } catch (const std::range_error& fault) {
+    fmt::print(
+        stderr,
+        "blocks: error: {}: {}; nothing written\n  hint: choose a unit of length "
+        "in which they are neither vanishing nor endless\n",
+        name, fault.what());
+    return run::deck_error;
+  }
   const std::string wrote = fmt::format("From {}: {}.", name, file.found);
   write_text_file(options.output, exchange::write_mesh(file.outlines, wrote));
   if (options.deck)
-    write_text_file(deck, exchange::write_deck_skeleton(file.outlines, mesh_name));
+    write_text_file(deck, skeleton);
   if (!options.quiet)
     fmt::print("written: {}{}\n", options.output, options.deck ? ", " + deck : "");
   return run::done;

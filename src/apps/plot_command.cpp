@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "output/results.hpp"
+#include "post/quantity.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {
@@ -21,7 +23,7 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command.add_option("--width", options.figure.width, "pixels or points")
       ->check(CLI::Range(100, 20000));
   command.add_option("--colour,--color", options.figure.colour,
-                     "material, speed, displacement, rotation, s11, s12, s22, p1, p2");
+                     "material, " + post::quantity_names());
   command.add_flag("--numbers", options.figure.numbers, "write the block numbers");
   command.add_flag("--original", options.figure.original,
                    "outline of the first frame underneath");
@@ -40,13 +42,15 @@ int plot(PlotOptions options) {
     }
     if (options.output.empty())
       options.output = std::filesystem::path(options.file).stem().string() + ".png";
-    const long frame =
-        options.time ? results.nearest(*options.time) : results.frames() - 1;
+    const long frame = options.time ? results.at(*options.time) : results.frames() - 1;
     post::draw_figure(options.output, results, frame, options.figure);
     return run::done;
-  } catch (const std::exception& error) {
+  } catch (const output::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return run::file_error;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::usage_error;
   }
 }
 

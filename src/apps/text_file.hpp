@@ -1,4 +1,4 @@
-// Writes the files of `blocks import` and `blocks export`.
+// Writes the files of the commands, older ones put aside.
 #pragma once
 
 #include <string>

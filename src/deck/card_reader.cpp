@@ -162,6 +162,11 @@ Value read_value(const Field& field, const FieldSpec& spec, std::string_view car
                              shown(field.text)),
                  "numbers reach from about 1e-308 to 1e308");
   }
+  if (number.fault == NumberFault::too_small) {
+    return fault(fmt::format("{} is too small a number for a double, found {}",
+                             spec.name, shown(field.text)),
+                 "numbers reach from about 1e-308 to 1e308; write 0 for nothing");
+  }
   value.number = number.value;
   const double x = value.number.value();
   if (whole) {

@@ -208,6 +208,7 @@ Number read_number(std::string_view text) {
     return "";
   };
   std::string plain = sign();
+  bool small = false;  // the exponent is negative
   const std::string whole = digits();
   std::string fraction;
   if (at < text.size() && text[at] == '.') {
@@ -222,11 +223,14 @@ Number read_number(std::string_view text) {
     plain += "." + fraction;
   }
   if (at < text.size()) {
+    // Fortran's list-directed input takes 1.5+3 as 1.5E+3: a sign stands for the
+    // letter.
     const char letter = text[at];
-    if (letter != 'e' && letter != 'E' && letter != 'd' && letter != 'D') {
+    if (letter == 'e' || letter == 'E' || letter == 'd' || letter == 'D') {
+      ++at;
+    } else if (letter != '+' && letter != '-') {
       return bad;
     }
-    ++at;
     const std::string minus = sign();
     std::string power = digits();
     if (power.empty() || at < text.size()) {
@@ -235,14 +239,16 @@ Number read_number(std::string_view text) {
     power.erase(0, std::min(power.find_first_not_of('0'), power.size() - 1));
     // An exponent of six digits can only be a mistake, and no exact number of that
     // size should be carried through the geometry.
-    if (power.size() > 5) {
-      return {{}, NumberFault::not_finite};
+    const bool zero = (whole + fraction).find_first_not_of('0') == std::string::npos;
+    if (power.size() > 5 && !zero) {
+      return {{}, minus.empty() ? NumberFault::not_finite : NumberFault::too_small};
     }
-    plain += "e" + minus + power;
+    plain += "e" + minus + (zero ? "0" : power);
+    small = !minus.empty();
   }
   const auto value = geometry::Decimal::parse(plain);
   if (!value) {
-    return {{}, NumberFault::not_finite};
+    return {{}, small ? NumberFault::too_small : NumberFault::not_finite};
   }
   return {*value, NumberFault::none};
 }

@@ -51,15 +51,17 @@ std::vector<Line> split_deck(std::string_view text);
 /// In capitals (ASCII letters only).
 std::string capitals(std::string_view text);
 
-enum class NumberFault { none, not_a_number, not_finite };
+enum class NumberFault { none, not_a_number, not_finite, too_small };
 
 struct Number {
   geometry::Decimal value;
   NumberFault fault = NumberFault::none;
 };
 
-/// Reads [+-]digits[.[digits]][(e|d)[+-]digits] in any case; .5 and 5. count too.
-/// not_finite: nan, inf or beyond the range of a double.
+/// Reads [+-]digits[.[digits]][exponent] with exponent (e|d)[+-]digits in any case or,
+/// as Fortran does, a sign and digits: 1.5+3 is 1500. .5 and 5. count too. not_finite:
+/// nan, inf or beyond the range of a double. too_small: not zero and below 1e-400,
+/// where a double holds nothing.
 Number read_number(std::string_view text);
 
 /// The place of the first byte that no text file holds (NUL, control characters), if

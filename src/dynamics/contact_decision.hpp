@@ -1,28 +1,199 @@
-// Which edge of a block acts on a corner (report 3.3, rules 9-12), decided exactly.
+// Which edge of a block acts on a corner (report 3.3, rules 9-12). The decision is
+// written once, for any rules: the answers to its questions come from a policy, so that
+// the time loop has the exact ones inlined and `blocks study` can ask others.
 #pragma once
 
+#include <utility>
+
 #include "dynamics/contact_groups.hpp"
+#include "geometry/contact_predicates.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
 
-/// The record of the group that acts, or -1: the admissible edge with the least depth,
-/// if the corner is inside it (rule 12). Admissible: (20) holds for both tangents of
-/// the corner, the depth is at most that of the block's centroid (rule 9), and the
-/// corner is between the edge's ends (rule 10), which is asked of a convex block as a
-/// whole: the corner is inside all its edges (docs/departures.md).
-///
-/// Where a third block shields the nearest edge the next nearest acts: near a closed
-/// joint a corner slides along the surface of both blocks and has not come through the
-/// joint. The corner is within shield_reach of both edges, and as far out of the
-/// nearest edge as the next one is deep lies the third block, or as far inwards it
-/// covers the corner's own flank. Of two corners in each other's blocks, one shielded
-/// is enough.
-int acting_record(const Blocks& blocks, const Contacts& contacts,
-                  const ContactGroups& groups, const ContactGroup& group);
+/// The rules of every run: exact, with slack, (20), nearest edge and shield. A policy
+/// has these members; c is a corner, p1 -> p2 an edge, laws and limits as in
+/// geometry/contact_predicates.hpp.
+struct ExactRules {
+  static constexpr bool whole_block = true;  ///< "between" of convex blocks as a whole
+  static constexpr bool shield = true;       ///< by a third block
+  static constexpr bool hands_over = true;   ///< springs (contact_handover)
+  static constexpr bool keeps_decisions = true;  ///< while certain (contact_certainty)
+
+  /// (19)
+  static int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+    return geometry::overlap_sign(c, p1, p2);
+  }
+  /// Not outside of one edge, up to the slack.
+  static bool inside_edge(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+    return geometry::near_or_inside(c, p1, p2);
+  }
+  /// Not deeper than the centroid.
+  static bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
+                           const Vec2& p2) {
+    return geometry::within_depth(c, centroid, p1, p2);
+  }
+  /// inside_edge, between the edge's ends and within_depth.
+  static bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1,
+                               const Vec2& p2) {
+    return geometry::in_reach_of_edge(c, centroid, p1, p2);
+  }
+  /// (20) for the corner's tangent towards `neighbour`.
+  static bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
+                         const Vec2& p2) {
+    return geometry::faces_edge(c, neighbour, p1, p2);
+  }
+  /// Sign of the difference of two overlaps.
+  static int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                           const Vec2& q1, const Vec2& q2) {
+    return geometry::compare_depth(c, p1, p2, q1, q2);
+  }
+};
 
 /// How close to an edge of a block a corner can be shielded, [L]: a hundredth of the
 /// block's shortest edge.
 double shield_reach(const Blocks& blocks, int block);
+
+/// Decides the groups of one list.
+template <class Rules> class ContactDecision {
+ public:
+  ContactDecision(const Blocks& blocks, const Contacts& contacts,
+                  const ContactGroups& groups)
+      : blocks_(blocks), contacts_(contacts), groups_(groups) {}
+
+  /// The record of the group that acts, or -1: the admissible edge with the least
+  /// depth, if the corner is inside it (rule 12). Admissible: (20) holds for both
+  /// tangents of the corner, the depth is at most that of the block's centroid (rule
+  /// 9), and the corner is between the edge's ends (rule 10), which is asked of a
+  /// convex block as a whole: the corner is inside all its edges (docs/departures.md).
+  ///
+  /// Where a third block shields the nearest edge the next nearest acts: near a closed
+  /// joint a corner slides along the surface of both blocks and has not come through
+  /// the joint. The corner is within shield_reach of both edges, and as far out of the
+  /// nearest edge as the next one is deep lies the third block, or as far inwards it
+  /// covers the corner's own flank. Of two corners in each other's blocks, one shielded
+  /// is enough.
+  int acting_record(const ContactGroup& group) const {
+    const Nearest found = nearest_edges(group);
+    if (found.record < 0)
+      return -1;
+    const int edge = contacts_.edge[found.record];
+    if (Rules::overlap_sign(at(contacts_.corner[group.first]), at(edge), end(edge)) <=
+        0)
+      return -1;
+    if constexpr (Rules::shield)
+      if (found.next >= 0 && (covered(group, found) || partner_covered(group, found)))
+        return found.next;
+    return found.record;
+  }
+
+ private:
+  /// The two admissible records with the least depths, -1: none.
+  struct Nearest {
+    int record = -1, next = -1;
+  };
+
+  Vec2 at(int corner) const { return blocks_.corner.col(corner); }
+  Vec2 end(int edge) const { return at(blocks_.next[edge]); }
+  Vec2 unit_along(int edge) const { return (end(edge) - at(edge)).normalized(); }
+  bool as_a_whole(int block) const {
+    return Rules::whole_block && blocks_.convex[block];
+  }
+
+  /// Whether a point is inside the convex block, up to the slack.
+  bool inside(const Vec2& point, int block) const {
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      if (!Rules::inside_edge(point, at(e), end(e)))
+        return false;
+    return true;
+  }
+
+  /// Rules 9, 10, 12 and (20) for one record. Of a block taken as a whole, the corner
+  /// is known to be inside.
+  bool admissible(int c, int edge, int edge_block) const {
+    const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
+    const Vec2 centroid = blocks_.centroid.col(edge_block);
+    return (as_a_whole(edge_block)
+                ? Rules::within_depth(corner, centroid, p1, p2)
+                : Rules::in_reach_of_edge(corner, centroid, p1, p2)) &&
+           Rules::faces_edge(corner, at(blocks_.previous[c]), p1, p2) &&
+           Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
+  }
+
+  bool nearer(int c, int edge, int other) const {
+    return Rules::compare_depth(at(c), at(edge), end(edge), at(other), end(other)) < 0;
+  }
+
+  Nearest nearest_edges(const ContactGroup& group) const {
+    const int c = contacts_.corner[group.first], block = group.edge_block;
+    Nearest found;
+    if (as_a_whole(block) && !inside(at(c), block))
+      return found;
+    const auto precedes = [&](int i, int other) {
+      return other < 0 || nearer(c, contacts_.edge[i], contacts_.edge[other]);
+    };
+    for (int i = group.first; i < group.last; ++i) {
+      if (!admissible(c, contacts_.edge[i], block))
+        continue;
+      if (precedes(i, found.record))
+        found.next = found.record, found.record = i;
+      else if (precedes(i, found.next))
+        found.next = i;
+    }
+    return found;
+  }
+
+  /// Whether a third block shields the nearest edge from this corner itself.
+  bool covered(const ContactGroup& group, const Nearest& found) const {
+    const int c = contacts_.corner[group.first];
+    const Vec2 corner = at(c);
+    const int e = contacts_.edge[found.record], f = contacts_.edge[found.next];
+    const Vec2 out = unit_along(e), other = unit_along(f);
+    const double depth = geometry::cross(corner - at(f), other);
+    if (!(depth <= shield_reach(blocks_, group.edge_block)))
+      return false;
+    const Vec2 push = depth * Vec2(-out.y(), out.x());
+    for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
+      const int third = groups_.all[groups_.by_corner[k]].edge_block;
+      if (third != group.edge_block && blocks_.convex[third] &&
+          depth <= shield_reach(blocks_, third) &&
+          (inside(corner + push, third) || inside(corner - push, third)))
+        return true;
+    }
+    return false;
+  }
+
+  /// The same for the corner of the edge's block that lies in this corner's block.
+  bool partner_covered(const ContactGroup& group, const Nearest& found) const {
+    const int e = contacts_.edge[found.record], f = contacts_.edge[found.next];
+    const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
+    if (partner < 0)
+      return false;
+    for (int k = groups_.first_of_corner[partner];
+         k < groups_.first_of_corner[partner + 1]; ++k) {
+      const ContactGroup& its = groups_.all[groups_.by_corner[k]];
+      if (its.edge_block != group.corner_block)
+        continue;
+      // of its two edges the one that faces ours, though it may be the deeper one
+      Nearest faced = nearest_edges(its);
+      if (faced.next < 0)
+        return false;
+      const Vec2 ours = unit_along(e);
+      if (ours.dot(unit_along(contacts_.edge[faced.next])) <
+          ours.dot(unit_along(contacts_.edge[faced.record])))
+        std::swap(faced.record, faced.next);
+      return covered(its, faced);
+    }
+    return false;
+  }
+
+  const Blocks& blocks_;
+  const Contacts& contacts_;
+  const ContactGroups& groups_;
+};
+
+/// ContactDecision by the exact rules, compiled once.
+int acting_record(const Blocks& blocks, const Contacts& contacts,
+                  const ContactGroups& groups, const ContactGroup& group);
 
 }  // namespace blocks::dynamics

@@ -5,13 +5,14 @@
 namespace blocks::dynamics {
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts,
-                    ContactGroups& groups) {
+                    ContactGroups& groups, bool each_alone) {
   groups.all.clear();
   groups.first_of_corner.assign(blocks.corners() + 1, 0);
   const int size = contacts.size();
   for (int first = 0, last; first < size; first = last) {
     last = first + 1;
-    while (last < size && contacts.corner[last] == contacts.corner[first] &&
+    while (!each_alone && last < size &&
+           contacts.corner[last] == contacts.corner[first] &&
            contacts.edge_block[last] == contacts.edge_block[first])
       ++last;
     ContactGroup group;

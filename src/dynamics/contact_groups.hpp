@@ -62,8 +62,9 @@ struct ContactGroups {
   Swing swing;                  ///< of the blocks since the groups were made
 };
 
-/// Splits the list into its groups, all awake.
+/// Splits the list into its groups, all awake. each_alone: one record each, for studies
+/// without the nearest edge.
 void group_contacts(const Blocks& blocks, const Contacts& contacts,
-                    ContactGroups& groups);
+                    ContactGroups& groups, bool each_alone = false);
 
 }  // namespace blocks::dynamics

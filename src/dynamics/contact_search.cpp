@@ -140,6 +140,10 @@ void update_contacts(Model& model, SearchBuffers& buffers) {
   buffers.found.clear();
   buffers.grid.fill(model);
   find_near_corners(model, buffers);
+  adopt_list(model, buffers);
+}
+
+void adopt_list(Model& model, SearchBuffers& buffers) {
   std::sort(buffers.found.begin(), buffers.found.end());
   merge(model.blocks, model.contacts, buffers);
   std::swap(model.contacts, buffers.next);

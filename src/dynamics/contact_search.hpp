@@ -58,6 +58,10 @@ struct SearchBuffers {
 /// their elastic forces.
 void update_contacts(Model& model, SearchBuffers& buffers);
 
+/// Makes the records in buffers.found the list: the end of update_contacts, for whoever
+/// looks for them in another way (src/study). No record twice.
+void adopt_list(Model& model, SearchBuffers& buffers);
+
 /// Sets the dashpot constant C of (18) of every record: damping 2 sqrt(Kn m1 m2/(m1 +
 /// m2)), a fixed block having infinite mass (rule 8).
 void set_contact_damping(Model& model);

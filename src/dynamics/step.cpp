@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "dynamics/contact_forces.hpp"
 #include "dynamics/domain.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/time_step.hpp"
@@ -23,8 +22,6 @@ void prepare(Model& model) {
 
 Displacement step(Model& model, SearchBuffers& buffers) {
   Blocks& blocks = model.blocks;
-  const Settings& settings = model.settings;
-  const double dt = model.time_step.dt;
 
   // 1. potential contacts
   if (!model.search.current)
@@ -34,12 +31,26 @@ Displacement step(Model& model, SearchBuffers& buffers) {
     buffers.grouped_update = model.search.updates;
   }
 
-  // 2. contact forces, symmetry planes
+  // 2. contact forces
+  clear_forces(blocks);
+  const Extremes touching = add_contact_forces(blocks, model.contacts, buffers.groups,
+                                               model.settings, model.time_step.dt);
+  return move(model, buffers, touching);
+}
+
+void clear_forces(Blocks& blocks) {
   blocks.force.setZero();
   blocks.moment.setZero();
   blocks.applied.setZero();
-  const Extremes blocks_touching =
-      add_contact_forces(blocks, model.contacts, buffers.groups, settings, dt);
+}
+
+Displacement move(Model& model, SearchBuffers& buffers,
+                  const Extremes& blocks_touching) {
+  Blocks& blocks = model.blocks;
+  const Settings& settings = model.settings;
+  const double dt = model.time_step.dt;
+
+  // 2. symmetry planes
   const Extremes planes_touching =
       add_plane_forces(blocks, model.plane_contacts, settings, dt);
 

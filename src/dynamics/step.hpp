@@ -1,6 +1,7 @@
 // One time step: the numbered list of calls of docs/architecture.md.
 #pragma once
 
+#include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_search.hpp"
 #include "dynamics/motion.hpp"
 #include "model/model.hpp"
@@ -15,5 +16,11 @@ void prepare(Model& model);
 /// Advances the model by one step of model.time_step.dt. No input or output.
 /// Returns what moved; not finite: the state is lost and the run must stop.
 Displacement step(Model& model, SearchBuffers& buffers);
+
+/// The two ends of a step, for whoever finds the contact forces in another way
+/// (src/study): forces to zero before they are found; planes, loads, motion and domain
+/// after.
+void clear_forces(Blocks& blocks);
+Displacement move(Model& model, SearchBuffers& buffers, const Extremes& touching);
 
 }  // namespace blocks::dynamics

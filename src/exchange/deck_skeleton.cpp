@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <stdexcept>
 
 #include "exchange/block_record.hpp"
 #include "exchange/mesh_writer.hpp"
@@ -56,10 +57,16 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
   const Extent extent = extent_of(outlines);
   const Vec2 size = extent.upper - extent.lower;
   const double widest = size.maxCoeff();
+  const double area = size.x() * size.y();
+  // A block's second moment is of this order.
+  const double moment = area * area / static_cast<double>(outlines.size());
+  if (!(std::isnormal(area) && std::isnormal(moment)))
+    throw std::range_error(fmt::format("blocks in {:g} by {:g} are too {} for a deck",
+                                       size.x(), size.y(),
+                                       widest > 1.0 ? "large" : "small"));
   const double margin = 0.1 * widest;
   const double step = std::pow(10.0, std::floor(std::log10(margin)));
-  const double one_block =
-      std::sqrt(size.x() * size.y() / static_cast<double>(outlines.size()));
+  const double one_block = std::sqrt(area / static_cast<double>(outlines.size()));
   const double tolerance =
       two_digits(std::max(0.4 * extent.shortest_side, 0.01 * one_block));
   const auto boxes = [&](double length) {

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
+
+#include "geometry/block_shape.hpp"
 
 namespace blocks {
 namespace {
@@ -27,18 +31,72 @@ double rounding_area(const geometry::Polygon& p, const geometry::Polygon& q) {
   return (rounding_units * unit + rounding_part * 0.25 * length) * length;
 }
 
+/// Only slits with a block that has not moved are the deck's.
+void find_joints(const std::vector<geometry::Polygon>& outlines,
+                 AssemblyCertificate& certificate) {
+  if (certificate.moved == certificate.blocks)
+    return;
+  auto& [t_junctions, slits] = certificate.joints = geometry::find_joints(outlines);
+  const int moved = certificate.moved;
+  std::erase_if(t_junctions, [moved](const geometry::TJunction& junction) {
+    return std::max(junction.block, junction.other) < moved;
+  });
+  std::erase_if(slits, [moved](const geometry::Slit& s) { return s.second < moved; });
+  std::stable_sort(slits.begin(), slits.end(),
+                   [](const auto& a, const auto& b) { return a.width > b.width; });
+  const double widest = rounding_units * certificate.ulp;
+  certificate.rounding_slits = static_cast<std::size_t>(
+      std::count_if(slits.begin(), slits.end(),
+                    [widest](const geometry::Slit& s) { return s.width <= widest; }));
+}
+
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string at(const Vec2& place) {
+  return fmt::format("({:.12g}, {:.12g})", place.x(), place.y());
+}
+
+/// A line for each of the first ones, and how many more there are.
+template <typename List, typename Line>
+std::string named(const std::string& title, const List& list, std::size_t count,
+                  Line line) {
+  if (count == 0)
+    return {};
+  std::string text = "\n  " + title + "\n";
+  for (std::size_t i = 0; i < std::min(count, most_pairs_named); ++i)
+    text += "    " + line(list[i]) + "\n";
+  if (count > most_pairs_named)
+    text += fmt::format("    and {} more\n", count - most_pairs_named);
+  text.pop_back();
+  return text;
+}
+
 }  // namespace
 
-AssemblyCertificate certify_assembly(const Blocks& blocks, int first_new) {
+AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
+                                     const AssemblyCertificate& before) {
   AssemblyCertificate certificate;
   certificate.blocks = blocks.size();
+  certificate.moved = moved;
   std::vector<geometry::Polygon> outlines;
   outlines.reserve(static_cast<std::size_t>(blocks.size()));
-  for (int b = 0; b < blocks.size(); ++b)
+  for (int b = 0; b < blocks.size(); ++b) {
     outlines.push_back(blocks.outline(b));
-  for (const auto& pair : geometry::overlapping_pairs(outlines, blocks.layer)) {
-    if (pair.second < first_new)
+    certificate.ulp =
+        std::max(certificate.ulp, geometry::coarsest_ulp(outlines.back()));
+  }
+  std::set<std::pair<int, int>> at_fault;
+  for (const auto& pair : before.overlaps)
+    at_fault.emplace(pair.first, pair.second);
+  // Blocks of one layer are disjoint only until they move.
+  const std::vector<int> apart = moved > 0 ? std::vector<int>{} : blocks.layer;
+  for (const auto& pair : geometry::overlapping_pairs(outlines, apart)) {
+    if (pair.second < moved && !at_fault.contains({pair.first, pair.second})) {
+      certificate.contacts.push_back(pair);
       continue;
+    }
     const double part =
         pair.area / std::min(blocks.area[pair.first], blocks.area[pair.second]);
     if (pair.area > rounding_area(outlines[pair.first], outlines[pair.second])) {
@@ -48,6 +106,7 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int first_new) {
       certificate.largest_rounding = std::max(certificate.largest_rounding, part);
     }
   }
+  find_joints(outlines, certificate);
   return certificate;
 }
 
@@ -73,7 +132,53 @@ std::string verdict(const AssemblyCertificate& certificate) {
                         certificate.roundings.size(),
                         certificate.roundings.size() == 1 ? "" : "s",
                         certificate.largest_rounding);
+  if (certificate.moved > 0) {
+    text += certificate.moved == certificate.blocks
+                ? "; all blocks have moved"
+                : fmt::format("; blocks 1 to {} have moved", certificate.moved);
+    text += certificate.contacts.empty()
+                ? std::string(", none overlap in contact")
+                : ", overlaps between them are contacts: " +
+                      counted(certificate.contacts.size(), "pair");
+  }
   return text;
+}
+
+std::string joints_line(const AssemblyCertificate& certificate) {
+  const auto& [t_junctions, slits] = certificate.joints;
+  if (certificate.moved == certificate.blocks)
+    return "gaps: not looked for between blocks that have moved";
+  std::string text = "no gaps";
+  if (certificate.gaps() > 0)
+    text = fmt::format("{}, the widest {:.3g} between blocks {} and {} at {}",
+                       counted(certificate.gaps(), "gap"), slits.front().width,
+                       slits.front().first + 1, slits.front().second + 1,
+                       at(slits.front().place));
+  if (certificate.rounding_slits > 0)
+    text += fmt::format("; {} made by rounding, the widest {:.2g}",
+                        counted(certificate.rounding_slits, "slit"),
+                        slits[certificate.gaps()].width);
+  return text + "; " + counted(t_junctions.size(), "T-junction");
+}
+
+std::string full_text(const AssemblyCertificate& certificate) {
+  const auto pair_line = [](const geometry::BlockOverlap& pair) {
+    return fmt::format("blocks {} and {}: area {:.6g} near {}", pair.first + 1,
+                       pair.second + 1, pair.area, at(pair.place));
+  };
+  return verdict(certificate) + "\n  " + joints_line(certificate) +
+         named("overlaps", certificate.overlaps, certificate.overlaps.size(),
+               pair_line) +
+         named("overlaps by the rounding of corners", certificate.roundings,
+               certificate.roundings.size(), pair_line) +
+         named("overlaps of blocks that have moved: contacts", certificate.contacts,
+               certificate.contacts.size(), pair_line) +
+         named("gaps, the widest first", certificate.joints.slits, certificate.gaps(),
+               [](const geometry::Slit& slit) {
+                 return fmt::format("blocks {} and {}: width {:.6g} at {}",
+                                    slit.first + 1, slit.second + 1, slit.width,
+                                    at(slit.place));
+               });
 }
 
 }  // namespace blocks

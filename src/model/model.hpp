@@ -37,6 +37,10 @@ struct DomainExit {
 struct MergeRecord {
   int layer = 0, absorbed = 0, into = 0;
   double width_to_height = 0.0, limit = 0.0;
+
+  /// "0.125 < 0.2", with digits enough to tell the two apart. A width/height equal to
+  /// the limit is kept; one that is below it by less than doubles hold says so.
+  std::string why() const;
 };
 
 /// How each LAYER card turned out.
@@ -44,7 +48,8 @@ struct LayerRecord {
   int number = 0;                   ///< of the LAYER card, from 1
   int first_block = 0, blocks = 0;  ///< first block (from 0) and how many
   int cells = 0, interior_edges = 0, outline_edges = 0;  ///< certificate counts
-  int redrawn = 0, ruled = 0;
+  int redrawn = 0, ruled = 0;  ///< angles drawn again, sides that took the ruling
+  int redrawn_sides = 0;       ///< sides with an angle drawn again
 };
 
 struct Model {

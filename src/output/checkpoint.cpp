@@ -17,7 +17,7 @@
 namespace blocks::output {
 namespace {
 
-constexpr int format = 3;
+constexpr int format = 4;
 constexpr std::size_t seal_size = 512;
 constexpr const char* magic = "BLOCKS checkpoint\n";
 
@@ -100,7 +100,7 @@ void visit(M& model, Info& info, Archive& ar) {
   ar("run/version", version);
   {
     auto& [card, steps_left, frames, bytes, tabled_step, half_depth, fast_told,
-           finished, warnings] = progress;
+           finished, warnings, overlaps] = progress;
     ar("run/progress/card", card);
     ar("run/progress/steps_left", steps_left);
     ar("run/progress/frames", frames);
@@ -110,6 +110,15 @@ void visit(M& model, Info& info, Archive& ar) {
     ar("run/progress/fast_told", fast_told);
     ar("run/progress/finished", finished);
     ar("run/progress/warnings", warnings);
+    ar.records("run/progress/overlaps", overlaps, [](auto& column, auto& overlap) {
+      auto& [first, second, area, place, depth] = overlap;
+      column("first", first);
+      column("second", second);
+      column("area", area);
+      column("x", place.x());
+      column("y", place.y());
+      column("depth", depth);
+    });
   }
   visit_model(model, ar);
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "geometry/overlap.hpp"
 #include "model/model.hpp"
 #include "output/results.hpp"
 
@@ -21,7 +23,7 @@ struct Progress {
   bool fast_told = false;     ///< of the executor
   bool finished = false;      ///< nothing is left to do
   std::string warnings = {};  ///< of the run so far, a line each
-  bool operator==(const Progress&) const = default;
+  std::vector<geometry::BlockOverlap> overlaps = {};  ///< told by the certificate
 };
 
 /// What a continuation needs beside the model.
@@ -35,7 +37,6 @@ struct CheckpointInfo {
   long listing_bytes = 0;   ///< length of the listing beside it at this moment
   std::string version;      ///< of the program
   Progress progress;
-  bool operator==(const CheckpointInfo&) const = default;
 };
 
 /// Writes to a temporary name beside `path`, syncs, renames. Throws FileError.

@@ -110,26 +110,32 @@ std::string layers_echo(const Model& model) {
   if (!model.layers.empty()) {
     text += heading("LAYERS") + over_whole("layer") + over_whole("first") +
             over_whole("blocks") + over_whole("cells") + over_whole("interior") +
-            over_whole("outline") + over_whole("redrawn") + over_whole("ruled") + "\n" +
-            over_whole("") + over_whole("block") + over_whole("") + over_whole("") +
-            over_whole("edges") + over_whole("edges") + over_whole("angles") +
+            over_whole("outline") + over_whole("redrawn") + over_whole("redrawn") +
+            over_whole("ruled") + "\n" + over_whole("") + over_whole("block") +
+            over_whole("") + over_whole("") + over_whole("edges") +
+            over_whole("edges") + over_whole("angles") + over_whole("sides") +
             over_whole("sides") + "\n";
     for (const LayerRecord& layer : model.layers)
       text += whole(layer.number) + whole(layer.first_block + 1) + whole(layer.blocks) +
               whole(layer.cells) + whole(layer.interior_edges) +
-              whole(layer.outline_edges) + whole(layer.redrawn) + whole(layer.ruled) +
-              "\n";
+              whole(layer.outline_edges) + whole(layer.redrawn) +
+              whole(layer.redrawn_sides) + whole(layer.ruled) + "\n";
     text +=
         "  cells: simple and clockwise; interior edges: in pairs; outline edges: the "
         "others\n";
   }
   if (!model.merges.empty()) {
-    text += heading("MERGED BLOCKS (numbers within the layer before MERGE)") +
+    text += heading("MERGED BLOCKS (numbers within the layer before MERGE; "
+                    "width/height equal to "
+                    "ARATIO is kept)") +
             over_whole("layer") + over_whole("block") + over_whole("into") +
             over_number("width/height") + over_number("ARATIO") + "\n";
     for (const MergeRecord& merge : model.merges)
       text += whole(merge.layer) + whole(merge.absorbed) + whole(merge.into) +
-              number(merge.width_to_height) + number(merge.limit) + "\n";
+              number(merge.width_to_height) + number(merge.limit) +
+              (number(merge.width_to_height) == number(merge.limit) ? "  " + merge.why()
+                                                                    : std::string()) +
+              "\n";
   }
   return text;
 }

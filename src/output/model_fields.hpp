@@ -180,7 +180,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   });
   ar.records("layers", layers, [](auto& column, auto& layer) {
     auto& [number, first_block, block_count, cells, interior_edges, outline_edges,
-           redrawn, ruled] = layer;
+           redrawn, ruled, redrawn_sides] = layer;
     column("number", number);
     column("first_block", first_block);
     column("blocks", block_count);
@@ -189,6 +189,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("outline_edges", outline_edges);
     column("redrawn", redrawn);
     column("ruled", ruled);
+    column("redrawn_sides", redrawn_sides);
   });
   ar("steps", steps);
   ar("time", time);

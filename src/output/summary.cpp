@@ -38,11 +38,33 @@ Json layers(const Model& model) {
                       {"interior_edges", layer.interior_edges},
                       {"outline_edges", layer.outline_edges}}},
                     {"angles_redrawn", layer.redrawn},
+                    {"sides_redrawn", layer.redrawn_sides},
                     {"sides_ruled", layer.ruled}});
   return list;
 }
 
-/// The verdict and its counts; null when a continued run has no new blocks.
+/// The first pairs; the certificate has their number beside them.
+Json pairs(const std::vector<geometry::BlockOverlap>& overlaps) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(overlaps.size(), most_pairs_named); ++i)
+    list.push_back({{"blocks", {overlaps[i].first + 1, overlaps[i].second + 1}},
+                    {"area", overlaps[i].area},
+                    {"place", vector(overlaps[i].place)}});
+  return list;
+}
+
+Json gaps(const AssemblyCertificate& proof) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(proof.gaps(), most_pairs_named); ++i) {
+    const geometry::Slit& slit = proof.joints.slits[i];
+    list.push_back({{"blocks", {slit.first + 1, slit.second + 1}},
+                    {"width", slit.width},
+                    {"place", vector(slit.place)}});
+  }
+  return list;
+}
+
+/// Null for a model without blocks.
 Json certificate(const std::optional<AssemblyCertificate>& proof) {
   if (!proof)
     return nullptr;
@@ -50,10 +72,57 @@ Json certificate(const std::optional<AssemblyCertificate>& proof) {
   for (const auto& pair : proof->overlaps)
     largest = std::max(largest, pair.area);
   return {{"holds", proof->holds()},
+          {"verdict", verdict(*proof)},
           {"blocks", proof->blocks},
+          {"moved_blocks", proof->moved},
           {"overlapping_pairs", proof->overlaps.size()},
           {"largest_overlap_area", largest},
-          {"rounding_pairs", proof->roundings.size()}};
+          {"overlaps", pairs(proof->overlaps)},
+          {"rounding_pairs", proof->roundings.size()},
+          {"roundings", pairs(proof->roundings)},
+          {"contact_pairs", proof->contacts.size()},
+          {"contacts", pairs(proof->contacts)},
+          {"gap_count", proof->gaps()},
+          {"widest_gap", proof->gaps() > 0 ? proof->joints.slits.front().width : 0.0},
+          {"gaps", gaps(*proof)},
+          {"slits_by_rounding", proof->rounding_slits},
+          {"t_junction_count", proof->joints.t_junctions.size()}};
+}
+
+Json audited(const AuditedOverlap& pair) {
+  return {{"blocks", {pair.first + 1, pair.second + 1}},
+          {"step", pair.step},
+          {"time", pair.time},
+          {"excess", pair.excess()},
+          {"overlap", pair.depth},
+          {"deepest_contact", pair.explained},
+          {"springs_pressed_in", pair.pressed}};
+}
+
+/// Counts, faults in words, and the ten worst overlaps; null without audit.
+Json audit(const std::optional<AuditTotals>& totals) {
+  if (!totals)
+    return nullptr;
+  std::vector<AuditedOverlap> worst = totals->excess;
+  std::sort(worst.begin(), worst.end(),
+            [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
+  worst.resize(std::min<std::size_t>(worst.size(), 10));
+  Json list = Json::array();
+  for (const AuditedOverlap& pair : worst)
+    list.push_back(audited(pair));
+  return {
+      {"every", totals->every},
+      {"moments", totals->moments},
+      {"pairs", totals->pairs},
+      {"records_due", totals->records},
+      {"acting", totals->acting},
+      {"missed_pairs", totals->missed},
+      {"wrong_decisions", totals->wrong},
+      {"decided_by_rounding", totals->hanging},
+      {"excess_pairs", totals->excess.size()},
+      {"worst_excess", totals->worst.excess() > 0.0 ? audited(totals->worst) : Json()},
+      {"faults", totals->faults},
+      {"excess_overlaps", list}};
 }
 
 Json merges(const Model& model) {
@@ -121,6 +190,7 @@ void write_summary(const std::string& path, const Model& model,
       {"merges", merges(model)},
       {"layers", layers(model)},
       {"certificate", certificate(report.certificate)},
+      {"audit", audit(report.audit)},
       {"warnings", report.warnings},
       {"frames", report.frames},
       {"state_hash", state_hash(model)},

@@ -1,5 +1,7 @@
 #include "post/axes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,9 +38,35 @@ std::vector<double> nice_ticks(double lower, double upper, int count) {
                                : digit < 3.5 ? 2
                                : digit < 7.5 ? 5
                                              : 10);
+  if (std::max(std::abs(lower), std::abs(upper)) > 1e15 * step)
+    return ticks;  // k + 1 would be k
   for (double k = std::ceil(lower / step - 1e-9); k * step <= upper + 1e-9 * span; ++k)
     ticks.push_back(k * step == 0.0 ? 0.0 : k * step);
   return ticks;
+}
+
+TickLabels label_ticks(double lower, double upper, int count) {
+  TickLabels result{nice_ticks(lower, upper, count), {}, {}};
+  const std::vector<double>& ticks = result.ticks;
+  if (ticks.empty())
+    return result;
+  const double span = ticks.back() - ticks.front();
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : upper - lower;
+  const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
+  double offset = 0.0;
+  if (span > 0.0 && largest >= 1e5 * step) {
+    const double unit = std::pow(10.0, std::ceil(std::log10(span) - 1e-9));
+    offset = std::round(0.5 * (ticks.front() + ticks.back()) / unit) * unit;
+    result.offset = fmt::format("{:+.15g}", offset);
+  }
+  for (const double tick : ticks) {
+    const double rest = tick - offset;
+    // exact but for the rounding of the tick, which is no part of a round number
+    const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+    const double round = offset == 0.0 ? rest : std::round(rest / power) * power;
+    result.labels.push_back(fmt::format("{:g}", round == 0.0 ? 0.0 : round));
+  }
+  return result;
 }
 
 }  // namespace blocks::post

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 namespace blocks::post {
@@ -21,7 +22,19 @@ struct Axes {
   double y(double model_y) const { return top + (ymax - model_y) * scale(); }
 };
 
-/// Round numbers between lower and upper, about `count` of them.
+/// Round numbers between lower and upper, about `count` of them; none where doubles are
+/// too coarse for them.
 std::vector<double> nice_ticks(double lower, double upper, int count);
+
+/// Ticks with short labels that tell them apart.
+struct TickLabels {
+  std::vector<double> ticks;
+  std::vector<std::string> labels;
+  std::string offset;  ///< "+1000000000": to be added to every label; empty for none
+};
+
+/// About `count` ticks. What all of them share is taken off into the offset where the
+/// labels would need more than five digits otherwise.
+TickLabels label_ticks(double lower, double upper, int count);
 
 }  // namespace blocks::post

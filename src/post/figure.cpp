@@ -1,34 +1,24 @@
 #include "post/figure.hpp"
 
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <stdexcept>
 
 #include "post/axes.hpp"
 #include "post/colour_map.hpp"
+#include "post/page_file.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
 namespace {
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
-
 constexpr Colour ink{0.16, 0.16, 0.18}, faint{0.62, 0.62, 0.64},
     paper{0.992, 0.99, 0.984};
-constexpr double full_turn = 2.0 * std::numbers::pi;
 
 /// Draws one frame; holds what all parts share.
 class Drawing {
@@ -172,20 +162,6 @@ class Drawing {
     cairo_set_dash(pen_, nullptr, 0, 0);
   }
 
-  static Colour mark_colour(Mark::Kind kind) {
-    switch (kind) {
-    case Mark::Kind::overlap:
-      return {0.84, 0.10, 0.11};
-    case Mark::Kind::slender:
-      return {0.90, 0.47, 0.05};
-    case Mark::Kind::angle:
-      return {0.46, 0.17, 0.62};
-    case Mark::Kind::gap:
-      return {0.03, 0.38, 0.72};
-    }
-    return ink;
-  }
-
   /// Blocks tinted, what two blocks share filled, a ring around the place.
   void marks() {
     for (const Mark& mark : options_.marks) {
@@ -209,7 +185,7 @@ class Drawing {
     for (const Mark& mark : options_.marks) {
       const Colour c = mark_colour(mark.kind);
       const double x = page_x(mark.place.x()), y = axes_.y(mark.place.y());
-      cairo_arc(pen_, x, y, 9 * unit_, 0, full_turn);
+      trace_mark(pen_, mark.kind, x, y, 9 * unit_);
       cairo_set_line_width(pen_, 4.5 * unit_);
       colour(paper, 0.9);
       cairo_stroke_preserve(pen_);
@@ -235,19 +211,15 @@ class Drawing {
   }
 
   void mark_legend(double x, double y) {
-    using Kind = Mark::Kind;
-    for (const auto& [kind, name] :
-         {std::pair{Kind::overlap, "overlap"}, std::pair{Kind::slender, "most slender"},
-          std::pair{Kind::angle, "sharpest"}, std::pair{Kind::gap, "gap"}}) {
-      if (std::none_of(options_.marks.begin(), options_.marks.end(),
-                       [kind = kind](const Mark& m) { return m.kind == kind; }))
-        continue;
-      cairo_arc(pen_, x + 10 * unit_, y + 7 * unit_, 6 * unit_, 0, full_turn);
+    for (const MarkName& entry : options_.mark_names) {
+      trace_mark(pen_, entry.kind, x + 10 * unit_, y + 7 * unit_, 6 * unit_);
       cairo_set_line_width(pen_, 2.2 * unit_);
-      colour(mark_colour(kind));
+      colour(mark_colour(entry.kind));
       cairo_stroke(pen_);
-      text_at(name, x + 28 * unit_, y + 7 * unit_, 14, ink, 0, 0.5);
-      y += 26 * unit_;
+      text_at(entry.name, x + 28 * unit_, y + 7 * unit_, 14, ink, 0, 0.5);
+      y += 18 * unit_;
+      text_at(entry.count, x + 28 * unit_, y + 7 * unit_, 12, faint, 0, 0.5);
+      y += 24 * unit_;
     }
   }
 
@@ -282,17 +254,21 @@ class Drawing {
     colour(ink);
     cairo_rectangle(pen_, axes_.left, axes_.top, axes_.width, axes_.height);
     cairo_stroke(pen_);
-    for (const double t : nice_ticks(axes_.xmin, axes_.xmax, 10)) {
-      tick(axes_.x(t), bottom, 0, 6);
-      text_at(fmt::format("{:g}", t), axes_.x(t), bottom + 11 * unit_, 14, ink, 0.5, 0);
+    const TickLabels xs = label_ticks(axes_.xmin, axes_.xmax, 10);
+    for (std::size_t i = 0; i < xs.ticks.size(); ++i) {
+      tick(axes_.x(xs.ticks[i]), bottom, 0, 6);
+      text_at(xs.labels[i], axes_.x(xs.ticks[i]), bottom + 11 * unit_, 14, ink, 0.5, 0);
     }
-    for (const double t :
-         nice_ticks(axes_.ymin, axes_.ymax,
-                    std::max(2, static_cast<int>(axes_.height / (70 * unit_))))) {
-      tick(axes_.left, axes_.y(t), -6, 0);
-      text_at(fmt::format("{:g}", t), axes_.left - 11 * unit_, axes_.y(t), 14, ink, 1,
+    text_at(xs.offset, axes_.left + axes_.width, bottom + 38 * unit_, 14, ink, 1, 0);
+    const TickLabels ys =
+        label_ticks(axes_.ymin, axes_.ymax,
+                    std::max(2, static_cast<int>(axes_.height / (70 * unit_))));
+    for (std::size_t i = 0; i < ys.ticks.size(); ++i) {
+      tick(axes_.left, axes_.y(ys.ticks[i]), -6, 0);
+      text_at(ys.labels[i], axes_.left - 11 * unit_, axes_.y(ys.ticks[i]), 14, ink, 1,
               0.5);
     }
+    text_at(ys.offset, axes_.left - 66 * unit_, axes_.top - 5 * unit_, 14, ink, 0, 1);
     text_at("x", axes_.left + axes_.width / 2, bottom + 38 * unit_, 15, ink, 0.5, 0);
     text_at("y", axes_.left - 66 * unit_, axes_.top + axes_.height / 2, 15, ink, 0,
             0.5);
@@ -411,47 +387,14 @@ Axes choose_axes(const Frame& now, const Frame& first, const FigureOptions& opti
           options.width};
 }
 
-[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
-  throw std::runtime_error("cannot write " + path + ": " + why);
-}
-
 }  // namespace
 
 void draw_frame(const std::string& path, const Frame& now, const Frame& first,
                 const std::string& title, const FigureOptions& options) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  if (ending != ".png" && ending != ".svg" && ending != ".pdf")
-    throw std::runtime_error(
-        "the figure's name must end in .png, .svg or .pdf, found '" + path + "'");
   const Axes axes = choose_axes(now, first, options);
-  const std::string draft = path + ".tmp";
-  const double w = axes.page_width, h = axes.page_height;
-  Surface surface(ending == ".svg" ? cairo_svg_surface_create(draft.c_str(), w, h)
-                  : ending == ".pdf"
-                      ? cairo_pdf_surface_create(draft.c_str(), w, h)
-                      : cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                                   static_cast<int>(std::ceil(w)),
-                                                   static_cast<int>(std::ceil(h))),
-                  cairo_surface_destroy);
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    cannot_write(path, cairo_status_to_string(cairo_surface_status(surface.get())));
-  {
-    const Pen pen(cairo_create(surface.get()), cairo_destroy);
-    Drawing(pen.get(), axes, now, first, options).draw(title);
-    cairo_show_page(pen.get());
-  }
-  cairo_status_t status = ending == ".png"
-                              ? cairo_surface_write_to_png(surface.get(), draft.c_str())
-                              : CAIRO_STATUS_SUCCESS;
-  cairo_surface_finish(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS)
-    status = cairo_surface_status(surface.get());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    std::remove(draft.c_str());
-    cannot_write(path, cairo_status_to_string(status));
-  }
-  if (std::rename(draft.c_str(), path.c_str()) != 0)
-    cannot_write(path, std::strerror(errno));
+  write_page(path, axes.page_width, axes.page_height, [&](cairo_t* pen) {
+    Drawing(pen, axes, now, first, options).draw(title);
+  });
 }
 
 void draw_figure(const std::string& path, const ResultsReader& results, long frame,

@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "post/marks.hpp"
 #include "post/results_reader.hpp"
 
 namespace blocks::post {
-
-/// A place of the figure that deserves a look.
-struct Mark {
-  enum class Kind { overlap, slender, angle, gap };
-  Kind kind = Kind::overlap;
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< [L]
-  std::string label;                                ///< written beside it; may be empty
-  std::vector<int> blocks;  ///< drawn over in the mark's colour, from 0
-};
 
 struct FigureOptions {
   double width = 1200;                  ///< pixels (PNG) or points (SVG, PDF)
@@ -24,15 +16,16 @@ struct FigureOptions {
   std::optional<Eigen::Vector4d> zoom;  ///< xmin, xmax, ymin, ymax [L]
   bool numbers = false;                 ///< block numbers
   bool original = false;                ///< outlines of the first frame underneath
-  bool mirror = false;    ///< the other half of a half model, about mirror_x
-  double mirror_x = 0.0;  ///< [L]
-  std::vector<Mark> marks;
-  std::string subtitle;  ///< instead of time and step
+  bool mirror = false;               ///< the other half of a half model, about mirror_x
+  double mirror_x = 0.0;             ///< [L]
+  std::vector<Mark> marks;           ///< those drawn last lie on top
+  std::vector<MarkName> mark_names;  ///< legend of the marks
+  std::string subtitle;              ///< instead of time and step
 };
 
 /// Draws one frame to a PNG, SVG or PDF file chosen by the ending; the file appears
-/// whole or not at all. Throws std::runtime_error: unknown ending or quantity, file not
-/// writable.
+/// whole or not at all, an older one is kept as .bak. Throws std::runtime_error:
+/// unknown ending or quantity, file not writable.
 void draw_figure(const std::string& path, const ResultsReader& results, long frame,
                  const FigureOptions& options);
 

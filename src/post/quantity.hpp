@@ -1,10 +1,14 @@
-// What a figure can be coloured by.
+// The quantities of a block that can be drawn, coloured and followed in time: those of
+// the report's Table F.1 and ours.
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "post/results_reader.hpp"
+#include "post/units.hpp"
 
 namespace blocks::post {
 
@@ -15,9 +19,29 @@ struct Quantity {
   bool is_signed = false;  ///< centred on zero
 };
 
-/// Names: speed, displacement, rotation, s11, s12, s22, p1, p2 (principal stresses,
-/// largest first, tension positive). displacement is against `first`. Throws
-/// std::runtime_error listing the names.
+/// What a quantity is, without its numbers.
+struct QuantityKind {
+  std::string name;         ///< "vx"
+  std::string report_name;  ///< "VELX" of Table F.1, or empty
+  std::string label;        ///< "velocity x"
+  Dimension dimension;
+  bool is_signed = false;
+  bool additive = false;  ///< the sum over blocks is that of the model
+  /// (n) values; the second frame is the first of the file.
+  std::function<Eigen::VectorXd(const Frame& now, const Frame& first)> values;
+};
+
+/// All of them, the ones wanted most first.
+const std::vector<QuantityKind>& quantity_kinds();
+
+/// By name or report name in any case; nullptr if there is none.
+const QuantityKind* find_quantity(const std::string& name);
+
+/// "speed, displacement, ...".
+std::string quantity_names();
+
+/// displacement, dx and dy are against `first`. Throws std::runtime_error listing the
+/// names.
 Quantity quantity(const std::string& name, const Frame& now, const Frame& first);
 
 }  // namespace blocks::post

@@ -1,5 +1,7 @@
 #include "post/results_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +17,7 @@ using output::hdf5::Handle;
 
 struct ResultsReader::File {
   std::string path;
-  Handle file, vtk, steps;
+  Handle file, vtk, steps, own;
   std::vector<double> times;
   std::string title;
 
@@ -48,7 +50,18 @@ struct ResultsReader::File {
     return Column::open(vtk.get(), "FieldData/" + name)
         .at<T>(step_value("FieldDataOffsets/" + name, frame));
   }
+  template <class T>
+  std::vector<T> contact(const char* name, hsize_t from, hsize_t n,
+                         hsize_t width) const {
+    Column column = Column::open(own.get(), std::string("contacts/") + name);
+    if (column.width() != width)
+      throw Failure(std::string("contacts/") + name + " has the wrong shape");
+    return column.read<T>(from, n);
+  }
+  /// Throws FileError naming the frames there are.
+  void require(long i) const;
   Frame read(hsize_t i) const;
+  FrameContacts read_contacts(hsize_t i) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
 };
 
@@ -62,6 +75,11 @@ Eigen::Matrix2Xd in_plane(const std::vector<double>& rows) {
 Eigen::VectorXd vector(const std::vector<double>& rows) {
   return Eigen::Map<const Eigen::VectorXd>(rows.data(),
                                            static_cast<Eigen::Index>(rows.size()));
+}
+
+Eigen::Matrix4Xd tensors(const std::vector<double>& rows) {
+  return Eigen::Map<const Eigen::Matrix4Xd>(rows.data(), 4,
+                                            static_cast<Eigen::Index>(rows.size() / 4));
 }
 
 }  // namespace
@@ -108,11 +126,37 @@ Frame ResultsReader::File::read(hsize_t i) const {
   frame.velocity = in_plane(cells<double>("Velocity", i, n, 3));
   frame.angle = vector(cells<double>("Angle", i, n, 1));
   frame.spin = vector(cells<double>("Spin", i, n, 1));
-  const auto stress = cells<double>("Stress", i, n, 4);
-  frame.stress = Eigen::Map<const Eigen::Matrix4Xd>(stress.data(), 4,
-                                                    static_cast<Eigen::Index>(n));
+  frame.force = in_plane(cells<double>("Force", i, n, 3));
+  frame.moment = vector(cells<double>("Moment", i, n, 1));
+  frame.area = vector(cells<double>("Area", i, n, 1));
+  frame.mass = vector(cells<double>("Mass", i, n, 1));
+  frame.inertia = vector(cells<double>("Inertia", i, n, 1));
+  frame.stress = tensors(cells<double>("Stress", i, n, 4));
+  frame.applied = tensors(cells<double>("AppliedStress", i, n, 4));
+  frame.strain_rate = tensors(cells<double>("StrainRate", i, n, 4));
   read_outlines(i, part, n, frame);
   return frame;
+}
+
+FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
+  const auto place = [&](const char* name) {
+    const auto value = contact<std::int64_t>(name, i, 1, 1).front();
+    if (value < 0)
+      throw Failure(std::string("contacts/") + name + " is negative");
+    return static_cast<hsize_t>(value);
+  };
+  const hsize_t from = place("Offsets"), m = place("Counts");
+  FrameContacts rows;
+  rows.corner_block = contact<int>("CornerBlock", from, m, 1);
+  rows.corner = contact<int>("Corner", from, m, 1);
+  rows.edge_block = contact<int>("EdgeBlock", from, m, 1);
+  rows.edge = contact<int>("Edge", from, m, 1);
+  rows.point = in_plane(contact<double>("Point", from, m, 3));
+  rows.normal = in_plane(contact<double>("Normal", from, m, 3));
+  rows.normal_force = vector(contact<double>("NormalForce", from, m, 1));
+  rows.shear_force = vector(contact<double>("ShearForce", from, m, 1));
+  rows.overlap = vector(contact<double>("Overlap", from, m, 1));
+  return rows;
 }
 
 ResultsReader::ResultsReader(const std::string& path)
@@ -126,6 +170,7 @@ ResultsReader::ResultsReader(const std::string& path)
       throw Failure("it is not a results file of BLOCKS");
     from.vtk = output::hdf5::open_group(from.file.get(), "VTKHDF");
     from.steps = output::hdf5::open_group(from.vtk.get(), "Steps");
+    from.own = output::hdf5::open_group(from.file.get(), "BLOCKS");
     // Frames beyond NSteps are still being written, or were cut off.
     const auto frames = output::hdf5::read_attribute(from.steps.get(), "NSteps");
     if (frames <= 0)
@@ -144,13 +189,25 @@ const std::vector<double>& ResultsReader::times() const { return file_->times; }
 
 std::string ResultsReader::title() const { return file_->title; }
 
+const std::string& ResultsReader::path() const { return file_->path; }
+
+void ResultsReader::File::require(long i) const {
+  const auto frames = static_cast<long>(times.size());
+  if (i < 0 || i >= frames)
+    throw output::FileError(path + " has frames 0 to " + std::to_string(frames - 1) +
+                            ", not " + std::to_string(i));
+}
+
 Frame ResultsReader::frame(long i) const {
-  if (i < 0 || i >= frames())
-    throw output::FileError(file_->path + " has frames 0 to " +
-                            std::to_string(frames() - 1) + ", not " +
-                            std::to_string(i));
+  file_->require(i);
   return output::naming("read", file_->path,
                         [&] { return file_->read(static_cast<hsize_t>(i)); });
+}
+
+FrameContacts ResultsReader::contacts(long i) const {
+  file_->require(i);
+  return output::naming("read", file_->path,
+                        [&] { return file_->read_contacts(static_cast<hsize_t>(i)); });
 }
 
 long ResultsReader::nearest(double time) const {
@@ -159,6 +216,15 @@ long ResultsReader::nearest(double time) const {
     return std::abs(a - time) < std::abs(b - time);
   };
   return std::min_element(times.begin(), times.end(), closer) - times.begin();
+}
+
+long ResultsReader::at(double time) const {
+  const double first = file_->times.front(), last = file_->times.back();
+  const double slack = 1e-3 * (last - first);  // a run ends a part of a step late
+  if (!(time >= first - slack && time <= last + slack))
+    throw std::runtime_error(fmt::format("{} has times {:g} to {:g}, not {:g}",
+                                         file_->path, first, last, time));
+  return nearest(time);
 }
 
 }  // namespace blocks::post

@@ -17,9 +17,19 @@ struct Frame {
   double kinetic_energy = 0.0;
   std::vector<std::vector<Eigen::Vector2d>> outlines;  ///< [L] clockwise, per block
   std::vector<int> number, material, fixed;
-  Eigen::Matrix2Xd centroid, velocity;
-  Eigen::VectorXd angle, spin;
-  Eigen::Matrix4Xd stress;
+  Eigen::Matrix2Xd centroid, velocity, force;
+  Eigen::VectorXd angle, spin, moment, area, mass, inertia;
+  Eigen::Matrix4Xd stress, applied, strain_rate;  ///< rows 11, 12, 21, 22
+  int size() const { return static_cast<int>(number.size()); }
+};
+
+/// The active contacts of a frame, m of them: a corner on an edge. Blocks, corners and
+/// edges count from 1; edge block 0: a symmetry plane.
+struct FrameContacts {
+  std::vector<int> corner_block, corner, edge_block, edge;  ///< (m)
+  Eigen::Matrix2Xd point, normal;  ///< [L] the corner; outward from the edge
+  Eigen::VectorXd normal_force, shear_force, overlap;  ///< [F], [F], [L]
+  int size() const { return static_cast<int>(corner.size()); }
 };
 
 class ResultsReader {
@@ -31,10 +41,15 @@ class ResultsReader {
   long frames() const;
   const std::vector<double>& times() const;
   std::string title() const;
+  const std::string& path() const;
   /// 0 <= i < frames().
   Frame frame(long i) const;
+  FrameContacts contacts(long i) const;
   /// Index of the frame nearest in time.
   long nearest(double time) const;
+  /// The same for a time the run went through: throws std::runtime_error naming the
+  /// first and the last when it lies outside.
+  long at(double time) const;
 
  private:
   struct File;

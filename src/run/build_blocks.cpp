@@ -254,10 +254,10 @@ bool BlockBuilder::orient_corners(const deck::Layer& card,
 
 void BlockBuilder::record(const geometry::Layer& cut, int number) {
   model_.settings.layers_made = number;
-  model_.layers.push_back({number, model_.blocks.size(),
-                           static_cast<int>(cut.mesh.cells.size()),
-                           cut.certificate.cells, cut.certificate.interior_edges,
-                           cut.certificate.outline_edges, cut.redrawn, cut.ruled});
+  model_.layers.push_back(
+      {number, model_.blocks.size(), static_cast<int>(cut.mesh.cells.size()),
+       cut.certificate.cells, cut.certificate.interior_edges,
+       cut.certificate.outline_edges, cut.redrawn, cut.ruled, cut.redrawn_sides});
   const double limit =
       model_.settings.merge_ratio ? model_.settings.merge_ratio->value() : 0.0;
   for (const geometry::Absorption& absorption : cut.absorptions)

@@ -19,7 +19,8 @@ using deck::Command;
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
-      corners_(shared_corners(cards)), checked_blocks_(model.blocks.size()) {
+      corners_(shared_corners(cards)), checked_blocks_(model.blocks.size()),
+      moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
 }
@@ -266,8 +267,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   if (!in_place)
     return;
   check_planes();
-  if (checked_blocks_ != blocks.size())
-    check_overlaps(command);
+  check_overlaps(command);
   if (!model_.settings.rigid && blocks.size() > checked_blocks_) {
     const TimeStep chosen = dynamics::choose_time_step(model_);
     if (chosen.elastic)
@@ -277,20 +277,25 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
                       chosen.dt, chosen.block + 1),
           "deformable blocks need dt < l sqrt(rho / C11); half of that is taken");
   }
-  checked_blocks_ = blocks.size();
+  checked_blocks_ = moved_blocks_ = blocks.size();
 }
 
-void Builder::take_as_checked() {
+void Builder::begin_to_move(const std::optional<AssemblyCertificate>& certificate) {
+  certificate_ = certificate;
   planes_.clear();
-  checked_blocks_ = model_.blocks.size();
   fraction_told_ = dynamics::safe_fraction(model_.settings.damping);
+  checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 
-void Builder::go_on(const std::vector<Command>& cards, std::size_t next) {
+void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
+                    const std::vector<geometry::BlockOverlap>& overlaps) {
   for (std::size_t i = 0; i < next; ++i)
     stretch_ += std::holds_alternative<deck::Motion>(cards[i].card) ||
                 std::holds_alternative<deck::Cycle>(cards[i].card);
-  take_as_checked();
+  AssemblyCertificate told;
+  told.blocks = told.moved = model_.blocks.size();
+  told.overlaps = overlaps;
+  begin_to_move(told);
 }
 
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
@@ -310,9 +315,10 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
 }
 
 void Builder::check_without_motion(const Command& last) {
-  if (model_.blocks.size() == checked_blocks_)
+  if (model_.blocks.size() == 0)
     return;
-  check_planes();
+  if (model_.blocks.size() != checked_blocks_)
+    check_planes();
   check_overlaps(last);
 }
 
@@ -372,8 +378,13 @@ void Builder::check_planes() {
 }
 
 void Builder::check_overlaps(const Command& command) {
-  certificate_ = certify_assembly(model_.blocks, checked_blocks_);
-  const auto& pairs = certificate_->overlaps;
+  if (certificate_ && certificate_->blocks == model_.blocks.size())
+    return;
+  certificate_ = certify_assembly(model_.blocks, moved_blocks_,
+                                  certificate_.value_or(AssemblyCertificate{}));
+  std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;
+  std::erase_if(pairs,
+                [this](const auto& pair) { return pair.second < checked_blocks_; });
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
     diagnostics_.warning(

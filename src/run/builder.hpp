@@ -49,13 +49,16 @@ class Builder {
   /// CYCLE. in_place: blocks stand where they will be then; no MOTION lies between.
   void check_before_motion(const deck::Command& command, bool in_place);
 
-  /// All of this was told before: what stands now is not judged again.
-  void take_as_checked();
+  /// Instead of it before the first MOTION or CYCLE, when another builder has checked
+  /// the same cards. certificate: what that one found.
+  void begin_to_move(const std::optional<AssemblyCertificate>& certificate);
 
-  /// The next card is cards[next]: those before it made the model.
-  void go_on(const std::vector<deck::Command>& cards, std::size_t next);
+  /// The next card is cards[next]: those before it made the model, whose blocks overlap
+  /// as told.
+  void go_on(const std::vector<deck::Command>& cards, std::size_t next,
+             const std::vector<geometry::BlockOverlap>& overlaps);
 
-  /// The same of the blocks, for a deck in which no time passes.
+  /// The same of the blocks, for a deck in which no (more) time passes.
   void check_without_motion(const deck::Command& last);
 
   /// Blocks named by OUTPUT, which may be made after it. Called when all cards are
@@ -65,7 +68,8 @@ class Builder {
   /// What was found in the mesh files, a line each, since the last call.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
-  /// What the blocks proved to be when time last passed; nothing before.
+  /// What the blocks proved to be when the latest were made; nothing before time
+  /// passes.
   const std::optional<AssemblyCertificate>& certificate() const { return certificate_; }
 
  private:
@@ -85,6 +89,7 @@ class Builder {
   std::vector<deck::Command> planes_;  ///< SPLANE cards not yet checked
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
   int checked_blocks_;          ///< blocks already looked at before an earlier MOTION
+  int moved_blocks_;            ///< blocks that time has passed for
   double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
   std::vector<std::pair<deck::Command, deck::Int>> output_blocks_;  ///< not yet checked
   std::optional<AssemblyCertificate> certificate_;

@@ -19,17 +19,17 @@ std::string check_report(const std::string& file, const Model& model,
   for (const LayerRecord& layer : model.layers)
     text += fmt::format(
         "layer {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, "
-        "{} outline sides; {} angles redrawn, {} sides ruled\n",
+        "{} outline sides; {} angles of {} sides redrawn, {} sides ruled\n",
         layer.number, layer.first_block + 1, layer.first_block + layer.blocks,
         layer.cells, layer.interior_edges, layer.outline_edges, layer.redrawn,
-        layer.ruled);
+        layer.redrawn_sides, layer.ruled);
   for (const MergeRecord& merge : model.merges)
     text += fmt::format(
         "layer {}: block {} absorbed by {} (counted within the layer before MERGE): "
-        "width/height {:.6g} < {:g}\n",
-        merge.layer, merge.absorbed, merge.into, merge.width_to_height, merge.limit);
+        "width/height {}\n",
+        merge.layer, merge.absorbed, merge.into, merge.why());
   if (certificate)
-    text += verdict(*certificate) + "\n";
+    text += verdict(*certificate) + "\n" + joints_line(*certificate) + "\n";
   if (blocks.size() > 0) {
     const TimeStep step = dynamics::choose_time_step(model);
     text += fmt::format("time step {:.6g}, set by block {} ({})\n", step.dt,

@@ -37,7 +37,7 @@ long steps_for(double interval, double dt) {
 Executor::Executor(Model& model, RunFiles& files, Console& console,
                    const RunOptions& options)
     : model_(model), files_(files), console_(console), options_(options),
-      exits_told_(model.exits.size()) {}
+      audit_(options.audit_every), exits_told_(model.exits.size()) {}
 
 void Executor::resume(const output::Progress& progress) {
   progress_ = progress;
@@ -82,6 +82,14 @@ void Executor::echo() {
   echoed_ = true;
 }
 
+void Executor::finish() {
+  echo();
+  if (audit_.totals().every > 0) {
+    files_.message(audit_.closing());
+    console_.note(audit_.closing());
+  }
+}
+
 void Executor::dump() {
   echo();
   files_.dump(model_);
@@ -111,6 +119,9 @@ void Executor::start() {
 Outcome Executor::advance(long steps) {
   const long rows = 10, row_every = std::max(1L, (steps + rows - 1) / rows);
   for (long i = 1; i <= steps; ++i) {
+    const bool audited = audit_.due(model_);
+    if (audited)
+      audit_.before(model_);
     const dynamics::Displacement moved = dynamics::step(model_, buffers_);
     if (!moved.finite) {
       warn(
@@ -119,6 +130,8 @@ Outcome Executor::advance(long steps) {
                       model_.time, model_.steps));
       return Outcome::unsound;
     }
+    if (audited && !passes_audit())
+      return Outcome::unsound;
     if (moved.strongest > model_.settings.normal_stiffness * half_depth_ && runaway())
       return Outcome::unsound;
     watch(moved);
@@ -197,6 +210,21 @@ bool Executor::runaway() {
     return true;
   }
   return false;
+}
+
+/// Tells what the audit of the step just made found. False: a decision was wrong, or
+/// the list misses a pair.
+bool Executor::passes_audit() {
+  const AuditWatch::Verdict verdict = audit_.after(model_);
+  for (const std::string& line : verdict.overlaps)
+    files_.message(line);
+  for (const std::string& line : verdict.faults)
+    warn(line);
+  for (const std::string& line : verdict.stories) {
+    console_.warn(line);
+    files_.message(line);
+  }
+  return verdict.faults.empty();
 }
 
 void Executor::tell_what_remains() const {

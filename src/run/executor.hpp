@@ -5,6 +5,7 @@
 #include <set>
 
 #include "dynamics/step.hpp"
+#include "run/audit_watch.hpp"
 #include "run/console.hpp"
 #include "run/run.hpp"
 #include "run/run_files.hpp"
@@ -41,18 +42,26 @@ class Executor {
   /// DUMP.
   void dump();
   /// A deck in which no time passed is echoed all the same.
-  void finish() { echo(); }
+  void finish();
 
   /// Keeps a warning that was shown already, for listing and summary.
   void remember(const std::string& message);
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What the certificate told, for checkpoints.
+  void set_overlaps(const std::vector<geometry::BlockOverlap>& overlaps) {
+    progress_.overlaps = overlaps;
+  }
   /// Where the run stands.
   output::Progress progress() const;
+  /// The steps of the next card are those left of one begun before.
+  bool begun() const { return begun_; }
+  const AuditWatch& audit() const { return audit_; }
 
  private:
   void echo();
   void start();
   bool runaway();
+  bool passes_audit();
   void tell_what_remains() const;
   Outcome advance(long steps);
   /// What is left of a card begun before; `all` of one that begins.
@@ -68,6 +77,7 @@ class Executor {
   Console& console_;
   const RunOptions& options_;
   dynamics::SearchBuffers buffers_;
+  AuditWatch audit_;
   std::vector<std::string> warnings_;
   std::size_t exits_told_ = 0;
   output::Progress progress_;

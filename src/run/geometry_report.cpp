@@ -66,7 +66,8 @@ Measure measure_of(const std::vector<Measure::Place>& places, double sign) {
 
 }  // namespace
 
-GeometryReport examine_geometry(const std::string& file, const Model& model) {
+GeometryReport examine_geometry(const std::string& file, const Model& model,
+                                int moved) {
   const Blocks& blocks = model.blocks;
   GeometryReport report;
   report.file = file;
@@ -74,11 +75,9 @@ GeometryReport examine_geometry(const std::string& file, const Model& model) {
   report.corners = blocks.corners();
   report.layers = model.layers;
   report.merges = model.merges;
-  std::vector<geometry::Polygon> outlines;
   std::vector<Measure::Place> area, aspect, edge, angle;
   for (int b = 0; b < blocks.size(); ++b) {
-    outlines.push_back(blocks.outline(b));
-    const auto& outline = outlines.back();
+    const geometry::Polygon outline = blocks.outline(b);
     const auto shape = geometry::measure_shape(outline);
     const Vec2 middle = blocks.centroid.col(b);
     const auto corner = [&](int c) { return outline[static_cast<std::size_t>(c)]; };
@@ -88,21 +87,12 @@ GeometryReport examine_geometry(const std::string& file, const Model& model) {
     edge.push_back({shape.shortest_edge, b, shape.edge,
                     0.5 * (corner(shape.edge) + corner(next))});
     angle.push_back({shape.smallest_angle, b, shape.corner, corner(shape.corner)});
-    report.ulp = std::max(report.ulp, geometry::coarsest_ulp(outline));
   }
   report.area = measure_of(area, 1.0);
   report.aspect = measure_of(aspect, -1.0);
   report.edge = measure_of(edge, 1.0);
   report.angle = measure_of(angle, 1.0);
-  report.certificate = certify_assembly(blocks);
-  report.joints = geometry::find_joints(outlines);
-  auto& slits = report.joints.slits;
-  std::stable_sort(slits.begin(), slits.end(),
-                   [](const auto& a, const auto& b) { return a.width > b.width; });
-  report.rounding_slits = static_cast<std::size_t>(
-      std::count_if(slits.begin(), slits.end(), [&](const geometry::Slit& slit) {
-        return slit.width <= rounding_units * report.ulp;
-      }));
+  report.certificate = certify_assembly(blocks, moved);
   return report;
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "geometry/joints.hpp"
 #include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 
@@ -39,22 +38,19 @@ struct GeometryReport {
   Measure edge;    ///< [L] shortest of each block
   Measure angle;   ///< degrees, smallest of each block
   AssemblyCertificate certificate;
-  geometry::Joints joints;  ///< slits: the widest first
-  std::size_t rounding_slits =
-      0;             ///< those of joints no wider than rounding makes them
-  double ulp = 0.0;  ///< [L] between neighbouring doubles at the largest coordinate
   std::vector<LayerRecord> layers;
   std::vector<MergeRecord> merges;
 
   /// ulp over the shortest edge of all.
-  double resolution() const { return blocks > 0 ? ulp / edge.smallest : 0.0; }
+  double resolution() const {
+    return blocks > 0 ? certificate.ulp / edge.smallest : 0.0;
+  }
   bool resolved() const { return resolution() <= coarsest_resolution; }
-  /// Slits wider than rounding makes them.
-  std::size_t gaps() const { return joints.slits.size() - rounding_slits; }
 };
 
-/// Looks at the blocks as they stand. n log n.
-GeometryReport examine_geometry(const std::string& file, const Model& model);
+/// Looks at the blocks as they stand, of which the first `moved` have moved. n log n.
+GeometryReport examine_geometry(const std::string& file, const Model& model,
+                                int moved = 0);
 
 /// For a terminal of 80 columns.
 std::string text(const GeometryReport& report);

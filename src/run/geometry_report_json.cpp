@@ -37,6 +37,7 @@ Json layers(const GeometryReport& report) {
                     {"interior_edges", layer.interior_edges},
                     {"outline_edges", layer.outline_edges},
                     {"angles_redrawn", layer.redrawn},
+                    {"sides_redrawn", layer.redrawn_sides},
                     {"sides_ruled", layer.ruled}});
   return list;
 }
@@ -65,41 +66,44 @@ Json overlaps(const std::vector<geometry::BlockOverlap>& pairs) {
 
 std::string json(const GeometryReport& report) {
   Json gaps = Json::array(), junctions = Json::array();
-  for (const auto& junction : report.joints.t_junctions)
+  for (const auto& junction : report.certificate.joints.t_junctions)
     junctions.push_back({{"block", junction.block + 1},
                          {"corner", junction.corner + 1},
                          {"inside_a_side_of", junction.other + 1},
                          {"place", vector(junction.place)}});
-  for (std::size_t i = 0; i < report.gaps(); ++i) {
-    const geometry::Slit& slit = report.joints.slits[i];
+  for (std::size_t i = 0; i < report.certificate.gaps(); ++i) {
+    const geometry::Slit& slit = report.certificate.joints.slits[i];
     gaps.push_back({{"blocks", {slit.first + 1, slit.second + 1}},
                     {"width", slit.width},
                     {"place", vector(slit.place)}});
   }
-  const Json all = {
-      {"deck", report.file},
-      {"blocks", report.blocks},
-      {"corners", report.corners},
-      {"area", measure(report.area, nullptr)},
-      {"aspect_ratio", measure(report.aspect, nullptr)},
-      {"shortest_side", measure(report.edge, "side")},
-      {"smallest_angle", measure(report.angle, "corner")},
-      {"layers", layers(report)},
-      {"merges", merges(report)},
-      {"certificate",
-       {{"holds", report.certificate.holds()},
-        {"overlaps", overlaps(report.certificate.overlaps)},
-        {"roundings", overlaps(report.certificate.roundings)},
-        {"largest_rounding", report.certificate.largest_rounding}}},
-      {"t_junctions", junctions},
-      {"gaps", gaps},
-      {"widest_gap", report.gaps() > 0 ? report.joints.slits.front().width : 0.0},
-      {"slits_by_rounding", report.rounding_slits},
-      {"resolution",
-       {{"ulp", report.ulp},
-        {"ulp_over_shortest_side", report.resolution()},
-        {"bound", coarsest_resolution},
-        {"sufficient", report.resolved()}}}};
+  const Json all = {{"deck", report.file},
+                    {"blocks", report.blocks},
+                    {"corners", report.corners},
+                    {"area", measure(report.area, nullptr)},
+                    {"aspect_ratio", measure(report.aspect, nullptr)},
+                    {"shortest_side", measure(report.edge, "side")},
+                    {"smallest_angle", measure(report.angle, "corner")},
+                    {"layers", layers(report)},
+                    {"merges", merges(report)},
+                    {"certificate",
+                     {{"holds", report.certificate.holds()},
+                      {"overlaps", overlaps(report.certificate.overlaps)},
+                      {"moved_blocks", report.certificate.moved},
+                      {"contacts", overlaps(report.certificate.contacts)},
+                      {"roundings", overlaps(report.certificate.roundings)},
+                      {"largest_rounding", report.certificate.largest_rounding}}},
+                    {"t_junctions", junctions},
+                    {"gaps", gaps},
+                    {"widest_gap", report.certificate.gaps() > 0
+                                       ? report.certificate.joints.slits.front().width
+                                       : 0.0},
+                    {"slits_by_rounding", report.certificate.rounding_slits},
+                    {"resolution",
+                     {{"ulp", report.certificate.ulp},
+                      {"ulp_over_shortest_side", report.resolution()},
+                      {"bound", coarsest_resolution},
+                      {"sufficient", report.resolved()}}}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

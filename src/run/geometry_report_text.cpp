@@ -71,21 +71,19 @@ std::string layers(const GeometryReport& report) {
         layer.number, layer.first_block + 1, layer.first_block + layer.blocks,
         layer.cells, layer.interior_edges, layer.outline_edges);
     if (layer.redrawn > 0 || layer.ruled > 0)
-      text += fmt::format("; ORIENT: {} angles redrawn, {} sides ruled", layer.redrawn,
-                          layer.ruled);
+      text += fmt::format("; ORIENT: {} angles of {} sides redrawn, {} sides ruled",
+                          layer.redrawn, layer.redrawn_sides, layer.ruled);
     text += "\n";
   }
   for (const MergeRecord& merge : report.merges)
     text += fmt::format("  layer {}: MERGE: block {} absorbed by {} (counted within "
-                        "the layer before MERGE), width/height {:.6g} "
-                        "< {:g}\n",
-                        merge.layer, merge.absorbed, merge.into, merge.width_to_height,
-                        merge.limit);
+                        "the layer before MERGE), width/height {}\n",
+                        merge.layer, merge.absorbed, merge.into, merge.why());
   return text;
 }
 
 std::string joints(const GeometryReport& report) {
-  const auto& found = report.joints;
+  const auto& found = report.certificate.joints;
   std::string text = fmt::format(
       "  {} T-junction{}: a corner inside a side of another block (legal)\n",
       found.t_junctions.size(), found.t_junctions.size() == 1 ? "" : "s");
@@ -94,24 +92,26 @@ std::string joints(const GeometryReport& report) {
                        junction.corner + 1, junction.block + 1, junction.other + 1,
                        at(junction.place));
   });
-  if (report.gaps() == 0)
+  if (report.certificate.gaps() == 0)
     text +=
         fmt::format("  no gaps up to {:g} of a block's size\n", geometry::widest_slit);
   else
     text += fmt::format("  {} gap{} up to {:g} of a block's size, the widest {:.3g}\n",
-                        report.gaps(), report.gaps() == 1 ? "" : "s",
+                        report.certificate.gaps(),
+                        report.certificate.gaps() == 1 ? "" : "s",
                         geometry::widest_slit, found.slits.front().width);
   const std::vector<geometry::Slit> gaps(
       found.slits.begin(),
-      found.slits.begin() + static_cast<std::ptrdiff_t>(report.gaps()));
+      found.slits.begin() + static_cast<std::ptrdiff_t>(report.certificate.gaps()));
   text += first_of(gaps, [](const geometry::Slit& slit) {
     return fmt::format("  blocks {} and {}: {:.3g} at {}", slit.first + 1,
                        slit.second + 1, slit.width, at(slit.place));
   });
-  if (report.rounding_slits > 0)
+  if (report.certificate.rounding_slits > 0)
     text += fmt::format("  {} slit{} made by rounding, the widest {:.2g}\n",
-                        report.rounding_slits, report.rounding_slits == 1 ? "" : "s",
-                        found.slits[report.gaps()].width);
+                        report.certificate.rounding_slits,
+                        report.certificate.rounding_slits == 1 ? "" : "s",
+                        found.slits[report.certificate.gaps()].width);
   return text;
 }
 
@@ -119,7 +119,7 @@ std::string resolution(const GeometryReport& report) {
   std::string text = fmt::format(
       "  doubles lie {:.2g} apart at the largest coordinate: {:.2g} of the shortest "
       "side\n",
-      report.ulp, report.resolution());
+      report.certificate.ulp, report.resolution());
   if (!report.resolved())
     text += fmt::format("  warning: above {:g} contacts are poorly resolved; move the "
                         "origin of the deck near the blocks\n",
@@ -152,6 +152,9 @@ std::string text(const GeometryReport& report) {
                        pair.second + 1, pair.area, at(pair.place));
   };
   text += first_of(report.certificate.overlaps, pair_text);
+  if (!report.certificate.contacts.empty())
+    text += "  in contact after motion:\n" +
+            first_of(report.certificate.contacts, pair_text);
   if (!report.certificate.roundings.empty())
     text += "  by the rounding of corners:\n" +
             first_of(report.certificate.roundings, pair_text);

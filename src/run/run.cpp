@@ -77,7 +77,8 @@ struct Job {
   std::string name;
   std::optional<AssemblyCertificate> certificate;  ///< of all blocks, by the check
   output::CheckpointInfo from;                     ///< once loaded
-  bool resumes = false;  ///< this very deck goes on where it was stopped
+  bool resumes = false;         ///< this very deck goes on where it was stopped
+  ExitCode fault = deck_error;  ///< what a failed check exits with
 };
 
 Model Job::load() {
@@ -111,11 +112,24 @@ Model Job::load() {
 /// before its first step; false when there were errors.
 /// notes: what the mesh files held.
 bool check(Job& job, Model& model, std::vector<std::string>& notes) {
-  if (job.loads() && !job.diagnostics.has_errors())
-    model = job.load();
+  if (job.loads() && !job.diagnostics.has_errors()) {
+    try {
+      model = job.load();
+    } catch (const output::FileError& fault) {
+      if (job.options.restart)
+        throw;
+      const deck::Command& command = job.deck.commands.front();
+      const auto& card = std::get<deck::Restart>(command.card);
+      job.diagnostics.error(card.file.given ? card.file.where : command.where,
+                            command.name, fault.what(),
+                            "--restart FILE names another checkpoint");
+      job.fault = file_error;
+      return false;
+    }
+  }
   Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
   if (job.resumes)
-    builder.go_on(job.deck.commands, job.first_command());
+    builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
   bool in_place = !job.resumes;  // else the run itself judges, as it would have
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
@@ -135,12 +149,9 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   return !job.diagnostics.has_errors();
 }
 
-/// Judges a later MOTION or CYCLE where the blocks stand by now, and tells what is
-/// wrong. False when there were errors.
-bool sound_in_place(Builder& builder, deck::Diagnostics& said,
-                    const deck::Command& command, Executor& executor) {
-  const std::size_t before = said.all().size();
-  builder.check_before_motion(command, true);
+/// Tells what was found wrong since there were `before` diagnostics. False when there
+/// were errors.
+bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& executor) {
   bool sound = true;
   for (std::size_t i = before; i < said.all().size(); ++i) {
     const deck::Diagnostic& diagnostic = said.all()[i];
@@ -149,6 +160,21 @@ bool sound_in_place(Builder& builder, deck::Diagnostics& said,
     sound = sound && diagnostic.severity != deck::Severity::error;
   }
   return sound;
+}
+
+/// Judges a later MOTION or CYCLE where the blocks stand by now, or the blocks made
+/// after the last one. False when there were errors.
+bool sound_in_place(Builder& builder, deck::Diagnostics& said,
+                    const deck::Command& command, Executor& executor, RunFiles& files) {
+  const std::size_t before = said.all().size();
+  const int proved = builder.certificate() ? builder.certificate()->blocks : 0;
+  if (passes_time(command))
+    builder.check_before_motion(command, true);
+  else
+    builder.check_without_motion(command);
+  if (const auto& now = builder.certificate(); now && now->blocks != proved)
+    files.message("certificate: " + full_text(*now));
+  return tell_new(said, before, executor);
 }
 
 /// Executes the deck for good. Returns an ExitCode.
@@ -180,13 +206,13 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     console.warn(files.put_aside());
   Executor executor(model, files, console, job.options);
   if (job.resumes) {
-    builder.go_on(job.deck.commands, job.first_command());
+    builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
     executor.resume(job.from.progress);
   } else {
     for (const std::string& warning : warnings)
       executor.remember(warning);
     if (job.certificate)
-      files.message("certificate: " + verdict(*job.certificate));
+      files.message("certificate: " + full_text(*job.certificate));
   }
   const auto motions = static_cast<double>(
       std::count_if(job.deck.commands.begin(), job.deck.commands.end(), passes_time));
@@ -201,11 +227,16 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     for (const std::string& note : builder.take_notes())
       files.message(note);
     if (passes_time(command)) {
-      if (motion > 0.0 && !sound_in_place(builder, said, command, executor)) {
+      if (executor.begun()) {
+        // It was judged when it began.
+      } else if (motion == 0.0) {
+        builder.begin_to_move(job.certificate);
+      } else if (!sound_in_place(builder, said, command, executor, files)) {
         outcome = Outcome::unsound_deck;
         break;
       }
-      builder.take_as_checked();
+      if (builder.certificate())
+        executor.set_overlaps(builder.certificate()->overlaps);
       executor.set_share(motion / motions, (motion + 1.0) / motions);
       motion += 1.0;
     }
@@ -218,12 +249,17 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     else if (std::holds_alternative<deck::Stop>(command.card))
       break;
   }
+  if (motion > 0.0 && outcome == Outcome::finished &&
+      !sound_in_place(builder, said, job.deck.commands.back(), executor, files))
+    outcome = Outcome::unsound_deck;
   console.clear_progress();
   executor.finish();
 
   output::RunReport report;
   report.warnings = executor.warnings();
-  report.certificate = job.certificate;
+  report.certificate = motion > 0.0 ? builder.certificate() : job.certificate;
+  if (job.options.audit_every > 0)
+    report.audit = executor.audit().totals();
   report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   report.status = outcome == Outcome::finished       ? "done"
@@ -290,7 +326,7 @@ int run_deck(const RunOptions& options) {
   const bool sound = check(job, checked, notes);
   fmt::print(stderr, "{}", job.diagnostics.format_all());
   if (!sound)
-    return deck_error;
+    return job.fault;
   if (options.verbose) {
     fmt::print(stderr, "{}",
                check_report(job.diagnostics.file(), checked, job.certificate));
@@ -302,25 +338,24 @@ int run_deck(const RunOptions& options) {
   return execute(job, console, warnings_of(job.diagnostics));
 }
 
-std::optional<CheckedDeck> build_checked(const RunOptions& options) {
+CheckedDeck build_checked(const RunOptions& options) {
   Job job(options);
   CheckedDeck checked;
   checked.file = job.diagnostics.file();
   const bool sound = check(job, checked.model, checked.notes);
   fmt::print(stderr, "{}", job.diagnostics.format_all());
-  if (!sound)
-    return std::nullopt;
+  checked.code = sound ? done : job.fault;
   checked.certificate = job.certificate;
   return checked;
 }
 
 int check_deck(const RunOptions& options) {
   const auto checked = build_checked(options);
-  if (!checked)
-    return deck_error;
+  if (checked.code != done)
+    return checked.code;
   if (!options.quiet) {
-    fmt::print("{}", check_report(checked->file, checked->model, checked->certificate));
-    for (const std::string& note : checked->notes)
+    fmt::print("{}", check_report(checked.file, checked.model, checked.certificate));
+    for (const std::string& note : checked.notes)
       fmt::print("{}\n", note);
   }
   return done;

@@ -35,6 +35,7 @@ struct RunOptions {
   double time_limit = 0.0;        ///< seconds of wall clock, 0: none
   long stop_after = 0;            ///< steps of this run, 0: no limit
   double checkpoint_every = 0.0;  ///< seconds of wall clock, 0: at the end only
+  long audit_every = 0;           ///< steps between audits of the contacts, 0: none
   bool quiet = false;
   bool verbose = false;
   bool json = false;  ///< the summary on standard output instead of the table
@@ -45,15 +46,15 @@ int run_deck(const RunOptions& options);
 
 /// What a deck describes before its first step.
 struct CheckedDeck {
-  std::string file;  ///< as shown in messages
+  ExitCode code = done;  ///< of a deck with faults: theirs, and nothing below counts
+  std::string file;      ///< as shown in messages
   Model model;
-  std::optional<AssemblyCertificate> certificate;  ///< nothing: no time passes
+  std::optional<AssemblyCertificate> certificate;  ///< nothing: no blocks
   std::vector<std::string> notes;  ///< what was found in the mesh files, a line each
 };
 
-/// Parses and builds everything, prints every fault, makes no step. Nothing when the
-/// deck has errors.
-std::optional<CheckedDeck> build_checked(const RunOptions& options);
+/// Parses and builds everything, prints every fault, makes no step.
+CheckedDeck build_checked(const RunOptions& options);
 
 /// The same, and a short report. Returns an ExitCode.
 int check_deck(const RunOptions& options);

@@ -68,18 +68,26 @@ TEST(FreeField, ReadsFortranNumbers) {
   EXPECT_EQ(read_number("-.5e+01").value.value(), -5.0);
   EXPECT_EQ(read_number("+7.").value.value(), 7.0);
   EXPECT_EQ(read_number("1d0002").value.value(), 100.0);
+  // Without a letter too, exact to the digit; zero has any exponent.
+  const geometry::Decimal large = read_number("1.5+3").value;
+  EXPECT_EQ(large.digits() + "e" + std::to_string(large.exponent()), "15e2");
+  EXPECT_EQ(read_number("-1.5-3").value.value(), -1.5e-3);
+  EXPECT_EQ(read_number("0.-999999999").fault, NumberFault::none);
 }
 
 TEST(FreeField, RefusesWhatIsNoNumber) {
-  for (const char* text :
-       {"", ".", "+", "1e", "1.2.3", "--1", "0x10", "1f", "1e+", "e5", "1,5",
-        "\xe2\x88\x92"
-        "1"}) {
+  for (const char* text : {"", ".", "+", "1e", "1.2.3", "--1", "0x10", "1f", "1e+",
+                           "e5", "1,5", "1+", "1-2-3", "+-1", "1.5+e3",
+                           "\xe2\x88\x92"
+                           "1"}) {
     EXPECT_EQ(read_number(text).fault, NumberFault::not_a_number) << text;
   }
   for (const char* text :
        {"nan", "-INF", "Infinity", "1e400", "-1.d309", "1e9999999999"}) {
     EXPECT_EQ(read_number(text).fault, NumberFault::not_finite) << text;
+  }
+  for (const char* text : {"1e-999999999", "-2.D-500", "1-401"}) {
+    EXPECT_EQ(read_number(text).fault, NumberFault::too_small) << text;
   }
 }
 

@@ -1,4 +1,5 @@
 // `blocks import` and `blocks export` as a user meets them.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,6 +66,18 @@ TEST(Import, KeepsOlderFiles) {
   EXPECT_EQ(slurp(folder / "s.wkt"), square);
   EXPECT_EQ(blocks("import no.wkt", folder.path()).code, 5);
   EXPECT_EQ(blocks("import s.wkt --material 1 -o no/s.txt", folder.path()).code, 5);
+}
+
+// Areas beyond doubles are no numbers to calculate with: no deck, and no mesh for it.
+TEST(Import, RefusesADeckBeyondDoubles) {
+  const TemporaryFolder folder;
+  for (const char* size : {"1e300", "1e-300"}) {
+    folder.write("s.wkt", fmt::format("POLYGON((0 0, {0} 0, 0 {0}, 0 0))", size));
+    const Outcome import = blocks("import s.wkt --material 1 --deck", folder.path());
+    EXPECT_EQ(import.code, 3);
+    EXPECT_THAT(import.err, HasSubstr("for a deck; nothing written"));
+    EXPECT_FALSE(folder.holds("s.deck") || folder.holds("s.mesh.txt"));
+  }
 }
 
 // The deck skeleton runs, wherever the blocks stand and however large they are.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace blocks::geometry::exact {
 namespace {
@@ -41,6 +42,61 @@ TEST(Rounding, DirectedRoundingEnclosesTheValueByOneUlp) {
   EXPECT_EQ(rounded_towards(Rational(3, 4), 1), 0.75);
 }
 
+// The same by MPFR, in the exponent range of a double.
+double judged(const Fraction& value, mpfr_rnd_t mode) {
+  mpfr_t num, den;
+  mpfr_init2(num, mpz_sizeinbase(value.num.mpz(), 2) + 2);
+  mpfr_init2(den, mpz_sizeinbase(value.den.mpz(), 2) + 2);
+  mpfr_set_z(num, value.num.mpz(), MPFR_RNDN);
+  mpfr_set_z(den, value.den.mpz(), MPFR_RNDN);
+  const mpfr_exp_t low = mpfr_get_emin(), high = mpfr_get_emax();
+  mpfr_set_emin(-1073);
+  mpfr_set_emax(1024);
+  MPFR_DECL_INIT(result, 53);
+  mpfr_subnormalize(result, mpfr_div(result, num, den, mode), mode);
+  const double rounded = mpfr_get_d(result, mode);
+  mpfr_set_emin(low);
+  mpfr_set_emax(high);
+  mpfr_clears(num, den, static_cast<mpfr_ptr>(nullptr));
+  return rounded;
+}
+
+TEST(Rounding, IsThatOfMpfrForQuotientsOfAnyLength) {
+  std::mt19937_64 engine(7);
+  const auto number = [&engine](int words) {
+    Integer z = 0;
+    for (int i = 0; i < words; ++i) {
+      mpz_mul_2exp(z.mpz(), z.mpz(), 64);
+      mpz_add_ui(z.mpz(), z.mpz(), engine());
+    }
+    return z;
+  };
+  int subnormal = 0, infinite = 0, exact = 0;
+  for (int k = 0; k < 30000; ++k) {
+    Integer num = number(1 + static_cast<int>(engine() % 20)), den;
+    if (k % 5 == 0) {  // a double, a tie, or next to one
+      mpz_tdiv_q_2exp(num.mpz(), num.mpz(), mpz_sizeinbase(num.mpz(), 2) - 54);
+      mpz_mul_2exp(num.mpz(), num.mpz(), 3);
+      num += Integer(static_cast<int>(engine() % 3) - 1);
+      den = 1;
+      mpz_mul_2exp(den.mpz(), den.mpz(), engine() % 1130);
+    } else {
+      den = number(1 + static_cast<int>(engine() % 20)) + Integer(1);
+    }
+    const Fraction value(k % 2 == 0 ? num : Integer(-num), den);
+    const double nearest = rounded_towards(value, 0);
+    EXPECT_EQ(nearest, judged(value, MPFR_RNDN)) << k;
+    EXPECT_EQ(rounded_towards(value, -1), judged(value, MPFR_RNDD)) << k;
+    EXPECT_EQ(rounded_towards(value, 1), judged(value, MPFR_RNDU)) << k;
+    subnormal += std::fpclassify(nearest) == FP_SUBNORMAL ? 1 : 0;
+    infinite += std::isinf(nearest) ? 1 : 0;
+    exact += rounded_towards(value, -1) == rounded_towards(value, 1) ? 1 : 0;
+  }
+  EXPECT_GT(subnormal, 50);
+  EXPECT_GT(infinite, 50);
+  EXPECT_GT(exact, 50);
+}
+
 TEST(Tangent, IsExactWhereItIsRational) {
   EXPECT_EQ(tangent_of_degrees(Rational(0)), 0.0);
   EXPECT_EQ(tangent_of_degrees(Rational(45)), 1.0);
@@ -74,6 +130,14 @@ TEST(Fraction, ComparesAndRoundsWithoutBeingReduced) {
   EXPECT_FALSE(Fraction(6, 4) < Fraction(3, 2));
   EXPECT_FALSE(Fraction(3, 2) < Fraction(-6, -4));
   EXPECT_TRUE(Fraction(1, -3) < Fraction(-2, 7));
+  Integer tower = 1;  // 2^60 .. 2^1200: neighbours that no double tells apart
+  for (int k = 0; k < 20; ++k) {
+    mpz_mul_2exp(tower.mpz(), tower.mpz(), 60);
+    EXPECT_TRUE(Fraction(tower, tower + 1) < Fraction(tower + 1, tower));
+    EXPECT_TRUE(Fraction(tower, tower + 1) < Fraction(tower + 1, tower + 2));
+    EXPECT_FALSE(Fraction(-tower, tower + 1) < Fraction(-tower - 1, tower + 2));
+    EXPECT_FALSE(Fraction(tower * 3, (tower + 1) * 3) < Fraction(tower, tower + 1));
+  }
   EXPECT_EQ(rounded_towards(Fraction(10, 100), 0), 0.1);
   EXPECT_EQ(rounded_towards(Fraction(-5, 15), 1), rounded_towards(Rational(-1, 3), 1));
   EXPECT_EQ(rounded_towards(Fraction(0, 5), -1), 0.0);

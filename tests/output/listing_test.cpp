@@ -20,8 +20,9 @@ std::string full_listing() {
   model.loads.function = {{0, 0.5}, {0, 1}};
   model.loads.pressures.push_back({1, 2, 10, 20, 0.25});
   model.loads.forces.push_back({1, {3, -4}, 0.125});
-  model.layers.push_back({1, 0, 2, 2, 1, 6, 3, 0});
+  model.layers.push_back({1, 0, 2, 2, 1, 6, 3, 0, 2});
   model.merges.push_back({1, 2, 3, 0.125, 0.2});
+  model.merges.push_back({1, 4, 5, 3.0, 3.0});  // less by no double
   model.exits.push_back({1, 0.005});
   {
     Listing listing(folder / "a.out", false);
@@ -41,6 +42,14 @@ TEST(Listing, IsTheGoldenText) {
   const std::string golden =
       std::string(BLOCKS_SOURCE_DIR) + "/tests/output/golden/two_blocks.out";
   EXPECT_EQ(full_listing(), contents(golden)) << "golden text: " << golden;
+}
+
+// "3 < 3" would say nothing.
+TEST(MergeRecord, TellsTheTwoNumbersApart) {
+  EXPECT_EQ((MergeRecord{1, 2, 3, 0.125, 0.2}.why()), "0.125 < 0.2");
+  EXPECT_EQ((MergeRecord{1, 2, 3, 3 - 0x1p-40, 3}.why()), "2.999999999999 < 3");
+  EXPECT_EQ((MergeRecord{1, 2, 3, 3, 3}.why()),
+            "just below 3, by less than doubles hold");
 }
 
 // 132 columns, as printers had; numbers never run together.

@@ -69,6 +69,18 @@ TEST(Figure, PaintsBlocksInTheirMaterialsColour) {
   cairo_surface_destroy(image);
 }
 
+// Far from the origin labels of six digits would all read alike.
+TEST(Ticks, AreToldApartFarFromTheOrigin) {
+  const TickLabels far = label_ticks(1e9 - 1.1, 1e9 + 1.1, 5);
+  EXPECT_THAT(far.labels, ElementsAre("-1", "-0.5", "0", "0.5", "1"));
+  EXPECT_EQ(far.offset, "+1000000000");
+  const TickLabels below = label_ticks(-500003.05, -500002.35, 4);
+  EXPECT_THAT(below.labels, ElementsAre("0", "0.2", "0.4", "0.6"));
+  EXPECT_EQ(below.offset, "-500003");
+  EXPECT_EQ(label_ticks(1000, 1100, 5).offset, "");
+  EXPECT_TRUE(label_ticks(1e17, 1e17 + 64, 10).ticks.empty());  // doubles lie 16 apart
+}
+
 TEST(Figure, WritesVectorFormatsWholeOrNotAtAll) {
   const Folder folder;
   for (const char* name : {"a.svg", "a.pdf"}) {

@@ -94,7 +94,7 @@ class BadCards : public ::testing::TestWithParam<fs::path> {
     run::RunOptions options;
     options.deck = "deck";
     ::testing::internal::CaptureStderr();
-    sound = run::build_checked(options).has_value();
+    sound = run::build_checked(options).code == run::done;
     return ::testing::internal::GetCapturedStderr();
   }
   TemporaryFolder folder_;

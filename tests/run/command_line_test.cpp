@@ -193,7 +193,10 @@ TEST_F(Plot, RefusesWhatItCannotDraw) {
   const Outcome quantity = plot("fall.vtkhdf -o a.png --colour heat");
   EXPECT_NE(quantity.code, 0);
   EXPECT_THAT(quantity.err, HasSubstr("there is no quantity 'heat': choose material, "
-                                      "speed, displacement, rotation, s11"));
+                                      "speed, displacement, rotation, x"));
+  const Outcome time = plot("fall.vtkhdf -o a.png --time 99");
+  EXPECT_EQ(time.code, 2);
+  EXPECT_THAT(time.err, HasSubstr("fall.vtkhdf has times 0 to "));
   EXPECT_FALSE(folder_.holds("a.gif") || folder_.holds("a.png"));
   EXPECT_EQ(plot("absent.vtkhdf").code, 5);
   EXPECT_EQ(plot("fall.ckpt.h5").code, 5);

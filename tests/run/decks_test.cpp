@@ -28,7 +28,7 @@ TEST_P(ShippedDeck, PassesCheck) {
 TEST_P(ShippedDeck, RunsAndWritesItsFiles) {
   const TemporaryFolder folder;
   const Outcome run =
-      blocks("run " + quoted() + " --set MOTION.dt=0.002", folder.path());
+      blocks("run " + quoted() + " --set MOTION.dt=0.002 --audit=20", folder.path());
   ASSERT_EQ(run.code, 0) << run.err;
   for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
     EXPECT_TRUE(folder.holds(name() + ending)) << ending;
@@ -45,6 +45,9 @@ TEST_P(ShippedDeck, RunsAndWritesItsFiles) {
   // rule 24 counts ceil(dt / TDEL - 1e-9) steps: round-off in n TDEL is not a step more
   EXPECT_GE(json["time"].get<double>(), 0.002 * (1 - 1e-9));
   EXPECT_EQ(json["status"], "done");
+  EXPECT_GE(json["audit"]["moments"].get<long>(), 1);
+  EXPECT_EQ(json["audit"]["faults"], nlohmann::json::array());
+  EXPECT_EQ(json["audit"]["excess_pairs"], 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Decks, ShippedDeck, ::testing::ValuesIn(decks_below("decks")),

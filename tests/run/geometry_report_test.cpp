@@ -42,8 +42,61 @@ TEST(GeometryReport, NamesTheBlocksThatOverlap) {
   const Json kept = summary(folder, "a")["certificate"];
   EXPECT_FALSE(kept["holds"].get<bool>());
   EXPECT_EQ(kept["overlapping_pairs"], 1);
+  EXPECT_EQ(kept["overlaps"], certificate["overlaps"]);
+  EXPECT_EQ(kept["gap_count"], 1);
+  EXPECT_EQ(kept["gaps"], json["gaps"]);
+  const std::string gap = "1 gap, the widest 0.0004 between blocks 1 and 4 at (-1, "
+                          "0.0004); 2 T-junctions\n";
   EXPECT_THAT(slurp(folder / "a.out"),
-              HasSubstr("certificate: 1 pair of 4 blocks overlaps"));
+              HasSubstr("certificate: 1 pair of 4 blocks overlaps, most of all 2 and 3 "
+                        "by an area of 0.25\n  " +
+                        gap +
+                        "  overlaps\n    blocks 2 and 3: area 0.25 near (1.75, 0.75)\n"
+                        "  gaps, the widest first\n"
+                        "    blocks 1 and 4: width 0.0004 at (-1, 0.0004)\n"));
+  EXPECT_THAT(blocks("check a.deck", folder.path()).out, HasSubstr("\n" + gap));
+}
+
+// 90 equal blocks in one place are 4005 pairs: 100 are named, all are counted.
+TEST(GeometryReport, NamesAHundredPairsAndCountsTheRest) {
+  const TemporaryFolder folder;
+  run_text(folder, "a",
+           preliminary() + "CLOOP, 90, 0, 0\n" + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
+  const Json kept = summary(folder, "a")["certificate"];
+  EXPECT_EQ(kept["overlapping_pairs"], 90 * 89 / 2);
+  EXPECT_EQ(kept["overlaps"].size(), 100U);
+  EXPECT_THAT(slurp(folder / "a.out"), HasSubstr("    and 3905 more\n"));
+}
+
+// What presses on each other after motion is no fault of the deck; what is made later
+// is judged against the blocks as they stand, on a RESTART too.
+TEST(GeometryReport, CertifiesWhatIsMadeAfterMotion) {
+  const TemporaryFolder folder;
+  const std::string settled = preliminary() + rectangle(-4, -1, 4, 0, true) +
+                              rectangle(0, 0, 1, 1) + "GRAVITY, 0, -9.81\nCYCLE, 20\n";
+  const std::string later = rectangle(-3, 0, -2, 1) + rectangle(-2.5, 0, -1.5, 1);
+  const Outcome whole =
+      run_text(folder, "whole", settled + later + "CYCLE, 20\nSTOP\n");
+  EXPECT_EQ(whole.err.find("1 and 2 overlap"), std::string::npos) << whole.err;
+  run_text(folder, "first", settled + "STOP\n");
+  run_text(folder, "still", "RESTART, first.ckpt.h5\nSTOP\n");
+  const Json still = summary(folder, "still")["certificate"];
+  EXPECT_TRUE(still["holds"].get<bool>());
+  EXPECT_EQ(still["moved_blocks"], 2);
+  EXPECT_EQ(still["contacts"][0]["blocks"], Json({1, 2}));
+  EXPECT_EQ(still["verdict"], "no two of 2 blocks overlap; all blocks have moved, "
+                              "overlaps between them are contacts: 1 pair");
+  run_text(folder, "second", "RESTART, first.ckpt.h5\n" + later + "CYCLE, 20\nSTOP\n");
+  run_text(folder, "last", settled + later + "STOP\n");  // no time passes for them
+  for (const char* name : {"whole", "second", "last"}) {
+    const Json kept = summary(folder, name)["certificate"];
+    EXPECT_EQ(kept["blocks"], 4) << name;
+    EXPECT_EQ(kept["moved_blocks"], 2) << name;
+    ASSERT_EQ(kept["overlaps"].size(), 1U) << name;
+    EXPECT_EQ(kept["overlaps"][0]["blocks"], Json({3, 4})) << name;
+    EXPECT_THAT(slurp(folder / (std::string(name) + ".out")),
+                HasSubstr("certificate: 1 pair of 4 blocks overlaps"));
+  }
 }
 
 TEST(GeometryReport, FindsGapsAndTJunctions) {
@@ -60,7 +113,7 @@ TEST(GeometryReport, TextAndJsonAgree) {
   const TemporaryFolder folder;
   const std::string deck = preliminary() +
                            "MERGE, 0.5\n"
-                           "ORIENT, -15, 15\n"
+                           "ORIENT, -45, 45\n"
                            "LAYER, -20, 1, -9, -9, -9, -7, 9, -6.5, 9, -9, RANDOM\n" +
                            rectangle(-1, 0, 1, 1) + "CYCLE, 1\n";
   const Json json = geometry_json(folder, deck, 0);
@@ -101,6 +154,12 @@ TEST(GeometryReport, TextAndJsonAgree) {
                                           layer["cells"].get<int>(),
                                           layer["interior_edges"].get<int>(),
                                           layer["outline_edges"].get<int>())));
+  EXPECT_GT(layer["sides_redrawn"].get<int>(), 0);
+  EXPECT_THAT(text,
+              HasSubstr(fmt::format(
+                  "ORIENT: {} angles of {} sides redrawn, {} sides ruled",
+                  layer["angles_redrawn"].get<int>(), layer["sides_redrawn"].get<int>(),
+                  layer["sides_ruled"].get<int>())));
   EXPECT_THAT(text, HasSubstr("proved: no two of "));
 }
 
@@ -132,10 +191,12 @@ TEST(GeometryReport, DrawsTheOffendingPlaces) {
   EXPECT_EQ(slurp(folder / "a.svg.bak"), "older");
   const std::string svg = slurp(folder / "a.svg");
   EXPECT_THAT(svg, StartsWith("<?xml"));
-  EXPECT_NE(svg.find("84%"), std::string::npos);  // the red of overlaps
+  // the colours of overlaps, gaps, T-junctions and short sides; all corners are alike
+  for (const char* colour : {"84%,10%,11%", "3%,38%,72%", "0%,50%,42%", "42%,26%,10%"})
+    EXPECT_NE(svg.find(colour), std::string::npos) << colour;
   const Outcome gif = blocks("check --geometry -q --plot a.gif a.deck", folder.path());
   EXPECT_EQ(gif.code, 5);
-  EXPECT_THAT(gif.err, HasSubstr(".png, .svg or .pdf"));
+  EXPECT_THAT(gif.err, HasSubstr(".png, .svg or .pdf, found 'a.gif'"));
 }
 
 TEST(GeometryReport, OptionsNeedTheReport) {

@@ -93,7 +93,12 @@ TEST(RestartFile, IsNamedByTheOption) {
   folder.write("second.deck", "RESTART, nowhere.ckpt.h5\nCYCLE, 10\n");
   const Outcome lost = blocks("run second.deck", folder.path());
   EXPECT_EQ(lost.code, 5);
-  EXPECT_NE(lost.err.find("nowhere.ckpt.h5"), std::string::npos) << lost.err;
+  EXPECT_EQ(
+      lost.err,
+      "second.deck:1:10: error: RESTART: cannot read nowhere.ckpt.h5: No such file "
+      "or directory\n  RESTART, nowhere.ckpt.h5\n           ^~~~~~~~~~~~~~~\n"
+      "  hint: --restart FILE names another checkpoint\n1 error\n");
+  EXPECT_EQ(blocks("check second.deck", folder.path()).code, 5);
   const Outcome found =
       blocks("run second.deck --restart first.ckpt.h5", folder.path());
   ASSERT_EQ(found.code, 0) << found.err;

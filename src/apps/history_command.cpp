@@ -1,0 +1,240 @@
+#include "history_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+
+#include "output/results.hpp"
+#include "post/history.hpp"
+#include "post/line_chart.hpp"
+#include "post/number_table.hpp"
+#include "post/profile.hpp"
+#include "run/run.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using post::NumberTable;
+
+std::string with_unit(const std::string& label, const std::string& unit) {
+  return unit.empty() ? label : label + " [" + unit + "]";
+}
+
+/// Numbers for the tables and lines for the figure.
+struct Answer {
+  std::vector<NumberTable> runs;
+  post::Chart chart;
+};
+
+/// The panel of that axis text, made when it is new.
+post::ChartPanel& panel(post::Chart& chart, const std::string& y_label) {
+  const auto found =
+      std::find_if(chart.panels.begin(), chart.panels.end(),
+                   [&](const post::ChartPanel& p) { return p.y_label == y_label; });
+  if (found != chart.panels.end())
+    return *found;
+  chart.panels.push_back({y_label, {}});
+  return chart.panels.back();
+}
+
+void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs) {
+  chart.title = runs.front().title;
+  for (const NumberTable& run : runs)
+    chart.subtitle += (chart.subtitle.empty() ? "" : ", ") + run.file;
+}
+
+Answer histories(const HistoryOptions& options,
+                 const std::optional<post::Units>& units) {
+  std::vector<post::Curve> curves;
+  const bool against = !options.against.empty();
+  if (against)
+    curves.push_back(post::parse_curve(options.against));
+  for (const std::string& text : options.quantities)
+    curves.push_back(post::parse_curve(text));
+  if (options.quantities.empty())
+    for (const char* usual : {"kinetic_energy", "overlap", "contacts"})
+      curves.push_back(post::parse_curve(usual));
+
+  Answer answer;
+  for (const std::string& file : options.files) {
+    const post::ResultsReader results(file);
+    const post::History history =
+        post::read_history(results, curves, {options.from, options.to});
+    const std::string time_unit = post::unit_text({0, 0, 1, "s", ""}, units);
+    NumberTable table{file, history.title, {{"time", "time", time_unit, history.time}}};
+    for (std::size_t i = 0; i < history.series.size(); ++i) {
+      const post::Series& series = history.series[i];
+      const std::string unit = post::unit_text(series.dimension, units);
+      table.columns.push_back({series.curve.name(), series.label, unit, series.values});
+      if (against && i == 0)
+        continue;
+      const std::string run =
+          options.files.size() > 1 ? ", " + fs::path(file).stem().string() : "";
+      panel(answer.chart, with_unit(series.quantity, unit))
+          .lines.push_back({series.label + run,
+                            against ? history.series.front().values : history.time,
+                            series.values});
+    }
+    const auto& x = table.columns[against ? 1 : 0];
+    answer.chart.x_label = with_unit(x.label, x.unit);
+    answer.runs.push_back(std::move(table));
+  }
+  set_heading(answer.chart, answer.runs);
+  return answer;
+}
+
+/// Frames nearest to the times asked for; the last by default.
+std::vector<long> frames_at(const post::ResultsReader& results,
+                            const std::vector<double>& times) {
+  if (times.empty())
+    return {results.frames() - 1};
+  std::vector<long> frames;
+  for (const double time : times)
+    frames.push_back(results.at(time));
+  return frames;
+}
+
+Answer profiles(const HistoryOptions& options,
+                const std::optional<post::Units>& units) {
+  const auto line = post::ProfileLine::parse(options.profile);
+  std::vector<const post::QuantityKind*> kinds;
+  for (const std::string& name : options.quantities.empty()
+                                     ? std::vector<std::string>{"dy"}
+                                     : options.quantities) {
+    kinds.push_back(post::find_quantity(name));
+    if (!kinds.back())
+      throw std::runtime_error("a profile has no quantity '" + name +
+                               "': choose of the blocks' " + post::quantity_names());
+  }
+  Answer answer;
+  const std::string length = post::unit_text({1, 0, 0, "m", ""}, units);
+  const std::string position = line.segment ? "distance along the line" : "x";
+  for (const std::string& file : options.files) {
+    const post::ResultsReader results(file);
+    const post::Frame first = results.frame(0);
+    const auto places = post::profile_places(first, line);
+    NumberTable table{file, results.title(), {{"position", position, length, {}}}};
+    table.columns.push_back({"block", "block", "", {}});
+    for (const post::ProfilePlace& place : places) {
+      table.columns[0].values.push_back(place.position);
+      table.columns[1].values.push_back(place.block);
+    }
+    for (const long i : frames_at(results, options.times)) {
+      const post::Frame now = results.frame(i);
+      for (const post::QuantityKind* kind : kinds) {
+        const std::string unit = post::unit_text(kind->dimension, units);
+        const std::string at = fmt::format("{:.4g}", now.time);
+        table.columns.push_back({kind->name + "@" + at, kind->label + " at time " + at,
+                                 unit,
+                                 post::profile_values(places, *kind, now, first)});
+        const std::string run =
+            options.files.size() > 1 ? ", " + fs::path(file).stem().string() : "";
+        panel(answer.chart, with_unit(kind->label, unit))
+            .lines.push_back({"t = " + at + run, table.columns[0].values,
+                              table.columns.back().values});
+      }
+    }
+    answer.runs.push_back(std::move(table));
+  }
+  answer.chart.x_label = with_unit(position, length);
+  set_heading(answer.chart, answer.runs);
+  return answer;
+}
+
+void write(const std::string& path, const Answer& answer, double width) {
+  const std::string ending = fs::path(path).extension().string();
+  if (ending == ".csv")
+    write_text_file(path, post::csv_text(answer.runs));
+  else if (ending == ".json")
+    write_text_file(path, post::json_text(answer.runs));
+  else if (ending == ".png" || ending == ".svg" || ending == ".pdf")
+    post::draw_chart(path, answer.chart, width);
+  else
+    throw std::runtime_error("the output's name must end in .csv, .json, .png, .svg or "
+                             ".pdf, found '" +
+                             path + "'");
+  fmt::print("{}\n", path);
+}
+
+void print(const Answer& answer, const HistoryOptions& options) {
+  if (options.csv)
+    std::cout << post::csv_text(answer.runs);
+  else if (options.json)
+    std::cout << post::json_text(answer.runs);
+  else
+    for (const NumberTable& run : answer.runs)
+      std::cout << post::table_text(run);
+}
+
+}  // namespace
+
+void add_history_options(CLI::App& command, HistoryOptions& options) {
+  command.add_option("FILE", options.files, "results of runs, NAME.vtkhdf")->required();
+  command
+      .add_option("-q,--quantity", options.quantities,
+                  "what to follow: speed:9 (block 9), y:9.2 (its corner 2), speed:max, "
+                  ":min, :mean, :sum, kinetic_energy (the model); several with commas "
+                  "(default: kinetic_energy,overlap,contacts)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_option("--against", options.against,
+                     "the horizontal axis instead of time, as -q");
+  command.add_option("--from", options.from, "first time");
+  command.add_option("--to", options.to, "last time");
+  command.add_option("--profile", options.profile,
+                     "across the model instead: top (its upper surface) or "
+                     "x0,y0,x1,y1 (a line); of -q dy by default");
+  command
+      .add_option("-t,--times", options.times,
+                  "times of a profile, with commas (default: the last)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      .add_option("-o,--output", options.outputs,
+                  "a .csv, .json, .png, .svg or .pdf file; several with commas "
+                  "(default: a table here)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_flag("--csv", options.csv, "print CSV instead of the table");
+  command.add_flag("--json", options.json, "print JSON instead of the table");
+  command.add_option("--units", options.units,
+                     "units of length, mass and time, as in m,kg,s");
+  command.add_option("--width", options.width, "of a figure, pixels or points")
+      ->check(CLI::Range(100, 20000));
+  command.footer("Quantities " + post::history_help());
+}
+
+int history(const HistoryOptions& options) {
+  try {
+    if (!options.times.empty() && options.profile.empty())
+      throw std::runtime_error("--times belongs to --profile; a history is cut with "
+                               "--from and --to");
+    std::optional<post::Units> units;
+    if (!options.units.empty())
+      units = post::Units::parse(options.units);
+    const Answer answer =
+        options.profile.empty() ? histories(options, units) : profiles(options, units);
+    if (options.outputs.empty())
+      print(answer, options);
+    for (const std::string& path : options.outputs)
+      write(path, answer, options.width);
+    return run::done;
+  } catch (const output::FileError& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::file_error;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::usage_error;
+  }
+}
+
+}  // namespace blocks::apps

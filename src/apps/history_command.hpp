@@ -1,0 +1,30 @@
+// `blocks history`: command line of histories and profiles.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace blocks::apps {
+
+struct HistoryOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> quantities;  ///< empty: an overview
+  std::string against;                  ///< empty: time
+  std::string profile;                  ///< empty: histories
+  std::vector<double> times;            ///< of a profile; empty: the last frame
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  std::vector<std::string> outputs;  ///< files; empty: the terminal
+  bool csv = false, json = false;    ///< on the terminal
+  std::string units;                 ///< "m,kg,s"
+  double width = 1200;               ///< of a figure, pixels or points
+};
+
+void add_history_options(CLI::App& command, HistoryOptions& options);
+
+/// Prints or writes histories or profiles. Returns an exit code of run::ExitCode.
+int history(const HistoryOptions& options);
+
+}  // namespace blocks::apps

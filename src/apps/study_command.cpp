@@ -1,0 +1,188 @@
+#include "study_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "deck/suggest.hpp"
+#include "output/results.hpp"
+#include "run/run.hpp"
+#include "study/figure.hpp"
+#include "study/report.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+namespace {
+
+bool is_scene(const std::string& name) {
+  const auto& names = study::scene_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// "figure4" may be a scene mistyped, "my/figure4.deck" is a deck.
+bool looks_like_deck(const std::string& name) {
+  return name == "-" || name.find_first_of("./") != std::string::npos ||
+         std::filesystem::exists(name);
+}
+
+std::string did_you_mean(const std::string& word,
+                         const std::vector<std::string_view>& names) {
+  const std::string near = deck::suggest(word, names);
+  return near.empty() ? std::string() : fmt::format("; did you mean {}?", near);
+}
+
+/// The names meant, "all" replaced; empty when one is unknown, which is then told.
+std::vector<std::string> scenes_meant(const std::vector<std::string>& given) {
+  std::vector<std::string> meant;
+  for (const std::string& name : given) {
+    if (name == "all") {
+      meant.insert(meant.end(), study::scene_names().begin(),
+                   study::scene_names().end());
+    } else if (is_scene(name) || looks_like_deck(name)) {
+      meant.push_back(name);
+    } else {
+      fmt::print(stderr, "blocks: error: there is no scene {}{}\n{}", name,
+                 did_you_mean(name, study::scene_names()), study::list_of_scenes());
+      return {};
+    }
+  }
+  return meant;
+}
+
+std::vector<const study::Variant*>
+variants_meant(const std::vector<std::string>& given) {
+  std::vector<const study::Variant*> meant;
+  std::vector<std::string_view> names;
+  for (const study::Variant& variant : study::all_variants()) {
+    names.push_back(variant.name);
+    if (given.empty())
+      meant.push_back(&variant);
+  }
+  for (const std::string& name : given) {
+    const study::Variant* variant = study::find_variant(name);
+    if (variant == nullptr) {
+      fmt::print(stderr, "blocks: error: there is no variant {}{}\n{}", name,
+                 did_you_mean(name, names), study::list_of_variants());
+      return {};
+    }
+    if (std::find(meant.begin(), meant.end(), variant) == meant.end())
+      meant.push_back(variant);
+  }
+  return meant;
+}
+
+/// Before minutes of work: can the files be written?
+void check_files(const StudyOptions& options) {
+  for (const std::string* path : {&options.csv, &options.json, &options.figure}) {
+    const auto folder = std::filesystem::path(*path).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+      throw output::FileError("cannot write " + *path + ": there is no folder " +
+                              folder.string());
+  }
+  const auto ending = std::filesystem::path(options.figure).extension();
+  if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
+      ending != ".pdf")
+    throw output::FileError(
+        "the figure's name must end in .png, .svg or .pdf, found '" + options.figure +
+        "'");
+}
+
+bool default_is_sound(const std::vector<study::Study>& studies) {
+  for (const study::Study& study : studies)
+    for (const study::Row& row : study.rows)
+      if (row.variant == &study::all_variants().front() && row.hung + row.fell > 0)
+        return false;
+  return true;
+}
+
+}  // namespace
+
+void add_study_options(CLI::App& command, StudyOptions& options) {
+  command.add_option("SCENE", options.scenes, "scenes by name, all, or decks");
+  command.add_flag("--list", options.list, "list scenes and variants");
+  command.add_option("--frames", options.frames, "random frames of each scene")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command.add_option("--first", options.first, "number of the first frame (0)")
+      ->check(CLI::Range(0, 1000000000));
+  command.add_flag("--gate", options.gate,
+                   "exit 4 when the default rules hang or let a block through");
+  command.add_option("--variants", options.variants, "default,report,... (all)")
+      ->delimiter(',');
+  command
+      .add_option("--offset", options.offset,
+                  "distance from the origin in block sizes (0 to 1e9 at random)")
+      ->check(CLI::Range(0.0, 1e15));
+  command
+      .add_option("--scale", options.scale,
+                  "factor on all lengths (1e-3 to 1e6 at random)")
+      ->check(CLI::Range(1e-30, 1e30));
+  command
+      .add_option("--steps", options.steps, "time steps (the scene's own; decks 2000)")
+      ->check(CLI::Range(1L, 1000000000L));
+  command.add_option("--seed", options.seed, "seed of the frames")
+      ->capture_default_str();
+  command.add_option("-j,--threads", options.threads, "threads; results do not change")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command.add_option("--figure", options.figure,
+                     "draw hang-ups and fall-throughs: .png, .svg or .pdf");
+  command.add_option("--csv", options.csv, "write the table as CSV");
+  command.add_option("--json", options.json, "write it as JSON, with frames by number");
+}
+
+int study_contacts(const StudyOptions& options) {
+  if (options.list) {
+    fmt::print("{}\n{}", study::list_of_scenes(), study::list_of_variants());
+    return run::done;
+  }
+  if (options.scenes.empty()) {
+    fmt::print(stderr, "blocks: error: which scene?\n{}", study::list_of_scenes());
+    return run::usage_error;
+  }
+  const auto scenes = scenes_meant(options.scenes);
+  study::StudyChoice choice{{options.seed, options.offset, options.scale},
+                            options.first,
+                            options.frames,
+                            options.steps,
+                            scenes.empty() ? std::vector<const study::Variant*>()
+                                           : variants_meant(options.variants),
+                            options.threads};
+  if (choice.variants.empty())
+    return run::usage_error;
+
+  try {
+    check_files(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::file_error;
+  }
+  std::vector<study::Study> studies;
+  for (const std::string& name : scenes) {
+    study::Scene scene;
+    if (is_scene(name)) {
+      scene = study::make_scene(name);
+    } else {
+      run::RunOptions deck;
+      deck.deck = name;
+      const auto checked = run::build_checked(deck);
+      if (checked.code != run::done)
+        return checked.code;
+      scene = study::scene_of_deck(checked.file, checked.model);
+    }
+    studies.push_back(study::run_study(std::move(scene), choice));
+    fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(studies.back()));
+    std::fflush(stdout);  // the next scene may take a minute
+  }
+  if (!options.csv.empty())
+    write_text_file(options.csv, study::csv(studies));
+  if (!options.json.empty())
+    write_text_file(options.json, study::json(studies, {options.frames, options.seed}));
+  if (!options.figure.empty())
+    study::draw_studies(options.figure, studies);
+  return options.gate && !default_is_sound(studies) ? run::unsound_run : run::done;
+}
+
+}  // namespace blocks::apps

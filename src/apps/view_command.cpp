@@ -1,0 +1,52 @@
+#include "view_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "output/results.hpp"
+#include "post/view_page.hpp"
+#include "run/run.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+
+void add_view_options(CLI::App& command, ViewOptions& options) {
+  command.add_option("FILE", options.file, "results of a run, NAME.vtkhdf")->required();
+  command.add_option("-o,--output", options.output,
+                     "the page (default: NAME.html, here)");
+  command
+      .add_option("--every", options.every, "take every so many frames, and the last")
+      ->check(CLI::Range(1L, 1000000000L));
+  command.add_option("--units", options.units,
+                     "units of length, mass and time, as in m,kg,s");
+}
+
+int view(ViewOptions options) {
+  try {
+    if (options.output.empty())
+      options.output = std::filesystem::path(options.file).stem().string() + ".html";
+    if (same_file(options.file, options.output))
+      throw std::runtime_error(options.file +
+                               " would be written over: choose another -o NAME");
+    std::optional<post::Units> units;
+    if (!options.units.empty())
+      units = post::Units::parse(options.units);
+    const post::ResultsReader results(options.file);
+    const std::string page =
+        post::view_page(post::view_data(results, options.every, units));
+    write_text_file(options.output, page);
+    fmt::print("{}: {:.1f} MB, open it in a browser\n", options.output,
+               static_cast<double>(page.size()) / 1e6);
+    return run::done;
+  } catch (const output::FileError& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::file_error;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::usage_error;
+  }
+}
+
+}  // namespace blocks::apps

@@ -1,0 +1,24 @@
+// `blocks why`: why two blocks touch, or do not, at one stored time.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace blocks::apps {
+
+struct WhyOptions {
+  std::string file;            ///< results or a checkpoint
+  std::optional<double> time;  ///< the frame nearest to it; else the last
+  std::vector<int> blocks;     ///< two, from 1
+  bool json = false;
+};
+
+void add_why_options(CLI::App& command, WhyOptions& options);
+
+/// Prints the story of every corner. Returns an exit code of run::ExitCode:
+/// usage_error, with what there is, for a time, a block or a pair that is not there.
+int why(const WhyOptions& options);
+
+}  // namespace blocks::apps

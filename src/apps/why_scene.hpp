@@ -1,0 +1,37 @@
+// What `blocks why` looks at: one stored state, from results or from a checkpoint.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace blocks::apps {
+
+/// What a file remembers of a contact of the step that led to its state.
+struct RememberedContact {
+  int corner = 0, edge = 0;  ///< from 0, of the whole model
+  bool active = false;
+  double normal_force = 0.0, shear_force = 0.0;  ///< [F] with the dashpots
+  double overlap = 0.0;                          ///< [L] in that step
+};
+
+struct WhyScene {
+  Blocks blocks;
+  double time = 0.0;
+  long step = 0;
+  std::vector<double> times;  ///< of all states of the file, at least one
+  long frame = 0;             ///< this one, from 0
+  bool listed = false;  ///< contacts holds the whole list, not the acting ones only
+  double reach = 0.0;   ///< [L] 2 CTOL, 0: the file does not tell
+  std::vector<RememberedContact> contacts;
+
+  const RememberedContact* find(int corner, int edge) const;
+};
+
+/// The states of a file: of results the frame nearest in time, nothing: the last; of a
+/// checkpoint its only one. Throws output::FileError.
+WhyScene read_scene(const std::string& path, const std::optional<double>& time);
+
+}  // namespace blocks::apps

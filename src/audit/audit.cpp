@@ -1,0 +1,146 @@
+#include "audit/audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "geometry/overlap.hpp"
+
+namespace blocks::audit {
+namespace {
+
+using Pair = std::pair<int, int>;
+
+class Auditor {
+ public:
+  explicit Auditor(const Moment& moment)
+      : blocks_(moment.blocks), contacts_(moment.contacts), settings_(moment.settings),
+        promise_(std::max(0.0, 2.0 * (settings_.contact_tolerance - moment.travel))),
+        rules_(blocks_, promise_) {
+    for (int i = 0; i < contacts_.size(); ++i) {
+      listed_.insert({contacts_.corner[i], contacts_.edge[i]});
+      if (contacts_.active[i])
+        acting_[{contacts_.corner[i], contacts_.edge_block[i]}].push_back(
+            contacts_.edge[i]);
+    }
+  }
+
+  Findings run() {
+    for (int c = 0; c < blocks_.corners(); ++c)
+      for (const int b : rules_.near(c)) {
+        ++found_.pairs;
+        const Decision decision = rules_.decide(c, b);
+        look_for_missed(decision);
+        compare(decision);
+      }
+    for (const auto& [pair, edges] : acting_)  // nowhere near: none may act
+      for (const int edge : edges)
+        if (!fixed(pair.first, pair.second))
+          found_.wrong.push_back({pair.first, pair.second, edge, -1});
+    look_for_excess();
+    return std::move(found_);
+  }
+
+ private:
+  bool fixed(int corner, int block) const {
+    return !blocks_.is_free(blocks_.corner_block[corner]) && !blocks_.is_free(block);
+  }
+
+  void look_for_missed(const Decision& decision) {
+    const int c = decision.corner, b = decision.block;
+    for (int e = blocks_.first_corner[b]; e < blocks_.first_corner[b + 1]; ++e) {
+      if (!within_promise(c, e) && !(decision.inside && rules_.admits(c, e)))
+        continue;
+      ++found_.records;
+      if (!listed_.contains({c, e}))
+        found_.missed.push_back({c, e, rules_.overlap(c, e), decision.allows(e)});
+    }
+  }
+
+  /// The corner is this close to the edge's segment; rounded, so a little less.
+  bool within_promise(int corner, int edge) const {
+    const Vec2 p = blocks_.corner.col(edge);
+    const Vec2 e = Vec2(blocks_.corner.col(blocks_.next[edge])) - p;
+    const Vec2 from = Vec2(blocks_.corner.col(corner)) - p;
+    const double s = std::clamp(from.dot(e) / e.squaredNorm(), 0.0, 1.0);
+    return (from - s * e).norm() <= promise_ * (1.0 - 1e-9);
+  }
+
+  void compare(const Decision& decision) {
+    found_.hanging += decision.shield.answer == Answer::either;
+    const auto at = acting_.find({decision.corner, decision.block});
+    std::vector<int> edges;
+    if (at != acting_.end()) {
+      edges = at->second;
+      acting_.erase(at);
+    }
+    found_.acting += static_cast<long>(edges.size());
+    if (edges.empty() && !decision.allows(-1))
+      found_.wrong.push_back({decision.corner, decision.block, -1, decision.acting});
+    // one edge of a block acts on a corner at most
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (i > 0 || !decision.allows(edges[i]))
+        found_.wrong.push_back(
+            {decision.corner, decision.block, edges[i], decision.acting});
+  }
+
+  double shortest_edge(int block) const {
+    double shortest = INFINITY;
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      shortest = std::min(
+          shortest,
+          Vec2(blocks_.corner.col(blocks_.next[e]) - blocks_.corner.col(e)).norm());
+    return shortest;
+  }
+
+  void look_for_excess() {
+    struct Held {
+      double depth = 0.0, pressed = 0.0;
+    };
+    std::map<Pair, Held> held;
+    for (int i = 0; i < contacts_.size(); ++i) {
+      if (!contacts_.active[i])
+        continue;
+      Held& pair =
+          held[std::minmax(contacts_.corner_block[i], contacts_.edge_block[i])];
+      pair.depth =
+          std::max(pair.depth, rules_.overlap(contacts_.corner[i], contacts_.edge[i]));
+      pair.pressed = std::max(pair.pressed,
+                              contacts_.normal_elastic[i] / settings_.normal_stiffness);
+    }
+    std::vector<geometry::Polygon> outlines;
+    for (int b = 0; b < blocks_.size(); ++b)
+      outlines.push_back(blocks_.outline(b));
+    for (const auto& overlap : geometry::overlapping_pairs(outlines)) {
+      const int a = overlap.first, b = overlap.second;
+      if (!blocks_.is_free(a) && !blocks_.is_free(b))
+        continue;
+      const Held& by = held[{a, b}];
+      const ExcessOverlap excess{
+          a, b, overlap.depth, by.depth, by.pressed, overlap.area, overlap.place};
+      if (excess.excess() > found_.worst.excess())
+        found_.worst = excess;
+      if (excess.excess() >
+          explained_slack * std::min(shortest_edge(a), shortest_edge(b)))
+        found_.excess.push_back(excess);
+    }
+    std::sort(found_.excess.begin(), found_.excess.end(),
+              [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
+  }
+
+  const Blocks& blocks_;
+  const Contacts& contacts_;
+  const Settings& settings_;
+  double promise_;
+  ExactRules rules_;
+  std::set<Pair> listed_;                    ///< corner, edge
+  std::map<Pair, std::vector<int>> acting_;  ///< corner, block: edges not seen yet
+  Findings found_;
+};
+
+}  // namespace
+
+Findings audit(const Moment& moment) { return Auditor(moment).run(); }
+
+}  // namespace blocks::audit

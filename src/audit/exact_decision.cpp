@@ -1,0 +1,295 @@
+#include "audit/exact_decision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "audit/neighbours.hpp"
+
+namespace blocks::audit {
+namespace {
+
+/// Sign of a / sqrt(p) - b / sqrt(q), p and q above zero.
+int compare_over_roots(const Whole& a, const Whole& p, const Whole& b, const Whole& q) {
+  if (sign(a) != sign(b))
+    return sign(a) > sign(b) ? 1 : -1;
+  return sign(a) * (a * a * q).compare(b * b * p);
+}
+
+Answer both(Answer a, Answer b) { return std::min(a, b); }
+Answer one_of(Answer a, Answer b) { return std::max(a, b); }
+
+}  // namespace
+
+ExactRules::ExactRules(const Blocks& blocks, double reach)
+    : blocks_(blocks), near_(blocks_near_corners(blocks, reach)), slack_(1e-6),
+      hundredth_(0.01) {
+  for (const auto* points : {&blocks.corner, &blocks.centroid})
+    for (const double x : points->reshaped())
+      lattice_.include(x);
+  for (int c = 0; c < blocks.corners(); ++c)
+    corner_.push_back(lattice_(Vec2(blocks.corner.col(c))));
+  for (int b = 0; b < blocks.size(); ++b) {
+    centroid_.push_back(lattice_(Vec2(blocks.centroid.col(b))));
+    Whole least = length2(blocks.first_corner[b]);
+    for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e)
+      least = std::min(least, length2(e));
+    shortest2_.push_back(least);
+  }
+}
+
+Point ExactRules::along(int edge) const {
+  return corner_[blocks_.next[edge]] - corner_[edge];
+}
+
+Whole ExactRules::length2(int edge) const {
+  const Point e = along(edge);
+  return dot(e, e);
+}
+
+/// 2A of (19).
+Whole ExactRules::area2(int corner, int edge) const {
+  return cross(corner_[corner] - corner_[edge], along(edge));
+}
+
+/// d >= -eps L, that is 2A + eps L^2 >= 0.
+bool ExactRules::near_or_inside(int corner, int edge) const {
+  return sign((area2(corner, edge) << slack_.shift) +
+              slack_.numerator * length2(edge)) >= 0;
+}
+
+/// -eps L^2 <= s L <= (1 + eps) L^2.
+bool ExactRules::between(int corner, int edge) const {
+  const Whole s = dot(corner_[corner] - corner_[edge], along(edge));
+  const Whole l = length2(edge), slack = slack_.numerator * l;
+  return sign((s << slack_.shift) + slack) >= 0 &&
+         sign(((l - s) << slack_.shift) + slack) >= 0;
+}
+
+/// 2A of the corner is at most that of the centroid.
+bool ExactRules::within_depth(int corner, int edge) const {
+  const Point& g = centroid_[blocks_.corner_block[edge]];
+  return sign(cross(corner_[corner] - g, along(edge))) <= 0;
+}
+
+/// (20): t.n >= -sin 10. With s = -t.n > 0 this is s <= sin 10, and below 30 degrees
+/// the same as sin of the triple angle, 3 s - 4 s^3, <= 1/2. With s = D / sqrt(Q), D
+/// the cross product and Q = |e|^2 |t|^2, squared: 4 D^2 (3 Q - 4 D^2)^2 <= Q^3.
+bool ExactRules::faces(int corner, int neighbour, int edge) const {
+  const Point t = corner_[neighbour] - corner_[corner];
+  const Whole d = cross(along(edge), t);
+  if (sign(d) >= 0)
+    return true;
+  const Whole q = length2(edge) * dot(t, t), d2 = d * d;
+  if (4 * d2 >= q)
+    return false;
+  const Whole rest = 3 * q - 4 * d2;
+  return 4 * d2 * rest * rest <= q * q * q;
+}
+
+bool ExactRules::inside(int corner, int block) const {
+  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+    if (!near_or_inside(corner, e))
+      return false;
+  return true;
+}
+
+/// Of a convex block the corner is known to be inside.
+bool ExactRules::admits(int corner, int edge) const {
+  return within_depth(corner, edge) &&
+         (blocks_.convex[blocks_.corner_block[edge]] ||
+          (near_or_inside(corner, edge) && between(corner, edge))) &&
+         faces(corner, blocks_.previous[corner], edge) &&
+         faces(corner, blocks_.next[corner], edge);
+}
+
+int ExactRules::compare_depth(int corner, int edge, int other) const {
+  return compare_over_roots(area2(corner, edge), length2(edge), area2(corner, other),
+                            length2(other));
+}
+
+/// Of edges equally deep the first in the order of the block comes first.
+ExactRules::Two ExactRules::nearest_edges(int corner, int block) const {
+  Two found;
+  if (blocks_.convex[block] && !inside(corner, block))
+    return found;
+  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
+    if (!admits(corner, e))
+      continue;
+    if (found.nearest < 0 || compare_depth(corner, e, found.nearest) < 0)
+      found.next = found.nearest, found.nearest = e;
+    else if (found.next < 0 || compare_depth(corner, e, found.next) < 0)
+      found.next = e;
+  }
+  return found;
+}
+
+Decision ExactRules::decide(int corner, int block) const {
+  Decision decision;
+  decision.corner = corner, decision.block = block;
+  decision.inside = !blocks_.convex[block] || inside(corner, block);
+  const Two edges = nearest_edges(corner, block);
+  decision.nearest = edges.nearest, decision.next = edges.next;
+  if (edges.nearest < 0 || sign(area2(corner, edges.nearest)) <= 0)
+    return decision;
+  decision.acting = edges.nearest;
+  if (edges.next < 0)
+    return decision;
+  decision.as_well = edges.next;
+  decision.shield = covered(corner, block, edges.nearest, edges.next);
+  if (decision.shield.answer != Answer::yes)
+    if (Shield partner = partner_covered(corner, edges);
+        partner.answer > decision.shield.answer)
+      decision.shield = partner;
+  decision.shield.asked = true;
+  if (decision.shield.answer == Answer::yes)
+    std::swap(decision.acting, decision.as_well);
+  return decision;
+}
+
+double ExactRules::overlap(int corner, int edge) const {
+  return lattice_.rounded(area2(corner, edge), 2) /
+         std::sqrt(lattice_.rounded(length2(edge), 2));
+}
+
+EdgeStory ExactRules::examine(int corner, int edge) const {
+  const int block = blocks_.corner_block[edge];
+  const Point e = along(edge), from = corner_[corner] - corner_[edge];
+  const auto value = [&](const Whole& n) { return lattice_.rounded(n, 2); };
+  const auto tangent = [&](int neighbour) {
+    const Point t = corner_[neighbour] - corner_[corner];
+    return value(cross(e, t)) / std::sqrt(value(dot(e, e)) * value(dot(t, t)));
+  };
+  EdgeStory story;
+  story.edge = edge;
+  story.length = std::sqrt(value(length2(edge)));
+  story.overlap = overlap(corner, edge);
+  story.depth_limit = value(cross(centroid_[block] - corner_[edge], e)) / story.length;
+  story.along = value(dot(from, e)) / value(dot(e, e));
+  story.tangent_before = tangent(blocks_.previous[corner]);
+  story.tangent_after = tangent(blocks_.next[corner]);
+  story.overlap_sign = sign(area2(corner, edge));
+  story.near_or_inside = near_or_inside(corner, edge);
+  story.within_depth = within_depth(corner, edge);
+  story.between = between(corner, edge);
+  story.facing_before = faces(corner, blocks_.previous[corner], edge);
+  story.facing_after = faces(corner, blocks_.next[corner], edge);
+  story.admissible =
+      (!blocks_.convex[block] || inside(corner, block)) && admits(corner, edge);
+  return story;
+}
+
+// The shield of a closed joint. With d_f = 2A_f / |f| and n the unit normal of e, its
+// questions are signs of a + b / sqrt(c) in whole numbers, so exact as well; the
+// program asks them in doubles, so answers within their rounding are `either`.
+
+/// A hundredth of the block's shortest edge, [L].
+double ExactRules::reach_of(int block) const {
+  return 0.01 * std::sqrt(lattice_.rounded(shortest2_[block], 2));
+}
+
+/// [L] What doubles may lose in a point pushed off a corner. A coordinate is rounded to
+/// 2^-53 of itself, and so are the handful of products behind the push.
+double ExactRules::roundoff(int corner, int edge) const {
+  const Vec2 c = blocks_.corner.col(corner);
+  const double size = std::sqrt(lattice_.rounded(length2(edge), 2)) +
+                      (c - Vec2(blocks_.corner.col(edge))).lpNorm<1>();
+  return 0x1p-49 * (c.lpNorm<1>() + size);
+}
+
+/// d_f <= a hundredth of the block's shortest edge.
+Answer ExactRules::within_reach(int corner, int edge, int block) const {
+  if (std::abs(overlap(corner, edge) - reach_of(block)) <= roundoff(corner, edge))
+    return Answer::either;
+  const Whole a = area2(corner, edge) << hundredth_.shift;
+  const Whole limit2 = hundredth_.numerator * hundredth_.numerator * shortest2_[block];
+  return sign(a) <= 0 || a * a <= limit2 * length2(edge) ? Answer::yes : Answer::no;
+}
+
+/// Whether the third block holds, up to the slack, the corner pushed by d_f out of its
+/// nearest edge (way 1) or into it (-1). Edge q of the third block:
+/// 2A_q + eps |q|^2 - way 2A_f (e.q) / (|e| |f|) >= 0.
+Answer ExactRules::holds(int third, int corner, int nearest, int next, int way) const {
+  const Whole depth = way * area2(corner, next);
+  const Whole root2 = length2(nearest) * length2(next);
+  const double root = std::sqrt(lattice_.rounded(length2(nearest), 2)) *
+                      std::sqrt(lattice_.rounded(length2(next), 2));
+  Answer answer = Answer::yes;
+  for (int q = blocks_.first_corner[third]; q < blocks_.first_corner[third + 1]; ++q) {
+    const Whole a = (area2(corner, q) << slack_.shift) + slack_.numerator * length2(q);
+    const Whole b = -(depth * dot(along(nearest), along(q)) << slack_.shift);
+    const double margin =
+        std::ldexp(lattice_.rounded(a, 2) + lattice_.rounded(b, 4) / root,
+                   -static_cast<int>(slack_.shift)) /
+        std::sqrt(lattice_.rounded(length2(q), 2));
+    if (std::abs(margin) <= roundoff(corner, next) + roundoff(corner, nearest)) {
+      answer = both(answer, Answer::either);
+      continue;
+    }
+    // sign of a + b / sqrt(root2)
+    const bool agree = sign(a) * sign(b) >= 0;
+    const bool positive =
+        agree ? sign(a) + sign(b) >= 0 : (a * a * root2 > b * b) == (sign(a) > 0);
+    if (!positive)
+      return Answer::no;
+  }
+  return answer;
+}
+
+Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
+  Shield shield;
+  shield.corner = corner;
+  shield.depth = overlap(corner, next);
+  shield.reach = reach_of(block);
+  const Answer here = within_reach(corner, next, block);
+  if (here == Answer::no)
+    return shield;
+  for (const int third : near_[corner]) {
+    if (third == block || !blocks_.convex[third])
+      continue;
+    Answer answer = both(here, within_reach(corner, next, third));
+    if (answer == Answer::no)
+      continue;
+    answer = both(answer, one_of(holds(third, corner, nearest, next, 1),
+                                 holds(third, corner, nearest, next, -1)));
+    if (answer > shield.answer) {
+      shield.answer = answer;
+      shield.third = third;
+      shield.reach = std::min(reach_of(block), reach_of(third));
+    }
+  }
+  return shield;
+}
+
+/// The same for the corner between the two edges, if it lies in this corner's block: of
+/// the two edges it meets there, the one that faces the nearest edge from the other
+/// side counts as its nearest.
+Shield ExactRules::partner_covered(int corner, const Two& edges) const {
+  const int e = edges.nearest, f = edges.next, own = blocks_.corner_block[corner];
+  const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
+  if (partner < 0)
+    return {};
+  const Two its = nearest_edges(partner, own);
+  if (its.next < 0)
+    return {};
+  // of two edges the one whose direction is more opposed to e
+  const Whole a = dot(along(e), along(its.next)), b = dot(along(e), along(its.nearest));
+  const Whole a2 = length2(its.next), b2 = length2(its.nearest);
+  const bool swap = compare_over_roots(a, a2, b, b2) < 0;
+  const double difference =
+      (lattice_.rounded(a, 2) / std::sqrt(lattice_.rounded(a2, 2)) -
+       lattice_.rounded(b, 2) / std::sqrt(lattice_.rounded(b2, 2))) /
+      std::sqrt(lattice_.rounded(length2(e), 2));
+  const Shield faced = swap ? covered(partner, own, its.next, its.nearest)
+                            : covered(partner, own, its.nearest, its.next);
+  if (std::abs(difference) > 0x1p-48)
+    return faced;
+  const Shield other = swap ? covered(partner, own, its.nearest, its.next)
+                            : covered(partner, own, its.next, its.nearest);
+  if (other.answer == faced.answer)
+    return faced;
+  Shield unsure = other.answer > faced.answer ? other : faced;
+  unsure.answer = Answer::either;
+  return unsure;
+}
+
+}  // namespace blocks::audit

@@ -1,0 +1,108 @@
+// Which edge of a block acts on a corner, decided a second time: from the rules as
+// docs/theory.md states them, in whole numbers, over all edges of the block. Shares no
+// code with geometry/contact_predicates.hpp, its filters, or the contact list.
+#pragma once
+
+#include <vector>
+
+#include "audit/whole_numbers.hpp"
+#include "model/blocks.hpp"
+
+namespace blocks::audit {
+
+/// `either`: the program asks this in rounded numbers, and it hangs by their rounding.
+enum class Answer { no, either, yes };
+
+/// One edge against one corner: every rule with its number, rounded, and its answer,
+/// exact. n is the edge's outward normal, L its length.
+struct EdgeStory {
+  int edge = 0;              ///< its first corner
+  double overlap = 0.0;      ///< [L] d of (19), positive inside
+  double length = 0.0;       ///< [L] L
+  double depth_limit = 0.0;  ///< [L] depth of the block's centroid below the edge
+  double along = 0.0;        ///< place along the edge, 0 to 1 between its corners
+  double tangent_before = 0.0, tangent_after = 0.0;  ///< t.n of (20), -1 to 1
+  int overlap_sign = 0;
+  bool near_or_inside = false;                       ///< d >= -eps L
+  bool within_depth = false;                         ///< d <= depth_limit
+  bool between = false;                              ///< -eps <= along <= 1 + eps
+  bool facing_before = false, facing_after = false;  ///< >= sin(-10 degrees)
+  bool admissible = false;                           ///< all that are asked
+};
+
+/// Why the next nearest edge acts in place of the nearest, or not.
+struct Shield {
+  Answer answer = Answer::no;
+  bool asked = false;
+  int corner = -1;     ///< the corner, or its partner: the one that is shielded
+  int third = -1;      ///< the block that shields it
+  double depth = 0.0;  ///< [L] of the shielded corner below its next nearest edge
+  double reach = 0.0;  ///< [L] the most at which a corner can be shielded here
+};
+
+/// What is decided for a corner and the edges of one block. Edges are named by their
+/// first corner, -1: none.
+struct Decision {
+  int corner = 0, block = 0;
+  bool inside = false;  ///< the corner is inside the convex block, up to the slack
+  int nearest = -1, next = -1;  ///< admissible edges with the least depths
+  Shield shield;
+  int acting = -1;
+  int as_well = -1;  ///< the other edge that may act when the shield says `either`
+
+  bool allows(int edge) const {
+    return edge == acting || (shield.answer == Answer::either && edge == as_well);
+  }
+};
+
+class ExactRules {
+ public:
+  /// The blocks as they stand: a copy of their corners in whole numbers. All
+  /// coordinates finite. reach [L]: neighbours are kept for corners this far outside of
+  /// a block.
+  ExactRules(const Blocks& blocks, double reach);
+
+  /// Rules 1-6 of docs/theory.md, "Which corner touches which edge".
+  Decision decide(int corner, int block) const;
+  /// The numbers of one edge.
+  EdgeStory examine(int corner, int edge) const;
+  /// Depth of a corner below an edge's line, [L].
+  double overlap(int corner, int edge) const;
+  /// Whether the edge of a block may act on a corner that is inside, if it is convex.
+  bool admits(int corner, int edge) const;
+
+  /// Blocks that a corner is near to (blocks_near_corners).
+  const std::vector<int>& near(int corner) const { return near_[corner]; }
+  const Blocks& blocks() const { return blocks_; }
+
+ private:
+  struct Two {
+    int nearest = -1, next = -1;
+  };
+  Point along(int edge) const;
+  Whole length2(int edge) const;
+  Whole area2(int corner, int edge) const;
+  bool near_or_inside(int corner, int edge) const;
+  bool between(int corner, int edge) const;
+  bool faces(int corner, int neighbour, int edge) const;
+  bool within_depth(int corner, int edge) const;
+  bool inside(int corner, int block) const;
+  int compare_depth(int corner, int edge, int other) const;
+  Two nearest_edges(int corner, int block) const;
+
+  double reach_of(int block) const;
+  double roundoff(int corner, int edge) const;
+  Answer within_reach(int corner, int edge, int block) const;
+  Answer holds(int third, int corner, int nearest, int next, int way) const;
+  Shield covered(int corner, int block, int nearest, int next) const;
+  Shield partner_covered(int corner, const Two& edges) const;
+
+  const Blocks& blocks_;
+  std::vector<std::vector<int>> near_;
+  Lattice lattice_;
+  std::vector<Point> corner_, centroid_;
+  std::vector<Whole> shortest2_;  ///< square of each block's shortest edge
+  Dyadic slack_, hundredth_;
+};
+
+}  // namespace blocks::audit

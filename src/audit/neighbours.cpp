@@ -1,0 +1,33 @@
+#include "audit/neighbours.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace blocks::audit {
+
+std::vector<std::vector<int>> blocks_near_corners(const Blocks& blocks, double reach) {
+  std::vector<int> by_x(blocks.corners());
+  std::iota(by_x.begin(), by_x.end(), 0);
+  const auto x = [&](int c) { return blocks.corner(0, c); };
+  std::sort(by_x.begin(), by_x.end(), [&](int a, int b) { return x(a) < x(b); });
+
+  std::vector<std::vector<int>> near(blocks.corners());
+  for (int b = 0; b < blocks.size(); ++b) {
+    const auto corners =
+        blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+    const Vec2 low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
+    const double more = reach + 0.01 * (high - low).sum();
+    auto at = std::lower_bound(by_x.begin(), by_x.end(), low.x() - more,
+                               [&](int c, double limit) { return x(c) < limit; });
+    for (; at != by_x.end() && x(*at) <= high.x() + more; ++at) {
+      const int other = blocks.corner_block[*at];
+      const double y = blocks.corner(1, *at);
+      if (y >= low.y() - more && y <= high.y() + more && other != b &&
+          (blocks.is_free(b) || blocks.is_free(other)))
+        near[*at].push_back(b);
+    }
+  }
+  return near;
+}
+
+}  // namespace blocks::audit

@@ -1,0 +1,162 @@
+#include "audit/words.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace blocks::audit {
+namespace {
+
+int number(const Blocks& blocks, int corner) {
+  return corner - blocks.first_corner[blocks.corner_block[corner]] + 1;
+}
+
+std::string headline(const ExactRules& rules, const Decision& decision) {
+  const Blocks& blocks = rules.blocks();
+  const Vec2 at = blocks.corner.col(decision.corner);
+  std::string text = fmt::format(
+      "{} at ({:.9g}, {:.9g}) against block {}: ", name_of(blocks, decision.corner),
+      at.x(), at.y(), decision.block + 1);
+  if (decision.acting >= 0)
+    return text + fmt::format("edge {} acts", number(blocks, decision.acting));
+  return text + "no contact";
+}
+
+/// The edge that a corner outside a convex block is farthest out of.
+std::string outside(const ExactRules& rules, int corner, int block) {
+  const Blocks& blocks = rules.blocks();
+  double least = std::numeric_limits<double>::infinity();
+  int edge = -1;
+  for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e)
+    if (const double d = rules.overlap(corner, e); d < least)
+      least = d, edge = e;
+  return fmt::format("it is outside block {}: {:.6g} beyond the line of edge {}",
+                     block + 1, -least, number(blocks, edge));
+}
+
+std::string on_shield(const ExactRules& rules, const Decision& decision) {
+  const Blocks& blocks = rules.blocks();
+  const Shield& shield = decision.shield;
+  const std::string nearest = std::to_string(number(blocks, decision.nearest));
+  const std::string next = std::to_string(number(blocks, decision.next));
+  if (shield.answer == Answer::no)
+    return fmt::format(
+        "shield: no third block lies beside edge {} here, so the nearest "
+        "edge counts",
+        nearest);
+  const std::string whose = shield.corner == decision.corner
+                                ? "the corner"
+                                : name_of(blocks, shield.corner) + ", its partner,";
+  const std::string what = shield.third < 0 ? std::string("a third block")
+                                            : fmt::format("block {}", shield.third + 1);
+  if (shield.answer == Answer::either)
+    return fmt::format("shield: whether {} shields edge {} hangs by the rounding of "
+                       "doubles; edge {} is as right",
+                       what, nearest, number(blocks, decision.as_well));
+  return fmt::format("shield: {} lies beside {} and shields edge {} (a closed joint: "
+                     "{:.6g} deep, at most {:.6g}); the next nearest, edge {}, acts",
+                     what, whose, nearest, shield.depth, shield.reach, next);
+}
+
+std::string numbers(const Blocks& blocks, const EdgeStory& edge) {
+  std::string text =
+      fmt::format("overlap {:.6g} of at most {:.6g}", edge.overlap, edge.depth_limit);
+  if (!blocks.convex[blocks.corner_block[edge.edge]])
+    text += fmt::format(", at {:.6g} of the edge", edge.along);
+  return text + fmt::format(", tangents {:.6g} and {:.6g}", edge.tangent_before,
+                            edge.tangent_after);
+}
+
+std::string faces_away(const ExactRules& rules, int corner, const EdgeStory& edge) {
+  const Blocks& blocks = rules.blocks();
+  const auto side = [&](int neighbour) {
+    return fmt::format("its side to corner {} points into the block (below -0.173648)",
+                       number(blocks, neighbour));
+  };
+  if (!edge.facing_before && !edge.facing_after)
+    return "both its sides point into the block (below -0.173648)";
+  return side(edge.facing_before ? blocks.next[corner] : blocks.previous[corner]);
+}
+
+}  // namespace
+
+std::string name_of(const Blocks& blocks, int corner) {
+  return fmt::format("corner {} of block {}", number(blocks, corner),
+                     blocks.corner_block[corner] + 1);
+}
+
+std::string verdict(const ExactRules& rules, const Decision& decision,
+                    const EdgeStory& edge) {
+  const Blocks& blocks = rules.blocks();
+  if (edge.edge == decision.acting)
+    return edge.edge == decision.nearest ? "nearest of those admitted, acts"
+                                         : "next nearest, acts";
+  if (!decision.inside)
+    return "refused: the corner is outside the block";
+  if (!blocks.convex[decision.block]) {
+    if (!edge.near_or_inside)
+      return "refused: the corner is outside of it";
+    if (!edge.between)
+      return "refused: the corner is not between its ends (slack 1e-6)";
+  }
+  if (!edge.within_depth)
+    return "refused: deeper than the centroid of the block";
+  if (!edge.facing_before || !edge.facing_after)
+    return "refused: " + faces_away(rules, decision.corner, edge);
+  if (edge.edge == decision.nearest)
+    return edge.overlap_sign > 0 ? "nearest, but shielded" : "nearest, but no overlap";
+  return fmt::format("admitted, but edge {} is nearer",
+                     number(blocks, decision.nearest));
+}
+
+std::vector<std::string> story(const ExactRules& rules, const Decision& decision) {
+  const Blocks& blocks = rules.blocks();
+  const int c = decision.corner, b = decision.block;
+  std::vector<std::string> lines = {headline(rules, decision)};
+  if (!decision.inside) {
+    lines.push_back(outside(rules, c, b));
+    return lines;
+  }
+  if (blocks.convex[b])
+    lines.push_back(fmt::format(
+        "it is inside block {}: behind all its edges, up to 1e-6 of their lengths",
+        b + 1));
+  for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
+    const EdgeStory edge = rules.examine(c, e);
+    lines.push_back(fmt::format("edge {}: {}: {}", number(blocks, e),
+                                numbers(blocks, edge), verdict(rules, decision, edge)));
+  }
+  if (decision.shield.asked)
+    lines.push_back(on_shield(rules, decision));
+  return lines;
+}
+
+std::string tell(const Blocks& blocks, const MissedPair& missed) {
+  return fmt::format("the contact list misses {} against edge {} of block {}, {}",
+                     name_of(blocks, missed.corner), number(blocks, missed.edge),
+                     blocks.corner_block[missed.edge] + 1,
+                     missed.acts ? "which acts"
+                     : missed.overlap >= 0.0
+                         ? fmt::format("{:.6g} deep", missed.overlap)
+                         : fmt::format("{:.6g} beyond its line", -missed.overlap));
+}
+
+std::string tell(const Blocks& blocks, const WrongDecision& wrong) {
+  const auto edge = [&](int e) {
+    return e < 0 ? std::string("no edge") : fmt::format("edge {}", number(blocks, e));
+  };
+  return fmt::format("wrong decision: {} against block {}: {} acts, exactly it is {}",
+                     name_of(blocks, wrong.corner), wrong.block + 1, edge(wrong.acting),
+                     edge(wrong.exact));
+}
+
+std::string tell(const ExcessOverlap& excess) {
+  return fmt::format("blocks {} and {} overlap by {:.6g} near ({:.6g}, {:.6g}), their "
+                     "deepest contact by {:.6g} (springs pressed in by {:.6g}): {:.6g} "
+                     "more than the contacts explain",
+                     excess.first + 1, excess.second + 1, excess.depth,
+                     excess.place.x(), excess.place.y(), excess.explained,
+                     excess.pressed, excess.excess());
+}
+
+}  // namespace blocks::audit

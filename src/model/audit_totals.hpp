@@ -1,0 +1,35 @@
+// What the audits of a run saw and found, for the summary.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace blocks {
+
+/// Two blocks that overlapped by more than their contacts explained, where it was
+/// worst.
+struct AuditedOverlap {
+  int first = 0, second = 0;  ///< blocks, from 0
+  long step = 0;
+  double time = 0.0;       ///< [T]
+  double depth = 0.0;      ///< [L] shortest shift that separates the two
+  double explained = 0.0;  ///< [L] deepest acting contact between them
+  double pressed = 0.0;    ///< [L] of its springs, FN / Kn
+  double excess() const { return depth - explained; }
+};
+
+struct AuditTotals {
+  long every = 0;        ///< steps between audits
+  long moments = 0;      ///< audits made
+  long pairs = 0;        ///< corners near a block, looked at one by one, all moments
+  long records = 0;      ///< corners and edges the list had to hold
+  long acting = 0;       ///< acting contacts
+  long hanging = 0;      ///< decisions by the rounding of the shield's question
+  long missed = 0;       ///< pairs the list misses
+  long wrong = 0;        ///< decisions that are not the exact ones
+  AuditedOverlap worst;  ///< of all pairs, a finding or not; excess() 0: none
+  std::vector<AuditedOverlap> excess;  ///< findings, a pair once, the worst first
+  std::vector<std::string> faults;     ///< the missed and the wrong, in words
+};
+
+}  // namespace blocks

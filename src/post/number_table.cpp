@@ -1,0 +1,96 @@
+#include "post/number_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace blocks::post {
+namespace {
+
+std::size_t rows(const NumberTable& table) {
+  return table.columns.empty() ? 0 : table.columns.front().values.size();
+}
+
+/// Places on a terminal: bytes that begin a character.
+std::size_t places(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string right(const std::string& text, std::size_t width) {
+  const std::size_t own = places(text);
+  return std::string(own < width ? width - own : 0, ' ') + text;
+}
+
+/// A comma or a quote in a name would tear the line.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos)
+    return text;
+  std::string safe = "\"";
+  for (const char c : text)
+    safe += c == '"' ? "\"\"" : std::string(1, c);
+  return safe + '"';
+}
+
+}  // namespace
+
+std::string table_text(const NumberTable& table) {
+  std::string text = fmt::format("{} ({})\n", table.title, table.file);
+  std::string names, units;
+  bool any_unit = false;
+  std::vector<std::size_t> widths;
+  for (const NumberColumn& column : table.columns) {
+    widths.push_back(std::max<std::size_t>(14, places(column.name)) + 2);
+    names += right(column.name, widths.back());
+    units += right(column.unit, widths.back());
+    any_unit = any_unit || !column.unit.empty();
+  }
+  text += names + '\n' + (any_unit ? units + '\n' : "");
+  for (std::size_t i = 0; i < rows(table); ++i) {
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      const double value = table.columns[c].values[i];
+      text += right(std::isnan(value) ? "-" : fmt::format("{:.8g}", value), widths[c]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string csv_text(const std::vector<NumberTable>& runs) {
+  const bool several = runs.size() > 1;
+  std::string text = several ? "run," : "";
+  for (std::size_t c = 0; c < runs.front().columns.size(); ++c)
+    text += (c ? "," : "") + quoted(runs.front().columns[c].name);
+  text += '\n';
+  for (const NumberTable& run : runs)
+    for (std::size_t i = 0; i < rows(run); ++i) {
+      if (several)
+        text += quoted(run.file) + ',';
+      for (std::size_t c = 0; c < run.columns.size(); ++c) {
+        const double value = run.columns[c].values[i];
+        text += (c ? "," : "") + (std::isnan(value) ? "" : fmt::format("{}", value));
+      }
+      text += '\n';
+    }
+  return text;
+}
+
+std::string json_text(const std::vector<NumberTable>& runs) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const NumberTable& run : runs) {
+    Json columns = Json::array();
+    for (const NumberColumn& column : run.columns)
+      columns.push_back({{"name", column.name},
+                         {"label", column.label},
+                         {"unit", column.unit},
+                         {"values", column.values}});  // what is not finite: null
+    list.push_back({{"file", run.file}, {"title", run.title}, {"columns", columns}});
+  }
+  return Json{{"runs", list}}.dump(1, ' ', false, Json::error_handler_t::replace) +
+         '\n';
+}
+
+}  // namespace blocks::post

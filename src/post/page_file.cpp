@@ -1,0 +1,70 @@
+#include "post/page_file.hpp"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "output/results.hpp"
+
+namespace blocks::post {
+namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+[[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
+  throw output::FileError("cannot write " + path + ": " + why);
+}
+
+}  // namespace
+
+void write_page(const std::string& path, double width, double height,
+                const std::function<void(cairo_t*)>& draw) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending != ".png" && ending != ".svg" && ending != ".pdf")
+    throw std::runtime_error(
+        "the figure's name must end in .png, .svg or .pdf, found '" + path + "'");
+  const std::string draft = path + ".tmp";
+  const auto pixels = [](double size) { return static_cast<int>(std::ceil(size)); };
+  Surface surface(
+      ending == ".svg"   ? cairo_svg_surface_create(draft.c_str(), width, height)
+      : ending == ".pdf" ? cairo_pdf_surface_create(draft.c_str(), width, height)
+                         : cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width),
+                                                      pixels(height)),
+      cairo_surface_destroy);
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+    cannot_write(path, cairo_status_to_string(cairo_surface_status(surface.get())));
+  try {
+    const Pen pen(cairo_create(surface.get()), cairo_destroy);
+    draw(pen.get());
+    cairo_show_page(pen.get());
+  } catch (...) {
+    surface.reset();
+    std::remove(draft.c_str());
+    throw;
+  }
+  cairo_status_t status = ending == ".png"
+                              ? cairo_surface_write_to_png(surface.get(), draft.c_str())
+                              : CAIRO_STATUS_SUCCESS;
+  cairo_surface_finish(surface.get());
+  if (status == CAIRO_STATUS_SUCCESS)
+    status = cairo_surface_status(surface.get());
+  if (status != CAIRO_STATUS_SUCCESS) {
+    std::remove(draft.c_str());
+    cannot_write(path, cairo_status_to_string(status));
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored))
+    std::filesystem::rename(path, path + ".bak", ignored);
+  if (std::rename(draft.c_str(), path.c_str()) != 0)
+    cannot_write(path, std::strerror(errno));
+}
+
+}  // namespace blocks::post

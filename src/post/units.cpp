@@ -1,0 +1,50 @@
+#include "post/units.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace blocks::post {
+namespace {
+
+/// "m", "m²", "s⁻¹"; nothing for the power zero.
+std::string factor(const std::string& unit, int power) {
+  static constexpr std::array<const char*, 5> digits = {"⁰", "¹", "²", "³", "⁴"};
+  if (power == 0)
+    return "";
+  if (power == 1)
+    return unit;
+  return unit + (power < 0 ? "⁻" : "") +
+         digits.at(static_cast<std::size_t>(std::abs(power)));
+}
+
+}  // namespace
+
+Units Units::parse(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream in(text);
+  for (std::string name; std::getline(in, name, ',');)
+    names.push_back(name);
+  if (names.size() != 3 || names[0].empty() || names[1].empty() || names[2].empty())
+    throw std::runtime_error("units are those of length, mass and time, as in m,kg,s, "
+                             "found '" +
+                             text + "'");
+  return {names[0], names[1], names[2]};
+}
+
+std::string unit_text(const Dimension& d, const std::optional<Units>& units) {
+  if (units && units->length == "m" && units->mass == "kg" && units->time == "s" &&
+      *d.si != '\0')
+    return d.si;
+  const Units u = units.value_or(Units{"L", "M", "T"});
+  std::string text = d.angle;
+  for (const std::string& part :
+       {factor(u.mass, d.mass), factor(u.length, d.length), factor(u.time, d.time)})
+    if (!part.empty())
+      text += (text.empty() ? "" : " ") + part;
+  return text;
+}
+
+}  // namespace blocks::post

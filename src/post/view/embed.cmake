@@ -1,0 +1,7 @@
+# Writes OUTPUT, a C++ file with page.html, page.css and page.js of FOLDER as strings.
+set(text "// Made by embed.cmake.\n#include \"post/view_page.hpp\"\n\nnamespace blocks::post {\n\n")
+foreach(kind html css js)
+  file(READ ${FOLDER}/page.${kind} content)
+  string(APPEND text "const char* const view_${kind} = R\"page(${content})page\";\n\n")
+endforeach()
+file(WRITE ${OUTPUT} "${text}}  // namespace blocks::post\n")

@@ -1,0 +1,648 @@
+// The page of `blocks view`. State is one object; everything that changes it ends in
+// redraw(), which draws once before the next picture of the screen.
+"use strict";
+
+const $ = (id) => document.getElementById(id);
+const meta = JSON.parse($("meta").textContent);
+const frames = meta.times.length;
+const state = {
+  frame: frames - 1, playing: false, pace: 1, colour: "material", followed: "speed",
+  block: -1, original: false, forces: false, labels: false, ready: false,
+  view: {x: 0, y: 0, scale: 1},  // model point in the middle, pixels per length
+};
+let data = {};  // arrays by name
+let ranges = {};  // of each quantity over all frames
+
+// ---- data ----------------------------------------------------------------------------
+
+async function unpack() {
+  if (!("DecompressionStream" in window))
+    throw new Error("This browser is too old for the page: it needs DecompressionStream "
+      + "(Chromium 80, Firefox 113, Safari 16.4 or newer).");
+  const text = atob($("data").textContent);
+  const packed = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
+  $("data").remove();
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const kinds = {f64: Float64Array, f32: Float32Array, u16: Uint16Array, u8: Uint8Array};
+  let at = 0;
+  for (const {name, type, count, rows} of meta.arrays) {
+    const Kind = kinds[type], size = Kind.BYTES_PER_ELEMENT;
+    const part = bytes.subarray(at, at + count * size);
+    data[name] = rows ? frames_of(part, Kind, count, rows) : new Kind(part.slice().buffer);
+    at += count * size;
+  }
+  data.first_corner = new Uint32Array(meta.blocks + 1);
+  for (let b = 0; b < meta.blocks; ++b)
+    data.first_corner[b + 1] = data.first_corner[b] + data.corners[b];
+  data.contacts = read_contacts(data.contacts);
+  data.size = new Float32Array(meta.blocks);  // of the arms, for picking and zoom
+  for (let b = 0; b < meta.blocks; ++b)
+    for (let c = data.first_corner[b]; c < data.first_corner[b + 1]; ++c)
+      data.size[b] = Math.max(data.size[b], Math.hypot(data.arm[2 * c], data.arm[2 * c + 1]));
+}
+
+/// Planes of bytes back to numbers, each frame on top of the one before.
+function frames_of(planes, Kind, count, rows) {
+  const size = Kind.BYTES_PER_ELEMENT, raw = new Uint8Array(count * size);
+  for (let k = 0; k < size; ++k)
+    for (let i = 0, from = k * count, to = k; i < count; ++i, to += size)
+      raw[to] = planes[from + i];
+  for (let i = rows * size; i < raw.length; ++i) raw[i] ^= raw[i - rows * size];
+  return new Kind(raw.buffer);
+}
+
+function read_contacts(bytes) {
+  let at = 0;
+  const number = () => {
+    let value = 0, factor = 1, byte;
+    do { byte = bytes[at++]; value += (byte & 127) * factor; factor *= 128; } while (byte > 127);
+    return value;
+  };
+  return meta.times.map(() => {
+    const n = number(), corner = new Uint32Array(n);
+    for (let i = 0, last = 0; i < n; ++i) corner[i] = last += number();
+    const direction = bytes.subarray(at, at += n), size = bytes.subarray(at, at += n);
+    return {corner, direction, size};
+  });
+}
+
+const quantity = (name) => meta.quantities.find((q) => q.name === name);
+const value = (name, block, frame) => data[name][frame * meta.blocks + block];
+const exists = (block, frame) => block < meta.counts[frame];
+/// Six digits, as in the file; no zeros that say nothing.
+const digits = (number) => {
+  const size = Math.abs(number);
+  return size !== 0 && (size < 1e-3 || size >= 1e7)
+    ? number.toExponential(5).replace(/\.?0+e/, "e").replace("e+", "e")
+    : String(Number(number.toPrecision(6)));
+};
+const with_unit = (text, unit) => unit ? `${text} [${unit}]` : text;
+
+function find_ranges() {
+  for (const q of meta.quantities) {
+    let low = Infinity, high = -Infinity;
+    for (let f = 0; f < frames; ++f)
+      for (let b = 0, i = f * meta.blocks; b < meta.counts[f]; ++b, ++i) {
+        const v = data[q.name][i];
+        if (v < low) low = v;
+        if (v > high) high = v;
+      }
+    if (!(low <= high)) low = high = 0;
+    if (q.signed) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
+    else if (q.name !== "x" && q.name !== "y") low = Math.min(low, 0);
+    if (!(high > low)) high = low + 1;
+    ranges[q.name] = [low, high];
+  }
+}
+
+// ---- the model -----------------------------------------------------------------------
+
+const model = $("model"), pen = model.getContext("2d");
+let corners = new Float64Array(0);  // of the present frame, model lengths
+
+function centre(b, f) {
+  const x = data.origin[2 * b], y = data.origin[2 * b + 1];
+  return x === x ? [x + value("dx", b, f), y + value("dy", b, f)]
+                 : [value("x", b, f), value("y", b, f)];  // made after the first frame
+}
+
+function place_corners(f, into) {
+  for (let b = 0; b < meta.counts[f]; ++b) {
+    const [x, y] = centre(b, f);
+    let a = 1, c = 0, d = 0, e = 1;  // columns (a, c), (d, e)
+    if (data.strain) {
+      const i = 4 * (f * meta.blocks + b);
+      [a, c, d, e] = [data.strain[i], data.strain[i + 1], data.strain[i + 2], data.strain[i + 3]];
+    } else {
+      const turn = (value("rotation", b, f) - data.angle[b]) * Math.PI / 180;
+      a = e = Math.cos(turn); c = Math.sin(turn); d = -c;
+    }
+    for (let i = 2 * data.first_corner[b]; i < 2 * data.first_corner[b + 1]; i += 2) {
+      const u = data.arm[i], v = data.arm[i + 1];
+      into[i] = x + a * u + d * v;
+      into[i + 1] = y + c * u + e * v;
+    }
+  }
+  return into;
+}
+
+const to_screen = (x, y) => [
+  model.clientWidth / 2 + (x - state.view.x) * state.view.scale,
+  model.clientHeight / 2 - (y - state.view.y) * state.view.scale];
+const to_model = (px, py) => [
+  state.view.x + (px - model.clientWidth / 2) / state.view.scale,
+  state.view.y - (py - model.clientHeight / 2) / state.view.scale];
+
+/// Everything of the first and the present frame, beside the legend where there is room.
+function fit() {
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (const f of new Set([0, state.frame])) {
+    const all = place_corners(f, new Float64Array(2 * data.first_corner[meta.blocks]));
+    for (let i = 0; i < 2 * data.first_corner[meta.counts[f]]; i += 2) {
+      left = Math.min(left, all[i]); right = Math.max(right, all[i]);
+      low = Math.min(low, all[i + 1]); high = Math.max(high, all[i + 1]);
+    }
+  }
+  if (!(left < right)) [left, right, low, high] = [0, 1, 0, 1];
+  const legend = model.clientWidth > 700 ? 130 : 0, room = model.clientWidth - legend;
+  const scale = Math.min(0.92 * room / (right - left), 0.86 * model.clientHeight / (high - low));
+  state.view = {x: (left + right) / 2 + legend / 2 / scale, y: (low + high) / 2, scale};
+  redraw();
+}
+
+function trace(b, from) {
+  const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
+  const {x, y, scale} = state.view;
+  const u = model.clientWidth / 2 - x * scale, v = model.clientHeight / 2 + y * scale;
+  pen.moveTo(u + from[first] * scale, v - from[first + 1] * scale);
+  for (let i = first + 2; i < end; i += 2)
+    pen.lineTo(u + from[i] * scale, v - from[i + 1] * scale);
+  pen.closePath();
+}
+
+/// Paths of many blocks cost far more than many paths of few.
+function in_parts(blocks, from, paint, most = 32) {
+  for (let i = 0; i < blocks.length; i += most) {
+    pen.beginPath();
+    for (const b of blocks.slice(i, i + most)) trace(b, from);
+    paint();
+  }
+}
+
+/// Blocks by colour: one path for each shade.
+function shades(f, visible) {
+  const groups = new Map();
+  const put = (shade, b) => groups.has(shade) ? groups.get(shade).push(b) : groups.set(shade, [b]);
+  if (state.colour === "material") {
+    for (const b of visible) put(meta.materials[meta.material[b]], b);
+  } else {
+    const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
+    const [low, high] = ranges[q.name], factor = (map.length - 1) / (high - low);
+    for (const b of visible)
+      put(map[Math.round((value(q.name, b, f) - low) * factor)], b);
+  }
+  return groups;
+}
+
+const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
+
+function draw_model() {
+  const f = state.frame, {x, y, scale} = state.view;
+  size_canvas(model, pen);
+  place_corners(f, corners);
+  const half_w = model.clientWidth / 2 / scale, half_h = model.clientHeight / 2 / scale;
+  const visible = [];
+  for (let b = 0; b < meta.counts[f]; ++b) {
+    const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
+    if (Math.abs(cx - x) < half_w + r && Math.abs(cy - y) < half_h + r) visible.push(b);
+  }
+  for (const [shade, group] of shades(f, visible)) {
+    pen.fillStyle = shade;
+    in_parts(group, corners, () => pen.fill());
+  }
+  hatch_fixed(f, visible);
+  const edge = Math.min(1, typical_size() * scale / 24);
+  if (edge > 0.2) {
+    pen.strokeStyle = style("--edge");
+    pen.lineWidth = edge;
+    pen.lineJoin = "round";
+    in_parts(visible, corners, () => pen.stroke());
+  }
+  if (state.original) draw_original();
+  if (state.forces) draw_forces(f);
+  if (state.labels) draw_labels(f, visible);
+  if (state.block >= 0 && exists(state.block, f)) {
+    pen.beginPath();
+    trace(state.block, corners);
+    pen.strokeStyle = style("--sheet"); pen.lineWidth = 5; pen.stroke();
+    pen.strokeStyle = style("--mark"); pen.lineWidth = 2.5; pen.stroke();
+  }
+}
+
+function hatch_fixed(f, visible) {
+  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]);
+  if (!fixed.length) return;
+  pen.save();
+  pen.beginPath();
+  for (const b of fixed) trace(b, corners);
+  pen.clip();
+  pen.beginPath();
+  const w = model.clientWidth, h = model.clientHeight;
+  for (let s = -h; s < w; s += 8) { pen.moveTo(s, h); pen.lineTo(s + h, 0); }
+  pen.strokeStyle = style("--edge"); pen.globalAlpha = 0.45; pen.lineWidth = 1;
+  pen.stroke();
+  pen.restore();
+}
+
+let first_corners = null;
+function draw_original() {
+  first_corners ??= place_corners(0, new Float64Array(corners.length));
+  pen.save();
+  pen.setLineDash([4, 3]);
+  pen.strokeStyle = style("--first"); pen.lineWidth = 0.9;
+  in_parts([...Array(meta.counts[0]).keys()], first_corners, () => pen.stroke());
+  pen.restore();
+}
+
+/// The largest force of a usual frame, as a byte: an impact must not hide all others.
+let usual = -1;
+function usual_force() {
+  if (usual >= 0) return usual;
+  const largest = data.contacts.map(({size}) => size.reduce((most, s) => Math.max(most, s), 0))
+    .filter((most) => most > 0).sort((a, b) => a - b);
+  return usual = largest[largest.length >> 1] ?? 255;
+}
+
+/// A line through the contact along its force; lengths by the square root, so that the
+/// small ones are seen beside the large.
+function draw_forces(f) {
+  const {corner, direction, size} = data.contacts[f];
+  const full = Math.min(60, 1.2 * typical_size() * state.view.scale);
+  const lines = [];
+  for (let i = 0; i < corner.length; ++i) {
+    const length = Math.min(2 * full, full * Math.sqrt(10 ** (6 * (size[i] - usual_force()) / 255)));
+    if (length < 0.7) continue;
+    const [px, py] = to_screen(corners[2 * corner[i]], corners[2 * corner[i] + 1]);
+    if (px < -full || py < -full || px > model.clientWidth + full || py > model.clientHeight + full) continue;
+    const turn = direction[i] / 256 * 2 * Math.PI;
+    const dx = Math.cos(turn) * length / 2, dy = -Math.sin(turn) * length / 2;
+    lines.push([px - dx, py - dy, px + dx, py + dy]);
+  }
+  const paint = (colour, width, alpha) => {
+    pen.strokeStyle = colour; pen.lineWidth = width; pen.globalAlpha = alpha;
+    for (let i = 0; i < lines.length; i += 64) {
+      pen.beginPath();
+      for (const [x0, y0, x1, y1] of lines.slice(i, i + 64)) { pen.moveTo(x0, y0); pen.lineTo(x1, y1); }
+      pen.stroke();
+    }
+  };
+  pen.lineCap = full > 10 ? "round" : "butt";
+  if (full > 10) paint(style("--sheet"), 3.4, 0.7);
+  paint(style("--force"), Math.max(0.6, Math.min(1.8, full / 8)), 1);
+  pen.globalAlpha = 1;
+}
+
+let typical = 0;
+const typical_size = () => typical ||= 2 * [...data.size].sort((a, b) => a - b)[meta.blocks >> 1];
+
+function draw_labels(f, visible) {
+  pen.textAlign = "center"; pen.textBaseline = "middle"; pen.lineJoin = "round";
+  for (const b of visible) {
+    const room = data.size[b] * state.view.scale;
+    if (room < 12) continue;
+    pen.font = `${Math.min(13, Math.max(8, 0.45 * room))}px system-ui, sans-serif`;
+    const [px, py] = to_screen(...centre(b, f));
+    pen.strokeStyle = "rgba(255, 255, 255, .8)"; pen.lineWidth = 3;
+    pen.strokeText(b + 1, px, py);
+    pen.fillStyle = "#1a1c20";
+    pen.fillText(b + 1, px, py);
+  }
+}
+
+function size_canvas(canvas, its_pen) {
+  const ratio = window.devicePixelRatio || 1;
+  const w = Math.round(canvas.clientWidth * ratio), h = Math.round(canvas.clientHeight * ratio);
+  if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
+  its_pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  its_pen.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
+}
+
+/// The block at a place of the canvas, the last drawn first; -1 for none.
+function pick(px, py) {
+  const [x, y] = to_model(px, py);
+  for (let b = meta.counts[state.frame] - 1; b >= 0; --b) {
+    let inside = false;
+    const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
+    for (let i = first, j = end - 2; i < end; j = i, i += 2)
+      if ((corners[i + 1] > y) !== (corners[j + 1] > y) &&
+          x < corners[i] + (y - corners[i + 1]) / (corners[j + 1] - corners[i + 1]) * (corners[j] - corners[i]))
+        inside = !inside;
+    if (inside) return b;
+  }
+  return -1;
+}
+
+// ---- legend, numbers, history --------------------------------------------------------
+
+function nice_ticks(low, high, count) {
+  const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw)), digit = raw / power;
+  const step = power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10), ticks = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * (high - low); ++k)
+    ticks.push(k * step);
+  return ticks;
+}
+const tick_text = (t, step) => {
+  if (t === 0) return "0";
+  const big = Math.abs(t) >= 1e6 || Math.abs(t) < 1e-4;
+  return (big ? Number(t.toPrecision(4)).toExponential() : String(Number(t.toPrecision(6)))).replaceAll("-", "−");
+};
+
+function draw_key() {
+  const bar = $("key_bar"), ticks = $("key_ticks");
+  ticks.replaceChildren();
+  const by_material = state.colour === "material";
+  bar.style.display = by_material ? "none" : "";
+  if (by_material) {
+    $("key_label").textContent = "";
+    ticks.style.height = "";
+    for (const [name, shade] of Object.entries(meta.materials)) {
+      const row = document.createElement("div"), swatch = document.createElement("i");
+      swatch.style.background = shade;
+      row.append(swatch, `material ${name}`);
+      ticks.append(row);
+    }
+    return;
+  }
+  const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
+  const [low, high] = ranges[q.name], brush = bar.getContext("2d");
+  $("key_label").textContent = with_unit(q.label, q.unit);
+  const tall = bar.clientHeight;
+  const fill = brush.createLinearGradient(0, 160, 0, 0);
+  map.forEach((shade, i) => fill.addColorStop(i / (map.length - 1), shade));
+  brush.fillStyle = fill;
+  brush.fillRect(0, 0, 10, 160);
+  ticks.style.height = `${tall}px`;
+  for (const t of nice_ticks(low, high, 5)) {
+    const text = document.createElement("span");
+    text.style.top = `${tall * (high - t) / (high - low)}px`;
+    text.textContent = tick_text(t);
+    ticks.append(text);
+  }
+}
+
+/// The rows of the table: of the block picked, or of the whole model.
+function rows() {
+  const f = state.frame;
+  if (state.block < 0)
+    return [
+      {name: "kinetic_energy", label: "kinetic energy", unit: meta.energy_unit, all: meta.kinetic_energy},
+      {name: "contacts", label: "acting contacts", unit: "", all: meta.contacts},
+      {name: "blocks", label: "blocks", unit: "", all: meta.counts}];
+  return meta.quantities.map((q) => ({...q, all: meta.times.map((_, g) =>
+    exists(state.block, g) ? value(q.name, state.block, g) : NaN)}));
+}
+
+let shown_block = null;
+function draw_numbers() {
+  const list = rows(), body = $("numbers").tBodies[0], f = state.frame, b = state.block;
+  if (shown_block !== (b < 0)) {
+    shown_block = b < 0;
+    body.replaceChildren(...list.map(({name, label, unit}) => {
+      const row = document.createElement("tr");
+      row.dataset.name = name;
+      row.tabIndex = 0;
+      for (const text of [label, "", unit]) row.insertCell().textContent = text;
+      row.onclick = () => { state.followed = name; redraw(); };
+      row.onkeydown = (event) => { if (event.key === "Enter") row.onclick(); };
+      return row;
+    }));
+  }
+  const followed = list.find(({name}) => name === state.followed) ?? list[0];
+  list.forEach(({name, all}, i) => {
+    const row = body.rows[i];
+    row.cells[1].textContent = Number.isNaN(all[f]) ? "–" : digits(all[f]).replaceAll("-", "−");
+    row.setAttribute("aria-selected", name === followed.name);
+  });
+  $("block_name").textContent = b < 0 ? "Whole model" : `Block ${b + 1}`;
+  $("block_about").textContent = b < 0 ? "Click a block to see its numbers."
+    : !exists(b, f) ? "not there yet" : `material ${meta.material[b]}, ${data.corners[b]} corners`
+      + (data.fixed[f * meta.blocks + b] ? ", fixed" : "");
+  draw_chart(followed);
+}
+
+const chart = $("chart"), chart_pen = chart.getContext("2d");
+let chart_time = null;  // pointer place to frame
+function draw_chart({label, unit, all}) {
+  size_canvas(chart, chart_pen);
+  const p = chart_pen, w = chart.clientWidth, h = chart.clientHeight;
+  const left = 58, right = w - 10, top = 10, bottom = h - 34;
+  $("chart_name").textContent = with_unit(label, unit);
+  let low = Infinity, high = -Infinity;
+  for (const v of all) if (v === v) { low = Math.min(low, v); high = Math.max(high, v); }
+  if (!(low <= high)) { low = 0; high = 1; }
+  const margin = high > low ? 0.06 * (high - low) : Math.max(0.1 * Math.abs(high), 1e-12);
+  low -= margin; high += margin;
+  const t0 = meta.times[0], t1 = meta.times[frames - 1] > t0 ? meta.times[frames - 1] : t0 + 1;
+  const px = (t) => left + (t - t0) / (t1 - t0) * (right - left);
+  const py = (v) => bottom - (v - low) / (high - low) * (bottom - top);
+  p.font = "11px system-ui, sans-serif";
+  p.lineWidth = 1;
+  p.fillStyle = style("--muted");
+  p.textAlign = "right"; p.textBaseline = "middle";
+  for (const v of nice_ticks(low, high, 4)) {
+    p.strokeStyle = style("--line");
+    p.beginPath(); p.moveTo(left, py(v)); p.lineTo(right, py(v)); p.stroke();
+    p.fillText(tick_text(v), left - 6, py(v));
+  }
+  p.textAlign = "center"; p.textBaseline = "top";
+  for (const t of nice_ticks(t0, t1, 4)) p.fillText(tick_text(t), px(t), bottom + 5);
+  p.fillText(with_unit("time", meta.time_unit), (left + right) / 2, bottom + 19);
+  p.beginPath();
+  let drawing = false;
+  all.forEach((v, i) => {
+    if (v !== v) { drawing = false; return; }
+    drawing ? p.lineTo(px(meta.times[i]), py(v)) : p.moveTo(px(meta.times[i]), py(v));
+    drawing = true;
+  });
+  p.strokeStyle = style("--accent"); p.lineWidth = 1.8; p.lineJoin = "round"; p.stroke();
+  const now = px(meta.times[state.frame]);
+  p.strokeStyle = style("--muted"); p.lineWidth = 1;
+  p.beginPath(); p.moveTo(now, top); p.lineTo(now, bottom); p.stroke();
+  const v = all[state.frame];
+  if (v === v) {
+    p.beginPath(); p.arc(now, py(v), 4, 0, 2 * Math.PI);
+    p.fillStyle = style("--mark"); p.fill();
+  }
+  chart_time = (x) => nearest(t0 + (x - left) / (right - left) * (t1 - t0));
+}
+
+function nearest(time) {
+  let best = 0;
+  for (let i = 1; i < frames; ++i)
+    if (Math.abs(meta.times[i] - time) < Math.abs(meta.times[best] - time)) best = i;
+  return best;
+}
+
+function draw_clock() {
+  const unit = meta.time_unit === "T" ? "" : ` ${meta.time_unit}`;
+  $("clock").innerHTML = "";
+  const time = document.createElement("b"), more = document.createElement("small");
+  time.textContent = `t = ${Number(meta.times[state.frame].toPrecision(4))}${unit}`;
+  more.textContent = ` step ${meta.steps[state.frame]}`;
+  $("clock").append(time, more);
+  $("scrub").value = state.frame;
+  $("scrub").setAttribute("aria-valuetext", time.textContent);
+}
+
+// ---- drawing once per picture --------------------------------------------------------
+
+let asked = false;
+function redraw() {
+  if (asked || !state.ready) return;
+  asked = true;
+  requestAnimationFrame(draw);
+}
+function draw() {
+  asked = false;
+  draw_model();
+  draw_key();
+  draw_clock();
+  draw_numbers();
+}
+
+// ---- playing -------------------------------------------------------------------------
+
+let started = 0, started_at = 0;
+/// The whole run takes as long as its frames at 25 a second, 4 s at least.
+const whole = () => Math.max(4, frames / 25) / state.pace;
+function tick(now) {
+  if (!state.playing) return;
+  const [t0, t1] = [meta.times[0], meta.times[frames - 1]];
+  const part = started_at + (now - started) / 1000 / whole();
+  const frame = nearest(t0 + Math.min(part, 1) * (t1 - t0));
+  if (frame !== state.frame) { state.frame = frame; redraw(); }
+  if (part >= 1) play(false);
+  else requestAnimationFrame(tick);
+}
+function play(on) {
+  if (on && frames < 2) return;
+  if (on && state.frame === frames - 1) state.frame = 0;
+  state.playing = on;
+  $("play").textContent = on ? "❚❚" : "▶";
+  $("play").setAttribute("aria-label", on ? "pause" : "play");
+  if (on) {
+    const [t0, t1] = [meta.times[0], meta.times[frames - 1]];
+    started = performance.now();
+    started_at = (meta.times[state.frame] - t0) / (t1 - t0 || 1);
+    requestAnimationFrame(tick);
+  }
+  redraw();
+}
+function show(frame) {
+  if (state.playing) play(false);
+  state.frame = Math.max(0, Math.min(frames - 1, frame));
+  redraw();
+}
+
+// ---- hands ---------------------------------------------------------------------------
+
+function zoom(factor, px = model.clientWidth / 2, py = model.clientHeight / 2) {
+  const [x, y] = to_model(px, py);
+  state.view.scale *= factor;
+  const [u, v] = to_model(px, py);
+  state.view.x += x - u;
+  state.view.y += y - v;
+  redraw();
+}
+
+const pointers = new Map();
+let moved = 0;
+model.addEventListener("pointerdown", (event) => {
+  try { model.setPointerCapture(event.pointerId); } catch { /* not a real pointer */ }
+  pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
+  if (pointers.size === 1) moved = 0;
+});
+model.addEventListener("pointermove", (event) => {
+  const last = pointers.get(event.pointerId);
+  if (!last) return;
+  const here = [event.offsetX, event.offsetY], others = [...pointers].filter(([id]) => id !== event.pointerId);
+  moved += Math.hypot(here[0] - last[0], here[1] - last[1]);
+  if (others.length === 0) {
+    state.view.x -= (here[0] - last[0]) / state.view.scale;
+    state.view.y += (here[1] - last[1]) / state.view.scale;
+  } else {
+    const [x, y] = others[0][1];
+    state.view.x -= (here[0] - last[0]) / 2 / state.view.scale;
+    state.view.y += (here[1] - last[1]) / 2 / state.view.scale;
+    zoom(Math.hypot(here[0] - x, here[1] - y) / Math.max(1, Math.hypot(last[0] - x, last[1] - y)),
+      (here[0] + x) / 2, (here[1] + y) / 2);
+  }
+  pointers.set(event.pointerId, here);
+  redraw();
+});
+model.addEventListener("pointerup", (event) => {
+  if (pointers.delete(event.pointerId) && moved < 6 && pointers.size === 0)
+    choose(pick(event.offsetX, event.offsetY));
+});
+model.addEventListener("pointercancel", (event) => pointers.delete(event.pointerId));
+model.addEventListener("wheel", (event) => {
+  event.preventDefault();
+  zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), event.offsetX, event.offsetY);
+}, {passive: false});
+model.addEventListener("dblclick", (event) => zoom(2, event.offsetX, event.offsetY));
+
+function choose(block) { state.block = block; redraw(); }
+
+const scrub_chart = (event) => { if (event.buttons) show(chart_time(event.offsetX)); };
+chart.addEventListener("pointerdown", scrub_chart);
+chart.addEventListener("pointermove", scrub_chart);
+
+function colour_by(name) {
+  state.colour = name;
+  $("colour").value = name;
+  if (name !== "material") state.followed = name;
+  redraw();
+}
+function next_colour(step) {
+  const names = ["material", ...meta.quantities.map((q) => q.name)];
+  colour_by(names[(names.indexOf(state.colour) + step + names.length) % names.length]);
+}
+function toggle(name) { state[name] = !state[name]; $(name).checked = state[name]; redraw(); }
+function set_theme(name) { document.documentElement.dataset.theme = name; redraw(); }
+const other_theme = () => set_theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+
+const keys = {
+  " ": () => play(!state.playing), "ArrowLeft": () => show(state.frame - 1), "ArrowRight": () => show(state.frame + 1),
+  "Home": () => show(0), "End": () => show(frames - 1), "+": () => zoom(1.25), "=": () => zoom(1.25), "-": () => zoom(0.8),
+  "f": fit, "0": fit, "o": () => toggle("original"), "c": () => toggle("forces"), "n": () => toggle("labels"),
+  "[": () => next_colour(-1), "]": () => next_colour(1), "t": other_theme, "Escape": () => choose(-1),
+  ",": () => choose(Math.max(0, state.block - 1)), ".": () => choose(Math.min(meta.blocks - 1, state.block + 1)),
+  "?": () => $("keys").showModal()};
+addEventListener("keydown", (event) => {
+  const target = event.target.tagName;
+  if (event.ctrlKey || event.metaKey || event.altKey || !state.ready || $("keys").open) return;
+  if (target === "SELECT" || (target === "BUTTON" && event.key === " ")) return;
+  const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+  if (action) { event.preventDefault(); action(); }
+});
+
+$("play").onclick = () => play(!state.playing);
+$("back").onclick = () => show(state.frame - 1);
+$("next").onclick = () => show(state.frame + 1);
+$("scrub").oninput = (event) => show(Number(event.target.value));
+$("pace").onchange = (event) => {
+  const on = state.playing;
+  state.pace = Number(event.target.value);
+  if (on) { play(false); play(true); }
+};
+$("colour").onchange = (event) => colour_by(event.target.value);
+for (const name of ["original", "forces", "labels"])
+  $(name).onchange = (event) => { state[name] = event.target.checked; redraw(); };
+$("fit").onclick = fit;
+$("help").onclick = () => $("keys").showModal();
+$("theme").onclick = other_theme;
+
+// ---- beginning -----------------------------------------------------------------------
+
+async function begin() {
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  set_theme(dark.matches ? "dark" : "light");
+  dark.addEventListener("change", () => set_theme(dark.matches ? "dark" : "light"));
+  document.title = $("title").textContent = meta.title || "BLOCKS";
+  $("about").textContent = `${meta.file} · ${meta.blocks} blocks · ${frames} frames`;
+  $("scrub").max = frames - 1;
+  const option = (name, text) => $("colour").add(new Option(text, name));
+  option("material", "material");
+  for (const q of meta.quantities) option(q.name, with_unit(q.label, q.unit));
+  await unpack();
+  find_ranges();
+  corners = new Float64Array(2 * data.first_corner[meta.blocks]);
+  state.ready = true;
+  $("message").textContent = "";
+  fit();
+  new ResizeObserver(redraw).observe($("stage"));
+  document.documentElement.dataset.ready = "yes";
+}
+begin().catch((fault) => { $("message").textContent = fault.message; });

@@ -1,0 +1,200 @@
+#include "study/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "dynamics/step.hpp"
+#include "geometry/overlap.hpp"
+
+namespace blocks::study {
+namespace {
+
+/// Kinetic energy, height against gravity, springs: [F L]. Velocities belong half a
+/// step before the positions; heights are taken there, and free fall keeps its energy.
+double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
+  const Settings& s = model.settings;
+  const Blocks& blocks = model.blocks;
+  double energy = totals(model).kinetic_energy;
+  for (int b = 0; b < blocks.size(); ++b)
+    energy -= blocks.mass[b] *
+              s.gravity.dot(Vec2(blocks.centroid.col(b)) - Vec2(start.col(b)) -
+                            0.5 * model.time_step.dt * Vec2(blocks.velocity.col(b)));
+  const Contacts& contacts = model.contacts;
+  energy += 0.5 * contacts.normal_elastic.square().sum() / s.normal_stiffness +
+            0.5 * contacts.shear_elastic.square().sum() / s.shear_stiffness;
+  return energy +
+         0.5 * model.plane_contacts.normal_elastic.square().sum() / s.normal_stiffness;
+}
+
+/// Two blocks share more than this part of the smaller one: one has come through.
+constexpr double most_shared = 0.02;
+
+bool passes_through(const Blocks& blocks) {
+  std::vector<geometry::Polygon> outlines;
+  for (int b = 0; b < blocks.size(); ++b)
+    outlines.push_back(blocks.outline(b));
+  for (const geometry::BlockOverlap& pair : geometry::overlapping_pairs(outlines))
+    if ((blocks.is_free(pair.first) || blocks.is_free(pair.second)) &&
+        pair.area >
+            most_shared * std::min(blocks.area[pair.first], blocks.area[pair.second]))
+      return true;
+  return false;
+}
+
+/// (pair, corner, edge): the order of lists.
+using Key = std::tuple<int, int, int, int>;
+Key key(const Contacts& contacts, int i) {
+  const int a = contacts.corner_block[i], b = contacts.edge_block[i];
+  return {std::min(a, b), std::max(a, b), contacts.corner[i], contacts.edge[i]};
+}
+
+/// The default rules on a list of their own, at the positions of another run.
+class ExactJudge {
+ public:
+  explicit ExactJudge(const Model& model) : shadow_(model) {}
+
+  /// Decides where the blocks stand.
+  void decide(const Model& model) {
+    if (model.search.updates != seen_) {
+      shadow_.blocks = model.blocks;
+      shadow_.search.current = false;
+      find_contacts(shadow_, buffers_, List::reach, false);
+      seen_ = model.search.updates;
+    }
+    acting_.clear();
+    const dynamics::ContactDecision<dynamics::ExactRules> decision(
+        model.blocks, shadow_.contacts, buffers_.groups);
+    for (const dynamics::ContactGroup& group : buffers_.groups.all)
+      if (const int i = decision.acting_record(group); i >= 0)
+        acting_.push_back(key(shadow_.contacts, i));
+  }
+
+  /// Compares with the contacts that acted in the step from there.
+  void compare(const Contacts& contacts, Outcome& outcome) const {
+    auto exact = acting_.begin();
+    long right = 0, acted = 0;
+    for (int i = 0; i < contacts.size(); ++i) {
+      if (!contacts.active[i])
+        continue;
+      ++acted;
+      const Key k = key(contacts, i);
+      while (exact != acting_.end() && *exact < k)
+        ++exact;
+      right += exact != acting_.end() && *exact == k;
+    }
+    outcome.acting += acted;
+    outcome.phantom += acted - right;
+    outcome.exact += static_cast<long>(acting_.size());
+    outcome.missed += static_cast<long>(acting_.size()) - right;
+  }
+
+ private:
+  Model shadow_;
+  dynamics::SearchBuffers buffers_;
+  long seen_ = -1;
+  std::vector<Key> acting_;
+};
+
+std::uint64_t hash_acting(const Contacts& contacts) {
+  std::uint64_t state = 0xCBF29CE484222325ULL;
+  for (int i = 0; i < contacts.size(); ++i)
+    if (contacts.active[i])
+      for (const int number : {contacts.corner[i], contacts.edge[i]})
+        state = (state ^ static_cast<std::uint64_t>(number)) * 0x100000001B3ULL;
+  return state;
+}
+
+/// Against what was expected of the scene: hung, sunk.
+void judge_end(const Scene& scene, const Frame& frame, const Model& model,
+               const Eigen::Matrix2Xd& start, long steps, Outcome& outcome) {
+  const Eigen::Matrix2Xd expected = scene.expected(steps, model.time_step.dt);
+  const double gravity = scene.model.settings.gravity.norm();
+  for (int b = 0; b < model.blocks.size(); ++b) {
+    if (!model.blocks.is_free(b))
+      continue;
+    const Vec2 moved =
+        frame.back(Vec2(model.blocks.centroid.col(b)) - Vec2(start.col(b)));
+    const Vec2 way = expected.col(b);
+    if (way.norm() > scene.least_way * scene.size)
+      outcome.hung |= !(moved.dot(way) >= scene.least_share * way.squaredNorm());
+    if (scene.most_sinking > 0.0 && gravity > 0.0) {
+      const double sunk = scene.model.settings.gravity.dot(moved - way) / gravity;
+      outcome.fell_through |= !(sunk <= scene.most_sinking * scene.size);
+    }
+  }
+}
+
+double energy_scale(const Scene& scene) {
+  const Blocks& blocks = scene.model.blocks;
+  double mass = 0.0;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (blocks.is_free(b))
+      mass += blocks.mass[b];
+  return mass * scene.model.settings.gravity.norm() * scene.size +
+         totals(scene.model).kinetic_energy;
+}
+
+bool keeps_books(const Model& model) {
+  return model.settings.rigid && model.loads.forces.empty() &&
+         model.loads.pressures.empty();
+}
+
+}  // namespace
+
+Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
+                long steps, Trace& trace) {
+  Outcome outcome;
+  Model model = place(scene.model, frame, variant.corners);
+  dynamics::SearchBuffers buffers;
+  ExactJudge judge(model);
+  dynamics::prepare(model);
+  const Eigen::Matrix2Xd start = model.blocks.centroid;
+  const double energy_at_start = total_energy(model, start);
+  double worst_energy = 0.0;
+  const bool leads = trace.empty(), follows = variant.corners == Corners::sharp;
+  for (long k = 0; k < steps; ++k) {
+    variant.find(model, buffers);
+    judge.decide(model);
+    variant.judge_signs(model, outcome.signs);
+    const bool finite = variant.step(model, buffers).finite;
+    judge.compare(model.contacts, outcome);
+    const std::uint64_t hash = hash_acting(model.contacts);
+    if (leads)
+      trace.push_back(hash);
+    else if (follows && outcome.diverged < 0 &&
+             trace[static_cast<std::size_t>(k)] != hash)
+      outcome.diverged = k + 1;
+    if (!finite) {
+      outcome.hung = outcome.fell_through = true;
+      outcome.energy_error = std::numeric_limits<double>::infinity();
+      return outcome;
+    }
+    const double change = total_energy(model, start) - energy_at_start;
+    worst_energy =
+        std::max(worst_energy, scene.conservative ? std::abs(change) : change);
+    if ((k + 1) % ((steps + 3) / 4) == 0 || k + 1 == steps)
+      outcome.fell_through |= passes_through(model.blocks);
+  }
+  judge_end(scene, frame, model, start, steps, outcome);
+  // masses are those of the scene, so energies grow with the square of the lengths
+  outcome.energy_error =
+      keeps_books(model)
+          ? worst_energy / (energy_scale(scene) * frame.scale * frame.scale)
+          : std::numeric_limits<double>::quiet_NaN();
+  return outcome;
+}
+
+void set_expectation(Scene& scene, long steps) {
+  Model model = place(scene.model, Frame{}, Corners::sharp);
+  dynamics::SearchBuffers buffers;
+  dynamics::prepare(model);
+  const Eigen::Matrix2Xd start = model.blocks.centroid;
+  for (long k = 0; k < steps; ++k)
+    dynamics::step(model, buffers);
+  const Eigen::Matrix2Xd moved = model.blocks.centroid - start;
+  scene.expected = [moved](long, double) { return moved; };
+}
+
+}  // namespace blocks::study

@@ -1,0 +1,47 @@
+// `blocks study contacts`: variants of the contact decision side by side.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/measure.hpp"
+#include "study/statistics.hpp"
+
+namespace blocks::study {
+
+struct StudyChoice {
+  FrameChoice frames;
+  int first = 0;                         ///< number of the first frame
+  int count = 20;                        ///< frames
+  long steps = 0;                        ///< 0: the scene's own
+  std::vector<const Variant*> variants;  ///< default need not be among them
+  int threads = 1;
+};
+
+/// One line of the table: a variant in a scene over all frames.
+struct Row {
+  const Variant* variant = nullptr;
+  int frames = 0;
+  Estimate wrong_signs;     ///< share of the signs of (19), mean over the frames
+  Estimate wrong_tangents;  ///< share of the answers to (20), likewise
+  Estimate phantom;         ///< share of the contacts that act
+  Estimate missed;          ///< share of the contacts that should
+  long hung = 0, fell = 0;
+  Estimate hang_ups, fall_throughs;  ///< share of the frames
+  Estimate energy;                   ///< mean of the error; NaN: not asked
+  double worst_energy = 0.0;
+  long diverged = 0;                  ///< frames
+  double median_step = 0.0;           ///< of divergence, over those; NaN: none
+  std::vector<int> hung_in, fell_in;  ///< numbers of frames
+};
+
+struct Study {
+  std::string scene, what;
+  long steps = 0;
+  std::vector<Row> rows;
+};
+
+/// Runs every variant in the same frames. The same result for any number of threads.
+Study run_study(Scene scene, const StudyChoice& choice);
+
+}  // namespace blocks::study

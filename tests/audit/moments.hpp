@@ -1,0 +1,63 @@
+// Scenes stepped under the eyes of the audit.
+#pragma once
+
+#include <random>
+
+#include "audit/audit.hpp"
+#include "scenes/scene.hpp"
+
+namespace blocks::testing {
+
+/// One step: the blocks before it, for what was decided in it.
+struct AuditedStep {
+  Blocks before;
+  double travel = 0.0;
+
+  explicit AuditedStep(scenes::Scene& scene)
+      : before(scene.model.blocks),
+        travel(scene.model.search.current ? scene.model.search.travel : 0.0) {
+    scene.step();
+  }
+  audit::Findings audit(const scenes::Scene& scene) const {
+    return audit::audit({before, scene.model.contacts, scene.model.settings, travel});
+  }
+};
+
+inline audit::Findings audited_step(scenes::Scene& scene) {
+  return AuditedStep(scene).audit(scene);
+}
+
+/// Regular and squeezed polygons of 3 to 7 corners, clockwise, dropped between walls;
+/// the floor is made of boxes side by side.
+inline scenes::Scene rubble(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double a, double b) {
+    return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  scenes::Scene scene(scenes::random_frames()[seed % 40]);
+  scene.model.settings.friction = 0.4;
+  scene.model.settings.damping = 0.2;
+  scene.model.settings.rigid = seed % 2 == 0;
+  for (int i = 0; i < 8; ++i)
+    scene.box(i - 4, -1, 1, 1, i % 3 == 0 || i == 7);
+  scene.box(-5, -1, 1, 5, true);
+  scene.box(4, -1, 1, 5, true);
+  scene.box(-4, -2, 8, 1, true);
+  for (int row = 0; row < 3; ++row)
+    for (int i = 0; i < 5; ++i) {
+      const int n = 3 + static_cast<int>(random() % 5);
+      const double squeeze = random() % 3 == 0 ? 0.2 : 1.0, turn = uniform(0, 6.283);
+      geometry::Polygon corners;
+      for (int k = 0; k < n; ++k) {
+        const double angle = -6.283185307179586 * (k + uniform(-0.3, 0.3)) / n;
+        corners.push_back(Vec2(-2.8 + 1.4 * i, 0.7 + 1.3 * row) +
+                          scenes::Frame{turn, Vec2::Zero()}.turn(
+                              0.6 * Vec2(std::cos(angle), squeeze * std::sin(angle))));
+      }
+      scene.add(corners);
+    }
+  scene.gravity(1, -10);
+  return scene;
+}
+
+}  // namespace blocks::testing

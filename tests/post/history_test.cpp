@@ -1,0 +1,190 @@
+// Histories and profiles: the numbers are the file's, and motions with an answer come
+// out as that answer.
+#include "post/history.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "post/profile.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Two squares fly at each other, collide off centre and part.
+const std::string collision = preliminary() + rectangle(0, 0, 1, 1) +
+                              rectangle(1.02, 0.4, 2.02, 1.4) +
+                              "SETVEL, 1, 0, 1\nSETVEL, 2, 0, -2\nPLOTS, 0.004\n"
+                              "CYCLE, 100\n";
+
+post::History history(const TemporaryFolder& folder, const std::string& name,
+                      const std::vector<std::string>& curves) {
+  const post::ResultsReader results((folder / (name + ".vtkhdf")).string());
+  std::vector<post::Curve> parsed;
+  for (const std::string& text : curves)
+    parsed.push_back(post::parse_curve(text));
+  return post::read_history(results, parsed);
+}
+
+// v = -g dt n and y = y0 - g dt^2 n (n + 1) / 2: semi-implicit Euler, eqs (1)-(3).
+TEST(History, OfAFallIsItsSum) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall",
+           preliminary() + rectangle(0, 0, 1, 1) +
+               "GRAVITY, 0, -10\nPLOTS, 0.004\nCYCLE, 100\n");
+  const post::History fall = history(folder, "fall", {"VELY:1", "dy:1.3", "step"});
+  ASSERT_GT(fall.time.size(), 9U);
+  for (std::size_t i = 0; i < fall.time.size(); ++i) {
+    const double n = fall.series[2].values[i], dt = 0.0004;
+    EXPECT_NEAR(fall.series[0].values[i], -10 * dt * n, 1e-12);
+    EXPECT_NEAR(fall.series[1].values[i], -5 * dt * dt * n * (n + 1), 1e-12);
+  }
+}
+
+// The energy is the run's own to the last bit; what a collision conserves is constant.
+TEST(History, SumsAreThoseOfTheModel) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  const post::ResultsReader results((folder / "hit.vtkhdf").string());
+  const post::History hit = history(
+      folder, "hit",
+      {"kinetic_energy", "momentum_x", "angular_momentum", "contacts", "speed:max"});
+  double most = 0.0;
+  for (std::size_t i = 0; i < hit.time.size(); ++i) {
+    const post::Frame frame = results.frame(static_cast<long>(i));
+    EXPECT_EQ(hit.series[0].values[i], frame.kinetic_energy);
+    EXPECT_NEAR(hit.series[1].values[i], hit.series[1].values[0], 1e-9);
+    EXPECT_NEAR(hit.series[2].values[i], hit.series[2].values[0], 1e-9);
+    EXPECT_EQ(hit.series[4].values[i], frame.velocity.colwise().norm().maxCoeff());
+    most = std::max(most, hit.series[3].values[i]);
+  }
+  EXPECT_GT(most, 0.0) << "they never met";
+}
+
+// A rigid corner moves as the end of its arm: after the blocks spin, its speed is not
+// the centroid's, and the difference of positions follows it.
+TEST(History, OfACornerFollowsItsPath) {
+  const TemporaryFolder folder;
+  run_text(folder, "spin",
+           preliminary() + rectangle(0, 0, 2, 1) + "SETVEL, 1, 0, 0, 0, 3\nCYCLE, 1\n");
+  const post::History spin =
+      history(folder, "spin", {"speed:1", "speed:1.1", "rotation:1"});
+  EXPECT_EQ(spin.series[0].values.back(), 0.0);
+  EXPECT_NEAR(spin.series[1].values.back(), 3 * std::hypot(1, 0.5), 1e-12);
+  EXPECT_NEAR(spin.series[2].values.back(), 3 * spin.time.back() * 180 / M_PI, 1e-12);
+}
+
+// A script gets the doubles of the file, not their first digits.
+TEST(History, CsvReadsBackBitForBit) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  const Outcome csv = blocks("history hit.vtkhdf -q x:2,fx:1 --csv", folder.path());
+  ASSERT_EQ(csv.code, 0) << csv.err;
+  std::istringstream lines(csv.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "time,x:2,fx:1");
+  const post::ResultsReader results((folder / "hit.vtkhdf").string());
+  long i = 0;
+  for (; std::getline(lines, line); ++i) {
+    std::istringstream fields(line);
+    std::string t, x, fx;
+    std::getline(fields, t, ','), std::getline(fields, x, ',');
+    std::getline(fields, fx, ',');
+    const post::Frame frame = results.frame(i);
+    EXPECT_EQ(std::stod(t), frame.time);
+    EXPECT_EQ(std::stod(x), frame.centroid(0, 1));
+    EXPECT_EQ(std::stod(fx), frame.force(0, 0));
+  }
+  EXPECT_EQ(i, results.frames());
+  const Outcome json = blocks("history hit.vtkhdf -q x:2 --json", folder.path());
+  const auto column = nlohmann::json::parse(json.out)["runs"][0]["columns"][1];
+  EXPECT_EQ(column["values"].back().get<double>(),
+            results.frame(results.frames() - 1).centroid(0, 1));
+}
+
+TEST(History, UnitsAreTheUsers) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  const auto table = [&](const std::string& more) {
+    return blocks("history hit.vtkhdf -q speed:1,s11:1,fx:1 " + more, folder.path())
+        .out;
+  };
+  EXPECT_THAT(table(""), HasSubstr("L T⁻¹"));
+  EXPECT_THAT(table("--units m,kg,s"), HasSubstr("Pa"));
+  EXPECT_THAT(table("--units cm,g,ms"), HasSubstr("g cm⁻¹ ms⁻²"));
+}
+
+// Every refusal says what there is.
+TEST(History, RefusalsNameWhatIsAvailable) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  folder.write("text.vtkhdf", "no results");
+  const auto refused = [&](const std::string& arguments, int code,
+                           const std::string& words) {
+    const Outcome run = blocks("history " + arguments, folder.path());
+    EXPECT_EQ(run.code, code) << arguments;
+    EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
+  };
+  refused("hit.vtkhdf -q heat", 2, "speed, displacement, rotation");
+  refused("hit.vtkhdf -q speed", 2, "speed:9 is that of block 9");
+  refused("hit.vtkhdf -q speed:3", 2, "blocks 1 to 2, no block 3");
+  refused("hit.vtkhdf -q x:1.5", 2, "corners 1 to 4, no corner 5");
+  refused("hit.vtkhdf -q s11:1.2", 2, "a corner has no s11");
+  refused("hit.vtkhdf -q x:1 --from 7", 2, "has times 0 to 0.04");
+  refused("hit.vtkhdf --profile top -t 7", 2, "has times 0 to 0.04");
+  refused("hit.vtkhdf --profile 5,5,6,6", 2, "their centroids lie in x 0.5 to 1.52");
+  refused("hit.vtkhdf -o hit.gif", 2, ".csv, .json, .png, .svg or .pdf");
+  refused("hit.deck", 5, "cannot read hit.deck");
+  refused("text.vtkhdf", 5, "cannot read text.vtkhdf");
+  refused("none.vtkhdf", 5, "cannot read none.vtkhdf");
+}
+
+TEST(History, FiguresAreWrittenAndOlderOnesKept) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  run_text(folder, "again", collision);
+  const std::string both =
+      "history hit.vtkhdf again.vtkhdf -q speed:1,x:2 -o a.svg,a.png,a.csv";
+  for (int i = 0; i < 2; ++i) {
+    const Outcome figure = blocks(both, folder.path());
+    ASSERT_EQ(figure.code, 0) << figure.err;
+  }
+  EXPECT_THAT(slurp(folder / "a.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(slurp(folder / "a.csv"), HasSubstr("\nagain.vtkhdf,"));
+  for (const char* name : {"a.svg.bak", "a.png.bak", "a.csv.bak"})
+    EXPECT_TRUE(folder.holds(name)) << name;
+  EXPECT_FALSE(folder.holds("a.svg.tmp"));
+}
+
+// Of two layers, the surface is the upper one; an upright line meets one block of each.
+TEST(Profile, FindsTheSurfaceAndTheLine) {
+  post::Frame frame;
+  frame.centroid.resize(2, 6);
+  for (int b = 0; b < 6; ++b) {
+    const double x = b % 3, y = b / 3;  // NOLINT(bugprone-integer-division)
+    frame.number.push_back(b + 1);
+    frame.outlines.push_back({{x, y}, {x, y + 1}, {x + 1, y + 1}, {x + 1, y}});
+    frame.centroid.col(b) << x + 0.5, y + 0.5;
+  }
+  const auto blocks_of = [&](const std::string& line) {
+    std::vector<int> blocks;
+    for (const auto& place :
+         post::profile_places(frame, post::ProfileLine::parse(line)))
+      blocks.push_back(place.block);
+    return blocks;
+  };
+  EXPECT_EQ(blocks_of("top"), (std::vector{4, 5, 6}));
+  EXPECT_EQ(blocks_of("1.5,5,1.5,-5"), (std::vector{5, 2}));
+  EXPECT_EQ(blocks_of("0.5,0.5,9,0.5"), (std::vector{1, 2, 3}));
+  EXPECT_EQ(
+      post::profile_places(frame, post::ProfileLine::parse("-1,0.5,9,0.5"))[1].position,
+      2.5);
+}
+
+}  // namespace
+}  // namespace blocks::testing

@@ -1,0 +1,156 @@
+#!/usr/bin/python3
+"""The page of `blocks view` in a browser: view_page_test.py PROGRAM SOURCE [FOLDER].
+
+Plays it, picks every block where the file says it is, and compares the numbers shown with
+those of `blocks history`. Skipped (77) where there is no chromium. With FOLDER pages and
+pictures are kept there.
+"""
+
+import csv
+import io
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import browser
+
+QUANTITIES = ["x", "y", "dx", "dy", "displacement", "speed", "vx", "vy", "rotation", "spin", "fx", "fy", "moment",
+              "s11", "s22", "s12", "p1", "p2"]
+SEEN = """Object.fromEntries([...$("numbers").rows].map((row) =>
+    [row.dataset.name, row.cells[1].textContent.replaceAll("−", "-")]))"""
+
+
+def history(program, results, curves):
+    done = subprocess.run([program, "history", results, "--csv", "-q", ",".join(curves)], capture_output=True, text=True,
+                          check=True)
+    return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(done.stdout))]
+
+
+def same_number(shown, exact):
+    """Shown is the file's number to six digits, however it is written."""
+    return float(shown) == float(f"{exact:.6g}")
+
+
+def screen(page, x, y):
+    """Where a point of the model is on the screen."""
+    return page.evaluate(f"(() => {{ const box = $('model').getBoundingClientRect(), p = to_screen({x!r}, {y!r});"
+                         "return [box.left + p[0], box.top + p[1]]; })()")
+
+
+def check_numbers(page, rows, followed, deck):
+    page.key("Home")
+    for row in rows:
+        seen = page.evaluate(SEEN)
+        assert sorted(seen) == sorted(QUANTITIES), seen
+        for name, shown in seen.items():
+            exact = row[f"{name}:{followed}"]
+            assert same_number(shown, exact), f"{deck}: {name} shown as {shown}, the file has {exact!r}"
+        page.key("ArrowRight")
+
+
+def check_playing(page, frames):
+    page.evaluate("$('pace').value = '4'; $('pace').dispatchEvent(new Event('change'))")
+    page.key("Home")
+    page.key(" ")
+    seen, end = [0], time.monotonic() + 30
+    while page.evaluate("$('play').getAttribute('aria-label')") == "pause":
+        seen.append(int(page.evaluate("$('scrub').value")))
+        assert time.monotonic() < end, "it plays for ever"
+    assert seen == sorted(seen) and len(set(seen)) > frames / 2, seen
+    assert page.evaluate("state.frame") == frames - 1
+
+
+def check_forces(page, acting):
+    """At rest every force of the stack stands upright, at a corner where two bricks meet, and together the forces on
+    the floor, of opposite sign on the bricks, carry twelve bricks of 10 kN (in steps of 3 %)."""
+    count, directions, heights, floor = page.evaluate(
+        "(() => { const {corner, direction, size} = data.contacts.at(-1);"
+        "const at = [...corner].map((c) => corners[2 * c + 1]);"
+        "const force = (i) => meta.largest_force * 10 ** (6 * (size[i] / 255 - 1));"
+        "return [corner.length, [...direction], at, at.reduce((sum, y, i) => sum + (Math.abs(y) < 0.01 ? force(i) : 0), 0)];"
+        "})()")
+    assert count == acting and {d % 128 for d in directions} == {64}, directions
+    assert all(abs(2 * y - round(2 * y)) < 0.01 for y in heights), heights
+    assert abs(floor / 120e3 - 1) < 0.03, floor
+
+
+def check_hands(page):
+    """Every key that draws something changes the picture; wheel and fingers zoom and pan."""
+    pictures = set()
+    page.key("Home")
+    for name in ["ArrowRight", "o", "c", "n", "+", "]", "t"]:
+        page.key(name)
+        pictures.add(page.evaluate("$('model').toDataURL()"))
+    assert len(pictures) == 7, "a key changed nothing"
+    x, y = page.evaluate("(() => { const b = $('model').getBoundingClientRect();"
+                         "return [b.left + b.width / 2, b.top + b.height / 2]; })()")
+    before = page.evaluate("state.view.scale")
+    page.wheel(x, y, 240)
+    page.wait(f"state.view.scale > 1.2 * {before}")
+    before = page.evaluate("state.view")
+    page.touch([(x - 40, y), (x + 40, y)], [(x - 60, y), (x + 60, y)], [(x - 80, y), (x + 80, y)])
+    after = page.evaluate("state.view")
+    assert abs(after["scale"] / before["scale"] - 2) < 0.05, (before, after)
+    page.touch([(x, y)], [(x + 30, y)], [(x + 60, y)])
+    assert abs((after["x"] - page.evaluate("state.view.x")) * after["scale"] - 60) < 20
+    for name in ["f", "n", "t", "Escape"]:
+        page.key(name)
+
+
+def check(program, deck, folder, followed, page, hands):
+    results = folder / f"{deck.stem}.vtkhdf"
+    subprocess.run([program, "run", deck, "-q", "-o", folder / deck.stem], check=True, capture_output=True)
+    path = folder / f"{deck.stem}.html"
+    subprocess.run([program, "view", results, "-o", path, "--units", "m,kg,s"], check=True, capture_output=True)
+    text = path.read_text()
+    assert not re.search(r"https?://|\bsrc=|<link|@import", text), "the page asks for something outside"
+
+    page.open(path)
+    page.wait("document.documentElement?.dataset.ready === 'yes'")
+    page.drawn()
+    energy = history(program, results, ["kinetic_energy"])[-1]["kinetic_energy"]
+    assert same_number(page.evaluate(SEEN)["kinetic_energy"], energy)
+
+    blocks = int(history(program, results, ["blocks"])[-1]["blocks"])
+    last = history(program, results, [f"{axis}:{b}" for b in range(1, blocks + 1) for axis in "xy"])[-1]
+    for b in range(1, blocks + 1):
+        page.click(*screen(page, last[f"x:{b}"], last[f"y:{b}"]))
+        picked = page.evaluate("$('block_name').textContent")
+        assert picked == f"Block {b}", f"a click on block {b} picks {picked}"
+    corner = page.evaluate("(() => { const b = $('model').getBoundingClientRect(); return [b.left + 3, b.bottom - 3]; })()")
+    page.click(*corner)
+    assert page.evaluate("$('block_name').textContent") == "Whole model"
+    page.click(*screen(page, last[f"x:{followed}"], last[f"y:{followed}"]))
+
+    rows = history(program, results, [f"{name}:{followed}" for name in QUANTITIES])
+    assert len(rows) > 5
+    check_numbers(page, rows, followed, deck.stem)
+    check_playing(page, len(rows))
+    page.picture(folder / f"{deck.stem}_block.png")
+    if hands:
+        check_forces(page, history(program, results, ["contacts"])[-1]["contacts"])
+        check_hands(page)
+    assert not page.faults(), page.faults()
+    assert not page.requests(), page.requests()
+    print(f"{deck.stem}: {blocks} blocks picked, {len(rows) * len(QUANTITIES)} numbers as in the file")
+
+
+def main():
+    program, source = Path(sys.argv[1]), Path(sys.argv[2])
+    if browser.PROGRAM is None:
+        print("skipped: no chromium")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(sys.argv[3] if len(sys.argv) > 3 else temporary)
+        page = browser.Browser()
+        try:
+            check(program, source / "decks/stack/stack.deck", folder, 4, page, True)  # rigid
+            check(program, source / "tests/post/strained.deck", folder, 2, page, False)  # deformable, spinning
+        finally:
+            page.close()
+
+
+main()

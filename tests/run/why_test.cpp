@@ -1,0 +1,125 @@
+// `blocks why` as a user sees it: the story of a contact, and what it says when there
+// is none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+/// A floor of two boxes, 1 and 2; block 3 rests on both, block 4 flies, block 5 is
+/// fixed on the floor.
+const std::string scene = preliminary() + rectangle(-4, -1, 0, 0, true) +
+                          rectangle(0, -1, 4, 0, true) + rectangle(-1, 0, 1, 1) +
+                          rectangle(-1, 5, 1, 6) + rectangle(2, 0, 3, 1, true) +
+                          "GRAVITY, 0, -10\nDAMPING, 0.3\nPLOTS, 0.1\n";
+
+class Why : public ::testing::Test {
+ protected:
+  Why() { run_text(folder, "scene", scene + "MOTION, 0.4\nSTOP\n"); }
+  Outcome why(const std::string& arguments) const {
+    return blocks("why " + arguments, folder.path());
+  }
+  /// Refused as usage, naming what there is.
+  void refused(const std::string& arguments, const std::string& fault,
+               const std::string& hint) const {
+    const Outcome answer = why(arguments);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_EQ(answer.out, "");
+    EXPECT_THAT(answer.err, HasSubstr("blocks: error: " + fault));
+    EXPECT_THAT(answer.err, HasSubstr("hint: " + hint));
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(Why, TellsEveryRuleOfAContact) {
+  const Outcome answer = why("scene.vtkhdf --block 3 --block 1");
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("frame 5 of 5"));
+  EXPECT_THAT(answer.out, HasSubstr("corner 1 of block 3 at (-1, "));
+  EXPECT_THAT(answer.out, HasSubstr("against block 1: edge 2 acts"));
+  EXPECT_THAT(answer.out, HasSubstr("nearest of those admitted, acts"));
+  EXPECT_THAT(answer.out, HasSubstr("deeper than the centroid of the block"));
+  EXPECT_THAT(answer.out, HasSubstr("points into the block"));
+  EXPECT_THAT(answer.out, HasSubstr("in the file: edge 2 acted in the step before"));
+}
+
+// The same answer in both forms, and both from the results and from the checkpoint.
+TEST_F(Why, ResultsAndCheckpointAgree) {
+  const Outcome results = why("scene.vtkhdf --block 3 --block 1 --json");
+  const Outcome checkpoint = why("scene.ckpt.h5 --block 3 --block 1 --json");
+  ASSERT_EQ(results.code, 0) << results.err;
+  ASSERT_EQ(checkpoint.code, 0) << checkpoint.err;
+  Json one = Json::parse(results.out), other = Json::parse(checkpoint.out);
+  EXPECT_EQ(one["contact_list"], "rebuilt from the geometry");
+  EXPECT_EQ(other["contact_list"], "stored");
+  EXPECT_EQ(one["step"], other["step"]);
+  int acting = 0, compared = 0;
+  for (const Json& a : one["corners"])
+    for (Json& b : other["corners"]) {
+      if (a["block"] != b["block"] || a["corner"] != b["corner"])
+        continue;
+      for (Json& edge : b["edges"]) {
+        EXPECT_TRUE(edge["listed"].get<bool>() || !edge["admissible"].get<bool>());
+        edge.erase("listed");
+      }
+      EXPECT_EQ(a, b);
+      acting += a["acting"] == 2;
+      ++compared;
+    }
+  EXPECT_EQ(acting, 1);
+  EXPECT_GE(compared, 2);
+  EXPECT_NEAR(one["overlap"]["depth"].get<double>(),
+              one["overlap"]["deepest_contact"].get<double>(), 1e-15);
+}
+
+TEST_F(Why, TakesTheNearestFrameAndSaysSo) {
+  const Outcome answer = why("scene.vtkhdf --time 0.17 --block 3 --block 2");
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("frame 3 of 5, time 0.2"));
+  EXPECT_THAT(answer.out, HasSubstr("the nearest to 0.17"));
+  // at the start nothing overlaps: no contact, but a story all the same
+  const Outcome start = why("scene.vtkhdf --time 0 --block 3 --block 2");
+  EXPECT_THAT(start.out, HasSubstr("they do not overlap"));
+  EXPECT_THAT(start.out, HasSubstr("nearest, but no overlap"));
+  EXPECT_THAT(start.out, Not(HasSubstr(" acts")));
+}
+
+TEST_F(Why, SaysWhatThereIs) {
+  refused("scene.vtkhdf --time 9 --block 3 --block 1",
+          "time 9 is outside of scene.vtkhdf",
+          "it holds 5 frames from time 0 to 0.4: 0, 0.1, 0.2, 0.3, 0.4");
+  refused("scene.vtkhdf --time nan --block 3 --block 1", "time nan is outside",
+          "it holds");
+  refused("scene.ckpt.h5 --time 0 --block 3 --block 1", "time 0 is outside of",
+          "it holds the state at time 0.4 only");
+  refused("scene.vtkhdf --block 3 --block 6", "there is no block 6",
+          "its blocks are 1 to 5");
+  refused("scene.vtkhdf --block 0 --block 1", "there is no block 0",
+          "its blocks are 1 to 5");
+  refused("scene.vtkhdf --block 3 --block 4",
+          "blocks 3 and 4 have no corner near each other",
+          "near block 3: 1 (in contact), 2 (in contact); no block is near block 4");
+  refused("scene.vtkhdf --block 1 --block 5", "blocks 1 and 5 are both fixed",
+          "near block 1: 3 (in contact); no block is near block 5");
+  refused("scene.vtkhdf --block 3", "a contact has two blocks",
+          "near block 3: 1 (in contact), 2 (in contact)");
+  refused("scene.vtkhdf", "a contact has two blocks",
+          "the blocks of scene.vtkhdf are 1 to 5");
+}
+
+TEST_F(Why, RefusesOtherFiles) {
+  for (const char* file : {"scene.deck", "scene.out", "nowhere.vtkhdf"}) {
+    const Outcome answer = why(std::string(file) + " --block 1 --block 2");
+    EXPECT_EQ(answer.code, 5) << file;
+    EXPECT_THAT(answer.err, HasSubstr(std::string("cannot read ") + file));
+  }
+}
+
+}  // namespace
+}  // namespace blocks::testing

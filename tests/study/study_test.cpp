@@ -1,0 +1,171 @@
+// The study of contact detection: its statistics, that it studies what runs do, that it
+// finds what is known to go wrong, and that with our rules nothing does.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "dynamics/step.hpp"
+#include "study/report.hpp"
+#include "study/study.hpp"
+
+namespace blocks::study {
+namespace {
+
+StudyChoice choice_of(std::initializer_list<const char*> names, int frames) {
+  StudyChoice choice;
+  choice.count = frames;
+  for (const char* name : names)
+    choice.variants.push_back(find_variant(name));
+  return choice;
+}
+
+// Wilson (1927); values of the closed form worked out by hand to four digits.
+TEST(Statistics, WilsonInterval) {
+  EXPECT_NEAR(rate(0, 10).high, 0.2775, 5e-5);
+  EXPECT_EQ(rate(0, 10).low, 0.0);
+  EXPECT_NEAR(rate(3, 10).low, 0.1078, 5e-5);
+  EXPECT_NEAR(rate(3, 10).high, 0.6032, 5e-5);
+  EXPECT_NEAR(rate(10, 10).low, 0.7225, 5e-5);
+  EXPECT_NEAR(rate(0, 1000).high, 0.003827, 5e-7);
+}
+
+// The interval must cover the true mean about as often as it says.
+TEST(Statistics, BootstrapCoversTheMean) {
+  std::mt19937_64 random(3);
+  std::exponential_distribution<double> draw(1.0);
+  int covered = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<double> values(60);
+    for (double& x : values)
+      x = draw(random);
+    const Estimate e = mean(values, 11);
+    covered += e.low <= 1.0 && 1.0 <= e.high;
+  }
+  EXPECT_GT(covered, 170);
+  EXPECT_LT(covered, 200);
+}
+
+TEST(Frames, AreRotationsOfEveryKind) {
+  std::set<double> offsets;
+  int straight = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Frame f = random_frame({}, i, 1.0);
+    EXPECT_NEAR(f.cosine * f.cosine + f.sine * f.sine, 1.0, 1e-15);
+    EXPECT_LT((f.back(f.vector({3, 4})) - Vec2(3, 4)).norm(), 1e-14);
+    offsets.insert(std::round(f.offset.norm() / f.scale));
+    straight += f.cosine == 0.0 || f.sine == 0.0;
+    EXPECT_EQ(random_frame({}, i, 1.0).offset, f.offset);
+  }
+  EXPECT_EQ(offsets, (std::set<double>{0, 1, 1e3, 1e6, 1e9}));
+  EXPECT_GT(straight, 5);
+  EXPECT_EQ(random_frame({1982, 5.0, 4.0}, 7, 2.0).scale, 4.0);
+  EXPECT_NEAR(random_frame({1982, 5.0, 4.0}, 7, 2.0).offset.norm(), 40.0, 1e-12);
+}
+
+// Strict, inclusive and exact, against whole numbers.
+TEST(ExactSigns, BetweenWithoutSlack) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> draw(-3, 3);
+  int on_limit = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    int x[6];
+    for (int& v : x)
+      v = draw(random);
+    const int ex = x[4] - x[2], ey = x[5] - x[3];
+    if (ex == 0 && ey == 0)
+      continue;
+    const int along = (x[0] - x[2]) * ex + (x[1] - x[3]) * ey;
+    const int square = ex * ex + ey * ey;
+    const Vec2 c(x[0], x[1]), p1(x[2], x[3]), p2(x[4], x[5]);
+    on_limit += along == 0 || along == square;
+    ASSERT_EQ(ExactSigns<Ends::strict>::between(c, p1, p2),
+              along > 0 && along < square);
+    ASSERT_EQ(ExactSigns<Ends::inclusive>::between(c, p1, p2),
+              along >= 0 && along <= square);
+    using Plain = PlainSigns<TranslatedArea<double>, Ends::inclusive>;
+    ASSERT_EQ(Plain::between(c, p1, p2), along >= 0 && along <= square);
+  }
+  EXPECT_GT(on_limit, 500);
+}
+
+// The default variant decides anew in every step, with its own list and loop; runs keep
+// decisions. The same bits, or the study would be of something else.
+TEST(DefaultVariant, IsWhatRunsDo) {
+  const Variant& variant = all_variants().front();
+  for (const char* name : {"wall", "floor"}) {
+    const Scene scene = make_scene(name);
+    const Frame frame = random_frame({}, 4, scene.size);
+    Model run = place(scene.model, frame, Corners::sharp), studied = run;
+    dynamics::SearchBuffers a, b;
+    dynamics::prepare(run), dynamics::prepare(studied);
+    for (int k = 0; k < 600; ++k) {
+      dynamics::step(run, a);
+      variant.find(studied, b);
+      variant.step(studied, b);
+    }
+    EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
+    EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;
+    EXPECT_GT(totals(run).active_contacts, 1);
+  }
+}
+
+// A slice; `./go study` takes 1,000 frames of each scene.
+TEST(DefaultVariant, NeverHangsNorFallsThrough) {
+  for (const std::string_view name : scene_names()) {
+    const Row row = run_study(make_scene(name), choice_of({"default"}, 12)).rows[0];
+    EXPECT_EQ(row.hung, 0) << name;
+    EXPECT_EQ(row.fell, 0) << name;
+    EXPECT_EQ(row.wrong_signs.value, 0.0) << name;
+    EXPECT_LT(row.worst_energy, 1e-4) << name;
+  }
+}
+
+// What is known to go wrong is found, in the scene made for it.
+TEST(Variants, FailWhereTheyMust) {
+  struct Known {
+    const char *scene, *variant;
+    bool hangs;  ///< else falls through
+  };
+  for (const Known& known :
+       {Known{"figure4b", "bare", true},  // section 3.3
+        Known{"diagonal", "no-nearest", true}, Known{"floor", "report-exact", true},
+        Known{"slab", "keep", true}, Known{"stack", "no-20", false}}) {
+    const Row row =
+        run_study(make_scene(known.scene), choice_of({known.variant}, 6)).rows[0];
+    EXPECT_GE(known.hangs ? row.hung : row.fell, 5) << known.scene << known.variant;
+    EXPECT_GT(row.phantom.value, 0.0);
+  }
+  const Row printed = run_study(make_scene("tee"), choice_of({"printed"}, 6)).rows[0];
+  EXPECT_GT(printed.wrong_signs.value, 0.05);
+  EXPECT_GT(printed.diverged, 3);
+}
+
+// Rounding corners is a shape of its own: convex, and smaller.
+TEST(Place, CornersOfOtherCodes) {
+  const Scene scene = make_scene("wedge");
+  const Model sharp = place(scene.model, {}, Corners::sharp);
+  for (const Corners corners :
+       {Corners::chamfered, Corners::rounded, Corners::skinned}) {
+    const Model other = place(scene.model, {}, corners);
+    for (int b = 0; b < 3; ++b) {
+      EXPECT_LT(other.blocks.area[b], sharp.blocks.area[b]);
+      EXPECT_GT(other.blocks.area[b], 0.99 * sharp.blocks.area[b]);
+      EXPECT_TRUE(other.blocks.convex[b]);
+    }
+  }
+}
+
+TEST(Study, DoesNotDependOnThreads) {
+  StudyChoice choice = choice_of({"default", "printed", "chamfer"}, 5);
+  choice.steps = 60;
+  const std::string one = csv({run_study(make_scene("shaft"), choice)});
+  choice.threads = 3;
+  EXPECT_EQ(csv({run_study(make_scene("shaft"), choice)}), one);
+  choice.frames.seed = 1;
+  EXPECT_NE(csv({run_study(make_scene("shaft"), choice)}), one);
+}
+
+}  // namespace
+}  // namespace blocks::study

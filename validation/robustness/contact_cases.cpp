@@ -1,0 +1,283 @@
+#include "validation/robustness/contact_cases.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "geometry/contact_predicates.hpp"
+
+namespace blocks::robustness {
+namespace {
+
+/// Splitmix64 from a number of its own for each case.
+class Draw {
+ public:
+  Draw(std::uint64_t family, std::uint64_t number)
+      : state_(number * 0x9e3779b97f4a7c15ULL + (family << 56)) {}
+  std::uint64_t bits() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+  }
+  double uniform(double a, double b) {
+    return a + (b - a) * std::ldexp(static_cast<double>(bits() >> 11), -53);
+  }
+  int whole(int a, int b) {
+    return a + static_cast<int>(bits() % static_cast<unsigned>(b - a + 1));
+  }
+  bool coin() { return bits() % 2 == 0; }
+  Vec2 vector(double size) {
+    const double x = uniform(-size, size);
+    return {x, uniform(-size, size)};
+  }
+  /// Up to `most` doubles further in either direction.
+  double nudge(double x, int most) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double to = coin() ? infinity : -infinity;
+    for (int i = whole(0, most); i > 0; --i)
+      x = std::nextafter(x, to);
+    return x;
+  }
+  Vec2 nudge(const Vec2& v, int most) {
+    const double x = nudge(v.x(), most);
+    return {x, nudge(v.y(), most)};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+template <class Map> void transform(ContactCase& k, Map&& map) {
+  for (Vec2* v : {&k.c, &k.p1, &k.p2, &k.q1, &k.q2, &k.centroid, &k.neighbour})
+    *v = map(*v);
+}
+
+ContactCase anywhere(Draw& draw, double size) {
+  ContactCase k;
+  transform(k, [&](const Vec2&) { return draw.vector(size); });
+  return k;
+}
+
+/// A brick (2 x 1, edge p its top, edge q its right side) of a wall in half-brick bond,
+/// and a corner of the same wall.
+ContactCase brick(Draw& draw) {
+  const double i = draw.whole(-20, 20), j = draw.whole(-20, 20);
+  const Vec2 c(i + draw.whole(-1, 3), j + draw.whole(-1, 2));
+  const Vec2 along(draw.coin() ? 2 : -2, 0), across(0, draw.coin() ? 1 : -1);
+  return {c,
+          {i, j + 1},
+          {i + 2, j + 1},
+          {i + 2, j + 1},
+          {i + 2, j},
+          {i + 1, j + 0.5},
+          c + (draw.coin() ? along : across)};
+}
+
+Vec2 turned(const Vec2& v, double cosine, double sine) {
+  return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+}
+
+void turn_and_move(ContactCase& k, double angle, const Vec2& origin) {
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  transform(k, [&](const Vec2& v) -> Vec2 { return origin + turned(v, cosine, sine); });
+}
+
+constexpr std::array<std::pair<int, int>, 6> pythagorean{
+    {{4, 3}, {12, 5}, {21, 20}, {15, 8}, {56, 33}, {72, 65}}};
+
+bool proper(const ContactCase& k) {
+  bool finite = true;
+  for (const Vec2* v : {&k.c, &k.p1, &k.p2, &k.q1, &k.q2, &k.centroid, &k.neighbour})
+    finite = finite && v->allFinite();
+  return finite && k.p1 != k.p2 && k.q1 != k.q2;
+}
+
+/// The first proper case that `draw_case` makes.
+template <class DrawCase>
+ContactCase first_proper(std::uint64_t family, std::uint64_t number,
+                         DrawCase&& draw_case) {
+  Draw draw(family, number);
+  ContactCase k;
+  do
+    k = draw_case(draw);
+  while (!proper(k));
+  return k;
+}
+
+ContactCase random_case(std::uint64_t number) {
+  return first_proper(0, number, [](Draw& draw) { return anywhere(draw, 1); });
+}
+
+ContactCase flush_brick(std::uint64_t number) {
+  return first_proper(1, number, [](Draw& draw) {
+    ContactCase k = brick(draw);
+    const double scale = std::ldexp(1, draw.whole(-40, 40));
+    transform(k, [&](const Vec2& v) -> Vec2 { return scale * v; });
+    return k;
+  });
+}
+
+/// Whole numbers stay whole: truly on the line, at the ends, equally deep.
+ContactCase pythagorean_brick(std::uint64_t number) {
+  return first_proper(2, number, [number](Draw& draw) {
+    const auto [a, b] = pythagorean[number % pythagorean.size()];
+    const double scale = std::ldexp(1, draw.whole(-40, 40));
+    const Vec2 shift(draw.whole(-1000, 1000), draw.whole(-1000, 1000));
+    ContactCase k = brick(draw);
+    transform(k,
+              [&](const Vec2& v) -> Vec2 { return scale * (turned(v, a, b) + shift); });
+    if (draw.whole(0, 7) == 0)
+      k.c = k.centroid + (k.p2 - k.p1);
+    return k;
+  });
+}
+
+ContactCase turned_brick(std::uint64_t number) {
+  return first_proper(3, number, [](Draw& draw) {
+    ContactCase k = brick(draw);
+    turn_and_move(k, draw.uniform(0, 6.3), {0, 0});
+    return k;
+  });
+}
+
+ContactCase far_brick(std::uint64_t number) {
+  return first_proper(4, number, [](Draw& draw) {
+    ContactCase k = brick(draw);
+    const double offset = std::pow(10.0, draw.whole(0, 15));
+    turn_and_move(k, draw.coin() ? 0 : draw.uniform(0, 6.3), draw.vector(offset));
+    return k;
+  });
+}
+
+/// Up to three doubles from the line, the slack, the ends, the centroid's depth, the
+/// bisectors of two edges.
+ContactCase next_to_limit(std::uint64_t number) {
+  return first_proper(5, number, [](Draw& draw) {
+    ContactCase k = anywhere(draw, 1);
+    if (draw.coin())
+      k.q1 = k.p2;
+    const Vec2 e = k.p2 - k.p1, left(-e.y(), e.x()), f = k.q2 - k.q1;
+    const double s = draw.uniform(0, 1), slack = geometry::contact_slack;
+    const std::array<Vec2, 8> limits{
+        k.p1 + s * e,
+        k.p1 + s * e + slack * left,
+        k.p1 - slack * e + s * left,
+        k.p2 + slack * e + s * left,
+        k.centroid + s * e,
+        k.p2 + s * (e.normalized() + f.normalized()),
+        k.p2 + s * (e.normalized() - f.normalized()),
+        s < 0.5 ? k.p1 : k.p2,
+    };
+    k.c = draw.nudge(limits[draw.bits() % limits.size()], 3);
+    return k;
+  });
+}
+
+/// Whole numbers p, q < 2^46 with p / q ever closer to tan 10 degrees, from both sides:
+/// the convergents of its continued fraction and the fractions between them.
+std::vector<Vec2> fractions_near_tan10() {
+  using Wide = boost::multiprecision::cpp_bin_float_100;
+  using Whole = boost::multiprecision::cpp_int;
+  Wide x = tan(boost::math::constants::pi<Wide>() / 18);
+  Whole p0 = 0, q0 = 1, p1 = 1, q1 = 0;
+  std::vector<Vec2> found;
+  for (;;) {
+    const auto term = floor(x).convert_to<Whole>();
+    for (Whole part = 1; part <= term; ++part) {
+      const Whole p = part * p1 + p0, q = part * q1 + q0;
+      if (q > Whole(0x1p46))
+        return found;
+      found.emplace_back(p.convert_to<double>(), q.convert_to<double>());
+    }
+    const Whole p = term * p1 + p0, q = term * q1 + q0;
+    p0 = std::exchange(p1, p);
+    q0 = std::exchange(q1, q);
+    x = 1 / (x - Wide(term));
+  }
+}
+
+ContactCase near_ten_degrees(std::uint64_t number) {
+  static const std::vector<Vec2> fractions = fractions_near_tan10();
+  return first_proper(6, number, [](Draw& draw) {
+    const Vec2& f = fractions[draw.bits() % fractions.size()];
+    const auto [a, b] = pythagorean[draw.bits() % 3];
+    ContactCase k = anywhere(draw, 1);
+    const double tangent = std::ldexp(1, draw.whole(-60, 60));
+    const double edge = std::ldexp(draw.whole(1, 9), draw.whole(-60, 60));
+    k.c = k.p1 = {0, 0};
+    k.p2 = edge * Vec2(a, b);
+    // 10 degrees into the block, towards p2 or towards p1
+    const double way = draw.coin() ? 1 : -1;
+    k.neighbour = tangent * turned({way * f.y(), -f.x()}, a, b);
+    if (draw.whole(0, 3) == 0)
+      k.neighbour = draw.nudge(k.neighbour, 1);
+    return k;
+  });
+}
+
+/// Corners of very different size on a line through the origin: no difference is a
+/// double, and the last bit of the smallest decides.
+ContactCase inexact_differences(std::uint64_t number) {
+  return first_proper(7, number, [](Draw& draw) {
+    const Vec2 along(draw.whole(1, 1 << 26), draw.whole(1, 1 << 26));
+    ContactCase k = anywhere(draw, 1);
+    k.c = along * draw.whole(1, 9);
+    k.p1 = along * std::ldexp(draw.whole(1, 9), draw.whole(-64, -40));
+    k.p2 = along * -draw.whole(1, 9);
+    k.centroid = draw.nudge(along * std::ldexp(1, draw.whole(-64, -40)), 1);
+    if (draw.whole(0, 2))
+      k.p1 = draw.nudge(k.p1, 2);
+    if (draw.coin())
+      std::swap(k.c, k.p1);
+    return k;
+  });
+}
+
+ContactCase subnormal(std::uint64_t number) {
+  return first_proper(8, number, [](Draw& draw) {
+    ContactCase k = draw.coin() ? brick(draw) : anywhere(draw, 1);
+    const double size = std::ldexp(1, draw.whole(-1074, -900));
+    const Vec2 turn = draw.coin() ? Vec2(1, 0) : draw.vector(1);
+    transform(
+        k, [&](const Vec2& v) -> Vec2 { return size * turned(v, turn.x(), turn.y()); });
+    return k;
+  });
+}
+
+/// Anything from the smallest subnormal to near overflow, together or mixed.
+ContactCase any_magnitude(std::uint64_t number) {
+  return first_proper(9, number, [](Draw& draw) {
+    ContactCase k = draw.coin() ? brick(draw) : anywhere(draw, 1);
+    const bool mixed = draw.coin();
+    const double size = std::ldexp(1, draw.whole(-1074, 1023));
+    transform(k, [&](const Vec2& v) -> Vec2 {
+      return v * (mixed ? std::ldexp(1, draw.whole(-1074, 1023)) : size);
+    });
+    return k;
+  });
+}
+
+}  // namespace
+
+const std::array<ContactFamily, contact_family_count>& contact_families() {
+  static const std::array<ContactFamily, contact_family_count> all{{
+      {"random", 20, random_case},
+      {"bricks, flush", 10, flush_brick},
+      {"bricks, turned by Pythagorean angles", 12, pythagorean_brick},
+      {"bricks, turned by random angles", 12, turned_brick},
+      {"bricks, moved away by 1 to 1e15", 14, far_brick},
+      {"next to a limit", 14, next_to_limit},
+      {"tangents next to -10 degrees", 10, near_ten_degrees},
+      {"differences that are no doubles", 4, inexact_differences},
+      {"subnormal", 2, subnormal},
+      {"any magnitude, alike or mixed", 2, any_magnitude},
+  }};
+  return all;
+}
+
+}  // namespace blocks::robustness
