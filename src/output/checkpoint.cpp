@@ -123,6 +123,18 @@ void visit(M& model, Info& info, Archive& ar) {
   visit_model(model, ar);
 }
 
+/// The one before gets a second name first, so that `path` exists at every moment.
+void keep_previous(const std::string& path) {
+  const std::string previous = path + ".prev";
+  std::error_code fault;
+  if (!std::filesystem::exists(path, fault))
+    return;
+  std::filesystem::remove(previous, fault);
+  std::filesystem::create_hard_link(path, previous, fault);
+  if (fault)  // a file system without links
+    move_file(path, previous);
+}
+
 }  // namespace
 
 void write_checkpoint(const std::string& path, const Model& model,
@@ -141,8 +153,7 @@ void write_checkpoint(const std::string& path, const Model& model,
     });
     set_seal(temporary, path);
     sync_file(temporary, path);
-    if (std::filesystem::exists(path, ignored))
-      move_file(path, path + ".prev");
+    keep_previous(path);
     move_file(temporary, path);
   } catch (const FileError&) {
     std::filesystem::remove(temporary, ignored);

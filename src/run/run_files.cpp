@@ -48,9 +48,9 @@ RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
 
 /// Keeps an older file under its new ending.
 std::string RunFiles::step_aside(const std::string& path) {
-  std::error_code ignored;  // what cannot be moved shows when the new file is opened
+  std::error_code ignored;  // what is wrong shows when the new file is opened
   if (std::filesystem::is_regular_file(path, ignored))
-    std::filesystem::rename(path, path + aside_, ignored);
+    output::move_file(path, path + aside_);
   return path;
 }
 
