@@ -62,6 +62,10 @@ bool touches(const exact::Point& corner, const exact::Point& a, const exact::Poi
          CGAL::collinear_are_strictly_ordered_along_line(a, corner, b);
 }
 
+// A corner moves by no more units in the last place of the largest coordinate at a
+// time.
+constexpr double most_units = 64.0;
+
 // Moves the corners of all touches out of their sides.
 class Mover {
  public:
@@ -111,18 +115,25 @@ class Mover {
       return false;
     const Vec2 out(a.y() - b.y(), b.x() - a.x());
     const Axes axes = axes_.at(touch.corner);
-    int axis = std::abs(out.x()) > std::abs(out.y()) ? 0 : 1;
-    if (axes.horizontal != axes.vertical && out[axes.horizontal ? 0 : 1] != 0.0)
-      axis = axes.horizontal ? 0 : 1;
-    const double largest = std::max(a.lpNorm<Eigen::Infinity>(), std::abs(from[axis]));
-    double step = std::nextafter(largest, std::numeric_limits<double>::max()) - largest;
-    Vec2 to = from;
-    for (int doubling = 0; doubling < 32 && inside(to); ++doubling, step *= 2.0)
-      to[axis] = from[axis] + std::copysign(step, out[axis]);
-    if (inside(to))
-      return false;  // nearly along the axis: too far to go
-    places_[touch.corner] = to;
-    return true;
+    const int steeper = std::abs(out.x()) > std::abs(out.y()) ? 0 : 1;
+    const int kept = axes.horizontal == axes.vertical ? steeper
+                     : axes.horizontal                ? 0
+                                                      : 1;
+    for (const int axis : {kept, steeper}) {
+      const double largest =
+          std::max(a.lpNorm<Eigen::Infinity>(), from.lpNorm<Eigen::Infinity>());
+      double step =
+          std::nextafter(largest, std::numeric_limits<double>::max()) - largest;
+      for (; step <= most_units * 0x1p-52 * largest && out[axis] != 0.0; step *= 2.0) {
+        Vec2 to = from;
+        to[axis] += std::copysign(step, out[axis]);
+        if (inside(to))
+          continue;
+        places_[touch.corner] = to;
+        return true;
+      }
+    }
+    return false;  // left to the certificate
   }
 
   std::set<Touch> touches_;

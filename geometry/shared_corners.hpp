@@ -23,10 +23,10 @@ struct DeckOutline {
 
 /// Corners that lie strictly inside a side of another outline, on the decimals, are
 /// moved out of that outline until, on the doubles, they are not inside the side: by a
-/// last place or a few, along the axis in which a side of another outline at the corner
-/// runs, if one does, so that lines along an axis stay on it. All others keep the
-/// nearest doubles. Law: the order of the outlines changes nothing; an outline that
-/// touches no other changes nothing.
+/// few units in the last place of the largest coordinate, 64 at most at a time; along
+/// the axis in which a side at the corner runs, if that is enough, so that lines along
+/// an axis stay on it. All others keep the nearest doubles. Law: the order of the
+/// outlines changes nothing; an outline that touches no other changes nothing.
 class SharedCorners {
  public:
   SharedCorners() = default;

@@ -37,8 +37,10 @@ int view(ViewOptions options) {
     const std::string page =
         post::view_page(post::view_data(results, options.every, units));
     write_text_file(options.output, page);
-    fmt::print("{}: {:.1f} MB, open it in a browser\n", options.output,
-               static_cast<double>(page.size()) / 1e6);
+    const auto size = static_cast<double>(page.size());
+    fmt::print("{}: {}, open it in a browser\n", options.output,
+               size < 1e6 ? fmt::format("{:.0f} kB", size / 1e3)
+                          : fmt::format("{:.1f} MB", size / 1e6));
     return run::done;
   } catch (const output::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());

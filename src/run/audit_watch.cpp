@@ -78,8 +78,8 @@ std::string AuditWatch::closing() const {
       "due "
       "in the list, {} acting contacts; pairs missed: {}; wrong decisions: {}; decided "
       "by "
-      "rounding at a closed joint: {}; blocks that overlap more than their contacts "
-      "explain: {} pairs, worst {:.3g}",
+      "rounding at a closed joint: {}; pairs of blocks that overlap more than their "
+      "contacts explain: {} (worst {:.3g})",
       totals_.every, totals_.moments, totals_.pairs, totals_.records, totals_.acting,
       totals_.missed, totals_.wrong, totals_.hanging, totals_.excess.size(),
       totals_.worst.excess());

@@ -23,6 +23,13 @@ Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
+  std::size_t moved = 0;
+  for (const geometry::SharedCorners& stretch : corners_)
+    moved += stretch.moved();
+  if (moved > 0)
+    notes_.push_back(fmt::format(
+        "corners: {} inside a slanted side of another outline, rounded out of it",
+        moved));
 }
 
 /// One function per card.

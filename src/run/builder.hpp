@@ -65,7 +65,8 @@ class Builder {
   /// read.
   void check_output_blocks();
 
-  /// What was found in the mesh files, a line each, since the last call.
+  /// What was found in the mesh files and of shared corners, a line each, since the
+  /// last call.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
   /// What the blocks proved to be when the latest were made; nothing before time

@@ -110,7 +110,7 @@ Model Job::load() {
 
 /// Executes every card but the passing of time. The model is what the deck describes
 /// before its first step; false when there were errors.
-/// notes: what the mesh files held.
+/// notes: what the mesh files held, and of shared corners.
 bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   if (job.loads() && !job.diagnostics.has_errors()) {
     try {

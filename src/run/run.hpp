@@ -50,7 +50,7 @@ struct CheckedDeck {
   std::string file;      ///< as shown in messages
   Model model;
   std::optional<AssemblyCertificate> certificate;  ///< nothing: no blocks
-  std::vector<std::string> notes;  ///< what was found in the mesh files, a line each
+  std::vector<std::string> notes;  ///< of mesh files and shared corners, a line each
 };
 
 /// Parses and builds everything, prints every fault, makes no step.

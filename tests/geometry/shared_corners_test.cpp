@@ -151,6 +151,19 @@ TEST(SharedCorners, CopiesOfABlockLeaveTheLineTheyLieOn) {
     EXPECT_TRUE(overlapping_pairs({blocks[0], blocks[i]}).empty()) << i;
 }
 
+// A line that falls by 1e-10: along it a corner would have to go far to leave it.
+TEST(SharedCorners, NoCornerGoesFartherThanRounding) {
+  const auto layer = corners("0 100.3 0 101.3 30 101.300000003 30 100.3");
+  const auto block =
+      corners("5.99998 101.3000000006 5.99998 102.3 7 102.3 6 101.3000000006");
+  const SharedCorners shared(
+      {{{layer.begin(), layer.end()}, {}, 1}, {{block.begin(), block.end()}, {}, 1}});
+  for (const DecimalPoint& p : block) {
+    const Vec2 nearest(p.x.value(), p.y.value());
+    EXPECT_LT((shared.place(nearest) - nearest).norm(), 200.0 * 0x1p-52 * 102.3);
+  }
+}
+
 TEST(SharedCorners, LinesAlongAnAxisStayOnIt) {
   // The slanted layer's corner (5, 0) lies inside the horizontal top of the left one
   // and the left one's corner (10, 0) inside nothing: nothing to move.

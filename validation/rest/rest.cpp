@@ -65,10 +65,10 @@ int main(int argc, char** argv) {
   blocks::run::RunOptions options;
   options.deck = deck;
   auto checked = blocks::run::build_checked(options);
-  if (!checked)
-    return 3;
+  if (checked.code != blocks::run::done)
+    return checked.code;
 
-  Model& model = checked->model;
+  Model& model = checked.model;
   blocks::dynamics::SearchBuffers buffers;
   blocks::dynamics::prepare(model);
   std::string table =
