@@ -15,6 +15,9 @@ usage() {
                             against brute force, the same bits from g++ and clang++
   ./go validate predicates [N]
                             the contact predicates on N inputs (10000000) against MPFR
+  ./go validate reliability
+                            every moment of a results file, every place where the disk
+                            may be full, 100000 decks changed at random
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
   ./go study [N]            N frames (1000) of every scene of contact detection by the
                             rules of every run: no hang-up, no fall-through
@@ -72,6 +75,11 @@ case $command in
       echo "building ..." >&2
       build release rest
       exec "$here/build/release/validation/rest/rest" --steps "${2:-1000000}" --report "$here/validation/rest/REST"
+    fi
+    if [ "${1:-}" = reliability ]; then
+      echo "building ..." >&2
+      build release blocks reliability_tests
+      BLOCKS_THOROUGH=1 exec "$here/build/release/tests/reliability/reliability_tests"
     fi
     layers=${1:-100000}
     echo "building ..." >&2

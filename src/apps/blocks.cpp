@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <new>
 #include <string>
 
 #include "check_command.hpp"
@@ -83,7 +85,8 @@ void add_deck_options(CLI::App& command, RunOptions& options,
   command.add_option("--tape9", options.tape9,
                      "mesh file of a READ9 card without a name");
   command.add_option("--restart", options.restart,
-                     "checkpoint of a deck that begins with RESTART");
+                     "go on from this checkpoint: of this very deck, or of a deck "
+                     "that begins with RESTART");
   command.add_option("--set", sets, "CARD.field=value: replace a field of the deck");
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
   command.add_flag("-v,--verbose", options.verbose, "say what every layer became");
@@ -161,7 +164,7 @@ int dispatch(int argc, char** argv) {
                "BLOCKS: a 2D block motion code for jointed rock.\n"
                "Exit codes: 0 done, 1 internal, 2 usage, 3 deck or geometry, 4 run "
                "unsound, 5 file,\n"
-               "75 stopped at a time limit, 130 interrupted.");
+               "75 stopped at a limit of time or steps, 130 interrupted.");
   app.set_version_flag("--version", "blocks " BLOCKS_VERSION);
   app.require_subcommand(1);
 
@@ -174,6 +177,9 @@ int dispatch(int argc, char** argv) {
   run->add_option("--time-limit", options.time_limit,
                   "stop after so many seconds, exit 75")
       ->check(positive_number());
+  run->add_option("--stop-after", options.stop_after,
+                  "stop after so many steps, exit 75")
+      ->check(CLI::Range(1L, std::numeric_limits<long>::max()));
   run->add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints")
       ->check(positive_number());
@@ -265,11 +271,15 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "blocks: error: {}\n", fault);
     return blocks::run::internal_error;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
   try {
     return dispatch(argc, argv);
   } catch (const blocks::output::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return blocks::run::file_error;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "blocks: error: there is not enough memory for this problem\n");
+    return blocks::run::internal_error;
   } catch (const std::exception& error) {
     fmt::print(stderr, "blocks: internal error: {}\n", error.what());
     return blocks::run::internal_error;

@@ -143,7 +143,8 @@ FunctionPoints read_points(long count, const std::vector<Line>& lines,
         surplus ? lines[static_cast<std::size_t>(count)].fields.front().where
                 : (lines.empty() ? card_end : lines.back().end);
     diagnostics.error(where, card,
-                      fmt::format("expected {} lines of t, p, found {}", count, found),
+                      fmt::format("expected {} line{} of t, p, found {}", count,
+                                  count == 1 ? "" : "s", found),
                       "ntimep is the number of lines that follow, one point each");
     out.ok = false;
   }
@@ -151,7 +152,15 @@ FunctionPoints read_points(long count, const std::vector<Line>& lines,
   Value previous;
   for (const Line& line : lines) {
     const std::vector<Field>& fields = line.fields;
-    if (fields.size() != 2 || fields[0].blank || fields[1].blank) {
+    if (fields.size() == 2 && (fields[0].blank || fields[1].blank)) {
+      diagnostics.error(fields[fields[0].blank ? 0 : 1].where, card,
+                        fields[0].blank ? "the time of this point is blank"
+                                        : "the value of this point is blank",
+                        "points have no default");
+      out.ok = false;
+      continue;
+    }
+    if (fields.size() != 2) {
       diagnostics.error(fields.size() > 2 ? fields[2].where : line.end, card,
                         fmt::format("expected t, p on this line, found {} value{}",
                                     fields.size(), fields.size() == 1 ? "" : "s"),

@@ -17,7 +17,7 @@
 namespace blocks::output {
 namespace {
 
-constexpr int format = 3;
+constexpr int format = 4;
 constexpr std::size_t seal_size = 512;
 constexpr const char* magic = "BLOCKS checkpoint\n";
 
@@ -43,7 +43,8 @@ std::string seal_of(std::istream& file) {
   return seal(bytes, hash.text());
 }
 
-void set_seal(const std::string& path) {
+/// `meant`: the name for messages.
+void set_seal(const std::string& path, const std::string& meant) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   const std::string text = seal_of(file);
   file.clear();
@@ -51,7 +52,7 @@ void set_seal(const std::string& path) {
   file.write(text.data(), seal_size);
   file.close();
   if (!file)
-    throw_errno("write", path);
+    throw_errno("write", meant);
 }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
@@ -76,17 +77,10 @@ void verify_seal(const std::string& path) {
     refuse(path, "it is not a checkpoint of BLOCKS");
   if (int found = 0;
       std::sscanf(head.c_str() + std::strlen(magic), "format %d", &found) == 1 &&
-      found > format)
-    refuse(path,
-           fmt::format("a newer version of BLOCKS wrote it (format {}, this version "
-                       "reads up to {})",
-                       found, format));
-  if (int found = 0;
-      std::sscanf(head.c_str() + std::strlen(magic), "format %d", &found) == 1 &&
-      found < format)
-    refuse(path, fmt::format("an older version of BLOCKS wrote it (format {}, this "
-                             "version reads {})",
-                             found, format));
+      found != format)
+    refuse(path, fmt::format("{} version of BLOCKS wrote it (format {}, this version "
+                             "reads format {})",
+                             found > format ? "a newer" : "an older", found, format));
   if (file.gcount() < static_cast<std::streamsize>(seal_size) || head != seal_of(file))
     refuse(path, "it is damaged: its bytes do not give its checksum");
 }
@@ -94,16 +88,51 @@ void verify_seal(const std::string& path) {
 /// The report's "restart tape": the model and what belongs to the run.
 template <class M, class Info, class Archive>
 void visit(M& model, Info& info, Archive& ar) {
-  auto& [deck_file, deck_text, results, results_run, results_frames, listing_bytes,
-         version] = info;
+  auto& [deck_file, deck_text, overrides, results, results_run, results_frames,
+         listing_bytes, version, progress] = info;
   ar("run/deck_file", deck_file);
   ar("run/deck_text", deck_text);
+  ar("run/overrides", overrides);
   ar("run/results", results);
   ar("run/results_run", results_run);
   ar("run/results_frames", results_frames);
   ar("run/listing_bytes", listing_bytes);
   ar("run/version", version);
+  {
+    auto& [card, steps_left, frames, bytes, tabled_step, half_depth, fast_told,
+           finished, warnings, overlaps] = progress;
+    ar("run/progress/card", card);
+    ar("run/progress/steps_left", steps_left);
+    ar("run/progress/frames", frames);
+    ar("run/progress/listing_bytes", bytes);
+    ar("run/progress/tabled_step", tabled_step);
+    ar("run/progress/half_depth", half_depth);
+    ar("run/progress/fast_told", fast_told);
+    ar("run/progress/finished", finished);
+    ar("run/progress/warnings", warnings);
+    ar.records("run/progress/overlaps", overlaps, [](auto& column, auto& overlap) {
+      auto& [first, second, area, place, depth] = overlap;
+      column("first", first);
+      column("second", second);
+      column("area", area);
+      column("x", place.x());
+      column("y", place.y());
+      column("depth", depth);
+    });
+  }
   visit_model(model, ar);
+}
+
+/// The one before gets a second name first, so that `path` exists at every moment.
+void keep_previous(const std::string& path) {
+  const std::string previous = path + ".prev";
+  std::error_code fault;
+  if (!std::filesystem::exists(path, fault))
+    return;
+  std::filesystem::remove(previous, fault);
+  std::filesystem::create_hard_link(path, previous, fault);
+  if (fault)  // a file system without links
+    move_file(path, previous);
 }
 
 }  // namespace
@@ -122,15 +151,14 @@ void write_checkpoint(const std::string& path, const Model& model,
       hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
       file.close();
     });
-    set_seal(temporary);
-    sync_file(temporary);
+    set_seal(temporary, path);
+    sync_file(temporary, path);
+    keep_previous(path);
+    move_file(temporary, path);
   } catch (const FileError&) {
     std::filesystem::remove(temporary, ignored);
     throw;
   }
-  if (std::filesystem::exists(path, ignored))
-    move_file(path, path + ".prev");
-  move_file(temporary, path);
   sync_folder_of(path);
 }
 

@@ -35,9 +35,9 @@ void move_file(const std::string& from, const std::string& to) {
     throw_errno("write", to);
 }
 
-void sync_file(const std::string& path) {
+void sync_file(const std::string& path, const std::string& meant) {
   if (!sync(path, O_RDONLY))
-    throw_errno("write", path);
+    throw_errno("write", meant);
 }
 
 void sync_folder_of(const std::string& path) {

@@ -27,8 +27,9 @@ auto naming(const char* verb, const std::string& path, Action&& action) {
 /// Moves a file, replacing its target. Throws FileError.
 void move_file(const std::string& from, const std::string& to);
 
-/// Waits until the file's bytes, or the folder's names, are on disk. Throws FileError.
-void sync_file(const std::string& path);
+/// Waits until the file's bytes, or the folder's names, are on disk. Throws FileError
+/// about the file `meant`, of which this one may be the temporary form.
+void sync_file(const std::string& path, const std::string& meant);
 void sync_folder_of(const std::string& path);
 
 /// FNV-1a, 64 bits.

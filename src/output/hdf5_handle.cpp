@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "output/ordered_file.hpp"
+
 namespace blocks::output::hdf5 {
 namespace {
 
@@ -13,11 +15,13 @@ herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
 
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-Handle file_access() {
+Handle file_access(bool writable) {
   // Failures become exceptions: the library must not print them.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Handle access = property_list(H5P_FILE_ACCESS);
   check(H5Pset_file_locking(access.get(), 0, 1));
+  if (writable)
+    write_in_order(access.get());
   return access;
 }
 
@@ -62,14 +66,14 @@ std::string last_error() {
 }
 
 Handle create_file(const std::string& path, hsize_t user_block) {
-  const Handle access = file_access(), creation = property_list(H5P_FILE_CREATE);
+  const Handle access = file_access(true), creation = property_list(H5P_FILE_CREATE);
   check(H5Pset_userblock(creation.get(), user_block));
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
           H5Fclose};
 }
 
 Handle open_file(const std::string& path, bool writable) {
-  const Handle access = file_access();
+  const Handle access = file_access(writable);
   return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.get()),
           H5Fclose};
 }
@@ -181,6 +185,15 @@ Column Column::open(hid_t parent, const std::string& path) {
 void Column::require(hsize_t row, hsize_t count) const {
   if (row > rows_ || count > rows_ - row)
     throw Failure(path_ + " is too short");
+}
+
+std::vector<unsigned char> Column::bytes(hsize_t row, hsize_t count) {
+  require(row, count);
+  const Handle stored(H5Dget_type(dataset_.get()), H5Tclose);
+  const Handle native(H5Tget_native_type(stored.get(), H5T_DIR_ASCEND), H5Tclose);
+  std::vector<unsigned char> raw(count * width() * H5Tget_size(native.get()));
+  transfer(row, count, native.get(), nullptr, raw.data());
+  return raw;
 }
 
 void Column::resize(hsize_t rows) {

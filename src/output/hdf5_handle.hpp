@@ -79,7 +79,8 @@ template <class T> hid_t type_of() {
   }
 }
 
-/// Files are never locked, so that a reader can look during a run. `user_block`: bytes
+/// Files are never locked, so that a reader can look during a run; those that are
+/// written are sound at every moment (ordered_file.hpp). `user_block`: bytes
 /// at the head that HDF5 leaves alone.
 Handle create_file(const std::string& path, hsize_t user_block = 0);
 Handle open_file(const std::string& path, bool writable);
@@ -124,6 +125,9 @@ class Column {
     return values;
   }
   template <class T> T at(hsize_t row) { return read<T>(row, 1).front(); }
+
+  /// The rows as they lie in memory, whatever their type.
+  std::vector<unsigned char> bytes(hsize_t row, hsize_t count);
 
   /// Forgets the rows from `rows` on. Throws Failure when there are fewer.
   void truncate(hsize_t rows);

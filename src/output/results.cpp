@@ -54,6 +54,8 @@ std::vector<double> in_space(const Eigen::Matrix2Xd& plane) {
 
 struct ResultsWriter::File {
   std::string path;
+  std::string written_as;  ///< temporary name, until there is a first frame
+  std::string aside;       ///< ending that an older file of its name then gets
   hdf5::Handle file, vtk, steps, own;
   long frames = 0;
   std::int64_t last_step = -1;
@@ -78,6 +80,8 @@ struct ResultsWriter::File {
   void put_topology(const Blocks& blocks);
   void put_cells(const Blocks& blocks);
   void put_frame_data(const Model& model);
+  void appear();
+  void discard();
   void publish(long count) {
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
     hdf5::write_attribute(steps.get(), "NSteps", count);
@@ -175,6 +179,13 @@ void ResultsWriter::File::keep(long count) {
     cell_end = at(cell_offsets, last) + cell_count;
     id_end = at(id_offsets, last) + at(number_of_ids, own_part);
     parts = own_part + 1;
+    part = static_cast<std::int64_t>(own_part);
+    first_cell = cell_offsets.at<std::int64_t>(last);
+    first_id = id_offsets.at<std::int64_t>(last);
+    topology.clear();
+    for (const auto start : offsets.read<std::int64_t>(
+             static_cast<hsize_t>(first_cell) + own_part, cell_count + 1))
+      topology.push_back(static_cast<int>(start));
     last_step = frame_data.at("Step").at<std::int64_t>(last);
   }
   contacts->truncate(count);
@@ -270,6 +281,24 @@ void ResultsWriter::File::put_frame_data(const Model& model) {
     column.put(frame, size, 1);
 }
 
+/// With its first frame the file takes its name, and an older one steps aside.
+void ResultsWriter::File::appear() {
+  if (written_as.empty())
+    return;
+  std::error_code ignored;  // whatever is wrong shows at the next move
+  if (std::filesystem::exists(path, ignored))
+    move_file(path, path + aside);
+  move_file(written_as, path);
+  written_as.clear();
+}
+
+/// Without a frame there is nothing to keep.
+void ResultsWriter::File::discard() {
+  std::error_code ignored;
+  if (!written_as.empty())
+    std::filesystem::remove(written_as, ignored);
+}
+
 void ResultsWriter::File::append(const Model& model) {
   if (!laid_out)
     create_columns(model);
@@ -289,6 +318,7 @@ void ResultsWriter::File::append(const Model& model) {
   cell_offsets.put(frame, &first_cell, 1);
   id_offsets.put(frame, &first_id, 1);
   publish(frames + 1);
+  appear();
   ++frames;
   last_step = model.steps;
 }
@@ -302,15 +332,20 @@ std::string new_run_id() {
 
 }  // namespace
 
-ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity)
+std::string RunIdentity::deck_name() const {
+  return fmt::format("{} '{}'", std::filesystem::path(deck_file).filename().string(),
+                     title);
+}
+
+ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity,
+                             std::string aside)
     : file_(std::make_unique<File>()) {
-  std::error_code ignored;  // whatever is wrong shows when the file is created
-  if (std::filesystem::exists(path, ignored))
-    move_file(path, path + ".bak");
   File& to = *file_;
   to.path = path;
-  naming("write", path, [&] {
-    to.file = hdf5::create_file(path);
+  to.written_as = path + ".tmp";
+  to.aside = std::move(aside);
+  const auto create = [&] {
+    to.file = hdf5::create_file(to.written_as);
     to.vtk = hdf5::create_group(to.file.get(), "VTKHDF");
     const hdf5::Handle version_space = [] {
       const hsize_t two = 2;
@@ -336,7 +371,13 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     hdf5::write_text(to.own.get(), "deck_file", identity.deck_file);
     hdf5::write_text(to.own.get(), "deck_text", identity.deck_text);
     to.publish(0);
-  });
+  };
+  try {
+    naming("write", path, create);
+  } catch (const FileError&) {
+    to.discard();
+    throw;
+  }
 }
 
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
@@ -359,7 +400,10 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
   return ResultsWriter(std::move(file));
 }
 
-ResultsWriter::~ResultsWriter() = default;
+ResultsWriter::~ResultsWriter() {
+  if (file_ != nullptr)
+    file_->discard();
+}
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 
@@ -380,6 +424,18 @@ std::string ResultsWriter::run_id_of(const std::string& path) {
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     return hdf5::read_text(file.get(), "BLOCKS/run_id");
+  } catch (const hdf5::Failure&) {
+    return {};
+  }
+}
+
+std::string ResultsWriter::deck_of(const std::string& path) {
+  try {
+    const hdf5::Handle file = hdf5::open_file(path, false);
+    RunIdentity identity;
+    identity.deck_file = hdf5::read_text(file.get(), "BLOCKS/deck_file");
+    identity.title = hdf5::read_text(file.get(), "BLOCKS/title");
+    return identity.deck_name();
   } catch (const hdf5::Failure&) {
     return {};
   }

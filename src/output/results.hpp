@@ -19,14 +19,19 @@ class FileError : public std::runtime_error {
 struct RunIdentity {
   std::string deck_file, deck_text, title, version;
   unsigned long long seed = 0;
+  std::string overrides = {};  ///< --set options, a line each
+
+  /// The deck as a person knows it: name of its file, title.
+  std::string deck_name() const;
 };
 
 /// Appends frames; readable by others at any moment.
 class ResultsWriter {
  public:
-  /// Creates the file (an existing one of the same name is moved to NAME.vtkhdf.bak
-  /// first).
-  ResultsWriter(const std::string& path, const RunIdentity& identity);
+  /// Creates the file as PATH.tmp. It takes its name when its first frame is in it; an
+  /// existing one of that name is moved to PATH + `aside` then.
+  ResultsWriter(const std::string& path, const RunIdentity& identity,
+                std::string aside = ".bak");
   /// Opens an existing file, keeps its first `frames` frames and goes on after them.
   static ResultsWriter reopen(const std::string& path, long frames);
   ~ResultsWriter();
@@ -37,6 +42,8 @@ class ResultsWriter {
   std::string run_id() const;
   /// That of a file; empty when it cannot be read or is none of ours.
   static std::string run_id_of(const std::string& path);
+  /// deck_name() of the run that wrote it; empty likewise.
+  static std::string deck_of(const std::string& path);
 
   /// Appends the state; does nothing if a frame of this step is already the last one.
   void write(const Model& model);

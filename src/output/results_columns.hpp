@@ -47,10 +47,11 @@ class FrameColumn {
   /// Keeps what `frames` frames need; `rows` of the last of them.
   void truncate(long frames, hsize_t rows) {
     const auto kept = static_cast<hsize_t>(frames);
-    const hsize_t end =
-        frames == 0 ? 0
-                    : static_cast<hsize_t>(offsets_.at<std::int64_t>(kept - 1)) + rows;
-    data_.truncate(end);
+    last_.clear();
+    offset_ = frames == 0 ? -1 : offsets_.at<std::int64_t>(kept - 1);
+    if (offset_ >= 0)
+      last_ = data_.bytes(static_cast<hsize_t>(offset_), rows);
+    data_.truncate(offset_ < 0 ? 0 : static_cast<hsize_t>(offset_) + rows);
     offsets_.truncate(kept);
   }
 

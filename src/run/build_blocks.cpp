@@ -1,6 +1,9 @@
 #include "run/build_blocks.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
 
 #include <cmath>
 
@@ -12,6 +15,12 @@
 namespace blocks::run {
 
 using geometry::QuadShape;
+
+namespace {
+
+long physical_memory() { return sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE); }
+
+}  // namespace
 
 double BlockBuilder::density(long material, deck::SourceLocation where) {
   const auto& materials = model_.settings.materials;
@@ -30,10 +39,17 @@ double BlockBuilder::density(long material, deck::SourceLocation where) {
 }
 
 bool BlockBuilder::fits(long more, deck::SourceLocation where) {
-  constexpr long most = 20'000'000;  // some 10 GB of state
+  constexpr long most = 20'000'000;  // some 12 GB of state
+  constexpr long bytes_of_block = 600;
   if (more > most) {
     error(where, fmt::format("{} blocks at once", more),
           fmt::format("one card may make {} blocks at most", most));
+    return false;
+  }
+  if (more > physical_memory() / bytes_of_block) {
+    error(where, fmt::format("{} blocks at once", more),
+          fmt::format("the memory of this machine holds some {}",
+                      physical_memory() / bytes_of_block));
     return false;
   }
   const long room = model_.settings.max_blocks - model_.blocks.size();
@@ -45,6 +61,20 @@ bool BlockBuilder::fits(long more, deck::SourceLocation where) {
         fmt::format(
             "{} exist so far: {} more are possible, or raise nblok on the START card",
             model_.blocks.size(), room));
+  return false;
+}
+
+bool BlockBuilder::has_weight(const geometry::Polygon& clockwise,
+                              deck::SourceLocation where, const std::string& what) {
+  const geometry::SectionProperties section = geometry::section_properties(clockwise);
+  if (section.area > 0.0 && std::isfinite(section.area) &&
+      section.second_moment > 0.0 && std::isfinite(section.second_moment))
+    return true;
+  const bool vanishing = section.area == 0.0 || section.second_moment == 0.0;
+  error(where,
+        fmt::format("{}: its area or second moment is too {} to calculate with", what,
+                    vanishing ? "small" : "large"),
+        "choose a unit of length in which blocks are neither vanishing nor endless");
   return false;
 }
 
@@ -63,17 +93,9 @@ bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where
           "give the corners in order around the block, clockwise, each one once");
     return false;
   }
-  const geometry::SectionProperties section = geometry::section_properties(
-      check.anticlockwise ? geometry::reversed(outline) : outline);
-  if (!(section.area > 0.0 && std::isfinite(section.area) &&
-        section.second_moment > 0.0 && std::isfinite(section.second_moment))) {
-    error(where,
-          fmt::format("{}: its area {:g} or second moment {:g} is no number to "
-                      "calculate with",
-                      what, section.area, section.second_moment),
-          "choose a unit of length in which blocks are neither vanishing nor endless");
+  if (!has_weight(check.anticlockwise ? geometry::reversed(outline) : outline, where,
+                  what))
     return false;
-  }
   if (check.anticlockwise) {
     if (!warned)
       warning(where, fmt::format("{}: the corners run anticlockwise", what),
@@ -178,14 +200,17 @@ void BlockBuilder::layer(const deck::Layer& card) {
                         : !cut.bottom_scaled ? "top"
                                              : "bottom and on the top"),
             "they are scaled to fit");
-  record(cut, number);
   std::vector<NewBlock> made;
   for (const std::vector<int>& cell : cut.mesh.cells) {
     NewBlock block{{}, static_cast<int>(card.mat.value), rho, Fixity::free, number};
     for (const int vertex : cell)
       block.outline.push_back(cut.mesh.vertices[vertex]);
+    if (!has_weight(block.outline, command_.where,
+                    fmt::format("block {} of the layer", made.size() + 1)))
+      return;
     made.push_back(std::move(block));
   }
+  record(cut, number);
   append(made);
 }
 

@@ -40,6 +40,9 @@ class BlockBuilder {
   double density(long material, deck::SourceLocation where);
   /// Whether `more` blocks still fit under START's maximum; an error if not.
   bool fits(long more, deck::SourceLocation where);
+  /// Whether area and second moment are numbers to calculate with; an error if not.
+  bool has_weight(const geometry::Polygon& clockwise, deck::SourceLocation where,
+                  const std::string& what);
   /// Checks an outline exactly and turns it clockwise; `what` names it in messages;
   /// `warned` is set once a warning was given, which is then not repeated.
   bool accept(geometry::Polygon& outline, deck::SourceLocation where,

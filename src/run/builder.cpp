@@ -294,10 +294,26 @@ void Builder::begin_to_move(const std::optional<AssemblyCertificate>& certificat
   checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 
+void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
+                    const std::vector<geometry::BlockOverlap>& overlaps) {
+  for (std::size_t i = 0; i < next; ++i)
+    stretch_ += std::holds_alternative<deck::Motion>(cards[i].card) ||
+                std::holds_alternative<deck::Cycle>(cards[i].card);
+  AssemblyCertificate told;
+  told.blocks = told.moved = model_.blocks.size();
+  told.overlaps = overlaps;
+  begin_to_move(told);
+}
+
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
   if (options_.lacks({"START", "RESTART", "MATERIAL", "CREATE", "CLOOP", "LAYER",
                       "READ9", "ORIENT", "MERGE"}))
     return;
+  // A card that should have made blocks and could not was told of already.
+  for (const deck::Diagnostic& told : diagnostics_.all())
+    if (told.severity == deck::Severity::error &&
+        (told.card == "CREATE" || told.card == "LAYER" || told.card == "READ9"))
+      return;
   const int count = model_.blocks.size();
   diagnostics_.error(number.where, command.name,
                      fmt::format("there is no block {}", number.value),

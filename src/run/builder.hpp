@@ -53,6 +53,11 @@ class Builder {
   /// the same cards. certificate: what that one found.
   void begin_to_move(const std::optional<AssemblyCertificate>& certificate);
 
+  /// The next card is cards[next]: those before it made the model, whose blocks overlap
+  /// as told.
+  void go_on(const std::vector<deck::Command>& cards, std::size_t next,
+             const std::vector<geometry::BlockOverlap>& overlaps);
+
   /// The same of the blocks, for a deck in which no (more) time passes.
   void check_without_motion(const deck::Command& last);
 

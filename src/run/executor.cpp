@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "run/interrupt.hpp"
 
@@ -38,14 +39,41 @@ Executor::Executor(Model& model, RunFiles& files, Console& console,
     : model_(model), files_(files), console_(console), options_(options),
       audit_(options.audit_every), exits_told_(model.exits.size()) {}
 
+void Executor::resume(const output::Progress& progress) {
+  progress_ = progress;
+  begun_ = progress.steps_left > 0;
+  half_depth_ = progress.half_depth;
+  fast_told_ = progress.fast_told;
+  echoed_ = started_moving_ = true;
+  std::istringstream lines(progress.warnings);
+  for (std::string line; std::getline(lines, line);)
+    warnings_.push_back(line);
+}
+
+void Executor::set_card(long index) {
+  progress_.card = index;
+  if (!begun_)
+    progress_.steps_left = 0;
+}
+
+output::Progress Executor::progress() const {
+  output::Progress now = progress_;
+  now.half_depth = half_depth_;
+  now.fast_told = fast_told_;
+  now.warnings.clear();
+  for (const std::string& warning : warnings_)
+    now.warnings += warning + '\n';
+  return now;
+}
+
 Outcome Executor::motion(double interval) {
   start();
-  return advance(steps_for(interval, model_.time_step.dt));
+  return advance(left_of(steps_for(interval, model_.time_step.dt)));
 }
 
 Outcome Executor::cycle(long steps) {
   start();
-  return advance(steps);
+  return advance(left_of(steps));
 }
 
 void Executor::echo() {
@@ -68,6 +96,10 @@ void Executor::dump() {
 }
 
 void Executor::start() {
+  if (begun_) {  // the state is one between two steps
+    console_.row(model_);
+    return;
+  }
   dynamics::prepare(model_);
   if (!started_moving_) {
     echo();
@@ -106,12 +138,18 @@ Outcome Executor::advance(long steps) {
     output_if_due();
     if (i % row_every == 0 || i == steps)
       console_.row(model_);
-    if (i % 64 == 0 || interrupt_requested()) {
+    ++steps_made_;
+    progress_.steps_left = steps - i;
+    if (i == steps) {
+      ++progress_.card;
+      begun_ = false;
+    }
+    if (i % 64 == 0 || interrupt_requested() || steps_made_ == options_.stop_after) {
       console_.progress(model_, share_from_ + (share_to_ - share_from_) *
                                                   static_cast<double>(i) /
                                                   static_cast<double>(steps));
       if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
-        tell_what_remains(steps - i);
+        tell_what_remains();
         return outcome;
       }
     }
@@ -189,12 +227,11 @@ bool Executor::passes_audit() {
   return verdict.faults.empty();
 }
 
-void Executor::tell_what_remains(long steps) {
-  if (steps > 0)
-    console_.note(
-        fmt::format("{} steps of this card remain: go on with RESTART, {} and "
-                    "CYCLE, {}",
-                    steps, files_.checkpoint_path(), steps));
+void Executor::tell_what_remains() const {
+  console_.note(fmt::format(
+      "{} steps of this card remain; to go on: blocks run {} --restart {}{}",
+      progress_.steps_left, options_.deck, files_.checkpoint_path(),
+      options_.output.empty() ? "" : " -o " + options_.output));
 }
 
 void Executor::warn(const std::string& message) {
@@ -214,11 +251,13 @@ Outcome Executor::pressed_for_time() {
     return std::chrono::duration<double>(d).count();
   };
   const auto now = Clock::now();
+  if (steps_made_ == options_.stop_after)
+    return Outcome::step_limit;
   if (options_.time_limit > 0.0 && seconds(now - started_) >= options_.time_limit)
     return Outcome::time_limit;
   if (options_.checkpoint_every > 0.0 &&
       seconds(now - saved_) >= options_.checkpoint_every) {
-    files_.checkpoint(model_);
+    files_.checkpoint(model_, progress());
     saved_ = Clock::now();
   }
   return Outcome::finished;

@@ -13,14 +13,26 @@
 namespace blocks::run {
 
 /// How a stretch of steps ended.
-enum class Outcome { finished, unsound, unsound_deck, time_limit, interrupted };
+enum class Outcome {
+  finished,
+  unsound,
+  unsound_deck,
+  time_limit,
+  step_limit,
+  interrupted
+};
 
 class Executor {
  public:
   Executor(Model& model, RunFiles& files, Console& console, const RunOptions& options);
 
+  /// Goes on where a checkpoint of the same deck was written.
+  void resume(const output::Progress& progress);
+
+  /// The next command is this one.
+  void set_card(long index);
   /// Runs the steps of a MOTION (an interval of time) or CYCLE (a number of steps)
-  /// card.
+  /// card, or those that were left of it.
   Outcome motion(double interval);
   Outcome cycle(long steps);
 
@@ -35,6 +47,14 @@ class Executor {
   /// Keeps a warning that was shown already, for listing and summary.
   void remember(const std::string& message);
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// What the certificate told, for checkpoints.
+  void set_overlaps(const std::vector<geometry::BlockOverlap>& overlaps) {
+    progress_.overlaps = overlaps;
+  }
+  /// Where the run stands.
+  output::Progress progress() const;
+  /// The steps of the next card are those left of one begun before.
+  bool begun() const { return begun_; }
   const AuditWatch& audit() const { return audit_; }
 
  private:
@@ -42,8 +62,10 @@ class Executor {
   void start();
   bool runaway();
   bool passes_audit();
-  void tell_what_remains(long steps);
+  void tell_what_remains() const;
   Outcome advance(long steps);
+  /// What is left of a card begun before; `all` of one that begins.
+  long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
   void output_if_due();
   void watch(const dynamics::Displacement& moved);
   void warn(const std::string& message);
@@ -58,9 +80,12 @@ class Executor {
   AuditWatch audit_;
   std::vector<std::string> warnings_;
   std::size_t exits_told_ = 0;
+  output::Progress progress_;
+  bool begun_ = false;  ///< the next card's first steps were made before
   bool fast_told_ = false, echoed_ = false, started_moving_ = false;
   double share_from_ = 0.0, share_to_ = 1.0;
   double half_depth_ = 0.0;  ///< [L] half the least depth of any block (rule 9)
+  long steps_made_ = 0;      ///< in this run of the program
   Clock::time_point started_ = Clock::now(), saved_ = Clock::now();
 };
 

@@ -43,16 +43,31 @@ struct Job {
     return !deck.commands.empty() &&
            std::holds_alternative<deck::Restart>(deck.commands.front().card);
   }
-  /// Checkpoint of a RESTART deck: --restart, the card, or NAME.ckpt.h5.
+  /// Checkpoint to go on from: --restart, the RESTART card's, or NAME.ckpt.h5.
   std::string checkpoint() const {
+    if (options.restart)
+      return *options.restart;
     const auto& card = std::get<deck::Restart>(deck.commands.front().card);
-    return options.restart   ? *options.restart
-           : card.file.given ? card.file.value
-                             : name + ".ckpt.h5";
+    return card.file.given ? card.file.value : name + ".ckpt.h5";
+  }
+  /// The --set options, a line each.
+  std::string overrides() const {
+    std::string lines;
+    for (const deck::Override& set : options.overrides)
+      lines += fmt::format("{}.{}={}\n", set.card, set.field, set.value);
+    return lines;
   }
   output::RunIdentity identity(const Model& model) const {
-    return {diagnostics.file(), text, model.settings.title, BLOCKS_VERSION,
-            model.settings.seed};
+    return {diagnostics.file(),  text,       model.settings.title, BLOCKS_VERSION,
+            model.settings.seed, overrides()};
+  }
+
+  /// Loads the checkpoint of a RESTART deck, or of this very deck stopped before.
+  Model load();
+  bool loads() const { return continues() || options.restart; }
+  /// Commands behind the checkpoint.
+  std::size_t first_command() const {
+    return resumes ? static_cast<std::size_t>(from.progress.card) : 0;
   }
 
   const RunOptions& options;
@@ -61,23 +76,45 @@ struct Job {
   deck::Deck deck;
   std::string name;
   std::optional<AssemblyCertificate> certificate;  ///< of all blocks, by the check
-  ExitCode fault = deck_error;                     ///< what a failed check exits with
+  output::CheckpointInfo from;                     ///< once loaded
+  bool resumes = false;         ///< this very deck goes on where it was stopped
+  ExitCode fault = deck_error;  ///< what a failed check exits with
 };
+
+Model Job::load() {
+  const std::string path = checkpoint();
+  Model model = output::read_checkpoint(path, from);
+  resumes = options.restart && from.deck_text == text &&
+            !(continues() && from.progress.finished);
+  const auto refuse = [&](const std::string& reason) {
+    throw output::FileError(
+        fmt::format("cannot continue {} from {}: {}", options.deck, path, reason));
+  };
+  if (!resumes && !continues())
+    refuse(fmt::format("the checkpoint belongs to another deck, {} '{}'; give that "
+                       "deck, or one that begins with RESTART",
+                       from.deck_file, model.settings.title));
+  if (!resumes)
+    return model;
+  if (from.overrides != overrides())
+    refuse(from.overrides.empty()
+               ? "it was written without --set options"
+               : "it was written with other --set options, one a line:\n" +
+                     from.overrides.substr(0, from.overrides.size() - 1));
+  if (options.seed && *options.seed != model.settings.seed)
+    refuse(fmt::format("its seed is {}", model.settings.seed));
+  if (from.progress.card < 0 || first_command() > deck.commands.size())
+    refuse("it is damaged");
+  return model;
+}
 
 /// Executes every card but the passing of time. The model is what the deck describes
 /// before its first step; false when there were errors.
 /// notes: what the mesh files held, and of shared corners.
 bool check(Job& job, Model& model, std::vector<std::string>& notes) {
-  if (job.options.restart && !job.continues()) {
-    job.diagnostics.error({1, 1, 1}, "RESTART",
-                          "--restart needs a deck that begins with RESTART",
-                          "write RESTART and the cards that follow the checkpoint");
-    return false;
-  }
-  if (job.continues() && !job.diagnostics.has_errors()) {
-    output::CheckpointInfo info;
+  if (job.loads() && !job.diagnostics.has_errors()) {
     try {
-      model = output::read_checkpoint(job.checkpoint(), info);
+      model = job.load();
     } catch (const output::FileError& fault) {
       if (job.options.restart)
         throw;
@@ -91,8 +128,11 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
     }
   }
   Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
-  bool in_place = true;
-  for (const deck::Command& command : job.deck.commands) {
+  if (job.resumes)
+    builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
+  bool in_place = !job.resumes;  // else the run itself judges, as it would have
+  for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
+    const deck::Command& command = job.deck.commands[i];
     builder.apply(command);
     if (!passes_time(command))
       continue;
@@ -100,7 +140,8 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
       builder.check_before_motion(command, in_place);
     in_place = false;  // blocks move, here they do not
   }
-  if (in_place && !job.diagnostics.has_errors() && !job.deck.commands.empty())
+  if (in_place && !job.resumes && !job.diagnostics.has_errors() &&
+      !job.deck.commands.empty())
     builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
   notes = builder.take_notes();
@@ -137,19 +178,18 @@ bool sound_in_place(Builder& builder, deck::Diagnostics& said,
 }
 
 /// Executes the deck for good. Returns an ExitCode.
-int execute(Job& job, Console& console, std::vector<std::string> warnings) {
+int execute(Job& job, Console& console, const std::vector<std::string>& warnings) {
   const auto began = std::chrono::steady_clock::now();
   Model model;
-  output::CheckpointInfo from;
-  if (job.continues())
-    model = output::read_checkpoint(job.checkpoint(), from);
+  if (job.loads())
+    model = job.load();
 
   // The faults and warnings of the cards were shown by the check.
   deck::Diagnostics said(job.diagnostics.file(), job.text);
   Builder builder(model, said, job.deck.commands, job.build_options());
   // The title and the seed stand in the preliminary data, before anything is written.
-  std::size_t next = 0;
-  for (; next < job.deck.commands.size(); ++next) {
+  std::size_t next = job.first_command();
+  for (; !job.resumes && next < job.deck.commands.size(); ++next) {
     const deck::Command& command = job.deck.commands[next];
     builder.apply(command);
     if (std::holds_alternative<deck::End>(command.card) ||
@@ -158,31 +198,45 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
       break;
     }
   }
-  RunFiles files = job.continues()
-                       ? RunFiles::behind(job.name, job.identity(model), from)
-                       : RunFiles(job.name, job.identity(model));
-  for (const std::string& warning : warnings)
-    files.message("warning: " + warning);
-  if (job.certificate)
-    files.message("certificate: " + full_text(*job.certificate));
-
+  RunFiles files =
+      job.resumes       ? RunFiles::resumed(job.name, job.identity(model), job.from)
+      : job.continues() ? RunFiles::behind(job.name, job.identity(model), job.from)
+                        : RunFiles(job.name, job.identity(model));
+  if (!files.put_aside().empty())
+    console.warn(files.put_aside());
   Executor executor(model, files, console, job.options);
+  if (job.resumes) {
+    builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
+    executor.resume(job.from.progress);
+  } else {
+    for (const std::string& warning : warnings)
+      executor.remember(warning);
+    if (job.certificate)
+      files.message("certificate: " + full_text(*job.certificate));
+  }
   const auto motions = static_cast<double>(
       std::count_if(job.deck.commands.begin(), job.deck.commands.end(), passes_time));
-  double motion = 0.0;
+  double motion = static_cast<double>(std::count_if(
+      job.deck.commands.begin(),
+      job.deck.commands.begin() + static_cast<std::ptrdiff_t>(next), passes_time));
   Outcome outcome = Outcome::finished;
   for (; next < job.deck.commands.size() && outcome == Outcome::finished; ++next) {
     const deck::Command& command = job.deck.commands[next];
+    executor.set_card(static_cast<long>(next));
     builder.apply(command);
     for (const std::string& note : builder.take_notes())
       files.message(note);
     if (passes_time(command)) {
-      if (motion == 0.0) {
+      if (executor.begun()) {
+        // It was judged when it began.
+      } else if (motion == 0.0) {
         builder.begin_to_move(job.certificate);
       } else if (!sound_in_place(builder, said, command, executor, files)) {
         outcome = Outcome::unsound_deck;
         break;
       }
+      if (builder.certificate())
+        executor.set_overlaps(builder.certificate()->overlaps);
       executor.set_share(motion / motions, (motion + 1.0) / motions);
       motion += 1.0;
     }
@@ -202,20 +256,23 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
   executor.finish();
 
   output::RunReport report;
-  report.warnings = std::move(warnings);
+  report.warnings = executor.warnings();
   report.certificate = motion > 0.0 ? builder.certificate() : job.certificate;
   if (job.options.audit_every > 0)
     report.audit = executor.audit().totals();
-  report.warnings.insert(report.warnings.end(), executor.warnings().begin(),
-                         executor.warnings().end());
   report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   report.status = outcome == Outcome::finished       ? "done"
                   : outcome == Outcome::unsound_deck ? "deck error"
                   : outcome == Outcome::unsound      ? "unsound"
                   : outcome == Outcome::time_limit   ? "time limit"
+                  : outcome == Outcome::step_limit   ? "step limit"
                                                      : "interrupted";
-  files.close(model, report);
+  output::Progress progress = executor.progress();
+  progress.finished = outcome == Outcome::finished;
+  if (progress.finished)
+    progress.card = static_cast<long>(job.deck.commands.size());
+  files.close(model, report, progress);
   console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
                            report.status, model.steps, model.time, report.wall_seconds,
                            job.name + ".out", files.results_path(),
@@ -232,6 +289,7 @@ int execute(Job& job, Console& console, std::vector<std::string> warnings) {
   case Outcome::unsound:
     return unsound_run;
   case Outcome::time_limit:
+  case Outcome::step_limit:
     return time_limit;
   case Outcome::interrupted:
     return interrupted;

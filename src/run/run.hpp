@@ -33,6 +33,7 @@ struct RunOptions {
   std::string tape9 = "tape9";
   std::vector<deck::Override> overrides;
   double time_limit = 0.0;        ///< seconds of wall clock, 0: none
+  long stop_after = 0;            ///< steps of this run, 0: no limit
   double checkpoint_every = 0.0;  ///< seconds of wall clock, 0: at the end only
   long audit_every = 0;           ///< steps between audits of the contacts, 0: none
   bool quiet = false;

@@ -1,47 +1,98 @@
 #include "run/run_files.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
+
+#include "output/file_tools.hpp"
 
 namespace blocks::run {
 namespace {
 
-/// An older file of that name is kept as .bak.
-std::string put_aside(const std::string& path) {
-  std::error_code ignored;  // what cannot be moved shows when the new file is opened
-  if (std::filesystem::is_regular_file(path, ignored))
-    std::filesystem::rename(path, path + ".bak", ignored);
-  return path;
+/// The first ending under which no files of another deck are kept.
+std::string free_ending(const std::string& results, const std::string& deck) {
+  for (int number = 1;; ++number) {
+    std::string ending = number == 1 ? ".bak" : fmt::format(".bak{}", number);
+    std::error_code ignored;
+    if (!std::filesystem::exists(results + ending, ignored) ||
+        output::ResultsWriter::deck_of(results + ending) == deck)
+      return ending;
+  }
+}
+
+/// What is told of older results that belong to another deck.
+std::string foreign(const std::string& results, const std::string& deck,
+                    const std::string& ending) {
+  const std::string other = output::ResultsWriter::deck_of(results);
+  if (other.empty() || other == deck)
+    return {};
+  return fmt::format("{} held results of another deck, {}: its files are kept with the "
+                     "ending {}",
+                     results, other, ending);
 }
 
 }  // namespace
 
 RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
-    : name_(name), identity_(identity), listing_(put_aside(name + ".out"), false),
-      results_(std::make_unique<output::ResultsWriter>(name + ".vtkhdf", identity)) {
+    : name_(name), identity_(identity),
+      aside_(free_ending(results_path(), identity.deck_name())),
+      put_aside_(foreign(results_path(), identity.deck_name(), aside_)),
+      results_(
+          std::make_unique<output::ResultsWriter>(results_path(), identity, aside_)),
+      listing_(step_aside(name + ".out"), false) {
+  for (const std::string& path :
+       {checkpoint_path(), checkpoint_path() + ".prev", summary_path()})
+    step_aside(path);
   listing_.deck_echo(identity);
+}
+
+/// Keeps an older file under its new ending.
+std::string RunFiles::step_aside(const std::string& path) {
+  std::error_code ignored;  // what is wrong shows when the new file is opened
+  if (std::filesystem::is_regular_file(path, ignored))
+    output::move_file(path, path + aside_);
+  return path;
 }
 
 RunFiles RunFiles::behind(const std::string& name, const output::RunIdentity& identity,
                           const output::CheckpointInfo& from) {
+  if (!continues(name, from, from.listing_bytes))
+    return {name, identity};
+  RunFiles files(name, identity, from.results_frames);
+  files.listing_.deck_echo(identity);
+  return files;
+}
+
+RunFiles RunFiles::resumed(const std::string& name, const output::RunIdentity& identity,
+                           const output::CheckpointInfo& from) {
+  if (!continues(name, from, from.progress.listing_bytes))
+    return {name, identity};
+  RunFiles files(name, identity, from.progress.frames);
+  files.tabled_step_ = from.progress.tabled_step;
+  return files;
+}
+
+/// Whether results and listing beside us are those of the checkpoint; the listing is
+/// then cut to the length it had.
+bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& from,
+                         long listing_bytes) {
   const std::string results = name + ".vtkhdf", listing = name + ".out";
   if (from.results != results || from.results_run.empty() ||
       output::ResultsWriter::run_id_of(results) != from.results_run)
-    return {name, identity};  // those beside us, if any, belong to another run
-  std::error_code ignored;    // what is wrong shows when the listing is opened
-  if (std::filesystem::file_size(listing, ignored) >
-      static_cast<std::uintmax_t>(from.listing_bytes))
-    std::filesystem::resize_file(
-        listing, static_cast<std::uintmax_t>(from.listing_bytes), ignored);
-  return {name, identity, from.results_frames};
+    return false;           // those beside us, if any, belong to another run
+  std::error_code ignored;  // what is wrong shows when the listing is opened
+  const auto kept = static_cast<std::uintmax_t>(listing_bytes);
+  if (std::filesystem::file_size(listing, ignored) > kept)
+    std::filesystem::resize_file(listing, kept, ignored);
+  return true;
 }
 
 RunFiles::RunFiles(std::string name, const output::RunIdentity& identity,
                    long kept_frames)
-    : name_(std::move(name)), identity_(identity), listing_(name_ + ".out", true),
+    : name_(std::move(name)), identity_(identity),
       results_(std::make_unique<output::ResultsWriter>(
-          output::ResultsWriter::reopen(results_path(), kept_frames))) {
-  listing_.deck_echo(identity);
-}
+          output::ResultsWriter::reopen(results_path(), kept_frames))),
+      listing_(name_ + ".out", true) {}
 
 void RunFiles::table(const Model& model) {
   if (model.steps == tabled_step_)
@@ -50,19 +101,33 @@ void RunFiles::table(const Model& model) {
   listing_.table(model);
 }
 
-void RunFiles::checkpoint(const Model& model) {
-  output::write_checkpoint(checkpoint_path(), model,
-                           {identity_.deck_file, identity_.deck_text, results_path(),
-                            results_->run_id(), results_->frames(), listing_.size(),
-                            identity_.version});
+output::Progress RunFiles::here(output::Progress progress) {
+  progress.frames = results_->frames();
+  progress.listing_bytes = listing_.size();
+  progress.tabled_step = tabled_step_;
+  return progress;
 }
 
-void RunFiles::close(const Model& model, output::RunReport report) {
+void RunFiles::checkpoint_at(const Model& model, const output::Progress& progress) {
+  // What a checkpoint leads to is on disk before it is.
+  for (const std::string& path : {results_path(), name_ + ".out"})
+    if (std::filesystem::is_regular_file(path))
+      output::sync_file(path, path);
+  output::write_checkpoint(checkpoint_path(), model,
+                           {identity_.deck_file, identity_.deck_text,
+                            identity_.overrides, results_path(), results_->run_id(),
+                            results_->frames(), listing_.size(), identity_.version,
+                            progress});
+}
+
+void RunFiles::close(const Model& model, output::RunReport report,
+                     const output::Progress& progress) {
+  const output::Progress stopped = here(progress);
   frame(model);
   table(model);
   listing_.closing(model);
   if (report.status != "unsound")  // the last good one stays
-    checkpoint(model);
+    checkpoint_at(model, stopped);
   report.identity = identity_;
   report.frames = results_->frames();
   output::write_summary(summary_path(), model, report);

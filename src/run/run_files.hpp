@@ -14,22 +14,33 @@ namespace blocks::run {
 
 class RunFiles {
  public:
-  /// Creates NAME.out and NAME.vtkhdf (older ones become .bak). Throws
+  /// Creates NAME.out and NAME.vtkhdf. The older files of that name get the ending
+  /// .bak; where files of another deck have that name already, .bak2 and so on. Throws
   /// output::FileError.
   RunFiles(const std::string& name, const output::RunIdentity& identity);
   /// Continues NAME.out and NAME.vtkhdf behind a checkpoint, whatever was written later
   /// cut off; new files where those beside us belong to another run.
   static RunFiles behind(const std::string& name, const output::RunIdentity& identity,
                          const output::CheckpointInfo& from);
+  /// The same for the deck that was stopped there: what its end added is cut off too,
+  /// as if it had never stopped.
+  static RunFiles resumed(const std::string& name, const output::RunIdentity& identity,
+                          const output::CheckpointInfo& from);
 
   void input_echo(const Model& model) { listing_.input_echo(model); }
   void dump(const Model& model) { listing_.dump(model); }
   void message(const std::string& line) { listing_.message(line); }
   void frame(const Model& model) { results_->write(model); }
   void table(const Model& model);
-  void checkpoint(const Model& model);
+  void checkpoint(const Model& model, const output::Progress& progress) {
+    checkpoint_at(model, here(progress));
+  }
   /// Last frame, closing table, checkpoint, summary.
-  void close(const Model& model, output::RunReport report);
+  void close(const Model& model, output::RunReport report,
+             const output::Progress& progress);
+
+  /// What was put aside, in words, if it belongs to another deck; else empty.
+  const std::string& put_aside() const { return put_aside_; }
 
   std::string checkpoint_path() const { return name_ + ".ckpt.h5"; }
   std::string summary_path() const { return name_ + ".summary.json"; }
@@ -37,11 +48,18 @@ class RunFiles {
 
  private:
   RunFiles(std::string name, const output::RunIdentity& identity, long kept_frames);
+  std::string step_aside(const std::string& path);
+  static bool continues(const std::string& name, const output::CheckpointInfo& from,
+                        long listing_bytes);
+  output::Progress here(output::Progress progress);
+  void checkpoint_at(const Model& model, const output::Progress& progress);
 
   std::string name_;
   output::RunIdentity identity_;
-  output::Listing listing_;
+  std::string aside_;  ///< ending of the older files
+  std::string put_aside_;
   std::unique_ptr<output::ResultsWriter> results_;
+  output::Listing listing_;
   long tabled_step_ = -1;
 };
 

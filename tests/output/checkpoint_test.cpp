@@ -160,8 +160,24 @@ Model filled_model() {
   return model;
 }
 
-const CheckpointInfo info = {"crater.deck", "START\n", "crater.vtkhdf", "0a1b2c3d", 12,
-                             4096,          "1.0.0"};
+const CheckpointInfo info = {.deck_file = "crater.deck",
+                             .deck_text = "START\n",
+                             .overrides = "MOTION.dt=1\n",
+                             .results = "crater.vtkhdf",
+                             .results_run = "0a1b2c3d",
+                             .results_frames = 12,
+                             .listing_bytes = 4096,
+                             .version = "1.0.0",
+                             .progress = {7,
+                                          31,
+                                          11,
+                                          4000,
+                                          250,
+                                          0.25,
+                                          true,
+                                          true,
+                                          "one\ntwo\n",
+                                          {{3, 5, 0.125, {0.25, 0.5}, 0.75}}}};
 
 // Rule 26: a continuation is bit-identical, so every field must survive bit by bit.
 TEST(Checkpoint, KeepsEveryFieldBitByBit) {
@@ -181,9 +197,24 @@ TEST(Checkpoint, KeepsEveryFieldBitByBit) {
     EXPECT_EQ(back.at(name), value) << name;
   EXPECT_EQ(read.deck_file, info.deck_file);
   EXPECT_EQ(read.deck_text, info.deck_text);
+  EXPECT_EQ(read.overrides, info.overrides);
   EXPECT_EQ(read.results, info.results);
+  EXPECT_EQ(read.results_run, info.results_run);
   EXPECT_EQ(read.results_frames, info.results_frames);
+  EXPECT_EQ(read.listing_bytes, info.listing_bytes);
   EXPECT_EQ(read.version, info.version);
+  EXPECT_EQ(read.progress.card, info.progress.card);
+  EXPECT_EQ(read.progress.steps_left, info.progress.steps_left);
+  EXPECT_EQ(read.progress.frames, info.progress.frames);
+  EXPECT_EQ(read.progress.listing_bytes, info.progress.listing_bytes);
+  EXPECT_EQ(read.progress.tabled_step, info.progress.tabled_step);
+  EXPECT_EQ(read.progress.half_depth, info.progress.half_depth);
+  EXPECT_EQ(read.progress.fast_told, info.progress.fast_told);
+  EXPECT_EQ(read.progress.finished, info.progress.finished);
+  EXPECT_EQ(read.progress.warnings, info.progress.warnings);
+  ASSERT_EQ(read.progress.overlaps.size(), 1U);
+  EXPECT_EQ(read.progress.overlaps[0].second, 5);
+  EXPECT_EQ(read.progress.overlaps[0].place, Vec2(0.25, 0.5));
 }
 
 // A deck that stops before its first block has empty columns.
@@ -222,9 +253,13 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_THAT(error(), HasSubstr("not a checkpoint of BLOCKS"));
   write_checkpoint(path, samples::two_blocks(), info);
   std::string bytes = contents(path);
-  bytes[bytes.find("format 3") + 7] = '4';
-  overwrite(path, bytes);
-  EXPECT_THAT(error(), HasSubstr("newer version"));
+  const auto written_by = [&](char format) {
+    bytes[bytes.find("format ") + 7] = format;
+    overwrite(path, bytes);
+    return error();
+  };
+  EXPECT_THAT(written_by('9'), HasSubstr("newer version"));
+  EXPECT_THAT(written_by('1'), HasSubstr("older version"));
 }
 
 // The last two are kept: a run killed between two checkpoints loses one at most.

@@ -35,7 +35,10 @@ TEST(ExitCode, TellsTheKindOfFault) {
   EXPECT_EQ(code("run bad.deck"), 3);
   EXPECT_EQ(code("check bad.deck"), 3);
   EXPECT_EQ(code("run good.deck --set CYLCE.ncycle=4"), 3);
-  EXPECT_EQ(code("run good.deck --restart good.ckpt.h5"), 3);
+  EXPECT_EQ(code("run good.deck --stop-after 0"), 2);
+  EXPECT_EQ(code("run good.deck --stop-after 2"), 75);
+  EXPECT_EQ(code("run good.deck --restart good.ckpt.h5"), 0);
+  EXPECT_EQ(code("run good.deck --restart absent.ckpt.h5"), 5);
   EXPECT_EQ(code("run absent.deck"), 5);
   EXPECT_EQ(code("run ."), 5);
   EXPECT_EQ(code("run good.deck -o nowhere/good"), 5);

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -39,6 +41,25 @@ Outcome blocks(const std::string& arguments, const fs::path& folder,
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(scratch / "out"),
           slurp(scratch / "err")};
+}
+
+int killed(const std::string& arguments, const std::string& awaited, double seconds,
+           int signal, const fs::path& folder) {
+  const std::string command =
+      fmt::format("exec '{}' {} >/dev/null 2>&1 </dev/null", BLOCKS_PROGRAM, arguments);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(folder.c_str()) == 0)
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  int status = 0;
+  while (!fs::exists(folder / awaited) && waitpid(child, &status, WNOHANG) == 0)
+    usleep(1000);
+  usleep(static_cast<useconds_t>(seconds * 1e6));
+  kill(child, signal);
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 std::string slurp(const fs::path& path) {

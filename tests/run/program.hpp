@@ -38,6 +38,11 @@ struct Outcome {
 Outcome blocks(const std::string& arguments, const fs::path& folder,
                const std::string& input = {});
 
+/// Starts `blocks arguments`, sends it the signal so many seconds after the awaited
+/// file is there, and returns its exit code, -1 when the signal ended it.
+int killed(const std::string& arguments, const std::string& awaited, double seconds,
+           int signal, const fs::path& folder);
+
 /// The whole file; a failure of the test if it cannot be read.
 std::string slurp(const fs::path& path);
 

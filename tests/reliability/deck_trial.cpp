@@ -1,0 +1,60 @@
+#include "reliability/deck_trial.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "deck/parser.hpp"
+#include "dynamics/step.hpp"
+#include "run/builder.hpp"
+
+namespace blocks::testing {
+namespace {
+
+bool passes_time(const deck::Command& command) {
+  return std::holds_alternative<deck::Motion>(command.card) ||
+         std::holds_alternative<deck::Cycle>(command.card);
+}
+
+Verdict refused(const deck::Diagnostics& told) {
+  if (told.format_all().find(": error: ") == std::string::npos)
+    throw std::logic_error("an error without a message");
+  return Verdict::refused;
+}
+
+}  // namespace
+
+Verdict try_deck(const std::string& text, const std::string& folder, int steps) {
+  deck::Diagnostics told("deck", text);
+  const deck::Deck cards = deck::parse("deck", text, told, {});
+  if (told.has_errors())
+    return refused(told);
+  if (cards.commands.empty() ||
+      std::holds_alternative<deck::Restart>(cards.commands.front().card))
+    return Verdict::refused;  // the checkpoint is looked for first
+  Model model;
+  run::Builder builder(model, told, cards.commands,
+                       {.seed = {}, .tape9 = "tape9", .folder = folder, .unread = {}});
+  dynamics::SearchBuffers buffers;
+  for (const deck::Command& command : cards.commands) {
+    builder.apply(command);
+    if (told.has_errors())
+      return refused(told);
+    if (!passes_time(command))
+      continue;
+    builder.check_before_motion(command, true);
+    if (told.has_errors())
+      return refused(told);
+    dynamics::prepare(model);
+    for (int i = 0; i < steps; ++i)
+      if (!dynamics::step(model, buffers).finite)
+        return Verdict::unsound;
+  }
+  builder.check_output_blocks();
+  if (told.has_errors())
+    return refused(told);
+  if (!model.blocks.corner.allFinite() || !model.blocks.velocity.allFinite())
+    throw std::logic_error("a state that is not finite was taken for a sound one");
+  return Verdict::ran;
+}
+
+}  // namespace blocks::testing

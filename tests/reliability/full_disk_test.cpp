@@ -1,0 +1,160 @@
+// A disk that is full from the n-th change of a file on, for every n; folders that do
+// not exist or may not be written; limits on file size. Exit 5, a message with name and
+// reason, and what an earlier run left is there, whole.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "output/checkpoint.hpp"
+#include "output/results.hpp"
+#include "post/results_reader.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::MatchesRegex;
+
+const std::string deck = preliminary() + rectangle(0, 0, 1, 1) +
+                         "GRAVITY, 0, -10\nPLOTS, 0.002\nOUTPUT, 0.004\nCYCLE, 30\n";
+
+using Files = std::map<std::string, std::string>;
+
+Files files_of_run(const TemporaryFolder& folder) {
+  Files files;
+  for (const char* name : {"a.out", "a.vtkhdf", "a.ckpt.h5", "a.summary.json"})
+    files[name] = slurp(folder / name);
+  return files;
+}
+
+/// Files of an earlier run lie under their own names, or put aside by the next one.
+void expect_earlier(const TemporaryFolder& folder, const Files& earlier,
+                    const std::string& when) {
+  for (const auto& [name, bytes] : earlier) {
+    bool kept = false;
+    for (const char* ending : {"", ".bak", ".prev"})
+      kept = kept ||
+             (folder.holds(name + ending) && slurp(folder / (name + ending)) == bytes);
+    EXPECT_TRUE(kept) << name << ", " << when;
+  }
+}
+
+Outcome run_on_full_disk(const TemporaryFolder& folder, long fail_at) {
+  setenv("BLOCKS_FAIL_AT", std::to_string(fail_at).c_str(), 1);
+  setenv("BLOCKS_COUNT", (folder / "count").c_str(), 1);
+  setenv("LD_PRELOAD", BLOCKS_FULL_DISK, 1);
+  Outcome run = blocks("run a.deck -q", folder.path());
+  unsetenv("LD_PRELOAD");
+  return run;
+}
+
+TEST(FullDisk, IsAnErrorThatLosesNothing) {
+  const TemporaryFolder first;
+  first.write("a.deck", deck);
+  ASSERT_EQ(run_on_full_disk(first, 0).code, 0);
+  const long changes = std::stol(slurp(first / "count"));
+  ASSERT_GT(changes, 100);
+  const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
+  const long stride = all ? 1 : changes / 20, tail = all ? 0 : 12;
+  long tried = 0;
+  // The last changes are those of checkpoint and summary: each of them counts.
+  for (long at = 1; at <= changes; at += at > changes - tail ? 1 : stride, ++tried) {
+    const TemporaryFolder folder;
+    for (const char* name :
+         {"a.deck", "a.out", "a.vtkhdf", "a.ckpt.h5", "a.summary.json"})
+      fs::copy_file(first / name, folder / name);
+    const Files earlier = files_of_run(folder);
+    const Outcome run = run_on_full_disk(folder, at);
+    const std::string when = "full from change " + std::to_string(at) + " on";
+    EXPECT_EQ(run.code, 5) << when << run.err;
+    EXPECT_THAT(run.err, MatchesRegex("blocks: error: cannot write a\\.[a-z0-9.]+: No "
+                                      "space left on device\n"))
+        << when;
+    expect_earlier(folder, earlier, when);
+    for (const char* name : {"a.vtkhdf.tmp", "a.ckpt.h5.tmp", "a.summary.json.tmp"})
+      EXPECT_FALSE(folder.holds(name)) << name << ", " << when;
+    if (folder.holds("a.vtkhdf")) {
+      EXPECT_GE(post::ResultsReader((folder / "a.vtkhdf").string()).frames(), 1)
+          << when;
+    }
+    output::CheckpointInfo info;
+    for (const char* name : {"a.ckpt.h5", "a.ckpt.h5.bak"})
+      if (folder.holds(name)) {
+        EXPECT_NO_THROW(output::read_checkpoint((folder / name).string(), info))
+            << when;
+      }
+  }
+  RecordProperty("tried", std::to_string(tried));
+}
+
+TEST(FileSizeLimit, IsAnErrorLikeAFullDisk) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{16384, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const Outcome run = blocks("run a.deck -q", folder.path());
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(run.code, 5);
+  EXPECT_EQ(run.err, "blocks: error: cannot write a.vtkhdf: File too large\n");
+}
+
+TEST(Folder, ThatIsMissingOrAFileIsNamed) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  const auto fault = [&](const std::string& output) {
+    const Outcome run = blocks("run a.deck -q -o " + output, folder.path());
+    EXPECT_EQ(run.code, 5);
+    return run.err;
+  };
+  EXPECT_EQ(fault("no/a"),
+            "blocks: error: cannot write no/a.vtkhdf: No such file or directory\n");
+  EXPECT_EQ(fault("a.deck/a"),
+            "blocks: error: cannot write a.deck/a.vtkhdf: Not a directory\n");
+  EXPECT_EQ(slurp(folder / "a.deck"), deck);
+  fs::create_directory(folder / "b.out");
+  EXPECT_EQ(fault("b"), "blocks: error: cannot write b.out: Is a directory\n");
+  EXPECT_FALSE(folder.holds("b.vtkhdf") || folder.holds("b.vtkhdf.tmp"));
+}
+
+TEST(Folder, ThatIsReadOnlyIsNamed) {
+  if (geteuid() == 0)
+    GTEST_SKIP() << "root may write everywhere";
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  const Outcome run = blocks("run a.deck -q", folder.path());
+  fs::permissions(folder.path(), fs::perms::owner_all);
+  EXPECT_EQ(run.code, 5);
+  EXPECT_EQ(run.err, "blocks: error: cannot write a.vtkhdf: Permission denied\n");
+}
+
+// Two decks that share a name do not lose their results to each other.
+TEST(OlderFiles, OfAnotherDeckAreKeptAndTold) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  folder.write("b.deck", deck + "CYCLE, 5\n");
+  folder.write("c.deck", deck + "CYCLE, 9\n");
+  ASSERT_EQ(blocks("run a.deck -q", folder.path()).code, 0);
+  const Files of_a = files_of_run(folder);
+  EXPECT_EQ(blocks("run b.deck -q -o a", folder.path()).err,
+            "warning: a.vtkhdf held results of another deck, a.deck 'A SMALL PROBLEM': "
+            "its files are kept with the ending .bak\n");
+  const Files of_b = files_of_run(folder);
+  EXPECT_EQ(blocks("run c.deck -q -o a", folder.path()).err,
+            "warning: a.vtkhdf held results of another deck, b.deck 'A SMALL PROBLEM': "
+            "its files are kept with the ending .bak2\n");
+  for (int again = 0; again < 2; ++again)
+    EXPECT_EQ(blocks("run c.deck -q -o a", folder.path()).err, "");
+  for (const auto& [name, bytes] : of_a)
+    EXPECT_TRUE(slurp(folder / (name + ".bak")) == bytes) << name;
+  for (const auto& [name, bytes] : of_b)
+    EXPECT_TRUE(slurp(folder / (name + ".bak2")) == bytes) << name;
+}
+
+}  // namespace
+}  // namespace blocks::testing

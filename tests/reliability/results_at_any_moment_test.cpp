@@ -1,0 +1,124 @@
+// The results file as it stands between any two changes of it, which is what a reader
+// finds during the run and what kill -9 leaves: every frame published by then is there.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "output/results.hpp"
+#include "post/results_reader.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+/// The changes of a file, one by one (write_log.cpp).
+class Changes {
+ public:
+  Changes(const fs::path& log, const fs::path& image)
+      : log_(log, std::ios::binary), path_(image.string()),
+        image_(open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC, 0666)) {}
+  ~Changes() { close(image_); }
+  Changes(const Changes&) = delete;
+  Changes& operator=(const Changes&) = delete;
+
+  bool next() {
+    std::int64_t offset = 0, size = 0;
+    if (!log_.read(reinterpret_cast<char*>(&offset), sizeof offset) ||
+        !log_.read(reinterpret_cast<char*>(&size), sizeof size))
+      return false;
+    if (size == -2)
+      return named_ = true;
+    if (size == -1)
+      return ftruncate(image_, offset) == 0;
+    bytes_.resize(static_cast<std::size_t>(size));
+    log_.read(bytes_.data(), size);
+    grew_node_ = std::string_view(bytes_.data(), bytes_.size()).starts_with("TREE") &&
+                 offset >= lseek(image_, 0, SEEK_END);
+    return pwrite(image_, bytes_.data(), bytes_.size(), offset) == size;
+  }
+  /// The last change was a new node of an index: others will be led to it.
+  bool grew_node() const { return grew_node_; }
+  /// Under its own name by now.
+  bool named() const { return named_; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::ifstream log_;
+  std::string path_;
+  int image_;
+  bool named_ = false, grew_node_ = false;
+  std::vector<char> bytes_;
+};
+
+bool same(const post::Frame& a, const post::Frame& b) {
+  return a.step == b.step && a.number == b.number && a.centroid == b.centroid &&
+         a.stress == b.stress && a.velocity == b.velocity && a.angle == b.angle &&
+         a.spin == b.spin && a.outlines == b.outlines && a.material == b.material;
+}
+
+struct Tally {
+  long moments = 0, readable = 0;
+  std::string first_fault;
+};
+
+/// Looks at the file at every `stride`-th of its moments, and at every one while its
+/// indices grow.
+Tally look_at_all_moments(const std::string& deck, long stride) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  setenv("BLOCKS_LOG", (folder / "log").c_str(), 1);
+  setenv("LD_PRELOAD", BLOCKS_WRITE_LOG, 1);
+  const Outcome run = blocks("run a.deck -q", folder.path());
+  unsetenv("LD_PRELOAD");
+  EXPECT_EQ(run.code, 0) << run.err;
+
+  const post::ResultsReader whole((folder / "a.vtkhdf").string());
+  Changes changes(folder / "log", folder / "image.vtkhdf");
+  Tally tally;
+  long published = 0, growing = 0;
+  for (long moment = 1; changes.next(); ++moment) {
+    if (changes.grew_node())
+      growing = 100;
+    if (!changes.named() || (moment % stride != 0 && growing-- <= 0))
+      continue;
+    ++tally.moments;
+    try {
+      const post::ResultsReader reader(changes.path());
+      const long frames = reader.frames();
+      if (frames < published || frames > whole.frames())
+        throw std::runtime_error("frames were lost");
+      published = frames;
+      for (const long i : {0L, frames / 2, frames - 2, frames - 1})
+        if (i >= 0 && !same(reader.frame(i), whole.frame(i)))
+          throw std::runtime_error("frame " + std::to_string(i) + " differs");
+      ++tally.readable;
+    } catch (const std::exception& fault) {
+      if (tally.first_fault.empty())
+        tally.first_fault = "change " + std::to_string(moment) + ": " + fault.what();
+    }
+  }
+  EXPECT_EQ(post::ResultsReader(changes.path()).frames(), whole.frames());
+  return tally;
+}
+
+const std::string many_blocks =
+    "START, 1000, 4\nMANY BLOCKS\nXLIMITS, -10, 1000\nYLIMITS, -10, 1000\n"
+    "BOXES, 10, 10, 0.1\nSTIFF, 1.E7, 1.E7\nFRACTION, 0.02\n"
+    "MATERIAL, 1, 1.E9, 4.E8, 1000\nRIGID\nEND\nCLOOP, 260, 2, 0\nCREATE, 4, 1\n"
+    "0, 0, 1, 1\n0, 1, 1, 0\nGRAVITY, 0, -9.8\nPLOTS, 1.E-6\n";
+
+TEST(ResultsAtAnyMoment, HoldEveryPublishedFrame) {
+  const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
+  const Tally tally = look_at_all_moments(
+      many_blocks + "CYCLE, 70\nCREATE, 4, 1\n0, 0, 1, 1\n5, 6, 6, 5\nCYCLE, 70\n",
+      all ? 1 : 199);
+  RecordProperty("moments", std::to_string(tally.moments));
+  EXPECT_GT(tally.moments, 100);
+  EXPECT_EQ(tally.readable, tally.moments) << tally.first_fault;
+}
+
+}  // namespace
+}  // namespace blocks::testing

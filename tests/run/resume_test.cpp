@@ -1,0 +1,211 @@
+// A run stopped anywhere and resumed with --restart is the run that was never stopped:
+// the same bits in state, listing and results.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <random>
+#include <set>
+
+#include "run/program.hpp"
+#include "run/stored.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// All the run left, by file and item; what names the run and its clock is left out.
+std::map<std::string, std::string> left_by_run(const fs::path& folder,
+                                               const std::string& name) {
+  std::map<std::string, std::string> all;
+  all["listing"] = slurp(folder / (name + ".out"));
+  for (const auto& [item, value] : stored(folder / (name + ".vtkhdf")))
+    if (item != "BLOCKS/run_id")
+      all["results " + item] = value;
+  for (const auto& [item, value] : stored(folder / (name + ".ckpt.h5")))
+    if (item != "run/results_run")
+      all["checkpoint " + item] = value;
+  auto told = nlohmann::json::parse(slurp(folder / (name + ".summary.json")));
+  for (const char* key : {"wall_seconds", "certificate"})
+    told.erase(key);
+  all["summary"] = told.dump(1);
+  return all;
+}
+
+void expect_same(const std::map<std::string, std::string>& found,
+                 const std::map<std::string, std::string>& wanted,
+                 const std::string& how) {
+  for (const auto& [item, value] : found)
+    EXPECT_TRUE(wanted.contains(item)) << how << ": " << item << " is new";
+  for (const auto& [item, value] : wanted) {
+    const auto at = found.find(item);
+    ASSERT_TRUE(at != found.end()) << how << ": no " << item;
+    EXPECT_TRUE(at->second == value) << how << ": " << item << " differs";
+  }
+}
+
+const std::string layers_and_loads =
+    preliminary("SEED, 3\nFUNCTION, 3\n0, 0\n0.05, 1\n0.3, 0\n") +
+    rectangle(-9, -2, 9, -1, true) +
+    "ORIENT, -15, 15\nMERGE, 0.5\nLAYER, -20, 1, -8,-1, -8,0, 8,0, 8,-1, RANDOM\n"
+    "SPLANE, -8, 5, -8, -5\nGRAVITY, 0, -9.81\nFRICTN, 0.4\nDAMPING, 0.3\n"
+    "PLOTS, 0.01\nOUTPUT, 0.03, 2, 3\nPRESSBC, 2, 1, 1.E4, 2.E4, 0.01\nMOTION, 0.06\n"
+    "DUMP\nLAYER, -20, 2, -8,1, -8,2, 8,2, 8,1, RANDOM\nFORCE, 25, 1.E3, 2.E3, 0.1\n"
+    "SETVELM, 2, 0.3, -1, 0\nCYCLE, 70\nSETVEL, 3, 5, 60, 60, 0\nMOTION, 0.1\nSTOP\n";
+
+/// Runs a deck to its end, stopping after each of these steps.
+void run_in_parts(const TemporaryFolder& folder, const std::string& arguments,
+                  const std::set<long>& stops, const std::string& name) {
+  long before = 0;
+  std::string restart;
+  for (const long stop : stops) {
+    const Outcome part = blocks("run " + arguments + restart + " --stop-after " +
+                                    std::to_string(stop - before),
+                                folder.path());
+    ASSERT_EQ(part.code, 75) << part.err;
+    restart = " --restart " + name + ".ckpt.h5";
+    before = stop;
+  }
+  const Outcome last = blocks("run " + arguments + restart, folder.path());
+  ASSERT_EQ(last.code, 0) << last.err;
+}
+
+void expect_resumable(const fs::path& deck, const std::string& options, int splits) {
+  const TemporaryFolder straight, parts;
+  const std::string name = deck.stem().string();
+  const std::string arguments = "'" + deck.string() + "' -q " + options;
+  const Outcome run = blocks("run " + arguments, straight.path());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const long steps = summary(straight, name)["steps"];
+  std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(name)));
+  std::set<long> stops;
+  while (static_cast<long>(stops.size()) < std::min<long>(splits, steps))
+    stops.insert(1 + static_cast<long>(random() % static_cast<unsigned long>(steps)));
+  std::string how = name + " stopped after steps";
+  for (const long stop : stops)
+    how += " " + std::to_string(stop);
+  run_in_parts(parts, arguments, stops, name);
+  expect_same(left_by_run(parts.path(), name), left_by_run(straight.path(), name), how);
+  EXPECT_FALSE(parts.holds(name + ".out.bak")) << how;
+}
+
+class ResumedDeck : public ::testing::TestWithParam<fs::path> {};
+
+TEST_P(ResumedDeck, IsTheStraightRun) {
+  expect_resumable(GetParam(), "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001", 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, ResumedDeck, ::testing::ValuesIn(decks_below("decks")),
+                         [](const auto& one) { return one.param.stem().string(); });
+
+// Layers after a stop, loads, planes, DUMP, warnings and cards between the motions.
+TEST(Resumed, DeckWithCardsBetweenItsMotionsIsTheStraightRun) {
+  const TemporaryFolder folder;
+  folder.write("between.deck", layers_and_loads);
+  expect_resumable(folder / "between.deck", "", 5);
+  expect_resumable(folder / "between.deck", "--seed 5 --set STIFF.stifn=1.E8", 5);
+}
+
+// At the last step of a card the next card is the one to go on with, at the last step
+// of the deck none is.
+TEST(Resumed, AtTheSeamOfCardsIsTheStraightRun) {
+  const TemporaryFolder straight, parts;
+  for (const TemporaryFolder* folder : {&straight, &parts})
+    folder->write("seam.deck",
+                  preliminary() + rectangle(0, 0, 1, 1) +
+                      "GRAVITY, 0, -10\nCYCLE, 10\nSETVEL, 1, 0, 1\nCYCLE, 10\n");
+  ASSERT_EQ(blocks("run seam.deck", straight.path()).code, 0);
+  run_in_parts(parts, "seam.deck", {1, 10, 11, 20}, "seam");
+  const auto whole = left_by_run(straight.path(), "seam");
+  expect_same(left_by_run(parts.path(), "seam"), whole, "seams");
+  // Once more: nothing is left to do, and nothing changes.
+  ASSERT_EQ(blocks("run seam.deck --restart seam.ckpt.h5", parts.path()).code, 0);
+  expect_same(left_by_run(parts.path(), "seam"), whole, "again");
+}
+
+// A restart deck that was stopped goes on where it stopped, not at its checkpoint's
+// beginning.
+TEST(Resumed, RestartDeckIsTheStraightRestart) {
+  const TemporaryFolder straight, parts;
+  for (const TemporaryFolder* folder : {&straight, &parts}) {
+    run_text(*folder, "first", layers_and_loads);
+    folder->write("second.deck", "RESTART, first.ckpt.h5\nPLOTS, .01\nCYCLE, 30\n"
+                                 "LAYER, -9, 2, -8,4, -8,5, 8,5, 8,4, RANDOM\n"
+                                 "CYCLE, 30\n");
+  }
+  ASSERT_EQ(blocks("run second.deck", straight.path()).code, 0);
+  run_in_parts(parts, "second.deck", {7, 29, 41}, "second");
+  expect_same(left_by_run(parts.path(), "second"),
+              left_by_run(straight.path(), "second"), "restart deck");
+}
+
+// Killed between checkpoints: what was written after the last one is made again.
+TEST(Resumed, AfterKillIsTheStraightRun) {
+  const TemporaryFolder straight, parts;
+  const std::string deck =
+      layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 2000\n";
+  for (const TemporaryFolder* folder : {&straight, &parts})
+    folder->write("killed.deck", deck);
+  ASSERT_EQ(blocks("run killed.deck", straight.path()).code, 0);
+  std::string restart;
+  int kills = 0;
+  for (double seconds : {0.005, 0.02, 0.03}) {
+    kills += killed("run killed.deck --checkpoint-every 0.005" + restart,
+                    "killed.ckpt.h5", seconds, SIGKILL, parts.path()) == -1;
+    restart = " --restart killed.ckpt.h5";
+  }
+  EXPECT_GT(kills, 0) << "the run was over before it could be killed";
+  ASSERT_EQ(blocks("run killed.deck" + restart, parts.path()).code, 0);
+  expect_same(left_by_run(parts.path(), "killed"),
+              left_by_run(straight.path(), "killed"), "killed");
+}
+
+// Ctrl-C and SIGTERM: the step is finished, a checkpoint written, 130 returned.
+TEST(Resumed, AfterASignalIsTheStraightRun) {
+  const TemporaryFolder straight, parts;
+  const std::string deck =
+      layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 20000\n";
+  for (const TemporaryFolder* folder : {&straight, &parts})
+    folder->write("signal.deck", deck);
+  ASSERT_EQ(blocks("run signal.deck", straight.path()).code, 0);
+  EXPECT_EQ(killed("run signal.deck", "signal.vtkhdf", 0.02, SIGINT, parts.path()),
+            130);
+  EXPECT_EQ(summary(parts, "signal")["status"], "interrupted");
+  EXPECT_EQ(killed("run signal.deck --restart signal.ckpt.h5 --checkpoint-every 0.001",
+                   "signal.ckpt.h5.prev", 0.0, SIGTERM, parts.path()),
+            130);
+  ASSERT_EQ(blocks("run signal.deck --restart signal.ckpt.h5", parts.path()).code, 0);
+  expect_same(left_by_run(parts.path(), "signal"),
+              left_by_run(straight.path(), "signal"), "signals");
+}
+
+// A checkpoint continues its own deck only, with its own options.
+TEST(Resumed, ForeignDeckIsRefused) {
+  const TemporaryFolder folder;
+  const std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 9\n";
+  folder.write("one.deck", deck);
+  folder.write("two.deck", deck + "CYCLE, 1\n");
+  ASSERT_EQ(blocks("run one.deck --stop-after 3", folder.path()).code, 75);
+  const std::string listing = slurp(folder / "one.out");
+  const auto refusal = [&](const std::string& arguments) {
+    const Outcome run = blocks("run " + arguments, folder.path());
+    EXPECT_EQ(run.code, 5) << arguments;
+    return run.err;
+  };
+  EXPECT_EQ(
+      refusal("two.deck --restart one.ckpt.h5"),
+      "blocks: error: cannot continue two.deck from one.ckpt.h5: the checkpoint "
+      "belongs to another deck, one.deck 'A SMALL PROBLEM'; give that deck, or one "
+      "that begins with RESTART\n");
+  EXPECT_EQ(refusal("one.deck --restart one.ckpt.h5 --set CYCLE.ncycle=8"),
+            "blocks: error: cannot continue one.deck from one.ckpt.h5: it was written "
+            "without --set options\n");
+  EXPECT_THAT(refusal("one.deck --restart one.ckpt.h5 --seed 5"),
+              HasSubstr("its seed is "));
+  EXPECT_FALSE(folder.holds("two.out"));
+  EXPECT_EQ(slurp(folder / "one.out"), listing) << "a refusal touches nothing";
+}
+
+}  // namespace
+}  // namespace blocks::testing
