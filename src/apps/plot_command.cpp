@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "dblock_plots.hpp"
 #include "output/results.hpp"
 #include "post/quantity.hpp"
 #include "run/run.hpp"
@@ -29,6 +30,10 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                    "outline of the first frame underneath");
   command.add_option("--mirror", options.mirror,
                      "draw the other half too, mirrored about this x");
+  command
+      .add_option("--dblock", options.dblock,
+                  "cards of DBLOCK (Appendix E of the report): a series of figures")
+      ->excludes("--time");
 }
 
 int plot(PlotOptions options) {
@@ -42,6 +47,8 @@ int plot(PlotOptions options) {
     }
     if (options.output.empty())
       options.output = std::filesystem::path(options.file).stem().string() + ".png";
+    if (!options.dblock.empty())
+      return plot_dblock(options.dblock, results, options.output, options.figure);
     const long frame = options.time ? results.at(*options.time) : results.frames() - 1;
     post::draw_figure(options.output, results, frame, options.figure);
     return run::done;

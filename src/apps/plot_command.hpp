@@ -16,6 +16,7 @@ struct PlotOptions {
   std::optional<double> time;    ///< the frame nearest to it; else the last
   std::vector<double> zoom;      ///< xmin xmax ymin ymax
   std::optional<double> mirror;  ///< x of the plane
+  std::string dblock;            ///< file with cards of DBLOCK; empty: none
   post::FigureOptions figure;
 };
 

@@ -87,6 +87,11 @@ class Drawing {
     if (!(high_ > low_))
       high_ = low_ + 1.0;
   }
+  Colour colour_of(int material) const {
+    const auto chosen = options_.material_colours.find(material);
+    return chosen == options_.material_colours.end() ? material_colour(material)
+                                                     : chosen->second;
+  }
   Colour mapped(double value) const {
     const double s = (value - low_) / (high_ - low_);
     return quantity_.is_signed ? diverging(s) : sequential(s);
@@ -97,7 +102,7 @@ class Drawing {
     path(outline);
     const bool by_material = options_.colour == "material";
     const Colour fill = by_material
-                            ? material_colour(now_.material[b])
+                            ? colour_of(now_.material[b])
                             : mapped(quantity_.values[static_cast<Eigen::Index>(b)]);
     colour(fill);
     cairo_fill_preserve(pen_);
@@ -310,7 +315,7 @@ class Drawing {
     const double x = axes_.left + axes_.width + 14 * unit_;
     double y = axes_.top + 2 * unit_;
     for (const auto& [material, unused] : materials) {
-      swatch(x, y, material_colour(material), false);
+      swatch(x, y, colour_of(material), false);
       text_at(fmt::format("material {}", material), x + 28 * unit_, y + 7 * unit_, 14,
               ink, 0, 0.5);
       y += 26 * unit_;

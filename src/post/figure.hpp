@@ -1,10 +1,12 @@
 // `blocks plot`: the blocks at one time (heir of DBLOCK, report Appendix E).
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "post/colour_map.hpp"
 #include "post/marks.hpp"
 #include "post/results_reader.hpp"
 
@@ -21,6 +23,7 @@ struct FigureOptions {
   std::vector<Mark> marks;           ///< those drawn last lie on top
   std::vector<MarkName> mark_names;  ///< legend of the marks
   std::string subtitle;              ///< instead of time and step
+  std::map<int, Colour> material_colours;  ///< instead of the usual ones
 };
 
 /// Draws one frame to a PNG, SVG or PDF file chosen by the ending; the file appears

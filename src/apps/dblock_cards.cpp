@@ -1,0 +1,169 @@
+#include "dblock_cards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string_view>
+
+#include "deck/free_field.hpp"
+#include "deck/suggest.hpp"
+
+namespace blocks::apps {
+namespace {
+
+/// One card: how many numbers follow it and what they do.
+struct Card {
+  std::size_t least, most;
+  std::function<void(DblockCards&, const std::vector<double>&)> act;
+  bool whole = false;  ///< whole numbers from 1
+};
+
+Card colour(double r, double g, double b) {
+  return {1, 1,
+          [=](DblockCards& cards, const std::vector<double>& v) {
+            cards.materials[static_cast<int>(v[0])] = {r, g, b};
+          },
+          true};
+}
+
+const std::map<std::string, Card, std::less<>>& table() {
+  using C = DblockCards;
+  using Values = std::vector<double>;
+  constexpr std::size_t any = 1000;
+  static const std::map<std::string, Card, std::less<>> cards = {
+      {"BLOCKS", {0, 0, [](C& c, const Values&) { c.first_only = true; }}},
+      {"ZOOM",
+       {4, 4,
+        [](C& c, const Values& v) {
+          c.zoom = Eigen::Vector4d(v[0], v[1], v[2], v[3]);
+        }}},
+      {"FRAMESIZE",
+       {1, 1, [](C& c, const Values& v) { c.frame_size = static_cast<int>(v[0]); },
+        true}},
+      {"PRINT", {0, 0, [](C& c, const Values&) { c.print = true; }}},
+      {"NTIMES",
+       {0, 1,
+        [](C& c, const Values& v) {
+          c.count = v.empty() ? 10 : static_cast<int>(v[0]);
+        },
+        true}},
+      {"ALLTIMES", {0, 0, [](C& c, const Values&) { c.all_times = true; }}},
+      {"TMIN", {1, 1, [](C& c, const Values& v) { c.from = v[0]; }}},
+      {"TMAX", {1, 1, [](C& c, const Values& v) { c.to = v[0]; }}},
+      {"DELTIME", {1, 1, [](C& c, const Values& v) { c.every = v[0]; }}},
+      {"TIMES",
+       {1, any,
+        [](C& c, const Values& v) {
+          c.times.insert(c.times.end(), v.begin(), v.end());
+        }}},
+      {"MOVIE", {0, 0, [](C& c, const Values&) { c.movie = true; }}},
+      {"FLIP", {0, 0, [](C& c, const Values&) { c.flip = true; }}},
+      {"ENDDATA", {0, 0, [](C&, const Values&) {}}},
+      {"CLEARC", colour(1, 1, 1)},
+      {"BLUE", colour(0.16, 0.35, 0.80)},
+      {"CYAN", colour(0.35, 0.80, 0.85)},
+      {"GREEN", colour(0.25, 0.62, 0.32)},
+      {"MGENTA", colour(0.78, 0.25, 0.65)},
+      {"RED", colour(0.82, 0.20, 0.18)},
+      {"YELLOW", colour(0.96, 0.85, 0.25)},
+      {"ZUNI", colour(0.45, 0.70, 0.92)}};  // Sandia light blue
+  return cards;
+}
+
+std::vector<std::string_view> names() {
+  std::vector<std::string_view> all;
+  for (const auto& [name, card] : table())
+    all.emplace_back(name);
+  return all;
+}
+
+/// The numbers behind the card; nothing when one of them is none.
+std::optional<std::vector<double>> numbers(const deck::Line& line,
+                                           const std::string& name, const Card& card,
+                                           deck::Diagnostics& faults) {
+  std::vector<double> values;
+  bool sound = true;
+  for (std::size_t i = 1; i < line.fields.size(); ++i) {
+    const deck::Field& field = line.fields[i];
+    const deck::Number number = deck::read_number(field.text);
+    const double value = number.value.value();
+    if (field.blank || number.fault != deck::NumberFault::none) {
+      faults.error(field.where, name, "expected a number, found '" + field.text + "'");
+      sound = false;
+    } else if (card.whole && (value < 1 || value > 1e6 || value != std::floor(value))) {
+      faults.error(field.where, name,
+                   "expected a whole number from 1, found " + field.text);
+      sound = false;
+    }
+    values.push_back(value);
+  }
+  if (values.size() < card.least || values.size() > card.most) {
+    faults.error(
+        line.fields.front().where, name,
+        card.least == card.most
+            ? fmt::format("expected {} numbers, found {}", card.least, values.size())
+            : fmt::format("expected {} to {} numbers, found {}", card.least, card.most,
+                          values.size()));
+    sound = false;
+  }
+  return sound ? std::optional(values) : std::nullopt;
+}
+
+}  // namespace
+
+DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults) {
+  DblockCards cards;
+  for (const deck::Line& line : deck::split_deck(text)) {
+    const deck::Field& head = line.fields.front();
+    const std::string name = deck::capitals(head.text);
+    const auto found = table().find(name);
+    if (found == table().end()) {
+      const std::string near = deck::suggest(name, names());
+      faults.error(head.where, {}, "there is no card '" + head.text + "' of DBLOCK",
+                   near.empty() ? fmt::format("there are {}", fmt::join(names(), ", "))
+                                : "did you mean " + near + "?");
+      continue;
+    }
+    const auto values = numbers(line, name, found->second, faults);
+    if (!values)
+      continue;
+    found->second.act(cards, *values);
+    if (name == "ENDDATA")
+      break;
+    if (name == "FRAMESIZE" && cards.frame_size > 3)
+      faults.error(line.fields[1].where, name, "expected 1, 2 or 3");
+    if (name == "ZOOM" &&
+        !((*cards.zoom)[0] < (*cards.zoom)[1] && (*cards.zoom)[2] < (*cards.zoom)[3]))
+      faults.error(head.where, name, "expected xmin < xmax and ymin < ymax");
+    if (name == "DELTIME" && !(*cards.every > 0.0))
+      faults.error(line.fields[1].where, name, "expected a number above 0");
+  }
+  if (cards.movie)
+    cards.frame_size = 3;
+  return cards;
+}
+
+std::vector<double> DblockCards::chosen(const std::vector<double>& all) const {
+  if (first_only)
+    return {all.front()};
+  const double low = from.value_or(all.front()), high = to.value_or(all.back());
+  std::set<double> found(times.begin(), times.end());
+  if (all_times)
+    for (const double t : all)
+      if (t >= low && t <= high)
+        found.insert(t);
+  if (every)
+    for (int k = 0; low + k * *every <= high + 1e-9 * *every; ++k)
+      found.insert(std::min(low + k * *every, high));
+  if (count || (times.empty() && !all_times && !every)) {
+    const int n = count.value_or(10);
+    for (int k = 0; k < n; ++k)
+      found.insert(n == 1 ? low : low + (high - low) * k / (n - 1));
+  }
+  return {found.begin(), found.end()};
+}
+
+}  // namespace blocks::apps

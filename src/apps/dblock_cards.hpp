@@ -1,0 +1,37 @@
+// The cards of DBLOCK (report Appendix E, tables E.1 and E.2), the plotting program of
+// 1982, for `blocks plot --dblock`.
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deck/diagnostics.hpp"
+#include "post/colour_map.hpp"
+
+namespace blocks::apps {
+
+struct DblockCards {
+  bool first_only = false;                ///< BLOCKS
+  std::optional<Eigen::Vector4d> zoom;    ///< ZOOM: xmin, xmax, ymin, ymax [L]
+  int frame_size = 1;                     ///< FRAMESIZE 1, 2, 3; MOVIE takes 3
+  bool print = false;                     ///< PRINT
+  std::optional<int> count;               ///< NTIMES
+  bool all_times = false;                 ///< ALLTIMES
+  std::optional<double> from, to, every;  ///< TMIN, TMAX, DELTIME [T]
+  std::vector<double> times;              ///< TIMES [T]
+  bool movie = false;                     ///< MOVIE
+  bool flip = false;                      ///< FLIP
+  std::map<int, post::Colour> materials;  ///< CLEARC, BLUE, ...
+
+  /// Times to be plotted, rising, none twice; `all` are those of the file. Without a
+  /// card that asks for times: ten from TMIN to TMAX, as in 1982.
+  std::vector<double> chosen(const std::vector<double>& all) const;
+};
+
+/// Reads cards up to ENDDATA; all faults go into `faults`.
+DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults);
+
+}  // namespace blocks::apps

@@ -1,0 +1,94 @@
+#include "dblock_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "dblock_cards.hpp"
+#include "run/deck_file.hpp"
+#include "run/run.hpp"
+
+namespace blocks::apps {
+namespace {
+
+/// Frames at the chosen times, each once.
+std::vector<long> frames(const DblockCards& cards, const post::ResultsReader& results) {
+  std::vector<long> chosen;
+  for (const double time : cards.chosen(results.times()))
+    if (const long frame = results.at(time); chosen.empty() || chosen.back() != frame)
+      chosen.push_back(frame);
+  return chosen;
+}
+
+/// A rectangle about all frames, so that the plots of a movie lie over each other.
+Eigen::Vector4d common_view(const post::ResultsReader& results,
+                            const std::vector<long>& chosen, bool flip) {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = -low;
+  for (const long i : chosen)
+    for (const auto& outline : results.frame(i).outlines)
+      for (const Eigen::Vector2d& p : outline) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+  if (flip) {
+    const double reach = std::max(std::abs(low.x()), std::abs(high.x()));
+    low.x() = -reach;
+    high.x() = reach;
+  }
+  const double margin = 0.03 * (high - low).maxCoeff();
+  return {low.x() - margin, high.x() + margin, low.y() - margin, high.y() + margin};
+}
+
+void print_corners(const post::Frame& frame) {
+  fmt::print("time {:.9g}\n{:>8}{:>8}{:>18}{:>18}\n", frame.time, "block", "corner",
+             "x", "y");
+  for (std::size_t b = 0; b < frame.outlines.size(); ++b)
+    for (std::size_t c = 0; c < frame.outlines[b].size(); ++c)
+      fmt::print("{:>8}{:>8}{:>18.9g}{:>18.9g}\n", frame.number[b], c + 1,
+                 frame.outlines[b][c].x(), frame.outlines[b][c].y());
+}
+
+}  // namespace
+
+int plot_dblock(const std::string& cards_file, const post::ResultsReader& results,
+                const std::string& output, post::FigureOptions figure) {
+  const std::string text = run::read_deck(cards_file);
+  deck::Diagnostics faults(cards_file, text);
+  const DblockCards cards = read_dblock_cards(text, faults);
+  fmt::print(stderr, "{}", faults.format_all());
+  if (faults.has_errors())
+    return run::deck_error;
+
+  constexpr double widths[] = {1200, 800, 640};  // FRAMESIZE
+  figure.width = widths[cards.frame_size - 1];
+  figure.material_colours = cards.materials;
+  if (cards.zoom)
+    figure.zoom = cards.zoom;
+  if (cards.flip) {
+    figure.mirror = true;
+    figure.mirror_x = 0.0;
+  }
+  const std::vector<long> chosen = frames(cards, results);
+  if (cards.movie && !figure.zoom)
+    figure.zoom = common_view(results, chosen, cards.flip);
+
+  const std::filesystem::path name(output);
+  const auto digits = std::max<std::size_t>(2, std::to_string(chosen.size()).size());
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const std::string path =
+        chosen.size() == 1 ? output
+                           : (name.parent_path() /
+                              fmt::format("{}_{:0{}}{}", name.stem().string(), k + 1,
+                                          digits, name.extension().string()))
+                                 .string();
+    post::draw_figure(path, results, chosen[k], figure);
+    if (cards.print)
+      print_corners(results.frame(chosen[k]));
+    else
+      fmt::print("{} time {:g}\n", path,
+                 results.times()[static_cast<std::size_t>(chosen[k])]);
+  }
+  return run::done;
+}
+
+}  // namespace blocks::apps
