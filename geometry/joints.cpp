@@ -5,11 +5,11 @@
 #include <cmath>
 #include <tuple>
 
-#include "geometry/block_shape.hpp"
 #include "geometry/exact/box_pairs.hpp"
 #include "geometry/exact/kernels.hpp"
 #include "geometry/exact/numbers.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/rounding.hpp"
 
 namespace blocks::geometry {
 namespace {

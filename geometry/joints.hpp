@@ -8,12 +8,8 @@
 
 namespace blocks::geometry {
 
-/// Corners are rounded to doubles: what lies so many units in the last place of the
-/// largest coordinate apart may be meant to touch.
-constexpr double rounding_units = 4.0;
-
-/// A corner of one block inside an edge of another, up to rounding. Legal: layers with
-/// joints out of line have them, a conforming mesh has none.
+/// A corner of one block inside an edge of another, up to rounding_units. Legal: layers
+/// with joints out of line have them, a conforming mesh has none.
 struct TJunction {
   int block = 0;  ///< whose corner, from 0
   int corner = 0;

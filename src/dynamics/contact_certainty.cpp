@@ -114,8 +114,17 @@ double travel_before_contact(const Blocks& blocks, int corner, int block) {
   return travel;
 }
 
-double certain_travel(const Blocks& blocks, const Contacts& contacts,
-                      const ContactGroup& group) {
+namespace {
+
+/// How much more than relative_motion a difference of two corners may change, [L]: each
+/// stored corner is rounded, half a unit in the last place of its coordinates.
+double roundoff(const Blocks& blocks, int corner, int block) {
+  return 0x1p-48 * (blocks.corner.col(corner).lpNorm<Eigen::Infinity>() +
+                    blocks.centroid.col(block).lpNorm<Eigen::Infinity>());
+}
+
+double travel_of_rules(const Blocks& blocks, const Contacts& contacts,
+                       const ContactGroup& group) {
   const int c = contacts.corner[group.first], block = group.edge_block;
   const int acting = group.acting;
   if (acting < 0) {
@@ -135,7 +144,16 @@ double certain_travel(const Blocks& blocks, const Contacts& contacts,
       unchanged = std::max(unchanged, deeper_travel(blocks, contacts, i, acting));
     travel = std::min(travel, unchanged);
   }
-  return std::max(travel, 0.0);
+  return travel;
+}
+
+}  // namespace
+
+double certain_travel(const Blocks& blocks, const Contacts& contacts,
+                      const ContactGroup& group) {
+  const double travel = travel_of_rules(blocks, contacts, group);
+  return std::max(
+      travel - roundoff(blocks, contacts.corner[group.first], group.edge_block), 0.0);
 }
 
 }  // namespace blocks::dynamics

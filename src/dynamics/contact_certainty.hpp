@@ -28,6 +28,7 @@ double travel_before_contact(const Blocks& blocks, int corner, int block);
 ///   inadmissible, or deeper and too deep for a shield, for a third block moves as it
 ///   likes. Without an acting record all stay inadmissible, or the corner stays
 ///   outside.
+/// - Corners are stored rounded: what that may add to the motion is taken off.
 double certain_travel(const Blocks& blocks, const Contacts& contacts,
                       const ContactGroup& group);
 

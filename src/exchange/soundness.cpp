@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/rounding.hpp"
+
 namespace blocks::exchange {
 
 Soundness examine(const std::vector<geometry::Polygon>& outlines) {
@@ -24,10 +26,9 @@ Soundness examine(const std::vector<geometry::Polygon>& outlines) {
     number.push_back(b);
   }
 
-  constexpr double rounding = 1e-9;
   for (geometry::BlockOverlap pair : geometry::overlapping_pairs(good)) {
     const bool rounded =
-        pair.area <= rounding * std::min(area[pair.first], area[pair.second]);
+        pair.area <= geometry::rounding_area(good[pair.first], good[pair.second]);
     pair.first = number[pair.first];
     pair.second = number[pair.second];
     (rounded ? result.roundings : result.overlaps).push_back(pair);

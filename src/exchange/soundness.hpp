@@ -19,8 +19,8 @@ struct Soundness {
   std::vector<BadOutline> bad;
   std::vector<int> turned;  ///< blocks that run anticlockwise
   std::vector<int> concave;
-  /// Of the good outlines; those by rounding alone (at most 1e-9 of the smaller block)
-  /// apart, for decimals cannot say where two sloping lines meet.
+  /// Of the good outlines; those by rounding alone apart (geometry/rounding.hpp), for
+  /// decimals cannot say where two sloping lines meet.
   std::vector<geometry::BlockOverlap> overlaps, roundings;
   geometry::Joints joints;  ///< T-junctions, and gaps between the good ones
   std::size_t slits_by_rounding = 0;

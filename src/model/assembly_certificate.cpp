@@ -9,27 +9,10 @@
 #include <utility>
 
 #include "geometry/block_shape.hpp"
+#include "geometry/rounding.hpp"
 
 namespace blocks {
 namespace {
-
-/// What rounding of corners alone can make of an overlap, [L^2].
-double rounding_area(const geometry::Polygon& p, const geometry::Polygon& q) {
-  double largest = 0.0;
-  const auto outline_length = [&](const geometry::Polygon& outline) {
-    double length = 0.0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      largest = std::max(largest, outline[i].cwiseAbs().maxCoeff());
-      length += (outline[(i + 1) % outline.size()] - outline[i]).norm();
-    }
-    return length;
-  };
-  const double length = std::min(outline_length(p), outline_length(q));
-  const double unit =
-      std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-  // a square of this outline is `length / 4` wide
-  return (rounding_units * unit + rounding_part * 0.25 * length) * length;
-}
 
 /// Only slits with a block that has not moved are the deck's.
 void find_joints(const std::vector<geometry::Polygon>& outlines,
@@ -99,7 +82,8 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
     }
     const double part =
         pair.area / std::min(blocks.area[pair.first], blocks.area[pair.second]);
-    if (pair.area > rounding_area(outlines[pair.first], outlines[pair.second])) {
+    if (pair.area >
+        geometry::rounding_area(outlines[pair.first], outlines[pair.second])) {
       certificate.overlaps.push_back(pair);
     } else {
       certificate.roundings.push_back(pair);

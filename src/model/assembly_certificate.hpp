@@ -11,14 +11,6 @@
 
 namespace blocks {
 
-/// Corners are rounded, to doubles and before that to the decimals of a deck:
-/// neighbours may overlap along their whole outline by this many units in the last
-/// place of their largest coordinate, and by this part of the smaller block's size
-/// (twelve digits), without a fault of the deck. A slit no wider than so many units is
-/// none either.
-using geometry::rounding_units;
-constexpr double rounding_part = 1e-11;
-
 /// Listing and summary name so many pairs of each kind; the count stands beside them.
 constexpr std::size_t most_pairs_named = 100;
 

@@ -150,10 +150,10 @@ void BlockBuilder::layer(const deck::Layer& card) {
   const bool random = card.rcommand.given;
   // MERGE may leave fewer than |ns| blocks, so a random layer is counted when it is
   // cut.
-  constexpr long most = 10'000'000;
-  if (count > most) {
-    error(card.ns.where, fmt::format("{} blocks in one layer", count),
-          fmt::format("a layer may have {} at most", most));
+  if (model_.settings.max_corners < 4 && !partial_) {
+    error(card.ns.where, "blocks of a layer have 4 corners",
+          fmt::format("START allows {}: raise ncmx, its second value, to 4 or more",
+                      model_.settings.max_corners));
     return;
   }
   if (!(rho > 0.0) || (!random && !fits(count, card.ns.where)))

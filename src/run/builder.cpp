@@ -387,8 +387,9 @@ void Builder::check_planes() {
 void Builder::check_overlaps(const Command& command) {
   if (certificate_ && certificate_->blocks == model_.blocks.size())
     return;
-  certificate_ = certify_assembly(model_.blocks, moved_blocks_,
-                                  certificate_.value_or(AssemblyCertificate{}));
+  AssemblyCertificate before;
+  before.overlaps = certificate_ ? certificate_->overlaps : options_.overlaps;
+  certificate_ = certify_assembly(model_.blocks, moved_blocks_, before);
   std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;
   std::erase_if(pairs,
                 [this](const auto& pair) { return pair.second < checked_blocks_; });

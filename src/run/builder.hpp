@@ -26,6 +26,8 @@ struct BuildOptions {
   /// Cards that could not be read, "" for a card of unknown name: no complaints about
   /// blocks, materials or functions that may only be missing for that reason.
   std::set<std::string> unread;
+  /// Overlaps that the certificate named before the checkpoint of a RESTART deck.
+  std::vector<geometry::BlockOverlap> overlaps = {};
 
   bool lacks(std::initializer_list<const char*> cards) const {
     return unread.contains("") ||

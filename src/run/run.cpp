@@ -37,7 +37,8 @@ struct Job {
       if (diagnostic.severity == deck::Severity::error)
         unread.insert(deck::find_card(diagnostic.card) != nullptr ? diagnostic.card
                                                                   : "");
-    return {options.seed, options.tape9, deck_folder(options.deck), std::move(unread)};
+    return {options.seed, options.tape9, deck_folder(options.deck), std::move(unread),
+            from.progress.overlaps};
   }
   bool continues() const {
     return !deck.commands.empty() &&

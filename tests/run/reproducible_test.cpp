@@ -20,6 +20,44 @@ TEST(StackDeck, EndsInTheRecordedState) {
   EXPECT_EQ(summary(folder, "stack")["state_hash"], "f9c65da26a4a6f69");
 }
 
+// Golden: the random blocks of every user's deck. Streams are named by the layer
+// itself, and corners inside slanted sides are rounded out of them, the same
+// everywhere.
+class RandomDeck : public ::testing::Test {
+ protected:
+  /// The blocks of a deck with these cards, a line each, every coordinate to the bit.
+  static std::string blocks_of(const std::string& cards) {
+    const TemporaryFolder folder;
+    folder.write("a.deck",
+                 preliminary("SEED, 7\nRIGID\n") + "ORIENT, -20, 20\n" + cards);
+    const Outcome outcome = blocks("export a.deck -o a.wkt", folder.path());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return slurp(folder / "a.wkt");
+  }
+  static std::uint64_t hash_of(const std::string& text) {  // FNV-1a
+    std::uint64_t value = 0xcbf29ce484222325ULL;
+    for (const char c : text)
+      value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return value;
+  }
+  static constexpr const char *dip = "LAYER, -20, 1, 0,0, 0,.1, 3,.4, 3,.3, RANDOM\n",
+                              *below =
+                                  "LAYER, -9, 1, .7,-.13, .7,.07, 2,.2, 2,0, RANDOM\n",
+                              *flat =
+                                  "LAYER, -12, 1, -8,-3, -8,-2, 1,-2, 1,-3, RANDOM\n";
+};
+
+TEST_F(RandomDeck, HasTheRecordedBlocks) {
+  EXPECT_EQ(hash_of(blocks_of(dip)), 7450499982707835104U);
+  EXPECT_EQ(hash_of(blocks_of(std::string(dip) + below)), 12673284550278504968U);
+}
+
+TEST_F(RandomDeck, ALayerDoesNotChangeTheOthers) {
+  const std::string alone = blocks_of(dip);
+  EXPECT_EQ(blocks_of(std::string(dip) + flat), alone + blocks_of(flat));
+  EXPECT_EQ(blocks_of(std::string(flat) + dip), blocks_of(flat) + alone);
+}
+
 class SameSeed : public ::testing::Test {
  protected:
   static void run(const TemporaryFolder& folder, const std::string& more) {
