@@ -224,10 +224,9 @@ int dispatch(int argc, char** argv) {
 
   blocks::apps::StudyOptions study_options;
   auto* study = app.add_subcommand("study", "how robust is contact detection?");
-  study->require_subcommand(1);
-  blocks::apps::add_study_options(
-      *study->add_subcommand("contacts", "variants of the contact rules side by side"),
-      study_options);
+  auto* contacts =
+      study->add_subcommand("contacts", "variants of the contact rules side by side");
+  blocks::apps::add_study_options(*contacts, study_options);
   blocks::apps::WhyOptions why_options;
   auto* why = app.add_subcommand("why", "why two blocks touch, or do not, at one time");
   blocks::apps::add_why_options(*why, why_options);
@@ -256,8 +255,13 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::import_blocks(import_options);
   if (*to_others)
     return blocks::apps::export_blocks(export_options);
-  if (*study)
+  if (*contacts)
     return blocks::apps::study_contacts(study_options);
+  if (*study) {
+    std::fprintf(stderr, "blocks: error: study what?\n  hint: blocks study contacts "
+                         "SCENE; blocks study contacts --list\n");
+    return blocks::run::usage_error;
+  }
   if (*why)
     return blocks::apps::why(why_options);
   return blocks::apps::plot(plot_options);

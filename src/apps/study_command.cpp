@@ -48,7 +48,11 @@ std::vector<std::string> scenes_meant(const std::vector<std::string>& given) {
       return {};
     }
   }
-  return meant;
+  std::vector<std::string> once;
+  for (std::string& name : meant)
+    if (std::find(once.begin(), once.end(), name) == once.end())
+      once.push_back(std::move(name));
+  return once;
 }
 
 std::vector<const study::Variant*>
@@ -89,12 +93,33 @@ void check_files(const StudyOptions& options) {
         "'");
 }
 
+/// The rules of every run, which the gate judges.
+const study::Variant* default_rules() { return &study::all_variants().front(); }
+
 bool default_is_sound(const std::vector<study::Study>& studies) {
   for (const study::Study& study : studies)
     for (const study::Row& row : study.rows)
-      if (row.variant == &study::all_variants().front() && row.hung + row.fell > 0)
+      if (row.variant == default_rules() && row.hung + row.fell > 0)
         return false;
   return true;
+}
+
+}  // namespace
+
+namespace {
+
+/// In words, for CLI::Range lets not-a-number pass and prints thirty digits.
+CLI::Validator between(double low, double high) {
+  const std::string range = fmt::format("{:g} to {:g}", low, high);
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0.0;
+        const bool number = CLI::detail::lexical_cast(text, value);
+        return number && low <= value && value <= high
+                   ? std::string()
+                   : fmt::format("{} is not in the range {}", text, range);
+      },
+      range);
 }
 
 }  // namespace
@@ -114,11 +139,11 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command
       .add_option("--offset", options.offset,
                   "distance from the origin in block sizes (0 to 1e9 at random)")
-      ->check(CLI::Range(0.0, 1e15));
+      ->check(between(0.0, 1e15));
   command
       .add_option("--scale", options.scale,
                   "factor on all lengths (1e-3 to 1e6 at random)")
-      ->check(CLI::Range(1e-30, 1e30));
+      ->check(between(1e-30, 1e30));
   command
       .add_option("--steps", options.steps, "time steps (the scene's own; decks 2000)")
       ->check(CLI::Range(1L, 1000000000L));
@@ -152,6 +177,14 @@ int study_contacts(const StudyOptions& options) {
                             options.threads};
   if (choice.variants.empty())
     return run::usage_error;
+  if (options.gate && std::find(choice.variants.begin(), choice.variants.end(),
+                                default_rules()) == choice.variants.end()) {
+    fmt::print(stderr,
+               "blocks: error: --gate judges the variant {}: add it to "
+               "--variants\n",
+               default_rules()->name);
+    return run::usage_error;
+  }
 
   try {
     check_files(options);

@@ -58,11 +58,15 @@ class Auditor {
     }
   }
 
-  /// The corner is this close to the edge's segment; rounded, so a little less.
+  /// The corner is this close to the edge's segment; rounded, so a little less. An edge
+  /// with its block's centroid in front of it can act on none.
   bool within_promise(int corner, int edge) const {
     const Vec2 p = blocks_.corner.col(edge);
     const Vec2 e = Vec2(blocks_.corner.col(blocks_.next[edge])) - p;
     const Vec2 from = Vec2(blocks_.corner.col(corner)) - p;
+    const Vec2 centroid = Vec2(blocks_.centroid.col(blocks_.corner_block[edge])) - p;
+    if (geometry::cross(centroid, e) < 0.0)
+      return false;
     const double s = std::clamp(from.dot(e) / e.squaredNorm(), 0.0, 1.0);
     return (from - s * e).norm() <= promise_ * (1.0 - 1e-9);
   }

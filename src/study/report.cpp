@@ -108,6 +108,20 @@ std::string text(const Study& study) {
   return out;
 }
 
+namespace {
+
+/// A field of a CSV file: in quotes where it has to be (RFC 4180).
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
 std::string csv(const std::vector<Study>& studies) {
   std::string out = "scene,variant,frames,steps";
   for (const char* name : {"wrong_signs", "wrong_tangents", "phantom", "missed"})
@@ -118,8 +132,8 @@ std::string csv(const std::vector<Study>& studies) {
          "median_step\n";
   for (const Study& study : studies)
     for (const Row& row : study.rows) {
-      out += fmt::format("{},{},{},{}", study.scene, row.variant->name, row.frames,
-                         study.steps);
+      out += fmt::format("{},{},{},{}", field(study.scene), row.variant->name,
+                         row.frames, study.steps);
       for (const Estimate* e :
            {&row.wrong_signs, &row.wrong_tangents, &row.phantom, &row.missed})
         out += cell(*e);
