@@ -87,7 +87,7 @@ def check_commands(source, program):
                 words = [str(source / word) if word.startswith("decks/") else word for word in words]
                 done = subprocess.run([program, *words], cwd=folder, text=True, capture_output=True)
                 count += 1
-                if done.returncode != (5 if words[0] in ("plot", "history", "view") else 0):
+                if done.returncode != (5 if words[0] in ("plot", "history", "view", "why", "import") else 0):
                     faults.append(f"{page}: {line}: exit code {done.returncode}\n{done.stderr}")
     assert count > 10, count
     return faults
