@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -86,7 +87,9 @@ std::vector<Rational> listed_fractions(const std::vector<Decimal>& widths, int c
     sum.push_back(sum.back() + width);
   }
   const Rational total = sum.back();
-  scaled = total * total != line.squared_length();  // the length may be irrational
+  // No decimal is the length of most slanted lines: nine digits are enough.
+  const Rational squares = total * total / line.squared_length();
+  scaled = std::abs(exact::nearest(squares - Rational(1))) > 2e-9;
   for (Rational& s : sum)
     s /= total;
   return sum;

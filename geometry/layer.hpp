@@ -40,7 +40,7 @@ struct Layer {
   Mesh mesh;
   TilingCertificate certificate;
   std::vector<Absorption> absorptions;  ///< MERGE's record, in order
-  bool bottom_scaled = false;  ///< listed widths did not add up to the bottom line
+  bool bottom_scaled = false;  ///< listed widths miss the bottom line by over 1e-9
   bool top_scaled = false;     ///< likewise for the top line
   int redrawn = 0;             ///< angles drawn again because sides crossed
   int redrawn_sides = 0;       ///< sides whose angle was drawn again at least once

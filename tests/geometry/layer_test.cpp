@@ -166,6 +166,18 @@ TEST(ListedLayer, ScalesOnlyWhatDoesNotFit) {
   EXPECT_NEAR(cell(layer, 1)[2].x(), 2.0, 1e-15);
 }
 
+TEST(ListedLayer, FitsALineOfIrrationalLength) {
+  LayerRequest request;
+  request.corners = corners("0 0 0 1 10 2 10 1");  // both lines sqrt(101) long
+  request.spacing = Spacing::listed;
+  request.count = 2;
+  request.bottom = {Decimal(5), decimal("5.04987562112")};
+  request.top = {Decimal(5), decimal("5.0498757")};
+  const Layer layer = cut_layer(request);
+  EXPECT_FALSE(layer.bottom_scaled);
+  EXPECT_TRUE(layer.top_scaled);
+}
+
 TEST(ListedLayer, RefusesWidthsThatAreNotThere) {
   LayerRequest request;
   request.corners = corners(rectangle);
