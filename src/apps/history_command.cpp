@@ -1,4 +1,5 @@
 #include "history_command.hpp"
+#include "fault.hpp"
 
 #include <fmt/format.h>
 
@@ -228,12 +229,8 @@ int history(const HistoryOptions& options) {
     for (const std::string& path : options.outputs)
       write(path, answer, options.width);
     return run::done;
-  } catch (const output::FileError& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
-    return run::file_error;
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
-    return run::usage_error;
+    return tell_fault(error);
   }
 }
 

@@ -1,4 +1,5 @@
 #include "plot_command.hpp"
+#include "fault.hpp"
 
 #include <fmt/format.h>
 
@@ -52,12 +53,8 @@ int plot(PlotOptions options) {
     const long frame = options.time ? results.at(*options.time) : results.frames() - 1;
     post::draw_figure(options.output, results, frame, options.figure);
     return run::done;
-  } catch (const output::FileError& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
-    return run::file_error;
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
-    return run::usage_error;
+    return tell_fault(error);
   }
 }
 

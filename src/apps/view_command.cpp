@@ -1,4 +1,5 @@
 #include "view_command.hpp"
+#include "fault.hpp"
 
 #include <fmt/format.h>
 
@@ -42,12 +43,8 @@ int view(ViewOptions options) {
                size < 1e6 ? fmt::format("{:.0f} kB", size / 1e3)
                           : fmt::format("{:.1f} MB", size / 1e6));
     return run::done;
-  } catch (const output::FileError& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
-    return run::file_error;
   } catch (const std::runtime_error& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
-    return run::usage_error;
+    return tell_fault(error);
   }
 }
 
