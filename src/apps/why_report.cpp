@@ -89,7 +89,7 @@ Json edges(const WhyScene& scene, const audit::ExactRules& rules,
                 {"tangents", {edge.tangent_before, edge.tangent_after}},
                 {"facing", {edge.facing_before, edge.facing_after}},
                 {"admissible", edge.admissible},
-                {"acts", e == decision.acting},
+                {"acts", decision.acts(e)},
                 {"verdict", audit::verdict(rules, decision, edge)}};
     const RememberedContact* contact = scene.find(decision.corner, e);
     if (scene.listed)

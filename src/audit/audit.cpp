@@ -50,7 +50,8 @@ class Auditor {
   void look_for_missed(const Decision& decision) {
     const int c = decision.corner, b = decision.block;
     for (int e = blocks_.first_corner[b]; e < blocks_.first_corner[b + 1]; ++e) {
-      if (!within_promise(c, e) && !(decision.inside && rules_.admits(c, e)))
+      if (!within_promise(c, e) && !decision.acts(e) &&
+          !(decision.inside && rules_.admits(c, e)))
         continue;
       ++found_.records;
       if (!listed_.contains({c, e}))
@@ -58,15 +59,11 @@ class Auditor {
     }
   }
 
-  /// The corner is this close to the edge's segment; rounded, so a little less. An edge
-  /// with its block's centroid in front of it can act on none.
+  /// The corner is this close to the edge's segment; rounded, so a little less.
   bool within_promise(int corner, int edge) const {
     const Vec2 p = blocks_.corner.col(edge);
     const Vec2 e = Vec2(blocks_.corner.col(blocks_.next[edge])) - p;
     const Vec2 from = Vec2(blocks_.corner.col(corner)) - p;
-    const Vec2 centroid = Vec2(blocks_.centroid.col(blocks_.corner_block[edge])) - p;
-    if (geometry::cross(centroid, e) < 0.0)
-      return false;
     const double s = std::clamp(from.dot(e) / e.squaredNorm(), 0.0, 1.0);
     return (from - s * e).norm() <= promise_ * (1.0 - 1e-9);
   }
@@ -80,11 +77,15 @@ class Auditor {
       acting_.erase(at);
     }
     found_.acting += static_cast<long>(edges.size());
-    if (edges.empty() && !decision.allows(-1))
+    const bool none = decision.acting < 0;
+    if (edges.empty() && !none)
       found_.wrong.push_back({decision.corner, decision.block, -1, decision.acting});
-    // one edge of a block acts on a corner at most
+    if (edges.size() == 1 && decision.notch >= 0)
+      found_.wrong.push_back({decision.corner, decision.block, -1, decision.notch});
+    // one edge of a block acts on a corner at most, or two of a notch
+    const std::size_t most = decision.notch < 0 ? 1 : 2;
     for (std::size_t i = 0; i < edges.size(); ++i)
-      if (i > 0 || !decision.allows(edges[i]))
+      if (i >= most || !decision.allows(edges[i]))
         found_.wrong.push_back(
             {decision.corner, decision.block, edges[i], decision.acting});
   }

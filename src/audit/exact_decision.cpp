@@ -26,6 +26,13 @@ ExactRules::ExactRules(const Blocks& blocks, double reach)
   for (const auto* points : {&blocks.corner, &blocks.centroid})
     for (const double x : points->reshaped())
       lattice_.include(x);
+  for (int e = 0; e < blocks.corners(); ++e) {
+    const int b = blocks.corner_block[e];
+    for (int q = blocks.first_corner[b]; q < blocks.first_corner[b + 1]; ++q)
+      if (!blocks.convex[b])
+        for (const double x : halfway(e, q))
+          lattice_.include(x);
+  }
   for (int c = 0; c < blocks.corners(); ++c)
     corner_.push_back(lattice_(Vec2(blocks.corner.col(c))));
   for (int b = 0; b < blocks.size(); ++b) {
@@ -65,10 +72,24 @@ bool ExactRules::between(int corner, int edge) const {
          sign(((l - s) << slack_.shift) + slack) >= 0;
 }
 
-/// 2A of the corner is at most that of the centroid.
+/// The point between corner q and the edge's first corner: what is stored of it counts.
+Vec2 ExactRules::halfway(int edge, int q) const {
+  return 0.5 * (Vec2(blocks_.corner.col(q)) + Vec2(blocks_.corner.col(edge)));
+}
+
+/// 2A of the corner is at most that of the centroid; of a block that is not convex at
+/// most half that of its deepest corner.
 bool ExactRules::within_depth(int corner, int edge) const {
-  const Point& g = centroid_[blocks_.corner_block[edge]];
-  return sign(cross(corner_[corner] - g, along(edge))) <= 0;
+  const int b = blocks_.corner_block[edge];
+  const auto above = [&](const Point& g) {
+    return sign(cross(corner_[corner] - g, along(edge))) <= 0;
+  };
+  if (blocks_.convex[b])
+    return above(centroid_[b]);
+  for (int q = blocks_.first_corner[b]; q < blocks_.first_corner[b + 1]; ++q)
+    if (q != edge && q != blocks_.next[edge] && above(lattice_(halfway(edge, q))))
+      return true;
+  return false;
 }
 
 /// (20): t.n >= -sin 10. With s = -t.n > 0 this is s <= sin 10, and below 30 degrees
@@ -86,18 +107,91 @@ bool ExactRules::faces(int corner, int neighbour, int edge) const {
   return 4 * d2 * rest * rest <= q * q * q;
 }
 
-bool ExactRules::inside(int corner, int block) const {
-  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
-    if (!near_or_inside(corner, e))
-      return false;
-  return true;
+ExactRules::Place ExactRules::place(int corner, int block) const {
+  if (!blocks_.convex[block])
+    return place_by_rays(corner, block);
+  Place place{true, -1};
+  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
+    if (near_or_inside(corner, e))
+      continue;
+    if (place.beyond >= 0)
+      return {};
+    place = {false, e};
+  }
+  return place;
 }
 
-/// Of a convex block the corner is known to be inside.
+/// Inside: a ray straight up leaves the block once more than it enters, or an edge is
+/// as near as the slack.
+ExactRules::Place ExactRules::place_by_rays(int corner, int block) const {
+  const Point& c = corner_[corner];
+  int crossings = 0;
+  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
+    const Point &p = corner_[e], &q = corner_[blocks_.next[e]];
+    const Whole slack = slack_.numerator * length2(e);
+    if (near_or_inside(corner, e) && between(corner, e) &&
+        sign(slack - (area2(corner, e) << slack_.shift)) >= 0)
+      return {true, -1};
+    if ((p.x > c.x) != (q.x > c.x))
+      // the edge is above: to the right is inside of a clockwise block
+      crossings +=
+          (q.x > p.x) ? (sign(area2(corner, e)) > 0) : -(sign(area2(corner, e)) < 0);
+  }
+  return {crossings != 0, -1};
+}
+
+bool ExactRules::turns_inwards(int corner) const {
+  return sign(cross(along(corner), along(blocks_.previous[corner]))) < 0;
+}
+
+/// 0: between the ends of the edge, -1: before the first, 1: beyond the second.
+int ExactRules::past(int corner, int edge) const {
+  if (between(corner, edge))
+    return 0;
+  return sign(dot(corner_[corner] - corner_[edge], along(edge))) < 0 ? -1 : 1;
+}
+
+/// The place along an edge of a block that is not convex, end by end.
+bool ExactRules::spans(int corner, int edge) const {
+  const int before = blocks_.previous[edge], after = blocks_.next[edge];
+  const int at = past(corner, edge);
+  const bool start = turns_inwards(edge) ? at >= 0 || past(corner, before) > 0
+                                         : near_or_inside(corner, before);
+  const bool end = turns_inwards(after) ? at <= 0 || past(corner, after) < 0
+                                        : near_or_inside(corner, after);
+  return start && end;
+}
+
+/// The other edge of a notch, where the corner is beyond the ends of both.
+int ExactRules::across_notch(int corner, int edge) const {
+  const int before = blocks_.previous[edge], after = blocks_.next[edge];
+  const int at = past(corner, edge);
+  if (at < 0 && turns_inwards(edge) && past(corner, before) > 0)
+    return before;
+  if (at > 0 && turns_inwards(after) && past(corner, after) < 0)
+    return after;
+  return -1;
+}
+
+/// The corner is beyond a neighbour f of the edge, and f and the side of the corner's
+/// block that is next to the face on the edge cross: each has one end on either side of
+/// the other.
+bool ExactRules::crosses(int corner, int edge, int beyond) const {
+  const bool after = beyond == blocks_.next[edge];
+  if (!after && beyond != blocks_.previous[edge])
+    return false;
+  const int vertex = after ? beyond : edge;
+  const int far = after ? blocks_.next[beyond] : beyond;
+  const int side = after ? blocks_.previous[corner] : corner;
+  const int own_far = after ? side : blocks_.next[corner];
+  return between(corner, edge) && near_or_inside(own_far, beyond) &&
+         near_or_inside(far, side) && !near_or_inside(vertex, side);
+}
+
 bool ExactRules::admits(int corner, int edge) const {
   return within_depth(corner, edge) &&
          (blocks_.convex[blocks_.corner_block[edge]] ||
-          (near_or_inside(corner, edge) && between(corner, edge))) &&
+          (near_or_inside(corner, edge) && spans(corner, edge))) &&
          faces(corner, blocks_.previous[corner], edge) &&
          faces(corner, blocks_.next[corner], edge);
 }
@@ -108,12 +202,13 @@ int ExactRules::compare_depth(int corner, int edge, int other) const {
 }
 
 /// Of edges equally deep the first in the order of the block comes first.
-ExactRules::Two ExactRules::nearest_edges(int corner, int block) const {
+ExactRules::Two ExactRules::nearest_edges(int corner, int block,
+                                          const Place& place) const {
   Two found;
-  if (blocks_.convex[block] && !inside(corner, block))
+  if (!place.inside && place.beyond < 0)
     return found;
   for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
-    if (!admits(corner, e))
+    if (!admits(corner, e) || (!place.inside && !crosses(corner, e, place.beyond)))
       continue;
     if (found.nearest < 0 || compare_depth(corner, e, found.nearest) < 0)
       found.next = found.nearest, found.nearest = e;
@@ -126,13 +221,21 @@ ExactRules::Two ExactRules::nearest_edges(int corner, int block) const {
 Decision ExactRules::decide(int corner, int block) const {
   Decision decision;
   decision.corner = corner, decision.block = block;
-  decision.inside = !blocks_.convex[block] || inside(corner, block);
-  const Two edges = nearest_edges(corner, block);
+  const Place where = place(corner, block);
+  const Two edges = nearest_edges(corner, block, where);
+  decision.inside = where.inside;
+  if (edges.nearest >= 0)
+    decision.crossed = where.beyond;
   decision.nearest = edges.nearest, decision.next = edges.next;
   if (edges.nearest < 0 || sign(area2(corner, edges.nearest)) <= 0)
     return decision;
   decision.acting = edges.nearest;
-  if (edges.next < 0)
+  if (!blocks_.convex[block]) {
+    const int other = across_notch(corner, edges.nearest);
+    if (other >= 0 && admits(corner, other) && sign(area2(corner, other)) > 0)
+      decision.notch = other;
+  }
+  if (edges.next < 0 || decision.notch >= 0)
     return decision;
   decision.as_well = edges.next;
   decision.shield = covered(corner, block, edges.nearest, edges.next);
@@ -163,18 +266,28 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   story.edge = edge;
   story.length = std::sqrt(value(length2(edge)));
   story.overlap = overlap(corner, edge);
-  story.depth_limit = value(cross(centroid_[block] - corner_[edge], e)) / story.length;
+  const auto depth = [&](const Point& p) {
+    return value(cross(p - corner_[edge], e)) / story.length;
+  };
+  if (blocks_.convex[block])
+    story.depth_limit = depth(centroid_[block]);
+  else
+    for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q)
+      story.depth_limit =
+          std::max(story.depth_limit, depth(lattice_(halfway(edge, q))));
   story.along = value(dot(from, e)) / value(dot(e, e));
   story.tangent_before = tangent(blocks_.previous[corner]);
   story.tangent_after = tangent(blocks_.next[corner]);
   story.overlap_sign = sign(area2(corner, edge));
   story.near_or_inside = near_or_inside(corner, edge);
   story.within_depth = within_depth(corner, edge);
-  story.between = between(corner, edge);
+  const Place where = place(corner, block);
+  story.between = blocks_.convex[block] ? between(corner, edge) : spans(corner, edge);
   story.facing_before = faces(corner, blocks_.previous[corner], edge);
   story.facing_after = faces(corner, blocks_.next[corner], edge);
   story.admissible =
-      (!blocks_.convex[block] || inside(corner, block)) && admits(corner, edge);
+      admits(corner, edge) &&
+      (where.inside || (where.beyond >= 0 && crosses(corner, edge, where.beyond)));
   return story;
 }
 
@@ -268,7 +381,7 @@ Shield ExactRules::partner_covered(int corner, const Two& edges) const {
   const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
   if (partner < 0)
     return {};
-  const Two its = nearest_edges(partner, own);
+  const Two its = nearest_edges(partner, own, place(partner, own));
   if (its.next < 0)
     return {};
   // of two edges the one whose direction is more opposed to e

@@ -19,13 +19,13 @@ struct EdgeStory {
   int edge = 0;              ///< its first corner
   double overlap = 0.0;      ///< [L] d of (19), positive inside
   double length = 0.0;       ///< [L] L
-  double depth_limit = 0.0;  ///< [L] depth of the block's centroid below the edge
+  double depth_limit = 0.0;  ///< [L] the most that the depth rule admits
   double along = 0.0;        ///< place along the edge, 0 to 1 between its corners
   double tangent_before = 0.0, tangent_after = 0.0;  ///< t.n of (20), -1 to 1
   int overlap_sign = 0;
-  bool near_or_inside = false;                       ///< d >= -eps L
-  bool within_depth = false;                         ///< d <= depth_limit
-  bool between = false;                              ///< -eps <= along <= 1 + eps
+  bool near_or_inside = false;  ///< d >= -eps L
+  bool within_depth = false;    ///< d <= depth_limit
+  bool between = false;         ///< -eps <= along <= 1 + eps, or in a notch beside it
   bool facing_before = false, facing_after = false;  ///< >= sin(-10 degrees)
   bool admissible = false;                           ///< all that are asked
 };
@@ -44,14 +44,18 @@ struct Shield {
 /// first corner, -1: none.
 struct Decision {
   int corner = 0, block = 0;
-  bool inside = false;  ///< the corner is inside the convex block, up to the slack
+  bool inside = false;  ///< the corner is inside the block, up to the slack
+  int crossed = -1;  ///< outside of this edge only, which a side of its block crosses
   int nearest = -1, next = -1;  ///< admissible edges with the least depths
   Shield shield;
   int acting = -1;
+  int notch = -1;    ///< acts as well: the other edge of a notch
   int as_well = -1;  ///< the other edge that may act when the shield says `either`
 
+  bool acts(int edge) const { return edge >= 0 && (edge == acting || edge == notch); }
   bool allows(int edge) const {
-    return edge == acting || (shield.answer == Answer::either && edge == as_well);
+    return edge == acting || acts(edge) ||
+           (shield.answer == Answer::either && edge == as_well);
   }
 };
 
@@ -68,7 +72,7 @@ class ExactRules {
   EdgeStory examine(int corner, int edge) const;
   /// Depth of a corner below an edge's line, [L].
   double overlap(int corner, int edge) const;
-  /// Whether the edge of a block may act on a corner that is inside, if it is convex.
+  /// Whether the edge of a block may act on a corner that is inside of the block.
   bool admits(int corner, int edge) const;
 
   /// Blocks that a corner is near to (blocks_near_corners).
@@ -79,6 +83,12 @@ class ExactRules {
   struct Two {
     int nearest = -1, next = -1;
   };
+  /// Where a corner is: inside of the block; outside of `beyond` only, if that is an
+  /// edge; or neither.
+  struct Place {
+    bool inside = false;
+    int beyond = -1;
+  };
   Point along(int edge) const;
   Whole length2(int edge) const;
   Whole area2(int corner, int edge) const;
@@ -86,9 +96,16 @@ class ExactRules {
   bool between(int corner, int edge) const;
   bool faces(int corner, int neighbour, int edge) const;
   bool within_depth(int corner, int edge) const;
-  bool inside(int corner, int block) const;
+  Place place(int corner, int block) const;
+  Place place_by_rays(int corner, int block) const;
+  Vec2 halfway(int edge, int q) const;
+  bool turns_inwards(int corner) const;
+  int past(int corner, int edge) const;
+  bool spans(int corner, int edge) const;
+  int across_notch(int corner, int edge) const;
+  bool crosses(int corner, int edge, int beyond) const;
   int compare_depth(int corner, int edge, int other) const;
-  Two nearest_edges(int corner, int block) const;
+  Two nearest_edges(int corner, int block, const Place& place) const;
 
   double reach_of(int block) const;
   double roundoff(int corner, int edge) const;

@@ -17,6 +17,9 @@ std::string headline(const ExactRules& rules, const Decision& decision) {
   std::string text = fmt::format(
       "{} at ({:.9g}, {:.9g}) against block {}: ", name_of(blocks, decision.corner),
       at.x(), at.y(), decision.block + 1);
+  if (decision.notch >= 0)
+    return text + fmt::format("edges {} and {} act", number(blocks, decision.acting),
+                              number(blocks, decision.notch));
   if (decision.acting >= 0)
     return text + fmt::format("edge {} acts", number(blocks, decision.acting));
   return text + "no contact";
@@ -88,11 +91,16 @@ std::string name_of(const Blocks& blocks, int corner) {
 std::string verdict(const ExactRules& rules, const Decision& decision,
                     const EdgeStory& edge) {
   const Blocks& blocks = rules.blocks();
+  if (edge.edge == decision.notch)
+    return "the other edge of the notch, acts";
+  if (edge.edge == decision.acting && decision.crossed >= 0)
+    return "a side of the corner's block crosses the next edge, acts";
   if (edge.edge == decision.acting)
     return edge.edge == decision.nearest ? "nearest of those admitted, acts"
                                          : "next nearest, acts";
   if (!decision.inside)
-    return "refused: the corner is outside the block";
+    return edge.edge == decision.nearest ? "nearest, but no overlap"
+                                         : "refused: the corner is outside the block";
   if (!blocks.convex[decision.block]) {
     if (!edge.near_or_inside)
       return "refused: the corner is outside of it";
@@ -100,7 +108,9 @@ std::string verdict(const ExactRules& rules, const Decision& decision,
       return "refused: the corner is not between its ends (slack 1e-6)";
   }
   if (!edge.within_depth)
-    return "refused: deeper than the centroid of the block";
+    return blocks.convex[decision.block]
+               ? "refused: deeper than the centroid of the block"
+               : "refused: deeper than half of the block's deepest corner";
   if (!edge.facing_before || !edge.facing_after)
     return "refused: " + faces_away(rules, decision.corner, edge);
   if (edge.edge == decision.nearest)
@@ -114,10 +124,11 @@ std::vector<std::string> story(const ExactRules& rules, const Decision& decision
   const int c = decision.corner, b = decision.block;
   std::vector<std::string> lines = {headline(rules, decision)};
   if (!decision.inside) {
-    lines.push_back(outside(rules, c, b));
-    return lines;
-  }
-  if (blocks.convex[b])
+    lines.push_back(blocks.convex[b] ? outside(rules, c, b)
+                                     : fmt::format("it is outside block {}", b + 1));
+    if (decision.crossed < 0)
+      return lines;
+  } else if (blocks.convex[b])
     lines.push_back(fmt::format(
         "it is inside block {}: behind all its edges, up to 1e-6 of their lengths",
         b + 1));

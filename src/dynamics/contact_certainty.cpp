@@ -46,29 +46,17 @@ double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i) 
   const int c = contacts.corner[i];
   const int block = contacts.edge_block[i];
   const EdgeView edge(blocks, c, contacts.edge[i]);
-  const double length = edge.length, slack = edge.slack();
   const Vec2 from_centroid = blocks.corner.col(c) - blocks.centroid.col(block);
   const double depth = geometry::cross(from_centroid, edge.along);
-  const double travel = std::min({sign_travel(-depth, length, from_centroid.norm()),
-                                  facing_travel(blocks, c, blocks.previous[c], edge),
-                                  facing_travel(blocks, c, blocks.next[c], edge)});
-  if (blocks.convex[block])
-    return travel;
-  const Vec2 to_second = edge.along - edge.from_first;
-  const double s = edge.from_first.dot(edge.along);
-  const double before = to_second.dot(edge.along);
-  return std::min({travel,
-                   sign_travel(edge.overlap_product() + slack, length, edge.distance),
-                   sign_travel(s + slack, length, edge.distance),
-                   sign_travel(before + slack, length, to_second.norm())});
+  return std::min({sign_travel(-depth, edge.length, from_centroid.norm()),
+                   facing_travel(blocks, c, blocks.previous[c], edge),
+                   facing_travel(blocks, c, blocks.next[c], edge)});
 }
 
 /// The corner stays inside the block for this travel, if positive.
-double inside_travel(const Blocks& blocks, int c, int edge, int block) {
+double inside_travel(const Blocks& blocks, int c, int edge) {
   const EdgeView acting(blocks, c, edge);
   double travel = sign_travel(acting.overlap_product(), acting.length, acting.distance);
-  if (!blocks.convex[block])
-    return travel;
   for (int e = blocks.next[edge]; e != edge; e = blocks.next[e]) {
     const EdgeView other(blocks, c, e);
     travel = std::min(travel, sign_travel(other.overlap_product() + other.slack(),
@@ -91,27 +79,67 @@ double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int 
   return travel > 1e-7 * (p.distance + q.distance) ? travel : 0.0;
 }
 
+/// The corner stays on its side of an edge, up to the slack: positive when inside.
+double side_travel(const Blocks& blocks, int corner, int edge) {
+  const EdgeView view(blocks, corner, edge);
+  return sign_travel(view.overlap_product() + view.slack(), view.length, view.distance);
+}
+
+/// The corner stays beyond an end of the edge: positive when between.
+double between_travel(const Blocks& blocks, int c, int edge) {
+  const EdgeView view(blocks, c, edge);
+  const Vec2 to_second = view.along - view.from_first;
+  return std::min(sign_travel(view.from_first.dot(view.along) + view.slack(),
+                              view.length, view.distance),
+                  sign_travel(to_second.dot(view.along) + view.slack(), view.length,
+                              to_second.norm()));
+}
+
+/// The edge beside `side`, of which alone the corner is outside, certainly does not act
+/// for the sake of a crossing (crossing_sides.hpp): one condition fails by this much.
+double no_crossing_travel(const Blocks& blocks, int c, int edge, bool after) {
+  const CrossingSides s(blocks, c, edge, after);
+  const EdgeView view(blocks, c, edge);
+  return std::max(
+      {side_travel(blocks, s.vertex, s.own), -side_travel(blocks, s.own_far, s.side),
+       -side_travel(blocks, s.vertex_far, s.own), -between_travel(blocks, c, edge),
+       -facing_travel(blocks, c, blocks.previous[c], view),
+       -facing_travel(blocks, c, blocks.next[c], view)});
+}
+
+/// The corner stays outside of the edge's line, if positive.
+double outside_travel(const Blocks& blocks, const Vec2& c, int edge) {
+  const Vec2 p = blocks.corner.col(edge);
+  const Vec2 along = Vec2(blocks.corner.col(blocks.next[edge])) - p;
+  const double square = along.squaredNorm();
+  const double outside = -geometry::cross(c - p, along);  // gap times L
+  // well clear of the slack of rules 10 and 12, and of round-off
+  if (outside <= 16.0 * geometry::contact_slack * square)
+    return 0.0;
+  const double length = std::sqrt(square), q = (c - p).dot(along) / square;
+  const double factor = 1.0 + std::abs(1.0 - q) + std::abs(q);
+  return std::min(0.75 * outside / (length * factor), 0.2 * length);
+}
+
 }  // namespace
 
 double travel_before_contact(const Blocks& blocks, int corner, int block) {
-  if (!blocks.convex[block])
-    return 0.0;
   const Vec2 c = blocks.corner.col(corner);
-  double travel = 0.0;
+  double most = 0.0, second = 0.0;
+  int side = -1;
   for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
-    const Vec2 p = blocks.corner.col(e);
-    const Vec2 along = Vec2(blocks.corner.col(blocks.next[e])) - p;
-    const double square = along.squaredNorm();
-    const double outside = -geometry::cross(c - p, along);  // gap times L
-    // well clear of the slack of rules 10 and 12, and of round-off
-    if (outside <= 16.0 * geometry::contact_slack * square)
-      continue;
-    const double length = std::sqrt(square), q = (c - p).dot(along) / square;
-    const double factor = 1.0 + std::abs(1.0 - q) + std::abs(q);
-    travel =
-        std::max(travel, std::min(0.75 * outside / (length * factor), 0.2 * length));
+    const double travel = outside_travel(blocks, c, e);
+    if (travel > most)
+      second = most, most = travel, side = e;
+    else
+      second = std::max(second, travel);
   }
-  return travel;
+  if (second == most)  // outside of two edges: nothing crosses
+    return most;
+  return std::max(
+      second,
+      std::min({most, no_crossing_travel(blocks, corner, blocks.previous[side], true),
+                no_crossing_travel(blocks, corner, blocks.next[side], false)}));
 }
 
 namespace {
@@ -123,19 +151,39 @@ double roundoff(const Blocks& blocks, int corner, int block) {
                     blocks.centroid.col(block).lpNorm<Eigen::Infinity>());
 }
 
+/// Relative motion that certainly passes before a corner outside of a block of any
+/// shape is as near to it as the slack, or 0. Every point of an edge moves by less than
+/// the farther of its ends.
+double travel_before_outline(const Blocks& blocks, int corner, int block) {
+  const Vec2 c = blocks.corner.col(corner);
+  if (ReentrantBlock<ExactRules>(blocks, block).holds(c))
+    return 0.0;
+  double nearest = std::numeric_limits<double>::max();
+  for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
+    const EdgeView view(blocks, corner, e);
+    const double square = view.length * view.length;
+    const double s = std::clamp(view.from_first.dot(view.along) / square, 0.0, 1.0);
+    nearest = std::min(nearest, 0.8 * (view.from_first - s * view.along).norm() -
+                                    16.0 * geometry::contact_slack * view.length);
+  }
+  return nearest;
+}
+
 double travel_of_rules(const Blocks& blocks, const Contacts& contacts,
                        const ContactGroup& group) {
   const int c = contacts.corner[group.first], block = group.edge_block;
   const int acting = group.acting;
+  if (!blocks.convex[block])
+    return acting < 0 ? travel_before_outline(blocks, c, block) : 0.0;
   if (acting < 0) {
     const double outside = travel_before_contact(blocks, c, block);
     if (outside > 0.0)
       return outside;
   }
-  double travel =
-      acting < 0 ? std::numeric_limits<double>::max()
-                 : std::min(admissible_travel(blocks, contacts, acting),
-                            inside_travel(blocks, c, contacts.edge[acting], block));
+  double travel = acting < 0
+                      ? std::numeric_limits<double>::max()
+                      : std::min(admissible_travel(blocks, contacts, acting),
+                                 inside_travel(blocks, c, contacts.edge[acting]));
   for (int i = group.first; i < group.last && travel > 0.0; ++i) {
     if (i == acting)
       continue;

@@ -7,7 +7,9 @@
 namespace blocks::dynamics {
 
 /// Relative motion that certainly passes before a corner now outside a convex block
-/// gets inside again, [L], or 0. Seen from the block's centroid, corners move by at
+/// gets inside again, or its side crosses the block's (crossing_sides.hpp), [L], or 0.
+/// Outside of two edges there is no crossing; outside of one while a condition of the
+/// crossing keeps its sign. Seen from the block's centroid, corners move by at
 /// most the relative motion u. The corner stands a gap g outside an edge's line,
 /// opposite to the point (1 - q) p1 + q p2 of that line, which moves by f = |1 - q| +
 /// |q| times u at most. While u (1 + f) <= 0.8 g and the edge turns by less than 0.4

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "dynamics/contact_groups.hpp"
+#include "dynamics/crossing_sides.hpp"
+#include "dynamics/reentrant_block.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "model/model.hpp"
 
@@ -15,14 +17,18 @@ namespace blocks::dynamics {
 /// has these members; c is a corner, p1 -> p2 an edge, laws and limits as in
 /// geometry/contact_predicates.hpp.
 struct ExactRules {
-  static constexpr bool whole_block = true;  ///< "between" of convex blocks as a whole
-  static constexpr bool shield = true;       ///< by a third block
-  static constexpr bool hands_over = true;   ///< springs (contact_handover)
+  static constexpr bool whole_block = true;      ///< "between" of blocks as a whole
+  static constexpr bool shield = true;           ///< by a third block
+  static constexpr bool hands_over = true;       ///< springs (contact_handover)
   static constexpr bool keeps_decisions = true;  ///< while certain (contact_certainty)
 
   /// (19)
   static int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::overlap_sign(c, p1, p2);
+  }
+  /// At the height of the edge, between its ends, up to the slack.
+  static bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+    return geometry::between(c, p1, p2);
   }
   /// Not outside of one edge, up to the slack.
   static bool inside_edge(const Vec2& c, const Vec2& p1, const Vec2& p2) {
@@ -65,7 +71,9 @@ template <class Rules> class ContactDecision {
   /// depth, if the corner is inside it (rule 12). Admissible: (20) holds for both
   /// tangents of the corner, the depth is at most that of the block's centroid (rule
   /// 9), and the corner is between the edge's ends (rule 10), which is asked of a
-  /// convex block as a whole: the corner is inside all its edges (docs/departures.md).
+  /// convex block as a whole: the corner is inside all its edges, or outside of one
+  /// that a side of its own block crosses (docs/departures.md). Blocks that are not
+  /// convex: ReentrantBlock.
   ///
   /// Where a third block shields the nearest edge the next nearest acts: near a closed
   /// joint a corner slides along the surface of both blocks and has not come through
@@ -82,9 +90,25 @@ template <class Rules> class ContactDecision {
         0)
       return -1;
     if constexpr (Rules::shield)
-      if (found.next >= 0 && (covered(group, found) || partner_covered(group, found)))
+      if (found.next >= 0 && notch_record(group, found.record) < 0 &&
+          (covered(group, found) || partner_covered(group, found)))
         return found.next;
     return found.record;
+  }
+
+  /// The record that acts as well, for the corner has to come out of a notch, or -1.
+  int notch_record(const ContactGroup& group, int acting) const {
+    if (acting < 0 || !reentrant(group.edge_block))
+      return -1;
+    const int c = contacts_.corner[group.first];
+    const int other = ReentrantBlock<Rules>(blocks_, group.edge_block)
+                          .across_notch(at(c), contacts_.edge[acting]);
+    if (other < 0 || Rules::overlap_sign(at(c), at(other), end(other)) <= 0)
+      return -1;
+    for (int i = group.first; i < group.last; ++i)
+      if (contacts_.edge[i] == other && admissible(c, other, group.edge_block))
+        return i;
+    return -1;
   }
 
  private:
@@ -99,8 +123,23 @@ template <class Rules> class ContactDecision {
   bool as_a_whole(int block) const {
     return Rules::whole_block && blocks_.convex[block];
   }
+  bool reentrant(int block) const {
+    return Rules::whole_block && !blocks_.convex[block];
+  }
 
-  /// Whether a point is inside the convex block, up to the slack.
+  /// Which edges of a convex block the point is outside of, up to the slack: the only
+  /// one, none or several.
+  static constexpr int none = -1, several = -2;
+  int outside_of(const Vec2& point, int block) const {
+    int out = none;
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      if (!Rules::inside_edge(point, at(e), end(e))) {
+        if (out != none)
+          return several;
+        out = e;
+      }
+    return out;
+  }
   bool inside(const Vec2& point, int block) const {
     for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
       if (!Rules::inside_edge(point, at(e), end(e)))
@@ -108,16 +147,36 @@ template <class Rules> class ContactDecision {
     return true;
   }
 
-  /// Rules 9, 10, 12 and (20) for one record. Of a block taken as a whole, the corner
-  /// is known to be inside.
+  /// (20) for both tangents.
+  bool faces(int c, int edge) const {
+    const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
+    return Rules::faces_edge(corner, at(blocks_.previous[c]), p1, p2) &&
+           Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
+  }
+  /// Rules 9, 10 and (20) for one record; of a block taken as a whole, the corner is
+  /// known to be inside.
   bool admissible(int c, int edge, int edge_block) const {
     const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
     const Vec2 centroid = blocks_.centroid.col(edge_block);
+    if (reentrant(edge_block)) {
+      const ReentrantBlock<Rules> block(blocks_, edge_block);
+      return Rules::inside_edge(corner, p1, p2) && block.spans(corner, edge) &&
+             block.within_depth(corner, edge) && faces(c, edge);
+    }
     return (as_a_whole(edge_block)
                 ? Rules::within_depth(corner, centroid, p1, p2)
                 : Rules::in_reach_of_edge(corner, centroid, p1, p2)) &&
-           Rules::faces_edge(corner, at(blocks_.previous[c]), p1, p2) &&
-           Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
+           faces(c, edge);
+  }
+
+  /// Whether an edge acts on a corner that is outside of nothing but one of its
+  /// neighbours, which a side of the corner's block crosses.
+  bool acts_beside_crossing(int c, int edge, int out) const {
+    if (out != blocks_.next[edge] && out != blocks_.previous[edge])
+      return false;
+    return Rules::between(at(c), at(edge), end(edge)) &&
+           admissible(c, edge, blocks_.corner_block[edge]) &&
+           sides_cross<Rules>(blocks_, {blocks_, c, edge, out == blocks_.next[edge]});
   }
 
   bool nearer(int c, int edge, int other) const {
@@ -127,13 +186,19 @@ template <class Rules> class ContactDecision {
   Nearest nearest_edges(const ContactGroup& group) const {
     const int c = contacts_.corner[group.first], block = group.edge_block;
     Nearest found;
-    if (as_a_whole(block) && !inside(at(c), block))
+    int out = none;
+    if (as_a_whole(block))
+      out = outside_of(at(c), block);
+    else if (reentrant(block) && !ReentrantBlock<Rules>(blocks_, block).holds(at(c)))
+      out = several;
+    if (out == several)
       return found;
     const auto precedes = [&](int i, int other) {
       return other < 0 || nearer(c, contacts_.edge[i], contacts_.edge[other]);
     };
     for (int i = group.first; i < group.last; ++i) {
-      if (!admissible(c, contacts_.edge[i], block))
+      const int e = contacts_.edge[i];
+      if (out == none ? !admissible(c, e, block) : !acts_beside_crossing(c, e, out))
         continue;
       if (precedes(i, found.record))
         found.next = found.record, found.record = i;
@@ -192,7 +257,7 @@ template <class Rules> class ContactDecision {
   const ContactGroups& groups_;
 };
 
-/// ContactDecision by the exact rules, compiled once.
+/// ContactDecision<ExactRules>::acting_record, compiled once.
 int acting_record(const Blocks& blocks, const Contacts& contacts,
                   const ContactGroups& groups, const ContactGroup& group);
 

@@ -19,8 +19,14 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts,
     group.first = first, group.last = last;
     group.corner_block = contacts.corner_block[first];
     group.edge_block = contacts.edge_block[first];
+    group.reentrant = !each_alone && !blocks.convex[group.edge_block];
     groups.all.push_back(group);
     ++groups.first_of_corner[contacts.corner[first] + 1];
+    if (group.reentrant) {
+      group.reentrant = false, group.of_notch = true;
+      groups.all.push_back(group);
+      ++groups.first_of_corner[contacts.corner[first] + 1];
+    }
   }
   std::partial_sum(groups.first_of_corner.begin(), groups.first_of_corner.end(),
                    groups.first_of_corner.begin());

@@ -15,6 +15,9 @@ struct ContactGroup {
   int first = 0, last = 0;
   int corner_block = 0, edge_block = 0;
   int acting = -1;  ///< the record that acts, -1: none, as last decided
+  /// The edges' block is not convex: the group after this one holds the same records,
+  /// for the second edge of a notch.
+  bool reentrant = false, of_notch = false;
   /// The decision stands while the blocks have moved against each other by less than
   /// `certain` [L] (0: decide now) since they had this offset and had swung by this.
   double certain = 0.0;

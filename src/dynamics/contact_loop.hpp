@@ -32,13 +32,17 @@ inline void release(Contacts& contacts, int i) {
   contacts.overlap[i] = 0.0;
 }
 
-/// Which record of group g acts, and for how long that is certain.
+/// Which record of group g acts, or which two, and for how long that is certain.
 template <class Rules>
 void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g) {
   ContactGroup& group = groups.all[g];
-  group.acting = ContactDecision<Rules>(blocks, contacts, groups).acting_record(group);
+  const ContactDecision<Rules> decision(blocks, contacts, groups);
+  group.acting = decision.acting_record(group);
+  int other = -1;
+  if (group.reentrant)
+    other = groups.all[g + 1].acting = decision.notch_record(group, group.acting);
   for (int i = group.first; i < group.last; ++i)
-    if (i != group.acting && contacts.active[i]) {
+    if (i != group.acting && i != other && contacts.active[i]) {
       if (contacts.normal_elastic[i] > 0.0)
         groups.lost.push_back(
             {g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
@@ -117,8 +121,9 @@ Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
   for (int g = 0; g < static_cast<int>(groups.all.size()); ++g) {
     ContactGroup& group = groups.all[g];
     // the other way round a NaN would let a decision stand
-    if (!Rules::keeps_decisions ||
-        !(relative_motion(blocks, groups.swing, group) < group.certain))
+    if (!group.of_notch &&  // decided with the one before
+        (!Rules::keeps_decisions ||
+         !(relative_motion(blocks, groups.swing, group) < group.certain)))
       detail::decide<Rules>(blocks, contacts, groups, g);
     if (group.acting >= 0)
       detail::measure(blocks, contacts, group);

@@ -12,22 +12,33 @@ namespace {
 /// The edges of block b that could act on corner c.
 void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
   const Vec2 corner = blocks.corner.col(c);
-  const int other = blocks.corner_block[c];
-  const bool convex = blocks.convex[b];
+  const int other = blocks.corner_block[c], first = blocks.first_corner[b];
+  const int count = static_cast<int>(buffers.reach.size());
+  const auto add = [&](int e) {
+    buffers.found.push_back({std::min(b, other), std::max(b, other), c, first + e});
+  };
+  int outside = 0, side = 0;
   const std::size_t before = buffers.found.size();
-  for (std::size_t e = 0; e < buffers.reach.size(); ++e) {
+  for (int e = 0; e < count; ++e) {
     const Reach& reach = buffers.reach[e];
     const double overlap = reach.overlap(corner);
-    const bool outside = overlap < -reach.near;
-    if (outside && convex) {  // of one edge is outside of the block
-      buffers.found.resize(before);
-      return;
-    }
-    if (!outside && overlap <= reach.depth + reach.near &&
-        (convex || reach.between(corner)))
-      buffers.found.push_back({std::min(b, other), std::max(b, other), c,
-                               blocks.first_corner[b] + static_cast<int>(e)});
+    if (overlap < -reach.near)
+      ++outside, side = e;
+    else if (overlap <= reach.depth + reach.near)
+      add(e);
   }
+  if (!blocks.convex[b] || outside == 0)
+    return;
+  // outside of one edge is outside of the block: there is but a crossing of sides
+  std::size_t kept = before;
+  if (outside == 1)
+    for (std::size_t i = before; i < buffers.found.size(); ++i) {
+      const int e = buffers.found[i].edge - first;
+      const bool beside = (e + 1) % count == side || (side + 1) % count == e;
+      if (beside && buffers.reach[e].between(corner))
+        buffers.found[kept++] = buffers.found[i];
+    }
+  buffers.found.resize(kept);
 }
 
 void find_near_corners(const Model& model, SearchBuffers& buffers) {

@@ -1,6 +1,7 @@
 // Finds the corners that are close enough to an edge (UPDAT, report 3.2, rule 13).
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "dynamics/box_grid.hpp"
@@ -15,7 +16,7 @@ namespace blocks::dynamics {
 /// that much more.
 struct Reach {
   Vec2 origin, along;    ///< first corner; unit vector along the edge
-  double length, depth;  ///< [L] of the edge; to the centroid
+  double length, depth;  ///< [L] of the edge; the most that rule 9 admits
   double near;  ///< [L] 2 CTOL, the shield's reach, the slack of rules 10 and 12
 
   Reach(const Blocks& blocks, int b, int edge, double travel)
@@ -23,7 +24,13 @@ struct Reach {
     const Vec2 e = Vec2(blocks.corner.col(blocks.next[edge])) - origin;
     length = e.norm();
     along = e / length;
-    depth = geometry::cross(Vec2(blocks.centroid.col(b)) - origin, along);
+    if (blocks.convex[b]) {
+      depth = overlap(blocks.centroid.col(b));
+    } else {
+      depth = 0.0;
+      for (int q = blocks.first_corner[b]; q < blocks.first_corner[b + 1]; ++q)
+        depth = std::max(depth, 0.5 * overlap(blocks.corner.col(q)));
+    }
     near = travel + geometry::contact_slack * length;
   }
   /// Overlap with the edge's line, [L].

@@ -11,6 +11,22 @@ Vec2 extent(const Blocks& blocks, int b) {
   return arms.rowwise().maxCoeff() - arms.rowwise().minCoeff();
 }
 
+double least_width(const Blocks& blocks, int b) {
+  const auto arms = blocks.arm.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  const int n = static_cast<int>(arms.cols());
+  // flush with a side of the convex hull, which joins two corners
+  const int reach = blocks.convex[b] ? 1 : n - 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < n; ++i)
+    for (int k = 1; k <= reach; ++k) {
+      const Vec2 along = (arms.col((i + k) % n) - arms.col(i)).normalized();
+      const Vec2 normal(-along.y(), along.x());
+      const Eigen::VectorXd across = arms.transpose() * normal;
+      least = std::min(least, across.maxCoeff() - across.minCoeff());
+    }
+  return least;
+}
+
 double safe_fraction(double damping, int contacts) {
   const double n = contacts;
   return (std::sqrt(1.0 + 3.0 * n * damping * damping) - damping * std::sqrt(3.0 * n)) /
@@ -35,8 +51,8 @@ TimeStep choose_time_step(const Model& model) {
     if (!blocks.is_free(b))
       continue;
     const Material& material = settings.materials.at(blocks.material[b]);
-    const double dt = 0.5 * extent(blocks, b).minCoeff() *
-                      std::sqrt(material.density / material.c11());
+    const double dt =
+        0.5 * least_width(blocks, b) * std::sqrt(material.density / material.c11());
     if (dt < best.dt)
       best = {dt, b, blocks.size(), true};
   }

@@ -6,7 +6,8 @@
 namespace blocks::dynamics {
 
 /// The step that (4), FRACTION and deformability allow, and which block set it.
-/// Deformable: at most half the smallest l_j sqrt(rho / C11) over the free blocks.
+/// Deformable: at most half the smallest l sqrt(rho / C11) over the free blocks, l the
+/// least extent that a block can have, however it turns.
 TimeStep choose_time_step(const Model& model);
 
 /// Largest fraction of (4) at which a block with `contacts` contacts comes to rest
@@ -15,5 +16,9 @@ double safe_fraction(double damping, int contacts = 8);
 
 /// Extents of the current corners of block b along x and y, l_1 and l_2 of (11), [L].
 Vec2 extent(const Blocks& blocks, int b);
+
+/// Least distance of two parallel lines that hold the current corners of block b
+/// between them, [L].
+double least_width(const Blocks& blocks, int b);
 
 }  // namespace blocks::dynamics

@@ -104,30 +104,11 @@ bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where
     outline = geometry::reversed(outline);
   }
   if (!check.convex && !warned)
-    warn_not_convex(outline, where, what);
+    warning(where, fmt::format("{} is not convex", what),
+            "contacts are decided faster between convex blocks: consider cutting it in "
+            "two");
   warned = warned || check.anticlockwise || !check.convex;
   return true;
-}
-
-void BlockBuilder::warn_not_convex(const geometry::Polygon& outline,
-                                   deck::SourceLocation where,
-                                   const std::string& what) {
-  // Rule 9: no deeper than the centroid, which may lie in front of a side here.
-  const Vec2 centroid = geometry::section_properties(outline).centroid;
-  std::string open;
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    if (geometry::overlap_sign(centroid, outline[i],
-                               outline[(i + 1) % outline.size()]) <= 0)
-      open += fmt::format("{}{}", open.empty() ? "" : ", ", i + 1);
-  if (open.empty())
-    warning(where, fmt::format("{} is not convex", what),
-            "contacts are surest between convex blocks: consider cutting it in two");
-  else
-    warning(where,
-            fmt::format("{} is not convex: no corner is stopped by side {}, which has "
-                        "the block's centroid in front of it",
-                        what, open),
-            "cut it into convex blocks");
 }
 
 void BlockBuilder::append(const std::vector<NewBlock>& blocks) {

@@ -47,9 +47,6 @@ class BlockBuilder {
   /// `warned` is set once a warning was given, which is then not repeated.
   bool accept(geometry::Polygon& outline, deck::SourceLocation where,
               const std::string& what, bool& warned);
-  /// Names the sides that rule 9 leaves without effect.
-  void warn_not_convex(const geometry::Polygon& outline, deck::SourceLocation where,
-                       const std::string& what);
   /// Puts the corners of a layer in order, or refuses them.
   bool orient_corners(const deck::Layer& card, geometry::LayerRequest& request);
   void record(const geometry::Layer& cut, int number);

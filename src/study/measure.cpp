@@ -66,9 +66,15 @@ class ExactJudge {
     acting_.clear();
     const dynamics::ContactDecision<dynamics::ExactRules> decision(
         model.blocks, shadow_.contacts, buffers_.groups);
-    for (const dynamics::ContactGroup& group : buffers_.groups.all)
-      if (const int i = decision.acting_record(group); i >= 0)
-        acting_.push_back(key(shadow_.contacts, i));
+    for (const dynamics::ContactGroup& group : buffers_.groups.all) {
+      if (group.of_notch)  // with the group before
+        continue;
+      const int i = decision.acting_record(group);
+      for (const int record : {i, decision.notch_record(group, i)})
+        if (record >= 0)
+          acting_.push_back(key(shadow_.contacts, record));
+    }
+    std::sort(acting_.begin(), acting_.end());
   }
 
   /// Compares with the contacts that acted in the step from there.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "audit/moments.hpp"
+#include "audit/words.hpp"
 
 namespace blocks {
 namespace {
@@ -28,7 +29,8 @@ TEST(Audit, RubbleIsClean) {
       }
       const AuditedStep step(scene);
       const Findings found = step.audit(scene);
-      ASSERT_TRUE(found.missed.empty()) << seed << " step " << i;
+      ASSERT_TRUE(found.missed.empty()) << seed << " step " << i << ": "
+                                        << tell(scene.model.blocks, found.missed[0]);
       ASSERT_TRUE(found.wrong.empty()) << seed << " step " << i;
       acting += found.acting, records += found.records;
     }

@@ -27,8 +27,8 @@ inline audit::Findings audited_step(scenes::Scene& scene) {
   return AuditedStep(scene).audit(scene);
 }
 
-/// Regular and squeezed polygons of 3 to 7 corners, clockwise, dropped between walls;
-/// the floor is made of boxes side by side.
+/// Regular and squeezed polygons of 3 to 7 corners, clockwise, and stars, dropped
+/// between walls; the floor is made of boxes side by side.
 inline scenes::Scene rubble(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&](double a, double b) {
@@ -50,9 +50,10 @@ inline scenes::Scene rubble(std::uint64_t seed) {
       geometry::Polygon corners;
       for (int k = 0; k < n; ++k) {
         const double angle = -6.283185307179586 * (k + uniform(-0.3, 0.3)) / n;
+        const double radius = n > 4 && seed % 4 > 1 && k % 2 == 1 ? 0.3 : 0.6;
         corners.push_back(Vec2(-2.8 + 1.4 * i, 0.7 + 1.3 * row) +
                           scenes::Frame{turn, Vec2::Zero()}.turn(
-                              0.6 * Vec2(std::cos(angle), squeeze * std::sin(angle))));
+                              radius * Vec2(std::cos(angle), squeeze * std::sin(angle))));
       }
       scene.add(corners);
     }

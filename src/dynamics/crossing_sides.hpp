@@ -1,0 +1,40 @@
+// Blocks on top of each other whose sides cross, so that neither corner of the common
+// face lies in the other block (docs/departures.md#crossing-sides). A template over the
+// rules of the decision, as in contact_decision.hpp.
+#pragma once
+
+#include "geometry/vec2.hpp"
+#include "model/blocks.hpp"
+
+namespace blocks::dynamics {
+
+/// Corner c has passed the side f of a convex block, next to the edge that it is
+/// behind; their common corner v has passed the side g of the block of c.
+struct CrossingSides {
+  int side;        ///< f, an edge of the block hit
+  int vertex;      ///< v, a corner of it
+  int vertex_far;  ///< the other end of f
+  int own;         ///< g, an edge of the block of c
+  int own_far;     ///< the end of g that is not c
+
+  /// For the side before or after the edge.
+  CrossingSides(const Blocks& blocks, int c, int edge, bool after)
+      : side(after ? blocks.next[edge] : blocks.previous[edge]),
+        vertex(after ? blocks.next[edge] : edge),
+        vertex_far(after ? blocks.next[side] : side),
+        own(after ? blocks.previous[c] : c),
+        own_far(after ? blocks.previous[c] : blocks.next[c]) {}
+};
+
+/// Whether f and g cross between v and c, c being outside of f: of a slanted joint that
+/// is closed they do not, c and v pass on the same side.
+template <class Rules> bool sides_cross(const Blocks& blocks, const CrossingSides& s) {
+  const auto inside = [&](int point, int edge) {
+    return Rules::inside_edge(blocks.corner.col(point), blocks.corner.col(edge),
+                              blocks.corner.col(blocks.next[edge]));
+  };
+  return !inside(s.vertex, s.own) && inside(s.own_far, s.side) &&
+         inside(s.vertex_far, s.own);
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,99 @@
+// Blocks that are not convex: every side carries, and a notch holds what lies in it.
+#include <gtest/gtest.h>
+
+#include "scenes/scene.hpp"
+
+namespace blocks {
+namespace {
+
+using scenes::Frame;
+using scenes::random_frames;
+using scenes::Scene;
+
+Scene quiet_scene(const Frame& frame) {
+  Scene scene(frame);
+  scene.model.settings.damping = 0.5;
+  scene.model.settings.friction = 0.5;
+  return scene;
+}
+
+double deepest(const Model& model) {
+  return model.contacts.size() == 0 ? 0.0 : model.contacts.overlap.maxCoeff();
+}
+
+// The centroid of an L lies in front of its inner sides, that of a U in its hollow: by
+// the depth of the centroid they would stop nothing.
+TEST(ReentrantBlock, InnerSidesCarry) {
+  for (const Frame& frame : random_frames(8)) {
+    Scene scene = quiet_scene(frame);
+    scene.add({{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}}, true);
+    scene.add({{5, 0}, {5, 3}, {6, 3}, {6, 1}, {8, 1}, {8, 3}, {9, 3}, {9, 0}}, true);
+    const int on_l = scene.box(1.5, 1.02, 1, 1), in_u = scene.box(6.5, 1.02, 1, 1);
+    scene.gravity(0, -10);
+    scene.run(2.0);
+    for (const int b : {on_l, in_u}) {
+      const double sunk =
+          scene.weight(b) / (2.0 * scene.model.settings.normal_stiffness);
+      EXPECT_NEAR(scene.centroid(b).y(), 1.5 - sunk, 1e-5);
+      EXPECT_LT(scene.velocity(b).norm(), 1e-4);
+    }
+  }
+}
+
+// A box pressed into the corner of an L: its own corner is beyond the ends of both
+// inner sides, and both carry it. W / 2Kn below, and as much beside under the same
+// pull.
+TEST(ReentrantBlock, NotchHoldsACorner) {
+  for (const Frame& frame : random_frames(8)) {
+    Scene scene = quiet_scene(frame);
+    scene.model.settings.friction = 0.0;
+    scene.add({{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}}, true);
+    const int box = scene.box(1, 1, 1, 1);
+    scene.gravity(-10, -10);
+    scene.run(2.0);
+    const double sunk = scene.model.blocks.mass[box] * 10.0 /
+                        (2.0 * scene.model.settings.normal_stiffness);
+    EXPECT_NEAR(scene.centroid(box).x(), 1.5 - sunk, 1e-6);
+    EXPECT_NEAR(scene.centroid(box).y(), 1.5 - sunk, 1e-6);
+    EXPECT_LT(std::abs(scene.model.blocks.spin[box]), 1e-6);
+    EXPECT_NEAR(deepest(scene.model), sunk, 1e-6);
+  }
+}
+
+// Out of the hollow of a U and past its rim nothing holds: a corner near one leg is no
+// contact of the other, though it is behind the line of its outer side.
+TEST(ReentrantBlock, HollowIsEmpty) {
+  for (const Frame& frame : random_frames(8)) {
+    Scene scene = quiet_scene(frame);
+    scene.add({{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 3}, {4, 3}, {4, 0}}, true);
+    const int box = scene.box(1.05, 1.5, 1.9, 1);
+    scene.velocity(box, 0, 1.0);
+    scene.run(3.0);
+    EXPECT_NEAR(scene.centroid(box).y(), 5.0, 0.01);
+    EXPECT_EQ(scene.model.worst_overlap, 0.0);
+  }
+}
+
+// Two stones whose slanted sides cross: neither corner of the common face is in the
+// other stone, and the upper one is carried all the same, by W / 2Kn as on any face.
+TEST(CrossingSides, CarryAStone) {
+  for (const Frame& frame : random_frames(8))
+    for (const double shift : {-3e-5, 3e-5}) {
+      Scene scene = quiet_scene(frame);
+      scene.model.settings.normal_stiffness = 1e6;
+      // sides that lean outwards at the common face, so that each corner is undercut
+      scene.add({{-0.7, -2}, {-1, 0}, {1, 0}, {0.7, -2}}, true);
+      const int stone =
+          scene.add({{-1 + shift, 0}, {-0.7, 2}, {0.7, 2}, {1 + shift, 0}});
+      scene.gravity(0, -10);
+      scene.run(2.0);
+      const double sunk =
+          scene.weight(stone) / (2.0 * scene.model.settings.normal_stiffness);
+      EXPECT_NEAR(deepest(scene.model), sunk, 1e-3 * sunk);
+      EXPECT_LT(std::abs(scene.model.blocks.spin[stone]), 1e-5);
+      EXPECT_LT(scene.velocity(stone).norm(), 1e-4);
+    }
+}
+
+}  // namespace
+}  // namespace blocks
