@@ -27,7 +27,7 @@ struct EdgeView {
 /// its sign; has that sign. Zero where round-off could matter.
 inline double sign_travel(double product, double r, double s) {
   const double sum = r + s, travel = product / (1.5 * sum);
-  return std::abs(travel) > 1e-7 * sum ? travel : 0.0;
+  return std::abs(travel) > 1e-9 * sum ? travel : 0.0;
 }
 
 /// Of (20) for one of the corner's own edges.
@@ -53,18 +53,6 @@ double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i) 
                    facing_travel(blocks, c, blocks.next[c], edge)});
 }
 
-/// The corner stays inside the block for this travel, if positive.
-double inside_travel(const Blocks& blocks, int c, int edge) {
-  const EdgeView acting(blocks, c, edge);
-  double travel = sign_travel(acting.overlap_product(), acting.length, acting.distance);
-  for (int e = blocks.next[edge]; e != edge; e = blocks.next[e]) {
-    const EdgeView other(blocks, c, e);
-    travel = std::min(travel, sign_travel(other.overlap_product() + other.slack(),
-                                          other.length, other.distance));
-  }
-  return travel;
-}
-
 /// The corner stays deeper below the edge of record i than below that of record j, and
 /// too deep for a shield.
 double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int j) {
@@ -76,7 +64,7 @@ double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int 
                depth - 2.0 * shield_reach(blocks, contacts.edge_block[i]));
   const double growth = 2.0 * (1.0 + p.distance / p.length + q.distance / q.length);
   const double travel = 0.8 * lead / growth;
-  return travel > 1e-7 * (p.distance + q.distance) ? travel : 0.0;
+  return travel > 1e-9 * (p.distance + q.distance) ? travel : 0.0;
 }
 
 /// The corner stays on its side of an edge, up to the slack: positive when inside.
@@ -105,6 +93,12 @@ double no_crossing_travel(const Blocks& blocks, int c, int edge, bool after) {
        -side_travel(blocks, s.vertex_far, s.own), -between_travel(blocks, c, edge),
        -facing_travel(blocks, c, blocks.previous[c], view),
        -facing_travel(blocks, c, blocks.next[c], view)});
+}
+
+/// The same for both neighbours of `side`.
+double no_crossing_beside(const Blocks& blocks, int c, int side) {
+  return std::min(no_crossing_travel(blocks, c, blocks.previous[side], true),
+                  no_crossing_travel(blocks, c, blocks.next[side], false));
 }
 
 /// The corner stays outside of the edge's line, if positive.
@@ -136,10 +130,7 @@ double travel_before_contact(const Blocks& blocks, int corner, int block) {
   }
   if (second == most)  // outside of two edges: nothing crosses
     return most;
-  return std::max(
-      second,
-      std::min({most, no_crossing_travel(blocks, corner, blocks.previous[side], true),
-                no_crossing_travel(blocks, corner, blocks.next[side], false)}));
+  return std::max(second, std::min(most, no_crossing_beside(blocks, corner, side)));
 }
 
 namespace {
@@ -169,39 +160,71 @@ double travel_before_outline(const Blocks& blocks, int corner, int block) {
   return nearest;
 }
 
-double travel_of_rules(const Blocks& blocks, const Contacts& contacts,
-                       const ContactGroup& group) {
-  const int c = contacts.corner[group.first], block = group.edge_block;
-  const int acting = group.acting;
-  if (!blocks.convex[block])
-    return acting < 0 ? travel_before_outline(blocks, c, block) : 0.0;
-  if (acting < 0) {
-    const double outside = travel_before_contact(blocks, c, block);
-    if (outside > 0.0)
-      return outside;
-  }
-  double travel = acting < 0
-                      ? std::numeric_limits<double>::max()
-                      : std::min(admissible_travel(blocks, contacts, acting),
-                                 inside_travel(blocks, c, contacts.edge[acting]));
-  for (int i = group.first; i < group.last && travel > 0.0; ++i) {
-    if (i == acting)
+/// Relative motion during which record i acts if its corner is inside its edge, and
+/// nothing else does. Of a convex block.
+double candidate_travel(const Blocks& blocks, const Contacts& contacts,
+                        const ContactGroup& group, int i) {
+  const int c = contacts.corner[i], edge = contacts.edge[i];
+  double travel = admissible_travel(blocks, contacts, i);
+  for (int e = blocks.next[edge]; e != edge && travel > 0.0; e = blocks.next[e])
+    travel = std::min(travel, side_travel(blocks, c, e));
+  for (int j = group.first; j < group.last && travel > 0.0; ++j) {
+    if (j == i)
       continue;
-    double unchanged = -admissible_travel(blocks, contacts, i);
-    if (acting >= 0 && unchanged < travel)
-      unchanged = std::max(unchanged, deeper_travel(blocks, contacts, i, acting));
-    travel = std::min(travel, unchanged);
+    double others = -admissible_travel(blocks, contacts, j);
+    if (others < travel)
+      others = std::max(others, deeper_travel(blocks, contacts, j, i));
+    travel = std::min(travel, others);
   }
+  if (travel <= 0.0)
+    return 0.0;
+  // outside of this edge only, it could be a crossing
+  const double inside = side_travel(blocks, c, edge);
+  return inside >= travel
+             ? travel
+             : std::min(travel, std::max(inside, no_crossing_beside(blocks, c, edge)));
+}
+
+/// The same for no record at all.
+double idle_travel(const Blocks& blocks, const Contacts& contacts,
+                   const ContactGroup& group) {
+  const double outside =
+      travel_before_contact(blocks, contacts.corner[group.first], group.edge_block);
+  if (outside > 0.0)
+    return outside;
+  double travel = std::numeric_limits<double>::max();
+  for (int i = group.first; i < group.last && travel > 0.0; ++i)
+    travel = std::min(travel, -admissible_travel(blocks, contacts, i));
   return travel;
+}
+
+Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
+                             const ContactGroup& group) {
+  const int block = group.edge_block;
+  if (!blocks.convex[block])
+    return {-1, group.acting < 0
+                    ? travel_before_outline(blocks, contacts.corner[group.first], block)
+                    : 0.0};
+  Certainty best;
+  if (group.acting < 0)
+    best.travel = std::max(idle_travel(blocks, contacts, group), 0.0);
+  for (int i = group.first; i < group.last; ++i) {
+    if (group.acting >= 0 && i != group.acting)
+      continue;
+    const double travel = candidate_travel(blocks, contacts, group, i);
+    if (travel > best.travel)
+      best = {i, travel};
+  }
+  return best;
 }
 
 }  // namespace
 
-double certain_travel(const Blocks& blocks, const Contacts& contacts,
-                      const ContactGroup& group) {
-  const double travel = travel_of_rules(blocks, contacts, group);
-  return std::max(
-      travel - roundoff(blocks, contacts.corner[group.first], group.edge_block), 0.0);
+Certainty certainty(const Blocks& blocks, const Contacts& contacts,
+                    const ContactGroup& group) {
+  Certainty known = certainty_of_rules(blocks, contacts, group);
+  known.travel -= roundoff(blocks, contacts.corner[group.first], group.edge_block);
+  return known.travel > 0.0 ? known : Certainty{};
 }
 
 }  // namespace blocks::dynamics

@@ -16,9 +16,8 @@ namespace blocks::dynamics {
 /// rad (u <= 0.2 L), the corner stays outside by more than the slack.
 double travel_before_contact(const Blocks& blocks, int corner, int block);
 
-/// Relative motion during which deciding the group again certainly gives the same
-/// acting record (or none, -1), [L], or 0 where the decision hangs by little. Sound, so
-/// that results do not depend on it:
+/// What certainly stands when the group is decided again, group.acting being right now.
+/// Sound, so that results do not depend on it:
 ///
 /// - Differences of two points change by the relative motion u at most, so a product
 ///   (scalar or vector) of two differences of lengths r and s changes by u (r + s) +
@@ -26,12 +25,13 @@ double travel_before_contact(const Blocks& blocks, int corner, int block);
 ///   s)), with a fifth of it to spare for the slack and round-off.
 /// - A depth below an edge of length L changes by u + 2 u w / L at most, w the distance
 ///   from the edge's first corner.
-/// - The acting record stays admissible and penetrated; every other one stays
-///   inadmissible, or deeper and too deep for a shield, for a third block moves as it
-///   likes. Without an acting record all stay inadmissible, or the corner stays
-///   outside.
+/// - A candidate stays admissible, its corner inside the other edges of the block, and
+///   every other record inadmissible, or deeper and too deep for a shield, for a third
+///   block moves as it likes. Then nothing but the sign of its overlap is open, whether
+///   the corner is inside its edge, in the slack, or beyond (where no side may cross).
+/// - Without a candidate all stay inadmissible, or the corner stays outside.
 /// - Corners are stored rounded: what that may add to the motion is taken off.
-double certain_travel(const Blocks& blocks, const Contacts& contacts,
-                      const ContactGroup& group);
+Certainty certainty(const Blocks& blocks, const Contacts& contacts,
+                    const ContactGroup& group);
 
 }  // namespace blocks::dynamics

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/applied_force.hpp"
 #include "dynamics/contact_loop.hpp"
 #include "dynamics/contact_search.hpp"
 #include "geometry/contact_predicates.hpp"

@@ -1,5 +1,5 @@
 // Records of one corner against the edges of one block, which are decided together
-// (rule 12), and for how long such a decision stands.
+// (rule 12), the pairs of blocks they belong to, and for how long decisions stand.
 #pragma once
 
 #include <cmath>
@@ -9,24 +9,82 @@
 
 namespace blocks::dynamics {
 
-/// Records first .. last - 1 of the contact list. Working state: not part of the model,
-/// and without influence on results.
+/// How far the arms of each block may have turned and strained, beside what its angle
+/// tells: no arm has changed by more than `sum` and `per_radian` times the change of
+/// the angle, taken along both axes together, |dx| + |dy|.
+struct Swing {
+  std::vector<double> sum;         ///< (n) [L] grows with every step
+  std::vector<double> per_radian;  ///< (n) [L] 0: all is in the sum (deformable blocks)
+
+  /// For these blocks as they stand.
+  void start(const Blocks& blocks, bool rigid);
+};
+
+/// How two blocks stood to each other.
+struct RelativePose {
+  double x = 0.0, y = 0.0;              ///< [L] between the centroids
+  double angle_a = 0.0, angle_b = 0.0;  ///< rad
+  double swing = 0.0;                   ///< [L] of both together
+};
+
+inline RelativePose relative_pose(const Blocks& blocks, const Swing& swing, int a,
+                                  int b) {
+  return {blocks.centroid(0, a) - blocks.centroid(0, b),
+          blocks.centroid(1, a) - blocks.centroid(1, b), blocks.angle[a],
+          blocks.angle[b], swing.sum[a] + swing.sum[b]};
+}
+
+/// Bound on how far the two blocks have moved against each other since then: no
+/// difference of two of their corners, or of a corner and a centroid, has changed by
+/// more, [L]. A distance: from one pose to a third never farther than by way of a
+/// second.
+inline double relative_motion(const Blocks& blocks, const Swing& swing, int a, int b,
+                              const RelativePose& since) {
+  const RelativePose now = relative_pose(blocks, swing, a, b);
+  return std::abs(now.x - since.x) + std::abs(now.y - since.y) +
+         2.0 * ((now.swing - since.swing) +
+                swing.per_radian[a] * std::abs(now.angle_a - since.angle_a) +
+                swing.per_radian[b] * std::abs(now.angle_b - since.angle_b));
+}
+
+/// What is known of a group without deciding it again. `travel` [L]: while the two
+/// blocks have moved against each other by less (relative_motion), the record
+/// `candidate` acts if its corner is inside its edge (19), and no other one; -1: none
+/// acts. 0: nothing is known.
+struct Certainty {
+  int candidate = -1;
+  double travel = 0.0;
+};
+
+/// Records first .. last - 1 of the contact list.
 struct ContactGroup {
   int first = 0, last = 0;
   int corner_block = 0, edge_block = 0;
-  int acting = -1;  ///< the record that acts, -1: none, as last decided
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
   bool reentrant = false, of_notch = false;
-  /// The decision stands while the blocks have moved against each other by less than
-  /// `certain` [L] (0: decide now) since they had this offset and had swung by this.
-  double certain = 0.0;
-  double offset_x = 0.0, offset_y = 0.0;  ///< [L] between the centroids
-  double swing = 0.0;                     ///< [L] of both blocks together
   int hopeless = 0;  ///< decisions left for which certainty is not even tried
-  // of the acting record in this step
-  double tangent_x = 0.0, tangent_y = 0.0;  ///< unit vector along the edge
-  double overlap = 0.0;                     ///< [L]
+  int acting = -1;   ///< the record that acts, -1: none, as last decided
+  Certainty certain;
+  RelativePose pose;  ///< when decided
+};
+
+/// The groups of two blocks, which stand side by side.
+struct ContactPair {
+  int low = 0, high = 0;    ///< the two blocks
+  int first = 0, last = 0;  ///< groups
+  double certain = 0.0;     ///< [L] until the first of its groups has to be decided
+  RelativePose pose;
+};
+
+/// A record that acts in this step, or is the candidate to.
+struct LiveContact {
+  int record, group, pair;
+  int corner, edge, edge_end;
+  bool by_sign;  ///< acts if the corner is inside the edge; else it acts
+  bool acts;
+  double tangent_x, tangent_y;  ///< unit vector along the edge
+  double overlap;               ///< [L]
 };
 
 /// Elastic force that a record held when it ceased to act.
@@ -35,39 +93,43 @@ struct LostForce {
   double normal, shear;  ///< [F] FN > 0, FS
 };
 
-/// How far each block has turned and strained about its centroid: the sum over the
-/// steps of the largest change of an arm (|dx| + |dy|), [L].
-using Swing = std::vector<double>;
-
-/// Bound on how far the two blocks of a group have moved against each other since it
-/// was decided: no difference of two of their corners, or of a corner and a centroid,
-/// has changed by more, [L].
-inline double relative_motion(const Blocks& blocks, const Swing& swing,
-                              const ContactGroup& g) {
-  const int a = g.corner_block, b = g.edge_block;
-  const double x = blocks.centroid(0, a) - blocks.centroid(0, b);
-  const double y = blocks.centroid(1, a) - blocks.centroid(1, b);
-  return std::abs(x - g.offset_x) + std::abs(y - g.offset_y) +
-         2.0 * (swing[a] + swing[b] - g.swing);
-}
-
-/// Starts to measure relative_motion from here.
-void mark_position(const Blocks& blocks, const Swing& swing, ContactGroup& group);
+/// What the contacts of a pair do to one of its blocks: force, moment, f_i x_j.
+struct PairForce {
+  double x = 0.0, y = 0.0, moment = 0.0;
+  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+};
 
 /// The groups of a list, and what passes between them. Working state between searches:
 /// not part of the model, and without influence on results.
 struct ContactGroups {
   std::vector<ContactGroup> all;  ///< in the order of the list
-  std::vector<int> by_corner;     ///< indices into `all`, corner after corner
+  std::vector<ContactPair> pairs;
+  std::vector<int> by_corner;  ///< indices into `all`, corner after corner
   std::vector<int>
-      first_of_corner;          ///< (corners + 1) where a corner's begin in by_corner
-  std::vector<LostForce> lost;  ///< in this step
-  Swing swing;                  ///< of the blocks since the groups were made
+      first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
+  // forces of pair p: 2 p on its low block, 2 p + 1 on its high one
+  std::vector<int> by_block;        ///< indices into pair_force, block after block
+  std::vector<int> first_of_block;  ///< (blocks + 1) where a block's begin in by_block
+  std::vector<PairForce> pair_force;
+
+  std::vector<LiveContact> live;  ///< in the order of the groups
+  std::vector<int> live_of;       ///< (groups) index into live, -1: none
+  bool live_current = false;      ///< no candidate has changed since
+  std::vector<LostForce> lost;    ///< in this step
+  Swing swing;                    ///< of the blocks since the groups were made
+
+  /// The contact of a group that acts in this step, or null.
+  const LiveContact* acting(int group) const {
+    const int i = live_of[group];
+    return i >= 0 && live[i].acts ? &live[i] : nullptr;
+  }
+  /// Lists the live contacts.
+  void list_live(const Blocks& blocks, const Contacts& contacts);
 };
 
-/// Splits the list into its groups, all awake. each_alone: one record each, for studies
-/// without the nearest edge.
-void group_contacts(const Blocks& blocks, const Contacts& contacts,
+/// Splits the list into its groups and pairs, all to be decided. each_alone: one record
+/// each, for studies without the nearest edge.
+void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone = false);
 
 }  // namespace blocks::dynamics

@@ -27,7 +27,7 @@ class Heir {
   void look_at_corner() {
     for (int k = groups_.first_of_corner[corner_];
          k < groups_.first_of_corner[corner_ + 1]; ++k)
-      consider(groups_.all[groups_.by_corner[k]]);
+      consider(groups_.by_corner[k]);
   }
   /// Other corners of the two blocks, if the force keeps its direction. Groups of a
   /// pair stand side by side.
@@ -36,29 +36,32 @@ class Heir {
     for (const int way : {-1, 1})
       for (int g = lost_.group + way;
            g >= 0 && g < count && same_pair(groups_.all[g], from_); g += way)
-        if (groups_.all[g].acting >= 0 && cosine(groups_.all[g]) > 0.95)
-          consider(groups_.all[g]);
+        if (groups_.acting(g) && cosine(g) > 0.95)
+          consider(g);
   }
 
-  const ContactGroup* group() const { return heir_; }
+  /// The record, or -1.
+  int record() const { return heir_ < 0 ? -1 : groups_.acting(heir_)->record; }
   double normal() const { return normal_; }
-  double shear() const { return cosine(*heir_) * lost_.shear; }
+  double shear() const { return cosine(heir_) * lost_.shear; }
 
  private:
   /// Of the angle between the old edge and the group's; the edges of two blocks run in
   /// opposite senses.
-  double cosine(const ContactGroup& group) const {
-    const double c = along_.x() * group.tangent_x + along_.y() * group.tangent_y;
-    return group.corner_block == from_.corner_block ? c : -c;
+  double cosine(int g) const {
+    const LiveContact& live = *groups_.acting(g);
+    const double c = along_.x() * live.tangent_x + along_.y() * live.tangent_y;
+    return groups_.all[g].corner_block == from_.corner_block ? c : -c;
   }
-  void consider(const ContactGroup& group) {
-    if (group.acting < 0)
+  void consider(int g) {
+    const LiveContact* live = groups_.acting(g);
+    if (live == nullptr)
       return;
-    const double own = contacts_.normal_elastic[group.acting];
+    const double own = contacts_.normal_elastic[live->record];
     const double both = std::min(std::sqrt(lost_.normal * lost_.normal + own * own),
-                                 stiffness_ * group.overlap);
+                                 stiffness_ * live->overlap);
     if (both - own > gain_)
-      heir_ = &group, normal_ = both, gain_ = both - own;
+      heir_ = g, normal_ = both, gain_ = both - own;
   }
 
   const Contacts& contacts_;
@@ -68,7 +71,7 @@ class Heir {
   const ContactGroup& from_;
   int corner_;
   Vec2 along_;
-  const ContactGroup* heir_ = nullptr;
+  int heir_ = -1;
   double normal_ = 0.0, gain_ = 0.0;
 };
 
@@ -76,13 +79,16 @@ class Heir {
 
 void hand_over(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
                double normal_stiffness) {
+  // in the order of the list, whenever each was found to be lost
+  std::sort(groups.lost.begin(), groups.lost.end(),
+            [](const auto& l, const auto& r) { return l.record < r.record; });
   for (const LostForce& lost : groups.lost) {
     Heir heir(blocks, contacts, groups, lost, normal_stiffness);
     heir.look_at_corner();
     heir.look_at_pair();
-    if (heir.group() == nullptr)
+    const int i = heir.record();
+    if (i < 0)
       continue;
-    const int i = heir.group()->acting;
     contacts.active[i] = 0;  // starts anew, with what it was handed
     contacts.normal_elastic[i] = heir.normal();
     if (contacts.shear_elastic[i] == 0.0)

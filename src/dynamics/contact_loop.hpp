@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/applied_force.hpp"
 #include "dynamics/contact_certainty.hpp"
 #include "dynamics/contact_decision.hpp"
 #include "dynamics/contact_forces.hpp"
@@ -25,88 +24,157 @@ inline Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
           blocks.velocity(1, b) + (rate[2] + spin) * arm.x() + rate[3] * arm.y()};
 }
 
-inline void release(Contacts& contacts, int i) {
+/// Record i of group g acts no more: its forces are gone, its spring may find an heir.
+inline void release(Contacts& contacts, ContactGroups& groups, int g, int i) {
+  if (contacts.normal_elastic[i] > 0.0)
+    groups.lost.push_back(
+        {g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
   contacts.active[i] = 0;
   contacts.normal_elastic[i] = contacts.shear_elastic[i] = 0.0;
   contacts.normal_force[i] = contacts.shear_force[i] = 0.0;
   contacts.overlap[i] = 0.0;
 }
 
-/// Which record of group g acts, or which two, and for how long that is certain.
+/// Which record of group g acts, or which two of a notch, and for how long that is
+/// known.
 template <class Rules>
 void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g) {
   ContactGroup& group = groups.all[g];
   const ContactDecision<Rules> decision(blocks, contacts, groups);
+  const int before = group.acting, candidate = group.certain.candidate;
+  const bool by_sign = group.certain.travel > 0.0;
   group.acting = decision.acting_record(group);
   int other = -1;
-  if (group.reentrant)
-    other = groups.all[g + 1].acting = decision.notch_record(group, group.acting);
-  for (int i = group.first; i < group.last; ++i)
-    if (i != group.acting && i != other && contacts.active[i]) {
-      if (contacts.normal_elastic[i] > 0.0)
-        groups.lost.push_back(
-            {g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
-      release(contacts, i);
-    }
-  if constexpr (!Rules::keeps_decisions)
-    return;
-  if (group.hopeless > 0) {
-    --group.hopeless;
-    return;
+  if (group.reentrant) {
+    other = decision.notch_record(group, group.acting);
+    groups.live_current = groups.live_current && groups.all[g + 1].acting == other;
+    groups.all[g + 1].acting = other;
   }
-  group.certain = certain_travel(blocks, contacts, group);
-  mark_position(blocks, groups.swing, group);
-  if (group.certain == 0.0)
-    group.hopeless = 16;
+  for (int i = group.first; i < group.last; ++i)
+    if (contacts.active[i] && i != group.acting && i != other)
+      release(contacts, groups, g, i);
+
+  group.certain = {};
+  if (Rules::keeps_decisions && group.hopeless == 0) {
+    group.certain = certainty(blocks, contacts, group);
+    group.pose =
+        relative_pose(blocks, groups.swing, group.corner_block, group.edge_block);
+    group.hopeless = group.certain.travel == 0.0 ? 16 : 0;
+  } else if (group.hopeless > 0) {
+    --group.hopeless;
+  }
+  const bool same =
+      by_sign == (group.certain.travel > 0.0) &&
+      (by_sign ? candidate == group.certain.candidate : before == group.acting);
+  groups.live_current = groups.live_current && same;
 }
 
-/// a. Frame of the acting edge and overlap.
-inline void measure(const Blocks& blocks, const Contacts& contacts,
-                    ContactGroup& group) {
-  const int c = contacts.corner[group.acting], e = contacts.edge[group.acting];
-  const int e2 = blocks.next[e];
-  const double x1 = blocks.corner(0, e), y1 = blocks.corner(1, e);
-  const double ex = blocks.corner(0, e2) - x1, ey = blocks.corner(1, e2) - y1;
-  const double wx = blocks.corner(0, c) - x1, wy = blocks.corner(1, c) - y1;
-  const double length = std::sqrt(ex * ex + ey * ey);
-  group.tangent_x = ex / length;
-  group.tangent_y = ey / length;
-  // its sign was decided exactly; rounded, a tiny depth may come out below zero
-  group.overlap = std::max(0.0, (wx * ey - wy * ex) / length);
+/// Decides the groups whose blocks have moved too far since they were last decided.
+template <class Rules>
+void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& groups) {
+  for (ContactPair& pair : groups.pairs) {
+    // the other way round a NaN would let a decision stand
+    if (Rules::keeps_decisions && relative_motion(blocks, groups.swing, pair.low,
+                                                  pair.high, pair.pose) < pair.certain)
+      continue;
+    pair.certain = std::numeric_limits<double>::max();
+    pair.pose = relative_pose(blocks, groups.swing, pair.low, pair.high);
+    for (int g = pair.first; g < pair.last; ++g) {
+      ContactGroup& group = groups.all[g];
+      if (group.of_notch)  // with the one before
+        continue;
+      const auto left = [&] {
+        return group.certain.travel - relative_motion(blocks, groups.swing,
+                                                      group.corner_block,
+                                                      group.edge_block, group.pose);
+      };
+      if (!Rules::keeps_decisions || !(left() > 0.0))
+        decide<Rules>(blocks, contacts, groups, g);
+      pair.certain = std::min(pair.certain, left());
+    }
+  }
 }
 
-inline void act(Blocks& blocks, Contacts& contacts, const ContactGroup& group,
-                const ContactLaw& law) {
-  const int i = group.acting, c = contacts.corner[i];
-  const int a = group.corner_block, b = group.edge_block;
-  const double tx = group.tangent_x, ty = group.tangent_y;
-  const double nx = -ty, ny = tx, overlap = group.overlap;
-  const double x = blocks.corner(0, c), y = blocks.corner(1, c);
+/// a. Frame of the edge, overlap, and whether the contact acts.
+template <class Rules>
+void measure(const Blocks& blocks, Contacts& contacts, ContactGroups& groups) {
+  for (LiveContact& live : groups.live) {
+    const int c = live.corner, e1 = live.edge, e2 = live.edge_end;
+    const double x1 = blocks.corner(0, e1), y1 = blocks.corner(1, e1);
+    const double x2 = blocks.corner(0, e2), y2 = blocks.corner(1, e2);
+    const double xc = blocks.corner(0, c), yc = blocks.corner(1, c);
+    if (live.by_sign) {
+      live.acts = Rules::overlap_sign({xc, yc}, {x1, y1}, {x2, y2}) > 0;
+      if (!live.acts) {
+        if (contacts.active[live.record])
+          release(contacts, groups, live.group, live.record);
+        continue;
+      }
+    }
+    const double ex = x2 - x1, ey = y2 - y1, wx = xc - x1, wy = yc - y1;
+    const double length = std::sqrt(ex * ex + ey * ey);
+    live.tangent_x = ex / length;
+    live.tangent_y = ey / length;
+    // its sign was decided exactly; rounded, a tiny depth may come out below zero
+    live.overlap = std::max(0.0, (wx * ey - wy * ex) / length);
+  }
+}
 
-  // Relative velocity of the two material points. In plain numbers: vectors would go
-  // through memory here.
+/// A force on the block whose centroid is at -arm.
+inline void add(PairForce& sum, const Vec2& arm, double fx, double fy) {
+  const double x = arm.x(), y = arm.y();
+  sum.x += fx, sum.y += fy, sum.moment += x * fy - y * fx;
+  sum.xx += fx * x, sum.xy += fx * y, sum.yx += fy * x, sum.yy += fy * y;
+}
+
+inline void act(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
+                const LiveContact& live, const ContactLaw& law) {
+  const int i = live.record, c = live.corner;
+  const int a = contacts.corner_block[i], b = contacts.edge_block[i];
+  const double tx = live.tangent_x, ty = live.tangent_y, nx = -ty, ny = tx;
+
+  // Relative velocity of the two material points.
   const Vec2 arm_a(blocks.arm(0, c), blocks.arm(1, c));
-  const Vec2 arm_b(x - blocks.centroid(0, b), y - blocks.centroid(1, b));
+  const Vec2 arm_b(blocks.corner(0, c) - blocks.centroid(0, b),
+                   blocks.corner(1, c) - blocks.centroid(1, b));
   const Vec2 va = point_velocity(blocks, a, arm_a),
              vb = point_velocity(blocks, b, arm_b);
   const double vx = va.x() - vb.x(), vy = va.y() - vb.y();
 
   // b.-d.
   ElasticForce spring{contacts.normal_elastic[i], contacts.shear_elastic[i]};
-  const ContactForce force = apply(law, spring, -(vx * nx + vy * ny), vx * tx + vy * ty,
-                                   overlap, contacts.damping[i], !contacts.active[i]);
+  const ContactForce force =
+      apply(law, spring, -(vx * nx + vy * ny), vx * tx + vy * ty, live.overlap,
+            contacts.damping[i], !contacts.active[i]);
   contacts.active[i] = 1;
   contacts.normal_elastic[i] = spring.normal;
   contacts.shear_elastic[i] = spring.shear;
   contacts.normal_force[i] = force.normal;
   contacts.shear_force[i] = force.shear;
-  contacts.overlap[i] = overlap;
+  contacts.overlap[i] = live.overlap;
 
   // e. Equal and opposite at one point.
   const double fx = force.normal * nx - force.shear * tx;
   const double fy = force.normal * ny - force.shear * ty;
-  add_force(blocks, a, arm_a, {fx, fy});
-  add_force(blocks, b, arm_b, {-fx, -fy});
+  const int side = a == groups.pairs[live.pair].low ? 0 : 1;
+  add(groups.pair_force[2 * live.pair + side], arm_a, fx, fy);
+  add(groups.pair_force[2 * live.pair + 1 - side], arm_b, -fx, -fy);
+}
+
+/// Sums what the pairs of each block do to it, in the order of the list.
+inline void gather(Blocks& blocks, const ContactGroups& groups) {
+  for (int b = 0; b < blocks.size(); ++b) {
+    PairForce sum;
+    for (int k = groups.first_of_block[b]; k < groups.first_of_block[b + 1]; ++k) {
+      const PairForce& f = groups.pair_force[groups.by_block[k]];
+      sum.x += f.x, sum.y += f.y, sum.moment += f.moment;
+      sum.xx += f.xx, sum.xy += f.xy, sum.yx += f.yx, sum.yy += f.yy;
+    }
+    blocks.force(0, b) += sum.x, blocks.force(1, b) += sum.y;
+    blocks.moment[b] += sum.moment;
+    blocks.applied(0, b) += sum.xx, blocks.applied(1, b) += sum.xy;
+    blocks.applied(2, b) += sum.yx, blocks.applied(3, b) += sum.yy;
+  }
 }
 
 }  // namespace detail
@@ -118,26 +186,22 @@ Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
                                double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
-  for (int g = 0; g < static_cast<int>(groups.all.size()); ++g) {
-    ContactGroup& group = groups.all[g];
-    // the other way round a NaN would let a decision stand
-    if (!group.of_notch &&  // decided with the one before
-        (!Rules::keeps_decisions ||
-         !(relative_motion(blocks, groups.swing, group) < group.certain)))
-      detail::decide<Rules>(blocks, contacts, groups, g);
-    if (group.acting >= 0)
-      detail::measure(blocks, contacts, group);
-  }
+  detail::renew_decisions<Rules>(blocks, contacts, groups);
+  if (!groups.live_current)
+    groups.list_live(blocks, contacts);
+  detail::measure<Rules>(blocks, contacts, groups);
   if constexpr (Rules::hands_over)
     hand_over(blocks, contacts, groups, settings.normal_stiffness);
   groups.lost.clear();
+  std::fill(groups.pair_force.begin(), groups.pair_force.end(), PairForce{});
   // apart from the forces, whose branches would wait for each root and quotient
   Extremes extremes;
-  for (const ContactGroup& group : groups.all)
-    if (group.acting >= 0) {
-      detail::act(blocks, contacts, group, law);
-      extremes.include(group.overlap, contacts.normal_elastic[group.acting]);
+  for (const LiveContact& live : groups.live)
+    if (live.acts) {
+      detail::act(blocks, contacts, groups, live, law);
+      extremes.include(live.overlap, contacts.normal_elastic[live.record]);
     }
+  detail::gather(blocks, groups);
   return extremes;
 }
 

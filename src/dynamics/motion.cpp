@@ -99,13 +99,20 @@ Displacement move_blocks(Blocks& blocks, Swing& swing, const Settings& settings,
     blocks.centroid.col(b) = centroid;
     blocks.angle[b] += turn;
 
-    double block_largest = 0.0, block_swing = 0.0;
+    // beside the angle: what turn and Cayley rotation differ by, and round-off
+    double block_swing =
+        settings.rigid && turn != 0.0
+            ? swing.per_radian[b] * (std::abs(turn * turn * turn) / 12.0 +
+                                     0x1p-50 * (1.0 + std::abs(blocks.angle[b])))
+            : 0.0;
+    double block_largest = 0.0;
     bool inside = true;
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
       const Vec2 arm = transform * Vec2(blocks.arm.col(c));
       const Vec2 corner = centroid + arm;
       const double moved = (corner - blocks.corner.col(c)).squaredNorm();
-      block_swing = std::max(block_swing, (arm - blocks.arm.col(c)).lpNorm<1>());
+      if (!settings.rigid)
+        block_swing = std::max(block_swing, (arm - blocks.arm.col(c)).lpNorm<1>());
       blocks.arm.col(c) = arm;
       blocks.corner.col(c) = corner;
       block_largest = std::max(block_largest, moved);
@@ -114,7 +121,7 @@ Displacement move_blocks(Blocks& blocks, Swing& swing, const Settings& settings,
                corner.y() >= settings.lower.y() && corner.x() <= settings.upper.x() &&
                corner.y() <= settings.upper.y();
     }
-    swing[b] += block_swing;
+    swing.sum[b] += block_swing;
     if (block_largest > largest) {
       largest = block_largest;
       result.block = b;

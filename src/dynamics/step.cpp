@@ -27,7 +27,7 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   if (!model.search.current)
     update_contacts(model, buffers);
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
-    group_contacts(blocks, model.contacts, buffers.groups);
+    group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups);
     buffers.grouped_update = model.search.updates;
   }
 

@@ -55,7 +55,8 @@ void find_contacts(Model& model, SearchBuffers& buffers, List list, bool each_al
     }
   }
   if (buffers.grouped_update != model.search.updates) {
-    group_contacts(model.blocks, model.contacts, buffers.groups, each_alone);
+    group_contacts(model.blocks, model.contacts, model.settings.rigid, buffers.groups,
+                   each_alone);
     buffers.grouped_update = model.search.updates;
   }
 }

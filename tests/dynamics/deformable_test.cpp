@@ -48,7 +48,8 @@ TEST(Deformable, StressTurnsWithTheBlock) {
   const double turn = 0.3;
   scene.velocity(b, 0, 0, 1.0);
   // isolated from the dynamics: only the rotation of one long step is looked at
-  dynamics::Swing swing(scene.model.blocks.size());
+  dynamics::Swing swing;
+  swing.start(scene.model.blocks, scene.model.settings.rigid);
   dynamics::move_blocks(scene.model.blocks, swing, scene.model.settings, turn);
   const double c = (1 - 0.0225) / (1 + 0.0225), s = 0.3 / (1 + 0.0225);
   const auto stress = scene.model.blocks.stress.col(b);

@@ -80,8 +80,11 @@ class Scene {
 
   /// Every contact is decided anew in the next step.
   void forget_decisions() {
+    for (dynamics::ContactPair& pair : buffers_.groups.pairs)
+      pair.certain = 0.0;
     for (dynamics::ContactGroup& group : buffers_.groups.all)
-      group.certain = 0.0;
+      group.certain.travel = 0.0, group.hopeless = 1;
+    buffers_.groups.live_current = false;
   }
 
   double dt() const { return model.time_step.dt; }
