@@ -101,40 +101,6 @@ double no_crossing_beside(const Blocks& blocks, int c, int side) {
                   no_crossing_travel(blocks, c, blocks.next[side], false));
 }
 
-/// The corner stays outside of the edge's line, if positive.
-double outside_travel(const Blocks& blocks, const Vec2& c, int edge) {
-  const Vec2 p = blocks.corner.col(edge);
-  const Vec2 along = Vec2(blocks.corner.col(blocks.next[edge])) - p;
-  const double square = along.squaredNorm();
-  const double outside = -geometry::cross(c - p, along);  // gap times L
-  // well clear of the slack of rules 10 and 12, and of round-off
-  if (outside <= 16.0 * geometry::contact_slack * square)
-    return 0.0;
-  const double length = std::sqrt(square), q = (c - p).dot(along) / square;
-  const double factor = 1.0 + std::abs(1.0 - q) + std::abs(q);
-  return std::min(0.75 * outside / (length * factor), 0.2 * length);
-}
-
-}  // namespace
-
-double travel_before_contact(const Blocks& blocks, int corner, int block) {
-  const Vec2 c = blocks.corner.col(corner);
-  double most = 0.0, second = 0.0;
-  int side = -1;
-  for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
-    const double travel = outside_travel(blocks, c, e);
-    if (travel > most)
-      second = most, most = travel, side = e;
-    else
-      second = std::max(second, travel);
-  }
-  if (second == most)  // outside of two edges: nothing crosses
-    return most;
-  return std::max(second, std::min(most, no_crossing_beside(blocks, corner, side)));
-}
-
-namespace {
-
 /// How much more than relative_motion a difference of two corners may change, [L]: each
 /// stored corner is rounded, half a unit in the last place of its coordinates.
 double roundoff(const Blocks& blocks, int corner, int block) {
@@ -160,14 +126,50 @@ double travel_before_outline(const Blocks& blocks, int corner, int block) {
   return nearest;
 }
 
-/// Relative motion during which record i acts if its corner is inside its edge, and
-/// nothing else does. Of a convex block.
+/// side_travel of the edge that the corner is farthest out of, or least far inside, and
+/// of the next.
+struct Sides {
+  int edge = -1;
+  double least = std::numeric_limits<double>::max();
+  double next = std::numeric_limits<double>::max();
+
+  Sides(const Blocks& blocks, int corner, int block) {
+    for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
+      const double travel = side_travel(blocks, corner, e);
+      if (travel < least)
+        next = least, least = travel, edge = e;
+      else
+        next = std::min(next, travel);
+    }
+  }
+};
+
+/// No record acts: the corner stays outside of two edges, or of one that no side
+/// crosses; or it is inside, and all stay inadmissible.
+double idle_travel(const Blocks& blocks, const Contacts& contacts,
+                   const ContactGroup& group, const Sides& sides) {
+  if (sides.least < 0.0) {
+    const double outside = std::max(-sides.next, 0.0);
+    if (-sides.least <= outside)
+      return outside;
+    const int c = contacts.corner[group.first];
+    return std::max(outside,
+                    std::min(-sides.least, no_crossing_beside(blocks, c, sides.edge)));
+  }
+  double travel = std::numeric_limits<double>::max();
+  for (int i = group.first; i < group.last && travel > 0.0; ++i)
+    travel = std::min(travel, -admissible_travel(blocks, contacts, i));
+  return std::max(travel, 0.0);
+}
+
+/// Record i acts if its corner is inside its edge, and nothing else does. Of a convex
+/// block.
 double candidate_travel(const Blocks& blocks, const Contacts& contacts,
-                        const ContactGroup& group, int i) {
+                        const ContactGroup& group, const Sides& sides, int i) {
   const int c = contacts.corner[i], edge = contacts.edge[i];
-  double travel = admissible_travel(blocks, contacts, i);
-  for (int e = blocks.next[edge]; e != edge && travel > 0.0; e = blocks.next[e])
-    travel = std::min(travel, side_travel(blocks, c, e));
+  double travel = edge == sides.edge ? sides.next : sides.least;
+  if (travel > 0.0)
+    travel = std::min(travel, admissible_travel(blocks, contacts, i));
   for (int j = group.first; j < group.last && travel > 0.0; ++j) {
     if (j == i)
       continue;
@@ -176,42 +178,29 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
       others = std::max(others, deeper_travel(blocks, contacts, j, i));
     travel = std::min(travel, others);
   }
-  if (travel <= 0.0)
-    return 0.0;
+  if (travel <= 0.0 || edge != sides.edge || sides.least >= travel)
+    return travel;
   // outside of this edge only, it could be a crossing
-  const double inside = side_travel(blocks, c, edge);
-  return inside >= travel
-             ? travel
-             : std::min(travel, std::max(inside, no_crossing_beside(blocks, c, edge)));
-}
-
-/// The same for no record at all.
-double idle_travel(const Blocks& blocks, const Contacts& contacts,
-                   const ContactGroup& group) {
-  const double outside =
-      travel_before_contact(blocks, contacts.corner[group.first], group.edge_block);
-  if (outside > 0.0)
-    return outside;
-  double travel = std::numeric_limits<double>::max();
-  for (int i = group.first; i < group.last && travel > 0.0; ++i)
-    travel = std::min(travel, -admissible_travel(blocks, contacts, i));
-  return travel;
+  return std::min(travel, std::max(sides.least, no_crossing_beside(blocks, c, edge)));
 }
 
 Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
                              const ContactGroup& group) {
-  const int block = group.edge_block;
+  const int block = group.edge_block, c = contacts.corner[group.first];
   if (!blocks.convex[block])
-    return {-1, group.acting < 0
-                    ? travel_before_outline(blocks, contacts.corner[group.first], block)
-                    : 0.0};
+    return {-1, group.acting < 0 ? travel_before_outline(blocks, c, block) : 0.0};
+  const Sides sides(blocks, c, block);
   Certainty best;
-  if (group.acting < 0)
-    best.travel = std::max(idle_travel(blocks, contacts, group), 0.0);
+  if (group.acting < 0) {
+    best.travel = idle_travel(blocks, contacts, group, sides);
+    // far off: not worth a closer look
+    if (best.travel > 0.02 * EdgeView(blocks, c, contacts.edge[group.first]).length)
+      return best;
+  }
   for (int i = group.first; i < group.last; ++i) {
     if (group.acting >= 0 && i != group.acting)
       continue;
-    const double travel = candidate_travel(blocks, contacts, group, i);
+    const double travel = candidate_travel(blocks, contacts, group, sides, i);
     if (travel > best.travel)
       best = {i, travel};
   }

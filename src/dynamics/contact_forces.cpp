@@ -33,17 +33,16 @@ Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
     const Vec2 n(-along.y() / length, along.x() / length);
     const double overlap = std::max(0.0, geometry::cross(at - plane.a, along) / length);
     const Vec2 arm = blocks.arm.col(c);
-    ElasticForce spring{contacts.normal_elastic[i], 0.0};
     const double damping = damping_against_fixed(settings, blocks.mass[b]);
-    const ContactForce force =
-        apply(law, spring, -detail::point_velocity(blocks, b, arm).dot(n), 0.0, overlap,
-              damping, !contacts.active[i]);
+    double shear_elastic = 0.0, normal = 0.0, shear = 0.0;
+    apply(law, contacts.normal_elastic[i], shear_elastic,
+          -detail::point_velocity(blocks, b, arm).dot(n), 0.0, overlap, damping,
+          contacts.active[i] ? 0.0 : 1.0, normal, shear);
     contacts.active[i] = 1;
-    contacts.normal_elastic[i] = spring.normal;
-    contacts.normal_force[i] = force.normal;
+    contacts.normal_force[i] = normal;
     contacts.overlap[i] = overlap;
-    add_force(blocks, b, arm, force.normal * n);
-    extremes.include(overlap, spring.normal);
+    add_force(blocks, b, arm, normal * n);
+    extremes.include(overlap, contacts.normal_elastic[i]);
   }
   return extremes;
 }

@@ -60,22 +60,50 @@ void Swing::start(const Blocks& blocks, bool rigid) {
   }
 }
 
+namespace {
+
+int live_record(const ContactGroup& group) {
+  return group.certain.travel > 0.0 ? group.certain.candidate : group.acting;
+}
+
+LiveContact live_contact(const Blocks& blocks, const Contacts& contacts,
+                         const ContactGroup& group, int g, int pair, int low) {
+  const int i = live_record(group), e = contacts.edge[std::max(i, group.first)];
+  LiveContact live;
+  live.record = i, live.group = g, live.pair = pair;
+  live.corner = contacts.corner[group.first], live.edge = e,
+  live.edge_end = blocks.next[e];
+  live.corner_block = group.corner_block, live.edge_block = group.edge_block;
+  live.by_sign = group.certain.travel > 0.0;
+  live.acts = i >= 0 && !live.by_sign;
+  live.corner_is_low = group.corner_block == low;
+  return live;
+}
+
+}  // namespace
+
+void ContactGroups::set_live(const Blocks& blocks, const Contacts& contacts, int g) {
+  const ContactGroup& group = all[g];
+  const int place = live_of[g];
+  if (place >= 0)
+    live[place] = live_contact(blocks, contacts, group, g, live[place].pair,
+                               pairs[live[place].pair].low);
+  else if (live_record(group) >= 0)
+    live_complete = false;
+}
+
 void ContactGroups::list_live(const Blocks& blocks, const Contacts& contacts) {
   live.clear();
   const int count = static_cast<int>(pairs.size());
   for (int p = 0; p < count; ++p)
     for (int g = pairs[p].first; g < pairs[p].last; ++g) {
-      const ContactGroup& group = all[g];
-      const bool by_sign = group.certain.travel > 0.0;
-      const int i = by_sign ? group.certain.candidate : group.acting;
-      live_of[g] = i < 0 ? -1 : static_cast<int>(live.size());
-      if (i < 0)
+      // who had a place keeps it: it may want it again
+      if (live_of[g] < 0 && live_record(all[g]) < 0)
         continue;
-      const int e = contacts.edge[i];
-      live.push_back({i, g, p, contacts.corner[i], e, blocks.next[e], by_sign, !by_sign,
-                      0.0, 0.0, 0.0});
+      live_of[g] = static_cast<int>(live.size());
+      live.push_back(live_contact(blocks, contacts, all[g], g, p, pairs[p].low));
     }
-  live_current = true;
+  live_complete = true;
 }
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
@@ -104,7 +132,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.live_of.assign(groups.all.size(), -1);
   groups.live.clear();
   groups.live.reserve(groups.all.size());
-  groups.live_current = false;
+  groups.live_complete = true;
   groups.lost.clear();
   groups.lost.reserve(size);
   groups.swing.start(blocks, rigid);

@@ -79,12 +79,15 @@ struct ContactPair {
 
 /// A record that acts in this step, or is the candidate to.
 struct LiveContact {
-  int record, group, pair;
-  int corner, edge, edge_end;
-  bool by_sign;  ///< acts if the corner is inside the edge; else it acts
-  bool acts;
-  double tangent_x, tangent_y;  ///< unit vector along the edge
-  double overlap;               ///< [L]
+  int record = -1;  ///< -1: none any more
+  int group = 0, pair = 0;
+  int corner = 0, edge = 0, edge_end = 0;
+  int corner_block = 0, edge_block = 0;
+  bool by_sign = false;  ///< acts if the corner is inside the edge; else it acts
+  bool acts = false;
+  bool corner_is_low = false;           ///< its block is the pair's low one
+  double tangent_x = 0, tangent_y = 0;  ///< unit vector along the edge
+  double overlap = 0;                   ///< [L]
 };
 
 /// Elastic force that a record held when it ceased to act.
@@ -96,7 +99,7 @@ struct LostForce {
 /// What the contacts of a pair do to one of its blocks: force, moment, f_i x_j.
 struct PairForce {
   double x = 0.0, y = 0.0, moment = 0.0;
-  double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+  double sums[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
 /// The groups of a list, and what passes between them. Working state between searches:
@@ -114,7 +117,7 @@ struct ContactGroups {
 
   std::vector<LiveContact> live;  ///< in the order of the groups
   std::vector<int> live_of;       ///< (groups) index into live, -1: none
-  bool live_current = false;      ///< no candidate has changed since
+  bool live_complete = false;     ///< no group lacks a place in it
   std::vector<LostForce> lost;    ///< in this step
   Swing swing;                    ///< of the blocks since the groups were made
 
@@ -123,7 +126,9 @@ struct ContactGroups {
     const int i = live_of[group];
     return i >= 0 && live[i].acts ? &live[i] : nullptr;
   }
-  /// Lists the live contacts.
+  /// Puts what is decided of a group into the list of live contacts.
+  void set_live(const Blocks& blocks, const Contacts& contacts, int group);
+  /// Lists the live contacts anew: one that had no place in the list wants one.
   void list_live(const Blocks& blocks, const Contacts& contacts);
 };
 

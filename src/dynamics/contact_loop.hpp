@@ -10,7 +10,7 @@
 #include "dynamics/contact_decision.hpp"
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_handover.hpp"
-#include "dynamics/contact_law.hpp"
+#include "dynamics/contact_lanes.hpp"
 
 namespace blocks::dynamics {
 namespace detail {
@@ -41,14 +41,11 @@ template <class Rules>
 void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g) {
   ContactGroup& group = groups.all[g];
   const ContactDecision<Rules> decision(blocks, contacts, groups);
-  const int before = group.acting, candidate = group.certain.candidate;
-  const bool by_sign = group.certain.travel > 0.0;
   group.acting = decision.acting_record(group);
   int other = -1;
   if (group.reentrant) {
-    other = decision.notch_record(group, group.acting);
-    groups.live_current = groups.live_current && groups.all[g + 1].acting == other;
-    groups.all[g + 1].acting = other;
+    other = groups.all[g + 1].acting = decision.notch_record(group, group.acting);
+    groups.set_live(blocks, contacts, g + 1);
   }
   for (int i = group.first; i < group.last; ++i)
     if (contacts.active[i] && i != group.acting && i != other)
@@ -63,10 +60,7 @@ void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int
   } else if (group.hopeless > 0) {
     --group.hopeless;
   }
-  const bool same =
-      by_sign == (group.certain.travel > 0.0) &&
-      (by_sign ? candidate == group.certain.candidate : before == group.acting);
-  groups.live_current = groups.live_current && same;
+  groups.set_live(blocks, contacts, g);
 }
 
 /// Decides the groups whose blocks have moved too far since they were last decided.
@@ -98,67 +92,127 @@ void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& gr
 /// a. Frame of the edge, overlap, and whether the contact acts.
 template <class Rules>
 void measure(const Blocks& blocks, Contacts& contacts, ContactGroups& groups) {
-  for (LiveContact& live : groups.live) {
-    const int c = live.corner, e1 = live.edge, e2 = live.edge_end;
-    const double x1 = blocks.corner(0, e1), y1 = blocks.corner(1, e1);
-    const double x2 = blocks.corner(0, e2), y2 = blocks.corner(1, e2);
-    const double xc = blocks.corner(0, c), yc = blocks.corner(1, c);
-    if (live.by_sign) {
-      live.acts = Rules::overlap_sign({xc, yc}, {x1, y1}, {x2, y2}) > 0;
-      if (!live.acts) {
-        if (contacts.active[live.record])
-          release(contacts, groups, live.group, live.record);
-        continue;
-      }
+  const ContactLanes& lanes = contact_lanes();
+  const double* const corner = blocks.corner.data();
+  LiveContact* const all = groups.live.data();
+  const int count = static_cast<int>(groups.live.size());
+  OverlapLanes l;
+  for (int first = 0; first < count; first += lane_count) {
+    const int used = std::min(lane_count, count - first);
+    for (int k = 0; k < lane_count; ++k) {
+      const LiveContact& live = all[first + (k < used ? k : 0)];
+      const double *c = corner + 2 * live.corner, *p1 = corner + 2 * live.edge;
+      const double* const p2 = corner + 2 * live.edge_end;
+      l.xc[k] = c[0], l.yc[k] = c[1];
+      l.x1[k] = p1[0], l.y1[k] = p1[1];
+      l.x2[k] = p2[0], l.y2[k] = p2[1];
     }
-    const double ex = x2 - x1, ey = y2 - y1, wx = xc - x1, wy = yc - y1;
-    const double length = std::sqrt(ex * ex + ey * ey);
-    live.tangent_x = ex / length;
-    live.tangent_y = ey / length;
-    // its sign was decided exactly; rounded, a tiny depth may come out below zero
-    live.overlap = std::max(0.0, (wx * ey - wy * ex) / length);
+    lanes.overlaps(l);
+    for (int k = 0; k < used; ++k) {
+      LiveContact& live = all[first + k];
+      live.tangent_x = l.tangent_x[k], live.tangent_y = l.tangent_y[k];
+      live.overlap = l.overlap[k];
+      if (!live.by_sign || live.record < 0)
+        continue;
+      live.acts = l.value[k] > l.bound[k];
+      if (!live.acts && !(l.value[k] < -l.bound[k]))
+        live.acts = Rules::overlap_sign({l.xc[k], l.yc[k]}, {l.x1[k], l.y1[k]},
+                                        {l.x2[k], l.y2[k]}) > 0;
+      if (!live.acts && contacts.active[live.record])
+        release(contacts, groups, live.group, live.record);
+    }
   }
 }
 
-/// A force on the block whose centroid is at -arm.
-inline void add(PairForce& sum, const Vec2& arm, double fx, double fy) {
-  const double x = arm.x(), y = arm.y();
-  sum.x += fx, sum.y += fy, sum.moment += x * fy - y * fx;
-  sum.xx += fx * x, sum.xy += fx * y, sum.yx += fy * x, sum.yy += fy * y;
+/// b.-d. for up to lane_count acting contacts.
+inline void load(const Blocks& blocks, const Contacts& contacts,
+                 const LiveContact* const* acting, bool rigid, ForceLanes& l) {
+  const double *const arm = blocks.arm.data(), *const corner = blocks.corner.data();
+  const double* const centroid = blocks.centroid.data();
+  const double *const velocity = blocks.velocity.data(), *const spin =
+                                                             blocks.spin.data();
+  const double* const damping = contacts.damping.data();
+  const double* const normal = contacts.normal_elastic.data();
+  const double* const shear = contacts.shear_elastic.data();
+  const char* const active = contacts.active.data();
+  for (int k = 0; k < lane_count; ++k) {
+    const LiveContact& live = *acting[k];
+    const int i = live.record, c = live.corner;
+    const int a = live.corner_block, b = live.edge_block;
+    l.tangent_x[k] = live.tangent_x, l.tangent_y[k] = live.tangent_y;
+    l.overlap[k] = live.overlap;
+    l.arm_ax[k] = arm[2 * c], l.arm_ay[k] = arm[2 * c + 1];
+    l.arm_bx[k] = corner[2 * c] - centroid[2 * b];
+    l.arm_by[k] = corner[2 * c + 1] - centroid[2 * b + 1];
+    l.vax[k] = velocity[2 * a], l.vay[k] = velocity[2 * a + 1];
+    l.vbx[k] = velocity[2 * b], l.vby[k] = velocity[2 * b + 1];
+    l.spin_a[k] = spin[a], l.spin_b[k] = spin[b];
+    l.damping[k] = damping[i];
+    l.starting[k] = active[i] ? 0.0 : 1.0;
+    l.normal_elastic[k] = normal[i], l.shear_elastic[k] = shear[i];
+  }
+  if (rigid)
+    return;
+  const double* const rate = blocks.strain_rate.data();
+  for (int k = 0; k < lane_count; ++k)
+    for (int r = 0; r < 4; ++r) {
+      l.rate_a[r][k] = rate[4 * acting[k]->corner_block + r];
+      l.rate_b[r][k] = rate[4 * acting[k]->edge_block + r];
+    }
 }
 
-inline void act(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                const LiveContact& live, const ContactLaw& law) {
-  const int i = live.record, c = live.corner;
-  const int a = contacts.corner_block[i], b = contacts.edge_block[i];
-  const double tx = live.tangent_x, ty = live.tangent_y, nx = -ty, ny = tx;
+inline void store(const ForceLanes& l, int used, const LiveContact* const* acting,
+                  Contacts& contacts, PairForce* pair_force, Extremes& extremes) {
+  double *const normal_elastic = contacts.normal_elastic.data(),
+                *const shear_elastic = contacts.shear_elastic.data();
+  double *const normal_force = contacts.normal_force.data(), *const shear_force =
+                                                                 contacts.shear_force
+                                                                     .data();
+  double* const overlap = contacts.overlap.data();
+  char* const active = contacts.active.data();
+  for (int k = 0; k < used; ++k) {
+    const LiveContact& live = *acting[k];
+    const int i = live.record;
+    active[i] = 1;
+    normal_elastic[i] = l.normal_elastic[k], shear_elastic[i] = l.shear_elastic[k];
+    normal_force[i] = l.normal_force[k], shear_force[i] = l.shear_force[k];
+    overlap[i] = live.overlap;
+    extremes.include(live.overlap, l.normal_elastic[k]);
+    const int side = live.corner_is_low ? 0 : 1;
+    PairForce& a = pair_force[2 * live.pair + side];
+    PairForce& b = pair_force[2 * live.pair + 1 - side];
+    a.x += l.fx[k], a.y += l.fy[k], a.moment += l.moment_a[k];
+    b.x -= l.fx[k], b.y -= l.fy[k], b.moment += l.moment_b[k];
+    for (int r = 0; r < 4; ++r)
+      a.sums[r] += l.sums_a[r][k], b.sums[r] += l.sums_b[r][k];
+  }
+}
 
-  // Relative velocity of the two material points.
-  const Vec2 arm_a(blocks.arm(0, c), blocks.arm(1, c));
-  const Vec2 arm_b(blocks.corner(0, c) - blocks.centroid(0, b),
-                   blocks.corner(1, c) - blocks.centroid(1, b));
-  const Vec2 va = point_velocity(blocks, a, arm_a),
-             vb = point_velocity(blocks, b, arm_b);
-  const double vx = va.x() - vb.x(), vy = va.y() - vb.y();
-
-  // b.-d.
-  ElasticForce spring{contacts.normal_elastic[i], contacts.shear_elastic[i]};
-  const ContactForce force =
-      apply(law, spring, -(vx * nx + vy * ny), vx * tx + vy * ty, live.overlap,
-            contacts.damping[i], !contacts.active[i]);
-  contacts.active[i] = 1;
-  contacts.normal_elastic[i] = spring.normal;
-  contacts.shear_elastic[i] = spring.shear;
-  contacts.normal_force[i] = force.normal;
-  contacts.shear_force[i] = force.shear;
-  contacts.overlap[i] = live.overlap;
-
-  // e. Equal and opposite at one point.
-  const double fx = force.normal * nx - force.shear * tx;
-  const double fy = force.normal * ny - force.shear * ty;
-  const int side = a == groups.pairs[live.pair].low ? 0 : 1;
-  add(groups.pair_force[2 * live.pair + side], arm_a, fx, fy);
-  add(groups.pair_force[2 * live.pair + 1 - side], arm_b, -fx, -fy);
+/// b.-e. for all that act.
+inline Extremes act(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
+                    const ContactLaw& law, bool rigid) {
+  const ContactLanes& lanes = contact_lanes();
+  std::fill(groups.pair_force.begin(), groups.pair_force.end(), PairForce{});
+  Extremes extremes;
+  ForceLanes l;
+  const LiveContact* acting[lane_count];
+  int used = 0;
+  const auto finish = [&] {
+    std::fill(acting + used, acting + lane_count, acting[0]);  // of no account
+    load(blocks, contacts, acting, rigid, l);
+    lanes.forces(l, law, rigid);
+    store(l, used, acting, contacts, groups.pair_force.data(), extremes);
+    used = 0;
+  };
+  for (const LiveContact& live : groups.live) {
+    acting[used] = &live;
+    used += live.acts;
+    if (used == lane_count)
+      finish();
+  }
+  if (used > 0)
+    finish();
+  return extremes;
 }
 
 /// Sums what the pairs of each block do to it, in the order of the list.
@@ -168,12 +222,13 @@ inline void gather(Blocks& blocks, const ContactGroups& groups) {
     for (int k = groups.first_of_block[b]; k < groups.first_of_block[b + 1]; ++k) {
       const PairForce& f = groups.pair_force[groups.by_block[k]];
       sum.x += f.x, sum.y += f.y, sum.moment += f.moment;
-      sum.xx += f.xx, sum.xy += f.xy, sum.yx += f.yx, sum.yy += f.yy;
+      for (int r = 0; r < 4; ++r)
+        sum.sums[r] += f.sums[r];
     }
     blocks.force(0, b) += sum.x, blocks.force(1, b) += sum.y;
     blocks.moment[b] += sum.moment;
-    blocks.applied(0, b) += sum.xx, blocks.applied(1, b) += sum.xy;
-    blocks.applied(2, b) += sum.yx, blocks.applied(3, b) += sum.yy;
+    for (int r = 0; r < 4; ++r)
+      blocks.applied(r, b) += sum.sums[r];
   }
 }
 
@@ -187,20 +242,13 @@ Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   detail::renew_decisions<Rules>(blocks, contacts, groups);
-  if (!groups.live_current)
+  if (!groups.live_complete)
     groups.list_live(blocks, contacts);
   detail::measure<Rules>(blocks, contacts, groups);
   if constexpr (Rules::hands_over)
     hand_over(blocks, contacts, groups, settings.normal_stiffness);
   groups.lost.clear();
-  std::fill(groups.pair_force.begin(), groups.pair_force.end(), PairForce{});
-  // apart from the forces, whose branches would wait for each root and quotient
-  Extremes extremes;
-  for (const LiveContact& live : groups.live)
-    if (live.acts) {
-      detail::act(blocks, contacts, groups, live, law);
-      extremes.include(live.overlap, contacts.normal_elastic[live.record]);
-    }
+  const Extremes extremes = detail::act(blocks, contacts, groups, law, settings.rigid);
   detail::gather(blocks, groups);
   return extremes;
 }

@@ -128,26 +128,36 @@ TEST(Impact, EccentricWithFrictionKeepsMomentum) {
   EXPECT_NE(scene.model.blocks.spin[a], 1.0);
 }
 
+/// Springs and forces of one contact.
+struct OneContact {
+  double normal_elastic = 0.0, shear_elastic = 0.0, normal = 0.0, shear = 0.0;
+  void apply(const dynamics::ContactLaw& law, double closing, double sliding,
+             double overlap, double damping, bool starting) {
+    dynamics::apply(law, normal_elastic, shear_elastic, closing, sliding, overlap,
+                    damping, starting ? 1.0 : 0.0, normal, shear);
+  }
+};
+
 // Rule 7c: the dashpot never pulls; rule 7d: friction never exceeds mu Fn.
 TEST(ContactLaw, KeepsWithinItsCone) {
   const dynamics::ContactLaw law{1e6, 1e6, 0.5, 1e-4};
-  dynamics::ElasticForce spring{10.0, 0.0};
-  const auto opening = dynamics::apply(law, spring, -1.0, 0.3, 1e-3, 1e3, false);
+  OneContact opening{10.0, 0.0};
+  opening.apply(law, -1.0, 0.3, 1e-3, 1e3, false);
   EXPECT_EQ(opening.normal, 0.0);
   EXPECT_EQ(opening.shear, 0.0);
-  spring = {10.0, 4.9};
-  const auto sliding = dynamics::apply(law, spring, 0.0, 1.0, 1e-3, 0.0, false);
+  OneContact sliding{10.0, 4.9};
+  sliding.apply(law, 0.0, 1.0, 1e-3, 0.0, false);
   EXPECT_EQ(sliding.shear, 5.0);
-  EXPECT_EQ(spring.shear, 5.0);
+  EXPECT_EQ(sliding.shear_elastic, 5.0);
 }
 
 // Rule 7b: in its first step the spring is closed by the overlap, not by a whole step.
 TEST(ContactLaw, FirstStepCountsTheOverlapOnly) {
   const dynamics::ContactLaw law{1e6, 1e6, 0.5, 1e-3};
-  dynamics::ElasticForce spring;
-  const auto force = dynamics::apply(law, spring, 2.0, 0.5, 1e-3, 0.0, true);
-  EXPECT_DOUBLE_EQ(force.normal, 1e6 * 1e-3);
-  EXPECT_DOUBLE_EQ(force.shear, 0.5 * 1e6 * 0.5e-3);
+  OneContact contact;
+  contact.apply(law, 2.0, 0.5, 1e-3, 0.0, true);
+  EXPECT_DOUBLE_EQ(contact.normal, 1e6 * 1e-3);
+  EXPECT_DOUBLE_EQ(contact.shear, 0.5 * 1e6 * 0.5e-3);
 }
 
 // Rule 21: half of a symmetric model beside a plane moves like half of the whole. Two

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "run/program.hpp"
 
 namespace blocks::testing {
@@ -17,7 +19,17 @@ TEST(StackDeck, EndsInTheRecordedState) {
   const TemporaryFolder folder;
   ASSERT_EQ(blocks("run " + shipped("stack"), folder.path()).code, 0);
   EXPECT_EQ(summary(folder, "stack")["steps"], 15812);
-  EXPECT_EQ(summary(folder, "stack")["state_hash"], "f9c65da26a4a6f69");
+  EXPECT_EQ(summary(folder, "stack")["state_hash"], "cd389e5c0374a30f");
+}
+
+// The arithmetic of contacts is compiled for several instruction sets.
+TEST(StackDeck, EndsInTheSameStateByTheBaselineInstructions) {
+  const TemporaryFolder folder;
+  ::setenv("BLOCKS_SIMD", "baseline", 1);
+  const int code = blocks("run " + shipped("stack"), folder.path()).code;
+  ::unsetenv("BLOCKS_SIMD");
+  ASSERT_EQ(code, 0);
+  EXPECT_EQ(summary(folder, "stack")["state_hash"], "cd389e5c0374a30f");
 }
 
 // Golden: the random blocks of every user's deck. Streams are named by the layer

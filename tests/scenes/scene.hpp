@@ -84,7 +84,7 @@ class Scene {
       pair.certain = 0.0;
     for (dynamics::ContactGroup& group : buffers_.groups.all)
       group.certain.travel = 0.0, group.hopeless = 1;
-    buffers_.groups.live_current = false;
+    buffers_.groups.live_complete = false;
   }
 
   double dt() const { return model.time_step.dt; }

@@ -1,0 +1,2 @@
+#define BLOCKS_LANES baseline
+#include "dynamics/contact_lanes_body.hpp"
