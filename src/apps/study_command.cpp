@@ -96,17 +96,73 @@ void check_files(const StudyOptions& options) {
 /// The rules of every run, which the gate judges.
 const study::Variant* default_rules() { return &study::all_variants().front(); }
 
+/// Tells what the gate does not let pass: default hangs or lets a block through, or
+/// takes other decisions than exact arithmetic takes anew.
 bool default_is_sound(const std::vector<study::Study>& studies) {
+  bool sound = true;
   for (const study::Study& study : studies)
-    for (const study::Row& row : study.rows)
-      if (row.variant == default_rules() && row.hung + row.fell > 0)
-        return false;
-  return true;
+    for (const study::Row& row : study.rows) {
+      if (row.variant != default_rules())
+        continue;
+      const bool exact = !(row.wrong_signs.value > 0 || row.wrong_tangents.value > 0 ||
+                           row.phantom.value > 0 || row.missed.value > 0);
+      if (row.hung + row.fell == 0 && exact)
+        continue;
+      fmt::print(stderr,
+                 "blocks: error: the gate is shut: {}: of {} frames {} hung and {} "
+                 "fell through{}\n",
+                 study.scene, row.frames, row.hung, row.fell,
+                 exact ? "" : "; some decisions were not the exact ones");
+      sound = false;
+    }
+  return sound;
 }
 
-}  // namespace
+/// Scenes by name and from decks, all before the first one runs; nothing: the exit code
+/// of the deck that cannot be one.
+std::vector<study::Scene> make_scenes(const std::vector<std::string>& names,
+                                      int& code) {
+  std::vector<study::Scene> scenes;
+  for (const std::string& name : names) {
+    if (is_scene(name)) {
+      scenes.push_back(study::make_scene(name));
+      continue;
+    }
+    run::RunOptions deck;
+    deck.deck = name;
+    const auto checked = run::build_checked(deck);
+    if (checked.code != run::done) {
+      code = checked.code;
+      return {};
+    }
+    if (checked.model.blocks.size() == 0) {
+      fmt::print(stderr,
+                 "blocks: error: {} has no blocks to study\n  hint: a deck is studied "
+                 "as it stands after its last CREATE, LAYER or READ9 card\n",
+                 checked.file);
+      code = run::deck_error;
+      return {};
+    }
+    scenes.push_back(study::scene_of_deck(checked.file, checked.model));
+  }
+  return scenes;
+}
 
-namespace {
+/// The tables of what is finished, so far. The first time an older file is put aside.
+void save(const StudyOptions& options, const std::vector<study::Study>& studies) {
+  const auto write = [&](const std::string& path, const std::string& text) {
+    if (studies.size() == 1) {
+      write_text_file(path, text);
+    } else {
+      write_text_file(path + ".tmp", text);
+      std::filesystem::rename(path + ".tmp", path);
+    }
+  };
+  if (!options.csv.empty())
+    write(options.csv, study::csv(studies));
+  if (!options.json.empty())
+    write(options.json, study::json(studies, {options.frames, options.seed}));
+}
 
 /// In words, for CLI::Range lets not-a-number pass and prints thirty digits.
 CLI::Validator between(double low, double high) {
@@ -133,7 +189,8 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--first", options.first, "number of the first frame (0)")
       ->check(CLI::Range(0, 1000000000));
   command.add_flag("--gate", options.gate,
-                   "exit 4 when the default rules hang or let a block through");
+                   "exit 4 when the default rules hang, let a block through or "
+                   "decide otherwise than exactly");
   command.add_option("--variants", options.variants, "default,report,... (all)")
       ->delimiter(',');
   command
@@ -167,13 +224,13 @@ int study_contacts(const StudyOptions& options) {
     fmt::print(stderr, "blocks: error: which scene?\n{}", study::list_of_scenes());
     return run::usage_error;
   }
-  const auto scenes = scenes_meant(options.scenes);
+  const auto names = scenes_meant(options.scenes);
   study::StudyChoice choice{{options.seed, options.offset, options.scale},
                             options.first,
                             options.frames,
                             options.steps,
-                            scenes.empty() ? std::vector<const study::Variant*>()
-                                           : variants_meant(options.variants),
+                            names.empty() ? std::vector<const study::Variant*>()
+                                          : variants_meant(options.variants),
                             options.threads};
   if (choice.variants.empty())
     return run::usage_error;
@@ -192,30 +249,28 @@ int study_contacts(const StudyOptions& options) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return run::file_error;
   }
+  int code = run::done;
+  std::vector<study::Scene> scenes = make_scenes(names, code);
+  if (code != run::done)
+    return code;
   std::vector<study::Study> studies;
-  for (const std::string& name : scenes) {
-    study::Scene scene;
-    if (is_scene(name)) {
-      scene = study::make_scene(name);
-    } else {
-      run::RunOptions deck;
-      deck.deck = name;
-      const auto checked = run::build_checked(deck);
-      if (checked.code != run::done)
-        return checked.code;
-      scene = study::scene_of_deck(checked.file, checked.model);
-    }
+  for (study::Scene& scene : scenes) {
     studies.push_back(study::run_study(std::move(scene), choice));
-    fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(studies.back()));
+    const study::Study& done = studies.back();
+    fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(done));
     std::fflush(stdout);  // the next scene may take a minute
+    if (!done.refused.empty()) {
+      fmt::print(stderr,
+                 "blocks: error: {} was not run: {}\n  hint: nearer to the origin "
+                 "(--offset) or larger (--scale) doubles are finer\n",
+                 done.scene, done.refused);
+      code = run::deck_error;
+    }
+    save(options, studies);
   }
-  if (!options.csv.empty())
-    write_text_file(options.csv, study::csv(studies));
-  if (!options.json.empty())
-    write_text_file(options.json, study::json(studies, {options.frames, options.seed}));
   if (!options.figure.empty())
     study::draw_studies(options.figure, studies);
-  return options.gate && !default_is_sound(studies) ? run::unsound_run : run::done;
+  return options.gate && !default_is_sound(studies) ? run::unsound_run : code;
 }
 
 }  // namespace blocks::apps
