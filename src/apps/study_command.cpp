@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <tuple>
 
 #include "deck/suggest.hpp"
 #include "output/results.hpp"
@@ -43,7 +45,7 @@ std::vector<std::string> scenes_meant(const std::vector<std::string>& given) {
     } else if (is_scene(name) || looks_like_deck(name)) {
       meant.push_back(name);
     } else {
-      fmt::print(stderr, "blocks: error: there is no scene {}{}\n{}", name,
+      fmt::print(stderr, "blocks: error: there is no scene '{}'{}\n{}", name,
                  did_you_mean(name, study::scene_names()), study::list_of_scenes());
       return {};
     }
@@ -65,9 +67,18 @@ variants_meant(const std::vector<std::string>& given) {
       meant.push_back(&variant);
   }
   for (const std::string& name : given) {
+    if (name == "all") {
+      const std::vector<const study::Variant*> others = variants_meant({});
+      std::copy_if(others.begin(), others.end(), std::back_inserter(meant),
+                   [&](const study::Variant* variant) {
+                     return std::find(meant.begin(), meant.end(), variant) ==
+                            meant.end();
+                   });
+      continue;
+    }
     const study::Variant* variant = study::find_variant(name);
     if (variant == nullptr) {
-      fmt::print(stderr, "blocks: error: there is no variant {}{}\n{}", name,
+      fmt::print(stderr, "blocks: error: there is no variant '{}'{}\n{}", name,
                  did_you_mean(name, names), study::list_of_variants());
       return {};
     }
@@ -85,6 +96,9 @@ void check_files(const StudyOptions& options) {
       throw output::FileError("cannot write " + *path + ": there is no folder " +
                               folder.string());
   }
+  if (const auto& [a, b, c] = std::tie(options.csv, options.json, options.figure);
+      (!a.empty() && (a == b || a == c)) || (!b.empty() && b == c))
+    throw output::FileError("the table, the JSON and the figure need a file each");
   const auto ending = std::filesystem::path(options.figure).extension();
   if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
       ending != ".pdf")
@@ -173,9 +187,25 @@ CLI::Validator between(double low, double high) {
         const bool number = CLI::detail::lexical_cast(text, value);
         return number && low <= value && value <= high
                    ? std::string()
-                   : fmt::format("{} is not in the range {}", text, range);
+                   : fmt::format("expected a number from {} to {}, found '{}'", low,
+                                 high, text);
       },
       range);
+}
+
+/// Digits only: a sign would wrap, 010 be eight.
+CLI::Validator whole_between(std::uint64_t low, std::uint64_t high) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        const bool digits = !text.empty() && text.size() <= 16 &&
+                            text.find_first_not_of("0123456789") == std::string::npos;
+        if (!digits || std::stoull(text) < low || std::stoull(text) > high)
+          return fmt::format("expected a whole number from {} to {}, found '{}'", low,
+                             high, text);
+        text = std::to_string(std::stoull(text));
+        return std::string();
+      },
+      fmt::format("{} to {}", low, high));
 }
 
 }  // namespace
@@ -184,14 +214,14 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("SCENE", options.scenes, "scenes by name, all, or decks");
   command.add_flag("--list", options.list, "list scenes and variants");
   command.add_option("--frames", options.frames, "random frames of each scene")
-      ->check(CLI::Range(1, 1000000))
+      ->check(whole_between(1, 1000000))
       ->capture_default_str();
   command.add_option("--first", options.first, "number of the first frame (0)")
-      ->check(CLI::Range(0, 1000000000));
+      ->check(whole_between(0, 1000000000));
   command.add_flag("--gate", options.gate,
                    "exit 4 when the default rules hang, let a block through or "
                    "decide otherwise than exactly");
-  command.add_option("--variants", options.variants, "default,report,... (all)")
+  command.add_option("--variants", options.variants, "default,report,... or all (all)")
       ->delimiter(',');
   command
       .add_option("--offset", options.offset,
@@ -203,11 +233,12 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
       ->check(between(1e-30, 1e30));
   command
       .add_option("--steps", options.steps, "time steps (the scene's own; decks 2000)")
-      ->check(CLI::Range(1L, 1000000000L));
+      ->check(whole_between(1, 1000000000));
   command.add_option("--seed", options.seed, "seed of the frames")
+      ->check(whole_between(0, 9007199254740992))
       ->capture_default_str();
   command.add_option("-j,--threads", options.threads, "threads; results do not change")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_between(1, 1024))
       ->capture_default_str();
   command.add_option("--figure", options.figure,
                      "draw hang-ups and fall-throughs: .png, .svg or .pdf");

@@ -19,6 +19,8 @@ std::string percent(const Estimate& e) {
   const int digits = value < 0.095 ? -1 : value < 9.95 ? 1 : 0;
   if (digits < 0)
     return fmt::format("{:.1g}", value);
+  if (std::isnan(half))
+    return fmt::format("{:.{}f}", value, digits);
   return fmt::format("{:.{}f} ±{:.{}f}", value, digits, half, digits);
 }
 
@@ -35,7 +37,9 @@ std::string counted(long k, int n, const Estimate& e) {
 std::string small(const Estimate& e) {
   if (std::isnan(e.value))
     return "-";
-  return fmt::format("{:.0e} ({:.0e}..{:.0e})", e.value, e.low, e.high);
+  return std::isnan(e.low)
+             ? fmt::format("{:.0e}", e.value)
+             : fmt::format("{:.0e} ({:.0e}..{:.0e})", e.value, e.low, e.high);
 }
 
 /// "12/20 at 53 (20-71)": frames, median of the first step with its interval.
@@ -160,9 +164,9 @@ std::string text(const Study& study) {
     }
   }
   if (frames > 0)
-    out +=
-        fmt::format("{} frames of {} steps; 95 % confidence\n\n", frames, study.steps) +
-        aligned(table);
+    out += fmt::format("{} frame{} of {} steps; 95 % confidence\n\n", frames,
+                       frames == 1 ? "" : "s", study.steps) +
+           aligned(table);
   return out + notes;
 }
 

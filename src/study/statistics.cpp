@@ -23,6 +23,8 @@ Estimate rate(long k, long n) {
 Estimate mean(const std::vector<double>& values, std::uint64_t seed) {
   if (values.empty())
     return {};
+  if (values.size() == 1)
+    return {values[0], not_asked, not_asked};
   const std::size_t n = values.size();
   const double count = static_cast<double>(n);
   constexpr std::size_t resamples = 1000;

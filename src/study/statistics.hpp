@@ -17,7 +17,8 @@ struct Estimate {
 /// Wilson's score interval for k of n, 0 <= k <= n, n > 0.
 Estimate rate(long k, long n);
 
-/// Mean with the percentile bootstrap interval of 1000 resamples; empty: not asked.
+/// Mean with the percentile bootstrap interval of 1000 resamples; empty: not asked;
+/// of one value there is no interval.
 Estimate mean(const std::vector<double>& values, std::uint64_t seed);
 
 /// Median with the interval of order statistics, which needs no law of distribution:
