@@ -262,17 +262,16 @@ ContactCase any_magnitude(std::uint64_t number) {
   });
 }
 
-/// x1 x2 - y1 y2 is about `rest`, but for a few units in the last place. The factors
-/// are multiples of 2^-52 and lie above 1 by so much that a unit there weighs much and
-/// yet the products stay below 1.5: three roundings each then exceed 2u times their
-/// sum.
+/// x1 x2 - y1 y2 is zero but for a few units in the last place. The factors are
+/// multiples of 2^-52 and the products stay below 1.5, so that three units there exceed
+/// 2u times their sum, and the roundings can add up to more.
 struct Factors {
   double x1, x2, y1, y2;
 
-  Factors(Draw& draw, double rest) {
+  explicit Factors(Draw& draw) {
     x1 = draw.uniform(1.15, 1.22), x2 = draw.uniform(1.15, 1.22);
     y1 = draw.uniform(1.1, 1.2);
-    y2 = draw.nudge((x1 * x2 - rest) / y1, 4);
+    y2 = draw.nudge(x1 * x2 / y1, 4);
   }
 };
 
@@ -285,7 +284,7 @@ double lost(Draw& draw) { return std::ldexp(draw.uniform(0.98, 1.0), -53); }
 void overlap_near_bound(ContactCase& k, Draw& draw, bool slack) {
   const double sx = draw.coin() ? 1 : -1, sy = draw.coin() ? 1 : -1;
   const double way = draw.coin() ? 1 : -1;
-  const Factors f(draw, slack ? sx * sy * -2.8 * geometry::contact_slack : 0.0);
+  const Factors f(draw);
   k.c = {sx * f.x1, -sy * f.y2};
   k.p2 = {-sx * f.y1, sy * f.x2};
   if (slack)  // the slack belongs to this very edge
@@ -304,7 +303,7 @@ void end_near_bound(ContactCase& k, Draw& draw) {
   const double s = std::ldexp(1, -draw.whole(5, 8));  // length of the edge
   const double sx = draw.coin() ? 1 : -1, sy = draw.coin() ? 1 : -1;
   const double way = draw.coin() ? 1 : -1;
-  Factors f(draw, 0.0);
+  Factors f(draw);
   f.y1 = draw.nudge(
       (f.x1 * f.x2 + geometry::contact_slack * s * (f.x2 * f.x2 + f.y2 * f.y2)) / f.y2,
       4);
@@ -323,7 +322,7 @@ void depth_near_bound(ContactCase& k, Draw& draw) {
   const double s = std::ldexp(1, -draw.whole(5, 8));  // length of the edge
   const double sx = draw.coin() ? 1 : -1, sy = draw.coin() ? 1 : -1;
   const double across = draw.coin() ? 1 : -1, way = draw.coin() ? 1 : -1;
-  const Factors f(draw, 0.0);
+  const Factors f(draw);
   const double along = sx * sy * across;
   k.p2 = {along * f.y2 * s, sy * f.x2 * s};
   k.p1.x() = -along * way * s * lost(draw);
