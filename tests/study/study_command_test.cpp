@@ -37,6 +37,19 @@ TEST(StudyCommand, TakesADeck) {
   EXPECT_EQ(blocks("study contacts none.deck", folder.path()).code, 5);
 }
 
+// At 1e12 block sizes doubles are coarser than the slack, and frame 9 is known to hang.
+TEST(StudyCommand, GateShutsAndSaysWhy) {
+  const TemporaryFolder folder;
+  const std::string one = "study contacts diagonal --first 9 --frames 1 --gate "
+                          "--variants default --offset ";
+  const Outcome far = blocks(one + "1e12", folder.path());
+  EXPECT_EQ(far.code, 4);
+  EXPECT_THAT(far.out, HasSubstr("default hung in frame 9"));
+  EXPECT_THAT(far.err, HasSubstr("blocks: error: the gate is shut: diagonal: of 1 "
+                                 "frames 1 hung and 0 fell through"));
+  EXPECT_EQ(blocks(one + "1e3", folder.path()).code, 0);
+}
+
 TEST(StudyCommand, SaysWhatThereIs) {
   const TemporaryFolder folder;
   const Outcome scene = blocks("study contacts figure4", folder.path());
