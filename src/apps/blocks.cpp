@@ -141,6 +141,16 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
     app.get_subcommand(page->first)->description(page->second);
 }
 
+/// A fault of the command line, told like every other.
+std::string tell_usage_fault(const CLI::App* app, const CLI::Error& error) {
+  std::string command = "blocks";
+  for (auto named = app->get_subcommands(); !named.empty();
+       named = named.front()->get_subcommands())
+    command += ' ' + named.front()->get_name();
+  return fmt::format("blocks: error: {}\n  hint: {} --help says what there is\n",
+                     error.what(), command);
+}
+
 int cards(const std::string& name, bool markdown) {
   if (markdown) {
     std::cout << blocks::deck::card_reference_markdown();
@@ -231,6 +241,8 @@ int dispatch(int argc, char** argv) {
   auto* why = app.add_subcommand("why", "why two blocks touch, or do not, at one time");
   blocks::apps::add_why_options(*why, why_options);
 
+  study->allow_extras();
+  app.failure_message(tell_usage_fault);
   app.name("blocks");
   open_help_with_example(app, argc, argv);
   try {
@@ -258,8 +270,13 @@ int dispatch(int argc, char** argv) {
   if (*contacts)
     return blocks::apps::study_contacts(study_options);
   if (*study) {
-    std::fprintf(stderr, "blocks: error: study what?\n  hint: blocks study contacts "
-                         "SCENE; blocks study contacts --list\n");
+    const auto extras = study->remaining();
+    fmt::print(stderr,
+               "blocks: error: {}\n  hint: blocks study contacts SCENE; "
+               "blocks study contacts --list\n",
+               extras.empty()
+                   ? "study what?"
+                   : "there is no study '" + extras.front() + "', there is contacts");
     return blocks::run::usage_error;
   }
   if (*why)

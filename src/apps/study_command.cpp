@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <tuple>
 
 #include "deck/suggest.hpp"
 #include "output/results.hpp"
@@ -43,7 +45,7 @@ std::vector<std::string> scenes_meant(const std::vector<std::string>& given) {
     } else if (is_scene(name) || looks_like_deck(name)) {
       meant.push_back(name);
     } else {
-      fmt::print(stderr, "blocks: error: there is no scene {}{}\n{}", name,
+      fmt::print(stderr, "blocks: error: there is no scene '{}'{}\n{}", name,
                  did_you_mean(name, study::scene_names()), study::list_of_scenes());
       return {};
     }
@@ -65,9 +67,18 @@ variants_meant(const std::vector<std::string>& given) {
       meant.push_back(&variant);
   }
   for (const std::string& name : given) {
+    if (name == "all") {
+      const std::vector<const study::Variant*> others = variants_meant({});
+      std::copy_if(others.begin(), others.end(), std::back_inserter(meant),
+                   [&](const study::Variant* variant) {
+                     return std::find(meant.begin(), meant.end(), variant) ==
+                            meant.end();
+                   });
+      continue;
+    }
     const study::Variant* variant = study::find_variant(name);
     if (variant == nullptr) {
-      fmt::print(stderr, "blocks: error: there is no variant {}{}\n{}", name,
+      fmt::print(stderr, "blocks: error: there is no variant '{}'{}\n{}", name,
                  did_you_mean(name, names), study::list_of_variants());
       return {};
     }
@@ -85,6 +96,9 @@ void check_files(const StudyOptions& options) {
       throw output::FileError("cannot write " + *path + ": there is no folder " +
                               folder.string());
   }
+  if (const auto& [a, b, c] = std::tie(options.csv, options.json, options.figure);
+      (!a.empty() && (a == b || a == c)) || (!b.empty() && b == c))
+    throw output::FileError("the table, the JSON and the figure need a file each");
   const auto ending = std::filesystem::path(options.figure).extension();
   if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
       ending != ".pdf")
@@ -96,17 +110,73 @@ void check_files(const StudyOptions& options) {
 /// The rules of every run, which the gate judges.
 const study::Variant* default_rules() { return &study::all_variants().front(); }
 
+/// Tells what the gate does not let pass: default hangs or lets a block through, or
+/// takes other decisions than exact arithmetic takes anew.
 bool default_is_sound(const std::vector<study::Study>& studies) {
+  bool sound = true;
   for (const study::Study& study : studies)
-    for (const study::Row& row : study.rows)
-      if (row.variant == default_rules() && row.hung + row.fell > 0)
-        return false;
-  return true;
+    for (const study::Row& row : study.rows) {
+      if (row.variant != default_rules())
+        continue;
+      const bool exact = !(row.wrong_signs.value > 0 || row.wrong_tangents.value > 0 ||
+                           row.phantom.value > 0 || row.missed.value > 0);
+      if (row.hung + row.fell == 0 && exact)
+        continue;
+      fmt::print(stderr,
+                 "blocks: error: the gate is shut: {}: of {} frames {} hung and {} "
+                 "fell through{}\n",
+                 study.scene, row.frames, row.hung, row.fell,
+                 exact ? "" : "; some decisions were not the exact ones");
+      sound = false;
+    }
+  return sound;
 }
 
-}  // namespace
+/// Scenes by name and from decks, all before the first one runs; nothing: the exit code
+/// of the deck that cannot be one.
+std::vector<study::Scene> make_scenes(const std::vector<std::string>& names,
+                                      int& code) {
+  std::vector<study::Scene> scenes;
+  for (const std::string& name : names) {
+    if (is_scene(name)) {
+      scenes.push_back(study::make_scene(name));
+      continue;
+    }
+    run::RunOptions deck;
+    deck.deck = name;
+    const auto checked = run::build_checked(deck);
+    if (checked.code != run::done) {
+      code = checked.code;
+      return {};
+    }
+    if (checked.model.blocks.size() == 0) {
+      fmt::print(stderr,
+                 "blocks: error: {} has no blocks to study\n  hint: a deck is studied "
+                 "as it stands after its last CREATE, LAYER or READ9 card\n",
+                 checked.file);
+      code = run::deck_error;
+      return {};
+    }
+    scenes.push_back(study::scene_of_deck(checked.file, checked.model));
+  }
+  return scenes;
+}
 
-namespace {
+/// The tables of what is finished, so far. The first time an older file is put aside.
+void save(const StudyOptions& options, const std::vector<study::Study>& studies) {
+  const auto write = [&](const std::string& path, const std::string& text) {
+    if (studies.size() == 1) {
+      write_text_file(path, text);
+    } else {
+      write_text_file(path + ".tmp", text);
+      std::filesystem::rename(path + ".tmp", path);
+    }
+  };
+  if (!options.csv.empty())
+    write(options.csv, study::csv(studies));
+  if (!options.json.empty())
+    write(options.json, study::json(studies, {options.frames, options.seed}));
+}
 
 /// In words, for CLI::Range lets not-a-number pass and prints thirty digits.
 CLI::Validator between(double low, double high) {
@@ -117,9 +187,25 @@ CLI::Validator between(double low, double high) {
         const bool number = CLI::detail::lexical_cast(text, value);
         return number && low <= value && value <= high
                    ? std::string()
-                   : fmt::format("{} is not in the range {}", text, range);
+                   : fmt::format("expected a number from {} to {}, found '{}'", low,
+                                 high, text);
       },
       range);
+}
+
+/// Digits only: a sign would wrap, 010 be eight.
+CLI::Validator whole_between(std::uint64_t low, std::uint64_t high) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        const bool digits = !text.empty() && text.size() <= 16 &&
+                            text.find_first_not_of("0123456789") == std::string::npos;
+        if (!digits || std::stoull(text) < low || std::stoull(text) > high)
+          return fmt::format("expected a whole number from {} to {}, found '{}'", low,
+                             high, text);
+        text = std::to_string(std::stoull(text));
+        return std::string();
+      },
+      fmt::format("{} to {}", low, high));
 }
 
 }  // namespace
@@ -128,13 +214,14 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("SCENE", options.scenes, "scenes by name, all, or decks");
   command.add_flag("--list", options.list, "list scenes and variants");
   command.add_option("--frames", options.frames, "random frames of each scene")
-      ->check(CLI::Range(1, 1000000))
+      ->check(whole_between(1, 1000000))
       ->capture_default_str();
   command.add_option("--first", options.first, "number of the first frame (0)")
-      ->check(CLI::Range(0, 1000000000));
+      ->check(whole_between(0, 1000000000));
   command.add_flag("--gate", options.gate,
-                   "exit 4 when the default rules hang or let a block through");
-  command.add_option("--variants", options.variants, "default,report,... (all)")
+                   "exit 4 when the default rules hang, let a block through or "
+                   "decide otherwise than exactly");
+  command.add_option("--variants", options.variants, "default,report,... or all (all)")
       ->delimiter(',');
   command
       .add_option("--offset", options.offset,
@@ -146,11 +233,12 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
       ->check(between(1e-30, 1e30));
   command
       .add_option("--steps", options.steps, "time steps (the scene's own; decks 2000)")
-      ->check(CLI::Range(1L, 1000000000L));
+      ->check(whole_between(1, 1000000000));
   command.add_option("--seed", options.seed, "seed of the frames")
+      ->check(whole_between(0, 9007199254740992))
       ->capture_default_str();
   command.add_option("-j,--threads", options.threads, "threads; results do not change")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_between(1, 1024))
       ->capture_default_str();
   command.add_option("--figure", options.figure,
                      "draw hang-ups and fall-throughs: .png, .svg or .pdf");
@@ -167,13 +255,13 @@ int study_contacts(const StudyOptions& options) {
     fmt::print(stderr, "blocks: error: which scene?\n{}", study::list_of_scenes());
     return run::usage_error;
   }
-  const auto scenes = scenes_meant(options.scenes);
+  const auto names = scenes_meant(options.scenes);
   study::StudyChoice choice{{options.seed, options.offset, options.scale},
                             options.first,
                             options.frames,
                             options.steps,
-                            scenes.empty() ? std::vector<const study::Variant*>()
-                                           : variants_meant(options.variants),
+                            names.empty() ? std::vector<const study::Variant*>()
+                                          : variants_meant(options.variants),
                             options.threads};
   if (choice.variants.empty())
     return run::usage_error;
@@ -192,30 +280,28 @@ int study_contacts(const StudyOptions& options) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return run::file_error;
   }
+  int code = run::done;
+  std::vector<study::Scene> scenes = make_scenes(names, code);
+  if (code != run::done)
+    return code;
   std::vector<study::Study> studies;
-  for (const std::string& name : scenes) {
-    study::Scene scene;
-    if (is_scene(name)) {
-      scene = study::make_scene(name);
-    } else {
-      run::RunOptions deck;
-      deck.deck = name;
-      const auto checked = run::build_checked(deck);
-      if (checked.code != run::done)
-        return checked.code;
-      scene = study::scene_of_deck(checked.file, checked.model);
-    }
+  for (study::Scene& scene : scenes) {
     studies.push_back(study::run_study(std::move(scene), choice));
-    fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(studies.back()));
+    const study::Study& done = studies.back();
+    fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(done));
     std::fflush(stdout);  // the next scene may take a minute
+    if (!done.refused.empty()) {
+      fmt::print(stderr,
+                 "blocks: error: {} was not run: {}\n  hint: nearer to the origin "
+                 "(--offset) or larger (--scale) doubles are finer\n",
+                 done.scene, done.refused);
+      code = run::deck_error;
+    }
+    save(options, studies);
   }
-  if (!options.csv.empty())
-    write_text_file(options.csv, study::csv(studies));
-  if (!options.json.empty())
-    write_text_file(options.json, study::json(studies, {options.frames, options.seed}));
   if (!options.figure.empty())
     study::draw_studies(options.figure, studies);
-  return options.gate && !default_is_sound(studies) ? run::unsound_run : run::done;
+  return options.gate && !default_is_sound(studies) ? run::unsound_run : code;
 }
 
 }  // namespace blocks::apps

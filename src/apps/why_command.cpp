@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -68,46 +69,89 @@ void add_why_options(CLI::App& command, WhyOptions& options) {
   command.add_flag("--json", options.json, "the answer as one JSON object");
 }
 
-int why(const WhyOptions& options) {
-  const WhyScene scene = read_scene(options.file, options.time);
-  const Blocks& blocks = scene.blocks;
+namespace {
+
+std::string times_held(const WhyScene& scene) {
   const auto [first, last] =
       std::minmax_element(scene.times.begin(), scene.times.end());
-  if (const double grace = 1e-9 * std::abs(*last);  // as times are printed
-      options.time &&
-      !(*options.time >= *first - grace && *options.time <= *last + grace))
+  if (scene.times.size() == 1)
+    return fmt::format("it holds the state at time {:.9g} only", *first);
+  return fmt::format(
+      "it holds {} frames from time {:.9g} to {:.9g}: {}", scene.times.size(), *first,
+      *last, some(scene.times, [](double t) { return fmt::format("{:g}", t); }));
+}
+
+bool within(const WhyScene& scene, double time) {
+  const auto [first, last] =
+      std::minmax_element(scene.times.begin(), scene.times.end());
+  const double grace = 1e-9 * std::abs(*last);  // as times are printed
+  return *first - grace <= time && time <= *last + grace;
+}
+
+/// Nothing: the text is no number of its kind, and that alone.
+template <class Number> std::optional<Number> number_of(const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [rest, fault] = std::from_chars(text.data(), end, value);
+  return fault == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+}
+
+/// The block is not there: which are, and when it comes.
+int refuse_block(const WhyOptions& options, const WhyScene& scene,
+                 const std::string& name) {
+  const int count = scene.blocks.size();
+  const std::string there = count == 0 ? "it has no blocks at that time"
+                                       : fmt::format("its blocks are 1 to {}", count);
+  const std::optional<int> block = number_of<int>(name);
+  if (!block)
     return refuse(
-        fmt::format("time {:g} is outside of {}", *options.time, options.file),
-        scene.times.size() == 1
-            ? fmt::format("it holds the state at time {:.9g} only", *first)
-            : fmt::format(
-                  "it holds {} frames from time {:.9g} to {:.9g}: {}",
-                  scene.times.size(), *first, *last,
-                  some(scene.times, [](double t) { return fmt::format("{:g}", t); })));
-  for (const int block : options.blocks)
-    if (block < 1 || block > blocks.size())
-      return refuse(fmt::format("there is no block {} in {} at time {:g}", block,
-                                options.file, scene.time),
-                    fmt::format("its blocks are 1 to {}", blocks.size()));
+        fmt::format("'{}' is not the number of a block of {}", name, options.file),
+        there);
+  const auto begins =
+      *block > count ? first_time_with(options.file, *block) : std::optional<double>();
+  return refuse(fmt::format("there is no block {} in {} at time {:g}", *block,
+                            options.file, scene.time),
+                begins ? fmt::format("it is there from time {:.9g} on; before that, {}",
+                                     *begins, there)
+                       : there);
+}
+
+}  // namespace
+
+int why(const WhyOptions& options) {
+  const std::optional<double> time =
+      options.time ? number_of<double>(*options.time) : std::optional<double>();
+  const WhyScene scene = read_scene(options.file, time);
+  if (options.time && !(time && within(scene, *time)))
+    return refuse(time ? fmt::format("time {:g} is outside of {}", *time, options.file)
+                       : fmt::format("'{}' is not a time", *options.time),
+                  times_held(scene));
+  const Blocks& blocks = scene.blocks;
+  std::vector<int> chosen;
+  for (const std::string& name : options.blocks) {
+    const std::optional<int> block = number_of<int>(name);
+    if (!block || *block < 1 || *block > blocks.size())
+      return refuse_block(options, scene, name);
+    chosen.push_back(*block);
+  }
 
   double reach = scene.reach;
   if (reach == 0.0)  // a tenth of the size of the smaller of the two
-    for (const int block : options.blocks) {
+    for (const int block : chosen) {
       const double size = 0.1 * std::sqrt(blocks.area[block - 1]);
       reach = reach == 0.0 ? size : std::min(reach, size);
     }
   const audit::ExactRules rules(blocks, reach);
-  if (options.blocks.size() != 2 || options.blocks[0] == options.blocks[1]) {
+  if (chosen.size() != 2 || chosen[0] == chosen[1]) {
     const std::string what = "a contact has two blocks: --block I --block J";
-    return refuse(what, options.blocks.empty()
-                            ? fmt::format("the blocks of {} are 1 to {}", options.file,
-                                          blocks.size())
-                            : neighbours(rules, options.blocks[0] - 1));
+    return refuse(what, chosen.empty() ? fmt::format("the blocks of {} are 1 to {}",
+                                                     options.file, blocks.size())
+                                       : neighbours(rules, chosen[0] - 1));
   }
-  const int i = options.blocks[0] - 1, j = options.blocks[1] - 1;
+  const int i = chosen[0] - 1, j = chosen[1] - 1;
   WhyReport report = why(scene, rules, i, j);
   report.file = options.file;
-  report.asked = options.time;
+  report.asked = time;
   if (report.decisions.empty()) {
     if (!blocks.is_free(i) && !blocks.is_free(j))
       return refuse(fmt::format("blocks {} and {} are both fixed: there is no contact "

@@ -9,9 +9,9 @@
 namespace blocks::apps {
 
 struct WhyOptions {
-  std::string file;            ///< results or a checkpoint
-  std::optional<double> time;  ///< the frame nearest to it; else the last
-  std::vector<int> blocks;     ///< two, from 1
+  std::string file;                 ///< results or a checkpoint
+  std::optional<std::string> time;  ///< the frame nearest to it; else the last
+  std::vector<std::string> blocks;  ///< two numbers, from 1
   bool json = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include "geometry/polygon.hpp"
@@ -10,6 +11,8 @@
 
 namespace blocks::apps {
 namespace {
+
+constexpr std::string_view results_head = "\x89HDF\r\n\x1a\n";
 
 /// The first bytes of a file. Throws output::FileError.
 std::string head_of(const std::string& path) {
@@ -96,9 +99,19 @@ const RememberedContact* WhyScene::find(int corner, int edge) const {
   return nullptr;
 }
 
+std::optional<double> first_time_with(const std::string& path, int blocks) {
+  if (head_of(path) != results_head)
+    return {};
+  const post::ResultsReader results(path);
+  for (long i = 0; i < results.frames(); ++i)
+    if (const post::Frame frame = results.frame(i); frame.size() >= blocks)
+      return frame.time;
+  return {};
+}
+
 WhyScene read_scene(const std::string& path, const std::optional<double>& time) {
   const std::string head = head_of(path);
-  if (head == "\x89HDF\r\n\x1a\n")
+  if (head == results_head)
     return from_results(path, time);
   if (head == "BLOCKS c")
     return from_checkpoint(path);

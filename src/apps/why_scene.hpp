@@ -30,6 +30,10 @@ struct WhyScene {
   const RememberedContact* find(int corner, int edge) const;
 };
 
+/// From which stored time on results hold that many blocks; nothing: never, or the file
+/// is a checkpoint. Throws output::FileError.
+std::optional<double> first_time_with(const std::string& path, int blocks);
+
 /// The states of a file: of results the frame nearest in time, nothing: the last; of a
 /// checkpoint its only one. Throws output::FileError.
 WhyScene read_scene(const std::string& path, const std::optional<double>& time);

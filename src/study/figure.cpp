@@ -82,9 +82,13 @@ class Sheet {
       cairo_stroke(pen_);
       text(fmt::format("{}", 25 * k), at, bottom, 11, faint, 0.5, 0);
     }
+    if (const std::string note = remark(study); !note.empty())
+      text(note, x + w, y + 22, 11, faint, 1, 1);
     double row_y = y + head;
     for (const Row& row : study.rows) {
       text(std::string(row.variant->name), x - 8, row_y, 12.5, ink, 1, 0.5);
+      if (!row.refused.empty())
+        text("not run", x + 8, row_y, 11, faint, 0, 0.5);
       if (row.phantom.value > 0.0) {
         colour(ghost);
         cairo_rectangle(pen_, x, row_y - 0.4 * line, w * row.phantom.value, 0.8 * line);
@@ -98,6 +102,16 @@ class Sheet {
     cairo_set_line_width(pen_, 1);
     cairo_rectangle(pen_, x, first, w, bottom - line / 2 - first);
     cairo_stroke(pen_);
+  }
+
+  /// Why a panel has no marks of a kind.
+  static std::string remark(const Study& study) {
+    if (study.rows.empty())
+      return "not run";
+    const bool moves =
+        std::any_of(study.rows.begin(), study.rows.end(),
+                    [](const Row& row) { return !std::isnan(row.hang_ups.value); });
+    return moves ? "" : "nothing moves, nothing can hang";
   }
 
   void interval(const Estimate& e, double x, double y, double w, const Colour& c,
@@ -123,8 +137,10 @@ class Sheet {
 
   void legend(const std::vector<Study>& studies) {
     text("Contact rules in random frames", gap, 30, 20, ink, 0, 1);
-    const int frames =
-        studies.front().rows.empty() ? 0 : studies.front().rows[0].frames;
+    int frames = 0;
+    for (const Study& study : studies)
+      for (const Row& row : study.rows)
+        frames = std::max(frames, row.frames);
     text(fmt::format("per cent of {} frames, 95 % confidence", frames), gap, 54, 13.5,
          {0.36, 0.36, 0.4}, 0, 1);
     double x = width_ > 900 ? 0.42 * width_ : gap + 300;

@@ -112,19 +112,59 @@ std::uint64_t hash_acting(const Contacts& contacts) {
   return state;
 }
 
+/// How far blocks fall behind the speed expected of them.
+class Pace {
+ public:
+  Pace(const Scene& scene, const Frame& frame) : scene_(scene), frame_(frame) {}
+
+  /// After step k = 1, 2, ...: the velocity is that of the way from k - 1 to k.
+  void look(const Model& model, long k) {
+    if (!scene_.known_motion)
+      return;
+    const double dt = model.time_step.dt;
+    const Eigen::Matrix2Xd here = scene_.expected(k, dt);
+    if (before_.size() == 0)
+      before_ = scene_.expected(k - 1, dt);
+    for (int b = 0; b < model.blocks.size(); ++b) {
+      const Vec2 velocity = Vec2(here.col(b) - before_.col(b)) / dt;
+      const double speed = velocity.norm();
+      if (speed == 0.0 || !model.blocks.is_free(b))
+        continue;
+      fastest_ = std::max(fastest_, speed);
+      const Vec2 actual = frame_.back(model.blocks.velocity.col(b));
+      lost_ = std::max(lost_, speed - velocity.dot(actual) / speed);
+    }
+    before_ = here;
+  }
+  /// Share of the fastest speed expected; NaN: none was.
+  double lost() const { return fastest_ > 0.0 ? lost_ / fastest_ : not_asked; }
+
+ private:
+  const Scene& scene_;
+  const Frame& frame_;
+  Eigen::Matrix2Xd before_;
+  double fastest_ = 0.0, lost_ = 0.0;
+};
+
 /// Against what was expected of the scene: hung, sunk.
 void judge_end(const Scene& scene, const Frame& frame, const Model& model,
                const Eigen::Matrix2Xd& start, long steps, Outcome& outcome) {
   const Eigen::Matrix2Xd expected = scene.expected(steps, model.time_step.dt);
   const double gravity = scene.model.settings.gravity.norm();
+  if (!std::isnan(outcome.speed_lost)) {
+    outcome.could_hang = true;
+    outcome.hung |= outcome.speed_lost > scene.most_lost;
+  }
   for (int b = 0; b < model.blocks.size(); ++b) {
     if (!model.blocks.is_free(b))
       continue;
     const Vec2 moved =
         frame.back(Vec2(model.blocks.centroid.col(b)) - Vec2(start.col(b)));
     const Vec2 way = expected.col(b);
-    if (way.norm() > scene.least_way * scene.size)
+    if (way.norm() > scene.least_way * scene.size) {
+      outcome.could_hang = true;
       outcome.hung |= !(moved.dot(way) >= scene.least_share * way.squaredNorm());
+    }
     if (scene.most_sinking > 0.0 && gravity > 0.0) {
       const double sunk = scene.model.settings.gravity.dot(moved - way) / gravity;
       outcome.fell_through |= !(sunk <= scene.most_sinking * scene.size);
@@ -159,6 +199,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   const Eigen::Matrix2Xd start = model.blocks.centroid;
   const double energy_at_start = total_energy(model, start);
   double worst_energy = 0.0;
+  Pace pace(scene, frame);
   const bool leads = trace.empty(), follows = variant.corners == Corners::sharp;
   for (long k = 0; k < steps; ++k) {
     variant.find(model, buffers);
@@ -172,8 +213,11 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
     else if (follows && outcome.diverged < 0 &&
              trace[static_cast<std::size_t>(k)] != hash)
       outcome.diverged = k + 1;
+    pace.look(model, k + 1);
+    outcome.speed_lost = pace.lost();
     if (!finite) {
-      outcome.hung = outcome.fell_through = true;
+      outcome.fell_through = true;
+      outcome.hung = outcome.could_hang = !std::isnan(outcome.speed_lost);
       outcome.energy_error = std::numeric_limits<double>::infinity();
       return outcome;
     }
@@ -188,7 +232,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   outcome.energy_error =
       keeps_books(model)
           ? worst_energy / (energy_scale(scene) * frame.scale * frame.scale)
-          : std::numeric_limits<double>::quiet_NaN();
+          : not_asked;
   return outcome;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "study/statistics.hpp"
 #include "study/variants.hpp"
 
 namespace blocks::study {
@@ -15,7 +16,11 @@ struct Outcome {
   long exact = 0;    ///< contacts that the default rules would have acting, likewise
   long phantom = 0;  ///< acted, though the default rules reject them where they stand
   long missed = 0;   ///< did not act, though the default rules accept them
+  bool could_hang = false;  ///< a free block was expected to move
   bool hung = false, fell_through = false;
+  /// How far at most a block fell behind its expected speed, as a share of the fastest
+  /// one expected; NaN: not known, or nothing is to move.
+  double speed_lost = not_asked;
   /// Largest wrong change of the total energy during the run, over the weight times the
   /// size plus the kinetic energy at the start; NaN where loads do work or blocks store
   /// energy.

@@ -1,7 +1,10 @@
 // A scene put into another frame: everything with a length in it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon.hpp"
 #include "study/scene.hpp"
 
 namespace blocks::study {
@@ -61,6 +64,19 @@ geometry::Polygon treat(const geometry::Polygon& outline, Corners corners,
   return outline;
 }
 
+/// Throws UnfitBlock, the block counted from 1.
+void check(const geometry::Polygon& outline, int block, Corners corners) {
+  const geometry::OutlineCheck found = geometry::check_outline(outline);
+  if (found.fault == geometry::OutlineFault::none && !found.anticlockwise)
+    return;
+  throw UnfitBlock(fmt::format(
+      "block {} is too small for {}: {}", block,
+      corners == Corners::sharp     ? "the doubles there"
+      : corners == Corners::skinned ? "a skin of 0.1 % of its size"
+                                    : "corners cut by 1 % of a side",
+      found.anticlockwise ? "it is turned inside out" : geometry::describe(found)));
+}
+
 }  // namespace
 
 Model place(const Model& model, const Frame& frame, Corners corners) {
@@ -95,6 +111,7 @@ Model place(const Model& model, const Frame& frame, Corners corners) {
                    from.layer[k]};
     for (const Vec2& p : treat(from.outline(k), corners, from.area[k]))
       block.outline.push_back(frame.point(p));
+    check(block.outline, k + 1, corners);
     blocks.push_back(std::move(block));
   }
   result.blocks = {};

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace blocks::study {
 namespace {
 
-/// A share with half its interval, in per cent: "66 +-2", "0", "-".
+/// A share with half its interval, in per cent: "66 ±2", "0", "-".
 std::string percent(const Estimate& e) {
   if (std::isnan(e.value))
     return "-";
@@ -18,24 +19,39 @@ std::string percent(const Estimate& e) {
   const int digits = value < 0.095 ? -1 : value < 9.95 ? 1 : 0;
   if (digits < 0)
     return fmt::format("{:.1g}", value);
+  if (std::isnan(half))
+    return fmt::format("{:.{}f}", value, digits);
   return fmt::format("{:.{}f} ±{:.{}f}", value, digits, half, digits);
 }
 
-/// "3/20  5-36": count, frames, interval in per cent.
+/// "3/20 5-36": count, frames, interval in per cent; "-": it could not happen.
 std::string counted(long k, int n, const Estimate& e) {
+  if (std::isnan(e.value))
+    return "-";
   return fmt::format("{}/{} {:.{}f}-{:.{}f}", k, n, 100 * e.low,
                      100 * e.low < 9.95 && k ? 1 : 0, 100 * e.high,
                      100 * e.high < 9.95 ? 1 : 0);
 }
 
-std::string small(double x) { return std::isnan(x) ? "-" : fmt::format("{:.0e}", x); }
+/// "4e-10 (8e-11..2e-09)": a mean over several magnitudes has a lopsided interval.
+std::string small(const Estimate& e) {
+  if (std::isnan(e.value))
+    return "-";
+  return std::isnan(e.low)
+             ? fmt::format("{:.0e}", e.value)
+             : fmt::format("{:.0e} ({:.0e}..{:.0e})", e.value, e.low, e.high);
+}
 
+/// "12/20 at 53 (20-71)": frames, median of the first step with its interval.
 std::string divergence(const Row& row) {
   if (row.variant->corners != Corners::sharp)
     return "-";
-  return row.diverged == 0 ? "never"
-                           : fmt::format("{}/{} at {:.0f}", row.diverged, row.frames,
-                                         row.median_step);
+  if (row.diverged == 0)
+    return "never";
+  const Estimate& step = row.divergence_step;
+  return fmt::format("{}/{} at {:.0f}", row.diverged, row.frames, step.value) +
+         (std::isnan(step.low) ? std::string()
+                               : fmt::format(" ({:.0f}-{:.0f})", step.low, step.high));
 }
 
 /// Where the default rules failed: whoever mends them needs the frames.
@@ -49,12 +65,27 @@ std::string frames_line(const char* what, const std::vector<int>& frames) {
                             frames.size() > 10 ? " ..." : "", frames.front());
 }
 
-/// {:<18} counts bytes, and ± has two.
-std::string left(const std::string& s, std::size_t width) {
-  std::size_t shown = 0;
-  for (const char c : s)
-    shown += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  return s + std::string(shown < width ? width - shown : 1, ' ');
+/// Places on the screen: bytes, but ± has two.
+std::size_t width(const std::string& s) {
+  return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+/// Rows of cells in columns as wide as they have to be.
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], width(row[i]));
+  std::string out;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(widths[i] + 2 - width(row[i]), ' ');
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return out;
 }
 
 std::string number(double x) {
@@ -77,35 +108,66 @@ nlohmann::json as_json(const Estimate& e) {
           {"high", value_or_null(e.high)}};
 }
 
+/// A count and its share, empty when it could not happen.
+std::string cell(long count, const Estimate& e) {
+  return (std::isnan(e.value) ? std::string(",") : fmt::format(",{}", count)) + cell(e);
+}
+
+nlohmann::json as_json(const Row& row) {
+  if (!row.refused.empty())
+    return {{"variant", row.variant->name}, {"refused", row.refused}};
+  return {{"variant", row.variant->name},
+          {"wrong_signs", as_json(row.wrong_signs)},
+          {"wrong_tangents", as_json(row.wrong_tangents)},
+          {"phantom", as_json(row.phantom)},
+          {"missed", as_json(row.missed)},
+          {"hang_ups", as_json(row.hang_ups)},
+          {"hung_in", row.hung_in},
+          {"speed_lost", as_json(row.speed_lost)},
+          {"fall_throughs", as_json(row.fall_throughs)},
+          {"fell_in", row.fell_in},
+          {"energy_error", as_json(row.energy)},
+          {"energy_error_worst", value_or_null(row.worst_energy)},
+          {"diverged", row.diverged},
+          {"divergences", as_json(row.divergences)},
+          {"median_step", as_json(row.divergence_step)}};
+}
+
 }  // namespace
 
 std::string text(const Study& study) {
   std::string out = fmt::format("{}: {}\n", study.scene, study.what);
-  out += fmt::format("{} frames of {} steps; 95 % confidence\n\n",
-                     study.rows.empty() ? 0 : study.rows.front().frames, study.steps);
-  const auto line = [&](const std::vector<std::string>& cells) {
-    constexpr std::size_t widths[] = {14, 11, 11, 11, 15, 15, 8, 1};
-    std::string row;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      row += left(cells[i], widths[i]);
-    row.erase(row.find_last_not_of(' ') + 1);
-    out += row + "\n";
-  };
-  line({"variant", "wrong", "phantom", "missed", "hang-ups", "fell through", "energy",
-        "differs from"});
-  line({"", "signs %", "%", "%", "%", "%", "error", "default at step"});
-  for (const Row& row : study.rows)
-    line({std::string(row.variant->name), percent(row.wrong_signs),
-          percent(row.phantom), percent(row.missed),
-          counted(row.hung, row.frames, row.hang_ups),
-          counted(row.fell, row.frames, row.fall_throughs), small(row.energy.value),
-          divergence(row)});
-  for (const Row& row : study.rows)
-    if (row.variant == &all_variants().front()) {
-      out += frames_line("hung", row.hung_in);
-      out += frames_line("fell through", row.fell_in);
+  if (!study.refused.empty())
+    return out + "not run: " + study.refused + "\n";
+  std::vector<std::vector<std::string>> table = {
+      {"variant", "wrong", "phantom", "missed", "hang-ups", "speed", "fell through",
+       "energy", "differs from"},
+      {"", "signs %", "%", "%", "%", "lost %", "%", "error", "default at step"}};
+  std::string notes;
+  int frames = 0;
+  for (const Row& row : study.rows) {
+    if (!row.refused.empty()) {
+      notes += fmt::format("{} not run: {}\n", row.variant->name, row.refused);
+      continue;
     }
-  return out;
+    frames = row.frames;
+    table.push_back(
+        {std::string(row.variant->name), percent(row.wrong_signs), percent(row.phantom),
+         percent(row.missed), counted(row.hung, row.frames, row.hang_ups),
+         percent(row.speed_lost), counted(row.fell, row.frames, row.fall_throughs),
+         small(row.energy), divergence(row)});
+    if (row.variant == &all_variants().front()) {
+      if (std::isnan(row.hang_ups.value))
+        notes += "hang-ups: not possible here, nothing is to move\n";
+      notes += frames_line("hung", row.hung_in);
+      notes += frames_line("fell through", row.fell_in);
+    }
+  }
+  if (frames > 0)
+    out += fmt::format("{} frame{} of {} steps; 95 % confidence\n\n", frames,
+                       frames == 1 ? "" : "s", study.steps) +
+           aligned(table);
+  return out + notes;
 }
 
 namespace {
@@ -128,8 +190,10 @@ std::string csv(const std::vector<Study>& studies) {
     out += fmt::format(",{0},{0}_low,{0}_high", name);
   for (const char* name : {"hang_ups", "fall_throughs"})
     out += fmt::format(",{0}_count,{0},{0}_low,{0}_high", name);
-  out += ",energy_error,energy_error_low,energy_error_high,energy_error_worst,diverged,"
-         "median_step\n";
+  for (const char* name : {"speed_lost", "energy_error"})
+    out += fmt::format(",{0},{0}_low,{0}_high", name);
+  out += ",energy_error_worst,diverged_count,diverged,diverged_low,diverged_high,"
+         "median_step,median_step_low,median_step_high\n";
   for (const Study& study : studies)
     for (const Row& row : study.rows) {
       out += fmt::format("{},{},{},{}", field(study.scene), row.variant->name,
@@ -137,34 +201,24 @@ std::string csv(const std::vector<Study>& studies) {
       for (const Estimate* e :
            {&row.wrong_signs, &row.wrong_tangents, &row.phantom, &row.missed})
         out += cell(*e);
-      out += fmt::format(",{}", row.hung) + cell(row.hang_ups);
-      out += fmt::format(",{}", row.fell) + cell(row.fall_throughs);
-      out += cell(row.energy) + "," + number(row.worst_energy);
-      out += fmt::format(",{},{}\n", row.diverged, number(row.median_step));
+      out += cell(row.hung, row.hang_ups) + cell(row.fell, row.fall_throughs);
+      out += cell(row.speed_lost) + cell(row.energy) + "," + number(row.worst_energy);
+      out += cell(row.diverged, row.divergences) + cell(row.divergence_step) + "\n";
     }
   return out;
 }
 
 std::string json(const std::vector<Study>& studies, const ReportHead& head) {
   nlohmann::json result = {{"frames", head.frames}, {"seed", head.seed}};
+  result["studies"] = nlohmann::json::array();
   for (const Study& study : studies) {
     nlohmann::json one = {
         {"scene", study.scene}, {"what", study.what}, {"steps", study.steps}};
+    if (!study.refused.empty())
+      one["refused"] = study.refused;
+    one["variants"] = nlohmann::json::array();
     for (const Row& row : study.rows)
-      one["variants"].push_back(
-          {{"variant", row.variant->name},
-           {"wrong_signs", as_json(row.wrong_signs)},
-           {"wrong_tangents", as_json(row.wrong_tangents)},
-           {"phantom", as_json(row.phantom)},
-           {"missed", as_json(row.missed)},
-           {"hang_ups", as_json(row.hang_ups)},
-           {"hung_in", row.hung_in},
-           {"fall_throughs", as_json(row.fall_throughs)},
-           {"fell_in", row.fell_in},
-           {"energy_error", as_json(row.energy)},
-           {"energy_error_worst", value_or_null(row.worst_energy)},
-           {"diverged", row.diverged},
-           {"median_step", value_or_null(row.median_step)}});
+      one["variants"].push_back(as_json(row));
     result["studies"].push_back(one);
   }
   return result.dump(2) + "\n";

@@ -13,11 +13,11 @@ struct ReportHead {
   std::uint64_t seed = 0;
 };
 
-/// At most 100 columns.
+/// Columns as wide as their figures; below the table what did not run, and why.
 std::string text(const Study& study);
 
 /// A header and one line for each scene and variant; shares from 0 to 1, empty where
-/// nothing was asked.
+/// nothing was asked; 0 frames: the variant did not run.
 std::string csv(const std::vector<Study>& studies);
 
 /// The same figures, with the numbers of the frames that hung or fell through.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,10 @@ struct Scene {
   double size = 1.0;  ///< [L] of a block that moves
   /// Displacement of each block after so many steps of dt, (2, n) [L].
   std::function<Eigen::Matrix2Xd(long steps, double dt)> expected;
+  bool known_motion = true;  ///< expected holds at every step, not at the end only
+  /// A block that falls behind its expected speed by more than this share of the
+  /// fastest one expected hangs: it has snagged, though it may come far.
+  double most_lost = 0.05;
   /// A block that comes less than this share of its expected way hangs. Asked of blocks
   /// whose way is longer than least_way, in units of the size.
   double least_share = 0.9, least_way = 0.05;
@@ -46,7 +51,12 @@ Scene make_scene(std::string_view name);
 /// run: see set_expectation in measure.hpp.
 Scene scene_of_deck(const std::string& name, const Model& model);
 
-/// The scene in another frame.
+/// A block that cannot be made in a frame: its corners coincide or its sides cross.
+struct UnfitBlock : std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
+/// The scene in another frame. Throws UnfitBlock.
 Model place(const Model& model, const Frame& frame, Corners corners);
 
 }  // namespace blocks::study

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <numeric>
 #include <random>
 
 namespace blocks::study {
-namespace {
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-}
 
 Estimate rate(long k, long n) {
-  if (n == 0)
-    return {nan, 0.0, 1.0};
   constexpr double z = 1.959963984540054;  // 97.5 % of the normal distribution
   const double count = static_cast<double>(n), p = static_cast<double>(k) / count;
   const double centre = p + z * z / (2.0 * count);
@@ -27,7 +22,9 @@ Estimate rate(long k, long n) {
 
 Estimate mean(const std::vector<double>& values, std::uint64_t seed) {
   if (values.empty())
-    return {nan, nan, nan};
+    return {};
+  if (values.size() == 1)
+    return {values[0], not_asked, not_asked};
   const std::size_t n = values.size();
   const double count = static_cast<double>(n);
   constexpr std::size_t resamples = 1000;
@@ -46,12 +43,27 @@ Estimate mean(const std::vector<double>& values, std::uint64_t seed) {
   return {sum / count, means[24], means[974]};
 }
 
-double median(std::vector<double> values) {
+Estimate median(std::vector<double> values) {
   if (values.empty())
-    return nan;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+    return {};
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  // The j-th smallest exceeds the median when fewer than j of n throws of a coin are
+  // heads: as many j as keep that below 2.5 %.
+  const double count = static_cast<double>(n);
+  double below = 0.0;
+  std::size_t j = 0;
+  for (;; ++j) {
+    const double k = static_cast<double>(j);
+    below += std::exp(std::lgamma(count + 1.0) - std::lgamma(k + 1.0) -
+                      std::lgamma(count - k + 1.0) - count * std::numbers::ln2);
+    if (below > 0.025)
+      break;
+  }
+  const double middle = 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+  if (j == 0)
+    return {middle, not_asked, not_asked};
+  return {middle, values[j - 1], values[n - j]};
 }
 
 }  // namespace blocks::study

@@ -1,10 +1,11 @@
 #include "study/study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -49,7 +50,8 @@ Row summarise(const StudyChoice& choice, const std::vector<Outcomes>& all,
   const std::uint64_t seed = choice.frames.seed;
   row.variant = choice.variants[v];
   row.frames = static_cast<int>(all.size());
-  std::vector<double> signs, tangents, phantom, missed, energy, steps;
+  std::vector<double> signs, tangents, phantom, missed, energy, steps, speeds;
+  bool could_hang = false;
   for (int f = 0; f < row.frames; ++f) {
     const Outcome& o = all[static_cast<std::size_t>(f)][v];
     add_share(signs, o.signs.wrong_areas, o.signs.areas);
@@ -58,6 +60,9 @@ Row summarise(const StudyChoice& choice, const std::vector<Outcomes>& all,
     add_share(missed, o.missed, o.exact);
     if (!std::isnan(o.energy_error))
       energy.push_back(o.energy_error);
+    if (!std::isnan(o.speed_lost))
+      speeds.push_back(o.speed_lost);
+    could_hang |= o.could_hang;
     if (o.hung)
       row.hung_in.push_back(choice.first + f);
     if (o.fell_through)
@@ -72,20 +77,46 @@ Row summarise(const StudyChoice& choice, const std::vector<Outcomes>& all,
   row.wrong_tangents = mean(tangents, seed);
   row.phantom = mean(phantom, seed);
   row.missed = mean(missed, seed);
-  row.hang_ups = rate(row.hung, row.frames);
+  if (could_hang)
+    row.hang_ups = rate(row.hung, row.frames);
+  row.speed_lost = mean(speeds, seed);
   row.fall_throughs = rate(row.fell, row.frames);
   row.energy = mean(energy, seed);
-  row.worst_energy = energy.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                    : *std::max_element(energy.begin(), energy.end());
-  row.median_step = median(steps);
+  if (!energy.empty())
+    row.worst_energy = *std::max_element(energy.begin(), energy.end());
+  row.divergences = rate(row.diverged, row.frames);
+  row.divergence_step = median(steps);
   return row;
+}
+
+/// Why the blocks of a scene cannot be made; empty: they can, in every frame.
+std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corners) {
+  for (int f = choice.first; f < choice.first + choice.count; ++f)
+    try {
+      place(scene.model, random_frame(choice.frames, f, scene.size), corners);
+    } catch (const UnfitBlock& unfit) {
+      return fmt::format("{} (frame {})", unfit.what(), f);
+    }
+  return {};
 }
 
 }  // namespace
 
-Study run_study(Scene scene, const StudyChoice& choice) {
+Study run_study(Scene scene, const StudyChoice& all_chosen) {
+  StudyChoice choice = all_chosen;
   Study study{
-      scene.name, scene.what, choice.steps > 0 ? choice.steps : scene.steps, {}};
+      scene.name, scene.what, choice.steps > 0 ? choice.steps : scene.steps, {}, {}};
+  study.refused = refusal(scene, choice, Corners::sharp);
+  if (!study.refused.empty())
+    return study;
+  std::vector<std::string> refusals;
+  for (const Variant* variant : all_chosen.variants) {
+    refusals.push_back(variant->corners == Corners::sharp
+                           ? std::string()
+                           : refusal(scene, choice, variant->corners));
+    if (!refusals.back().empty())
+      std::erase(choice.variants, variant);
+  }
   if (!scene.expected)
     set_expectation(scene, study.steps);
   const Variant& reference = all_variants().front();
@@ -99,8 +130,16 @@ Study run_study(Scene scene, const StudyChoice& choice) {
           variant == &reference ? leading
                                 : measure(scene, frame, *variant, study.steps, trace));
   });
-  for (std::size_t v = 0; v < choice.variants.size(); ++v)
-    study.rows.push_back(summarise(choice, all, v));
+  std::size_t ran = 0;
+  for (std::size_t v = 0; v < all_chosen.variants.size(); ++v) {
+    if (refusals[v].empty()) {
+      study.rows.push_back(summarise(choice, all, ran++));
+      continue;
+    }
+    Row& row = study.rows.emplace_back();
+    row.variant = all_chosen.variants[v];
+    row.refused = refusals[v];
+  }
   return study;
 }
 

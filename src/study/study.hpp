@@ -27,21 +27,26 @@ struct Row {
   Estimate phantom;         ///< share of the contacts that act
   Estimate missed;          ///< share of the contacts that should
   long hung = 0, fell = 0;
-  Estimate hang_ups, fall_throughs;  ///< share of the frames
+  Estimate hang_ups, fall_throughs;  ///< share of the frames; NaN: nothing could hang
+  Estimate speed_lost;               ///< mean over the frames; NaN: not asked
   Estimate energy;                   ///< mean of the error; NaN: not asked
-  double worst_energy = 0.0;
+  double worst_energy = not_asked;
   long diverged = 0;                  ///< frames
-  double median_step = 0.0;           ///< of divergence, over those; NaN: none
+  Estimate divergences;               ///< share of the frames
+  Estimate divergence_step;           ///< median of the first one, over those frames
   std::vector<int> hung_in, fell_in;  ///< numbers of frames
+  std::string refused;  ///< why the variant did not run in this scene; empty: it did
 };
 
 struct Study {
   std::string scene, what;
   long steps = 0;
   std::vector<Row> rows;
+  std::string refused;  ///< why the default rules cannot run, then there are no rows
 };
 
-/// Runs every variant in the same frames. The same result for any number of threads.
+/// Runs every variant in the same frames. The same result for any number of threads. A
+/// variant whose blocks cannot be made in every frame is refused.
 Study run_study(Scene scene, const StudyChoice& choice);
 
 }  // namespace blocks::study

@@ -107,10 +107,29 @@ TEST_F(Why, SaysWhatThereIs) {
           "near block 3: 1 (in contact), 2 (in contact); no block is near block 4");
   refused("scene.vtkhdf --block 1 --block 5", "blocks 1 and 5 are both fixed",
           "near block 1: 3 (in contact); no block is near block 5");
+  refused("scene.vtkhdf --block a --block 1",
+          "'a' is not the number of a block of scene.vtkhdf", "its blocks are 1 to 5");
+  refused("scene.vtkhdf --block 3.5 --block 1", "'3.5' is not the number",
+          "its blocks are 1 to 5");
+  refused("scene.vtkhdf --block 3 --block 1 --time late", "'late' is not a time",
+          "it holds 5 frames from time 0 to 0.4");
   refused("scene.vtkhdf --block 3", "a contact has two blocks",
           "near block 3: 1 (in contact), 2 (in contact)");
   refused("scene.vtkhdf", "a contact has two blocks",
           "the blocks of scene.vtkhdf are 1 to 5");
+}
+
+// Block 6 is created at time 0.4: later frames hold it, the checkpoint too.
+TEST_F(Why, TellsWhenABlockComes) {
+  run_text(folder, "later",
+           scene + "MOTION, 0.4\n" + rectangle(-3, 0, -2, 1) + "MOTION, 0.2\nSTOP\n");
+  refused("later.vtkhdf --time 0.1 --block 6 --block 1",
+          "there is no block 6 in later.vtkhdf at time 0.1",
+          "it is there from time 0.5 on; before that, its blocks are 1 to 5");
+  refused("later.vtkhdf --time 0.1 --block 7 --block 1", "there is no block 7",
+          "its blocks are 1 to 5");
+  EXPECT_EQ(why("later.vtkhdf --time 0.5 --block 6 --block 1").code, 0);
+  EXPECT_EQ(why("later.ckpt.h5 --block 6 --block 1").code, 0);
 }
 
 TEST_F(Why, RefusesOtherFiles) {

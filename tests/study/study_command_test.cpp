@@ -37,19 +37,67 @@ TEST(StudyCommand, TakesADeck) {
   EXPECT_EQ(blocks("study contacts none.deck", folder.path()).code, 5);
 }
 
+// At 1e12 block sizes doubles are coarser than the slack, and frame 9 is known to hang.
+TEST(StudyCommand, GateShutsAndSaysWhy) {
+  const TemporaryFolder folder;
+  const std::string one = "study contacts diagonal --first 9 --frames 1 --gate "
+                          "--variants default --offset ";
+  const Outcome far = blocks(one + "1e12", folder.path());
+  EXPECT_EQ(far.code, 4);
+  EXPECT_THAT(far.out, HasSubstr("default hung in frame 9"));
+  EXPECT_THAT(far.err, HasSubstr("blocks: error: the gate is shut: diagonal: of 1 "
+                                 "frames 1 hung and 0 fell through"));
+  EXPECT_EQ(blocks(one + "1e3", folder.path()).code, 0);
+}
+
 TEST(StudyCommand, SaysWhatThereIs) {
   const TemporaryFolder folder;
   const Outcome scene = blocks("study contacts figure4", folder.path());
   EXPECT_EQ(scene.code, 2);
-  EXPECT_THAT(scene.err, HasSubstr("no scene figure4; did you mean figure4b?"));
+  EXPECT_THAT(scene.err, HasSubstr("no scene 'figure4'; did you mean figure4b?"));
   EXPECT_THAT(scene.err, HasSubstr("\n  shaft "));
   const Outcome variant =
       blocks("study contacts tee --variants default,exakt", folder.path());
   EXPECT_EQ(variant.code, 2);
-  EXPECT_THAT(variant.err, HasSubstr("there is no variant exakt"));
+  EXPECT_THAT(variant.err, HasSubstr("there is no variant 'exakt'"));
   EXPECT_THAT(variant.err, HasSubstr("\n  no-nearest "));
   EXPECT_EQ(blocks("study contacts", folder.path()).code, 2);
-  EXPECT_EQ(blocks("study contacts tee --frames 0", folder.path()).code, 2);
+  const Outcome seed = blocks("study contacts tee --seed -1", folder.path());
+  EXPECT_EQ(seed.code, 2);
+  EXPECT_THAT(seed.err, HasSubstr("blocks: error: --seed: expected a whole number from "
+                                  "0 to 9007199254740992, found '-1'"));
+  const Outcome study = blocks("study contact", folder.path());
+  EXPECT_EQ(study.code, 2);
+  EXPECT_THAT(study.err, HasSubstr("no study 'contact', there is contacts"));
+  EXPECT_EQ(blocks("study contacts tee --csv x --json x", folder.path()).code, 5);
+}
+
+// A plate 1e-9 thin can be made near the origin only: what ran before it is on disk,
+// what comes after it runs.
+TEST(StudyCommand, KeepsWhatIsFinished) {
+  const TemporaryFolder folder;
+  folder.write("thin.deck", preliminary() + rectangle(0, 0, 1, 1e-9, true) +
+                                rectangle(2, 0, 3, 1) + "STOP\n");
+  const Outcome far = blocks("study contacts tee thin.deck slab --frames 2 --steps 5 "
+                             "--variants default,skin --offset 1e9 --csv t.csv",
+                             folder.path());
+  EXPECT_EQ(far.code, 3);
+  EXPECT_THAT(far.err, HasSubstr("blocks: error: thin.deck was not run: block 1 is too "
+                                 "small for the doubles there"));
+  EXPECT_THAT(far.err, HasSubstr("hint: "));
+  const std::string csv = slurp(folder / "t.csv");
+  EXPECT_THAT(csv, HasSubstr("\ntee,default,2,"));
+  EXPECT_THAT(csv, HasSubstr("\nslab,skin,2,"));
+  const Outcome near = blocks("study contacts thin.deck --frames 2 --steps 5 "
+                              "--variants default,skin --offset 0 --csv t.csv",
+                              folder.path());
+  EXPECT_EQ(near.code, 0) << near.err;
+  EXPECT_THAT(near.out, HasSubstr("skin not run: block 1 is too small for a skin"));
+  EXPECT_THAT(slurp(folder / "t.csv"), HasSubstr("\nthin.deck,skin,0,"));
+  // an unreadable deck is found before anything runs
+  const Outcome late = blocks("study contacts tee none.deck", folder.path());
+  EXPECT_EQ(late.code, 5);
+  EXPECT_EQ(late.out, "");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct ContactFamily {
   ContactCase (*make)(std::uint64_t number);
 };
 
-inline constexpr std::size_t contact_family_count = 10;
+inline constexpr std::size_t contact_family_count = 11;
 const std::array<ContactFamily, contact_family_count>& contact_families();
 
 }  // namespace blocks::robustness
