@@ -95,10 +95,10 @@ void run_decks(const Plan& plan, Report& report) {
     const StepRun loop = run_steps(deck, whole.steps);
     const double blocks = whole.block_steps / static_cast<double>(whole.steps);
     const auto cost = [&](double seconds) { return 1e9 * seconds / whole.block_steps; };
-    report.rows.push_back({"decks", fmt::format("{}, {} steps", name, whole.steps),
+    report.rows.push_back({"decks", name + ", " + grouped(whole.steps) + " steps",
                            "blocks, whole run", 1, blocks, "block-step",
                            cost(whole.seconds)});
-    report.rows.push_back({"decks", fmt::format("{}, {} steps", name, whole.steps),
+    report.rows.push_back({"decks", name + ", " + grouped(whole.steps) + " steps",
                            "blocks, time loop alone", 1, blocks, "block-step",
                            cost(loop.all)});
     report.targets.push_back({name + ": search and list update, of the time loop",

@@ -41,7 +41,10 @@ std::vector<Case> near_an_edge(double low, double high) {
 }
 
 /// Answers `ask` for one case after the other.
-template <class Ask> void add(const std::string& name, std::vector<Case> of, Ask ask) {
+template <class Ask>
+void add(std::vector<std::string>& names, const std::string& name, std::vector<Case> of,
+         Ask ask) {
+  names.push_back(name);
   benchmark::RegisterBenchmark(
       name.c_str(), [of = std::move(of), ask](benchmark::State& state) {
         int i = 0;
@@ -52,33 +55,39 @@ template <class Ask> void add(const std::string& name, std::vector<Case> of, Ask
       });
 }
 
-void register_all() {
+/// Names, in order.
+std::vector<std::string> register_all() {
+  std::vector<std::string> names;
   const auto touching = near_an_edge(-1e-3, 1e-3);
-  add("overlap_sign", touching,
+  add(names, "overlap_sign", touching,
       [](const Case& k) { return overlap_sign(k.corner, k.p1, k.p2); });
-  add("near_or_inside", touching,
+  add(names, "near_or_inside", touching,
       [](const Case& k) { return near_or_inside(k.corner, k.p1, k.p2); });
-  add("between", touching, [](const Case& k) { return between(k.corner, k.p1, k.p2); });
-  add("within_depth", touching,
+  add(names, "between", touching,
+      [](const Case& k) { return between(k.corner, k.p1, k.p2); });
+  add(names, "within_depth", touching,
       [](const Case& k) { return within_depth(k.corner, k.centroid, k.p1, k.p2); });
-  add("faces_edge", touching,
+  add(names, "faces_edge", touching,
       [](const Case& k) { return faces_edge(k.corner, k.after, k.p1, k.p2); });
-  add("compare_depth", touching,
+  add(names, "compare_depth", touching,
       [](const Case& k) { return compare_depth(k.corner, k.p1, k.p2, k.p2, k.q2); });
-  add("(19), between, (20) twice", near_an_edge(-1e-3, -1e-4), [](const Case& k) {
-    return overlap_sign(k.corner, k.p1, k.p2) > 0 && between(k.corner, k.p1, k.p2) &&
-           faces_edge(k.corner, k.before, k.p1, k.p2) &&
-           faces_edge(k.corner, k.after, k.p1, k.p2);
-  });
-  add("overlap_sign of a tie, exact", near_an_edge(0, 0),
+  add(names, "(19), between, (20) twice", near_an_edge(-1e-3, -1e-4),
+      [](const Case& k) {
+        return overlap_sign(k.corner, k.p1, k.p2) > 0 &&
+               between(k.corner, k.p1, k.p2) &&
+               faces_edge(k.corner, k.before, k.p1, k.p2) &&
+               faces_edge(k.corner, k.after, k.p1, k.p2);
+      });
+  add(names, "overlap_sign of a tie, exact", near_an_edge(0, 0),
       [](const Case& k) { return overlap_sign(k.corner, k.p1, k.p2); });
-  add("contact law", touching, [](const Case& k) {
+  add(names, "contact law", touching, [](const Case& k) {
     dynamics::ElasticForce spring{1.0, k.before.y()};
     return dynamics::apply({1e9, 1e9, 0.6, 5e-5}, spring, k.corner.y() - 1.0,
                            k.after.x(), 1e-3, 1e4, false)
                .normal +
            spring.shear;
   });
+  return names;
 }
 
 /// Keeps the times and prints nothing.
@@ -87,13 +96,9 @@ class Collector : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
-      if (run.run_type == Run::RT_Iteration) {
-        if (!times.contains(run.run_name.function_name))
-          names.push_back(run.run_name.function_name);
+      if (run.run_type == Run::RT_Iteration)
         times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
-      }
   }
-  std::vector<std::string> names;
   std::map<std::string, std::vector<double>> times;
 };
 
@@ -109,12 +114,12 @@ std::vector<Row> time_kernels(int rounds, double seconds) {
     arguments.push_back(word.data());
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
-  register_all();
+  const std::vector<std::string> names = register_all();
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::ClearRegisteredBenchmarks();
   std::vector<Row> rows;
-  for (const std::string& name : collector.names)
+  for (const std::string& name : names)
     rows.push_back(
         {"predicates", name, "blocks", 1, 0, "call", median(collector.times[name])});
   return rows;

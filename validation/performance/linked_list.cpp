@@ -17,13 +17,16 @@ constexpr double inadmissible = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-LinkedListCode::LinkedListCode(const Model& start)
-    : settings_(start.settings), dt_(dynamics::choose_time_step(start).dt) {
+LinkedListCode::LinkedListCode(const Model& start, Checks checks)
+    : checks_(checks), settings_(start.settings),
+      dt_(dynamics::choose_time_step(start).dt) {
   const blocks::Blocks& from = start.blocks;
   const Loads& loads = start.loads;
   if (!settings_.rigid || !settings_.planes.empty() || !loads.pressures.empty() ||
       !loads.forces.empty())
     throw std::invalid_argument("linked lists: rigid blocks without planes and loads");
+  const Vec2 size = settings_.upper - settings_.lower;
+  boxes_per_length_ = {settings_.boxes_x / size.x(), settings_.boxes_y / size.y()};
   most_corners_ = 0;
   for (int b = 0; b < from.size(); ++b)
     most_corners_ = std::max(most_corners_, from.corners_of(b));
@@ -107,11 +110,8 @@ void LinkedListCode::step() {
 }
 
 int LinkedListCode::box_of(double x, double y) const {
-  const Vec2 size = settings_.upper - settings_.lower;
-  const int i = static_cast<int>((x - settings_.lower.x()) / size.x() *
-                                 settings_.boxes_x),
-            j = static_cast<int>((y - settings_.lower.y()) / size.y() *
-                                 settings_.boxes_y);
+  const int i = static_cast<int>((x - settings_.lower.x()) * boxes_per_length_.x()),
+            j = static_cast<int>((y - settings_.lower.y()) * boxes_per_length_.y());
   return std::clamp(j, 0, settings_.boxes_y - 1) * settings_.boxes_x +
          std::clamp(i, 0, settings_.boxes_x - 1);
 }
@@ -179,20 +179,31 @@ void LinkedListCode::contact_forces() {
     }
 }
 
+/// The checks of report 3.3, with the slack of rule 10.
 bool LinkedListCode::touches(int b, const Contact& record) const {
   const Corner &c = corner(record.block, record.corner), &p1 = corner(b, record.edge),
                &p2 = corner(b, after(b, record.edge));
-  // (19)
-  if (!((c.x - p1.x) * (p2.y - p1.y) - (c.y - p1.y) * (p2.x - p1.x) > 0.0))
+  const double ex = p2.x - p1.x, ey = p2.y - p1.y, wx = c.x - p1.x, wy = c.y - p1.y;
+  if (!(wx * ey - wy * ex > 0.0))  // (19)
     return false;
-  if (blocks_[b].convex && !inside(b, c))
+  if (checks_ == Checks::program)
+    return touches_nearest(b, record);
+  const double length = std::sqrt(ex * ex + ey * ey);
+  const double along = (wx * ex + wy * ey) / length;
+  return along >= -slack * length && along <= (1.0 + slack) * length &&
+         faces(ey / length, ex / length, record.block, record.corner);
+}
+
+bool LinkedListCode::touches_nearest(int b, const Contact& record) const {
+  if (blocks_[b].convex && !inside(b, corner(record.block, record.corner)))
     return false;
-  const double depth = admissible_depth(b, record.edge, record.block, record.corner);
+  const double depth =
+      admissible_depth(b, record.edge, record.block, record.corner, inadmissible);
   if (depth == inadmissible)
     return false;
-  for (int edge = 0; edge < blocks_[b].corners; ++edge)  // the nearest edge
+  for (int edge = 0; edge < blocks_[b].corners; ++edge)
     if (edge != record.edge &&
-        admissible_depth(b, edge, record.block, record.corner) < depth)
+        admissible_depth(b, edge, record.block, record.corner, depth) < depth)
       return false;
   return true;
 }
@@ -208,8 +219,10 @@ bool LinkedListCode::inside(int b, const Corner& c) const {
   return true;
 }
 
-/// Overlap of a corner with an edge, infinite where the checks of 3.3 exclude it.
-double LinkedListCode::admissible_depth(int b, int edge, int other, int k) const {
+/// Overlap of a corner with an edge; infinite where it is not below the limit or the
+/// checks of 3.3 exclude it.
+double LinkedListCode::admissible_depth(int b, int edge, int other, int k,
+                                        double limit) const {
   const Corner &c = corner(other, k), &p1 = corner(b, edge),
                &p2 = corner(b, after(b, edge));
   const double ex = p2.x - p1.x, ey = p2.y - p1.y;
@@ -217,6 +230,8 @@ double LinkedListCode::admissible_depth(int b, int edge, int other, int k) const
   const double cosine = ex / length, sine = ey / length;
   const double wx = c.x - p1.x, wy = c.y - p1.y;
   const double depth = wx * sine - wy * cosine, along = wx * cosine + wy * sine;
+  if (!(depth < limit))
+    return inadmissible;
   // between the corners of the edge; of a convex block that is asked as a whole
   if (!blocks_[b].convex && (depth < -slack * length || along < -slack * length ||
                              along > (1.0 + slack) * length))
@@ -224,14 +239,19 @@ double LinkedListCode::admissible_depth(int b, int edge, int other, int k) const
   // not deeper than the centroid
   if (depth > (blocks_[b].x - p1.x) * sine - (blocks_[b].y - p1.y) * cosine)
     return inadmissible;
-  // (20), for both edges of the corner
+  return faces(sine, cosine, other, k) ? depth : inadmissible;
+}
+
+/// (20), for both edges of the corner.
+bool LinkedListCode::faces(double sine, double cosine, int other, int k) const {
+  const Corner& c = corner(other, k);
   for (const int neighbour : {before(other, k), after(other, k)}) {
     const double tx = corner(other, neighbour).x - c.x,
                  ty = corner(other, neighbour).y - c.y;
     if ((ty * cosine - tx * sine) / std::sqrt(tx * tx + ty * ty) < sin_minus_10)
-      return inadmissible;
+      return false;
   }
-  return depth;
+  return true;
 }
 
 void LinkedListCode::act(int b, Contact& record) {

@@ -1,9 +1,8 @@
 // The code of 1982 in C++: contacts as records in linked lists, one list for each
 // block, checked and evaluated corner by corner (report 3.1-3.3, Appendix D: BOX,
-// UPDAT, FORD, MOTION, REBOX). It is what the program's time loop is measured against,
-// and computes the same: rules 9 to 12 and the contact law, in plain doubles, without
-// shield and hand-over (tests/performance). Shares no code with src/dynamics but the
-// choice of the time step.
+// UPDAT, FORD, MOTION, REBOX), in plain doubles. It is what the program's time loop is
+// measured against, and with the program's rules computes the same (tests/performance).
+// Shares no code with src/dynamics but the choice of the time step.
 #pragma once
 
 #include <vector>
@@ -13,13 +12,22 @@
 
 namespace blocks::bench {
 
+/// How it is decided whether a corner acts on an edge.
+enum class Checks {
+  report,  ///< (19), between the edge's corners, (20)
+  program  ///< rules 9 to 12, without the shield by a third block
+};
+
 class LinkedListCode : public Contestant {
  public:
   /// Starts from the model's present state, springs of its contacts included. Rigid
   /// blocks without planes and loads only: throws std::invalid_argument otherwise.
-  explicit LinkedListCode(const Model& start);
+  explicit LinkedListCode(const Model& start, Checks checks = Checks::program);
 
-  std::string name() const override { return "linked lists of 1982"; }
+  std::string name() const override {
+    return checks_ == Checks::report ? "linked lists of 1982"
+                                     : "linked lists, the program's rules";
+  }
   double work_per_step() const override { return free_; }  ///< block-steps
   void run(long steps) override;
 
@@ -72,14 +80,18 @@ class LinkedListCode : public Contestant {
   bool listed(int b, int edge, int other, int k) const;
   void contact_forces();  ///< FORD
   bool touches(int b, const Contact& record) const;
+  bool touches_nearest(int b, const Contact& record) const;
   bool inside(int b, const Corner& c) const;
-  double admissible_depth(int b, int edge, int other, int k) const;
+  bool faces(double sine, double cosine, int other, int k) const;
+  double admissible_depth(int b, int edge, int other, int k, double limit) const;
   void act(int b, Contact& record);
   void move();  ///< MOTION
   void rebox(int address);
 
+  Checks checks_;
   Settings settings_;
   double dt_, free_ = 0.0;
+  Vec2 boxes_per_length_;
   int most_corners_;  ///< NCMAX
   std::vector<Block> blocks_;
   std::vector<Corner> corners_;  ///< NCMAX for each block

@@ -62,7 +62,7 @@ void run_search(const Plan& plan, Report& report) {
   const auto times = take_turns(codes, plan.rounds, plan.seconds);
   for (std::size_t i = 0; i < codes.size(); ++i) {
     Row row{"search",
-            fmt::format("{:.0f} bricks", codes[i]->work_per_step()),
+            grouped(std::lround(codes[i]->work_per_step())) + " bricks",
             "blocks",
             1,
             codes[i]->work_per_step(),
@@ -109,7 +109,7 @@ void run_generation(const Plan& plan, Report& report) {
       }
   }
   report.targets.push_back({"random layers generated and certified, a block, dearest",
-                            1e-3 * worst, 10, false, " us"});
+                            1e-3 * worst, 10, false, " µs"});
 }
 
 }  // namespace blocks::bench

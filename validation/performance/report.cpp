@@ -50,11 +50,19 @@ const Row* Report::find(const std::string& part, const std::string& scene,
   return nullptr;
 }
 
+std::string grouped(long number) {
+  std::string text = fmt::format("{}", number);
+  for (int i = static_cast<int>(text.size()) - 3; i > 0; i -= 3)
+    text.insert(static_cast<std::size_t>(i), ",");
+  return text;
+}
+
 std::string table_of(const Report& report, const std::string& part) {
-  std::string text = fmt::format(
-      "\n## {}\n\n| scene | code | threads | ns | of a | million a second | cost over "
-      "| ratio (range) |\n|---|---|---|---|---|---|---|---|\n",
-      part);
+  std::string text =
+      fmt::format("\n## {}\n\n| scene | code | threads | ns | of one | million a "
+                  "second | cost over "
+                  "that of | ratio (range) |\n|---|---|---|---|---|---|---|---|\n",
+                  part);
   for (const Row& row : report.rows)
     if (row.part == part)
       text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.scene,
@@ -110,22 +118,19 @@ nlohmann::json to_json(const Report& report) {
 }
 
 bool draw(const Report& report, const std::string& path) {
-  post::Chart chart{"Cost of a wall of bricks",
-                    "one step of one block (Box2D: one of eight iterations); left to "
-                    "right ten times as many blocks each",
-                    "blocks, as a power of ten",
-                    {{"nanoseconds", {}}, {"cost over that of blocks", {}}}};
+  post::Chart chart{
+      "Cost of a wall of bricks",
+      "one step of one block; Box2D: one of the eight iterations of a step",
+      "blocks, as a power of ten",
+      {{"nanoseconds", {}}, {"cost over that of blocks", {}}}};
   for (const Row& row : report.rows)
-    if (row.part == "wall" && row.blocks > 0 &&
-        row.scene.find(',') == std::string::npos) {
+    if (row.part == "wall") {
       add_point(chart.panels[0], row, row.cost);
-      if (row.ratio && row.against == "blocks")
-        add_point(chart.panels[1], row, row.ratio->middle);
+      add_point(chart.panels[1], row,
+                row.ratio && row.against == "blocks" ? row.ratio->middle : 1.0);
     }
   if (chart.panels[0].lines.empty() || chart.panels[0].lines.front().x.size() < 2)
     return false;
-  if (chart.panels[1].lines.empty())
-    chart.panels.pop_back();
   post::draw_chart(path, chart, 1200);
   return true;
 }

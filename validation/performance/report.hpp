@@ -43,6 +43,9 @@ struct Report {
                   const std::string& code) const;
 };
 
+/// 10,000.
+std::string grouped(long number);
+
 /// Tables of Markdown: a part's heading and rows; the targets.
 std::string table_of(const Report& report, const std::string& part);
 std::string table_of_targets(const Report& report);
