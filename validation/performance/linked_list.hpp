@@ -2,7 +2,7 @@
 // block, checked and evaluated corner by corner (report 3.1-3.3, Appendix D: BOX,
 // UPDAT, FORD, MOTION, REBOX), in plain doubles. It is what the program's time loop is
 // measured against, and with the program's rules computes the same (tests/performance).
-// Shares no code with src/dynamics but the choice of the time step.
+// Shares no code with src/dynamics.
 #pragma once
 
 #include <vector>
