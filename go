@@ -23,7 +23,7 @@ usage() {
                             rules of every run: no hang-up, no fall-through
   ./go bench [PART...]      times, against other codes on the same scenes (10 minutes;
                             --quick: one): wall, pile, decks, search, predicates,
-                            generation; writes bench.json and bench.png beside you
+                            generation; writes bench.md, .json, .png beside you
   ./go bench exactness      whole runs with exact predicates against plain doubles
   ./go asan                 every test under the address and undefined sanitizers
   ./go blocks ARGUMENTS     any other command of the program (plot, check, cards ...)

@@ -54,6 +54,15 @@ TEST(Bench, KeepsAnOlderFile) {
   EXPECT_EQ(testing::slurp(folder / "bench.json.bak"), "mine");
 }
 
+// Before the ten minutes, not after them.
+TEST(Bench, SaysAtOnceWhereItCannotWrite) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(bench(folder, "-o nowhere/times"), 5);
+  EXPECT_EQ(
+      testing::slurp(folder / "err.txt"),
+      "blocks: error: cannot write nowhere/times.md: No such file or directory\n");
+}
+
 TEST(Bench, SaysWhichPartsThereAre) {
   const TemporaryFolder folder;
   EXPECT_EQ(bench(folder, "wal"), 2);

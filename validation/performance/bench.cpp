@@ -1,9 +1,12 @@
 // Times of the program, alone and against other codes: ./go bench.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -31,7 +34,7 @@ std::string names() {
   return all;
 }
 
-/// Writes through a stranger's file never: it becomes NAME.bak.
+/// An older file becomes NAME.bak.
 void keep_older(const std::string& path) {
   if (std::filesystem::exists(path))
     std::filesystem::rename(path, path + ".bak");
@@ -45,6 +48,16 @@ bool write(const std::string& path, const std::string& text) {
   if (!out)
     fmt::print(stderr, "blocks: error: cannot write {}\n", path);
   return static_cast<bool>(out);
+}
+
+/// Known before ten minutes have gone by.
+bool can_write(const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) == 0)
+    return true;
+  fmt::print(stderr, "blocks: error: cannot write {}.md: {}\n", output,
+             std::strerror(errno));
+  return false;
 }
 
 Plan plan_of(const Options& options) {
@@ -66,31 +79,37 @@ Plan plan_of(const Options& options) {
 }
 
 int run(const Options& options) {
+  if (!can_write(options.output))
+    return 5;
   const Plan plan = plan_of(options);
   Report report;
   report.quick = options.quick;
   report.rounds = plan.rounds;
-  fmt::print(
-      "# Times\n\nOne thread; medians of {} rounds in which the codes take turns, "
-      "on processor time.\n",
-      plan.rounds);
   std::string text;
-  for (const Part& part : parts()) {
-    if (!options.parts.empty() && std::find(options.parts.begin(), options.parts.end(),
-                                            part.name) == options.parts.end())
-      continue;
-    part.run(plan, report);
-    fmt::print("{}", table_of(report, std::string(part.name)));
+  const auto say = [&text](const std::string& more) {
+    fmt::print("{}", more);
     std::fflush(stdout);
-  }
-  fmt::print("{}", table_of_targets(report));
+    text += more;
+  };
+  say(fmt::format(
+      "# Times\n\nWritten by `./go bench`; do not edit. One thread; medians "
+      "of {} rounds in which the codes take turns, on processor time.\n",
+      plan.rounds));
+  for (const Part& part : parts())
+    if (options.parts.empty() || std::find(options.parts.begin(), options.parts.end(),
+                                           part.name) != options.parts.end()) {
+      part.run(plan, report);
+      say(table_of(report, std::string(part.name)));
+    }
+  say(table_of_targets(report));
   for (const std::string& note : report.notes)
-    fmt::print("\n{}.\n", note);
-  if (!write(options.output + ".json", to_json(report).dump(2) + "\n"))
+    say(fmt::format("\n{}.\n", note));
+  if (!write(options.output + ".json", to_json(report).dump(2) + "\n") ||
+      !write(options.output + ".md", text))
     return 5;
   const bool drawn = draw(report, options.output + ".png");
-  fmt::print(stderr, "wrote {}.json{}\n", options.output,
-             drawn ? " and " + options.output + ".png" : "");
+  fmt::print(stderr, "wrote {0}.md, {0}.json{1}\n", options.output,
+             drawn ? ", " + options.output + ".png" : "");
   return 0;
 }
 
@@ -103,7 +122,7 @@ int main(int argc, char** argv) {
   for (const Part& part : parts())
     what += fmt::format("\n  {:<11} {}", part.name, part.what);
   app.add_option("part", options.parts, what);
-  app.add_option("-o,--output", options.output, "writes NAME.json and NAME.png")
+  app.add_option("-o,--output", options.output, "writes NAME.md, NAME.json, NAME.png")
       ->capture_default_str();
   app.add_flag("--quick", options.quick, "small sizes and short turns: a minute");
   app.add_option("--rounds", options.rounds, "turns of each code (5; quick: 3)")
