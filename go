@@ -21,7 +21,9 @@ usage() {
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
   ./go study [N]            N frames (1000) of every scene of contact detection by the
                             rules of every run: no hang-up, no fall-through
-  ./go bench generation     time of cutting, rounding and certifying layers
+  ./go bench [PART...]      times, against other codes on the same scenes (10 minutes;
+                            --quick: one): wall, pile, decks, search, predicates,
+                            generation; writes bench.md, .json, .png beside you
   ./go bench exactness      whole runs with exact predicates against plain doubles
   ./go asan                 every test under the address and undefined sanitizers
   ./go blocks ARGUMENTS     any other command of the program (plot, check, cards ...)
@@ -96,14 +98,14 @@ case $command in
       --frames "${1:-1000}" -j "$(nproc)" --gate \
       --csv "$here/validation/robustness/CONTACTS.csv" ;;
   bench)
-    case ${1:-} in
-      generation|exactness) ;;
-      *) echo "go: error: bench needs a name: generation, exactness" >&2; exit 2 ;;
-    esac
-    name=bench_$1
-    build release "$name"
-    shift
-    "$here/build/release/validation/performance/$name" "$@" ;;
+    echo "building ..." >&2
+    if [ "${1:-}" = exactness ]; then
+      build release bench_exactness
+      shift
+      exec "$here/build/release/validation/performance/bench_exactness" "$@"
+    fi
+    build release bench
+    exec "$here/build/release/validation/performance/bench" "$@" ;;
   asan) build asan; cd "$here" && exec ctest --preset asan "$@" ;;
   help|-h|--help) usage ;;
   *) echo "go: no command '$command'" >&2; usage >&2; exit 2 ;;

@@ -1,15 +1,17 @@
 // What exact predicates cost in whole runs: the program against the same program with
 // predicates of plain doubles (plain/), in pairs, on processor time.
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "child_run.hpp"
+#include "timing.hpp"
 
 namespace {
 
@@ -26,33 +28,12 @@ constexpr Scene scenes[] = {{"crater", "decks/crater/crater.deck", ""},
                              "validation/rest/wall.deck", "CYCLE.ncycle=10000"},
                             {"subsidence", "decks/subsidence/subsidence.deck", ""}};
 
-/// User seconds of one run, or -1 if it failed.
 double run(const std::string& program, const std::string& deck, const std::string& set,
            const std::string& output) {
   std::vector<std::string> words{program, "run", deck, "--quiet", "-o", output};
   if (!set.empty())
     words.insert(words.end(), {"--set", set});
-  std::vector<char*> arguments;
-  for (std::string& word : words)
-    arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    execv(arguments[0], arguments.data());
-    _exit(127);
-  }
-  int status = 0;
-  rusage used{};
-  if (child < 0 || wait4(child, &status, 0, &used) < 0 || status != 0)
-    return -1;
-  return static_cast<double>(used.ru_utime.tv_sec) +
-         1e-6 * static_cast<double>(used.ru_utime.tv_usec);
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+  return blocks::bench::user_seconds(words);
 }
 
 }  // namespace
@@ -72,31 +53,30 @@ int main(int argc, char** argv) {
               "| scene | plain doubles (median) | exact / plain (median) | range |\n"
               "|---|---|---|---|\n",
               pairs);
-  bool done = true;
-  for (const Scene& scene : scenes) {
-    std::vector<double> plain, ratio;
-    const std::string deck = std::string(BLOCKS_SOURCE_DIR "/") + scene.deck;
-    for (int i = 0; i < pairs; ++i) {
-      // the first of a pair has no advantage over the whole
-      double exact = 0.0, doubles = 0.0;
-      for (const bool exactly : {i % 2 == 0, i % 2 != 0})
-        (exactly ? exact : doubles) =
-            run(exactly ? BLOCKS_PROGRAM : BLOCKS_PLAIN, deck, scene.set, output);
-      if (exact < 0 || doubles <= 0) {
-        std::fprintf(stderr, "blocks: error: a run of %s failed\n", scene.deck);
-        done = false;
-        break;
+  int code = 0;
+  try {
+    for (const Scene& scene : scenes) {
+      std::vector<double> plain, ratio;
+      const std::string deck = std::string(BLOCKS_SOURCE_DIR "/") + scene.deck;
+      for (int i = 0; i < pairs; ++i) {
+        // the first of a pair has no advantage over the whole
+        double exact = 0.0, doubles = 0.0;
+        for (const bool exactly : {i % 2 == 0, i % 2 != 0})
+          (exactly ? exact : doubles) =
+              run(exactly ? BLOCKS_PROGRAM : BLOCKS_PLAIN, deck, scene.set, output);
+        plain.push_back(doubles);
+        ratio.push_back(exact / doubles);
       }
-      plain.push_back(doubles);
-      ratio.push_back(exact / doubles);
+      std::printf("| %s | %.2f | %.3f | %.3f to %.3f |\n", scene.name,
+                  blocks::bench::median(plain), blocks::bench::median(ratio),
+                  *std::min_element(ratio.begin(), ratio.end()),
+                  *std::max_element(ratio.begin(), ratio.end()));
+      std::fflush(stdout);
     }
-    if (ratio.empty())
-      continue;
-    std::printf("| %s | %.2f | %.3f | %.3f to %.3f |\n", scene.name, median(plain),
-                median(ratio), *std::min_element(ratio.begin(), ratio.end()),
-                *std::max_element(ratio.begin(), ratio.end()));
-    std::fflush(stdout);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "blocks: error: %s\n", error.what());
+    code = 4;
   }
   fs::remove_all(folder);
-  return done ? 0 : 4;
+  return code;
 }

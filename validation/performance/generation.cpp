@@ -1,16 +1,16 @@
-// Time of generating random layers, by block: all of it and the certificate alone, from
-// 10^3 to 10^6 blocks, as layers of 1000 and as one layer.
-#include <CLI/CLI.hpp>
-#include <cstdio>
+#include "generation.hpp"
+
 #include <ctime>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "geometry/layer.hpp"
 
+namespace blocks::bench {
 namespace {
 
-using namespace blocks::geometry;
+using namespace geometry;
 
 Decimal decimal(const std::string& text) { return *Decimal::parse(text); }
 
@@ -34,12 +34,9 @@ LayerRequest layer_of(int count, bool slanted, std::uint64_t number) {
   return request;
 }
 
-struct Times {
-  double all = 0.0;  // microseconds a block
-  double certificate = 0.0;
-};
+}  // namespace
 
-Times measure(int layers, int blocks, bool slanted) {
+GenerationCost cost_of_layers(int layers, int blocks, bool slanted) {
   std::vector<Layer> made;
   made.reserve(static_cast<std::size_t>(layers));
   const std::clock_t start = std::clock();  // of the processor: machines are shared
@@ -51,34 +48,12 @@ Times measure(int layers, int blocks, bool slanted) {
     hold = certify_tiling(layer.mesh).holds && hold;
   const std::clock_t end = std::clock();
   if (!hold)
-    std::fprintf(stderr, "blocks: error: a certificate does not hold\n");
+    throw std::runtime_error("a certificate of a random layer does not hold");
   const double total = static_cast<double>(layers) * blocks;
   const auto each = [total](std::clock_t ticks) {
-    return 1e6 * static_cast<double>(ticks) / CLOCKS_PER_SEC / total;
+    return 1e9 * static_cast<double>(ticks) / CLOCKS_PER_SEC / total;
   };
   return {each(cut - start), each(end - cut)};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"time of generating random layers"};
-  int most = 1000000;
-  app.add_option("--blocks", most, "largest number of blocks")
-      ->check(CLI::Range(1000, 100000000));
-  CLI11_PARSE(app, argc, argv);
-  std::printf("one core, random spacing, ORIENT +-10; processor microseconds a block, "
-              "all (of it the certificate)\n\n"
-              "| blocks | layers of 1000 | slanted | one layer | slanted |\n"
-              "|---|---|---|---|---|\n");
-  for (int blocks = 1000; blocks <= most; blocks *= 10) {
-    std::printf("| %d |", blocks);
-    for (const int in_layer : {1000, blocks})
-      for (const bool slanted : {false, true}) {
-        const Times t = measure(blocks / in_layer, in_layer, slanted);
-        std::printf(" %.1f (%.1f) |", t.all, t.certificate);
-        std::fflush(stdout);
-      }
-    std::printf("\n");
-  }
-}
+}  // namespace blocks::bench

@@ -1,0 +1,75 @@
+// The benchmark as a user runs it. No time is asserted.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "run/program.hpp"
+
+namespace blocks {
+namespace {
+
+using testing::TemporaryFolder;
+
+int bench(const TemporaryFolder& folder, const std::string& arguments) {
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && '" BLOCKS_BENCH "' " + arguments +
+                              " >out.txt 2>err.txt";
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// Scripts follow the times of a machine by this file.
+TEST(Bench, QuickJsonHasARowForEveryCode) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(bench(folder, "--quick --largest 2 --rounds 1 wall search generation"), 0)
+      << testing::slurp(folder / "err.txt");
+  const auto found = nlohmann::json::parse(testing::slurp(folder / "bench.json"));
+  EXPECT_EQ(found.at("quick"), true);
+  EXPECT_EQ(found.at("rounds"), 1);
+  std::set<std::string> parts, codes;
+  for (const auto& row : found.at("rows")) {
+    parts.insert(row.at("part"));
+    codes.insert(row.at("code"));
+    EXPECT_GT(row.at("nanoseconds").get<double>(), 0) << row;
+    EXPECT_GE(row.at("threads").get<int>(), 1) << row;
+    if (row.contains("ratio")) {
+      const auto& ratio = row.at("ratio");
+      EXPECT_LE(ratio.at("least"), ratio.at("median")) << row;
+      EXPECT_LE(ratio.at("median"), ratio.at("most")) << row;
+    }
+  }
+  EXPECT_EQ(parts, (std::set<std::string>{"wall", "search", "generation"}));
+  for (const char* code : {"blocks", "blocks, deformable", "linked lists of 1982",
+                           "linked lists, the program's rules"})
+    EXPECT_TRUE(codes.contains(code)) << code;
+}
+
+TEST(Bench, KeepsAnOlderFile) {
+  const TemporaryFolder folder;
+  folder.write("bench.json", "mine");
+  ASSERT_EQ(bench(folder, "--quick --largest 2 --rounds 1 search"), 0);
+  EXPECT_EQ(testing::slurp(folder / "bench.json.bak"), "mine");
+}
+
+// Before the ten minutes, not after them.
+TEST(Bench, SaysAtOnceWhereItCannotWrite) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(bench(folder, "-o nowhere/times"), 5);
+  EXPECT_EQ(
+      testing::slurp(folder / "err.txt"),
+      "blocks: error: cannot write nowhere/times.md: No such file or directory\n");
+}
+
+TEST(Bench, SaysWhichPartsThereAre) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(bench(folder, "wal"), 2);
+  EXPECT_EQ(testing::slurp(folder / "err.txt"),
+            "blocks: error: no benchmark 'wal'; there are: wall, pile, decks, search, "
+            "predicates, generation\n");
+}
+
+}  // namespace
+}  // namespace blocks

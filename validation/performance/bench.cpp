@@ -1,0 +1,156 @@
+// Times of the program, alone and against other codes: ./go bench.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "geometry/numeric_environment.hpp"
+#include "parts.hpp"
+
+namespace {
+
+using namespace blocks::bench;
+
+struct Options {
+  std::vector<std::string> parts;
+  std::string output = "bench";
+  bool quick = false;
+  int rounds = 0;   // 0: five, quick: three
+  int largest = 0;  // 0: a million, quick: a thousand
+};
+
+std::string names() {
+  std::string all;
+  for (const Part& part : parts())
+    all += (all.empty() ? "" : ", ") + std::string(part.name);
+  return all;
+}
+
+/// An older file becomes NAME.bak.
+void keep_older(const std::string& path) {
+  if (std::filesystem::exists(path))
+    std::filesystem::rename(path, path + ".bak");
+}
+
+bool write(const std::string& path, const std::string& text) {
+  keep_older(path);
+  std::ofstream out(path);
+  out << text;
+  out.flush();
+  if (!out)
+    fmt::print(stderr, "blocks: error: cannot write {}\n", path);
+  return static_cast<bool>(out);
+}
+
+/// Known before ten minutes have gone by.
+bool can_write(const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK) == 0)
+    return true;
+  fmt::print(stderr, "blocks: error: cannot write {}.md: {}\n", output,
+             std::strerror(errno));
+  return false;
+}
+
+Plan plan_of(const Options& options) {
+  Plan plan;
+  if (options.quick) {
+    plan.rounds = 3;
+    plan.seconds = 0.05;
+    plan.largest = 4;
+    plan.polygons = 200;
+    plan.whole_decks = false;
+  }
+  if (options.rounds > 0)
+    plan.rounds = options.rounds;
+  if (options.largest > 0) {
+    plan.largest = options.largest;
+    plan.smallest = std::min(plan.smallest, plan.largest);
+  }
+  return plan;
+}
+
+int run(const Options& options) {
+  if (!can_write(options.output))
+    return 5;
+  const Plan plan = plan_of(options);
+  Report report;
+  report.quick = options.quick;
+  report.rounds = plan.rounds;
+  std::string text;
+  const auto say = [&text](const std::string& more) {
+    fmt::print("{}", more);
+    std::fflush(stdout);
+    text += more;
+  };
+  say(fmt::format(
+      "# Times\n\nWritten by `./go bench`; do not edit. One thread; medians "
+      "of {} rounds in which the codes take turns, on processor time.\n",
+      plan.rounds));
+  for (const Part& part : parts())
+    if (options.parts.empty() || std::find(options.parts.begin(), options.parts.end(),
+                                           part.name) != options.parts.end()) {
+      part.run(plan, report);
+      say(table_of(report, std::string(part.name)));
+    }
+  say(table_of_targets(report));
+  for (const std::string& note : report.notes)
+    say(fmt::format("\n{}.\n", note));
+  if (!write(options.output + ".json", to_json(report).dump(2) + "\n") ||
+      !write(options.output + ".md", text))
+    return 5;
+  const bool drawn = draw(report, options.output + ".png");
+  fmt::print(stderr, "wrote {0}.md, {0}.json{1}\n", options.output,
+             drawn ? ", " + options.output + ".png" : "");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"times of the program, alone and against other codes"};
+  Options options;
+  std::string what = "parts to run, all if none is named:";
+  for (const Part& part : parts())
+    what += fmt::format("\n  {:<11} {}", part.name, part.what);
+  app.add_option("part", options.parts, what);
+  app.add_option("-o,--output", options.output, "writes NAME.md, NAME.json, NAME.png")
+      ->capture_default_str();
+  app.add_flag("--quick", options.quick, "small sizes and short turns: a minute");
+  app.add_option("--rounds", options.rounds, "turns of each code (5; quick: 3)")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--largest", options.largest,
+                 "largest size, 10 to this power of blocks (6; quick: 4)")
+      ->check(CLI::Range(2, 7));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  for (const std::string& name : options.parts)
+    if (std::none_of(parts().begin(), parts().end(),
+                     [&](const Part& part) { return part.name == name; })) {
+      fmt::print(stderr, "blocks: error: no benchmark '{}'; there are: {}\n", name,
+                 names());
+      return 2;
+    }
+  if (const auto fault = blocks::geometry::check_numeric_environment();
+      !fault.empty()) {
+    fmt::print(stderr, "blocks: error: {}\n", fault);
+    return 1;
+  }
+  try {
+    return run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return 1;
+  }
+}

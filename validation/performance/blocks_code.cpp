@@ -1,0 +1,26 @@
+#include "blocks_code.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace blocks::bench {
+
+int free_blocks(const Model& model) {
+  int count = 0;
+  for (int b = 0; b < model.blocks.size(); ++b)
+    count += model.blocks.is_free(b) ? 1 : 0;
+  return count;
+}
+
+BlocksCode::BlocksCode(Model start, std::string name)
+    : model_(std::move(start)), name_(std::move(name)), free_(free_blocks(model_)) {
+  dynamics::prepare(model_);
+}
+
+void BlocksCode::run(long steps) {
+  for (long i = 0; i < steps; ++i)
+    if (!dynamics::step(model_, buffers_).finite)
+      throw std::runtime_error(name_ + ": a corner is no longer a number");
+}
+
+}  // namespace blocks::bench

@@ -1,0 +1,32 @@
+// The program's own time loop as a contestant.
+#pragma once
+
+#include "contestant.hpp"
+#include "dynamics/step.hpp"
+#include "model/model.hpp"
+
+namespace blocks::bench {
+
+/// How many blocks of a model can move.
+int free_blocks(const Model& model);
+
+class BlocksCode : public Contestant {
+ public:
+  /// Steps the model from its present state.
+  explicit BlocksCode(Model start, std::string name = "blocks");
+
+  std::string name() const override { return name_; }
+  double work_per_step() const override { return free_; }  ///< block-steps
+  /// Throws std::runtime_error when a corner is no longer a number.
+  void run(long steps) override;
+
+  const Model& model() const { return model_; }
+
+ private:
+  Model model_;
+  dynamics::SearchBuffers buffers_;
+  std::string name_;
+  int free_;
+};
+
+}  // namespace blocks::bench

@@ -1,0 +1,33 @@
+#include "child_run.hpp"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <stdexcept>
+
+namespace blocks::bench {
+
+double user_seconds(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words)
+    arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  int status = 0;
+  rusage used{};
+  if (child < 0 || wait4(child, &status, 0, &used) < 0 || status != 0) {
+    std::string line;
+    for (const std::string& word : words)
+      line += (line.empty() ? "" : " ") + word;
+    throw std::runtime_error("this run failed: " + line);
+  }
+  return static_cast<double>(used.ru_utime.tv_sec) +
+         1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+}
+
+}  // namespace blocks::bench

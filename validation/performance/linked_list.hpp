@@ -1,0 +1,105 @@
+// The code of 1982 in C++: contacts as records in linked lists, one list for each
+// block, checked and evaluated corner by corner (report 3.1-3.3, Appendix D: BOX,
+// UPDAT, FORD, MOTION, REBOX), in plain doubles. It is what the program's time loop is
+// measured against, and with the program's rules computes the same (tests/performance).
+// Shares no code with src/dynamics.
+#pragma once
+
+#include <vector>
+
+#include "contestant.hpp"
+#include "model/model.hpp"
+
+namespace blocks::bench {
+
+/// How it is decided whether a corner acts on an edge.
+enum class Checks {
+  report,  ///< (19), between the edge's corners, (20)
+  program  ///< rules 9 to 12, without the shield by a third block
+};
+
+class LinkedListCode : public Contestant {
+ public:
+  /// Starts from the model's present state, springs of its contacts included. Rigid
+  /// blocks without planes and loads only: throws std::invalid_argument otherwise.
+  explicit LinkedListCode(const Model& start, Checks checks = Checks::program);
+
+  std::string name() const override {
+    return checks_ == Checks::report ? "linked lists of 1982"
+                                     : "linked lists, the program's rules";
+  }
+  double work_per_step() const override { return free_; }  ///< block-steps
+  void run(long steps) override;
+
+  /// Corners block by block, as Blocks::corner: [L] (2, m).
+  Eigen::Matrix2Xd corners() const;
+  int acting_contacts() const;
+  long searches() const { return searches_; }
+
+ private:
+  static constexpr int none = -1;
+
+  struct Corner {
+    double x, y;          ///< [L]
+    double arm_x, arm_y;  ///< [L] from the centroid
+    int box;              ///< it stands in
+    int link;             ///< address of the next corner in that box
+  };
+  struct Block {
+    int corners;
+    bool fixed;
+    bool convex;
+    int contact;                ///< address of the first record against its edges
+    double x, y, vx, vy, spin;  ///< centroid, velocity, TDOT
+    double fx, fy, moment;
+    double applied[4];  ///< sums f_i x_j (9)
+    double mass, inertia, area;
+  };
+  /// Appendix D. `edge` belongs to the block that holds the list.
+  struct Contact {
+    int edge;             ///< NPE
+    int corner;           ///< NPC
+    int block;            ///< NBC
+    int link;             ///< LINK
+    bool active;          ///< acted in the last step
+    double overlap;       ///< N
+    double fn, fs;        ///< FN, FS
+    double sine, cosine;  ///< SIN, COS of the edge
+    double x, y;          ///< XCP, YCP
+  };
+
+  const Corner& corner(int b, int k) const { return corners_[b * most_corners_ + k]; }
+  Corner& corner(int b, int k) { return corners_[b * most_corners_ + k]; }
+  int after(int b, int k) const { return k + 1 == blocks_[b].corners ? 0 : k + 1; }
+  int before(int b, int k) const { return (k == 0 ? blocks_[b].corners : k) - 1; }
+  int box_of(double x, double y) const;
+
+  void step();
+  void find_contacts();  ///< UPDAT
+  void find_contacts_of_edge(int b, int edge);
+  bool listed(int b, int edge, int other, int k) const;
+  void contact_forces();  ///< FORD
+  bool touches(int b, const Contact& record) const;
+  bool touches_nearest(int b, const Contact& record) const;
+  bool inside(int b, const Corner& c) const;
+  bool faces(double sine, double cosine, int other, int k) const;
+  double admissible_depth(int b, int edge, int other, int k, double limit) const;
+  void act(int b, Contact& record);
+  void move();  ///< MOTION
+  void rebox(int address);
+
+  Checks checks_;
+  Settings settings_;
+  double dt_, free_ = 0.0;
+  Vec2 boxes_per_length_;
+  int most_corners_;  ///< NCMAX
+  std::vector<Block> blocks_;
+  std::vector<Corner> corners_;  ///< NCMAX for each block
+  std::vector<int> boxes_;       ///< address of the first corner in each box
+  std::vector<Contact> contacts_;
+  bool update_ = true;   ///< IUFLG
+  double travel_ = 0.0;  ///< UMOST
+  long searches_ = 0;    ///< NUPDAT
+};
+
+}  // namespace blocks::bench

@@ -1,0 +1,115 @@
+#include "parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "dynamics/contact_search.hpp"
+#include "dynamics/step.hpp"
+#include "generation.hpp"
+#include "kernels.hpp"
+#include "wall.hpp"
+
+namespace blocks::bench {
+namespace {
+
+/// The search for potential contacts of a wall, again and again.
+class Search : public Contestant {
+ public:
+  explicit Search(int power) : model_(wall_of_power(power)) {
+    dynamics::prepare(model_);
+  }
+  std::string name() const override { return "blocks"; }
+  double work_per_step() const override { return model_.blocks.size() - 3; }
+  void run(long searches) override {
+    for (long i = 0; i < searches; ++i)
+      dynamics::update_contacts(model_, buffers_);
+  }
+
+ private:
+  Model model_;
+  dynamics::SearchBuffers buffers_;
+};
+
+}  // namespace
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> all = {
+      {"wall", "a wall of bricks at rest, against other codes", run_wall},
+      {"pile", "a pile of random polygons, against other codes", run_pile},
+      {"decks", "whole runs of the subsidence and crater decks", run_decks},
+      {"search", "the search for potential contacts alone", run_search},
+      {"predicates", "contact predicates and contact law alone", run_predicates},
+      {"generation", "random layers cut and certified", run_generation}};
+  return all;
+}
+
+void announce(const std::string& what) {
+  std::fprintf(stderr, "%s ...\n", what.c_str());
+}
+
+void run_search(const Plan& plan, Report& report) {
+  std::vector<std::unique_ptr<Search>> searches;
+  std::vector<Contestant*> codes;
+  for (int power = plan.smallest; power <= plan.largest; ++power) {
+    announce(fmt::format("search, 10^{} bricks", power));
+    searches.push_back(std::make_unique<Search>(power));
+    codes.push_back(searches.back().get());
+  }
+  const auto times = take_turns(codes, plan.rounds, plan.seconds);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    Row row{"search",
+            grouped(std::lround(codes[i]->work_per_step())) + " bricks",
+            "blocks",
+            1,
+            codes[i]->work_per_step(),
+            "block",
+            times[i].middle()};
+    if (i > 0) {
+      row.against = report.rows.back().scene;
+      row.ratio = ratio(times[i - 1], times[i]);
+    }
+    report.rows.push_back(row);
+  }
+}
+
+void run_predicates(const Plan& plan, Report& report) {
+  announce("predicates");
+  const auto rows = time_kernels(plan.rounds, 0.2 * plan.seconds);
+  report.rows.insert(report.rows.end(), rows.begin(), rows.end());
+}
+
+void run_generation(const Plan& plan, Report& report) {
+  double worst = 0.0;
+  for (int power = plan.smallest; power <= plan.largest; ++power) {
+    const int blocks = static_cast<int>(std::lround(std::pow(10.0, power)));
+    announce(fmt::format("generation, {} blocks", blocks));
+    for (const int in_layer :
+         blocks > 1000 ? std::vector{1000, blocks} : std::vector{blocks})
+      for (const bool slanted : {false, true}) {
+        const int repetitions = std::clamp(100000 / blocks, 1, plan.rounds);
+        std::vector<double> all, certificate;
+        for (int i = 0; i < repetitions; ++i) {
+          const GenerationCost cost =
+              cost_of_layers(blocks / in_layer, in_layer, slanted);
+          all.push_back(cost.all);
+          certificate.push_back(cost.certificate);
+        }
+        const std::string scene = fmt::format("{} {}of {} blocks", blocks / in_layer,
+                                              slanted ? "slanted " : "", in_layer);
+        report.rows.push_back({"generation", scene, "all", 1,
+                               static_cast<double>(blocks), "block", median(all)});
+        report.rows.push_back({"generation", scene, "certificate alone", 1,
+                               static_cast<double>(blocks), "block",
+                               median(certificate)});
+        worst = std::max(worst, median(all));
+      }
+  }
+  report.targets.push_back({"random layers generated and certified, a block, dearest",
+                            1e-3 * worst, 10, false, " µs"});
+}
+
+}  // namespace blocks::bench

@@ -1,0 +1,39 @@
+// The parts of the benchmark; each adds its rows and targets to the report.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "report.hpp"
+
+namespace blocks::bench {
+
+/// How much is run.
+struct Plan {
+  int rounds = 5;
+  double seconds = 0.25;  ///< least length of a code's turn
+  int smallest = 3;       ///< power of ten of blocks
+  int largest = 6;
+  int polygons = 1000;
+  bool whole_decks = true;  ///< else: their first tenth of a second
+};
+
+struct Part {
+  std::string_view name, what;
+  void (*run)(const Plan&, Report&);
+};
+
+/// In the order of the report.
+const std::vector<Part>& parts();
+
+/// Says on standard error what is running.
+void announce(const std::string& what);
+
+void run_wall(const Plan& plan, Report& report);
+void run_pile(const Plan& plan, Report& report);
+void run_decks(const Plan& plan, Report& report);
+void run_search(const Plan& plan, Report& report);
+void run_predicates(const Plan& plan, Report& report);
+void run_generation(const Plan& plan, Report& report);
+
+}  // namespace blocks::bench
