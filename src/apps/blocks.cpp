@@ -16,6 +16,7 @@
 #include "geometry/numeric_environment.hpp"
 #include "history_command.hpp"
 #include "import_command.hpp"
+#include "output/file_in_hand.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
@@ -292,7 +293,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "blocks: error: {}\n", fault);
     return blocks::run::internal_error;
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);    // a limit on file size is an error like a full disk
+#if !defined(__SANITIZE_ADDRESS__)  // which tells more
+  blocks::output::tell_crashes_of_files(blocks::run::file_error);
+#endif
   try {
     return dispatch(argc, argv);
   } catch (const blocks::output::FileError& error) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "output/file_in_hand.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
 
@@ -14,6 +15,7 @@ namespace blocks::output {
 /// Runs `action`; what HDF5 refuses becomes FileError "cannot write NAME: reason".
 template <class Action>
 auto naming(const char* verb, const std::string& path, Action&& action) {
+  const FileInHand in_hand(verb, path);
   try {
     return action();
   } catch (const hdf5::Failure& failure) {

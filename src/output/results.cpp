@@ -383,6 +383,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
 ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
+  const FileInHand in_hand("continue", path);  // until what failed is closed again
   auto file = std::make_unique<File>();
   file->path = path;
   naming("continue", path, [&] {
@@ -401,8 +402,11 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
 }
 
 ResultsWriter::~ResultsWriter() {
-  if (file_ != nullptr)
-    file_->discard();
+  if (file_ == nullptr)
+    return;
+  file_->discard();
+  const FileInHand in_hand("close", file_->path);
+  file_.reset();
 }
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
@@ -421,6 +425,7 @@ std::string ResultsWriter::run_id() const {
 }
 
 std::string ResultsWriter::run_id_of(const std::string& path) {
+  const FileInHand in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     return hdf5::read_text(file.get(), "BLOCKS/run_id");
@@ -430,6 +435,7 @@ std::string ResultsWriter::run_id_of(const std::string& path) {
 }
 
 std::string ResultsWriter::deck_of(const std::string& path) {
+  const FileInHand in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     RunIdentity identity;
