@@ -39,8 +39,8 @@ Handle text_type(std::size_t length, H5T_cset_t characters) {
   return type;
 }
 
-/// No more than the file has bytes: memory is not asked for on the word of a damaged
-/// or made-up file.
+/// No more values than the file has bytes: neither memory nor time is given on the word
+/// of a damaged or made-up file.
 void expect_in_file(hid_t object, const std::string& name, hsize_t values) {
   const Handle file(H5Iget_file_id(object), H5Fclose);
   hsize_t bytes = 0;
@@ -209,6 +209,7 @@ Column Column::open(hid_t parent, const std::string& path) {
   check(H5Sget_simple_extent_dims(space.get(), extent, nullptr));
   if (extent[1] < 1 || extent[1] > 16)
     throw Failure(path + " has the wrong shape");
+  expect_in_file(column.dataset_.get(), path, extent[0]);
   column.rows_ = extent[0];
   column.width_ = rank == 2 ? extent[1] : 0;
   return column;
@@ -217,7 +218,6 @@ Column Column::open(hid_t parent, const std::string& path) {
 void Column::require(hsize_t row, hsize_t count) const {
   if (row > rows_ || count > rows_ - row)
     throw Failure(path_ + " is too short");
-  expect_in_file(dataset_.get(), path_, count);
 }
 
 std::vector<unsigned char> Column::bytes(hsize_t row, hsize_t count) {
