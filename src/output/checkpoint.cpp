@@ -13,6 +13,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
+#include "output/possible.hpp"
 
 namespace blocks::output {
 namespace {
@@ -170,6 +171,7 @@ Model read_checkpoint(const std::string& path, CheckpointInfo& info) {
     Model model;
     LoadingArchive archive(file.get());
     visit(model, info, archive);
+    expect_possible(model, info);
     return model;
   } catch (const hdf5::Failure& failure) {
     refuse(path, failure.what());

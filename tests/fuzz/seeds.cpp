@@ -20,7 +20,8 @@ int main(int argc, char** argv) {
     samples::add_triangle(model, 4, 4);
     results.write(model);
   }
-  output::write_checkpoint(folder / "checkpoint/empty.ckpt.h5", Model(), {});
+  output::write_checkpoint(folder / "checkpoint/empty.ckpt.h5", samples::no_blocks(),
+                           {});
   output::CheckpointInfo info;
   info.deck_file = "a.deck";
   info.deck_text = "START\n";
