@@ -140,26 +140,20 @@ void keep_previous(const std::string& path) {
 
 void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info) {
-  const std::string temporary = path + ".tmp";
-  std::error_code ignored;
-  try {
-    naming("write", path, [&] {
-      hdf5::Handle file = hdf5::create_file(temporary, seal_size);
-      hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
-      hdf5::write_attribute(file.get(), "format", format);
-      SavingArchive archive(file.get());
-      visit(model, info, archive);
-      hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
-      file.close();
-    });
-    set_seal(temporary, path);
-    sync_file(temporary, path);
-    keep_previous(path);
-    move_file(temporary, path);
-  } catch (const FileError&) {
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
+  TemporaryFile temporary(path + ".tmp");
+  naming("write", path, [&] {
+    hdf5::Handle file = hdf5::create_file(temporary.path(), seal_size);
+    hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
+    hdf5::write_attribute(file.get(), "format", format);
+    SavingArchive archive(file.get());
+    visit(model, info, archive);
+    hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
+    file.close();
+  });
+  set_seal(temporary.path(), path);
+  sync_file(temporary.path(), path);
+  keep_previous(path);
+  temporary.take_name(path);
   sync_folder_of(path);
 }
 

@@ -10,14 +10,16 @@ namespace blocks::output {
 /// The file that HDF5 is made to read, for as long as this lives.
 class FileInHand {
  public:
-  FileInHand(const char* verb, const std::string& path);
+  /// verb: "read"; path must outlive this.
+  FileInHand(const char* verb, const std::string& path) noexcept;
   ~FileInHand();
   FileInHand(const FileInHand&) = delete;
   FileInHand& operator=(const FileInHand&) = delete;
 
  private:
   const FileInHand* outer_;
-  std::string message_;
+  const char* verb_;
+  const std::string& path_;
   friend void file_crash(int);
 };
 

@@ -29,6 +29,22 @@ auto naming(const char* verb, const std::string& path, Action&& action) {
 /// Moves a file, replacing its target. Throws FileError.
 void move_file(const std::string& from, const std::string& to);
 
+/// A file that does not have its name yet; removed unless it takes one.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  /// Replaces the file of that name. Throws FileError.
+  void take_name(const std::string& name);
+
+ private:
+  std::string path_;
+};
+
 /// Waits until the file's bytes, or the folder's names, are on disk. Throws FileError
 /// about the file `meant`, of which this one may be the temporary form.
 void sync_file(const std::string& path, const std::string& meant);

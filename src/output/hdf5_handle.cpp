@@ -1,6 +1,7 @@
 #include "output/hdf5_handle.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include "output/ordered_file.hpp"
 
@@ -8,8 +9,13 @@ namespace blocks::output::hdf5 {
 namespace {
 
 herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
-  if (depth == 0 && entry->desc != nullptr)
+  if (depth != 0 || entry->desc == nullptr)
+    return 0;
+  try {
     *static_cast<std::string*>(text) = entry->desc;
+  } catch (const std::bad_alloc&) {  // nothing may be thrown through HDF5
+    return -1;
+  }
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include "output/results.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <map>
@@ -294,9 +295,8 @@ void ResultsWriter::File::appear() {
 
 /// Without a frame there is nothing to keep.
 void ResultsWriter::File::discard() {
-  std::error_code ignored;
   if (!written_as.empty())
-    std::filesystem::remove(written_as, ignored);
+    ::unlink(written_as.c_str());
 }
 
 void ResultsWriter::File::append(const Model& model) {
