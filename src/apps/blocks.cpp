@@ -25,6 +25,14 @@
 #include "view_command.hpp"
 #include "why_command.hpp"
 
+#if defined(__SANITIZE_ADDRESS__)
+#define BLOCKS_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define BLOCKS_SANITIZED
+#endif
+#endif
+
 namespace {
 
 using blocks::run::RunOptions;
@@ -312,8 +320,8 @@ int main(int argc, char** argv) {
     return blocks::run::internal_error;
   }
   std::set_terminate(end_at_once);
-  std::signal(SIGXFSZ, SIG_IGN);    // a limit on file size is an error like a full disk
-#if !defined(__SANITIZE_ADDRESS__)  // which tells more
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
+#if !defined(BLOCKS_SANITIZED)    // a sanitizer tells more
   blocks::output::tell_crashes_of_files(blocks::run::file_error);
 #endif
   try {

@@ -374,7 +374,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
   };
   try {
     naming("write", path, create);
-  } catch (const FileError&) {
+  } catch (...) {
     to.discard();
     throw;
   }
