@@ -245,13 +245,16 @@ TEST(Checkpoint, RefusesAnyDamagedByte) {
   write_checkpoint(path, samples::two_blocks(), info);
   const std::string sound = contents(path);
   CheckpointInfo read;
+  long bytes_tried = 0;
   for (std::size_t at = 0; at < sound.size(); at = at < 600 ? at + 1 : at + 4099) {
+    ++bytes_tried;
     std::string bytes = sound;
     bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
     overwrite(path, bytes);
     EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }), HasSubstr(path))
         << "byte " << at;
   }
+  RecordProperty("bytes", std::to_string(bytes_tried));
   overwrite(path, sound.substr(0, sound.size() / 2));
   EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }), HasSubstr("damaged"));
 }

@@ -43,7 +43,7 @@ TEST_P(FailingMemory, IsAnErrorThatLeavesNoHalfFile) {
   const long requests = std::stol(slurp(first / "count"));
   ASSERT_GT(requests, 1000);
   const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
-  const long tries = all ? 700 : 30;
+  const long tries = all ? 300 : 10;
   for (long k = 0; k < tries; ++k) {
     const long at = 1 + (requests - 1) * k / (tries - 1);
     const TemporaryFolder folder;

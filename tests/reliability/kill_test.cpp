@@ -43,7 +43,7 @@ TEST(Killed, AtAnyMomentLosesNothingBehindItsCheckpoint) {
   const auto wanted = left_by_run(straight.path(), "a");
 
   const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
-  const int trials = all ? 200 : 6;
+  const int trials = all ? 200 : 5;
   std::mt19937 random(9);
   std::uniform_real_distribution<double> moment(0.0, whole);
   int kills = 0, restarts = 0;
