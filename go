@@ -16,8 +16,9 @@ usage() {
   ./go validate predicates [N]
                             the contact predicates on N inputs (10000000) against MPFR
   ./go validate reliability
-                            every moment of a results file, every place where the disk
-                            may be full, 100000 decks changed at random
+                            what is promised of files and inputs, tested at length:
+                            kills, full disks, failing memory, forged and mutated files
+  ./go validate soak [N]    the 850 blocks of subsidence for N steps (10000000)
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
   ./go study [N]            N frames (1000) of every scene of contact detection by the
                             rules of every run: no hang-up, no fall-through
@@ -26,6 +27,9 @@ usage() {
                             generation; writes bench.md, .json, .png beside you
   ./go bench exactness      whole runs with exact predicates against plain doubles
   ./go asan                 every test under the address and undefined sanitizers
+  ./go tsan                 every test under the thread sanitizer
+  ./go fuzz NAME [SECONDS]  libFuzzer on a reader (60): deck, run, mesh, geojson, wkt,
+                            layer, results, checkpoint; found inputs in build/found/NAME
   ./go blocks ARGUMENTS     any other command of the program (plot, check, cards ...)
 TEXT
 }
@@ -80,8 +84,15 @@ case $command in
     fi
     if [ "${1:-}" = reliability ]; then
       echo "building ..." >&2
-      build release blocks reliability_tests
-      BLOCKS_THOROUGH=1 exec "$here/build/release/tests/reliability/reliability_tests"
+      build release
+      BLOCKS_THOROUGH=1 exec /usr/bin/python3 "$here/validation/reliability/report.py" \
+        "$here/build/release" "$here/validation/reliability/REPORT"
+    fi
+    if [ "${1:-}" = soak ]; then
+      echo "building ..." >&2
+      build release soak
+      exec "$here/build/release/validation/reliability/soak" --steps "${2:-10000000}" \
+        --report "$here/validation/reliability/SOAK"
     fi
     layers=${1:-100000}
     echo "building ..." >&2
@@ -106,7 +117,26 @@ case $command in
     fi
     build release bench
     exec "$here/build/release/validation/performance/bench" "$@" ;;
-  asan) build asan; cd "$here" && exec ctest --preset asan "$@" ;;
+  asan|tsan) build "$command"; cd "$here" && exec ctest --preset "$command" "$@" ;;
+  fuzz)
+    case ${1:-} in
+      deck|run) set -- "$1" "${2:-60}" bad fuzz/run; dictionary=-dict=$here/tests/fuzz/deck.dict ;;
+      geojson|wkt) set -- "$1" "${2:-60}" bad_exchange ;;
+      mesh|layer) set -- "$1" "${2:-60}" "fuzz/$1" ;;
+      results|checkpoint) set -- "$1" "${2:-60}" ;;
+      *) echo "go: error: fuzz needs a name: deck, run, mesh, geojson, wkt, layer, results," \
+           "checkpoint" >&2; exit 2 ;;
+    esac
+    echo "building ..." >&2
+    build fuzz "fuzz_$1" fuzz_seeds
+    found=$here/build/found; name=$1; seconds=$2
+    shift 2
+    mkdir -p "$found/$name" "$found/crash" "$found/seeds/$name"
+    "$here/build/fuzz/tests/fuzz/fuzz_seeds" "$found/seeds"
+    cd "$here/tests/corpus"
+    exec "$here/build/fuzz/tests/fuzz/fuzz_$name" -max_total_time="$seconds" -timeout=60 \
+      -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$found/crash/" \
+      ${dictionary:+"$dictionary"} "$found/$name" "$found/seeds/$name" "$@" ;;
   help|-h|--help) usage ;;
   *) echo "go: no command '$command'" >&2; usage >&2; exit 2 ;;
 esac

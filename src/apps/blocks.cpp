@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <new>
@@ -16,12 +17,21 @@
 #include "geometry/numeric_environment.hpp"
 #include "history_command.hpp"
 #include "import_command.hpp"
+#include "output/file_in_hand.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
 #include "study_command.hpp"
 #include "view_command.hpp"
 #include "why_command.hpp"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define BLOCKS_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define BLOCKS_SANITIZED
+#endif
+#endif
 
 namespace {
 
@@ -284,6 +294,23 @@ int dispatch(int argc, char** argv) {
   return blocks::apps::plot(plot_options);
 }
 
+int tell_no_memory() {
+  fmt::print(stderr, "blocks: error: there is not enough memory for this problem\n");
+  return blocks::run::internal_error;
+}
+
+/// Memory that fails while something is being put away; files are whole all the same.
+[[noreturn]] void end_at_once() {
+  try {
+    if (const auto thrown = std::current_exception())
+      std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    std::_Exit(tell_no_memory());
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -292,15 +319,18 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "blocks: error: {}\n", fault);
     return blocks::run::internal_error;
   }
+  std::set_terminate(end_at_once);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
+#if !defined(BLOCKS_SANITIZED)    // a sanitizer tells more
+  blocks::output::tell_crashes_of_files(blocks::run::file_error);
+#endif
   try {
     return dispatch(argc, argv);
   } catch (const blocks::output::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return blocks::run::file_error;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "blocks: error: there is not enough memory for this problem\n");
-    return blocks::run::internal_error;
+    return tell_no_memory();
   } catch (const std::exception& error) {
     fmt::print(stderr, "blocks: internal error: {}\n", error.what());
     return blocks::run::internal_error;

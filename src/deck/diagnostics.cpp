@@ -25,7 +25,9 @@ Picture picture(const std::string& line, SourceLocation where) {
   std::size_t last = 0;
   const auto from = static_cast<std::size_t>(std::max(where.column, 1)) - 1;
   const auto to = from + static_cast<std::size_t>(std::max(where.length, 1));
-  const std::vector<std::string> chars = characters(line);
+  // What is far behind the place is not shown, and a line may be long.
+  const std::vector<std::string> chars =
+      characters(std::string_view(line).substr(0, 4 * (to + widest_line)));
   for (std::size_t i = 0; i < chars.size(); ++i) {
     if (i == from) {
       first = cells.size();

@@ -363,18 +363,25 @@ void Parser::check_unused_overrides() {
   }
 }
 
-/// Says so when the text cannot be a deck at all.
-bool readable(const std::string& text, const std::vector<Line>& lines,
-              Diagnostics& diagnostics) {
+/// Says so when the text cannot be a deck at all, before it is taken apart.
+bool readable(const std::string& text, Diagnostics& diagnostics) {
   if (const auto where = first_binary_byte(text)) {
     diagnostics.error(*where, "", "not a text file: a control character",
                       "a deck is plain text, ASCII or UTF-8");
     return false;
   }
-  if (lines.empty()) {
-    diagnostics.error({1, 1, 1}, "", "the deck is empty",
-                      "a new run begins with START, nblok, ncmx and a title line");
-    return false;
+  constexpr std::size_t longest = 1'000'000;  // bytes
+  int number = 0;
+  for (const std::string& line : source_lines(text)) {
+    ++number;
+    if (line.size() > longest) {
+      diagnostics.error(
+          {number, 1, 1}, "",
+          fmt::format("the line has {} bytes, a line of a deck at most {}", line.size(),
+                      longest),
+          "coordinates may run over several lines");
+      return false;
+    }
   }
   return true;
 }
@@ -384,9 +391,15 @@ bool readable(const std::string& text, const std::vector<Line>& lines,
 Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
            const std::vector<Override>& overrides) {
   Deck deck{file, text, {}};
-  std::vector<Line> lines = split_deck(text);
   std::vector<OverrideFields> fields = prepare_overrides(overrides, diagnostics);
-  if (readable(text, lines, diagnostics)) {
+  if (!readable(text, diagnostics)) {
+    return deck;
+  }
+  std::vector<Line> lines = split_deck(text);
+  if (lines.empty()) {
+    diagnostics.error({1, 1, 1}, "", "the deck is empty",
+                      "a new run begins with START, nblok, ncmx and a title line");
+  } else {
     Parser(deck, std::move(lines), std::move(fields), diagnostics).run();
   }
   return deck;

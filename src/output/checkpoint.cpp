@@ -13,6 +13,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
+#include "output/possible.hpp"
 
 namespace blocks::output {
 namespace {
@@ -139,36 +140,32 @@ void keep_previous(const std::string& path) {
 
 void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info) {
-  const std::string temporary = path + ".tmp";
-  std::error_code ignored;
-  try {
-    naming("write", path, [&] {
-      hdf5::Handle file = hdf5::create_file(temporary, seal_size);
-      hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
-      hdf5::write_attribute(file.get(), "format", format);
-      SavingArchive archive(file.get());
-      visit(model, info, archive);
-      hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
-      file.close();
-    });
-    set_seal(temporary, path);
-    sync_file(temporary, path);
-    keep_previous(path);
-    move_file(temporary, path);
-  } catch (const FileError&) {
-    std::filesystem::remove(temporary, ignored);
-    throw;
-  }
+  TemporaryFile temporary(path + ".tmp");
+  naming("write", path, [&] {
+    hdf5::Handle file = hdf5::create_file(temporary.path(), seal_size);
+    hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
+    hdf5::write_attribute(file.get(), "format", format);
+    SavingArchive archive(file.get());
+    visit(model, info, archive);
+    hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
+    file.close();
+  });
+  set_seal(temporary.path(), path);
+  sync_file(temporary.path(), path);
+  keep_previous(path);
+  temporary.take_name(path);
   sync_folder_of(path);
 }
 
 Model read_checkpoint(const std::string& path, CheckpointInfo& info) {
   verify_seal(path);
+  const FileInHand in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     Model model;
     LoadingArchive archive(file.get());
     visit(model, info, archive);
+    expect_possible(model, info);
     return model;
   } catch (const hdf5::Failure& failure) {
     refuse(path, failure.what());

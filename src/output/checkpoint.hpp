@@ -44,7 +44,7 @@ void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info);
 
 /// Reads back bit-identically. Throws FileError: absent, foreign, damaged, newer
-/// format.
+/// format, or made up (expect_possible).
 Model read_checkpoint(const std::string& path, CheckpointInfo& info);
 
 }  // namespace blocks::output

@@ -35,6 +35,16 @@ void move_file(const std::string& from, const std::string& to) {
     throw_errno("write", to);
 }
 
+TemporaryFile::~TemporaryFile() {
+  if (!path_.empty())
+    ::unlink(path_.c_str());
+}
+
+void TemporaryFile::take_name(const std::string& name) {
+  move_file(path_, name);
+  path_.clear();
+}
+
 void sync_file(const std::string& path, const std::string& meant) {
   if (!sync(path, O_RDONLY))
     throw_errno("write", meant);

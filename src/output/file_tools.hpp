@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "output/file_in_hand.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
 
@@ -14,6 +15,7 @@ namespace blocks::output {
 /// Runs `action`; what HDF5 refuses becomes FileError "cannot write NAME: reason".
 template <class Action>
 auto naming(const char* verb, const std::string& path, Action&& action) {
+  const FileInHand in_hand(verb, path);
   try {
     return action();
   } catch (const hdf5::Failure& failure) {
@@ -26,6 +28,22 @@ auto naming(const char* verb, const std::string& path, Action&& action) {
 
 /// Moves a file, replacing its target. Throws FileError.
 void move_file(const std::string& from, const std::string& to);
+
+/// A file that does not have its name yet; removed unless it takes one.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+  /// Replaces the file of that name. Throws FileError.
+  void take_name(const std::string& name);
+
+ private:
+  std::string path_;
+};
 
 /// Waits until the file's bytes, or the folder's names, are on disk. Throws FileError
 /// about the file `meant`, of which this one may be the temporary form.

@@ -1,6 +1,7 @@
 #include "output/hdf5_handle.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include "output/ordered_file.hpp"
 
@@ -8,8 +9,13 @@ namespace blocks::output::hdf5 {
 namespace {
 
 herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
-  if (depth == 0 && entry->desc != nullptr)
+  if (depth != 0 || entry->desc == nullptr)
+    return 0;
+  try {
     *static_cast<std::string*>(text) = entry->desc;
+  } catch (const std::bad_alloc&) {  // nothing may be thrown through HDF5
+    return -1;
+  }
   return 0;
 }
 
@@ -39,10 +45,35 @@ Handle text_type(std::size_t length, H5T_cset_t characters) {
   return type;
 }
 
+/// No more values than the file has bytes: neither memory nor time is given on the word
+/// of a damaged or made-up file.
+void expect_in_file(hid_t object, const std::string& name, hsize_t values) {
+  const Handle file(H5Iget_file_id(object), H5Fclose);
+  hsize_t bytes = 0;
+  check(H5Fget_filesize(file.get(), &bytes));
+  if (values > bytes)
+    throw Failure(name + " is longer than the file");
+}
+
+void expect_one(const Handle& space, const std::string& name) {
+  if (H5Sget_simple_extent_npoints(space.get()) != 1)
+    throw Failure(name + " is not one value");
+}
+
+void expect_number(const Handle& type, const std::string& name) {
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || H5Tget_size(type.get()) > 8)
+    throw Failure(name + " holds no numbers");
+}
+
 /// The stored text without its padding.
-template <class Read> std::string fetch_text(const Handle& type, Read&& read) {
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0)
-    throw Failure("text expected");
+template <class Read>
+std::string fetch_text(hid_t object, const std::string& name, const Handle& type,
+                       const Handle& space, Read&& read) {
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0)
+    throw Failure(name + " is not a text");
+  expect_one(space, name);
+  expect_in_file(object, name, H5Tget_size(type.get()));
   std::string text(H5Tget_size(type.get()), '\0');
   check(read(text.data()));
   const auto end = text.find_last_not_of('\0');
@@ -108,8 +139,9 @@ void write_attribute(hid_t object, const std::string& name, std::int64_t value) 
 std::int64_t read_attribute(hid_t object, const std::string& name) {
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
   const Handle space(H5Aget_space(attribute.get()), H5Sclose);
-  if (H5Sget_simple_extent_npoints(space.get()) != 1)
-    throw Failure("attribute " + name + " is not one number");
+  const Handle type(H5Aget_type(attribute.get()), H5Tclose);
+  expect_one(space, name);
+  expect_number(type, name);
   std::int64_t value = 0;
   check(H5Aread(attribute.get(), H5T_NATIVE_INT64, &value));
   return value;
@@ -128,8 +160,10 @@ void write_text_attribute(hid_t object, const std::string& name,
 std::string read_text_attribute(hid_t object, const std::string& name) {
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
   const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-  return fetch_text(
-      type, [&](char* text) { return H5Aread(attribute.get(), type.get(), text); });
+  const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+  return fetch_text(object, name, type, space, [&](char* text) {
+    return H5Aread(attribute.get(), type.get(), text);
+  });
 }
 
 void write_text(hid_t parent, const std::string& path, const std::string& text) {
@@ -146,7 +180,8 @@ void write_text(hid_t parent, const std::string& path, const std::string& text) 
 std::string read_text(hid_t parent, const std::string& path) {
   const Handle dataset(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle type(H5Dget_type(dataset.get()), H5Tclose);
-  return fetch_text(type, [&](char* text) {
+  const Handle space(H5Dget_space(dataset.get()), H5Sclose);
+  return fetch_text(dataset.get(), path, type, space, [&](char* text) {
     return H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text);
   });
 }
@@ -172,11 +207,15 @@ Column Column::open(hid_t parent, const std::string& path) {
   column.path_ = path;
   column.dataset_ = Handle(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle space(H5Dget_space(column.dataset_.get()), H5Sclose);
+  expect_number(Handle(H5Dget_type(column.dataset_.get()), H5Tclose), path);
   const int rank = check(H5Sget_simple_extent_ndims(space.get()));
   if (rank < 1 || rank > 2)
     throw Failure(path + " has the wrong shape");
-  hsize_t extent[2] = {0, 0};
+  hsize_t extent[2] = {0, 1};
   check(H5Sget_simple_extent_dims(space.get(), extent, nullptr));
+  if (extent[1] < 1 || extent[1] > 16)
+    throw Failure(path + " has the wrong shape");
+  expect_in_file(column.dataset_.get(), path, extent[0]);
   column.rows_ = extent[0];
   column.width_ = rank == 2 ? extent[1] : 0;
   return column;

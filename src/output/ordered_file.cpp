@@ -7,7 +7,9 @@
 #include <cerrno>
 #include <cstring>
 #include <map>
+#include <new>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "output/hdf5_handle.hpp"
@@ -33,7 +35,21 @@ struct OrderedFile {
   haddr_t end_known = 0;                        ///< of what readers may follow
   std::map<haddr_t, Bytes>* waiting = nullptr;  ///< metadata, not yet in the file
   bool lost = false;                            ///< a write failed: no more of them
+  bool untold = false;                          ///< which has not been reported
 };
+
+/// HDF5 is C: nothing may be thrown through it. Without memory the file stays as
+/// readers know it; what cannot be done is told by the next flush, since HDF5 could not
+/// close a file that refuses its metadata.
+template <class Action> herr_t without_throwing(OrderedFile& file, Action&& action) {
+  try {
+    return action();
+  } catch (const std::bad_alloc&) {
+    file.untold = file.untold || !file.lost;
+    file.lost = true;
+    return 0;
+  }
+}
 
 OrderedFile& ordered(H5FD_t* file) { return *reinterpret_cast<OrderedFile*>(file); }
 const OrderedFile& ordered(const H5FD_t* file) {
@@ -131,17 +147,26 @@ H5FD_t* open_file_for(const char* name, unsigned flags, hid_t, haddr_t) {
     fail(H5E_CANTOPENFILE);
     return nullptr;
   }
-  auto* file = new OrderedFile{};
+  auto* file = new (std::nothrow) OrderedFile{};
+  auto* waiting = new (std::nothrow) std::map<haddr_t, Bytes>;
+  if (file == nullptr || waiting == nullptr) {
+    ::close(descriptor);
+    delete file;
+    delete waiting;
+    errno = ENOMEM;
+    fail(H5E_CANTOPENFILE);
+    return nullptr;
+  }
   file->file = descriptor;
   file->end_written = static_cast<haddr_t>(::lseek(descriptor, 0, SEEK_END));
   file->end_known = file->end_written;
-  file->waiting = new std::map<haddr_t, Bytes>;
+  file->waiting = waiting;
   return &file->shared;
 }
 
 herr_t close_file(H5FD_t* shared) {
   OrderedFile& file = ordered(shared);
-  publish(file);
+  without_throwing(file, [&] { return publish(file) ? 0 : failed; });
   ::close(file.file);
   delete file.waiting;
   delete &file;
@@ -208,23 +233,35 @@ herr_t write(H5FD_t* shared, H5FD_mem_t type, hid_t, haddr_t at, std::size_t siz
              const void* from) {
   OrderedFile& file = ordered(shared);
   const auto* bytes = static_cast<const unsigned char*>(from);
-  make_room(*file.waiting, at, size);
-  if (type != H5FD_MEM_DRAW) {
-    file.waiting->emplace(at, Bytes(bytes, bytes + size));
-    return 0;
-  }
-  return file.lost || put(file, at, bytes, size) ? 0 : fail(H5E_WRITEERROR);
+  return without_throwing(file, [&] {
+    make_room(*file.waiting, at, size);
+    if (type != H5FD_MEM_DRAW) {
+      file.waiting->emplace(at, Bytes(bytes, bytes + size));
+      return 0;
+    }
+    return file.lost || put(file, at, bytes, size) ? 0 : fail(H5E_WRITEERROR);
+  });
 }
 
 /// At closing there is nobody to be told, and HDF5 would keep the file half closed: who
 /// wants to know flushes first.
 herr_t flush(H5FD_t* shared, hid_t, hbool_t closing) {
-  return publish(ordered(shared)) || closing ? 0 : fail(H5E_WRITEERROR);
+  OrderedFile& file = ordered(shared);
+  const herr_t done =
+      without_throwing(file, [&] { return publish(file) ? 0 : fail(H5E_WRITEERROR); });
+  if (closing)
+    return 0;
+  if (std::exchange(file.untold, false)) {
+    errno = ENOMEM;
+    return fail(H5E_WRITEERROR);
+  }
+  return done;
 }
 
 herr_t truncate(H5FD_t* shared, hid_t, hbool_t closing) {
   OrderedFile& file = ordered(shared);
-  if (closing && publish(file) && !file.lost &&
+  const auto published = [&] { return publish(file) ? 0 : failed; };
+  if (closing && without_throwing(file, published) == 0 && !file.lost &&
       ::ftruncate(file.file, static_cast<off_t>(file.end_allocated)) == 0)
     file.end_written = file.end_allocated;
   return 0;

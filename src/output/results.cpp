@@ -4,6 +4,7 @@
 #include "output/results.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <map>
@@ -294,9 +295,8 @@ void ResultsWriter::File::appear() {
 
 /// Without a frame there is nothing to keep.
 void ResultsWriter::File::discard() {
-  std::error_code ignored;
   if (!written_as.empty())
-    std::filesystem::remove(written_as, ignored);
+    ::unlink(written_as.c_str());
 }
 
 void ResultsWriter::File::append(const Model& model) {
@@ -374,7 +374,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
   };
   try {
     naming("write", path, create);
-  } catch (const FileError&) {
+  } catch (...) {
     to.discard();
     throw;
   }
@@ -383,6 +383,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
 ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
+  const FileInHand in_hand("continue", path);  // until what failed is closed again
   auto file = std::make_unique<File>();
   file->path = path;
   naming("continue", path, [&] {
@@ -401,8 +402,11 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
 }
 
 ResultsWriter::~ResultsWriter() {
-  if (file_ != nullptr)
-    file_->discard();
+  if (file_ == nullptr)
+    return;
+  file_->discard();
+  const FileInHand in_hand("close", file_->path);
+  file_.reset();
 }
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
@@ -421,6 +425,7 @@ std::string ResultsWriter::run_id() const {
 }
 
 std::string ResultsWriter::run_id_of(const std::string& path) {
+  const FileInHand in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     return hdf5::read_text(file.get(), "BLOCKS/run_id");
@@ -430,6 +435,7 @@ std::string ResultsWriter::run_id_of(const std::string& path) {
 }
 
 std::string ResultsWriter::deck_of(const std::string& path) {
+  const FileInHand in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     RunIdentity identity;

@@ -196,21 +196,16 @@ void write_summary(const std::string& path, const Model& model,
       {"state_hash", state_hash(model)},
       {"wall_seconds", report.wall_seconds}};
 
-  const std::string temporary = path + ".tmp";
-  std::ofstream file(temporary, std::ios::binary);
+  TemporaryFile temporary(path + ".tmp");
+  std::ofstream file(temporary.path(), std::ios::binary);
   if (!file)
     throw_errno("write", path);
   // A title may hold any bytes; numbers that are not finite become null.
   file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   file.close();
-  if (!file) {
-    const int reason = errno;
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    errno = reason;
+  if (!file)
     throw_errno("write", path);
-  }
-  move_file(temporary, path);
+  temporary.take_name(path);
 }
 
 }  // namespace blocks::output

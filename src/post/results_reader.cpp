@@ -159,9 +159,10 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   return rows;
 }
 
-ResultsReader::ResultsReader(const std::string& path)
-    : file_(std::make_unique<File>()) {
-  File& from = *file_;
+ResultsReader::ResultsReader(const std::string& path) {
+  const output::FileInHand in_hand("read", path);  // until what failed is closed again
+  auto file = std::make_unique<File>();
+  File& from = *file;
   from.path = path;
   output::naming("read", path, [&] {
     from.file = output::hdf5::open_file(path, false);
@@ -179,9 +180,13 @@ ResultsReader::ResultsReader(const std::string& path)
                      .read<double>(0, static_cast<hsize_t>(frames));
     from.title = output::hdf5::read_text(from.file.get(), "BLOCKS/title");
   });
+  file_ = std::move(file);
 }
 
-ResultsReader::~ResultsReader() = default;
+ResultsReader::~ResultsReader() {
+  const output::FileInHand in_hand("read", file_->path);
+  file_.reset();
+}
 
 long ResultsReader::frames() const { return static_cast<long>(file_->times.size()); }
 

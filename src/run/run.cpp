@@ -66,6 +66,7 @@ struct Job {
   /// Loads the checkpoint of a RESTART deck, or of this very deck stopped before.
   Model load();
   bool loads() const { return continues() || options.restart; }
+  bool stands_in_deck() const;
   /// Commands behind the checkpoint.
   std::size_t first_command() const {
     return resumes ? static_cast<std::size_t>(from.progress.card) : 0;
@@ -81,6 +82,21 @@ struct Job {
   bool resumes = false;         ///< this very deck goes on where it was stopped
   ExitCode fault = deck_error;  ///< what a failed check exits with
 };
+
+/// Whether the place where the checkpoint's run stopped is one of this deck: a card
+/// with steps left of it must make steps, a CYCLE more of them.
+bool Job::stands_in_deck() const {
+  if (first_command() > deck.commands.size())
+    return false;
+  if (from.progress.steps_left == 0)
+    return true;
+  if (first_command() == deck.commands.size())
+    return false;
+  const deck::Command& command = deck.commands[first_command()];
+  const auto* cycle = std::get_if<deck::Cycle>(&command.card);
+  return passes_time(command) &&
+         (cycle == nullptr || from.progress.steps_left < cycle->ncycle.value);
+}
 
 Model Job::load() {
   const std::string path = checkpoint();
@@ -104,8 +120,8 @@ Model Job::load() {
                      from.overrides.substr(0, from.overrides.size() - 1));
   if (options.seed && *options.seed != model.settings.seed)
     refuse(fmt::format("its seed is {}", model.settings.seed));
-  if (from.progress.card < 0 || first_command() > deck.commands.size())
-    refuse("it is damaged");
+  if (!stands_in_deck())
+    refuse("it holds what no run leaves: the place in the deck where it stopped");
   return model;
 }
 

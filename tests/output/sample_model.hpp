@@ -24,20 +24,26 @@ inline void add_triangle(Model& model, double x, double y) {
   model.blocks.append({{{{x, y}, {x, y + 1}, {x + 1, y}}, 4, 1.5, Fixity::free, 0}});
 }
 
+/// Settings and nothing else.
+inline Model no_blocks() {
+  Model model;
+  model.settings.lower = {-10, -10};
+  model.settings.upper = {10, 10};
+  model.settings.fraction = 0.05;
+  return model;
+}
+
 /// A box standing on a fixed one, in contact, and a plane.
 inline Model two_blocks() {
-  Model model;
+  Model model = no_blocks();
   Settings& s = model.settings;
   s.title = "Two blocks";
   s.max_blocks = 10;
   s.max_corners = 4;
-  s.lower = {-10, -10};
-  s.upper = {10, 10};
   s.boxes_x = 4;
   s.boxes_y = 2;
   s.normal_stiffness = 1e7;
   s.shear_stiffness = 5e6;
-  s.fraction = 0.05;
   s.friction = 0.5;
   s.gravity = {0, -9.81};
   s.rigid = true;

@@ -151,6 +151,7 @@ TEST(Mutants, AreRefusedOrRun) {
 #if !defined(__SANITIZE_ADDRESS__)
   setrlimit(RLIMIT_AS, &memory);
 #endif
+  RecordProperty("tried", std::to_string(mutants));
   RecordProperty("refused", std::to_string(verdicts[Verdict::refused]));
   RecordProperty("ran", std::to_string(verdicts[Verdict::ran]));
   RecordProperty("unsound", std::to_string(verdicts[Verdict::unsound]));

@@ -128,6 +128,7 @@ TEST(BadCardsCorpus, HoldsEveryCard) {
   }
   for (const std::string_view card : deck::card_names())
     EXPECT_TRUE(cards.contains(std::string(card))) << card;
+  RecordProperty("decks", std::to_string(count));
   EXPECT_GE(count, 500U);
   EXPECT_EQ(blocks("check '" + (corpus / "base.deck").string() + "'", "/tmp").code, 0);
 }

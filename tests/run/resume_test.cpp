@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -14,45 +15,6 @@ namespace blocks::testing {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// All the run left, by file and item; what names the run and its clock is left out.
-std::map<std::string, std::string> left_by_run(const fs::path& folder,
-                                               const std::string& name) {
-  std::map<std::string, std::string> all;
-  all["listing"] = slurp(folder / (name + ".out"));
-  for (const auto& [item, value] : stored(folder / (name + ".vtkhdf")))
-    if (item != "BLOCKS/run_id")
-      all["results " + item] = value;
-  for (const auto& [item, value] : stored(folder / (name + ".ckpt.h5")))
-    if (item != "run/results_run")
-      all["checkpoint " + item] = value;
-  auto told = nlohmann::json::parse(slurp(folder / (name + ".summary.json")));
-  for (const char* key : {"wall_seconds", "certificate"})
-    told.erase(key);
-  all["summary"] = told.dump(1);
-  return all;
-}
-
-void expect_same(const std::map<std::string, std::string>& found,
-                 const std::map<std::string, std::string>& wanted,
-                 const std::string& how) {
-  for (const auto& [item, value] : found)
-    EXPECT_TRUE(wanted.contains(item)) << how << ": " << item << " is new";
-  for (const auto& [item, value] : wanted) {
-    const auto at = found.find(item);
-    ASSERT_TRUE(at != found.end()) << how << ": no " << item;
-    EXPECT_TRUE(at->second == value) << how << ": " << item << " differs";
-  }
-}
-
-const std::string layers_and_loads =
-    preliminary("SEED, 3\nFUNCTION, 3\n0, 0\n0.05, 1\n0.3, 0\n") +
-    rectangle(-9, -2, 9, -1, true) +
-    "ORIENT, -15, 15\nMERGE, 0.5\nLAYER, -20, 1, -8,-1, -8,0, 8,0, 8,-1, RANDOM\n"
-    "SPLANE, -8, 5, -8, -5\nGRAVITY, 0, -9.81\nFRICTN, 0.4\nDAMPING, 0.3\n"
-    "PLOTS, 0.01\nOUTPUT, 0.03, 2, 3\nPRESSBC, 2, 1, 1.E4, 2.E4, 0.01\nMOTION, 0.06\n"
-    "DUMP\nLAYER, -20, 2, -8,1, -8,2, 8,2, 8,1, RANDOM\nFORCE, 25, 1.E3, 2.E3, 0.1\n"
-    "SETVELM, 2, 0.3, -1, 0\nCYCLE, 70\nSETVEL, 3, 5, 60, 60, 0\nMOTION, 0.1\nSTOP\n";
 
 /// Runs a deck to its end, stopping after each of these steps.
 void run_in_parts(const TemporaryFolder& folder, const std::string& arguments,
@@ -93,7 +55,11 @@ void expect_resumable(const fs::path& deck, const std::string& options, int spli
 class ResumedDeck : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(ResumedDeck, IsTheStraightRun) {
-  expect_resumable(GetParam(), "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001", 5);
+  const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
+  const int splits = all ? 5 : 2;
+  expect_resumable(GetParam(), "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001",
+                   splits);
+  RecordProperty("splits", std::to_string(splits));
 }
 
 INSTANTIATE_TEST_SUITE_P(Decks, ResumedDeck, ::testing::ValuesIn(decks_below("decks")),

@@ -1,9 +1,5 @@
 // Bytes become a LayerRequest; whatever it asks, a layer comes back with a certificate
-// that holds, or a LayerError. Built by the fuzz preset; NEW is a folder for new
-// inputs:
-//   cmake --preset fuzz && cmake --build --preset fuzz --target fuzz_layer
-//   build/fuzz/tests/geometry/fuzz_layer -max_total_time=300 NEW
-//     tests/geometry/fuzz_layer_corpus
+// that holds, or a LayerError.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

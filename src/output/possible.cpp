@@ -1,0 +1,335 @@
+#include "output/possible.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "output/hdf5_handle.hpp"
+
+namespace blocks::output {
+namespace {
+
+[[noreturn]] void impossible(const std::string& what) {
+  throw hdf5::Failure("it holds what no run leaves: " + what);
+}
+
+struct Range {
+  double least, most;
+  const char* words;
+  bool open = false;  ///< least itself is outside
+};
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr Range finite{-largest, largest, "a finite number"};
+constexpr Range not_negative{0.0, largest, "a number from 0"};
+constexpr Range positive{0.0, largest, "a number above 0", true};
+constexpr Range yes_or_no{0.0, 1.0, "0 or 1"};
+
+bool holds(const Range& range, double value) {
+  return value >= range.least && value <= range.most &&
+         !(range.open && value == range.least);
+}
+
+void expect(const std::string& name, double value, const Range& range) {
+  if (!holds(range, value))
+    impossible(fmt::format("{} is {}, expected {}", name, value, range.words));
+}
+
+void expect(const std::string& name, const Vec2& point) {
+  expect(name, point.x(), finite);
+  expect(name, point.y(), finite);
+}
+
+/// `rows` of them, each in its range.
+template <class Column>
+void expect_all(const char* name, const Column& column, Eigen::Index rows,
+                const Range& range) {
+  Eigen::Index width = 1, length = static_cast<Eigen::Index>(column.size());
+  if constexpr (requires { column.cols(); })
+    if (Column::ColsAtCompileTime != 1)
+      width = column.rows(), length = column.cols();
+  if (length != rows)
+    impossible(fmt::format("{} has {} rows, expected {}", name, length, rows));
+  for (Eigen::Index i = 0; i < rows * width; ++i)
+    if (const auto value = static_cast<double>(column.data()[i]); !holds(range, value))
+      impossible(fmt::format("{}: value {} is {}, expected {}", name, i / width + 1,
+                             value, range.words));
+}
+
+/// An index from 0 to n - 1.
+void expect_index(const std::string& name, long index, long n) {
+  if (index < 0 || index >= n)
+    impossible(fmt::format("{} names number {} of {}", name, index + 1, n));
+}
+
+void expect_indices(const char* name, const std::vector<int>& column, std::size_t rows,
+                    long n) {
+  if (column.size() != rows)
+    impossible(fmt::format("{} has {} rows, expected {}", name, column.size(), rows));
+  for (const int index : column)
+    expect_index(name, index, n);
+}
+
+void expect_settings(const Settings& s) {
+  expect("settings/max_blocks", s.max_blocks, not_negative);
+  expect("settings/max_corners", s.max_corners, not_negative);
+  expect("settings/lower", s.lower);
+  expect("settings/upper", s.upper);
+  if (!(s.lower.x() < s.upper.x()) || !(s.lower.y() < s.upper.y()))
+    impossible("settings/upper is not above settings/lower");
+  const Range boxes{1.0, largest, "a number from 1"};
+  expect("settings/boxes_x", s.boxes_x, boxes);
+  expect("settings/boxes_y", s.boxes_y, boxes);
+  expect("settings/boxes_x times boxes_y",
+         static_cast<double>(s.boxes_x) * static_cast<double>(s.boxes_y),
+         {1.0, 1e8, "at most 100000000"});
+  expect("settings/contact_tolerance", s.contact_tolerance, positive);
+  expect("settings/normal_stiffness", s.normal_stiffness, positive);
+  expect("settings/shear_stiffness", s.shear_stiffness, positive);
+  expect("settings/fraction", s.fraction,
+         {0.0, 1.0, "a number above 0, up to 1", true});
+  expect("settings/damping", s.damping, not_negative);
+  expect("settings/friction", s.friction, not_negative);
+  expect("settings/gravity", s.gravity);
+  expect("settings/layers_made", s.layers_made, not_negative);
+  for (const auto& [number, material] : s.materials) {
+    expect("settings/materials/number", number, positive);
+    expect("settings/materials/density", material.density, positive);
+    expect("settings/materials/youngs_modulus", material.youngs_modulus, not_negative);
+    expect("settings/materials/shear_modulus", material.shear_modulus, not_negative);
+  }
+  for (const Plane& plane : s.planes) {
+    expect("settings/planes", plane.a);
+    expect("settings/planes", plane.b);
+    if (plane.a == plane.b)
+      impossible("settings/planes has a plane through one point");
+  }
+  if (s.angle_min.value() > s.angle_max.value())
+    impossible("settings/angle_min is above angle_max");
+  if (s.merge_ratio)
+    expect("settings/merge_ratio", s.merge_ratio->value(), not_negative);
+}
+
+/// Blocks follow each other, the corners of each in a ring.
+void expect_corners(const Blocks& b) {
+  const std::size_t n = b.material.size();
+  if (b.first_corner.size() != n + 1 || b.first_corner[0] != 0)
+    impossible(fmt::format("blocks/first_corner has {} rows, expected {} from 0",
+                           b.first_corner.size(), n + 1));
+  for (std::size_t i = 0; i < n; ++i)
+    if (b.first_corner[i] > b.first_corner[i + 1] - 3)
+      impossible(
+          fmt::format("blocks/first_corner: block {} has less than 3 corners", i + 1));
+  const auto m = static_cast<std::size_t>(b.corners());
+  for (const auto& [name, column] : {std::pair{"blocks/next", &b.next},
+                                     {"blocks/previous", &b.previous},
+                                     {"blocks/corner_block", &b.corner_block}})
+    if (column->size() != m)
+      impossible(fmt::format("{} has {} rows, expected {}", name, column->size(), m));
+  for (int k = 0; k < b.size(); ++k)
+    for (int first = b.first_corner[k], last = b.first_corner[k + 1] - 1, c = first;
+         c <= last; ++c)
+      if (b.corner_block[c] != k || b.next[c] != (c == last ? first : c + 1) ||
+          b.previous[c] != (c == first ? last : c - 1))
+        impossible(fmt::format("corner {} of block {} is out of its place",
+                               c - first + 1, k + 1));
+}
+
+void expect_blocks(const Blocks& b, const Settings& settings) {
+  expect_corners(b);
+  const Eigen::Index n = b.size(), m = b.corners();
+  expect_all("blocks/arm", b.arm, m, finite);
+  expect_all("blocks/corner", b.corner, m, finite);
+  for (const int number : b.material)
+    if (!settings.materials.contains(number))
+      impossible(
+          fmt::format("blocks/material names material {}, which is not there", number));
+  expect_all("blocks/fixity", b.fixity, n, {0.0, 2.0, "0, 1 or 2"});
+  expect_all("blocks/convex", b.convex, n, yes_or_no);
+  expect_all("blocks/layer", b.layer, n, not_negative);
+  for (const auto& [name, column] : {std::pair{"blocks/area", &b.area},
+                                     {"blocks/mass", &b.mass},
+                                     {"blocks/inertia", &b.inertia}})
+    expect_all(name, *column, n, positive);
+  for (const auto& [name, column] : {std::pair{"blocks/angle", &b.angle},
+                                     {"blocks/spin", &b.spin},
+                                     {"blocks/moment", &b.moment}})
+    expect_all(name, *column, n, finite);
+  for (const auto& [name, column] : {std::pair{"blocks/centroid", &b.centroid},
+                                     {"blocks/velocity", &b.velocity},
+                                     {"blocks/force", &b.force}})
+    expect_all(name, *column, n, finite);
+  for (const auto& [name, column] : {std::pair{"blocks/applied", &b.applied},
+                                     {"blocks/stress", &b.stress},
+                                     {"blocks/strain_rate", &b.strain_rate}})
+    expect_all(name, *column, n, finite);
+  for (int c = 0; c < b.corners(); ++c) {
+    const Vec2 there = b.centroid.col(b.corner_block[c]) + b.arm.col(c);
+    const double size = there.cwiseAbs().maxCoeff() + b.arm.col(c).norm();
+    if (!((there - b.corner.col(c)).norm() <= 1e-9 * size))
+      impossible(fmt::format("blocks/corner: value {} is not centroid and arm", c + 1));
+  }
+}
+
+void expect_contacts(const Contacts& c, const Blocks& b) {
+  const std::size_t k = c.corner.size();
+  const auto rows = static_cast<Eigen::Index>(k);
+  expect_indices("contacts/corner", c.corner, k, b.corners());
+  expect_indices("contacts/edge", c.edge, k, b.corners());
+  expect_indices("contacts/corner_block", c.corner_block, k, b.size());
+  expect_indices("contacts/edge_block", c.edge_block, k, b.size());
+  for (std::size_t i = 0; i < k; ++i)
+    if (b.corner_block[c.corner[i]] != c.corner_block[i] ||
+        b.corner_block[c.edge[i]] != c.edge_block[i] ||
+        c.corner_block[i] == c.edge_block[i])
+      impossible(
+          fmt::format("contact {} names corner and edge of other blocks", i + 1));
+  const auto place = [&](std::size_t i) {
+    return std::tuple(std::min(c.corner_block[i], c.edge_block[i]),
+                      std::max(c.corner_block[i], c.edge_block[i]), c.corner[i],
+                      c.edge[i]);
+  };
+  for (std::size_t i = 1; i < k; ++i)
+    if (!(place(i - 1) < place(i)))
+      impossible(fmt::format("contact {} is out of order", i + 1));
+  expect_all("contacts/active", c.active, rows, yes_or_no);
+  for (const auto& [name, column] :
+       {std::pair{"contacts/normal_elastic", &c.normal_elastic},
+        {"contacts/normal_force", &c.normal_force},
+        {"contacts/overlap", &c.overlap},
+        {"contacts/damping", &c.damping}})
+    expect_all(name, *column, rows, not_negative);
+  expect_all("contacts/shear_elastic", c.shear_elastic, rows, finite);
+  expect_all("contacts/shear_force", c.shear_force, rows, finite);
+}
+
+void expect_plane_contacts(const PlaneContacts& c, const Model& model) {
+  const std::size_t k = c.plane.size();
+  const auto rows = static_cast<Eigen::Index>(k);
+  expect_indices("plane_contacts/plane", c.plane, k,
+                 static_cast<long>(model.settings.planes.size()));
+  expect_indices("plane_contacts/corner", c.corner, k, model.blocks.corners());
+  for (std::size_t i = 1; i < k; ++i)
+    if (!(std::pair(c.plane[i - 1], c.corner[i - 1]) <
+          std::pair(c.plane[i], c.corner[i])))
+      impossible(fmt::format("plane contact {} is out of order", i + 1));
+  expect_all("plane_contacts/active", c.active, rows, yes_or_no);
+  expect_all("plane_contacts/normal_elastic", c.normal_elastic, rows, not_negative);
+  expect_all("plane_contacts/normal_force", c.normal_force, rows, not_negative);
+  expect_all("plane_contacts/overlap", c.overlap, rows, not_negative);
+}
+
+void expect_loads(const Loads& loads, const Blocks& b) {
+  const auto points = static_cast<Eigen::Index>(loads.function.t.size());
+  expect_all("loads/function/t", loads.function.t, points, finite);
+  expect_all("loads/function/p", loads.function.p, points, finite);
+  for (std::size_t i = 1; i < loads.function.t.size(); ++i)
+    if (!(loads.function.t[i - 1] < loads.function.t[i]))
+      impossible("loads/function/t does not rise");
+  for (const Pressure& pressure : loads.pressures) {
+    expect_index("loads/pressures/block", pressure.block, b.size());
+    expect_index("loads/pressures/side", pressure.side, b.corners_of(pressure.block));
+    for (const double value : {pressure.p1, pressure.p2, pressure.arrival})
+      expect("loads/pressures", value, finite);
+  }
+  for (const CentroidForce& force : loads.forces) {
+    expect_index("loads/forces/block", force.block, b.size());
+    expect("loads/forces", force.force);
+    expect("loads/forces/arrival", force.arrival, finite);
+  }
+  if (loads.function.empty() && !(loads.pressures.empty() && loads.forces.empty()))
+    impossible("loads without a function of time");
+}
+
+/// What was told of blocks and layers.
+void expect_records(const Model& model) {
+  for (const int block : model.output_blocks)
+    expect("output/blocks", block, not_negative);
+  for (const DomainExit& exit : model.exits) {
+    expect_index("exits/block", exit.block, model.blocks.size());
+    expect("exits/time", exit.time, finite);
+  }
+  for (const MergeRecord& merge : model.merges) {
+    for (const int number : {merge.layer, merge.absorbed, merge.into})
+      expect("merges", number, positive);
+    expect("merges/width_to_height", merge.width_to_height, not_negative);
+    expect("merges/limit", merge.limit, not_negative);
+  }
+  for (const LayerRecord& layer : model.layers) {
+    for (const int count : {layer.number, layer.first_block, layer.blocks, layer.cells,
+                            layer.interior_edges, layer.outline_edges, layer.redrawn,
+                            layer.ruled, layer.redrawn_sides})
+      expect("layers", count, not_negative);
+    if (layer.blocks > model.blocks.size() - layer.first_block)
+      impossible("layers names blocks that are not there");
+  }
+}
+
+void expect_time(const Model& model) {
+  expect("steps", static_cast<double>(model.steps), not_negative);
+  expect("step_origin", static_cast<double>(model.step_origin), not_negative);
+  if (model.step_origin > model.steps)
+    impossible("step_origin lies after steps");
+  expect("time", model.time, not_negative);
+  expect("time_origin", model.time_origin, not_negative);
+  const TimeStep& step = model.time_step;
+  expect("time_step/dt", step.dt, not_negative);
+  if (step.block < -1 || step.block >= model.blocks.size())
+    impossible(fmt::format("time_step/block names number {}", step.block + 1));
+  if (step.blocks < 0 || step.blocks > model.blocks.size())
+    impossible(fmt::format("time_step/blocks is {}", step.blocks));
+  if (model.steps > 0 && !(step.dt > 0.0))
+    impossible("steps without a time_step/dt");
+  const double time = model.time_origin +
+                      static_cast<double>(model.steps - model.step_origin) * step.dt;
+  if (!(std::abs(model.time - time) <= 1e-9 * time))
+    impossible(fmt::format("time is {}, its steps make {}", model.time, time));
+  expect("search/travel", model.search.travel, not_negative);
+  expect("search/updates", static_cast<double>(model.search.updates), not_negative);
+  expect("worst_overlap", model.worst_overlap, not_negative);
+  for (const auto& [name, clock] :
+       {std::pair{"output", &model.output}, {"plots", &model.plots}}) {
+    expect(std::string(name) + "/interval", clock->interval, not_negative);
+    expect(std::string(name) + "/due", clock->due, finite);
+  }
+}
+
+void expect_info(const CheckpointInfo& info, int blocks) {
+  const Progress& at = info.progress;
+  for (const auto& [name, count] : {std::pair{"results_frames", info.results_frames},
+                                    {"listing_bytes", info.listing_bytes},
+                                    {"progress/card", at.card},
+                                    {"progress/steps_left", at.steps_left},
+                                    {"progress/frames", at.frames},
+                                    {"progress/listing_bytes", at.listing_bytes},
+                                    {"progress/tabled_step", at.tabled_step + 1}})
+    expect(std::string("run/") + name, static_cast<double>(count), not_negative);
+  if (at.frames > info.results_frames || at.listing_bytes > info.listing_bytes)
+    impossible("run/progress lies behind the end of its results or listing");
+  // Infinite where no block is convex.
+  expect("run/progress/half_depth", at.half_depth, {0.0, infinite, "a number from 0"});
+  for (const geometry::BlockOverlap& overlap : at.overlaps) {
+    expect_index("run/progress/overlaps/second", overlap.second, blocks);
+    expect_index("run/progress/overlaps/first", overlap.first, overlap.second);
+    expect("run/progress/overlaps/area", overlap.area, not_negative);
+    expect("run/progress/overlaps/depth", overlap.depth, not_negative);
+    expect("run/progress/overlaps", overlap.place);
+  }
+}
+
+}  // namespace
+
+void expect_possible(const Model& model, const CheckpointInfo& info) {
+  expect_settings(model.settings);
+  expect_blocks(model.blocks, model.settings);
+  expect_contacts(model.contacts, model.blocks);
+  expect_plane_contacts(model.plane_contacts, model);
+  expect_loads(model.loads, model.blocks);
+  expect_records(model);
+  expect_time(model);
+  expect_info(info, model.blocks.size());
+}
+
+}  // namespace blocks::output

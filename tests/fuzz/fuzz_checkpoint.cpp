@@ -1,0 +1,33 @@
+// Any bytes as a checkpoint: with the seal they have, and with the seal that is right
+// for them, as somebody would forge it. A model that a run can go on with, or
+// FileError.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "dynamics/step.hpp"
+#include "memory_file.hpp"
+#include "output/checkpoint.hpp"
+#include "output/sealed.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace blocks;
+  static const testing::MemoryFile file;
+  std::string bytes(reinterpret_cast<const char*>(data), size);
+  for (const bool forged : {false, true}) {
+    if (forged)
+      bytes = samples::sealed(std::move(bytes));
+    file.hold(bytes);
+    try {
+      output::CheckpointInfo info;
+      Model model = output::read_checkpoint(file.path(), info);
+      if (model.blocks.size() == 0)
+        continue;
+      dynamics::SearchBuffers buffers;
+      dynamics::prepare(model);
+      dynamics::step(model, buffers);
+    } catch (const output::FileError&) {
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,36 @@
+// Any bytes as a results file: every frame is read, and a run is continued behind the
+// first, or FileError. HDF5 itself sees the bytes.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "memory_file.hpp"
+#include "output/results.hpp"
+#include "post/results_reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace blocks;
+  static const testing::MemoryFile file;
+  file.hold({reinterpret_cast<const char*>(data), size});
+  try {
+    const post::ResultsReader reader(file.path());
+    reader.title();
+    for (long i = 0; i < std::min(reader.frames(), 5L); ++i) {
+      const post::Frame frame = reader.frame(i);
+      const post::FrameContacts contacts = reader.contacts(i);
+      if (frame.centroid.cols() != frame.size() ||
+          contacts.point.cols() != contacts.size())
+        std::abort();
+    }
+  } catch (const output::FileError&) {
+  }
+  try {
+    output::ResultsWriter::run_id_of(file.path());
+    output::ResultsWriter::deck_of(file.path());
+    output::ResultsWriter::reopen(file.path(), 1);
+  } catch (const output::FileError&) {
+  }
+  return 0;
+}

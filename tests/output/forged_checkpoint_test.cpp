@@ -1,0 +1,250 @@
+// Checkpoints made up by hand, with the checksum that is right for them: each field is
+// forged in turn. What no run leaves is refused; what could be is stepped.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <climits>
+#include <limits>
+
+#include "dynamics/step.hpp"
+#include "output/checkpoint.hpp"
+#include "output/model_archive.hpp"
+#include "output/possible.hpp"
+#include "sample_model.hpp"
+#include "sealed.hpp"
+
+namespace blocks::output {
+namespace {
+
+using samples::contents;
+using samples::file_error;
+using samples::overwrite;
+using samples::TemporaryFolder;
+using ::testing::HasSubstr;
+
+/// Something in every list.
+Model full_model() {
+  Model model = samples::two_blocks();
+  model.settings.merge_ratio = *geometry::Decimal::parse("0.2");
+  model.loads.function = {{0, 1}, {1, 0}};
+  model.loads.pressures = {{1, 2, 5, 6, 0.5}};
+  model.loads.forces = {{1, {3, 4}, 0.25}};
+  model.output = {0.5, 1.0};
+  model.plots = {0.25, 0.75};
+  model.output_blocks = {0, 1};
+  model.exits = {{0, 0.004}};
+  model.merges = {{1, 2, 3, 0.125, 0.2}};
+  model.layers = {{1, 0, 2, 2, 1, 6, 0, 0, 0}};
+  return model;
+}
+
+/// Counts the values of a model that can be forged, and forges the wanted one.
+class Forger {
+ public:
+  enum class How { never, perhaps, longer, shorter };
+  Forger(How how, long wanted) : how_(how), wanted_(wanted) {}
+  std::string forged;  ///< the name; empty: there are no more
+
+  template <Number T> void operator()(const std::string& name, T& value) {
+    if (!std::is_same_v<T, bool>)
+      for (const T worse : forgeries(value))
+        if (now(name))
+          value = worse;
+  }
+  void operator()(const std::string&, std::string&) {}
+  void operator()(const std::string&, geometry::Decimal&) {}
+  template <class T> void operator()(const std::string&, std::optional<T>&) {}
+  template <class T> void operator()(const std::string& name, std::vector<T>& column) {
+    for (T& value : column)
+      (*this)(name, value);
+    if (name == "output/blocks")  // may have any length
+      return;
+    if (how_ == How::longer && now(name))
+      column.push_back(column.back());
+    if (how_ == How::shorter && now(name))
+      column.pop_back();
+  }
+  template <class D>
+  void operator()(const std::string& name, Eigen::PlainObjectBase<D>& m) {
+    for (Eigen::Index i = 0; i < m.size(); ++i)
+      (*this)(name, m.data()[i]);
+    if constexpr (D::SizeAtCompileTime == Eigen::Dynamic) {
+      const Eigen::Index change = how_ == How::longer ? 1 : -1;
+      if ((how_ == How::longer || how_ == How::shorter) && now(name)) {
+        if constexpr (D::ColsAtCompileTime == 1)
+          m.conservativeResize(m.size() + change);
+        else
+          m.conservativeResize(m.rows(), m.cols() + change);
+      }
+    }
+  }
+  template <class R, class Visit>
+  void records(const std::string& name, std::vector<R>& list, Visit&& visit) {
+    for (R& record : list) {
+      auto member = [&](const char* at, auto& v) { (*this)(name + "/" + at, v); };
+      visit(member, record);
+    }
+  }
+  template <class Map, class Visit>
+  void materials(const std::string& name, Map& map, Visit&& visit) {
+    Map changed;
+    for (const auto& [key, value] : map) {
+      int number = key;
+      auto material = value;
+      auto member = [&](const char* at, auto& v) { (*this)(name + "/" + at, v); };
+      visit(member, number, material);
+      changed.emplace(number, material);
+    }
+    map = changed;
+  }
+
+ private:
+  bool now(const std::string& name) {
+    if (next_++ != wanted_)
+      return false;
+    forged = name;
+    return true;
+  }
+  template <class T> std::vector<T> forgeries(T value) const {
+    if (how_ == How::longer || how_ == How::shorter)
+      return {};
+    const bool never = how_ == How::never;
+    if constexpr (std::is_same_v<T, double>) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      return never ? std::vector<T>{std::nan(""), infinity, -infinity}
+                   : std::vector<T>{0.0, -1.0, 1e300, -value};
+    } else if constexpr (std::is_enum_v<T>) {
+      return never ? std::vector<T>{T{-1}, T{3}} : std::vector<T>{T{0}, T{1}, T{2}};
+    } else if constexpr (std::is_same_v<T, std::uint64_t>) {
+      return {};  // any seed will do
+    } else {
+      constexpr T least = std::numeric_limits<T>::min(),
+                  most = std::numeric_limits<T>::max();
+      return never ? std::vector<T>{least}
+                   : std::vector<T>{most, static_cast<T>(-1), T{0},
+                                    static_cast<T>(value + 1)};
+    }
+  }
+
+  How how_;
+  long wanted_, next_ = 0;
+};
+
+/// Forges everything that can be forged this way; judge(name, reason) hears why each
+/// was refused, "" for one that was stepped.
+template <class Judge> long forge_all(Forger::How how, Judge&& judge) {
+  for (long wanted = 0;; ++wanted) {
+    Model model = full_model();
+    Forger forger(how, wanted);
+    visit_model(model, forger);
+    if (forger.forged.empty())
+      return wanted;
+    std::string reason;
+    try {
+      expect_possible(model, {});
+      dynamics::SearchBuffers buffers;
+      dynamics::prepare(model);
+      dynamics::step(model, buffers);
+    } catch (const hdf5::Failure& refusal) {
+      reason = refusal.what();
+    }
+    judge(forger.forged, reason);
+  }
+}
+
+TEST(ForgedCheckpoint, SampleIsSound) {
+  const TemporaryFolder folder;
+  write_checkpoint(folder / "a.ckpt.h5", full_model(), {});
+  CheckpointInfo info;
+  EXPECT_EQ(file_error([&] { read_checkpoint(folder / "a.ckpt.h5", info); }), "");
+}
+
+// Numbers that are not finite, counts and indices far below zero, columns with a row
+// too many or too few: refused, and the message names a field.
+TEST(ForgedCheckpoint, IsRefusedWhateverFieldNoRunLeaves) {
+  long forged = 0;
+  for (const auto how : {Forger::How::never, Forger::How::longer, Forger::How::shorter})
+    forged += forge_all(how, [](const std::string& name, const std::string& message) {
+      EXPECT_THAT(message, ::testing::StartsWith("it holds what no run leaves: "))
+          << name;
+    });
+  RecordProperty("forged", std::to_string(forged));
+  EXPECT_GT(forged, 300);
+}
+
+// Values that some run might leave: refused, or a step is made with them.
+TEST(ForgedCheckpoint, IsRefusedOrStepped) {
+  long refused = 0;
+  const long forged = forge_all(Forger::How::perhaps,
+                                [&](const std::string&, const std::string& message) {
+                                  refused += !message.empty();
+                                });
+  RecordProperty("forged", std::to_string(forged));
+  RecordProperty("refused", std::to_string(refused));
+  EXPECT_GT(refused, forged / 3);
+}
+
+TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ckpt.h5";
+  const auto message = [&](auto&& forge) {
+    Model model = full_model();
+    CheckpointInfo info;
+    forge(model, info);
+    write_checkpoint(path, model, info);
+    const std::string text = file_error([&] { read_checkpoint(path, info); });
+    const std::string head = "cannot read " + path + ": it holds what no run leaves: ";
+    EXPECT_EQ(text.substr(0, head.size()), head);
+    return text.substr(head.size(), text.find(';') - head.size());
+  };
+  EXPECT_EQ(message([](Model& m, auto&) { m.blocks.mass[1] = -3; }),
+            "blocks/mass: value 2 is -3, expected a number above 0");
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.edge[1] = 99; }),
+            "contacts/edge names number 100 of 8");
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.edge[1] = 5; }),
+            "contact 2 names corner and edge of other blocks");
+  EXPECT_EQ(message([](Model& m, auto&) {
+              std::swap(m.contacts.corner[0], m.contacts.corner[1]);
+            }),
+            "contact 2 is out of order");
+  EXPECT_EQ(message([](Model& m, auto&) { m.blocks.next[3] = 1; }),
+            "corner 4 of block 1 is out of its place");
+  EXPECT_EQ(message([](Model& m, auto&) { m.blocks.material[0] = 9; }),
+            "blocks/material names material 9, which is not there");
+  EXPECT_EQ(message([](Model& m, auto&) { m.time = 8; }),
+            "time is 8, its steps make 0.007");
+  EXPECT_EQ(message([](Model&, CheckpointInfo& info) { info.progress.frames = 2; }),
+            "run/progress lies behind the end of its results or listing");
+}
+
+// A dataset that is missing, or of another kind.
+TEST(ForgedCheckpoint, IsRefusedWhateverFieldIsMissing) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ckpt.h5";
+  write_checkpoint(path, full_model(), {});
+  const std::string sound = contents(path);
+  CheckpointInfo info;
+  for (const char* name :
+       {"blocks", "blocks/mass", "contacts/corner", "settings/title",
+        "settings/gravity", "loads/pressures/p1", "loads/pressures/count",
+        "run/progress/card", "run", "settings/merge_ratio",
+        "settings/materials/density", "steps"})
+    for (const char* other : {"", "contacts", "settings/title", "blocks/corner"}) {
+      overwrite(path, sound);
+      {
+        const hdf5::Handle file = hdf5::open_file(path, true);
+        if (std::string(name) == other)
+          continue;
+        hdf5::check(
+            H5Lmove(file.get(), name, file.get(), "aside", H5P_DEFAULT, H5P_DEFAULT));
+        if (*other != '\0')
+          H5Lcopy(file.get(), other, file.get(), name, H5P_DEFAULT, H5P_DEFAULT);
+      }
+      overwrite(path, samples::sealed(contents(path)));
+      EXPECT_THAT(file_error([&] { read_checkpoint(path, info); }), HasSubstr(path))
+          << name << " is " << other;
+    }
+}
+
+}  // namespace
+}  // namespace blocks::output

@@ -1,0 +1,72 @@
+// kill -9 at a random moment of a run: what lies there can be read, and the run that
+// goes on from its checkpoint, or starts again without one, leaves the straight run's
+// bits.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+
+#include "output/checkpoint.hpp"
+#include "post/results_reader.hpp"
+#include "run/program.hpp"
+#include "run/stored.hpp"
+
+namespace blocks::testing {
+namespace {
+
+void expect_readable(const TemporaryFolder& folder, const std::string& when) {
+  if (folder.holds("a.vtkhdf")) {
+    const post::ResultsReader reader((folder / "a.vtkhdf").string());
+    for (long i = 0; i < reader.frames(); ++i)
+      EXPECT_TRUE(reader.frame(i).centroid.allFinite()) << when;
+  }
+  output::CheckpointInfo info;
+  for (const char* name : {"a.ckpt.h5", "a.ckpt.h5.prev"})
+    if (folder.holds(name)) {
+      EXPECT_NO_THROW(output::read_checkpoint((folder / name).string(), info))
+          << name << ", " << when;
+    }
+}
+
+TEST(Killed, AtAnyMomentLosesNothingBehindItsCheckpoint) {
+  const std::string deck =
+      layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 500\n";
+  const std::string arguments = "run a.deck -q --checkpoint-every 0.004";
+  const TemporaryFolder straight;
+  straight.write("a.deck", deck);
+  const auto began = std::chrono::steady_clock::now();
+  ASSERT_EQ(blocks(arguments, straight.path()).code, 0);
+  const double whole =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  const auto wanted = left_by_run(straight.path(), "a");
+
+  const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
+  const int trials = all ? 200 : 5;
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> moment(0.0, whole);
+  int kills = 0, restarts = 0;
+  for (int i = 0; i < trials; ++i) {
+    const TemporaryFolder folder;
+    folder.write("a.deck", deck);
+    const double seconds = moment(random);
+    const std::string when = "killed after " + std::to_string(seconds) + " s";
+    kills += killed(arguments, "a.deck", seconds, SIGKILL, folder.path()) == -1;
+    expect_readable(folder, when);
+    std::string restart;
+    if (folder.holds("a.ckpt.h5")) {
+      restart = " --restart a.ckpt.h5";
+      ++restarts;
+    }
+    const Outcome run = blocks(arguments + restart, folder.path());
+    ASSERT_EQ(run.code, 0) << run.err << when;
+    expect_same(left_by_run(folder.path(), "a"), wanted, when);
+  }
+  RecordProperty("kills", std::to_string(kills));
+  RecordProperty("restarts", std::to_string(restarts));
+  EXPECT_GT(kills, trials / 3);
+}
+
+}  // namespace
+}  // namespace blocks::testing

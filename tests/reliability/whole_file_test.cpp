@@ -1,0 +1,117 @@
+// Decks that are spoilt as files: not text, or one line, or asking for more than any
+// machine has. The message is short, and little memory is used.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Runs the program with half a gigabyte of memory.
+Outcome run_small(const TemporaryFolder& folder, const std::string& deck) {
+  folder.write("a.deck", deck);
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+  const rlimit small{rlim_t{512} << 20, before.rlim_max};
+  setrlimit(RLIMIT_AS, &small);
+#endif
+  Outcome run = blocks("run a.deck -q", folder.path());
+  setrlimit(RLIMIT_AS, &before);
+  return run;
+}
+
+const std::string sound =
+    preliminary() + rectangle(0, 0, 1, 1) + "GRAVITY, 0, -10\nCYCLE, 5\n";
+
+void expect_refused(const std::string& deck, const std::string& message) {
+  const TemporaryFolder folder;
+  const Outcome run = run_small(folder, deck);
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr(message));
+  EXPECT_LT(run.err.size(), 5000U);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1)
+      << "a refused deck leaves no file";
+}
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string deck = sound;
+  return deck.replace(deck.find(from), from.size(), to);
+}
+
+// What editors on other systems write is no fault.
+TEST(WholeFile, MayComeFromAnyEditor) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_small(folder, sound).code, 0);
+  const auto hash = summary(folder, "a")["state_hash"];
+  std::string crlf, cr;
+  for (const char c : sound) {
+    crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    cr += c == '\n' ? '\r' : c;
+  }
+  for (const std::string& deck :
+       {"\xef\xbb\xbf" + sound, crlf, cr, "\n\n" + sound, sound + "\x1a"}) {
+    ASSERT_EQ(run_small(folder, deck).code, 0);
+    EXPECT_EQ(summary(folder, "a")["state_hash"], hash);
+  }
+}
+
+TEST(WholeFile, ThatIsNoTextIsRefused) {
+  expect_refused("", "a.deck:1:1: error: the deck is empty");
+  expect_refused("\n\n\n", "a.deck:1:1: error: the deck is empty");
+  expect_refused(with("GRAVITY", std::string("GRA\0ITY", 7)),
+                 "a.deck:15:4: error: not a text file");
+  std::string utf16 = "\xff\xfe";
+  for (const char c : sound)
+    utf16 += {c, '\0'};
+  expect_refused(utf16, "a.deck:1:4: error: not a text file");
+  expect_refused("\x7f"
+                 "ELF" +
+                     std::string(1 << 20, '\1'),
+                 "not a text file");
+}
+
+TEST(WholeFile, OfOneLongLineIsRefusedInFewWords) {
+  const std::size_t size = 10 << 20;
+  const std::string words = "bytes, a line of a deck at most 1000000";
+  expect_refused(std::string(size, 'A'),
+                 "a.deck:1:1: error: the line has 10485760 " + words);
+  expect_refused(with("0, -10", "0, -10" + std::string(size, ' ') + "x"),
+                 "a.deck:15:1: error: the line has 10485776 " + words);
+  std::string commas;
+  for (std::size_t i = 0; i < 400000; ++i)
+    commas += "1,";
+  expect_refused(with("0, -10", "0, -10, " + commas),
+                 "a.deck:15:18: error: GRAVITY: surplus");
+}
+
+// Before the memory is asked for.
+TEST(WholeFile, ThatAsksForMoreThanThereIsIsRefused) {
+  const auto blocks_of = [](const std::string& card) {
+    return with("START, 100, 6", "START, 2000000000, 6") + card;
+  };
+  expect_refused(
+      blocks_of("CLOOP, 1000000000000, 1, 0\n" + rectangle(2, 0, 3, 1) + "CYCLE, 1\n"),
+      "CLOOP");
+  expect_refused(
+      blocks_of("CLOOP, 1900000000, 0, 0\n" + rectangle(2, 0, 3, 1) + "CYCLE, 1\n"),
+      "one card may make 20000000 blocks at most");
+  expect_refused(blocks_of("LAYER, -1900000000, 1, 2,0, 2,1, 9,1, 9,0\nCYCLE, 1\n"),
+                 "ns must be");
+  expect_refused(blocks_of("LAYER, 1000000000000, 1, 2,0, 2,1, 9,1, 9,0\n"), "LAYER");
+  expect_refused(with("BOXES, 10, 10", "BOXES, 1000000000000, 1000000000000"), "BOXES");
+  expect_refused(with("BOXES, 10, 10", "BOXES, 100000, 100000"), "too many boxes");
+  expect_refused(preliminary("RIGID\nFUNCTION, 1000000000000\n0, 1\n") +
+                     rectangle(0, 0, 1, 1) + "CYCLE, 1\n",
+                 "FUNCTION");
+  expect_refused(with("CREATE, 4", "CREATE, 1000000000000"), "CREATE");
+}
+
+}  // namespace
+}  // namespace blocks::testing

@@ -1,0 +1,125 @@
+#!/usr/bin/python3
+"""Runs the tests of reliability and writes what they counted: report.py BUILD REPORT.
+
+BUILD: a build folder with the test programs; REPORT: the page without its ending.
+BLOCKS_THOROUGH in the environment makes the runs long; the page says how long they were.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+# promise, how it is tested, program, filter of its tests, property that is counted (none:
+# the tests themselves), what is counted
+TESTS = [
+    ("a run stopped anywhere and resumed leaves the bits of the straight run",
+     "every deck of `decks/` stopped at random steps", "run/run_tests", "*ResumedDeck*",
+     "splits", "stops"),
+    ("so does a run killed at any moment, and its files can be read",
+     "kill -9 at random moments, then resumed", "reliability/reliability_tests", "Killed.*",
+     "kills", "kills"),
+    ("a damaged checkpoint is refused", "one bit changed", "output/output_tests",
+     "Checkpoint.RefusesAnyDamagedByte", "bytes", "bytes"),
+    ("a checkpoint that no run leaves is refused, whatever its checksum",
+     "each value of a model forged", "output/output_tests",
+     "ForgedCheckpoint.IsRefusedWhateverFieldNoRunLeaves", "forged", "forgeries"),
+    ("a forged checkpoint that some run might leave is refused or stepped",
+     "each value of a model forged", "output/output_tests",
+     "ForgedCheckpoint.IsRefusedOrStepped", "forged", "forgeries"),
+    ("results stand whole at every moment", "the file between any two changes of it",
+     "reliability/reliability_tests", "ResultsAtAnyMoment.*", "moments", "moments"),
+    ("a full disk is told, and what was there stays",
+     "the disk full from the n-th change of a file on", "reliability/reliability_tests",
+     "FullDisk.*", "tried", "places"),
+    ("failing memory is told, and leaves no half file",
+     "the k-th request fails, once or from then on", "reliability/reliability_tests",
+     "*FailingMemory*", "tried", "requests"),
+    ("a bad card gets exactly its message", "a sound deck with one card spoilt",
+     "run/run_tests", "*BadCard*", "decks", "decks"),
+    ("a deck that cannot be read or built gets exactly its messages",
+     "`tests/corpus/bad`", "deck/deck_tests", "*BadDeck.*", None, "decks"),
+    ("", "`tests/corpus/bad_run`", "run/run_tests", "*BadRun.Gets*", None, "decks"),
+    ("a file that is no deck is refused in few words and with little memory",
+     "binary, one line of 10 MB, counts of 1e12 ...", "reliability/reliability_tests",
+     "WholeFile.*", None, "groups"),
+    ("a deck changed at random is refused, runs or ends as unsound",
+     "up to 4 changes", "reliability/reliability_tests", "Mutants.*", "tried", "decks"),
+]
+
+# target, options, inputs of a short and of a thorough run, folders
+FUZZ = [
+    ("deck", [], 2000, 50000, ["tests/corpus/bad", "decks"]),
+    ("run", [], 200, 10000, ["decks/every_card", "tests/corpus/fuzz/run"]),
+    ("mesh", [], 5000, 500000, ["tests/data/mesh", "tests/corpus/fuzz/mesh"]),
+    ("geojson", [], 2000, 100000, ["tests/corpus/bad_exchange"]),
+    ("wkt", [], 2000, 100000, ["tests/corpus/bad_exchange"]),
+    ("layer", [], 500, 20000, ["tests/corpus/fuzz/layer"]),
+    ("results", ["--children"], 100, 3000, ["seeds/results"]),
+    ("checkpoint", ["--children"], 100, 3000, ["seeds/checkpoint"]),
+]
+
+
+def run_tests(program, wanted):
+    """Outcome of the wanted tests, as gtest tells it."""
+    with tempfile.TemporaryDirectory() as folder:
+        told = Path(folder) / "told.json"
+        subprocess.run([program, f"--gtest_filter={wanted}", f"--gtest_output=json:{told}"],
+                       stdout=sys.stderr, check=False)
+        if not told.exists():
+            return []
+        return [test for suite in json.loads(told.read_text())["testsuites"]
+                for test in suite["testsuite"]]
+
+
+def row_of_tests(build, test):
+    promise, how, program, wanted, counted, unit = test
+    tests = [one for one in run_tests(build / "tests" / program, wanted)
+             if one["result"] == "COMPLETED"]
+    sound = tests and not any("failures" in one for one in tests)
+    count = sum(int(one.get(counted, 0)) for one in tests) if counted else len(tests)
+    sound = sound and count > 0
+    return promise, f"{how}: `{wanted.strip('*').rstrip('.')}`", f"{count:,} {unit}", sound
+
+
+def row_of_fuzz(build, source, target):
+    name, options, short, long, folders = target
+    mutants = long if "BLOCKS_THOROUGH" in os.environ else short
+    inputs = [str(build / "tests/fuzz" / folder if folder.startswith("seeds")
+                  else source / folder) for folder in folders]
+    with tempfile.TemporaryDirectory() as folder:
+        outcome = subprocess.run([build / "tests/fuzz" / f"fuzz_{name}", *options,
+                                  str(mutants), *inputs], cwd=folder, text=True,
+                                 stdout=subprocess.PIPE, check=False)
+    said = outcome.stdout.strip()
+    count = sum(int(number) for number in re.findall(r"(\d+) (?:inputs|mutants)", said))
+    told = re.search(r"(\d+) of them told", said)
+    words = f"{count:,} inputs" + (f", HDF5 failed in {told[1]}" if told else "")
+    return "", f"any bytes, mutants of a corpus: `fuzz_{name}`", words, outcome.returncode == 0
+
+
+def main():
+    build, report = Path(sys.argv[1]), Path(sys.argv[2] + ".md")
+    source = Path(__file__).resolve().parents[2]
+    rows = [row_of_tests(build, test) for test in TESTS]
+    subprocess.run([build / "tests/fuzz/fuzz_seeds", build / "tests/fuzz/seeds"], check=True)
+    fuzzed = [row_of_fuzz(build, source, target) for target in FUZZ]
+    fuzzed[0] = ("readers take any bytes, and cut any layer", *fuzzed[0][1:])
+    lines = ["# What is promised of files and inputs, as tested", "",
+             "Written by `./go validate reliability`; do not edit. What the promises mean: "
+             "[docs/reliability.md](../../docs/reliability.md).", "",
+             "| promise | how it is tested | count | verdict |", "|---|---|---|---|"]
+    for promise, how, count, sound in rows + fuzzed:
+        lines.append(f"| {promise} | {how} | {count} | {'holds' if sound else '**FAILS**'} |")
+    failed = sum(not row[-1] for row in rows + fuzzed)
+    lines += ["", "Every promise holds." if failed == 0 else f"{failed} rows fail.", ""]
+    report.write_text("\n".join(lines))
+    print("\n".join(lines[5:]))
+    return 4 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
