@@ -51,7 +51,7 @@ class Legend {
     pen_.colour(fill);
     cairo_fill_preserve(cairo_);
     if (hatched)
-      hatch(pen_);
+      hatch(pen_, fill);
     pen_.stroke(0.8, ink);
     words(name);
     y_ += line;

@@ -12,13 +12,11 @@ std::vector<ForceLink> force_network(const FrameContacts& contacts) {
     double weight = 0.0;
   };
   std::map<std::pair<int, int>, Sum> pairs;
+  const Eigen::Matrix2Xd forces = contacts.force();
   for (int i = 0; i < contacts.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const int corner = contacts.corner_block[k], edge = contacts.edge_block[k];
-    const Eigen::Vector2d n = contacts.normal.col(i), t(n.y(), -n.x());
-    // on the corner's block, as in the run
-    const Eigen::Vector2d f =
-        n * contacts.normal_force[i] - t * contacts.shear_force[i];
+    const Eigen::Vector2d f = forces.col(i);  // on the corner's block
     Sum& sum = pairs[std::minmax(corner, edge)];
     sum.force += corner > edge ? f : Eigen::Vector2d(-f);
     sum.point += f.norm() * contacts.point.col(i);

@@ -96,7 +96,7 @@ class SceneDrawing {
     pen_.colour(fill);
     cairo_fill_preserve(cairo_);
     if (now_.fixed[b] != 0)
-      hatch(pen_);
+      hatch(pen_, fill);
     const double width = std::clamp(0.03 * size_on_page(now_.outlines[b]), 0.25, 1.1);
     pen_.stroke(width, mix(fill, {0, 0, 0}, options_.forces ? 0.75 : 0.33), 0.9);
   }
@@ -228,7 +228,7 @@ void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
   SceneDrawing(pen, axes, picture, scales, options).draw();
 }
 
-void hatch(Pen& pen) {
+void hatch(Pen& pen, const Colour& ground) {
   cairo_t* cairo = pen.cairo();
   double x0, y0, x1, y1, left, top, right, bottom;
   cairo_path_extents(cairo, &x0, &y0, &x1, &y1);
@@ -244,7 +244,8 @@ void hatch(Pen& pen) {
     cairo_move_to(cairo, x, y1);
     cairo_line_to(cairo, x + (y1 - y0), y0);
   }
-  pen.stroke(1.0, {0.1, 0.1, 0.1}, 0.35);
+  const bool dark = ground.r + ground.g + ground.b < 1.2;
+  pen.stroke(1.0, dark ? white : Colour{0.1, 0.1, 0.1}, dark ? 0.45 : 0.35);
   cairo_restore(cairo);
   cairo_append_path(cairo, outline);
   cairo_path_destroy(outline);

@@ -10,8 +10,9 @@ namespace blocks::post {
 void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
                 const FigureScales& scales, const FigureOptions& options);
 
-/// Slanting lines over the present path, which stays: a fixed block.
-void hatch(Pen& pen);
+/// Slanting lines over the present path, which stays: a fixed block. Light ones on a
+/// dark ground.
+void hatch(Pen& pen, const Colour& ground);
 
 /// An arrow from (x, y) on the page.
 void draw_arrow(Pen& pen, double x, double y, double dx, double dy);
