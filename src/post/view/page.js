@@ -198,26 +198,108 @@ function draw_model() {
     const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
     if (Math.abs(cx - x) < half_w + r && Math.abs(cy - y) < half_h + r) visible.push(b);
   }
-  for (const [shade, group] of shades(f, visible)) {
+  const fine = visible.length <= draft_above || !hurried();
+  if (!fine) {
+    draw_draft(f, visible);
+    const force = pixel(style("--force").trim());
+    for (const [x0, y0, x1, y1] of state.forces ? force_lines(f) : []) put_line(x0, y0, x1, y1, force);
+    pen.putImageData(picture, 0, 0);
+  }
+  for (const [shade, group] of fine ? shades(f, visible) : []) {
     pen.fillStyle = shade;
     in_parts(group, corners, () => pen.fill());
   }
   hatch_fixed(f, visible);
   const edge = Math.min(1, typical_size() * scale / 24);
-  if (edge > 0.2) {
+  if (fine && edge > 0.2) {
     pen.strokeStyle = style("--edge");
     pen.lineWidth = edge;
     pen.lineJoin = "round";
     in_parts(visible, corners, () => pen.stroke());
   }
   if (state.original) draw_original();
-  if (state.forces) draw_forces(f);
+  if (fine && state.forces) draw_forces(f);
   if (state.labels) draw_labels(f, visible);
   if (state.block >= 0 && exists(state.block, f)) {
     pen.beginPath();
     trace(state.block, corners);
     pen.strokeStyle = style("--sheet"); pen.lineWidth = 5; pen.stroke();
     pen.strokeStyle = style("--mark"); pen.lineWidth = 2.5; pen.stroke();
+  }
+}
+
+// Of very many blocks the canvas fills some 200 a millisecond. While something moves they
+// are put into the picture pixel by pixel instead, ten times as fast; the fine picture
+// follows when it stands still.
+const rest = 250;
+let draft_above = 3000, moved_at = -Infinity, fine_later = 0;
+const hurried = () => state.playing || performance.now() - moved_at < rest;
+/// To be called by whatever makes the next picture differ.
+function moves() {
+  moved_at = performance.now();
+  clearTimeout(fine_later);
+  fine_later = setTimeout(redraw, rest + 50);
+}
+
+/// "#rrggbb" as a pixel.
+const pixel = (shade) => 0xff000000 | parseInt(shade.slice(5, 7) + shade.slice(3, 5) + shade.slice(1, 3), 16);
+let picture = null, pixels = null, crossings = new Float64Array(64);
+
+function draw_draft(f, visible) {
+  if (picture?.width !== model.width || picture?.height !== model.height) {
+    picture = pen.createImageData(model.width, model.height);
+    pixels = new Uint32Array(picture.data.buffer);
+  }
+  pixels.fill(0);
+  const edges = typical_size() * state.view.scale > 7;
+  for (const [shade, group] of shades(f, visible)) {
+    const ground = pixel(shade), edge = edges ? pixel(darker(shade)) : ground;
+    for (const b of group) put_block(b, ground, edge);
+  }
+}
+
+/// Ends in page pixels.
+function put_line(x0, y0, x1, y1, colour) {
+  const ratio = model.width / model.clientWidth, w = model.width, h = model.height;
+  const n = Math.max(1, Math.ceil(ratio * Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0))));
+  const dx = ratio * (x1 - x0) / n, dy = ratio * (y1 - y0) / n;
+  for (let i = 0, x = ratio * x0, y = ratio * y0; i <= n; ++i, x += dx, y += dy)
+    if (x >= 0 && y >= 0 && x < w && y < h) pixels[(y | 0) * w + (x | 0)] = colour;
+}
+
+const darker = (shade) => "#" + [1, 3, 5].map((i) =>
+  Math.round(0.55 * parseInt(shade.slice(i, i + 2), 16)).toString(16).padStart(2, "0")).join("");
+
+/// Pixels whose middle lies inside, so that neighbours leave no gap; the leftmost of each
+/// row and the lowest row in the colour of the edge.
+function put_block(b, ground, edge) {
+  const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
+  const ratio = model.width / model.clientWidth, scale = state.view.scale * ratio;
+  const u = model.width / 2 - state.view.x * scale, v = model.height / 2 + state.view.y * scale;
+  let low = Infinity, high = -Infinity;
+  for (let i = first; i < end; i += 2) {
+    const y = v - corners[i + 1] * scale;
+    if (y < low) low = y;
+    if (y > high) high = y;
+  }
+  if (end - first > crossings.length) crossings = new Float64Array(end - first);
+  const last = Math.min(model.height, Math.ceil(high - 0.5));
+  for (let row = Math.max(0, Math.ceil(low - 0.5)); row < last; ++row) {
+    const y = (v - row - 0.5) / scale;  // in the model
+    let n = 0;
+    for (let i = first, j = end - 2; i < end; j = i, i += 2) {
+      if ((corners[i + 1] > y) === (corners[j + 1] > y)) continue;
+      let x = u + scale * (corners[i] + (y - corners[i + 1]) / (corners[j + 1] - corners[i + 1]) * (corners[j] - corners[i]));
+      let k = n++;
+      for (; k > 0 && crossings[k - 1] > x; --k) crossings[k] = crossings[k - 1];
+      crossings[k] = x;
+    }
+    for (let k = 0; k + 1 < n; k += 2) {
+      const from = Math.max(0, Math.ceil(crossings[k] - 0.5)), to = Math.min(model.width, Math.ceil(crossings[k + 1] - 0.5));
+      if (from >= to) continue;
+      pixels.fill(row === last - 1 ? edge : ground, row * model.width + from, row * model.width + to);
+      pixels[row * model.width + from] = edge;
+    }
   }
 }
 
@@ -255,21 +337,28 @@ function usual_force() {
   return usual = largest[largest.length >> 1] ?? 255;
 }
 
-/// A line through the contact along its force; lengths by the square root, so that the
-/// small ones are seen beside the large.
-function draw_forces(f) {
-  const {corner, direction, size} = data.contacts[f];
-  const full = Math.min(60, 1.2 * typical_size() * state.view.scale);
-  const lines = [];
+/// On the page; lengths by the square root, so that the small ones are seen beside the
+/// large.
+const force_length = () => Math.min(60, 1.2 * typical_size() * state.view.scale);
+
+/// Lines through the contacts along their forces: x0, y0, x1, y1 on the page.
+function force_lines(f) {
+  const {corner, direction, size} = data.contacts[f], full = force_length(), lines = [];
+  const {x, y, scale} = state.view, w = model.clientWidth, h = model.clientHeight;
   for (let i = 0; i < corner.length; ++i) {
     const length = Math.min(2 * full, full * Math.sqrt(10 ** (6 * (size[i] - usual_force()) / 255)));
     if (length < 0.7) continue;
-    const [px, py] = to_screen(corners[2 * corner[i]], corners[2 * corner[i] + 1]);
-    if (px < -full || py < -full || px > model.clientWidth + full || py > model.clientHeight + full) continue;
+    const px = w / 2 + (corners[2 * corner[i]] - x) * scale, py = h / 2 - (corners[2 * corner[i] + 1] - y) * scale;
+    if (px < -full || py < -full || px > w + full || py > h + full) continue;
     const turn = direction[i] / 256 * 2 * Math.PI;
     const dx = Math.cos(turn) * length / 2, dy = -Math.sin(turn) * length / 2;
     lines.push([px - dx, py - dy, px + dx, py + dy]);
   }
+  return lines;
+}
+
+function draw_forces(f) {
+  const lines = force_lines(f), full = force_length();
   const paint = (colour, width, alpha) => {
     pen.strokeStyle = colour; pen.lineWidth = width; pen.globalAlpha = alpha;
     for (let i = 0; i < lines.length; i += 64) {
@@ -522,6 +611,7 @@ function play(on) {
 }
 function show(frame) {
   if (state.playing) play(false);
+  moves();
   state.frame = Math.max(0, Math.min(frames - 1, frame));
   redraw();
 }
@@ -529,6 +619,7 @@ function show(frame) {
 // ---- hands ---------------------------------------------------------------------------
 
 function zoom(factor, px = model.clientWidth / 2, py = model.clientHeight / 2) {
+  moves();
   const [x, y] = to_model(px, py);
   state.view.scale *= factor;
   const [u, v] = to_model(px, py);
@@ -560,6 +651,7 @@ model.addEventListener("pointermove", (event) => {
       (here[0] + x) / 2, (here[1] + y) / 2);
   }
   pointers.set(event.pointerId, here);
+  moves();
   redraw();
 });
 model.addEventListener("pointerup", (event) => {
