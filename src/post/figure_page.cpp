@@ -33,8 +33,9 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
     const double width = (Pen::page - left - right - (across - 1) * gap) / across;
     const double height =
         top + rows * (width * shape + (count > 1 ? heading : 0)) + foot;
-    // the page nearest to the shape of a sheet lying on its side
-    const double far = std::abs(std::log(height / (0.75 * Pen::page)));
+    // the page nearest to the shape of a sheet lying on its side, with few empty places
+    const double empty = across * rows - static_cast<double>(count);
+    const double far = std::abs(std::log(height / (0.75 * Pen::page))) + 0.2 * empty;
     if (far >= best)
       continue;
     best = far;
