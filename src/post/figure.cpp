@@ -16,7 +16,7 @@ void draw_figure(const std::string& path, const ResultsReader& results,
     page.begin(pen);
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const Frame now = results.frame(frames[k]);
-      const FrameContacts contacts = results.contacts(frames[k]);
+      const FrameContacts contacts = contacts_for(options, results, frames[k]);
       page.picture(pen, k, {now, first, contacts});
       if (k + 1 == frames.size())
         page.end(pen, {now, first, contacts});

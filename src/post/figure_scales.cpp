@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "post/force_network.hpp"
+#include "post/model_quantity.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
@@ -109,6 +110,12 @@ FigureScales ScaleSurvey::scales() const {
   return result;
 }
 
+FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
+                           long frame) {
+  const bool shown = options.forces || find_other(options.colour);
+  return shown ? results.contacts(frame) : FrameContacts{};
+}
+
 FigureScales survey_scales(const ResultsReader& results,
                            const std::vector<long>& frames,
                            const FigureOptions& options) {
@@ -118,7 +125,7 @@ FigureScales survey_scales(const ResultsReader& results,
   ScaleSurvey survey(options);
   for (const long i : frames) {
     const Frame now = results.frame(i);
-    const FrameContacts contacts = results.contacts(i);
+    const FrameContacts contacts = contacts_for(options, results, i);
     survey.include({now, first, contacts});
   }
   return survey.scales();

@@ -48,6 +48,10 @@ FigureScales survey_scales(const ResultsReader& results,
                            const std::vector<long>& frames,
                            const FigureOptions& options);
 
+/// The contacts of a frame, read only if the figure shows something of them.
+FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
+                           long frame);
+
 /// (2, n) what the arrows of that name show: velocity, displacement, force. Throws
 /// std::runtime_error listing the names.
 Eigen::Matrix2Xd arrow_vectors(const std::string& name, const Picture& picture);

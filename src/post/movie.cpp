@@ -162,7 +162,7 @@ void draw_movie(const std::string& path, const ResultsReader& results,
   bool well = true;
   for (const long i : frames) {
     const Frame now = results.frame(i);
-    const FrameContacts contacts = results.contacts(i);
+    const FrameContacts contacts = contacts_for(options, results, i);
     {
       const Context cairo(cairo_create(surface.get()), cairo_destroy);
       Pen pen(cairo.get(), options.width);
