@@ -103,7 +103,8 @@ class Legend {
     }
     cairo_rectangle(cairo_, place_.x, top, width, height);
     pen_.stroke(0.8, ink);
-    const TickLabels marked = label_ticks(low, high, std::max(2, int(height / 60)));
+    const TickLabels marked =
+        label_ticks(low, high, std::max(3, static_cast<int>(height / 50)));
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double y = top + height * (high - marked.ticks[i]) / (high - low);
       cairo_move_to(cairo_, place_.x + width, y);

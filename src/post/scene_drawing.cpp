@@ -11,6 +11,8 @@ namespace {
 
 using Outline = std::vector<Eigen::Vector2d>;
 
+bool is_dark(const Colour& c) { return c.r + c.g + c.b < 1.2; }
+
 /// Draws one picture; holds what all parts share.
 class SceneDrawing {
  public:
@@ -156,15 +158,25 @@ class SceneDrawing {
       const double size = size_on_page(outline);
       const auto at = static_cast<Eigen::Index>(b);
       const double x = page_x(now_.centroid(0, at)), y = axes_.y(now_.centroid(1, at));
+      const Colour letters = is_dark(fill_of(b)) ? white : ink;
       if (options_.numbers)
         pen_.text(std::to_string(now_.number[b]), x, y,
-                  std::clamp(0.42 * size, 5.0, 16.0), ink, 0.5, 0.5);
-      for (std::size_t c = 0; options_.corners && c < outline.size(); ++c) {
-        // inside the block, a sixth of the way to its centroid
-        const double u = page_x(outline[c].x()), v = axes_.y(outline[c].y());
-        pen_.text(std::to_string(c + 1), u + 0.17 * (x - u), v + 0.17 * (y - v),
-                  std::clamp(0.2 * size, 3.0, 12.0), muted, 0.5, 0.5);
-      }
+                  std::clamp(0.42 * size, 5.0, 16.0), letters, 0.5, 0.5);
+      if (options_.corners)
+        corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters);
+    }
+  }
+
+  /// Inside the block, along the line that halves the angle.
+  void corner_numbers(const Outline& outline, double letter, const Colour& c) {
+    const std::size_t n = outline.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Eigen::Vector2d at = outline[i];
+      const Eigen::Vector2d inwards = (outline[(i + 1) % n] - at).normalized() +
+                                      (outline[(i + n - 1) % n] - at).normalized();
+      const Eigen::Vector2d step = 1.2 * letter * inwards.normalized();
+      pen_.text(std::to_string(i + 1), page_x(at.x()) + (mirrored_ ? -1 : 1) * step.x(),
+                axes_.y(at.y()) - step.y(), letter, c, 0.5, 0.5);
     }
   }
 
@@ -244,7 +256,7 @@ void hatch(Pen& pen, const Colour& ground) {
     cairo_move_to(cairo, x, y1);
     cairo_line_to(cairo, x + (y1 - y0), y0);
   }
-  const bool dark = ground.r + ground.g + ground.b < 1.2;
+  const bool dark = is_dark(ground);
   pen.stroke(1.0, dark ? white : Colour{0.1, 0.1, 0.1}, dark ? 0.45 : 0.35);
   cairo_restore(cairo);
   cairo_append_path(cairo, outline);
