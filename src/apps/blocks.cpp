@@ -120,8 +120,12 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
        "With --geometry: shapes, overlaps, gaps and joints of the blocks; exit\n"
        "code 3 when blocks overlap."},
       {"cards", "Example: blocks cards LAYER\n\nLists all cards, or describes one."},
-      {"plot", "Example: blocks plot stack.vtkhdf -o stack.png\n\n"
-               "Draws the blocks at one time, coloured by material or a quantity."},
+      {"plot",
+       "Example: blocks plot stack.vtkhdf --forces -o stack.png\n"
+       "(after blocks run decks/stack/stack.deck)\n\n"
+       "Draws the blocks, coloured by material or a quantity, with contact forces or\n"
+       "arrows: at one time, at several on one sheet (-t 0,1,2), or as a movie\n"
+       "(-o stack.mp4)."},
       {"history",
        "Example: blocks history stack.vtkhdf -q y:4,speed:max -o stack.png\n"
        "(after blocks run decks/stack/stack.deck)\n\n"
@@ -140,15 +144,22 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
       {"export",
        "Example: blocks export decks/stack/stack.deck -o stack.geojson\n\n"
        "Writes the blocks of a deck, or of results at one time, as GeoJSON, WKT, Gmsh\n"
-       ".msh or READ9's text form; every coordinate reads back bit for bit."},
+       ".msh or READ9's text form; every coordinate reads back bit for bit. Of "
+       "results\n"
+       "at all times, blocks and contacts: .pvd for ParaView and VisIt, .csv."},
       {"study",
        "Example: blocks study contacts figure4b --variants default,report\n\n"
        "Runs variants of the contact rules side by side, in random frames; see\n"
        "docs/robustness.md."}};
   if (argc < 2)
     return;
-  if (const auto page = pages.find(argv[1]); page != pages.end())
-    app.get_subcommand(page->first)->description(page->second);
+  const auto page = pages.find(argv[1]);
+  if (page == pages.end())
+    return;
+  CLI::App* command = app.get_subcommand(page->first);
+  command->description(page->second);
+  for (CLI::App* part : command->get_subcommands({}))  // blocks study contacts --help
+    part->description(page->second);
 }
 
 /// A fault of the command line, told like every other.
@@ -223,7 +234,7 @@ int dispatch(int argc, char** argv) {
   reference->add_flag("--markdown", markdown, "the whole reference as Markdown");
 
   blocks::apps::PlotOptions plot_options;
-  auto* plot = app.add_subcommand("plot", "draw the blocks at one time");
+  auto* plot = app.add_subcommand("plot", "figures and movies of a run");
   blocks::apps::add_plot_options(*plot, plot_options);
 
   blocks::apps::HistoryOptions history_options;
@@ -239,7 +250,8 @@ int dispatch(int argc, char** argv) {
   blocks::apps::add_import_options(*import, import_options);
 
   blocks::apps::ExportOptions export_options;
-  auto* to_others = app.add_subcommand("export", "blocks for other programs");
+  auto* to_others =
+      app.add_subcommand("export", "blocks and results for other programs");
   blocks::apps::add_export_options(*to_others, export_options);
 
   blocks::apps::StudyOptions study_options;

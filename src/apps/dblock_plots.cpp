@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "dblock_cards.hpp"
+#include "post/figure_scales.hpp"
+#include "post/movie.hpp"
 #include "run/deck_file.hpp"
 #include "run/run.hpp"
 
@@ -18,25 +20,6 @@ std::vector<long> frames(const DblockCards& cards, const post::ResultsReader& re
     if (const long frame = results.at(time); chosen.empty() || chosen.back() != frame)
       chosen.push_back(frame);
   return chosen;
-}
-
-/// A rectangle about all frames, so that the plots of a movie lie over each other.
-Eigen::Vector4d common_view(const post::ResultsReader& results,
-                            const std::vector<long>& chosen, bool flip) {
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = -low;
-  for (const long i : chosen)
-    for (const auto& outline : results.frame(i).outlines)
-      for (const Eigen::Vector2d& p : outline) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-      }
-  if (flip) {
-    const double reach = std::max(std::abs(low.x()), std::abs(high.x()));
-    low.x() = -reach;
-    high.x() = reach;
-  }
-  const double margin = 0.03 * (high - low).maxCoeff();
-  return {low.x() - margin, high.x() + margin, low.y() - margin, high.y() + margin};
 }
 
 void print_corners(const post::Frame& frame) {
@@ -69,8 +52,13 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
     figure.mirror_x = 0.0;
   }
   const std::vector<long> chosen = frames(cards, results);
-  if (cards.movie && !figure.zoom)
-    figure.zoom = common_view(results, chosen, cards.flip);
+  if (post::is_movie(output)) {
+    post::draw_movie(output, results, chosen, 25.0, figure);
+    fmt::print("{}: {} pictures\n", output, chosen.size());
+    return run::done;
+  }
+  if (cards.movie && !figure.zoom)  // so that the plots lie over each other
+    figure.zoom = post::survey_scales(results, chosen, figure).view;
 
   const std::filesystem::path name(output);
   const auto digits = std::max<std::size_t>(2, std::to_string(chosen.size()).size());
@@ -81,7 +69,7 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
                               fmt::format("{}_{:0{}}{}", name.stem().string(), k + 1,
                                           digits, name.extension().string()))
                                  .string();
-    post::draw_figure(path, results, chosen[k], figure);
+    post::draw_figure(path, results, {chosen[k]}, figure);
     if (cards.print)
       print_corners(results.frame(chosen[k]));
     else

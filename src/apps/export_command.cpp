@@ -1,4 +1,5 @@
 #include "export_command.hpp"
+#include "fault.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include "output/results.hpp"
 #include "post/quantity.hpp"
 #include "post/results_reader.hpp"
+#include "post/time_series.hpp"
 #include "text_file.hpp"
 
 namespace blocks::apps {
@@ -51,7 +53,7 @@ Scene scene_of(const Model& model) {
 
 Scene scene_of(const post::ResultsReader& results, const std::optional<double>& time) {
   const post::Frame frame =
-      results.frame(time ? results.nearest(*time) : results.frames() - 1);
+      results.frame(time ? results.at(*time) : results.frames() - 1);
   const post::Frame first = results.frame(0);
   Scene scene;
   scene.time = frame.time;
@@ -85,11 +87,9 @@ std::string mesh_text(const Scene& scene, const std::string& comment) {
 
 /// Format by the ending of the output; empty for none that is known.
 std::string format_of(const std::string& path) {
-  static const std::map<std::string, std::string> formats = {{".geojson", "geojson"},
-                                                             {".json", "geojson"},
-                                                             {".wkt", "wkt"},
-                                                             {".msh", "msh"},
-                                                             {".txt", "txt"}};
+  static const std::map<std::string, std::string> formats = {
+      {".geojson", "geojson"}, {".json", "geojson"}, {".wkt", "wkt"}, {".msh", "msh"},
+      {".pvd", "pvd"},         {".csv", "csv"},      {".txt", "txt"}};
   const auto found = formats.find(fs::path(path).extension().string());
   return found == formats.end() ? "" : found->second;
 }
@@ -109,6 +109,26 @@ std::string left_out(const Scene& scene, const std::string& format) {
   return text;
 }
 
+bool is_series(const std::string& format) { return format == "pvd" || format == "csv"; }
+
+/// All times of results, or the one asked for.
+void write_series(const ExportOptions& options, const std::string& format,
+                  const post::ResultsReader& results) {
+  std::vector<long> frames;
+  if (options.time)
+    frames.push_back(results.at(*options.time));
+  else
+    for (long i = 0; i < results.frames(); ++i)
+      frames.push_back(i);
+  const post::SeriesFiles files =
+      format == "pvd" ? post::write_pvd(options.output, results, frames)
+                      : post::write_csv(options.output, results, frames);
+  if (!options.input.quiet)
+    fmt::print("{}: {} times, {} rows of blocks and {} of contacts\n",
+               fmt::join(files.names, ", "), frames.size(), files.blocks,
+               files.contacts);
+}
+
 int refuse(int code, const std::string& message) {
   fmt::print(stderr, "blocks: error: {}\n", message);
   return code;
@@ -123,14 +143,17 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
                   "NAME.vtkhdf")
       ->required();
   command.add_option("-o,--output", options.output,
-                     ".geojson, .wkt, .msh or .txt, READ9's text form (default: "
-                     "INPUT's stem with .geojson, here)");
+                     ".geojson, .wkt, .msh or .txt, READ9's text form; of results also "
+                     ".pvd (VTU files) or .csv, each with the contacts beside it "
+                     "(default: INPUT's stem with .geojson, here)");
   command
       .add_option("--format", options.format,
-                  "geojson, wkt, msh or txt, whatever the ending")
-      ->check(CLI::IsMember({"geojson", "wkt", "msh", "txt"}));
-  command.add_option("-t,--time", options.time,
-                     "of results: time of the frame (default: the last)");
+                  "geojson, wkt, msh, txt, pvd or csv, whatever the ending")
+      ->check(CLI::IsMember({"geojson", "wkt", "msh", "txt", "pvd", "csv"}));
+  command.add_option(
+      "-t,--time", options.time,
+      "of results: time of the frame (default: the last; of .pvd and .csv: "
+      "all)");
   command.add_option("--seed", options.input.seed, "of a deck: seed of random layers");
   command.add_option("--tape9", options.input.tape9,
                      "of a deck: mesh file of a READ9 card without a name");
@@ -145,10 +168,11 @@ int export_blocks(ExportOptions options) {
   const std::string format =
       options.format.empty() ? format_of(options.output) : options.format;
   if (format.empty())
-    return refuse(run::usage_error,
-                  fmt::format("{}: the ending says no format: use .geojson, .wkt, .msh "
-                              "or .txt, or --format",
-                              options.output));
+    return refuse(
+        run::usage_error,
+        fmt::format("{}: the ending says no format: use .geojson, .wkt, .msh, "
+                    ".txt, .pvd or .csv, or --format",
+                    options.output));
   if (same_file(input, options.output))
     return refuse(run::usage_error,
                   input + " would be written over: choose another -o NAME");
@@ -159,14 +183,22 @@ int export_blocks(ExportOptions options) {
       const post::ResultsReader results(input);
       if (results.frames() == 0)
         return refuse(run::file_error, input + " holds no frames");
+      if (is_series(format)) {
+        write_series(options, format, results);
+        return run::done;
+      }
       scene = scene_of(results, options.time);
     } catch (const std::runtime_error& fault) {
-      return refuse(run::file_error, fault.what());
+      return tell_fault(fault);
     }
   } else {
     if (options.time)
       return refuse(run::usage_error, "--time is for results; a deck gives its blocks "
                                       "before the first step");
+    if (is_series(format))
+      return refuse(run::usage_error, "." + format +
+                                          " is for results: first blocks run " + input +
+                                          ", then export its .vtkhdf");
     const auto checked = run::build_checked(options.input);
     if (checked.code != run::done)
       return checked.code;

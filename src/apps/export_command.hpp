@@ -10,9 +10,9 @@
 namespace blocks::apps {
 
 struct ExportOptions {
-  run::RunOptions input;       ///< deck: the deck or the results
-  std::string output;          ///< empty: the input's stem with .geojson, here
-  std::string format;          ///< geojson, wkt, msh, txt; empty: by the ending
+  run::RunOptions input;  ///< deck: the deck or the results
+  std::string output;     ///< empty: the input's stem with .geojson, here
+  std::string format;     ///< geojson, wkt, msh, txt, pvd, csv; empty: by the ending
   std::optional<double> time;  ///< the frame nearest to it; else the last
 };
 

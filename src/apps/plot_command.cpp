@@ -4,54 +4,184 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "dblock_plots.hpp"
 #include "output/results.hpp"
+#include "post/figure_scales.hpp"
+#include "post/movie.hpp"
 #include "post/quantity.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {
+namespace {
+
+/// Frames between --from and --to. Throws std::runtime_error when there are none.
+std::vector<long> frames_between(const post::ResultsReader& results,
+                                 const PlotOptions& options) {
+  const auto& times = results.times();
+  const double from = options.from.value_or(times.front()),
+               to = options.to.value_or(times.back());
+  std::vector<long> found;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (times[i] >= from && times[i] <= to)
+      found.push_back(static_cast<long>(i));
+  if (found.empty())
+    throw std::runtime_error(
+        fmt::format("{} has times {:g} to {:g}, none between {:g} and {:g}",
+                    results.path(), times.front(), times.back(), from, to));
+  return found;
+}
+
+/// `count` times evenly spread, each frame once.
+std::vector<long> spread(const post::ResultsReader& results,
+                         const std::vector<long>& among, int count) {
+  const auto& times = results.times();
+  const double from = times[static_cast<std::size_t>(among.front())],
+               to = times[static_cast<std::size_t>(among.back())];
+  std::vector<long> chosen;
+  for (int k = 0; k < count; ++k) {
+    const double at = count == 1 ? to : from + (to - from) * k / (count - 1);
+    if (const long i = results.nearest(at); chosen.empty() || chosen.back() != i)
+      chosen.push_back(i);
+  }
+  return chosen;
+}
+
+/// Every so many frames, and the last.
+std::vector<long> thinned(const std::vector<long>& among, int every) {
+  std::vector<long> chosen;
+  for (std::size_t i = 0; i < among.size(); ++i)
+    if (i % static_cast<std::size_t>(every) == 0 || i + 1 == among.size())
+      chosen.push_back(among[i]);
+  return chosen;
+}
+
+std::vector<long> chosen_frames(const post::ResultsReader& results,
+                                const PlotOptions& options) {
+  if (!options.times.empty()) {
+    std::vector<long> frames;
+    for (const double time : options.times)
+      frames.push_back(results.at(time));
+    return frames;
+  }
+  const std::vector<long> between = frames_between(results, options);
+  if (options.sheet > 0)
+    return spread(results, between, options.sheet);
+  if (post::is_movie(options.output))
+    return thinned(between, options.every);
+  return {between.back()};
+}
+
+/// Before anything is read: the name says what is to be made.
+void check_ending(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  for (const char* known : {".png", ".svg", ".pdf", ".mp4", ".gif"})
+    if (ending == known)
+      return;
+  throw std::runtime_error("the output's name must end in .png, .svg or .pdf (a "
+                           "figure), .mp4 or .gif (a movie), found '" +
+                           path + "'");
+}
+
+void take(const PlotOptions& options, post::FigureOptions& figure) {
+  if (!options.zoom.empty())
+    figure.zoom = Eigen::Vector4d(options.zoom.data());
+  if (!options.range.empty())
+    figure.range = Eigen::Vector2d(options.range.data());
+  if (options.mirror) {
+    figure.mirror = true;
+    figure.mirror_x = *options.mirror;
+  }
+  if (!options.units.empty())
+    figure.units = post::Units::parse(options.units);
+}
+
+}  // namespace
 
 void add_plot_options(CLI::App& command, PlotOptions& options) {
+  auto& figure = options.figure;
   command.add_option("FILE", options.file, "results of a run, NAME.vtkhdf")->required();
   command.add_option("-o,--output", options.output,
-                     "figure: .png, .svg or .pdf (default: NAME.png)");
-  command.add_option("-t,--time", options.time,
-                     "time of the frame (default: the last)");
-  command.add_option("--zoom", options.zoom, "xmin xmax ymin ymax")
-      ->expected(4)
+                     "figure: .png, .svg or .pdf; movie: .mp4 or .gif, which need "
+                     "ffmpeg (default: NAME.png)");
+  auto* times = command
+                    .add_option("-t,--time", options.times,
+                                "time of the frame (default: the last); several with "
+                                "commas: side by side on one sheet")
+                    ->delimiter(',')
+                    ->allow_extra_args(false);
+  command
+      .add_option("--sheet", options.sheet,
+                  "so many times evenly spread, side by side on one sheet")
+      ->check(CLI::Range(1, 100))
+      ->excludes(times);
+  command.add_option("--columns", figure.columns, "of a sheet (default: what fits)")
+      ->check(CLI::Range(1, 100));
+  command.add_option("--from", options.from, "first time of a sheet or movie");
+  command.add_option("--to", options.to, "last time of a sheet or movie");
+  command
+      .add_option("--every", options.every,
+                  "of a movie: take every so many frames, and the last")
+      ->check(CLI::Range(1, 1000000000));
+  command.add_option("--rate", options.rate, "of a movie: pictures a second")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command
+      .add_option("--colour,--color", figure.colour,
+                  "material, " + post::block_quantity_names())
+      ->capture_default_str();
+  command.add_option("--range", options.range, "low high: of the colours")
+      ->expected(2)
       ->delimiter(',');
-  command.add_option("--width", options.figure.width, "pixels or points")
-      ->check(CLI::Range(100, 20000));
-  command.add_option("--colour,--color", options.figure.colour,
-                     "material, " + post::quantity_names());
-  command.add_flag("--numbers", options.figure.numbers, "write the block numbers");
-  command.add_flag("--original", options.figure.original,
+  command.add_flag("--forces", figure.forces,
+                   "contact forces: a line for each pair of touching blocks, as wide "
+                   "as the force is large");
+  command
+      .add_option("--arrows", figure.arrows,
+                  fmt::format("an arrow on each block: {}",
+                              fmt::join(post::arrow_names(), ", ")))
+      ->check(CLI::IsMember(post::arrow_names()));
+  command.add_flag("--numbers", figure.numbers, "write the block numbers");
+  command.add_flag("--corners", figure.corners, "write the corner numbers");
+  command.add_flag("--original", figure.original,
                    "outline of the first frame underneath");
   command.add_option("--mirror", options.mirror,
                      "draw the other half too, mirrored about this x");
+  command.add_option("--zoom", options.zoom, "xmin xmax ymin ymax")
+      ->expected(4)
+      ->delimiter(',');
+  command.add_option("--units", options.units,
+                     "units of length, mass and time, as in m,kg,s");
+  command.add_option("--width", figure.width, "pixels or points")
+      ->check(CLI::Range(100, 20000))
+      ->capture_default_str();
   command
       .add_option("--dblock", options.dblock,
-                  "cards of DBLOCK (Appendix E of the report): a series of figures")
-      ->excludes("--time");
+                  "cards of DBLOCK (Appendix E of the report): a series of figures, or "
+                  "a movie of them")
+      ->excludes(times);
 }
 
 int plot(PlotOptions options) {
   try {
-    const post::ResultsReader results(options.file);
-    if (!options.zoom.empty())
-      options.figure.zoom = Eigen::Vector4d(options.zoom.data());
-    if (options.mirror) {
-      options.figure.mirror = true;
-      options.figure.mirror_x = *options.mirror;
-    }
     if (options.output.empty())
       options.output = std::filesystem::path(options.file).stem().string() + ".png";
+    check_ending(options.output);
+    take(options, options.figure);
+    const post::ResultsReader results(options.file);
     if (!options.dblock.empty())
       return plot_dblock(options.dblock, results, options.output, options.figure);
-    const long frame = options.time ? results.at(*options.time) : results.frames() - 1;
-    post::draw_figure(options.output, results, frame, options.figure);
+    const std::vector<long> frames = chosen_frames(results, options);
+    if (post::is_movie(options.output)) {
+      post::draw_movie(options.output, results, frames, options.rate, options.figure);
+      fmt::print("{}: {} pictures, {:.3g} s\n", options.output, frames.size(),
+                 static_cast<double>(frames.size()) / options.rate);
+    } else {
+      post::draw_figure(options.output, results, frames, options.figure);
+    }
     return run::done;
   } catch (const std::runtime_error& error) {
     return tell_fault(error);

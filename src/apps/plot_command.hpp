@@ -1,4 +1,4 @@
-// `blocks plot`: command line of the figures.
+// `blocks plot`: command line of the figures and movies.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -12,17 +12,23 @@ namespace blocks::apps {
 
 struct PlotOptions {
   std::string file;
-  std::string output;            ///< empty: FILE's stem with .png
-  std::optional<double> time;    ///< the frame nearest to it; else the last
-  std::vector<double> zoom;      ///< xmin xmax ymin ymax
-  std::optional<double> mirror;  ///< x of the plane
-  std::string dblock;            ///< file with cards of DBLOCK; empty: none
+  std::string output;              ///< empty: FILE's stem with .png
+  std::vector<double> times;       ///< the frames nearest to them; else the last
+  int sheet = 0;                   ///< so many times, evenly spread
+  std::optional<double> from, to;  ///< times of a sheet or a movie
+  int every = 1;                   ///< frames of a movie
+  double rate = 25;                ///< pictures of a movie in a second
+  std::vector<double> zoom;        ///< xmin xmax ymin ymax
+  std::vector<double> range;       ///< low high
+  std::optional<double> mirror;    ///< x of the plane
+  std::string units;               ///< "m,kg,s"
+  std::string dblock;              ///< file with cards of DBLOCK; empty: none
   post::FigureOptions figure;
 };
 
 void add_plot_options(CLI::App& command, PlotOptions& options);
 
-/// Draws the figure. Returns an exit code of run::ExitCode.
+/// Draws the figure or movie. Returns an exit code of run::ExitCode.
 int plot(PlotOptions options);
 
 }  // namespace blocks::apps

@@ -7,13 +7,10 @@
 
 namespace blocks::post {
 
-Axes::Axes(double x0, double x1, double y0, double y1, double page)
-    : xmin(x0), xmax(x1), ymin(y0), ymax(y1), page_width(page) {
-  const double unit = page / 1200.0;
-  left = 84 * unit;
-  top = 78 * unit;
-  width = page - left - 150 * unit;
-  // A flat or a tall model still gets a page one can look at.
+Axes::Axes(const Eigen::Vector4d& shown, double at_left, double at_top,
+           double plot_width)
+    : xmin(shown[0]), xmax(shown[1]), ymin(shown[2]), ymax(shown[3]), left(at_left),
+      top(at_top), width(plot_width) {
   const double shape = std::clamp((ymax - ymin) / (xmax - xmin), 0.15, 1.4);
   height = width * shape;
   const double missing = shape * (xmax - xmin) - (ymax - ymin);
@@ -24,7 +21,6 @@ Axes::Axes(double x0, double x1, double y0, double y1, double page)
     xmin += 0.5 * missing / shape;
     xmax -= 0.5 * missing / shape;
   }
-  page_height = top + height + 64 * unit;
 }
 
 std::vector<double> nice_ticks(double lower, double upper, int count) {

@@ -7,19 +7,20 @@
 
 namespace blocks::post {
 
-/// Equal scales on both axes; the page's y runs downwards. Page units: pixels or
-/// points.
+/// Equal scales on both axes; the page is 1200 wide and its y runs downwards.
 struct Axes {
   double xmin, xmax, ymin, ymax;    ///< [L] shown
   double left, top, width, height;  ///< of the plot on the page
-  double page_width, page_height;
 
-  /// Chooses the page height from the model's shape.
-  Axes(double xmin, double xmax, double ymin, double ymax, double page_width);
+  /// Shows at least xmin, xmax, ymin, ymax [L]; a flat or tall model still gets a plot
+  /// one can look at.
+  Axes(const Eigen::Vector4d& shown, double left, double top, double width);
 
   double scale() const { return width / (xmax - xmin); }
   double x(double model_x) const { return left + (model_x - xmin) * scale(); }
   double y(double model_y) const { return top + (ymax - model_y) * scale(); }
+  double right() const { return left + width; }
+  double bottom() const { return top + height; }
 };
 
 /// Round numbers between lower and upper, about `count` of them; none where doubles are

@@ -46,4 +46,16 @@ Colour diverging(double s) {
   return interpolate(stops, s);
 }
 
+Colour intensity(double s) {
+  static constexpr std::array<Colour, 7> stops = {
+      hex(0xfec488), hex(0xfc8961), hex(0xe75263), hex(0xb73779),
+      hex(0x832681), hex(0x51127c), hex(0x1d1147)};
+  return interpolate(stops, s);
+}
+
+Colour mix(const Colour& a, const Colour& b, double share) {
+  return {b.r + share * (a.r - b.r), b.g + share * (a.g - b.g),
+          b.b + share * (a.b - b.b)};
+}
+
 }  // namespace blocks::post

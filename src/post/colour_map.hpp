@@ -16,4 +16,10 @@ Colour sequential(double s);
 /// Blue, near white, red; s = 0.5 is zero (clamped): signed quantities.
 Colour diverging(double s);
 
+/// Pale orange to near black, 0 <= s <= 1 (clamped): lines on white.
+Colour intensity(double s);
+
+/// A part `share` of a, the rest of b.
+Colour mix(const Colour& a, const Colour& b, double share);
+
 }  // namespace blocks::post

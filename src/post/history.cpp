@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
-#include <numeric>
 #include <stdexcept>
 
+#include "post/model_quantity.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
@@ -17,75 +15,25 @@ namespace {
 using Of = Curve::Of;
 using Eigen::VectorXd;
 
-/// Of the contacts or of the model as a whole.
-struct OtherKind {
-  const char* label;
-  Dimension dimension;
-  Of natural;  ///< how the rows of contacts become one number
-  std::function<VectorXd(const FrameContacts&)> rows;  ///< empty: of the model
-  std::function<double(const Frame&)> whole;
-};
-
-const std::map<std::string, OtherKind>& other_kinds() {
-  constexpr Dimension force{0, 1, -2, "N/m", ""}, length{1, 0, 0, "m", ""}, pure{};
-  static const std::map<std::string, OtherKind> kinds = {
-      {"contacts",
-       {"contacts",
-        pure,
-        Of::sum,
-        [](const FrameContacts& c) -> VectorXd { return VectorXd::Ones(c.size()); },
-        {}}},
-      {"normal_force",
-       {"normal contact force",
-        force,
-        Of::sum,
-        [](const FrameContacts& c) { return c.normal_force; },
-        {}}},
-      {"shear_force",
-       {"shear contact force",
-        force,
-        Of::sum,
-        [](const FrameContacts& c) -> VectorXd { return c.shear_force.cwiseAbs(); },
-        {}}},
-      {"overlap",
-       {"overlap",
-        length,
-        Of::largest,
-        [](const FrameContacts& c) { return c.overlap; },
-        {}}},
-      {"step",
-       {"step",
-        pure,
-        Of::model,
-        {},
-        [](const Frame& f) { return static_cast<double>(f.step); }}},
-      {"blocks",
-       {"blocks", pure, Of::model, {}, [](const Frame& f) { return 1.0 * f.size(); }}},
-      {"time", {"time", {0, 0, 1, "s", ""}, Of::model, {}, [](const Frame& f) {
-                  return f.time;
-                }}}};
-  return kinds;
+Reduction reduction(Of of, Reduction natural) {
+  switch (of) {
+  case Of::largest:
+    return Reduction::largest;
+  case Of::smallest:
+    return Reduction::smallest;
+  case Of::mean:
+    return Reduction::mean;
+  case Of::sum:
+    return Reduction::sum;
+  case Of::model:
+  case Of::block:
+  case Of::corner:
+    break;
+  }
+  return natural;
 }
 
-const OtherKind* find_other(const std::string& name) {
-  const auto found = other_kinds().find(name);
-  return found == other_kinds().end() ? nullptr : &found->second;
-}
-
-double reduce(Of of, const VectorXd& values) {
-  if (of == Of::sum)  // in the order of the blocks, as the run sums
-    return std::accumulate(values.begin(), values.end(), 0.0);
-  if (values.size() == 0)
-    return 0.0;
-  return of == Of::largest    ? values.maxCoeff()
-         : of == Of::smallest ? values.minCoeff()
-                              : values.mean();
-}
-
-/// x, y, displacement and velocity of one corner; the names a corner has.
-const std::vector<std::string> corner_names = {
-    "x", "y", "dx", "dy", "speed", "displacement", "vx", "vy"};
-
+/// Position, displacement or velocity of one corner.
 double of_corner(const std::string& name, int block, int corner, const Frame& now,
                  const Frame& first) {
   const auto b = static_cast<std::size_t>(block), c = static_cast<std::size_t>(corner);
@@ -135,18 +83,10 @@ double value(const Curve& curve, const Frame& now, const Frame& first,
   if (const OtherKind* other = find_other(curve.quantity)) {
     if (other->whole)
       return other->whole(now);
-    VectorXd rows = other->rows(contacts);
     if (curve.of != Of::block)
-      return reduce(curve.of == Of::model ? other->natural : curve.of, rows);
-    if (!there)
-      return std::nan("");
-    std::vector<double> own;
-    for (std::size_t i = 0; i < contacts.corner.size(); ++i)
-      if (contacts.corner_block[i] == curve.block ||
-          contacts.edge_block[i] == curve.block)
-        own.push_back(rows[static_cast<Eigen::Index>(i)]);
-    return reduce(other->natural,
-                  Eigen::Map<VectorXd>(own.data(), static_cast<long>(own.size())));
+      return reduce(reduction(curve.of, other->natural), other->rows(contacts));
+    return there ? per_block(*other, contacts, now.size())[curve.block - 1]
+                 : std::nan("");
   }
   if (curve.of == Of::block || curve.of == Of::corner) {
     if (!there)
@@ -155,98 +95,11 @@ double value(const Curve& curve, const Frame& now, const Frame& first,
       return of_corner(curve.quantity, curve.block - 1, curve.corner - 1, now, first);
   }
   const VectorXd values = find_quantity(curve.quantity)->values(now, first);
-  return curve.of == Of::block
-             ? values[curve.block - 1]
-             : reduce(curve.of == Of::model ? Of::sum : curve.of, values);
-}
-
-int whole_number(const std::string& digits) {
-  const bool fine = !digits.empty() && digits.size() < 10 &&
-                    digits.find_first_not_of("0123456789") == std::string::npos;
-  return fine ? std::stoi(digits) : 0;
+  return curve.of == Of::block ? values[curve.block - 1]
+                               : reduce(reduction(curve.of, Reduction::sum), values);
 }
 
 }  // namespace
-
-std::string Curve::name() const {
-  switch (of) {
-  case Of::block:
-    return fmt::format("{}:{}", quantity, block);
-  case Of::corner:
-    return fmt::format("{}:{}.{}", quantity, block, corner);
-  case Of::largest:
-    return quantity + ":max";
-  case Of::smallest:
-    return quantity + ":min";
-  case Of::mean:
-    return quantity + ":mean";
-  case Of::sum:
-    return quantity + ":sum";
-  case Of::model:
-    break;
-  }
-  return quantity;
-}
-
-std::string history_help() {
-  std::string whole, corner;
-  for (const auto& [name, kind] : other_kinds())
-    whole += (whole.empty() ? "" : ", ") + name;
-  for (const QuantityKind& kind : quantity_kinds())
-    if (kind.additive)
-      whole += ", " + kind.name;
-  for (const std::string& name : corner_names)
-    corner += (corner.empty() ? "" : ", ") + name;
-  return "of blocks (:9, :max, :min, :mean, :sum): " + quantity_names() +
-         "\nof corners (:9.2): " + corner + "\nof the model: " + whole;
-}
-
-Curve parse_curve(const std::string& text) {
-  const auto colon = text.find(':');
-  const std::string name = text.substr(0, colon);
-  const QuantityKind* kind = find_quantity(name);
-  const OtherKind* other = find_other(name);
-  if (!kind && !other)
-    throw std::runtime_error("there is no quantity '" + name + "'\n" + history_help());
-  Curve curve;
-  curve.quantity = kind ? kind->name : name;
-  const bool model_alone = other && other->whole;
-  if (colon == std::string::npos) {
-    if (kind && !kind->additive)
-      throw std::runtime_error(fmt::format(
-          "{0} of what? {0}:9 is that of block 9, {0}:max the largest; also {0}:min, "
-          "{0}:mean, {0}:sum",
-          name));
-    return curve;
-  }
-  const std::string where = text.substr(colon + 1);
-  static const std::map<std::string, Of> over_all = {{"max", Of::largest},
-                                                     {"min", Of::smallest},
-                                                     {"mean", Of::mean},
-                                                     {"sum", Of::sum}};
-  if (const auto found = over_all.find(where); found != over_all.end()) {
-    curve.of = found->second;
-  } else {
-    const auto dot = where.find('.');
-    curve.of = dot == std::string::npos ? Of::block : Of::corner;
-    curve.block = whole_number(where.substr(0, dot));
-    if (curve.of == Of::corner)
-      curve.corner = whole_number(where.substr(dot + 1));
-    if (curve.block < 1 || (curve.of == Of::corner && curve.corner < 1))
-      throw std::runtime_error(fmt::format(
-          "'{}': behind the colon stands a block (9), a corner of it (9.2), max, min, "
-          "mean or sum",
-          text));
-  }
-  if (model_alone)
-    throw std::runtime_error(
-        fmt::format("{0} is a number of the whole model: write {0} alone", name));
-  if (curve.of == Of::corner && std::find(corner_names.begin(), corner_names.end(),
-                                          curve.quantity) == corner_names.end())
-    throw std::runtime_error(fmt::format("a corner has no {}: choose {}", name,
-                                         fmt::join(corner_names, ", ")));
-  return curve;
-}
 
 History read_history(const ResultsReader& results, const std::vector<Curve>& curves,
                      const TimeRange& range) {
@@ -258,7 +111,7 @@ History read_history(const ResultsReader& results, const std::vector<Curve>& cur
     with_contacts = with_contacts || (other && other->rows);
     const std::string label = other ? other->label : kind->label;
     Curve read_as = curve;  // "overlap" is the largest one
-    if (other && other->natural == Of::largest && curve.of == Of::model)
+    if (other && other->natural == Reduction::largest && curve.of == Of::model)
       read_as.of = Of::largest;
     history.series.push_back({curve,
                               label_of(read_as, label),

@@ -3,31 +3,14 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "post/curve.hpp"
 #include "post/results_reader.hpp"
 #include "post/units.hpp"
 
 namespace blocks::post {
-
-/// What is followed: "speed:9" of block 9, "x:9.2" of its corner 2, "speed:max" over
-/// all blocks, "kinetic_energy" of the model.
-struct Curve {
-  enum class Of { model, block, corner, largest, smallest, mean, sum };
-  std::string quantity;  ///< a name of quantity.hpp, or of the contacts and the model
-  Of of = Of::model;
-  int block = 0, corner = 0;  ///< from 1
-
-  std::string name() const;  ///< as the user writes it
-};
-
-/// Reads QUANTITY or QUANTITY:WHERE. Throws std::runtime_error naming what there is.
-Curve parse_curve(const std::string& text);
-
-/// All that parse_curve takes, for help and messages.
-std::string history_help();
 
 /// One curve with its numbers; NaN where the block is not there yet.
 struct Series {

@@ -13,12 +13,12 @@
 #include "post/axes.hpp"
 #include "post/colour_map.hpp"
 #include "post/page_file.hpp"
+#include "post/pen.hpp"
 
 namespace blocks::post {
 namespace {
 
-constexpr Colour ink{0.16, 0.16, 0.18}, muted{0.36, 0.36, 0.4}, grid{0.9, 0.9, 0.9},
-    paper{0.992, 0.99, 0.984};
+constexpr Colour grid{0.9, 0.9, 0.9};
 
 /// Told apart by colour-blind eyes; dashes take over after seven lines.
 Colour line_colour(std::size_t i) {
@@ -50,14 +50,10 @@ struct Range {
 class ChartDrawing {
  public:
   static constexpr double head = 84, panel = 300, between = 34, foot = 66, left = 104,
-                          right = 270, page = 1200;
+                          right = 270, page = Pen::page;
 
-  ChartDrawing(cairo_t* pen, const Chart& chart, double width)
-      : pen_(pen), chart_(chart), unit_(width / page) {
-    cairo_scale(pen_, unit_, unit_);  // from here on the page is 1200 wide
-    cairo_select_font_face(pen_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_line_join(pen_, CAIRO_LINE_JOIN_ROUND);
+  ChartDrawing(cairo_t* cairo, const Chart& chart, double width)
+      : pen_(cairo, width), cairo_(cairo), chart_(chart) {
     for (const ChartPanel& one : chart.panels)
       for (const ChartLine& line : one.lines)
         for (std::size_t i = 0; i < line.x.size(); ++i)
@@ -74,10 +70,10 @@ class ChartDrawing {
   }
 
   void draw() {
-    colour(paper);
-    cairo_paint(pen_);
-    text_at(chart_.title.empty() ? "BLOCKS" : chart_.title, left, 34, 21, ink, 0, 1);
-    text_at(chart_.subtitle, left, 62, 15, muted, 0, 1);
+    pen_.colour(paper);
+    cairo_paint(cairo_);
+    pen_.text(chart_.title.empty() ? "BLOCKS" : chart_.title, left, 34, 21, ink, 0, 1);
+    pen_.text(chart_.subtitle, left, 62, 15, muted, 0, 1);
     double top = head;
     for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
       draw_panel(chart_.panels[i], top, i + 1 == chart_.panels.size());
@@ -86,8 +82,6 @@ class ChartDrawing {
   }
 
  private:
-  void colour(const Colour& c) { cairo_set_source_rgb(pen_, c.r, c.g, c.b); }
-
   double page_x(double x) const {
     return left + (x - x_.low) / (x_.high - x_.low) * (page - left - right);
   }
@@ -102,40 +96,40 @@ class ChartDrawing {
     const auto page_y = [&](double value) {
       return bottom - (value - y.low) / (y.high - y.low) * panel;
     };
-    cairo_rectangle(pen_, left, top, end - left, panel);
-    colour({1, 1, 1});
-    cairo_fill(pen_);
-    cairo_set_line_width(pen_, 1);
+    cairo_rectangle(cairo_, left, top, end - left, panel);
+    pen_.colour({1, 1, 1});
+    cairo_fill(cairo_);
+    cairo_set_line_width(cairo_, 1);
     for (const double t : nice_ticks(x_.low, x_.high, 8)) {
       stroke(page_x(t), top, page_x(t), bottom, grid);
       if (last)
-        text_at(fmt::format("{:g}", t), page_x(t), bottom + 11, 14, ink, 0.5, 0);
+        pen_.text(fmt::format("{:g}", t), page_x(t), bottom + 11, 14, ink, 0.5, 0);
     }
     for (const double t : nice_ticks(y.low, y.high, 6)) {
       stroke(left, page_y(t), end, page_y(t), t == 0.0 ? muted : grid);
-      text_at(fmt::format("{:g}", t), left - 9, page_y(t), 14, ink, 1, 0.5);
+      pen_.text(fmt::format("{:g}", t), left - 9, page_y(t), 14, ink, 1, 0.5);
     }
-    cairo_save(pen_);
-    cairo_rectangle(pen_, left, top, end - left, panel);
-    cairo_clip(pen_);
+    cairo_save(cairo_);
+    cairo_rectangle(cairo_, left, top, end - left, panel);
+    cairo_clip(cairo_);
     for (std::size_t i = 0; i < one.lines.size(); ++i)
       draw_line(one.lines[i], i, page_y);
-    cairo_restore(pen_);
-    cairo_rectangle(pen_, left, top, end - left, panel);
-    cairo_set_line_width(pen_, 1);
-    colour(ink);
-    cairo_stroke(pen_);
-    upright(one.y_label, 22, top + panel / 2);
+    cairo_restore(cairo_);
+    cairo_rectangle(cairo_, left, top, end - left, panel);
+    cairo_set_line_width(cairo_, 1);
+    pen_.colour(ink);
+    cairo_stroke(cairo_);
+    pen_.upright(one.y_label, 22, top + panel / 2, 15, ink, panel);
     if (last)
-      text_at(chart_.x_label, (left + end) / 2, bottom + 38, 15, ink, 0.5, 0);
+      pen_.text(chart_.x_label, (left + end) / 2, bottom + 38, 15, ink, 0.5, 0);
     legend(one, end + 18, top + 6);
   }
 
   void style(std::size_t i) {
     static constexpr double dashes[] = {9, 5};
-    colour(line_colour(i));
-    cairo_set_line_width(pen_, 2.2);
-    cairo_set_dash(pen_, dashes, i % 14 < 7 ? 0 : 2, 0);
+    pen_.colour(line_colour(i));
+    cairo_set_line_width(cairo_, 2.2);
+    cairo_set_dash(cairo_, dashes, i % 14 < 7 ? 0 : 2, 0);
   }
 
   template <class PageY>
@@ -143,18 +137,18 @@ class ChartDrawing {
     style(i);
     for (std::size_t k = 0; k < line.x.size(); ++k)
       if (std::isfinite(line.x[k]) && std::isfinite(line.y[k]))
-        cairo_line_to(pen_, page_x(line.x[k]), page_y(line.y[k]));
+        cairo_line_to(cairo_, page_x(line.x[k]), page_y(line.y[k]));
       else
-        cairo_new_sub_path(pen_);
-    cairo_stroke(pen_);
-    cairo_set_dash(pen_, nullptr, 0, 0);
+        cairo_new_sub_path(cairo_);
+    cairo_stroke(cairo_);
+    cairo_set_dash(cairo_, nullptr, 0, 0);
     if (line.x.size() > 60)
       return;
     for (std::size_t k = 0; k < line.x.size(); ++k)
       if (std::isfinite(line.x[k]) && std::isfinite(line.y[k])) {
-        cairo_arc(pen_, page_x(line.x[k]), page_y(line.y[k]), 3.2, 0,
+        cairo_arc(cairo_, page_x(line.x[k]), page_y(line.y[k]), 3.2, 0,
                   2 * std::numbers::pi);
-        cairo_fill(pen_);
+        cairo_fill(cairo_);
       }
   }
 
@@ -162,56 +156,30 @@ class ChartDrawing {
     const std::size_t room = static_cast<std::size_t>(panel / 24);
     for (std::size_t i = 0; i < one.lines.size(); ++i) {
       if (i + 1 == room && one.lines.size() > room) {
-        text_at(fmt::format("and {} more", one.lines.size() - i), x, y + 8, 13, muted,
-                0, 0.5);
+        pen_.text(fmt::format("and {} more", one.lines.size() - i), x, y + 8, 13, muted,
+                  0, 0.5);
         return;
       }
       style(i);
-      cairo_move_to(pen_, x, y + 8);
-      cairo_rel_line_to(pen_, 26, 0);
-      cairo_stroke(pen_);
-      cairo_set_dash(pen_, nullptr, 0, 0);
-      text_at(one.lines[i].legend, x + 34, y + 8, 13, ink, 0, 0.5, page - x - 44);
+      cairo_move_to(cairo_, x, y + 8);
+      cairo_rel_line_to(cairo_, 26, 0);
+      cairo_stroke(cairo_);
+      cairo_set_dash(cairo_, nullptr, 0, 0);
+      pen_.text(one.lines[i].legend, x + 34, y + 8, 13, ink, 0, 0.5, page - x - 44);
       y += 24;
     }
   }
 
   void stroke(double x0, double y0, double x1, double y1, const Colour& c) {
-    colour(c);
-    cairo_move_to(pen_, x0, y0);
-    cairo_line_to(pen_, x1, y1);
-    cairo_stroke(pen_);
+    pen_.colour(c);
+    cairo_move_to(cairo_, x0, y0);
+    cairo_line_to(cairo_, x1, y1);
+    cairo_stroke(cairo_);
   }
 
-  /// along, up: which part of the text stands at (x, y). Text longer than `room` is
-  /// set smaller.
-  void text_at(const std::string& text, double x, double y, double size,
-               const Colour& c, double along, double up, double room = page) {
-    cairo_text_extents_t box;
-    cairo_set_font_size(pen_, size);
-    cairo_text_extents(pen_, text.c_str(), &box);
-    if (box.width > room) {
-      cairo_set_font_size(pen_, size * room / box.width);
-      cairo_text_extents(pen_, text.c_str(), &box);
-    }
-    colour(c);
-    cairo_move_to(pen_, x - box.x_bearing - along * box.width,
-                  y - box.y_bearing - up * box.height);
-    cairo_show_text(pen_, text.c_str());
-    cairo_new_path(pen_);
-  }
-
-  void upright(const std::string& text, double x, double y) {
-    cairo_save(pen_);
-    cairo_translate(pen_, x, y);
-    cairo_rotate(pen_, -std::numbers::pi / 2);
-    text_at(text, 0, 0, 15, ink, 0.5, 0.5, panel);
-    cairo_restore(pen_);
-  }
-
-  cairo_t* pen_;
+  Pen pen_;
+  cairo_t* cairo_;
   const Chart& chart_;
-  double unit_;
   Range x_;
 };
 

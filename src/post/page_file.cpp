@@ -60,6 +60,10 @@ void write_page(const std::string& path, double width, double height,
     std::remove(draft.c_str());
     cannot_write(path, cairo_status_to_string(status));
   }
+  take_name(draft, path);
+}
+
+void take_name(const std::string& draft, const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored))
     std::filesystem::rename(path, path + ".bak", ignored);

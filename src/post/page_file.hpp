@@ -14,4 +14,8 @@ namespace blocks::post {
 void write_page(const std::string& path, double width, double height,
                 const std::function<void(cairo_t*)>& draw);
 
+/// Gives a file written as `draft` its name; an older one is kept as NAME.bak. Throws
+/// output::FileError.
+void take_name(const std::string& draft, const std::string& path);
+
 }  // namespace blocks::post

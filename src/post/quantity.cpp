@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "post/model_quantity.hpp"
+
 namespace blocks::post {
 namespace {
 
@@ -154,14 +156,23 @@ std::string quantity_names() {
   return names;
 }
 
-Quantity quantity(const std::string& name, const Frame& now, const Frame& first) {
-  const QuantityKind* kind = find_quantity(name);
-  if (!kind)
-    throw std::runtime_error("there is no quantity '" + name + "': choose material, " +
-                             quantity_names());
-  const bool in_degrees = std::string(kind->dimension.angle) == "degrees";
-  return {kind->label + (in_degrees ? " (degrees)" : ""), kind->values(now, first),
-          kind->is_signed};
+std::string block_quantity_names() {
+  std::string names = quantity_names();
+  for (const auto& [name, kind] : other_kinds())
+    if (kind.rows)
+      names += ", " + name;
+  return names;
+}
+
+Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
+                  const FrameContacts& contacts) {
+  if (const QuantityKind* kind = find_quantity(name))
+    return {kind->label, kind->dimension, kind->values(now, first), kind->is_signed};
+  if (const OtherKind* kind = find_other(name); kind && kind->rows)
+    return {kind->label, kind->dimension, per_block(*kind, contacts, now.size()),
+            false};
+  throw std::runtime_error("there is no quantity '" + name + "': choose material, " +
+                           block_quantity_names());
 }
 
 }  // namespace blocks::post

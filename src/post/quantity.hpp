@@ -14,7 +14,8 @@ namespace blocks::post {
 
 /// One value per block.
 struct Quantity {
-  std::string label;       ///< for the colour bar
+  std::string label;  ///< for the colour bar
+  Dimension dimension;
   Eigen::VectorXd values;  ///< (n)
   bool is_signed = false;  ///< centred on zero
 };
@@ -40,8 +41,12 @@ const QuantityKind* find_quantity(const std::string& name);
 /// "speed, displacement, ...".
 std::string quantity_names();
 
+/// Those, and what contacts give to each block: the largest overlap, sums of forces.
+std::string block_quantity_names();
+
 /// displacement, dx and dy are against `first`. Throws std::runtime_error listing the
 /// names.
-Quantity quantity(const std::string& name, const Frame& now, const Frame& first);
+Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
+                  const FrameContacts& contacts = {});
 
 }  // namespace blocks::post

@@ -159,6 +159,13 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   return rows;
 }
 
+Eigen::Matrix2Xd FrameContacts::force() const {
+  Eigen::Matrix2Xd along(2, normal.cols());  // the edge, its normal on the left
+  along.row(0) = normal.row(1);
+  along.row(1) = -normal.row(0);
+  return normal * normal_force.asDiagonal() - along * shear_force.asDiagonal();
+}
+
 ResultsReader::ResultsReader(const std::string& path) {
   const output::FileInHand in_hand("read", path);  // until what failed is closed again
   auto file = std::make_unique<File>();

@@ -30,6 +30,9 @@ struct FrameContacts {
   Eigen::Matrix2Xd point, normal;  ///< [L] the corner; outward from the edge
   Eigen::VectorXd normal_force, shear_force, overlap;  ///< [F], [F], [L]
   int size() const { return static_cast<int>(corner.size()); }
+  /// (2, m) [F] on the corner's block, n Fn - t Fs (16); the opposite acts on the
+  /// other one.
+  Eigen::Matrix2Xd force() const;
 };
 
 class ResultsReader {

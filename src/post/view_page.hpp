@@ -7,7 +7,7 @@
 
 namespace blocks::post {
 
-/// src/post/view/page.html, .css, .js as they are.
+/// src/post/view/page.html, .css; draft.js and page.js, as they are.
 extern const char* const view_html;
 extern const char* const view_css;
 extern const char* const view_js;

@@ -58,7 +58,7 @@ TEST(Figure, PaintsBlocksInTheirMaterialsColour) {
   cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
   ASSERT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
   EXPECT_EQ(cairo_image_surface_get_width(image), 1200);
-  const Axes axes(0, 2, 0, 2, 1200);
+  const Axes axes({0, 2, 0, 2}, 84, 78, 966);  // where a single picture stands
   const int x = static_cast<int>(axes.x(0.4)), y = static_cast<int>(axes.y(0.4));
   const unsigned char* pixel = cairo_image_surface_get_data(image) +
                                y * cairo_image_surface_get_stride(image) + 4 * x;
@@ -98,7 +98,7 @@ TEST(Figure, WritesVectorFormatsWholeOrNotAtAll) {
 TEST(Figure, RefusalsNameWhatIsAvailable) {
   const Folder folder;
   try {
-    draw_frame(folder.file("a.gif"), two_squares(), two_squares(), "", {});
+    draw_frame(folder.file("a.bmp"), two_squares(), two_squares(), "", {});
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr(".png, .svg or .pdf"));

@@ -198,20 +198,27 @@ function draw_model() {
     const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
     if (Math.abs(cx - x) < half_w + r && Math.abs(cy - y) < half_h + r) visible.push(b);
   }
-  for (const [shade, group] of shades(f, visible)) {
+  const fine = visible.length <= draft_above || !hurried();
+  if (!fine) {
+    draw_draft(f, visible);
+    const force = pixel(style("--force").trim());
+    for (const [x0, y0, x1, y1] of state.forces ? force_lines(f) : []) put_line(x0, y0, x1, y1, force);
+    pen.putImageData(picture, 0, 0);
+  }
+  for (const [shade, group] of fine ? shades(f, visible) : []) {
     pen.fillStyle = shade;
     in_parts(group, corners, () => pen.fill());
   }
   hatch_fixed(f, visible);
   const edge = Math.min(1, typical_size() * scale / 24);
-  if (edge > 0.2) {
+  if (fine && edge > 0.2) {
     pen.strokeStyle = style("--edge");
     pen.lineWidth = edge;
     pen.lineJoin = "round";
     in_parts(visible, corners, () => pen.stroke());
   }
   if (state.original) draw_original();
-  if (state.forces) draw_forces(f);
+  if (fine && state.forces) draw_forces(f);
   if (state.labels) draw_labels(f, visible);
   if (state.block >= 0 && exists(state.block, f)) {
     pen.beginPath();
@@ -255,21 +262,28 @@ function usual_force() {
   return usual = largest[largest.length >> 1] ?? 255;
 }
 
-/// A line through the contact along its force; lengths by the square root, so that the
-/// small ones are seen beside the large.
-function draw_forces(f) {
-  const {corner, direction, size} = data.contacts[f];
-  const full = Math.min(60, 1.2 * typical_size() * state.view.scale);
-  const lines = [];
+/// On the page; lengths by the square root, so that the small ones are seen beside the
+/// large.
+const force_length = () => Math.min(60, 1.2 * typical_size() * state.view.scale);
+
+/// Lines through the contacts along their forces: x0, y0, x1, y1 on the page.
+function force_lines(f) {
+  const {corner, direction, size} = data.contacts[f], full = force_length(), lines = [];
+  const {x, y, scale} = state.view, w = model.clientWidth, h = model.clientHeight;
   for (let i = 0; i < corner.length; ++i) {
     const length = Math.min(2 * full, full * Math.sqrt(10 ** (6 * (size[i] - usual_force()) / 255)));
     if (length < 0.7) continue;
-    const [px, py] = to_screen(corners[2 * corner[i]], corners[2 * corner[i] + 1]);
-    if (px < -full || py < -full || px > model.clientWidth + full || py > model.clientHeight + full) continue;
+    const px = w / 2 + (corners[2 * corner[i]] - x) * scale, py = h / 2 - (corners[2 * corner[i] + 1] - y) * scale;
+    if (px < -full || py < -full || px > w + full || py > h + full) continue;
     const turn = direction[i] / 256 * 2 * Math.PI;
     const dx = Math.cos(turn) * length / 2, dy = -Math.sin(turn) * length / 2;
     lines.push([px - dx, py - dy, px + dx, py + dy]);
   }
+  return lines;
+}
+
+function draw_forces(f) {
+  const lines = force_lines(f), full = force_length();
   const paint = (colour, width, alpha) => {
     pen.strokeStyle = colour; pen.lineWidth = width; pen.globalAlpha = alpha;
     for (let i = 0; i < lines.length; i += 64) {
@@ -522,6 +536,7 @@ function play(on) {
 }
 function show(frame) {
   if (state.playing) play(false);
+  moves();
   state.frame = Math.max(0, Math.min(frames - 1, frame));
   redraw();
 }
@@ -529,6 +544,7 @@ function show(frame) {
 // ---- hands ---------------------------------------------------------------------------
 
 function zoom(factor, px = model.clientWidth / 2, py = model.clientHeight / 2) {
+  moves();
   const [x, y] = to_model(px, py);
   state.view.scale *= factor;
   const [u, v] = to_model(px, py);
@@ -560,6 +576,7 @@ model.addEventListener("pointermove", (event) => {
       (here[0] + x) / 2, (here[1] + y) / 2);
   }
   pointers.set(event.pointerId, here);
+  moves();
   redraw();
 });
 model.addEventListener("pointerup", (event) => {

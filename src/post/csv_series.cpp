@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iterator>
+
+#include "post/quantity.hpp"
+#include "post/time_series.hpp"
+#include "post/whole_file.hpp"
+
+namespace blocks::post {
+namespace {
+
+std::string block_rows(const Frame& now, const Frame& first) {
+  std::vector<Eigen::VectorXd> columns;
+  for (const QuantityKind& kind : quantity_kinds())
+    columns.push_back(kind.values(now, first));
+  std::string text;
+  auto out = std::back_inserter(text);
+  for (int b = 0; b < now.size(); ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    fmt::format_to(out, "{},{},{},{},{}", now.time, now.step, now.number[k],
+                   now.material[k], now.fixed[k]);
+    for (const Eigen::VectorXd& values : columns)
+      fmt::format_to(out, ",{}", values[b]);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
+  const Eigen::Matrix2Xd force = contacts.force();
+  std::string text;
+  for (int i = 0; i < contacts.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    fmt::format_to(std::back_inserter(text),
+                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", now.time, now.step,
+                   contacts.corner_block[k], contacts.corner[k], contacts.edge_block[k],
+                   contacts.edge[k], contacts.point(0, i), contacts.point(1, i),
+                   contacts.normal(0, i), contacts.normal(1, i), force(0, i),
+                   force(1, i), contacts.normal_force[i], contacts.shear_force[i],
+                   contacts.overlap[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
+                      const std::vector<long>& frames) {
+  const std::string name = std::filesystem::path(path).replace_extension().string();
+  SeriesFiles files{{path, name + "_contacts.csv"}};
+  WholeFile blocks(files.names[0]), contacts(files.names[1]);
+  std::string head = "time,step,block,material,fixed";
+  for (const QuantityKind& kind : quantity_kinds())
+    head += "," + kind.name;
+  blocks << head + "\n";
+  contacts << "time,step,corner_block,corner,edge_block,edge,x,y,nx,ny,fx,fy,"
+              "normal_force,shear_force,overlap\n";
+  const Frame first = results.frame(0);
+  for (const long i : frames) {
+    const Frame now = results.frame(i);
+    const FrameContacts acting = results.contacts(i);
+    blocks << block_rows(now, first);
+    contacts << contact_rows(now, acting);
+    files.blocks += now.size();
+    files.contacts += acting.size();
+  }
+  blocks.close();
+  contacts.close();
+  return files;
+}
+
+}  // namespace blocks::post

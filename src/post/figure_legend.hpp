@@ -1,0 +1,21 @@
+// The strip beside a figure that says what its colours, lines and arrows mean.
+#pragma once
+
+#include "post/figure_scales.hpp"
+#include "post/pen.hpp"
+
+namespace blocks::post {
+
+/// arrow: length on the page of the usual largest vector. height: of the strip.
+struct LegendPlace {
+  double x, top, height, arrow;
+};
+
+void draw_legend(Pen& pen, const LegendPlace& place, const Picture& picture,
+                 const FigureScales& scales, const FigureOptions& options);
+
+/// "speed [m/s]", "speed [L T⁻¹]".
+std::string with_unit(const std::string& label, const Dimension& dimension,
+                      const FigureOptions& options);
+
+}  // namespace blocks::post

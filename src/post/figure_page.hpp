@@ -1,0 +1,38 @@
+// Pictures of one or several times placed on a page: heading, axes, legend.
+#pragma once
+
+#include <vector>
+
+#include "post/axes.hpp"
+#include "post/figure_scales.hpp"
+#include "post/pen.hpp"
+
+namespace blocks::post {
+
+class FigurePage {
+ public:
+  /// For `count` pictures with these scales.
+  FigurePage(std::size_t count, std::string title, const FigureScales& scales,
+             const FigureOptions& options);
+
+  double height() const { return height_; }  ///< of a page 1200 wide
+
+  /// Once, before the pictures.
+  void begin(Pen& pen) const;
+  /// The picture at place i, 0 to count - 1.
+  void picture(Pen& pen, std::size_t i, const Picture& picture) const;
+  /// Once, with the last picture.
+  void end(Pen& pen, const Picture& picture) const;
+
+ private:
+  Axes axes(std::size_t i) const;
+  void rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) const;
+
+  std::size_t count_, columns_ = 1;
+  std::string title_;
+  const FigureScales& scales_;
+  const FigureOptions& options_;
+  double width_ = 0.0, height_ = 0.0;  ///< of a plot, of the page
+};
+
+}  // namespace blocks::post

@@ -1,0 +1,134 @@
+#include "post/figure_scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "post/force_network.hpp"
+#include "post/model_quantity.hpp"
+#include "post/quantity.hpp"
+
+namespace blocks::post {
+namespace {
+
+/// The middle one of the numbers above zero: one impact must not hide all the rest.
+double usual(std::vector<double> largest) {
+  std::erase_if(largest, [](double value) { return !(value > 0.0); });
+  if (largest.empty())
+    return 0.0;
+  const auto middle = largest.begin() + static_cast<long>(largest.size() / 2);
+  std::nth_element(largest.begin(), middle, largest.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<std::string> arrow_names() { return {"velocity", "displacement", "force"}; }
+
+Eigen::Matrix2Xd arrow_vectors(const std::string& name, const Picture& picture) {
+  if (name == "velocity")
+    return picture.now.velocity;
+  if (name == "force")
+    return picture.now.force;
+  if (name == "displacement") {
+    Eigen::Matrix2Xd moved(2, picture.now.size());
+    moved.row(0) = quantity("dx", picture.now, picture.first).values.transpose();
+    moved.row(1) = quantity("dy", picture.now, picture.first).values.transpose();
+    return moved;
+  }
+  throw std::runtime_error("there are no arrows of '" + name +
+                           "': choose velocity, displacement or force");
+}
+
+void ScaleSurvey::include_corners(const Frame& frame) {
+  for (const auto& outline : frame.outlines)
+    for (const Eigen::Vector2d& p : outline) {
+      low_ = low_.cwiseMin(p);
+      high_ = high_.cwiseMax(p);
+    }
+}
+
+void ScaleSurvey::include(const Picture& picture) {
+  include_corners(picture.now);
+  if (options_.original)
+    include_corners(picture.first);
+  if (options_.colour != "material") {
+    const Quantity shown =
+        quantity(options_.colour, picture.now, picture.first, picture.contacts);
+    is_signed_ = shown.is_signed;
+    for (const double value : shown.values)
+      if (std::isfinite(value)) {
+        least_ = std::min(least_, value);
+        most_ = std::max(most_, value);
+      }
+  }
+  if (options_.forces) {
+    const auto links = force_network(picture.contacts);
+    forces_.push_back(links.empty() ? 0.0 : links.back().force.norm());
+  }
+  if (!options_.arrows.empty()) {
+    const Eigen::Matrix2Xd vectors = arrow_vectors(options_.arrows, picture);
+    arrows_.push_back(vectors.cols() ? vectors.colwise().norm().maxCoeff() : 0.0);
+  }
+  if (picture.now.area.size() > 0)
+    block_size_ = std::sqrt(usual(
+        {picture.now.area.data(), picture.now.area.data() + picture.now.area.size()}));
+}
+
+FigureScales ScaleSurvey::scales() const {
+  FigureScales result;
+  if (options_.zoom) {
+    result.view = *options_.zoom;
+    if (!(result.view[0] < result.view[1] && result.view[2] < result.view[3]))
+      throw std::runtime_error("the zoom needs xmin < xmax and ymin < ymax");
+  } else if (low_.x() <= high_.x()) {
+    double left = low_.x(), right = high_.x();
+    if (options_.mirror) {
+      left = std::min(left, 2.0 * options_.mirror_x - high_.x());
+      right = std::max(right, 2.0 * options_.mirror_x - low_.x());
+    }
+    const double margin =
+        std::max(0.03 * std::max(right - left, high_.y() - low_.y()), 1e-12);
+    result.view = {left - margin, right + margin, low_.y() - margin,
+                   high_.y() + margin};
+  }
+  if (options_.range) {
+    result.low = (*options_.range)[0];
+    result.high = (*options_.range)[1];
+    if (!(result.low < result.high))
+      throw std::runtime_error("the range of the colours needs low < high");
+  } else if (least_ <= most_) {
+    result.low = is_signed_ ? -std::max(std::abs(least_), std::abs(most_))
+                            : std::min(0.0, least_);
+    result.high = is_signed_ ? -result.low : most_;
+    if (!(result.high > result.low))
+      result.high = result.low + 1.0;
+  }
+  result.force = usual(forces_);
+  result.arrow = usual(arrows_);
+  result.block_size = block_size_;
+  return result;
+}
+
+FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
+                           long frame) {
+  const bool shown = options.forces || find_other(options.colour);
+  return shown ? results.contacts(frame) : FrameContacts{};
+}
+
+FigureScales survey_scales(const ResultsReader& results,
+                           const std::vector<long>& frames,
+                           const FigureOptions& options) {
+  if (frames.empty())
+    throw std::runtime_error("there is no time to be drawn");
+  const Frame first = results.frame(0);
+  ScaleSurvey survey(options);
+  for (const long i : frames) {
+    const Frame now = results.frame(i);
+    const FrameContacts contacts = contacts_for(options, results, i);
+    survey.include({now, first, contacts});
+  }
+  return survey.scales();
+}
+
+}  // namespace blocks::post

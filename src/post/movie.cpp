@@ -1,0 +1,187 @@
+#include "post/movie.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "output/results.hpp"
+#include "post/figure_page.hpp"
+#include "post/page_file.hpp"
+
+extern char** environ;
+
+namespace blocks::post {
+namespace {
+
+/// ffmpeg at the other end of a pipe.
+class Encoder {
+ public:
+  explicit Encoder(std::vector<std::string> arguments) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+      throw output::FileError("cannot start ffmpeg: there is no pipe left");
+    before_ = std::signal(SIGPIPE, SIG_IGN);  // a dead ffmpeg is told by write()
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t usual;
+    sigemptyset(&usual);
+    sigaddset(&usual, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    std::vector<char*> words;
+    for (std::string& word : arguments)
+      words.push_back(word.data());
+    words.push_back(nullptr);
+    const int fault =
+        posix_spawnp(&child_, words[0], &actions, &attributes, words.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+    close(ends[0]);
+    to_child_ = ends[1];
+    if (fault != 0) {
+      child_ = -1;
+      finish();
+      throw output::FileError(
+          "a movie needs the program ffmpeg, which is not installed here\n"
+          "  hint: apt install ffmpeg; or pictures with -o NAME.png");
+    }
+  }
+  ~Encoder() { finish(); }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+
+  /// False when ffmpeg listens no more.
+  bool put(const unsigned char* bytes, std::size_t size) {
+    while (size > 0) {
+      const ssize_t sent = write(to_child_, bytes, size);
+      if (sent < 0 && errno == EINTR)
+        continue;
+      if (sent <= 0)
+        return false;
+      bytes += sent;
+      size -= static_cast<std::size_t>(sent);
+    }
+    return true;
+  }
+
+  /// Waits for the end; true when ffmpeg ended well.
+  bool finish() {
+    if (to_child_ >= 0) {
+      close(to_child_);
+      std::signal(SIGPIPE, before_);
+    }
+    to_child_ = -1;
+    int status = -1;
+    if (child_ > 0)
+      while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+      }
+    child_ = -1;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+
+ private:
+  pid_t child_ = -1;
+  int to_child_ = -1;
+  void (*before_)(int) = SIG_DFL;
+};
+
+/// Pictures are blue, green, red, nothing: cairo's words on a little-endian machine.
+/// width, height: even, as the usual MP4 needs.
+std::vector<std::string> ffmpeg(const std::string& draft, bool gif, int width,
+                                int height, double rate) {
+  std::vector<std::string> words = {"ffmpeg",
+                                    "-hide_banner",
+                                    "-loglevel",
+                                    "error",
+                                    "-y",
+                                    "-f",
+                                    "rawvideo",
+                                    "-pixel_format",
+                                    "bgr0",
+                                    "-video_size",
+                                    fmt::format("{}x{}", width, height),
+                                    "-framerate",
+                                    fmt::format("{}", rate),
+                                    "-i",
+                                    "pipe:0",
+                                    "-an"};
+  const std::vector<std::string> as_gif = {
+      "-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none",
+      "-f", "gif"};
+  const std::vector<std::string> as_mp4 = {
+      "-c:v",    "libx264",   "-crf",       "18", "-pix_fmt",
+      "yuv420p", "-movflags", "+faststart", "-f", "mp4"};
+  const auto& more = gif ? as_gif : as_mp4;
+  words.insert(words.end(), more.begin(), more.end());
+  words.push_back("file:" + draft);
+  return words;
+}
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+}  // namespace
+
+bool is_movie(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  return ending == ".mp4" || ending == ".gif";
+}
+
+void draw_movie(const std::string& path, const ResultsReader& results,
+                const std::vector<long>& frames, double rate,
+                const FigureOptions& options) {
+  if (!(rate >= 0.1 && rate <= 100))
+    throw std::runtime_error("a movie has 0.1 to 100 pictures a second");
+  const FigureScales scales = survey_scales(results, frames, options);
+  const FigurePage page(1, results.title(), scales, options);
+  const auto even = [](double size) { return 2 * static_cast<int>(size / 2 + 0.5); };
+  const int width = even(options.width),
+            height = even(options.width / Pen::page * page.height());
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
+                        cairo_surface_destroy);
+  const std::string draft = path + ".tmp";
+  Encoder encoder(ffmpeg(draft, std::filesystem::path(path).extension() == ".gif",
+                         width, height, rate));
+  // whatever goes wrong, half a movie does not stay
+  const std::unique_ptr<const char, void (*)(const char*)> draft_goes(
+      draft.c_str(), [](const char* name) { std::remove(name); });
+  const Frame first = results.frame(0);
+  bool well = true;
+  for (const long i : frames) {
+    const Frame now = results.frame(i);
+    const FrameContacts contacts = contacts_for(options, results, i);
+    {
+      const Context cairo(cairo_create(surface.get()), cairo_destroy);
+      Pen pen(cairo.get(), options.width);
+      page.begin(pen);
+      page.picture(pen, 0, {now, first, contacts});
+      page.end(pen, {now, first, contacts});
+    }
+    cairo_surface_flush(surface.get());
+    const unsigned char* rows = cairo_image_surface_get_data(surface.get());
+    const auto stride =
+        static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+    well = encoder.put(rows, stride * static_cast<std::size_t>(height));
+    if (!well)
+      break;
+  }
+  well = encoder.finish() && well;
+  if (!well)
+    throw output::FileError("cannot write " + path + ": ffmpeg failed");
+  take_name(draft, path);
+}
+
+}  // namespace blocks::post

@@ -1,0 +1,65 @@
+#include "post/pen.hpp"
+
+#include <numbers>
+
+namespace blocks::post {
+
+Pen::Pen(cairo_t* cairo, double width) : cairo_(cairo) {
+  cairo_scale(cairo_, width / page, width / page);
+  cairo_select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+}
+
+void Pen::colour(const Colour& c, double alpha) {
+  cairo_set_source_rgba(cairo_, c.r, c.g, c.b, alpha);
+}
+
+void Pen::stroke(double width, const Colour& c, double alpha) {
+  cairo_set_line_width(cairo_, width);
+  colour(c, alpha);
+  cairo_stroke(cairo_);
+}
+
+void Pen::dashes(std::initializer_list<double> lengths) {
+  cairo_set_dash(cairo_, lengths.begin(), static_cast<int>(lengths.size()), 0);
+}
+
+void Pen::text(const std::string& text, double x, double y, double size,
+               const Colour& c, double along, double up, double room) {
+  cairo_text_extents_t box;
+  cairo_set_font_size(cairo_, size);
+  cairo_text_extents(cairo_, text.c_str(), &box);
+  if (box.width > room) {
+    cairo_set_font_size(cairo_, size * room / box.width);
+    cairo_text_extents(cairo_, text.c_str(), &box);
+  }
+  colour(c);
+  cairo_move_to(cairo_, x - box.x_bearing - along * box.width,
+                y - box.y_bearing - up * box.height);
+  cairo_show_text(cairo_, text.c_str());
+  cairo_new_path(cairo_);
+}
+
+void Pen::upright(const std::string& words, double x, double y, double size,
+                  const Colour& c, double room) {
+  cairo_save(cairo_);
+  cairo_translate(cairo_, x, y);
+  cairo_rotate(cairo_, -std::numbers::pi / 2);
+  text(words, 0, 0, size, c, 0.5, 0.5, room);
+  cairo_restore(cairo_);
+}
+
+void Pen::tag(const std::string& words, double x, double y, const Colour& c) {
+  constexpr double size = 13, edge = 4;
+  cairo_set_font_size(cairo_, size);
+  cairo_text_extents_t box;
+  cairo_text_extents(cairo_, words.c_str(), &box);
+  cairo_rectangle(cairo_, x - edge, y - 0.5 * box.height - edge, box.width + 2 * edge,
+                  box.height + 2 * edge);
+  colour(paper, 0.85);
+  cairo_fill(cairo_);
+  text(words, x, y, size, c, 0, 0.5);
+}
+
+}  // namespace blocks::post

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "output/results.hpp"
+#include "post/quantity.hpp"
+#include "post/time_series.hpp"
+#include "post/vtu_file.hpp"
+#include "post/whole_file.hpp"
+
+namespace blocks::post {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<double> numbers(const Eigen::VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+std::vector<double> tensors(const Eigen::Matrix4Xd& values) {
+  return {values.data(), values.data() + values.size()};
+}
+
+VtuGrid block_grid(const Frame& now, const Frame& first) {
+  VtuGrid grid;
+  Eigen::Index corners = 0;
+  for (const auto& outline : now.outlines) {
+    corners += static_cast<Eigen::Index>(outline.size());
+    grid.ends.push_back(corners);
+  }
+  grid.points.resize(2, corners);
+  for (Eigen::Index at = 0; const auto& outline : now.outlines)
+    for (const Eigen::Vector2d& corner : outline) {
+      grid.connectivity.push_back(at);
+      grid.points.col(at++) = corner;
+    }
+  Eigen::Matrix2Xd moved(2, now.size());
+  moved.row(0) = quantity("dx", now, first).values.transpose();
+  moved.row(1) = quantity("dy", now, first).values.transpose();
+  grid.cell_data = {{"BlockNumber", 1, now.number},
+                    {"Material", 1, now.material},
+                    {"Fixed", 1, now.fixed},
+                    {"Area", 1, numbers(now.area)},
+                    {"Mass", 1, numbers(now.mass)},
+                    {"Inertia", 1, numbers(now.inertia)},
+                    {"Centroid", 3, in_space(now.centroid)},
+                    {"Displacement", 3, in_space(moved)},
+                    {"Velocity", 3, in_space(now.velocity)},
+                    {"Force", 3, in_space(now.force)},
+                    {"Angle", 1, numbers(now.angle)},
+                    {"Spin", 1, numbers(now.spin)},
+                    {"Moment", 1, numbers(now.moment)},
+                    {"Stress", 4, tensors(now.stress)},
+                    {"AppliedStress", 4, tensors(now.applied)},
+                    {"StrainRate", 4, tensors(now.strain_rate)}};
+  return grid;
+}
+
+VtuGrid contact_grid(const FrameContacts& contacts) {
+  VtuGrid grid;
+  grid.cell_type = 1;
+  grid.points = contacts.point;
+  for (int i = 0; i < contacts.size(); ++i) {
+    grid.connectivity.push_back(i);
+    grid.ends.push_back(i + 1);
+  }
+  grid.cell_data = {{"CornerBlock", 1, contacts.corner_block},
+                    {"Corner", 1, contacts.corner},
+                    {"EdgeBlock", 1, contacts.edge_block},
+                    {"Edge", 1, contacts.edge},
+                    {"Normal", 3, in_space(contacts.normal)},
+                    {"Force", 3, in_space(contacts.force())},
+                    {"NormalForce", 1, numbers(contacts.normal_force)},
+                    {"ShearForce", 1, numbers(contacts.shear_force)},
+                    {"Overlap", 1, numbers(contacts.overlap)}};
+  return grid;
+}
+
+std::string in_xml(const std::string& text) {
+  std::string safe;
+  for (const char c : text)
+    safe += c == '&'   ? "&amp;"
+            : c == '<' ? "&lt;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, c);
+  return safe;
+}
+
+/// An older folder of pieces steps aside; the one put aside before goes, but only the
+/// pieces in it.
+void make_room(const fs::path& folder) {
+  std::error_code fault;
+  if (!fs::exists(folder, fault))
+    return;
+  const fs::path aside = folder.string() + ".bak";
+  if (fs::is_directory(aside, fault)) {
+    for (const auto& entry : fs::directory_iterator(aside, fault))
+      if (entry.path().extension() == ".vtu")
+        fs::remove(entry.path(), fault);
+    fs::remove(aside, fault);
+  }
+  if (fs::exists(aside, fault))
+    throw output::FileError(
+        fmt::format("cannot write {}: it exists, and {} holds files of others",
+                    folder.string(), aside.string()));
+  fs::rename(folder, aside, fault);
+  if (fault)
+    throw output::FileError("cannot write " + folder.string() + ": " + fault.message());
+}
+
+/// A .pvd file: which .vtu shows which time.
+class Collection {
+ public:
+  void add(double time, const std::string& file) {
+    text_ +=
+        fmt::format("<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n",
+                    time, in_xml(file));
+  }
+  void write(const std::string& path) const {
+    WholeFile file(path);
+    file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+            "byte_order=\"LittleEndian\">\n<Collection>\n"
+         << text_ << "</Collection>\n</VTKFile>\n";
+    file.close();
+  }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace
+
+SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
+                      const std::vector<long>& frames) {
+  const std::string name = fs::path(path).replace_extension().string();
+  const fs::path folder = name + "_vtu";
+  make_room(folder);
+  std::error_code fault;
+  if (!fs::create_directory(folder, fault))
+    throw output::FileError("cannot write " + folder.string() + ": " + fault.message());
+
+  SeriesFiles files{{path, name + "_contacts.pvd"}};
+  Collection blocks, contacts;
+  const Frame first = results.frame(0);
+  const auto digits = std::to_string(frames.size()).size();
+  const auto put = [&](VtuGrid grid, const Frame& now, const char* kind, std::size_t k,
+                       Collection& collection) {
+    const std::string piece = fmt::format("{}_{:0{}}.vtu", kind, k, digits);
+    grid.time = now.time;
+    grid.step = now.step;
+    write_vtu((folder / piece).string(), grid);
+    collection.add(now.time, folder.filename().string() + "/" + piece);
+  };
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const Frame now = results.frame(frames[k]);
+    const FrameContacts acting = results.contacts(frames[k]);
+    put(block_grid(now, first), now, "blocks", k, blocks);
+    put(contact_grid(acting), now, "contacts", k, contacts);
+    files.blocks += now.size();
+    files.contacts += acting.size();
+  }
+  blocks.write(files.names[0]);
+  contacts.write(files.names[1]);
+  return files;
+}
+
+}  // namespace blocks::post

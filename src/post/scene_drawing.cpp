@@ -1,0 +1,305 @@
+#include "post/scene_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/force_network.hpp"
+#include "post/quantity.hpp"
+
+namespace blocks::post {
+namespace {
+
+using Outline = std::vector<Eigen::Vector2d>;
+
+bool is_dark(const Colour& c) { return c.r + c.g + c.b < 1.2; }
+
+/// Draws one picture; holds what all parts share.
+class SceneDrawing {
+ public:
+  SceneDrawing(Pen& pen, const Axes& axes, const Picture& picture,
+               const FigureScales& scales, const FigureOptions& options)
+      : pen_(pen), cairo_(pen.cairo()), axes_(axes), now_(picture.now),
+        picture_(picture), scales_(scales), options_(options) {
+    if (options.colour != "material")
+      shown_ = quantity(options.colour, now_, picture.first, picture.contacts);
+  }
+
+  void draw() {
+    cairo_save(cairo_);
+    cairo_rectangle(cairo_, axes_.left, axes_.top, axes_.width, axes_.height);
+    pen_.colour(white);
+    cairo_fill_preserve(cairo_);
+    cairo_clip(cairo_);
+    for (const bool mirrored : {true, false}) {
+      if (mirrored && !options_.mirror)
+        continue;
+      mirrored_ = mirrored;
+      if (options_.original)
+        original();
+      for (std::size_t b = 0; b < now_.outlines.size(); ++b)
+        if (in_view(now_.outlines[b]))
+          block(b);
+      if (options_.forces)
+        forces();
+      if (!options_.arrows.empty())
+        arrows();
+      if (!mirrored)
+        numbers();
+    }
+    if (options_.mirror)
+      centre_line();
+    marks();
+    cairo_restore(cairo_);
+  }
+
+ private:
+  double page_x(double x) const {
+    return axes_.x(mirrored_ ? 2.0 * options_.mirror_x - x : x);
+  }
+  void path(const Outline& outline) {
+    for (const Eigen::Vector2d& p : outline)
+      cairo_line_to(cairo_, page_x(p.x()), axes_.y(p.y()));
+    cairo_close_path(cairo_);
+  }
+  bool in_view(const Outline& outline) const {
+    double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
+    for (const Eigen::Vector2d& p : outline) {
+      const double x = page_x(p.x()), y = axes_.y(p.y());
+      x0 = std::min(x0, x), x1 = std::max(x1, x);
+      y0 = std::min(y0, y), y1 = std::max(y1, y);
+    }
+    return x1 >= axes_.left && x0 <= axes_.right() && y1 >= axes_.top &&
+           y0 <= axes_.bottom();
+  }
+  /// The smaller side of its box on the page.
+  double size_on_page(const Outline& outline) const {
+    Eigen::Vector2d low = outline.front(), high = outline.front();
+    for (const Eigen::Vector2d& p : outline) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    return (high - low).minCoeff() * axes_.scale();
+  }
+
+  /// Under a network of forces materials are pale.
+  Colour fill_of(std::size_t b) const {
+    if (options_.colour == "material") {
+      const Colour own = colour_of_material(now_.material[b], options_);
+      return options_.forces ? mix(own, white, 0.3) : own;
+    }
+    const double value = shown_.values[static_cast<Eigen::Index>(b)];
+    return shade(shown_.is_signed,
+                 (value - scales_.low) / (scales_.high - scales_.low));
+  }
+
+  void block(std::size_t b) {
+    const Colour fill = fill_of(b);
+    path(now_.outlines[b]);
+    pen_.colour(fill);
+    cairo_fill_preserve(cairo_);
+    if (now_.fixed[b] != 0)
+      hatch(pen_, fill);
+    const double width = std::clamp(0.03 * size_on_page(now_.outlines[b]), 0.25, 1.1);
+    pen_.stroke(width, mix(fill, {0, 0, 0}, options_.forces ? 0.75 : 0.33), 0.9);
+  }
+
+  void original() {
+    pen_.dashes({4, 3});
+    for (const Outline& outline : picture_.first.outlines)
+      if (in_view(outline)) {
+        path(outline);
+        pen_.stroke(0.7, faint);
+      }
+    pen_.dashes({});
+  }
+
+  /// For each pair of touching blocks a line from centroid to centroid through the
+  /// contact, as wide as the force is large.
+  void forces() {
+    if (!(scales_.force > 0.0))
+      return;
+    const double full = std::clamp(0.3 * scales_.block_size * axes_.scale(), 2.5, 14.0);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
+    for (const ForceLink& link : force_network(picture_.contacts)) {
+      const double part = link.force.norm() / scales_.force;
+      const double width = full * std::min(part, 1.5);
+      if (width < 0.15)
+        continue;
+      for (const int b : {link.first, link.second}) {
+        if (b < 0 || b >= now_.size() || now_.fixed[static_cast<std::size_t>(b)] != 0)
+          continue;
+        cairo_move_to(cairo_, page_x(link.point.x()), axes_.y(link.point.y()));
+        cairo_line_to(cairo_, page_x(now_.centroid(0, b)),
+                      axes_.y(now_.centroid(1, b)));
+      }
+      pen_.stroke(width, intensity(part));
+    }
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_BUTT);
+  }
+
+  void arrows() {
+    if (!(scales_.arrow > 0.0))
+      return;
+    const Eigen::Matrix2Xd vectors = arrow_vectors(options_.arrows, picture_);
+    const double factor = arrow_length(axes_, scales_) / scales_.arrow;
+    for (int b = 0; b < now_.size(); ++b) {
+      const Eigen::Vector2d d = factor * vectors.col(b);
+      if (d.norm() >= 1.5)
+        draw_arrow(pen_, page_x(now_.centroid(0, b)), axes_.y(now_.centroid(1, b)),
+                   mirrored_ ? -d.x() : d.x(), -d.y());
+    }
+  }
+
+  void numbers() {
+    for (std::size_t b = 0; b < now_.outlines.size(); ++b) {
+      const Outline& outline = now_.outlines[b];
+      if (!(options_.numbers || options_.corners) || !in_view(outline))
+        continue;
+      const double size = size_on_page(outline);
+      const auto at = static_cast<Eigen::Index>(b);
+      const double x = page_x(now_.centroid(0, at)), y = axes_.y(now_.centroid(1, at));
+      const Colour letters = is_dark(fill_of(b)) ? white : ink;
+      if (options_.numbers)
+        pen_.text(std::to_string(now_.number[b]), x, y,
+                  std::clamp(0.42 * size, 5.0, 16.0), letters, 0.5, 0.5);
+      if (options_.corners)
+        corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters);
+    }
+  }
+
+  /// Inside the block, along the line that halves the angle.
+  void corner_numbers(const Outline& outline, double letter, const Colour& c) {
+    const std::size_t n = outline.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Eigen::Vector2d at = outline[i];
+      const Eigen::Vector2d inwards = (outline[(i + 1) % n] - at).normalized() +
+                                      (outline[(i + n - 1) % n] - at).normalized();
+      const Eigen::Vector2d step = 1.2 * letter * inwards.normalized();
+      pen_.text(std::to_string(i + 1), page_x(at.x()) + (mirrored_ ? -1 : 1) * step.x(),
+                axes_.y(at.y()) - step.y(), letter, c, 0.5, 0.5);
+    }
+  }
+
+  /// Blocks tinted, what two blocks share filled, a ring around the place.
+  void marks() {
+    for (const Mark& mark : options_.marks) {
+      const Colour c = mark_colour(mark.kind);
+      cairo_save(cairo_);
+      for (const int b : mark.blocks) {
+        path(now_.outlines[static_cast<std::size_t>(b)]);
+        if (mark.kind == Mark::Kind::overlap) {
+          cairo_clip(cairo_);  // one after the other: the common part is left
+        } else {
+          pen_.colour(c, 0.35);
+          cairo_fill(cairo_);
+        }
+      }
+      if (mark.kind == Mark::Kind::overlap) {
+        pen_.colour(c, 0.85);
+        cairo_paint(cairo_);
+      }
+      cairo_restore(cairo_);
+    }
+    for (const Mark& mark : options_.marks) {
+      const Colour c = mark_colour(mark.kind);
+      const double x = page_x(mark.place.x()), y = axes_.y(mark.place.y());
+      trace_mark(cairo_, mark.kind, x, y, 9);
+      cairo_path_t* ring = cairo_copy_path(cairo_);
+      pen_.stroke(4.5, paper, 0.9);
+      cairo_append_path(cairo_, ring);
+      cairo_path_destroy(ring);
+      pen_.stroke(2.2, c);
+      if (!mark.label.empty())
+        pen_.tag(mark.label, x + 16, y - 14, c);
+    }
+  }
+
+  void centre_line() {
+    pen_.dashes({14, 4, 3, 4});
+    cairo_move_to(cairo_, axes_.x(options_.mirror_x), axes_.top);
+    cairo_line_to(cairo_, axes_.x(options_.mirror_x), axes_.bottom());
+    pen_.stroke(1.2, ink, 0.8);
+    pen_.dashes({});
+  }
+
+  Pen& pen_;
+  cairo_t* cairo_;
+  const Axes& axes_;
+  const Frame& now_;
+  const Picture& picture_;
+  const FigureScales& scales_;
+  const FigureOptions& options_;
+  Quantity shown_;
+  bool mirrored_ = false;
+};
+
+}  // namespace
+
+void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
+                const FigureScales& scales, const FigureOptions& options) {
+  SceneDrawing(pen, axes, picture, scales, options).draw();
+}
+
+void hatch(Pen& pen, const Colour& ground) {
+  cairo_t* cairo = pen.cairo();
+  double x0, y0, x1, y1, left, top, right, bottom;
+  cairo_path_extents(cairo, &x0, &y0, &x1, &y1);
+  cairo_clip_extents(cairo, &left, &top, &right, &bottom);
+  cairo_path_t* outline = cairo_copy_path(cairo);
+  cairo_save(cairo);
+  cairo_clip(cairo);
+  constexpr double gap = 9.0;
+  // a block far larger than the page needs no lines outside it
+  x0 = std::max(x0, left), x1 = std::min(x1, right);
+  y0 = std::max(y0, top), y1 = std::min(y1, bottom);
+  for (double x = std::floor((x0 - (y1 - y0)) / gap) * gap; x < x1; x += gap) {
+    cairo_move_to(cairo, x, y1);
+    cairo_line_to(cairo, x + (y1 - y0), y0);
+  }
+  const bool dark = is_dark(ground);
+  pen.stroke(1.0, dark ? white : Colour{0.1, 0.1, 0.1}, dark ? 0.45 : 0.35);
+  cairo_restore(cairo);
+  cairo_append_path(cairo, outline);
+  cairo_path_destroy(outline);
+}
+
+void draw_arrow(Pen& pen, double x, double y, double dx, double dy) {
+  cairo_t* cairo = pen.cairo();
+  const double length = std::hypot(dx, dy), head = std::min(0.4 * length, 9.0);
+  const double ux = dx / length, uy = dy / length;
+  const double tip_x = x + dx, tip_y = y + dy;
+  const double base_x = tip_x - head * ux, base_y = tip_y - head * uy;
+  const auto trace = [&] {
+    cairo_move_to(cairo, x, y);
+    cairo_line_to(cairo, base_x, base_y);
+  };
+  const auto trace_head = [&] {
+    cairo_move_to(cairo, tip_x, tip_y);
+    cairo_line_to(cairo, base_x - 0.42 * head * uy, base_y + 0.42 * head * ux);
+    cairo_line_to(cairo, base_x + 0.42 * head * uy, base_y - 0.42 * head * ux);
+    cairo_close_path(cairo);
+  };
+  trace(), trace_head();
+  pen.stroke(3.2, white, 0.75);  // seen on dark blocks too
+  trace();
+  pen.stroke(1.3, ink);
+  trace_head();
+  pen.colour(ink);
+  cairo_fill(cairo);
+}
+
+double arrow_length(const Axes& axes, const FigureScales& scales) {
+  return std::clamp(1.8 * scales.block_size * axes.scale(), 24.0, 90.0);
+}
+
+Colour shade(bool is_signed, double s) {
+  return is_signed ? diverging(s) : sequential(s);
+}
+
+Colour colour_of_material(int material, const FigureOptions& options) {
+  const auto chosen = options.material_colours.find(material);
+  return chosen == options.material_colours.end() ? material_colour(material)
+                                                  : chosen->second;
+}
+
+}  // namespace blocks::post

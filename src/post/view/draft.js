@@ -1,0 +1,78 @@
+// Drafts of the page of `blocks view`. Of very many blocks the canvas fills some 200 a
+// millisecond. While something moves they are put into the picture pixel by pixel instead,
+// five times as fast; the fine picture follows when it stands still. Stands before page.js,
+// in the same script.
+"use strict";
+
+const rest = 250;
+let draft_above = 3000, moved_at = -Infinity, fine_later = 0;
+const hurried = () => state.playing || performance.now() - moved_at < rest;
+/// To be called by whatever makes the next picture differ.
+function moves() {
+  moved_at = performance.now();
+  clearTimeout(fine_later);
+  fine_later = setTimeout(redraw, rest + 50);
+}
+
+/// "#rrggbb" as a pixel.
+const pixel = (shade) => 0xff000000 | parseInt(shade.slice(5, 7) + shade.slice(3, 5) + shade.slice(1, 3), 16);
+let picture = null, pixels = null, crossings = new Float64Array(64);
+
+function draw_draft(f, visible) {
+  if (picture?.width !== model.width || picture?.height !== model.height) {
+    picture = pen.createImageData(model.width, model.height);
+    pixels = new Uint32Array(picture.data.buffer);
+  }
+  pixels.fill(0);
+  const edges = typical_size() * state.view.scale > 7;
+  for (const [shade, group] of shades(f, visible)) {
+    const ground = pixel(shade), edge = edges ? pixel(darker(shade)) : ground;
+    for (const b of group) put_block(b, ground, edge);
+  }
+}
+
+/// Ends in page pixels.
+function put_line(x0, y0, x1, y1, colour) {
+  const ratio = model.width / model.clientWidth, w = model.width, h = model.height;
+  const n = Math.max(1, Math.ceil(ratio * Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0))));
+  const dx = ratio * (x1 - x0) / n, dy = ratio * (y1 - y0) / n;
+  for (let i = 0, x = ratio * x0, y = ratio * y0; i <= n; ++i, x += dx, y += dy)
+    if (x >= 0 && y >= 0 && x < w && y < h) pixels[(y | 0) * w + (x | 0)] = colour;
+}
+
+const darker = (shade) => "#" + [1, 3, 5].map((i) =>
+  Math.round(0.55 * parseInt(shade.slice(i, i + 2), 16)).toString(16).padStart(2, "0")).join("");
+
+/// Pixels whose middle lies inside, so that neighbours leave no gap; the leftmost of each
+/// row and the lowest row in the colour of the edge.
+function put_block(b, ground, edge) {
+  const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
+  const ratio = model.width / model.clientWidth, scale = state.view.scale * ratio;
+  const u = model.width / 2 - state.view.x * scale, v = model.height / 2 + state.view.y * scale;
+  let low = Infinity, high = -Infinity;
+  for (let i = first; i < end; i += 2) {
+    const y = v - corners[i + 1] * scale;
+    if (y < low) low = y;
+    if (y > high) high = y;
+  }
+  if (end - first > crossings.length) crossings = new Float64Array(end - first);
+  const last = Math.min(model.height, Math.ceil(high - 0.5));
+  for (let row = Math.max(0, Math.ceil(low - 0.5)); row < last; ++row) {
+    const y = (v - row - 0.5) / scale;  // in the model
+    let n = 0;
+    for (let i = first, j = end - 2; i < end; j = i, i += 2) {
+      if ((corners[i + 1] > y) === (corners[j + 1] > y)) continue;
+      let x = u + scale * (corners[i] + (y - corners[i + 1]) / (corners[j + 1] - corners[i + 1]) * (corners[j] - corners[i]));
+      let k = n++;
+      for (; k > 0 && crossings[k - 1] > x; --k) crossings[k] = crossings[k - 1];
+      crossings[k] = x;
+    }
+    for (let k = 0; k + 1 < n; k += 2) {
+      const from = Math.max(0, Math.ceil(crossings[k] - 0.5)), to = Math.min(model.width, Math.ceil(crossings[k + 1] - 0.5));
+      if (from >= to) continue;
+      pixels.fill(row === last - 1 ? edge : ground, row * model.width + from, row * model.width + to);
+      pixels[row * model.width + from] = edge;
+    }
+  }
+}
+

@@ -1,0 +1,99 @@
+// `blocks export` of many times: CSV reads back bit for bit, older files are kept.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+
+#include "post/quantity.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ExportTimes : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    run_text(folder_, "fall",
+             preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
+                 "GRAVITY, 1, -10\nPLOTS, 0.01\nCYCLE, 100\n");
+  }
+  Outcome run(const std::string& arguments) const {
+    return blocks("export fall.vtkhdf " + arguments, folder_.path());
+  }
+  /// Rows of a CSV file as numbers, by column name.
+  std::vector<std::map<std::string, double>> table(const std::string& name) const {
+    std::istringstream lines(slurp(folder_ / name));
+    std::string line, field;
+    std::getline(lines, line);
+    std::vector<std::string> names;
+    for (std::istringstream head(line); std::getline(head, field, ',');)
+      names.push_back(field);
+    std::vector<std::map<std::string, double>> rows;
+    while (std::getline(lines, line)) {
+      rows.emplace_back();
+      std::istringstream fields(line);
+      for (const std::string& column : names) {
+        std::getline(fields, field, ',');
+        rows.back()[column] = std::stod(field);
+      }
+    }
+    return rows;
+  }
+  TemporaryFolder folder_;
+};
+
+// A script gets the doubles of the results file.
+TEST_F(ExportTimes, CsvHoldsEveryNumberOfTheFile) {
+  ASSERT_EQ(run("-o all.csv").code, 0);
+  const auto rows = table("all.csv"), contacts = table("all_contacts.csv");
+  const post::ResultsReader results((folder_ / "fall.vtkhdf").string());
+  const post::Frame first = results.frame(0);
+  std::size_t row = 0, acting_row = 0;
+  for (long i = 0; i < results.frames(); ++i) {
+    const post::Frame now = results.frame(i);
+    for (const auto& kind : post::quantity_kinds()) {
+      const Eigen::VectorXd values = kind.values(now, first);
+      for (int b = 0; b < now.size(); ++b)
+        EXPECT_EQ(rows.at(row + static_cast<std::size_t>(b)).at(kind.name), values[b])
+            << kind.name;
+    }
+    row += static_cast<std::size_t>(now.size());
+    const post::FrameContacts acting = results.contacts(i);
+    for (int c = 0; c < acting.size(); ++c, ++acting_row) {
+      EXPECT_EQ(contacts.at(acting_row).at("normal_force"), acting.normal_force[c]);
+      EXPECT_EQ(contacts.at(acting_row).at("x"), acting.point(0, c));
+    }
+  }
+  EXPECT_EQ(rows.size(), row);
+  EXPECT_EQ(contacts.size(), acting_row);
+  EXPECT_GT(acting_row, 3U) << "nothing touched";
+}
+
+TEST_F(ExportTimes, OlderFilesAreKeptOnceAndForeignOnesAreNotTouched) {
+  for (int i = 0; i < 3; ++i)
+    ASSERT_EQ(run("-o a.pvd").code, 0);
+  for (const char* name : {"a.pvd", "a.pvd.bak", "a_contacts.pvd.bak",
+                           "a_vtu/blocks_0.vtu", "a_vtu.bak/contacts_0.vtu"})
+    EXPECT_TRUE(folder_.holds(name)) << name;
+  folder_.write("a_vtu.bak/mine.txt", "precious");
+  const Outcome refused = run("-o a.pvd");
+  EXPECT_EQ(refused.code, 5);
+  EXPECT_THAT(refused.err, HasSubstr("a_vtu.bak holds files of others"));
+  EXPECT_EQ(slurp(folder_ / "a_vtu.bak/mine.txt"), "precious");
+  EXPECT_TRUE(folder_.holds("a_vtu/blocks_0.vtu"));
+}
+
+TEST_F(ExportTimes, RefusalsNameWhatIsAvailable) {
+  EXPECT_THAT(run("-o a.xyz").err, HasSubstr(".txt, .pvd or .csv"));
+  EXPECT_THAT(run("-o a.csv -t 7").err, HasSubstr("fall.vtkhdf has times 0 to 0.04"));
+  EXPECT_EQ(run("-o none/a.csv").code, 5);
+  const Outcome deck = blocks("export fall.deck -o a.pvd", folder_.path());
+  EXPECT_EQ(deck.code, 2);
+  EXPECT_THAT(deck.err, HasSubstr("first blocks run fall.deck"));
+}
+
+}  // namespace
+}  // namespace blocks::testing

@@ -1,0 +1,138 @@
+// Figures of several times, movies, and the network of contact forces.
+#include <cairo.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "post/force_network.hpp"
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A square on a fixed floor beside another one that flies into it.
+const std::string scene = preliminary() + "FRICTN, 0.8\n" +
+                          rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
+                          rectangle(1.02, 0.3, 2.02, 1.3) +
+                          "SETVEL, 3, 0, -2, -2\nPLOTS, 0.004\nCYCLE, 100\n";
+
+class Plots : public ::testing::Test {
+ protected:
+  void SetUp() override { run_text(folder_, "hit", scene); }
+  Outcome plot(const std::string& arguments) const {
+    return blocks("plot hit.vtkhdf " + arguments, folder_.path());
+  }
+  std::pair<int, int> size(const std::string& name) const {
+    cairo_surface_t* image =
+        cairo_image_surface_create_from_png((folder_ / name).c_str());
+    const std::pair<int, int> found = {cairo_image_surface_get_width(image),
+                                       cairo_image_surface_get_height(image)};
+    cairo_surface_destroy(image);
+    return found;
+  }
+  /// Another program under the name of ffmpeg, for this test.
+  void with_ffmpeg(const std::string& script) {
+    std::filesystem::create_directory(folder_ / "bin");
+    folder_.write("bin/ffmpeg", script);
+    std::filesystem::permissions(folder_ / "bin/ffmpeg",
+                                 std::filesystem::perms::owner_all);
+    setenv("PATH", ((folder_ / "bin").string() + ":" + path_).c_str(), 1);
+  }
+  void TearDown() override { setenv("PATH", path_.c_str(), 1); }
+
+  TemporaryFolder folder_;
+  const std::string path_ = std::getenv("PATH");
+};
+
+// Without gravity the links to a free block add up to the force that the run stored
+// for it, whatever the side they are written from. A frame's edges stand where the
+// blocks are a step after its forces, turned by the spin of that step.
+TEST_F(Plots, ForcesOfTheNetworkMoveTheBlocks) {
+  const post::ResultsReader results((folder_ / "hit.vtkhdf").string());
+  double most = 0.0, shear = 0.0;
+  for (long i = 0; i < results.frames(); ++i) {
+    const post::Frame now = results.frame(i);
+    const post::FrameContacts contacts = results.contacts(i);
+    if (contacts.size() > 0)
+      shear = std::max(shear, contacts.shear_force.cwiseAbs().maxCoeff());
+    Eigen::Matrix2Xd sum = Eigen::Matrix2Xd::Zero(2, now.size());
+    for (const post::ForceLink& link : post::force_network(contacts)) {
+      sum.col(link.first) -= link.force;
+      sum.col(link.second) += link.force;
+      most = std::max(most, link.force.norm());
+    }
+    for (int b = 0; b < now.size(); ++b)
+      if (now.fixed[static_cast<std::size_t>(b)] == 0) {
+        EXPECT_LE((sum.col(b) - now.force.col(b)).norm(), 2e-3 * most);
+      }
+  }
+  EXPECT_GT(shear, 0.1 * most) << "nothing slid";
+}
+
+// Two times beside each other are half as wide, so the sheet is lower.
+TEST_F(Plots, SheetsHoldSeveralTimes) {
+  ASSERT_EQ(plot("-t 0,0.02 --columns 2 -o two.png").code, 0);
+  ASSERT_EQ(plot("-t 0 -o one.png").code, 0);
+  EXPECT_EQ(size("two.png").first, 1200);
+  EXPECT_LT(size("two.png").second, size("one.png").second);
+  const Outcome all = plot("--sheet 3 --forces --arrows velocity --corners --numbers "
+                           "--colour overlap --range 0,1 --units m,kg,s -o three.svg");
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(slurp(folder_ / "three.svg"), HasSubstr("<svg"));
+}
+
+// What goes to ffmpeg is every picture, four bytes a pixel, and no two are alike.
+TEST_F(Plots, MoviesHandEveryPictureToFfmpeg) {
+  with_ffmpeg("#!/bin/sh\nfor last; do :; done\necho \"$@\" > words\n"
+              "cat > ${last#file:}\n");
+  const Outcome movie = plot("--width 200 --every 2 --rate 5 -o hit.mp4");
+  ASSERT_EQ(movie.code, 0) << movie.err;
+  EXPECT_THAT(movie.out, HasSubstr("hit.mp4: 6 pictures, 1.2 s"));
+  const std::string words = slurp(folder_ / "words"),
+                    bytes = slurp(folder_ / "hit.mp4");
+  const auto at = words.find("-video_size ") + 12;
+  const int width = std::stoi(words.substr(at)),
+            height = std::stoi(words.substr(words.find('x', at) + 1));
+  EXPECT_EQ(width, 200);
+  const auto picture = static_cast<std::size_t>(4 * width * height);
+  ASSERT_EQ(bytes.size(), 6 * picture);
+  for (std::size_t k = 1; k < 6; ++k)
+    EXPECT_NE(bytes.substr(0, picture), bytes.substr(k * picture, picture)) << k;
+  EXPECT_THAT(words, HasSubstr("-framerate 5 "));
+  ASSERT_EQ(plot("--width 200 -o hit.mp4").code, 0);
+  EXPECT_TRUE(folder_.holds("hit.mp4.bak"));
+}
+
+TEST_F(Plots, MoviesSayWhatIsMissing) {
+  with_ffmpeg("#!/bin/sh\nexit 3\n");
+  const Outcome failed = plot("-o hit.gif");
+  EXPECT_EQ(failed.code, 5);
+  EXPECT_THAT(failed.err, HasSubstr("cannot write hit.gif: ffmpeg failed"));
+  EXPECT_FALSE(folder_.holds("hit.gif"));
+  setenv("PATH", folder_.path().c_str(), 1);
+  const Outcome missing = plot("-o hit.gif");
+  EXPECT_EQ(missing.code, 5);
+  EXPECT_THAT(missing.err,
+              HasSubstr("needs the program ffmpeg, which is not installed"));
+}
+
+TEST_F(Plots, RefusalsNameWhatIsAvailable) {
+  const auto refused = [&](const std::string& arguments, const std::string& words) {
+    const Outcome run = plot(arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
+  };
+  refused("-o hit.bmp", ".mp4 or .gif (a movie), found 'hit.bmp'");
+  refused("--colour heat", "choose material, speed, displacement, rotation");
+  refused("--colour heat", "normal_force, overlap, shear_force");
+  refused("--sheet 3 --from 7", "has times 0 to 0.04, none between 7 and 0.04");
+  refused("--zoom 1,0,0,1", "xmin < xmax");
+  refused("--range 1,1", "low < high");
+}
+
+}  // namespace
+}  // namespace blocks::testing
