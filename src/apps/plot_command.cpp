@@ -138,7 +138,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->delimiter(',');
   command.add_flag("--forces", figure.forces,
                    "contact forces: a line for each pair of touching blocks, as wide "
-                   "as the force is large");
+                   "as the force is large (of several times: full width is the middle "
+                   "one of their largest forces)");
   command
       .add_option("--arrows", figure.arrows,
                   fmt::format("an arrow on each block: {}",

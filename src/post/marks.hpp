@@ -8,7 +8,7 @@
 
 #include "post/colour_map.hpp"
 
-struct _cairo;  // cairo_t
+struct _cairo;  // cairo_t NOLINT(bugprone-reserved-identifier)
 
 namespace blocks::post {
 

@@ -187,9 +187,9 @@ TEST_F(Plot, ShowsTheChosenTimeAndQuantity) {
 
 // A wrong name is answered with the right ones, and nothing is written.
 TEST_F(Plot, RefusesWhatItCannotDraw) {
-  const Outcome ending = plot("fall.vtkhdf -o a.gif");
+  const Outcome ending = plot("fall.vtkhdf -o a.bmp");
   EXPECT_NE(ending.code, 0);
-  EXPECT_THAT(ending.err, HasSubstr(".png, .svg or .pdf, found 'a.gif'"));
+  EXPECT_THAT(ending.err, HasSubstr(".mp4 or .gif (a movie), found 'a.bmp'"));
   const Outcome quantity = plot("fall.vtkhdf -o a.png --colour heat");
   EXPECT_NE(quantity.code, 0);
   EXPECT_THAT(quantity.err, HasSubstr("there is no quantity 'heat': choose material, "
@@ -197,7 +197,7 @@ TEST_F(Plot, RefusesWhatItCannotDraw) {
   const Outcome time = plot("fall.vtkhdf -o a.png --time 99");
   EXPECT_EQ(time.code, 2);
   EXPECT_THAT(time.err, HasSubstr("fall.vtkhdf has times 0 to "));
-  EXPECT_FALSE(folder_.holds("a.gif") || folder_.holds("a.png"));
+  EXPECT_FALSE(folder_.holds("a.bmp") || folder_.holds("a.png"));
   EXPECT_EQ(plot("absent.vtkhdf").code, 5);
   EXPECT_EQ(plot("fall.ckpt.h5").code, 5);
   EXPECT_EQ(plot("fall.deck").code, 5);
