@@ -11,8 +11,9 @@
 namespace blocks::dynamics {
 
 Extremes add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                            const Settings& settings, double dt) {
-  return add_contact_forces_by<ExactRules>(blocks, contacts, groups, settings, dt);
+                            const Settings& settings, double dt, Workers& workers) {
+  return add_contact_forces_by<ExactRules>(blocks, contacts, groups, settings, dt,
+                                           workers);
 }
 
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

@@ -4,26 +4,17 @@
 #include <vector>
 
 #include "dynamics/contact_groups.hpp"
+#include "dynamics/workers.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
-
-/// The extremes over the contacts that act in a step.
-struct Extremes {
-  double overlap = 0.0;  ///< [L] deepest
-  double spring = 0.0;   ///< [F] largest elastic normal force
-  void include(double depth, double force) {
-    overlap = depth > overlap ? depth : overlap;
-    spring = force > spring ? force : spring;
-  }
-};
 
 /// Decides which potential contacts act (rules 9-12), advances their springs (rule 7)
 /// and adds force, moment and f_i x_j to both blocks. Reads corners, velocities and the
 /// blocks' swing; writes contacts, the groups' decisions, blocks.force, .moment,
 /// .applied.
 Extremes add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                            const Settings& settings, double dt);
+                            const Settings& settings, double dt, Workers& workers);
 
 /// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

@@ -82,14 +82,22 @@ LiveContact live_contact(const Blocks& blocks, const Contacts& contacts,
 
 }  // namespace
 
-void ContactGroups::set_live(const Blocks& blocks, const Contacts& contacts, int g) {
+bool ContactGroups::set_live(const Blocks& blocks, const Contacts& contacts, int g) {
   const ContactGroup& group = all[g];
   const int place = live_of[g];
   if (place >= 0)
     live[place] = live_contact(blocks, contacts, group, g, live[place].pair,
                                pairs[live[place].pair].low);
-  else if (live_record(group) >= 0)
-    live_complete = false;
+  return place >= 0 || live_record(group) < 0;
+}
+
+void ContactGroups::join_shares() {
+  for (Share& share : shares) {
+    lost.insert(lost.end(), share.lost.begin(), share.lost.end());
+    live_complete = live_complete && share.live_complete;
+    share.lost.clear();
+    share.live_complete = true;
+  }
 }
 
 void ContactGroups::list_live(const Blocks& blocks, const Contacts& contacts) {
@@ -107,7 +115,7 @@ void ContactGroups::list_live(const Blocks& blocks, const Contacts& contacts) {
 }
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
-                    ContactGroups& groups, bool each_alone) {
+                    ContactGroups& groups, bool each_alone, int threads) {
   groups.all.clear();
   const int size = contacts.size();
   for (int first = 0, last; first < size; first = last) {
@@ -134,7 +142,12 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.live.reserve(groups.all.size());
   groups.live_complete = true;
   groups.lost.clear();
-  groups.lost.reserve(size);
+  groups.lost.reserve(groups.all.size());
+  groups.shares.resize(threads);
+  for (ContactGroups::Share& share : groups.shares) {
+    share.lost.clear();
+    share.lost.reserve(groups.all.size() / threads + 64);
+  }
   groups.swing.start(blocks, rigid);
 }
 

@@ -96,6 +96,16 @@ struct LostForce {
   double normal, shear;  ///< [F] FN > 0, FS
 };
 
+/// The extremes over the contacts that act in a step.
+struct Extremes {
+  double overlap = 0.0;  ///< [L] deepest
+  double spring = 0.0;   ///< [F] largest elastic normal force
+  void include(double depth, double force) {
+    overlap = depth > overlap ? depth : overlap;
+    spring = force > spring ? force : spring;
+  }
+};
+
 /// What the contacts of a pair do to one of its blocks: force, moment, f_i x_j.
 struct PairForce {
   double x = 0.0, y = 0.0, moment = 0.0;
@@ -120,14 +130,24 @@ struct ContactGroups {
   bool live_complete = false;     ///< no group lacks a place in it
   std::vector<LostForce> lost;    ///< in this step
   Swing swing;                    ///< of the blocks since the groups were made
+  /// What one thread finds.
+  struct Share {
+    std::vector<LostForce> lost;
+    bool live_complete = true;
+    Extremes extremes;
+  };
+  std::vector<Share> shares;  ///< (threads)
 
   /// The contact of a group that acts in this step, or null.
   const LiveContact* acting(int group) const {
     const int i = live_of[group];
     return i >= 0 && live[i].acts ? &live[i] : nullptr;
   }
-  /// Puts what is decided of a group into the list of live contacts.
-  void set_live(const Blocks& blocks, const Contacts& contacts, int group);
+  /// Puts what is decided of a group into the list of live contacts. False: it has no
+  /// place there.
+  bool set_live(const Blocks& blocks, const Contacts& contacts, int group);
+  /// Makes one of what the threads found.
+  void join_shares();
   /// Lists the live contacts anew: one that had no place in the list wants one.
   void list_live(const Blocks& blocks, const Contacts& contacts);
 };
@@ -135,6 +155,6 @@ struct ContactGroups {
 /// Splits the list into its groups and pairs, all to be decided. each_alone: one record
 /// each, for studies without the nearest edge.
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
-                    ContactGroups& groups, bool each_alone = false);
+                    ContactGroups& groups, bool each_alone = false, int threads = 1);
 
 }  // namespace blocks::dynamics

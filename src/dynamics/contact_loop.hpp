@@ -11,6 +11,7 @@
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_handover.hpp"
 #include "dynamics/contact_lanes.hpp"
+#include "dynamics/workers.hpp"
 
 namespace blocks::dynamics {
 namespace detail {
@@ -25,10 +26,9 @@ inline Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
 }
 
 /// Record i of group g acts no more: its forces are gone, its spring may find an heir.
-inline void release(Contacts& contacts, ContactGroups& groups, int g, int i) {
+inline void release(Contacts& contacts, std::vector<LostForce>& lost, int g, int i) {
   if (contacts.normal_elastic[i] > 0.0)
-    groups.lost.push_back(
-        {g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
+    lost.push_back({g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
   contacts.active[i] = 0;
   contacts.normal_elastic[i] = contacts.shear_elastic[i] = 0.0;
   contacts.normal_force[i] = contacts.shear_force[i] = 0.0;
@@ -38,18 +38,19 @@ inline void release(Contacts& contacts, ContactGroups& groups, int g, int i) {
 /// Which record of group g acts, or which two of a notch, and for how long that is
 /// known.
 template <class Rules>
-void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g) {
+void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g,
+            ContactGroups::Share& share) {
   ContactGroup& group = groups.all[g];
   const ContactDecision<Rules> decision(blocks, contacts, groups);
   group.acting = decision.acting_record(group);
   int other = -1;
   if (group.reentrant) {
     other = groups.all[g + 1].acting = decision.notch_record(group, group.acting);
-    groups.set_live(blocks, contacts, g + 1);
+    share.live_complete &= groups.set_live(blocks, contacts, g + 1);
   }
   for (int i = group.first; i < group.last; ++i)
     if (contacts.active[i] && i != group.acting && i != other)
-      release(contacts, groups, g, i);
+      release(contacts, share.lost, g, i);
 
   group.certain = {};
   if (Rules::keeps_decisions && group.hopeless == 0) {
@@ -60,13 +61,16 @@ void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int
   } else if (group.hopeless > 0) {
     --group.hopeless;
   }
-  groups.set_live(blocks, contacts, g);
+  share.live_complete &= groups.set_live(blocks, contacts, g);
 }
 
-/// Decides the groups whose blocks have moved too far since they were last decided.
+/// Decides the groups whose blocks have moved too far since they were last decided, of
+/// the pairs first .. last - 1.
 template <class Rules>
-void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& groups) {
-  for (ContactPair& pair : groups.pairs) {
+void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
+                     int first, int last, ContactGroups::Share& share) {
+  for (int p = first; p < last; ++p) {
+    ContactPair& pair = groups.pairs[p];
     // the other way round a NaN would let a decision stand
     if (Rules::keeps_decisions && relative_motion(blocks, groups.swing, pair.low,
                                                   pair.high, pair.pose) < pair.certain)
@@ -83,22 +87,23 @@ void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& gr
                                                       group.edge_block, group.pose);
       };
       if (!Rules::keeps_decisions || !(left() > 0.0))
-        decide<Rules>(blocks, contacts, groups, g);
+        decide<Rules>(blocks, contacts, groups, g, share);
       pair.certain = std::min(pair.certain, left());
     }
   }
 }
 
-/// a. Frame of the edge, overlap, and whether the contact acts.
+/// a. Frame of the edge, overlap, and whether the contact acts, of the live contacts
+/// begin .. end - 1.
 template <class Rules>
-void measure(const Blocks& blocks, Contacts& contacts, ContactGroups& groups) {
+void measure(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int begin,
+             int end, std::vector<LostForce>& lost) {
   const ContactLanes& lanes = contact_lanes();
   const double* const corner = blocks.corner.data();
   LiveContact* const all = groups.live.data();
-  const int count = static_cast<int>(groups.live.size());
   OverlapLanes l;
-  for (int first = 0; first < count; first += lane_count) {
-    const int used = std::min(lane_count, count - first);
+  for (int first = begin; first < end; first += lane_count) {
+    const int used = std::min(lane_count, end - first);
     for (int k = 0; k < lane_count; ++k) {
       const LiveContact& live = all[first + (k < used ? k : 0)];
       const double *c = corner + 2 * live.corner, *p1 = corner + 2 * live.edge;
@@ -119,7 +124,7 @@ void measure(const Blocks& blocks, Contacts& contacts, ContactGroups& groups) {
         live.acts = Rules::overlap_sign({l.xc[k], l.yc[k]}, {l.x1[k], l.y1[k]},
                                         {l.x2[k], l.y2[k]}) > 0;
       if (!live.acts && contacts.active[live.record])
-        release(contacts, groups, live.group, live.record);
+        release(contacts, lost, live.group, live.record);
     }
   }
 }
@@ -188,11 +193,12 @@ inline void store(const ForceLanes& l, int used, const LiveContact* const* actin
   }
 }
 
-/// b.-e. for all that act.
+/// b.-e. for all contacts of the pairs first .. last - 1 that act.
 inline Extremes act(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                    const ContactLaw& law, bool rigid) {
+                    const ContactLaw& law, bool rigid, int first, int last) {
   const ContactLanes& lanes = contact_lanes();
-  std::fill(groups.pair_force.begin(), groups.pair_force.end(), PairForce{});
+  std::fill(groups.pair_force.begin() + 2 * first, groups.pair_force.begin() + 2 * last,
+            PairForce{});
   Extremes extremes;
   ForceLanes l;
   const LiveContact* acting[lane_count];
@@ -204,9 +210,15 @@ inline Extremes act(const Blocks& blocks, Contacts& contacts, ContactGroups& gro
     store(l, used, acting, contacts, groups.pair_force.data(), extremes);
     used = 0;
   };
-  for (const LiveContact& live : groups.live) {
-    acting[used] = &live;
-    used += live.acts;
+  const auto of_pair = [&](int pair) {
+    return std::lower_bound(
+        groups.live.begin(), groups.live.end(), pair,
+        [](const LiveContact& live, int p) { return live.pair < p; });
+  };
+  const auto end = of_pair(last);
+  for (auto live = of_pair(first); live != end; ++live) {
+    acting[used] = &*live;
+    used += live->acts;
     if (used == lane_count)
       finish();
   }
@@ -216,8 +228,8 @@ inline Extremes act(const Blocks& blocks, Contacts& contacts, ContactGroups& gro
 }
 
 /// Sums what the pairs of each block do to it, in the order of the list.
-inline void gather(Blocks& blocks, const ContactGroups& groups) {
-  for (int b = 0; b < blocks.size(); ++b) {
+inline void gather(Blocks& blocks, const ContactGroups& groups, int first, int last) {
+  for (int b = first; b < last; ++b) {
     PairForce sum;
     for (int k = groups.first_of_block[b]; k < groups.first_of_block[b + 1]; ++k) {
       const PairForce& f = groups.pair_force[groups.by_block[k]];
@@ -238,18 +250,38 @@ inline void gather(Blocks& blocks, const ContactGroups& groups) {
 template <class Rules>
 Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
                                ContactGroups& groups, const Settings& settings,
-                               double dt) {
+                               double dt, Workers& workers) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
-  detail::renew_decisions<Rules>(blocks, contacts, groups);
+  const int pairs = static_cast<int>(groups.pairs.size());
+  workers.each(pairs, pairs_per_thread, [&](int part, int first, int last) {
+    detail::renew_decisions<Rules>(blocks, contacts, groups, first, last,
+                                   groups.shares[part]);
+  });
+  groups.join_shares();
   if (!groups.live_complete)
     groups.list_live(blocks, contacts);
-  detail::measure<Rules>(blocks, contacts, groups);
+  const int live = static_cast<int>(groups.live.size());
+  workers.each(live, live_per_thread, [&](int part, int first, int last) {
+    detail::measure<Rules>(blocks, contacts, groups, first, last,
+                           groups.shares[part].lost);
+  });
+  groups.join_shares();
   if constexpr (Rules::hands_over)
     hand_over(blocks, contacts, groups, settings.normal_stiffness);
   groups.lost.clear();
-  const Extremes extremes = detail::act(blocks, contacts, groups, law, settings.rigid);
-  detail::gather(blocks, groups);
+  workers.each(pairs, pairs_per_thread, [&](int part, int first, int last) {
+    groups.shares[part].extremes =
+        detail::act(blocks, contacts, groups, law, settings.rigid, first, last);
+  });
+  workers.each(blocks.size(), blocks_per_thread, [&](int, int first, int last) {
+    detail::gather(blocks, groups, first, last);
+  });
+  Extremes extremes;
+  for (ContactGroups::Share& share : groups.shares) {
+    extremes.include(share.extremes.overlap, share.extremes.spring);
+    share.extremes = {};
+  }
   return extremes;
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "dynamics/box_grid.hpp"
 #include "dynamics/contact_groups.hpp"
+#include "dynamics/motion.hpp"
+#include "dynamics/workers.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "model/model.hpp"
 
@@ -44,6 +47,10 @@ struct Reach {
 
 /// Buffers of the search, kept between searches.
 struct SearchBuffers {
+  explicit SearchBuffers(int threads = 1)
+      : workers(std::make_unique<Workers>(threads)) {}
+
+  std::unique_ptr<Workers> workers;
   struct Record {
     int low, high;     ///< pair of blocks, lower number first
     int corner, edge;  ///< corner, first corner of the edge
@@ -52,8 +59,9 @@ struct SearchBuffers {
   BoxGrid grid;
   std::vector<Reach> reach;  ///< of the edges of one block
   std::vector<Record> found;
-  ContactGroups groups;      ///< of the present list
-  long grouped_update = -1;  ///< NUPDAT when the groups were made
+  ContactGroups groups;             ///< of the present list
+  long grouped_update = -1;         ///< NUPDAT when the groups were made
+  std::vector<Displacement> moved;  ///< (threads) in this step
   Contacts next;
   PlaneContacts next_planes;
 };

@@ -25,13 +25,21 @@ void rotate_symmetric(Eigen::Ref<Eigen::Vector4d> s, const Eigen::Matrix2d& r) {
 
 }  // namespace
 
-void finish_applied_stress(Blocks& blocks) {
-  for (int b = 0; b < blocks.size(); ++b)
+void Displacement::include(const Displacement& others) {
+  if (others.largest > largest)
+    largest = others.largest, block = others.block;
+  finite = finite && others.finite;
+  left_domain = left_domain || others.left_domain;
+}
+
+void finish_applied_stress(Blocks& blocks, BlockRange range) {
+  for (int b = range.first; b < range.last; ++b)
     blocks.applied.col(b) /= blocks.area[b];
 }
 
-void update_velocities(Blocks& blocks, const Vec2& gravity, double dt) {
-  for (int b = 0; b < blocks.size(); ++b) {
+void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
+                       double dt) {
+  for (int b = range.first; b < range.last; ++b) {
     if (!blocks.is_free(b))
       continue;
     blocks.velocity.col(b) += dt * (blocks.force.col(b) / blocks.mass[b] + gravity);
@@ -39,8 +47,8 @@ void update_velocities(Blocks& blocks, const Vec2& gravity, double dt) {
   }
 }
 
-void update_strain_rates(Blocks& blocks, double dt) {
-  for (int b = 0; b < blocks.size(); ++b) {
+void update_strain_rates(Blocks& blocks, BlockRange range, double dt) {
+  for (int b = range.first; b < range.last; ++b) {
     if (!blocks.is_free(b))
       continue;
     const Vec2 l = extent(blocks, b);
@@ -57,11 +65,12 @@ void update_strain_rates(Blocks& blocks, double dt) {
   }
 }
 
-void update_stress(Blocks& blocks, const Settings& settings, double dt) {
+void update_stress(Blocks& blocks, BlockRange range, const Settings& settings,
+                   double dt) {
   // Looked up once per run of equal materials: blocks of a layer stand together.
   int material = 0;
   double c11 = 0, c12 = 0, twice_g = 0;
-  for (int b = 0; b < blocks.size(); ++b) {
+  for (int b = range.first; b < range.last; ++b) {
     if (!blocks.is_free(b))
       continue;
     if (blocks.material[b] != material) {
@@ -78,11 +87,11 @@ void update_stress(Blocks& blocks, const Settings& settings, double dt) {
   }
 }
 
-Displacement move_blocks(Blocks& blocks, Swing& swing, const Settings& settings,
-                         double dt) {
+Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
+                         const Settings& settings, double dt) {
   Displacement result;
   double largest = 0.0, sum = 0.0;
-  for (int b = 0; b < blocks.size(); ++b) {
+  for (int b = range.first; b < range.last; ++b) {
     if (!blocks.is_free(b))
       continue;
     const Vec2 centroid = blocks.centroid.col(b) + dt * blocks.velocity.col(b);

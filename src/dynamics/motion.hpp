@@ -7,6 +7,12 @@
 
 namespace blocks::dynamics {
 
+/// Blocks first .. last - 1: what one thread moves.
+struct BlockRange {
+  int first = 0, last = 0;
+};
+inline BlockRange all_of(const Blocks& blocks) { return {0, blocks.size()}; }
+
 /// What one step of motion did.
 struct Displacement {
   double largest = 0.0;      ///< [L] of any corner (UDMAX)
@@ -14,25 +20,30 @@ struct Displacement {
   bool finite = true;        ///< false: some corner is no longer a number
   bool left_domain = false;  ///< some corner lies outside the domain
   double strongest = 0.0;    ///< [F] largest elastic normal force of a contact
+
+  /// With what became of blocks behind these.
+  void include(const Displacement& others);
 };
 
 /// Turns the sums f_i x_j into the applied stress (9): divides by the area.
-void finish_applied_stress(Blocks& blocks);
+void finish_applied_stress(Blocks& blocks, BlockRange range);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.
-void update_velocities(Blocks& blocks, const Vec2& gravity, double dt);
+void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
+                       double dt);
 
 /// (10): strain rates of free blocks, driven by the symmetric part of applied -
 /// internal stress over the effective mass l_j^2 M / (4 A). Deformable runs only.
-void update_strain_rates(Blocks& blocks, double dt);
+void update_strain_rates(Blocks& blocks, BlockRange range, double dt);
 
 /// (12): internal stress by plane strain elasticity. Deformable runs only.
-void update_stress(Blocks& blocks, const Settings& settings, double dt);
+void update_stress(Blocks& blocks, BlockRange range, const Settings& settings,
+                   double dt);
 
 /// (3), (13)-(15): centroids, angles and corners; arm = R (I + strain rate dt) arm with
 /// the Cayley rotation R of spin dt, which also turns stress and strain rate. Adds to
 /// swing.
-Displacement move_blocks(Blocks& blocks, Swing& swing, const Settings& settings,
-                         double dt);
+Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
+                         const Settings& settings, double dt);
 
 }  // namespace blocks::dynamics

@@ -27,14 +27,16 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   if (!model.search.current)
     update_contacts(model, buffers);
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
-    group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups);
+    group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups, false,
+                   buffers.workers->threads());
     buffers.grouped_update = model.search.updates;
   }
 
   // 2. contact forces
   clear_forces(blocks);
-  const Extremes touching = add_contact_forces(blocks, model.contacts, buffers.groups,
-                                               model.settings, model.time_step.dt);
+  const Extremes touching =
+      add_contact_forces(blocks, model.contacts, buffers.groups, model.settings,
+                         model.time_step.dt, *buffers.workers);
   return move(model, buffers, touching);
 }
 
@@ -56,17 +58,24 @@ Displacement move(Model& model, SearchBuffers& buffers,
 
   // 3. loads at time t
   add_loads(blocks, model.loads, model.time);
-  finish_applied_stress(blocks);
 
-  // 4. velocities, strain rates, internal stress
-  update_velocities(blocks, settings.gravity, dt);
-  if (!settings.rigid) {
-    update_strain_rates(blocks, dt);
-    update_stress(blocks, settings, dt);
-  }
-
-  // 5. corners
-  Displacement moved = move_blocks(blocks, buffers.groups.swing, settings, dt);
+  // 4. velocities, strain rates, internal stress; 5. corners
+  buffers.moved.assign(buffers.workers->threads(), {});
+  buffers.workers->each(
+      blocks.size(), blocks_per_thread, [&](int part, int first, int last) {
+        const BlockRange range{first, last};
+        finish_applied_stress(blocks, range);
+        update_velocities(blocks, range, settings.gravity, dt);
+        if (!settings.rigid) {
+          update_strain_rates(blocks, range, dt);
+          update_stress(blocks, range, settings, dt);
+        }
+        buffers.moved[part] =
+            move_blocks(blocks, range, buffers.groups.swing, settings, dt);
+      });
+  Displacement moved;
+  for (const Displacement& part : buffers.moved)
+    moved.include(part);
   moved.strongest = std::max(blocks_touching.spring, planes_touching.spring);
   model.worst_overlap =
       std::max({model.worst_overlap, blocks_touching.overlap, planes_touching.overlap});

@@ -6,12 +6,19 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <thread>
 
 #include "run/interrupt.hpp"
 
 namespace blocks::run {
 
 namespace {
+
+int threads_of(const RunOptions& options) {
+  return options.threads > 0
+             ? options.threads
+             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 /// Distance of an edge from its block's centroid, [L].
 double depth_below(const Blocks& blocks, int edge, int block) {
@@ -37,7 +44,8 @@ long steps_for(double interval, double dt) {
 Executor::Executor(Model& model, RunFiles& files, Console& console,
                    const RunOptions& options)
     : model_(model), files_(files), console_(console), options_(options),
-      audit_(options.audit_every), exits_told_(model.exits.size()) {}
+      buffers_(threads_of(options)), audit_(options.audit_every),
+      exits_told_(model.exits.size()) {}
 
 void Executor::resume(const output::Progress& progress) {
   progress_ = progress;

@@ -10,7 +10,8 @@ template <class Rules>
 dynamics::Displacement step(Model& model, dynamics::SearchBuffers& buffers) {
   dynamics::clear_forces(model.blocks);
   const dynamics::Extremes touching = dynamics::add_contact_forces_by<Rules>(
-      model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt);
+      model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
+      *buffers.workers);
   return dynamics::move(model, buffers, touching);
 }
 

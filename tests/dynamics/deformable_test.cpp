@@ -50,7 +50,8 @@ TEST(Deformable, StressTurnsWithTheBlock) {
   // isolated from the dynamics: only the rotation of one long step is looked at
   dynamics::Swing swing;
   swing.start(scene.model.blocks, scene.model.settings.rigid);
-  dynamics::move_blocks(scene.model.blocks, swing, scene.model.settings, turn);
+  dynamics::move_blocks(scene.model.blocks, dynamics::all_of(scene.model.blocks), swing,
+                        scene.model.settings, turn);
   const double c = (1 - 0.0225) / (1 + 0.0225), s = 0.3 / (1 + 0.0225);
   const auto stress = scene.model.blocks.stress.col(b);
   EXPECT_NEAR(stress[0], c * c * 4e6 - 2 * c * s * 1e6 + s * s * -2e6, 1e-6);

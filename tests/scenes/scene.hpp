@@ -27,7 +27,7 @@ struct Frame {
 /// A model with its search buffers; lengths in m, masses in kg, times in s.
 class Scene {
  public:
-  explicit Scene(Frame frame = {}) : frame_(frame) {
+  explicit Scene(Frame frame = {}, int threads = 1) : frame_(frame), buffers_(threads) {
     Settings& s = model.settings;
     s.max_blocks = 1000000;
     s.max_corners = 100;
