@@ -116,7 +116,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"times of the program, alone and against other codes"};
+  CLI::App app{"times of the program, alone and against other codes", "./go bench"};
   Options options;
   std::string what = "parts to run, all if none is named:";
   for (const Part& part : parts())
@@ -133,7 +133,10 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0)
+      return app.exit(error);
+    fmt::print(stderr, "blocks: error: {}; --help shows the options\n", error.what());
+    return 2;
   }
   for (const std::string& name : options.parts)
     if (std::none_of(parts().begin(), parts().end(),

@@ -38,7 +38,7 @@ class Search : public Contestant {
 
 const std::vector<Part>& parts() {
   static const std::vector<Part> all = {
-      {"wall", "a wall of bricks at rest, against other codes", run_wall},
+      {"wall", "a wall of bricks that settles, against other codes", run_wall},
       {"pile", "a pile of random polygons, against other codes", run_pile},
       {"decks", "whole runs of the subsidence and crater decks", run_decks},
       {"search", "the search for potential contacts alone", run_search},
@@ -86,7 +86,7 @@ void run_generation(const Plan& plan, Report& report) {
   double worst = 0.0;
   for (int power = plan.smallest; power <= plan.largest; ++power) {
     const int blocks = static_cast<int>(std::lround(std::pow(10.0, power)));
-    announce(fmt::format("generation, {} blocks", blocks));
+    announce("generation, " + grouped(blocks) + " blocks");
     for (const int in_layer :
          blocks > 1000 ? std::vector{1000, blocks} : std::vector{blocks})
       for (const bool slanted : {false, true}) {
@@ -98,8 +98,9 @@ void run_generation(const Plan& plan, Report& report) {
           all.push_back(cost.all);
           certificate.push_back(cost.certificate);
         }
-        const std::string scene = fmt::format("{} {}of {} blocks", blocks / in_layer,
-                                              slanted ? "slanted " : "", in_layer);
+        const std::string scene =
+            fmt::format("{} of {} blocks{}", grouped(blocks / in_layer),
+                        grouped(in_layer), slanted ? ", slanted" : "");
         report.rows.push_back({"generation", scene, "all", 1,
                                static_cast<double>(blocks), "block", median(all)});
         report.rows.push_back({"generation", scene, "certificate alone", 1,

@@ -1,6 +1,4 @@
 // The wall and the pile: the program's time loop and other codes on the same scene.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -84,7 +82,7 @@ void compare_sizes(const Plan& plan, int power, Report& report) {
   small.run(10);
   BlocksCode large(wall_of_power(power));
   large.run(10);
-  const auto times = take_turns({&small, &large}, plan.rounds, plan.seconds);
+  const auto times = take_equal_turns({&small, &large}, plan.rounds, 4);
   const Ratio growth = ratio(times[0], times[1]);
   report.rows.push_back({"wall", bricks(power), large.name(), 1, large.work_per_step(),
                          "block-step", times[1].middle(), growth, small.name()});
@@ -130,7 +128,7 @@ void run_wall(const Plan& plan, Report& report) {
 }
 
 void run_pile(const Plan& plan, Report& report) {
-  announce(fmt::format("pile of {} polygons", plan.polygons));
+  announce("pile of " + grouped(plan.polygons) + " polygons");
   BlocksCode ours(loose_pile(plan.polygons));
   const Model& model = ours.model();
   while (model.time < 1.5)  // [T], the layers fall less than 3 [L]

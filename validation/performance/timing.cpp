@@ -29,6 +29,22 @@ long steps_for(Contestant& code, double seconds) {
   }
 }
 
+std::vector<Times> take_turns(const std::vector<Contestant*>& codes, int rounds,
+                              const std::vector<long>& steps) {
+  std::vector<Times> times(codes.size());
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    times[i].steps = steps[i];
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t turn = 0; turn < codes.size(); ++turn) {
+      const std::size_t i = round % 2 == 0 ? turn : codes.size() - 1 - turn;
+      const double taken = seconds_of_run(*codes[i], times[i].steps);
+      times[i].nanoseconds.push_back(
+          1e9 * taken /
+          (codes[i]->work_per_step() * static_cast<double>(times[i].steps)));
+    }
+  return times;
+}
+
 }  // namespace
 
 double seconds_of_run(Contestant& code, long steps) {
@@ -55,18 +71,15 @@ Ratio ratio(const Times& first, const Times& second) {
 
 std::vector<Times> take_turns(const std::vector<Contestant*>& codes, int rounds,
                               double seconds) {
-  std::vector<Times> times(codes.size());
-  for (std::size_t i = 0; i < codes.size(); ++i)
-    times[i].steps = steps_for(*codes[i], seconds);
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t turn = 0; turn < codes.size(); ++turn) {
-      const std::size_t i = round % 2 == 0 ? turn : codes.size() - 1 - turn;
-      const double taken = seconds_of_run(*codes[i], times[i].steps);
-      times[i].nanoseconds.push_back(
-          1e9 * taken /
-          (codes[i]->work_per_step() * static_cast<double>(times[i].steps)));
-    }
-  return times;
+  std::vector<long> steps;
+  for (Contestant* code : codes)
+    steps.push_back(steps_for(*code, seconds));
+  return take_turns(codes, rounds, steps);
+}
+
+std::vector<Times> take_equal_turns(const std::vector<Contestant*>& codes, int rounds,
+                                    long steps) {
+  return take_turns(codes, rounds, std::vector<long>(codes.size(), steps));
 }
 
 }  // namespace blocks::bench

@@ -33,4 +33,8 @@ Ratio ratio(const Times& first, const Times& second);
 std::vector<Times> take_turns(const std::vector<Contestant*>& codes, int rounds,
                               double seconds);
 
+/// The same with so many steps in every turn: for costs that depend on the step.
+std::vector<Times> take_equal_turns(const std::vector<Contestant*>& codes, int rounds,
+                                    long steps);
+
 }  // namespace blocks::bench

@@ -1,4 +1,4 @@
-// The scene by which speed is measured: a brick wall at rest.
+// The scene by which speed is measured: a brick wall.
 #pragma once
 
 #include "model/model.hpp"
