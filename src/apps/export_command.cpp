@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 #include "exchange/block_record.hpp"
@@ -115,11 +116,12 @@ bool is_series(const std::string& format) { return format == "pvd" || format == 
 void write_series(const ExportOptions& options, const std::string& format,
                   const post::ResultsReader& results) {
   std::vector<long> frames;
-  if (options.time)
+  if (options.time) {
     frames.push_back(results.at(*options.time));
-  else
-    for (long i = 0; i < results.frames(); ++i)
-      frames.push_back(i);
+  } else {
+    frames.resize(static_cast<std::size_t>(results.frames()));
+    std::iota(frames.begin(), frames.end(), 0L);
+  }
   const post::SeriesFiles files =
       format == "pvd" ? post::write_pvd(options.output, results, frames)
                       : post::write_csv(options.output, results, frames);

@@ -63,6 +63,7 @@ std::vector<long> chosen_frames(const post::ResultsReader& results,
                                 const PlotOptions& options) {
   if (!options.times.empty()) {
     std::vector<long> frames;
+    frames.reserve(options.times.size());
     for (const double time : options.times)
       frames.push_back(results.at(time));
     return frames;

@@ -12,6 +12,7 @@ namespace {
 
 std::string block_rows(const Frame& now, const Frame& first) {
   std::vector<Eigen::VectorXd> columns;
+  columns.reserve(quantity_kinds().size());
   for (const QuantityKind& kind : quantity_kinds())
     columns.push_back(kind.values(now, first));
   std::string text;

@@ -18,8 +18,6 @@
 #include "post/figure_page.hpp"
 #include "post/page_file.hpp"
 
-extern char** environ;
-
 namespace blocks::post {
 namespace {
 
@@ -42,6 +40,7 @@ class Encoder {
     posix_spawnattr_setsigdefault(&attributes, &usual);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
     std::vector<char*> words;
+    words.reserve(arguments.size() + 1);
     for (std::string& word : arguments)
       words.push_back(word.data());
     words.push_back(nullptr);
@@ -147,7 +146,9 @@ void draw_movie(const std::string& path, const ResultsReader& results,
     throw std::runtime_error("a movie has 0.1 to 100 pictures a second");
   const FigureScales scales = survey_scales(results, frames, options);
   const FigurePage page(1, results.title(), scales, options);
-  const auto even = [](double size) { return 2 * static_cast<int>(size / 2 + 0.5); };
+  const auto even = [](double size) {
+    return 2 * static_cast<int>(std::lround(size / 2));
+  };
   const int width = even(options.width),
             height = even(options.width / Pen::page * page.height());
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
