@@ -51,8 +51,9 @@ std::vector<std::string> remembered(const WhyScene& scene,
 double deepest(const WhyReport& report, const audit::ExactRules& rules) {
   double depth = 0.0;
   for (const audit::Decision& decision : report.decisions)
-    if (decision.acting >= 0)
-      depth = std::max(depth, rules.overlap(decision.corner, decision.acting));
+    for (const int edge : {decision.acting, decision.notch})
+      if (edge >= 0)
+        depth = std::max(depth, rules.overlap(decision.corner, edge));
   return depth;
 }
 
@@ -183,6 +184,7 @@ std::string json(const WhyReport& report, const WhyScene& scene,
                      {"against", decision.block + 1},
                      {"inside", decision.inside},
                      {"acting", edge_number(blocks, decision.acting)},
+                     {"acting_across_notch", edge_number(blocks, decision.notch)},
                      {"nearest", edge_number(blocks, decision.nearest)},
                      {"next", edge_number(blocks, decision.next)},
                      {"shield", shield(blocks, decision)},

@@ -188,6 +188,23 @@ bool ExactRules::crosses(int corner, int edge, int beyond) const {
          near_or_inside(far, side) && !near_or_inside(vertex, side);
 }
 
+/// The edge acts for the sake of a crossing. beyond: the only edge of a convex block
+/// that the corner is outside of; of another block each neighbour of the edge is asked.
+bool ExactRules::admits_crossing(int corner, int edge, int beyond) const {
+  if (!within_depth(corner, edge) || !faces(corner, blocks_.previous[corner], edge) ||
+      !faces(corner, blocks_.next[corner], edge))
+    return false;
+  if (blocks_.convex[blocks_.corner_block[edge]])
+    return beyond >= 0 && crosses(corner, edge, beyond);
+  if (!near_or_inside(corner, edge))
+    return false;
+  const int before = blocks_.previous[edge], after = blocks_.next[edge];
+  return (!turns_inwards(edge) && !near_or_inside(corner, before) &&
+          crosses(corner, edge, before)) ||
+         (!turns_inwards(after) && !near_or_inside(corner, after) &&
+          crosses(corner, edge, after));
+}
+
 bool ExactRules::admits(int corner, int edge) const {
   return within_depth(corner, edge) &&
          (blocks_.convex[blocks_.corner_block[edge]] ||
@@ -201,18 +218,29 @@ int ExactRules::compare_depth(int corner, int edge, int other) const {
                             length2(other));
 }
 
+/// Less deep; in a notch that is below the deeper one of both edges.
+bool ExactRules::comes_before(int corner, int edge, int other) const {
+  const auto deeper = [&](int e) {
+    if (blocks_.convex[blocks_.corner_block[e]])
+      return e;
+    const int f = across_notch(corner, e);
+    return f >= 0 && compare_depth(corner, f, e) > 0 ? f : e;
+  };
+  return compare_depth(corner, deeper(edge), deeper(other)) < 0;
+}
+
 /// Of edges equally deep the first in the order of the block comes first.
 ExactRules::Two ExactRules::nearest_edges(int corner, int block,
                                           const Place& place) const {
   Two found;
-  if (!place.inside && place.beyond < 0)
+  if (!place.inside && place.beyond < 0 && blocks_.convex[block])
     return found;
   for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
-    if (!admits(corner, e) || (!place.inside && !crosses(corner, e, place.beyond)))
+    if (place.inside ? !admits(corner, e) : !admits_crossing(corner, e, place.beyond))
       continue;
-    if (found.nearest < 0 || compare_depth(corner, e, found.nearest) < 0)
+    if (found.nearest < 0 || comes_before(corner, e, found.nearest))
       found.next = found.nearest, found.nearest = e;
-    else if (found.next < 0 || compare_depth(corner, e, found.next) < 0)
+    else if (found.next < 0 || comes_before(corner, e, found.next))
       found.next = e;
   }
   return found;
@@ -224,8 +252,7 @@ Decision ExactRules::decide(int corner, int block) const {
   const Place where = place(corner, block);
   const Two edges = nearest_edges(corner, block, where);
   decision.inside = where.inside;
-  if (edges.nearest >= 0)
-    decision.crossed = where.beyond;
+  decision.crossing = !where.inside && edges.nearest >= 0;
   decision.nearest = edges.nearest, decision.next = edges.next;
   if (edges.nearest < 0 || sign(area2(corner, edges.nearest)) <= 0)
     return decision;
@@ -286,8 +313,7 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   story.facing_before = faces(corner, blocks_.previous[corner], edge);
   story.facing_after = faces(corner, blocks_.next[corner], edge);
   story.admissible =
-      admits(corner, edge) &&
-      (where.inside || (where.beyond >= 0 && crosses(corner, edge, where.beyond)));
+      where.inside ? admits(corner, edge) : admits_crossing(corner, edge, where.beyond);
   return story;
 }
 

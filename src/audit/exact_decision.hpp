@@ -45,7 +45,8 @@ struct Shield {
 struct Decision {
   int corner = 0, block = 0;
   bool inside = false;  ///< the corner is inside the block, up to the slack
-  int crossed = -1;  ///< outside of this edge only, which a side of its block crosses
+  /// It is outside, but a side of its block crosses a side beside the nearest edge.
+  bool crossing = false;
   int nearest = -1, next = -1;  ///< admissible edges with the least depths
   Shield shield;
   int acting = -1;
@@ -104,7 +105,9 @@ class ExactRules {
   bool spans(int corner, int edge) const;
   int across_notch(int corner, int edge) const;
   bool crosses(int corner, int edge, int beyond) const;
+  bool admits_crossing(int corner, int edge, int beyond) const;
   int compare_depth(int corner, int edge, int other) const;
+  bool comes_before(int corner, int edge, int other) const;
   Two nearest_edges(int corner, int block, const Place& place) const;
 
   double reach_of(int block) const;

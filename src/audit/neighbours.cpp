@@ -15,8 +15,16 @@ std::vector<std::vector<int>> blocks_near_corners(const Blocks& blocks, double r
   for (int b = 0; b < blocks.size(); ++b) {
     const auto corners =
         blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
-    const Vec2 low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
+    Vec2 low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
     const double more = reach + 0.01 * (high - low).sum();
+    // and all that lies straight below an edge, as deep as the block's deepest corner
+    for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
+      const Vec2 p = blocks.corner.col(e), q = blocks.corner.col(blocks.next[e]);
+      const Vec2 inwards = Vec2((q - p).y(), -(q - p).x()).normalized();
+      const double deep = (inwards.transpose() * (corners.colwise() - p)).maxCoeff();
+      for (const Vec2& end : {Vec2(p + deep * inwards), Vec2(q + deep * inwards)})
+        low = low.cwiseMin(end), high = high.cwiseMax(end);
+    }
     auto at = std::lower_bound(by_x.begin(), by_x.end(), low.x() - more,
                                [&](int c, double limit) { return x(c) < limit; });
     for (; at != by_x.end() && x(*at) <= high.x() + more; ++at) {

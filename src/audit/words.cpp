@@ -93,7 +93,7 @@ std::string verdict(const ExactRules& rules, const Decision& decision,
   const Blocks& blocks = rules.blocks();
   if (edge.edge == decision.notch)
     return "the other edge of the notch, acts";
-  if (edge.edge == decision.acting && decision.crossed >= 0)
+  if (edge.edge == decision.acting && decision.crossing)
     return "a side of the corner's block crosses the next edge, acts";
   if (edge.edge == decision.acting)
     return edge.edge == decision.nearest ? "nearest of those admitted, acts"
@@ -126,7 +126,7 @@ std::vector<std::string> story(const ExactRules& rules, const Decision& decision
   if (!decision.inside) {
     lines.push_back(blocks.convex[b] ? outside(rules, c, b)
                                      : fmt::format("it is outside block {}", b + 1));
-    if (decision.crossed < 0)
+    if (!decision.crossing)
       return lines;
   } else if (blocks.convex[b])
     lines.push_back(fmt::format(

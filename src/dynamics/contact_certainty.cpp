@@ -108,22 +108,40 @@ double roundoff(const Blocks& blocks, int corner, int block) {
                     blocks.centroid.col(block).lpNorm<Eigen::Infinity>());
 }
 
+/// Distance of a point from the segment from p by `along`.
+double distance(const Vec2& point, const Vec2& p, const Vec2& along) {
+  const double s = std::clamp((point - p).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - p - s * along).norm();
+}
+
+/// Distance of two edges; 0 where they cross.
+double distance_of_edges(const Blocks& blocks, int e, int f) {
+  const Vec2 p = blocks.corner.col(e), q = blocks.corner.col(f);
+  const Vec2 p2 = blocks.corner.col(blocks.next[e]);
+  const Vec2 q2 = blocks.corner.col(blocks.next[f]);
+  const auto side = [&](const Vec2& point, const Vec2& from, const Vec2& to) {
+    return geometry::overlap_sign(point, from, to);
+  };
+  if (side(p, q, q2) != side(p2, q, q2) && side(q, p, p2) != side(q2, p, p2))
+    return 0.0;
+  return std::min({distance(p, q, q2 - q), distance(p2, q, q2 - q),
+                   distance(q, p, p2 - p), distance(q2, p, p2 - p)});
+}
+
 /// Relative motion that certainly passes before a corner outside of a block of any
-/// shape is as near to it as the slack, or 0. Every point of an edge moves by less than
-/// the farther of its ends.
+/// shape is as near to it as the slack, or one of its own edges crosses it; or 0. Every
+/// point of an edge moves by less than the farther of its ends.
 double travel_before_outline(const Blocks& blocks, int corner, int block) {
   const Vec2 c = blocks.corner.col(corner);
   if (ReentrantBlock<ExactRules>(blocks, block).holds(c))
     return 0.0;
-  double nearest = std::numeric_limits<double>::max();
+  double nearest = std::numeric_limits<double>::max(), longest = 0.0;
   for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
-    const EdgeView view(blocks, corner, e);
-    const double square = view.length * view.length;
-    const double s = std::clamp(view.from_first.dot(view.along) / square, 0.0, 1.0);
-    nearest = std::min(nearest, 0.8 * (view.from_first - s * view.along).norm() -
-                                    16.0 * geometry::contact_slack * view.length);
+    longest = std::max(longest, EdgeView(blocks, corner, e).length);
+    for (const int own : {corner, blocks.previous[corner]})
+      nearest = std::min(nearest, distance_of_edges(blocks, own, e));
   }
-  return nearest;
+  return std::max(0.0, 0.8 * nearest - 16.0 * geometry::contact_slack * longest);
 }
 
 /// side_travel of the edge that the corner is farthest out of, or least far inside, and

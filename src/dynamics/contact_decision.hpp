@@ -169,14 +169,36 @@ template <class Rules> class ContactDecision {
            faces(c, edge);
   }
 
-  /// Whether an edge acts on a corner that is outside of nothing but one of its
-  /// neighbours, which a side of the corner's block crosses.
+  /// Whether an edge acts on a corner that is outside of the block, but only for a side
+  /// `out` beside that edge, which a side of the corner's block crosses.
   bool acts_beside_crossing(int c, int edge, int out) const {
     if (out != blocks_.next[edge] && out != blocks_.previous[edge])
       return false;
-    return Rules::between(at(c), at(edge), end(edge)) &&
-           admissible(c, edge, blocks_.corner_block[edge]) &&
-           sides_cross<Rules>(blocks_, {blocks_, c, edge, out == blocks_.next[edge]});
+    const bool after = out == blocks_.next[edge];
+    const int block = blocks_.corner_block[edge];
+    const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
+    if (!Rules::between(corner, p1, p2) || !faces(c, edge))
+      return false;
+    if (reentrant(block)) {  // where all other edges have not been asked
+      const ReentrantBlock<Rules> whole(blocks_, block);
+      if (whole.turns_inwards(after ? out : edge) ||
+          Rules::inside_edge(corner, at(out), end(out)) ||
+          !Rules::inside_edge(corner, p1, p2) || !whole.within_depth(corner, edge))
+        return false;
+    } else if (!Rules::within_depth(corner, blocks_.centroid.col(block), p1, p2)) {
+      return false;
+    }
+    return sides_cross<Rules>(blocks_, {blocks_, c, edge, after});
+  }
+
+  /// Whether the edge may act on a corner that outside_of has found here.
+  bool may_act(int c, int edge, int block, int out) const {
+    if (out == none)
+      return admissible(c, edge, block);
+    if (out != several)
+      return acts_beside_crossing(c, edge, out);
+    return acts_beside_crossing(c, edge, blocks_.previous[edge]) ||
+           acts_beside_crossing(c, edge, blocks_.next[edge]);
   }
 
   bool nearer(int c, int edge, int other) const {
@@ -191,14 +213,21 @@ template <class Rules> class ContactDecision {
       out = outside_of(at(c), block);
     else if (reentrant(block) && !ReentrantBlock<Rules>(blocks_, block).holds(at(c)))
       out = several;
-    if (out == several)
+    if (out == several && !reentrant(block))
       return found;
+    // in a notch a corner is as deep as below the deeper of both edges
+    const auto depth_edge = [&](int i) {
+      const int e = contacts_.edge[i];
+      if (!reentrant(block))
+        return e;
+      const int f = ReentrantBlock<Rules>(blocks_, block).across_notch(at(c), e);
+      return f >= 0 && nearer(c, e, f) ? f : e;
+    };
     const auto precedes = [&](int i, int other) {
-      return other < 0 || nearer(c, contacts_.edge[i], contacts_.edge[other]);
+      return other < 0 || nearer(c, depth_edge(i), depth_edge(other));
     };
     for (int i = group.first; i < group.last; ++i) {
-      const int e = contacts_.edge[i];
-      if (out == none ? !admissible(c, e, block) : !acts_beside_crossing(c, e, out))
+      if (!may_act(c, contacts_.edge[i], block, out))
         continue;
       if (precedes(i, found.record))
         found.next = found.record, found.record = i;

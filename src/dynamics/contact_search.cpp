@@ -51,11 +51,12 @@ void find_near_corners(const Model& model, SearchBuffers& buffers) {
     for (int e = first; e < first + count; ++e)
       buffers.reach.emplace_back(blocks, b, e, travel);
     const auto corners = blocks.corner.middleCols(first, count);
-    const Vec2 least = corners.rowwise().minCoeff(),
-               most = corners.rowwise().maxCoeff();
+    Vec2 lower = corners.rowwise().minCoeff(), upper = corners.rowwise().maxCoeff();
     // no edge is longer than the two extents together
-    const double near = travel + geometry::contact_slack * (most - least).sum();
-    const Vec2 lower = least.array() - near, upper = most.array() + near;
+    const double near = travel + geometry::contact_slack * (upper - lower).sum();
+    for (const Reach& reach : buffers.reach)
+      reach.extend(lower, upper);
+    lower.array() -= near, upper.array() += near;
     buffers.grid.visit(lower, upper, [&](int c) {
       const int other = blocks.corner_block[c];
       if (other == b || (!blocks.is_free(b) && !blocks.is_free(other)))

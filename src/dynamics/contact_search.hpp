@@ -38,6 +38,13 @@ struct Reach {
   }
   /// Overlap with the edge's line, [L].
   double overlap(const Vec2& c) const { return geometry::cross(c - origin, along); }
+  /// Grows the box until it holds all that lies straight below the edge as deep as it
+  /// may act: where sides cross, that is beyond the block.
+  void extend(Vec2& lower, Vec2& upper) const {
+    const Vec2 below = origin + depth * Vec2(along.y(), -along.x());
+    for (const Vec2& end : {below, Vec2(below + length * along)})
+      lower = lower.cwiseMin(end), upper = upper.cwiseMax(end);
+  }
   /// In the strip of the edge, `near` beyond its ends (rule 10).
   bool between(const Vec2& c) const {
     const double s = (c - origin).dot(along);

@@ -65,6 +65,11 @@ template <class Rules> class ReentrantBlock {
     return -1;
   }
 
+  bool turns_inwards(int corner) const {
+    return Rules::overlap_sign(end(corner), at(blocks_.previous[corner]), at(corner)) <
+           0;
+  }
+
   /// The point that is half as deep below the edge as corner q, as stored.
   static Vec2 halfway(const Blocks& blocks, int edge, int q) {
     return 0.5 * (Vec2(blocks.corner.col(q)) + Vec2(blocks.corner.col(edge)));
@@ -76,10 +81,6 @@ template <class Rules> class ReentrantBlock {
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 end(int edge) const { return at(blocks_.next[edge]); }
 
-  bool turns_inwards(int corner) const {
-    return Rules::overlap_sign(end(corner), at(blocks_.previous[corner]), at(corner)) <
-           0;
-  }
   bool on_edge(const Vec2& c, const Vec2& p1, const Vec2& p2) const {
     return Rules::inside_edge(c, p1, p2) && Rules::inside_edge(c, p2, p1) &&
            Rules::between(c, p1, p2);

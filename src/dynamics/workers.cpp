@@ -3,8 +3,8 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Looks at it for some microseconds, then lets others run, then sleeps: the phases of a
-/// step follow each other faster than a thread wakes up, but cores may be few.
+/// Looks at it for some microseconds, then lets others run, then sleeps: the phases of
+/// a step follow each other faster than a thread wakes up, but cores may be few.
 template <class Number, class Done>
 Number wait_for(const std::atomic<Number>& number, const Done& done) {
   for (int i = 0; i < 600; ++i) {
