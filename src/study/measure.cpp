@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 #include "dynamics/step.hpp"
@@ -28,18 +29,32 @@ double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
          0.5 * model.plane_contacts.normal_elastic.square().sum() / s.normal_stiffness;
 }
 
-/// Two blocks share more than this part of the smaller one: one has come through.
+/// Two blocks have come to share more than this part of the smaller one: one has come
+/// through.
 constexpr double most_shared = 0.02;
 
-bool passes_through(const Blocks& blocks) {
+/// Areas that pairs of blocks share, of pairs not both fixed.
+std::map<std::pair<int, int>, double> shared_areas(const Blocks& blocks) {
   std::vector<geometry::Polygon> outlines;
   for (int b = 0; b < blocks.size(); ++b)
     outlines.push_back(blocks.outline(b));
+  std::map<std::pair<int, int>, double> areas;
   for (const geometry::BlockOverlap& pair : geometry::overlapping_pairs(outlines))
-    if ((blocks.is_free(pair.first) || blocks.is_free(pair.second)) &&
-        pair.area >
-            most_shared * std::min(blocks.area[pair.first], blocks.area[pair.second]))
+    if (blocks.is_free(pair.first) || blocks.is_free(pair.second))
+      areas[{pair.first, pair.second}] = pair.area;
+  return areas;
+}
+
+/// What two blocks share at the start is the scene's.
+bool passes_through(const Blocks& blocks,
+                    const std::map<std::pair<int, int>, double>& at_start) {
+  for (const auto& [pair, area] : shared_areas(blocks)) {
+    const auto before = at_start.find(pair);
+    const double more = area - (before == at_start.end() ? 0.0 : before->second);
+    if (more >
+        most_shared * std::min(blocks.area[pair.first], blocks.area[pair.second]))
       return true;
+  }
   return false;
 }
 
@@ -50,10 +65,14 @@ Key key(const Contacts& contacts, int i) {
   return {std::min(a, b), std::max(a, b), contacts.corner[i], contacts.edge[i]};
 }
 
-/// The default rules on a list of their own, at the positions of another run.
+/// The default rules on a list of their own, at the positions of another run. The list
+/// reaches twice as far and is found without boxes.
 class ExactJudge {
  public:
-  explicit ExactJudge(const Model& model) : shadow_(model) {}
+  explicit ExactJudge(const Model& model) : shadow_(model) {
+    shadow_.settings.contact_tolerance *= 2.0;
+    shadow_.settings.boxes_x = shadow_.settings.boxes_y = 1;
+  }
 
   /// Decides where the blocks stand.
   void decide(const Model& model) {
@@ -198,6 +217,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
   const double energy_at_start = total_energy(model, start);
+  const auto shared_at_start = shared_areas(model.blocks);
   double worst_energy = 0.0;
   Pace pace(scene, frame);
   const bool leads = trace.empty(), follows = variant.corners == Corners::sharp;
@@ -225,7 +245,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
     worst_energy =
         std::max(worst_energy, scene.conservative ? std::abs(change) : change);
     if ((k + 1) % ((steps + 3) / 4) == 0 || k + 1 == steps)
-      outcome.fell_through |= passes_through(model.blocks);
+      outcome.fell_through |= passes_through(model.blocks, shared_at_start);
   }
   judge_end(scene, frame, model, start, steps, outcome);
   // masses are those of the scene, so energies grow with the square of the lengths
