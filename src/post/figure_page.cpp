@@ -46,8 +46,9 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
 }
 
 Axes FigurePage::axes(std::size_t i) const {
+  const std::size_t whole_rows = i / columns_;
   const auto column = static_cast<double>(i % columns_);
-  const auto row = static_cast<double>(i / columns_);
+  const auto row = static_cast<double>(whole_rows);
   Axes result(scales_.view, left + column * (width_ + gap), top, width_);
   if (count_ > 1)
     result.top += heading + row * (result.height + heading);

@@ -171,7 +171,7 @@ class SceneDrawing {
   void corner_numbers(const Outline& outline, double letter, const Colour& c) {
     const std::size_t n = outline.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const Eigen::Vector2d at = outline[i];
+      const Eigen::Vector2d& at = outline[i];
       const Eigen::Vector2d inwards = (outline[(i + 1) % n] - at).normalized() +
                                       (outline[(i + n - 1) % n] - at).normalized();
       const Eigen::Vector2d step = 1.2 * letter * inwards.normalized();
