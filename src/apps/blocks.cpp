@@ -217,6 +217,7 @@ int dispatch(int argc, char** argv) {
   run->add_option("-j,--threads", options.threads,
                   "threads (default: all cores); results do not change")
       ->check(CLI::Range(1, 1024));
+  run->add_flag("--profile", options.profile, "tell at the end where the time went");
   run->add_flag("--audit{100}", options.audit_every,
                 "every 100 steps, or every N with --audit=N, judge the contacts by "
                 "exact brute force; exit 4 on a wrong decision")

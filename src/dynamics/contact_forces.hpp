@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dynamics/contact_groups.hpp"
+#include "dynamics/profile.hpp"
 #include "dynamics/workers.hpp"
 #include "model/model.hpp"
 
@@ -14,7 +15,8 @@ namespace blocks::dynamics {
 /// blocks' swing; writes contacts, the groups' decisions, blocks.force, .moment,
 /// .applied.
 Extremes add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                            const Settings& settings, double dt, Workers& workers);
+                            const Settings& settings, double dt, Workers& workers,
+                            Profile* profile = nullptr);
 
 /// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

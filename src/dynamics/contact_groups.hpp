@@ -135,6 +135,7 @@ struct ContactGroups {
     std::vector<LostForce> lost;
     bool live_complete = true;
     Extremes extremes;
+    unsigned long long exact_calls = 0;
   };
   std::vector<Share> shares;  ///< (threads)
 

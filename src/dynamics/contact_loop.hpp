@@ -11,6 +11,7 @@
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_handover.hpp"
 #include "dynamics/contact_lanes.hpp"
+#include "dynamics/profile.hpp"
 #include "dynamics/workers.hpp"
 
 namespace blocks::dynamics {
@@ -34,6 +35,24 @@ inline void release(Contacts& contacts, std::vector<LostForce>& lost, int g, int
   contacts.normal_force[i] = contacts.shear_force[i] = 0.0;
   contacts.overlap[i] = 0.0;
 }
+
+/// Counts what this thread leaves to exact arithmetic during its life.
+class ExactCalls {
+ public:
+  ExactCalls(const Profile* profile, ContactGroups::Share& share)
+      : share_(profile != nullptr ? &share : nullptr),
+        before_(share_ != nullptr ? geometry::exact::calls() : 0) {}
+  ~ExactCalls() {
+    if (share_ != nullptr)
+      share_->exact_calls += geometry::exact::calls() - before_;
+  }
+  ExactCalls(const ExactCalls&) = delete;
+  ExactCalls& operator=(const ExactCalls&) = delete;
+
+ private:
+  ContactGroups::Share* share_;
+  unsigned long long before_;
+};
 
 /// Which record of group g acts, or which two of a notch, and for how long that is
 /// known.
@@ -250,19 +269,26 @@ inline void gather(Blocks& blocks, const ContactGroups& groups, int first, int l
 template <class Rules>
 Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
                                ContactGroups& groups, const Settings& settings,
-                               double dt, Workers& workers) {
+                               double dt, Workers& workers,
+                               Profile* profile = nullptr) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   const int pairs = static_cast<int>(groups.pairs.size());
-  workers.each(pairs, pairs_per_thread, [&](int part, int first, int last) {
-    detail::renew_decisions<Rules>(blocks, contacts, groups, first, last,
-                                   groups.shares[part]);
-  });
-  groups.join_shares();
-  if (!groups.live_complete)
-    groups.list_live(blocks, contacts);
+  {
+    const Profile::Timer timer(profile, Profile::decisions);
+    workers.each(pairs, pairs_per_thread, [&](int part, int first, int last) {
+      const detail::ExactCalls calls(profile, groups.shares[part]);
+      detail::renew_decisions<Rules>(blocks, contacts, groups, first, last,
+                                     groups.shares[part]);
+    });
+    groups.join_shares();
+    if (!groups.live_complete)
+      groups.list_live(blocks, contacts);
+  }
+  const Profile::Timer timer(profile, Profile::forces);
   const int live = static_cast<int>(groups.live.size());
   workers.each(live, live_per_thread, [&](int part, int first, int last) {
+    const detail::ExactCalls calls(profile, groups.shares[part]);
     detail::measure<Rules>(blocks, contacts, groups, first, last,
                            groups.shares[part].lost);
   });
@@ -281,6 +307,9 @@ Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
   for (ContactGroups::Share& share : groups.shares) {
     extremes.include(share.extremes.overlap, share.extremes.spring);
     share.extremes = {};
+    if (profile != nullptr)
+      profile->exact_calls += share.exact_calls;
+    share.exact_calls = 0;
   }
   return extremes;
 }

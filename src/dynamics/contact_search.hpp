@@ -8,6 +8,7 @@
 #include "dynamics/box_grid.hpp"
 #include "dynamics/contact_groups.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/profile.hpp"
 #include "dynamics/workers.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "model/model.hpp"
@@ -58,6 +59,7 @@ struct SearchBuffers {
       : workers(std::make_unique<Workers>(threads)) {}
 
   std::unique_ptr<Workers> workers;
+  Profile* profile = nullptr;  ///< of the run, if it is wanted
   struct Record {
     int low, high;     ///< pair of blocks, lower number first
     int corner, edge;  ///< corner, first corner of the edge

@@ -24,8 +24,10 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   Blocks& blocks = model.blocks;
 
   // 1. potential contacts
-  if (!model.search.current)
+  if (!model.search.current) {
+    const Profile::Timer timer(buffers.profile, Profile::search);
     update_contacts(model, buffers);
+  }
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
     group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups, false,
                    buffers.workers->threads());
@@ -36,7 +38,7 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   clear_forces(blocks);
   const Extremes touching =
       add_contact_forces(blocks, model.contacts, buffers.groups, model.settings,
-                         model.time_step.dt, *buffers.workers);
+                         model.time_step.dt, *buffers.workers, buffers.profile);
   return move(model, buffers, touching);
 }
 
@@ -48,6 +50,7 @@ void clear_forces(Blocks& blocks) {
 
 Displacement move(Model& model, SearchBuffers& buffers,
                   const Extremes& blocks_touching) {
+  const Profile::Timer timer(buffers.profile, Profile::motion);
   Blocks& blocks = model.blocks;
   const Settings& settings = model.settings;
   const double dt = model.time_step.dt;

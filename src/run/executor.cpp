@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "run/interrupt.hpp"
+#include "run/profile_table.hpp"
 
 namespace blocks::run {
 
@@ -45,7 +46,10 @@ Executor::Executor(Model& model, RunFiles& files, Console& console,
                    const RunOptions& options)
     : model_(model), files_(files), console_(console), options_(options),
       buffers_(threads_of(options)), audit_(options.audit_every),
-      exits_told_(model.exits.size()) {}
+      exits_told_(model.exits.size()) {
+  if (options.profile)
+    buffers_.profile = &profile_;
+}
 
 void Executor::resume(const output::Progress& progress) {
   progress_ = progress;
@@ -166,6 +170,7 @@ Outcome Executor::advance(long steps) {
 }
 
 void Executor::output_if_due() {
+  const dynamics::Profile::Timer timer(buffers_.profile, dynamics::Profile::output);
   // Half a step of grace, so that round-off in the sums of dt loses no output.
   const double now = model_.time + 0.5 * model_.time_step.dt;
   const auto due = [&](OutputClock& clock) {
@@ -233,6 +238,16 @@ bool Executor::passes_audit() {
     files_.message(line);
   }
   return verdict.faults.empty();
+}
+
+void Executor::tell_profile() {
+  if (buffers_.profile == nullptr)
+    return;
+  const double whole = std::chrono::duration<double>(Clock::now() - started_).count();
+  console_.clear_progress();
+  for (const std::string& line :
+       profile_table(profile_, whole, steps_made_, model_, buffers_.workers->threads()))
+    console_.note(line);
 }
 
 void Executor::tell_what_remains() const {

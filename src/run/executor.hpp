@@ -43,6 +43,8 @@ class Executor {
   void dump();
   /// A deck in which no time passed is echoed all the same.
   void finish();
+  /// --profile: where the time went.
+  void tell_profile();
 
   /// Keeps a warning that was shown already, for listing and summary.
   void remember(const std::string& message);
@@ -77,6 +79,7 @@ class Executor {
   Console& console_;
   const RunOptions& options_;
   dynamics::SearchBuffers buffers_;
+  dynamics::Profile profile_;
   AuditWatch audit_;
   std::vector<std::string> warnings_;
   std::size_t exits_told_ = 0;

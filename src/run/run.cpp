@@ -294,6 +294,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
                            report.status, model.steps, model.time, report.wall_seconds,
                            job.name + ".out", files.results_path(),
                            files.checkpoint_path(), files.summary_path()));
+  executor.tell_profile();
   if (job.options.json) {
     std::ifstream summary(files.summary_path());
     std::cout << summary.rdbuf() << std::flush;
