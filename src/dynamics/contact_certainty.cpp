@@ -41,16 +41,22 @@ inline double facing_travel(const Blocks& blocks, int c, int neighbour,
 }
 
 /// Positive: the record stays admissible for this travel. Negative: it stays
-/// inadmissible, for the sake of the inequality that fails by most.
-double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i) {
+/// inadmissible, for the sake of an inequality that fails by more than `enough`, or of
+/// that which fails by most.
+double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i,
+                         double enough) {
   const int c = contacts.corner[i];
   const int block = contacts.edge_block[i];
   const EdgeView edge(blocks, c, contacts.edge[i]);
+  double travel = facing_travel(blocks, c, blocks.previous[c], edge);
+  if (travel < -enough)
+    return travel;
+  travel = std::min(travel, facing_travel(blocks, c, blocks.next[c], edge));
+  if (travel < -enough)
+    return travel;
   const Vec2 from_centroid = blocks.corner.col(c) - blocks.centroid.col(block);
   const double depth = geometry::cross(from_centroid, edge.along);
-  return std::min({sign_travel(-depth, edge.length, from_centroid.norm()),
-                   facing_travel(blocks, c, blocks.previous[c], edge),
-                   facing_travel(blocks, c, blocks.next[c], edge)});
+  return std::min(travel, sign_travel(-depth, edge.length, from_centroid.norm()));
 }
 
 /// The corner stays deeper below the edge of record i than below that of record j, and
@@ -84,21 +90,29 @@ double between_travel(const Blocks& blocks, int c, int edge) {
 }
 
 /// The edge beside `side`, of which alone the corner is outside, certainly does not act
-/// for the sake of a crossing (crossing_sides.hpp): one condition fails by this much.
-double no_crossing_travel(const Blocks& blocks, int c, int edge, bool after) {
+/// for the sake of a crossing (crossing_sides.hpp): one condition fails by `enough`, or
+/// by this much.
+double no_crossing_travel(const Blocks& blocks, int c, int edge, bool after,
+                          double enough) {
   const CrossingSides s(blocks, c, edge, after);
   const EdgeView view(blocks, c, edge);
-  return std::max(
-      {side_travel(blocks, s.vertex, s.own), -side_travel(blocks, s.own_far, s.side),
-       -side_travel(blocks, s.vertex_far, s.own), -between_travel(blocks, c, edge),
-       -facing_travel(blocks, c, blocks.previous[c], view),
-       -facing_travel(blocks, c, blocks.next[c], view)});
+  double travel = -facing_travel(blocks, c, blocks.previous[c], view);
+  if (travel < enough)
+    travel = std::max(travel, -facing_travel(blocks, c, blocks.next[c], view));
+  if (travel < enough)
+    travel = std::max(travel, side_travel(blocks, s.vertex, s.own));
+  if (travel < enough)
+    travel = std::max(travel, -between_travel(blocks, c, edge));
+  if (travel < enough)
+    travel = std::max({travel, -side_travel(blocks, s.own_far, s.side),
+                       -side_travel(blocks, s.vertex_far, s.own)});
+  return travel;
 }
 
 /// The same for both neighbours of `side`.
-double no_crossing_beside(const Blocks& blocks, int c, int side) {
-  return std::min(no_crossing_travel(blocks, c, blocks.previous[side], true),
-                  no_crossing_travel(blocks, c, blocks.next[side], false));
+double no_crossing_beside(const Blocks& blocks, int c, int side, double enough) {
+  return std::min(no_crossing_travel(blocks, c, blocks.previous[side], true, enough),
+                  no_crossing_travel(blocks, c, blocks.next[side], false, enough));
 }
 
 /// How much more than relative_motion a difference of two corners may change, [L]: each
@@ -172,11 +186,12 @@ double idle_travel(const Blocks& blocks, const Contacts& contacts,
       return outside;
     const int c = contacts.corner[group.first];
     return std::max(outside,
-                    std::min(-sides.least, no_crossing_beside(blocks, c, sides.edge)));
+                    std::min(-sides.least,
+                             no_crossing_beside(blocks, c, sides.edge, -sides.least)));
   }
-  double travel = std::numeric_limits<double>::max();
+  double travel = EdgeView(blocks, contacts.corner[group.first], sides.edge).length;
   for (int i = group.first; i < group.last && travel > 0.0; ++i)
-    travel = std::min(travel, -admissible_travel(blocks, contacts, i));
+    travel = std::min(travel, -admissible_travel(blocks, contacts, i, travel));
   return std::max(travel, 0.0);
 }
 
@@ -187,11 +202,11 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
   const int c = contacts.corner[i], edge = contacts.edge[i];
   double travel = edge == sides.edge ? sides.next : sides.least;
   if (travel > 0.0)
-    travel = std::min(travel, admissible_travel(blocks, contacts, i));
+    travel = std::min(travel, admissible_travel(blocks, contacts, i, 0.0));
   for (int j = group.first; j < group.last && travel > 0.0; ++j) {
     if (j == i)
       continue;
-    double others = -admissible_travel(blocks, contacts, j);
+    double others = -admissible_travel(blocks, contacts, j, travel);
     if (others < travel)
       others = std::max(others, deeper_travel(blocks, contacts, j, i));
     travel = std::min(travel, others);
@@ -199,25 +214,21 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
   if (travel <= 0.0 || edge != sides.edge || sides.least >= travel)
     return travel;
   // outside of this edge only, it could be a crossing
-  return std::min(travel, std::max(sides.least, no_crossing_beside(blocks, c, edge)));
+  return std::min(travel,
+                  std::max(sides.least, no_crossing_beside(blocks, c, edge, travel)));
 }
 
 Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
                              const ContactGroup& group) {
   const int block = group.edge_block, c = contacts.corner[group.first];
   if (!blocks.convex[block])
-    return {-1, group.acting < 0 ? travel_before_outline(blocks, c, block) : 0.0};
+    return {-1, travel_before_outline(blocks, c, block)};
   const Sides sides(blocks, c, block);
-  Certainty best;
-  if (group.acting < 0) {
-    best.travel = idle_travel(blocks, contacts, group, sides);
-    // far off: not worth a closer look
-    if (best.travel > 0.02 * EdgeView(blocks, c, contacts.edge[group.first]).length)
-      return best;
-  }
+  Certainty best{-1, idle_travel(blocks, contacts, group, sides)};
+  // far off: not worth a closer look
+  if (best.travel > 0.02 * EdgeView(blocks, c, contacts.edge[group.first]).length)
+    return best;
   for (int i = group.first; i < group.last; ++i) {
-    if (group.acting >= 0 && i != group.acting)
-      continue;
     const double travel = candidate_travel(blocks, contacts, group, sides, i);
     if (travel > best.travel)
       best = {i, travel};

@@ -6,8 +6,8 @@
 
 namespace blocks::dynamics {
 
-/// What certainly stands when the group is decided again, group.acting being right now.
-/// Sound, so that results do not depend on it:
+/// What certainly stands for the group, now and when it is decided again; travel 0:
+/// nothing does. Sound, so that results do not depend on it:
 ///
 /// - Differences of two points change by the relative motion u at most, so a product
 ///   (scalar or vector) of two differences of lengths r and s changes by u (r + s) +

@@ -53,10 +53,10 @@ void Swing::start(const Blocks& blocks, bool rigid) {
   per_radian.assign(blocks.size(), 0.0);
   if (!rigid)
     return;
-  // |dx| + |dy| is at most sqrt 2 times the length of the arc
+  // no chord is longer than its arc; a little more for the roots
   for (int c = 0; c < blocks.corners(); ++c) {
     double& most = per_radian[blocks.corner_block[c]];
-    most = std::max(most, 1.4143 * blocks.arm.col(c).norm());
+    most = std::max(most, 1.0001 * blocks.arm.col(c).norm());
   }
 }
 

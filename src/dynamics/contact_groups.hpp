@@ -11,7 +11,7 @@ namespace blocks::dynamics {
 
 /// How far the arms of each block may have turned and strained, beside what its angle
 /// tells: no arm has changed by more than `sum` and `per_radian` times the change of
-/// the angle, taken along both axes together, |dx| + |dy|.
+/// the angle.
 struct Swing {
   std::vector<double> sum;         ///< (n) [L] grows with every step
   std::vector<double> per_radian;  ///< (n) [L] 0: all is in the sum (deformable blocks)
@@ -24,27 +24,32 @@ struct Swing {
 struct RelativePose {
   double x = 0.0, y = 0.0;              ///< [L] between the centroids
   double angle_a = 0.0, angle_b = 0.0;  ///< rad
-  double swing = 0.0;                   ///< [L] of both together
+  double swing_a = 0.0, swing_b = 0.0;  ///< [L]
 };
 
 inline RelativePose relative_pose(const Blocks& blocks, const Swing& swing, int a,
                                   int b) {
   return {blocks.centroid(0, a) - blocks.centroid(0, b),
-          blocks.centroid(1, a) - blocks.centroid(1, b), blocks.angle[a],
-          blocks.angle[b], swing.sum[a] + swing.sum[b]};
+          blocks.centroid(1, a) - blocks.centroid(1, b),
+          blocks.angle[a],
+          blocks.angle[b],
+          swing.sum[a],
+          swing.sum[b]};
 }
 
 /// Bound on how far the two blocks have moved against each other since then: no
 /// difference of two of their corners, or of a corner and a centroid, has changed by
-/// more, [L]. A distance: from one pose to a third never farther than by way of a
-/// second.
+/// more, [L]: two of one block by its arms alone. A distance: from one pose to a third
+/// never farther than by way of a second.
 inline double relative_motion(const Blocks& blocks, const Swing& swing, int a, int b,
                               const RelativePose& since) {
   const RelativePose now = relative_pose(blocks, swing, a, b);
-  return std::abs(now.x - since.x) + std::abs(now.y - since.y) +
-         2.0 * ((now.swing - since.swing) +
-                swing.per_radian[a] * std::abs(now.angle_a - since.angle_a) +
-                swing.per_radian[b] * std::abs(now.angle_b - since.angle_b));
+  const double x = now.x - since.x, y = now.y - since.y;
+  const double arm_a = (now.swing_a - since.swing_a) +
+                       swing.per_radian[a] * std::abs(now.angle_a - since.angle_a);
+  const double arm_b = (now.swing_b - since.swing_b) +
+                       swing.per_radian[b] * std::abs(now.angle_b - since.angle_b);
+  return std::sqrt(x * x + y * y) + 2.0 * (arm_a > arm_b ? arm_a : arm_b);
 }
 
 /// What is known of a group without deciding it again. `travel` [L]: while the two

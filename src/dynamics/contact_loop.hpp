@@ -60,25 +60,33 @@ template <class Rules>
 void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g,
             ContactGroups::Share& share) {
   ContactGroup& group = groups.all[g];
-  const ContactDecision<Rules> decision(blocks, contacts, groups);
-  group.acting = decision.acting_record(group);
-  int other = -1;
-  if (group.reentrant) {
-    other = groups.all[g + 1].acting = decision.notch_record(group, group.acting);
+  const auto release_but = [&](int one, int other) {
+    for (int i = group.first; i < group.last; ++i)
+      if (contacts.active[i] && i != one && i != other)
+        release(contacts, share.lost, g, i);
+  };
+  const auto set_notch = [&](int record) {
+    groups.all[g + 1].acting = record;
     share.live_complete &= groups.set_live(blocks, contacts, g + 1);
-  }
-  for (int i = group.first; i < group.last; ++i)
-    if (contacts.active[i] && i != group.acting && i != other)
-      release(contacts, share.lost, g, i);
-
+  };
   group.certain = {};
   if (Rules::keeps_decisions && group.hopeless == 0) {
     group.certain = certainty(blocks, contacts, group);
     group.pose =
         relative_pose(blocks, groups.swing, group.corner_block, group.edge_block);
-    group.hopeless = group.certain.travel == 0.0 ? 16 : 0;
-  } else if (group.hopeless > 0) {
-    --group.hopeless;
+  }
+  if (group.certain.travel > 0.0) {
+    release_but(group.certain.candidate, -1);
+    if (group.reentrant)
+      set_notch(-1);
+  } else {
+    group.hopeless = group.hopeless == 0 ? 16 : group.hopeless - 1;
+    const ContactDecision<Rules> decision(blocks, contacts, groups);
+    group.acting = decision.acting_record(group);
+    const int other = decision.notch_record(group, group.acting);
+    release_but(group.acting, other);
+    if (group.reentrant)
+      set_notch(other);
   }
   share.live_complete &= groups.set_live(blocks, contacts, g);
 }

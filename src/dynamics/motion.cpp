@@ -121,7 +121,7 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
       const Vec2 corner = centroid + arm;
       const double moved = (corner - blocks.corner.col(c)).squaredNorm();
       if (!settings.rigid)
-        block_swing = std::max(block_swing, (arm - blocks.arm.col(c)).lpNorm<1>());
+        block_swing = std::max(block_swing, (arm - blocks.arm.col(c)).norm());
       blocks.arm.col(c) = arm;
       blocks.corner.col(c) = corner;
       block_largest = std::max(block_largest, moved);
