@@ -21,8 +21,7 @@ Answer one_of(Answer a, Answer b) { return std::max(a, b); }
 }  // namespace
 
 ExactRules::ExactRules(const Blocks& blocks, double reach)
-    : blocks_(blocks), near_(blocks_near_corners(blocks, reach)), slack_(1e-6),
-      hundredth_(0.01) {
+    : blocks_(blocks), near_(blocks_near_corners(blocks, reach)), slack_(1e-6) {
   for (const auto* points : {&blocks.corner, &blocks.centroid})
     for (const double x : points->reshaped())
       lattice_.include(x);
@@ -37,10 +36,6 @@ ExactRules::ExactRules(const Blocks& blocks, double reach)
     corner_.push_back(lattice_(Vec2(blocks.corner.col(c))));
   for (int b = 0; b < blocks.size(); ++b) {
     centroid_.push_back(lattice_(Vec2(blocks.centroid.col(b))));
-    Whole least = length2(blocks.first_corner[b]);
-    for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e)
-      least = std::min(least, length2(e));
-    shortest2_.push_back(least);
   }
 }
 
@@ -173,6 +168,20 @@ int ExactRules::across_notch(int corner, int edge) const {
   return -1;
 }
 
+/// From `from` to `to` the way leads out of the edge (way 1) or into it (-1) by more
+/// than ten degrees: way t.n > sin 10, squared as in `faces`.
+bool ExactRules::steep(int from, int to, int edge, int way) const {
+  const Point t = corner_[to] - corner_[from];
+  const Whole out = -way * cross(t, along(edge));  // |t| |e| t.n
+  if (sign(out) <= 0)
+    return false;
+  const Whole q = length2(edge) * dot(t, t), d2 = out * out;
+  if (4 * d2 >= q)
+    return true;
+  const Whole rest = 3 * q - 4 * d2;
+  return 4 * d2 * rest * rest > q * q * q;
+}
+
 /// The corner is beyond a neighbour f of the edge, and f and the side of the corner's
 /// block that is next to the face on the edge cross: each has one end on either side of
 /// the other.
@@ -185,7 +194,8 @@ bool ExactRules::crosses(int corner, int edge, int beyond) const {
   const int side = after ? blocks_.previous[corner] : corner;
   const int own_far = after ? side : blocks_.next[corner];
   return between(corner, edge) && near_or_inside(own_far, beyond) &&
-         near_or_inside(far, side) && !near_or_inside(vertex, side);
+         near_or_inside(far, side) && !near_or_inside(vertex, side) &&
+         steep(corner, own_far, edge, 1) && steep(vertex, far, edge, -1);
 }
 
 /// The edge acts for the sake of a crossing. beyond: the only edge of a convex block
@@ -317,83 +327,82 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   return story;
 }
 
-// The shield of a closed joint. With d_f = 2A_f / |f| and n the unit normal of e, its
-// questions are signs of a + b / sqrt(c) in whole numbers, so exact as well; the
-// program asks them in doubles, so answers within their rounding are `either`.
+// The shield of a closed joint. The program asks it in doubles; here differences of
+// points are exact before they are rounded, and answers within the rounding of the
+// program's numbers are `either`.
 
-/// A hundredth of the block's shortest edge, [L].
-double ExactRules::reach_of(int block) const {
-  return 0.01 * std::sqrt(lattice_.rounded(shortest2_[block], 2));
+namespace {
+
+/// Whether a number is at least zero, if it may be wrong by this much.
+Answer at_least_zero(double number, double error) {
+  return std::abs(number) <= error ? Answer::either
+         : number > 0.0            ? Answer::yes
+                                   : Answer::no;
 }
 
-/// [L] What doubles may lose in a point pushed off a corner. A coordinate is rounded to
-/// 2^-53 of itself, and so are the handful of products behind the push.
+double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+constexpr double part = 0.01, least_slope = 0.25, least_cosine = 0.95;
+
+}  // namespace
+
+/// The difference of two points, [L].
+Vec2 ExactRules::rounded(const Point& difference) const {
+  return {lattice_.rounded(difference.x, 1), lattice_.rounded(difference.y, 1)};
+}
+
+/// [L] What doubles may lose in a point shifted from a corner. A coordinate is rounded
+/// to 2^-53 of itself, and so are the handful of products behind the shift.
 double ExactRules::roundoff(int corner, int edge) const {
   const Vec2 c = blocks_.corner.col(corner);
-  const double size = std::sqrt(lattice_.rounded(length2(edge), 2)) +
-                      (c - Vec2(blocks_.corner.col(edge))).lpNorm<1>();
-  return 0x1p-49 * (c.lpNorm<1>() + size);
+  const double size =
+      rounded(along(edge)).norm() + (c - Vec2(blocks_.corner.col(edge))).lpNorm<1>();
+  return 0x1p-48 * (c.lpNorm<1>() + size);
 }
 
-/// d_f <= a hundredth of the block's shortest edge.
-Answer ExactRules::within_reach(int corner, int edge, int block) const {
-  if (std::abs(overlap(corner, edge) - reach_of(block)) <= roundoff(corner, edge))
-    return Answer::either;
-  const Whole a = area2(corner, edge) << hundredth_.shift;
-  const Whole limit2 = hundredth_.numerator * hundredth_.numerator * shortest2_[block];
-  return sign(a) <= 0 || a * a <= limit2 * length2(edge) ? Answer::yes : Answer::no;
-}
-
-/// Whether the third block holds, up to the slack, the corner pushed by d_f out of its
-/// nearest edge (way 1) or into it (-1). Edge q of the third block:
-/// 2A_q + eps |q|^2 - way 2A_f (e.q) / (|e| |f|) >= 0.
-Answer ExactRules::holds(int third, int corner, int nearest, int next, int way) const {
-  const Whole depth = way * area2(corner, next);
-  const Whole root2 = length2(nearest) * length2(next);
-  const double root = std::sqrt(lattice_.rounded(length2(nearest), 2)) *
-                      std::sqrt(lattice_.rounded(length2(next), 2));
-  Answer answer = Answer::yes;
+/// The point that lies `shift` from the corner is inside the third block, and below an
+/// edge that runs along the surface by half to twice the depth.
+Answer ExactRules::goes_on(int third, int corner, const Vec2& shift,
+                           const Vec2& surface, double depth, double error) const {
+  Answer inside = Answer::yes, found = Answer::no;
   for (int q = blocks_.first_corner[third]; q < blocks_.first_corner[third + 1]; ++q) {
-    const Whole a = (area2(corner, q) << slack_.shift) + slack_.numerator * length2(q);
-    const Whole b = -(depth * dot(along(nearest), along(q)) << slack_.shift);
-    const double margin =
-        std::ldexp(lattice_.rounded(a, 2) + lattice_.rounded(b, 4) / root,
-                   -static_cast<int>(slack_.shift)) /
-        std::sqrt(lattice_.rounded(length2(q), 2));
-    if (std::abs(margin) <= roundoff(corner, next) + roundoff(corner, nearest)) {
-      answer = both(answer, Answer::either);
-      continue;
-    }
-    // sign of a + b / sqrt(root2)
-    const bool agree = sign(a) * sign(b) >= 0;
-    const bool positive =
-        agree ? sign(a) + sign(b) >= 0 : (a * a * root2 > b * b) == (sign(a) > 0);
-    if (!positive)
-      return Answer::no;
+    const Vec2 edge = rounded(along(q));
+    const double length = edge.norm();
+    const Vec2 from = rounded(corner_[corner] - corner_[q]) + shift;
+    const double below = cross_of(from, edge) / length;
+    const double loss = error + roundoff(corner, q);
+    inside = both(inside, at_least_zero(below, loss));
+    const Answer runs = at_least_zero(edge.dot(surface) / length - least_cosine, 1e-12);
+    const Answer as_deep = both(at_least_zero(below - 0.5 * depth, loss),
+                                at_least_zero(2.0 * depth - below, 2.0 * loss));
+    const Answer shallow = at_least_zero(part * length - depth, loss);
+    found = one_of(found, both(runs, both(as_deep, shallow)));
   }
-  return answer;
+  return both(inside, found);
 }
 
 Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
   Shield shield;
   shield.corner = corner;
+  const Vec2 e = rounded(along(nearest)), f = rounded(along(next));
+  const Vec2 side = e.normalized(), surface = f.normalized();
+  const double error = roundoff(corner, nearest) + roundoff(corner, next);
   shield.depth = overlap(corner, next);
-  shield.reach = reach_of(block);
-  const Answer here = within_reach(corner, next, block);
+  shield.reach = part * f.norm();
+  const double slope = cross_of(side, surface);
+  const Answer here = both(at_least_zero(shield.reach - shield.depth, error),
+                           at_least_zero(std::abs(slope) - least_slope, 1e-12));
   if (here == Answer::no)
     return shield;
+  const Vec2 shift = (overlap(corner, nearest) + shield.depth) / slope * surface;
   for (const int third : near_[corner]) {
     if (third == block || !blocks_.convex[third])
       continue;
-    Answer answer = both(here, within_reach(corner, next, third));
-    if (answer == Answer::no)
-      continue;
-    answer = both(answer, one_of(holds(third, corner, nearest, next, 1),
-                                 holds(third, corner, nearest, next, -1)));
+    const Answer answer = both(here, goes_on(third, corner, shift, surface,
+                                             shield.depth, error / std::abs(slope)));
     if (answer > shield.answer) {
       shield.answer = answer;
       shield.third = third;
-      shield.reach = std::min(reach_of(block), reach_of(third));
     }
   }
   return shield;

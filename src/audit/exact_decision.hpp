@@ -104,16 +104,17 @@ class ExactRules {
   int past(int corner, int edge) const;
   bool spans(int corner, int edge) const;
   int across_notch(int corner, int edge) const;
+  bool steep(int from, int to, int edge, int way) const;
   bool crosses(int corner, int edge, int beyond) const;
   bool admits_crossing(int corner, int edge, int beyond) const;
   int compare_depth(int corner, int edge, int other) const;
   bool comes_before(int corner, int edge, int other) const;
   Two nearest_edges(int corner, int block, const Place& place) const;
 
-  double reach_of(int block) const;
+  Vec2 rounded(const Point& difference) const;
   double roundoff(int corner, int edge) const;
-  Answer within_reach(int corner, int edge, int block) const;
-  Answer holds(int third, int corner, int nearest, int next, int way) const;
+  Answer goes_on(int third, int corner, const Vec2& shift, const Vec2& surface,
+                 double depth, double error) const;
   Shield covered(int corner, int block, int nearest, int next) const;
   Shield partner_covered(int corner, const Two& edges) const;
 
@@ -121,8 +122,7 @@ class ExactRules {
   std::vector<std::vector<int>> near_;
   Lattice lattice_;
   std::vector<Point> corner_, centroid_;
-  std::vector<Whole> shortest2_;  ///< square of each block's shortest edge
-  Dyadic slack_, hundredth_;
+  Dyadic slack_;
 };
 
 }  // namespace blocks::audit

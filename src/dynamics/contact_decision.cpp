@@ -14,12 +14,12 @@ int acting_record(const Blocks& blocks, const Contacts& contacts,
 }
 
 double shield_reach(const Blocks& blocks, int block) {
-  double least = std::numeric_limits<double>::max();
+  double most = 0.0;
   for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e)
-    least = std::min(
-        least,
+    most = std::max(
+        most,
         Vec2(blocks.corner.col(blocks.next[e]) - blocks.corner.col(e)).squaredNorm());
-  return 0.01 * std::sqrt(least);
+  return shielded_part * std::sqrt(most);
 }
 
 }  // namespace blocks::dynamics

@@ -56,8 +56,13 @@ struct ExactRules {
   }
 };
 
-/// How close to an edge of a block a corner can be shielded, [L]: a hundredth of the
-/// block's shortest edge.
+/// Of the shield: the most that a corner is deep below an edge, as a part of its
+/// length; sine of the least angle between the side and the surface; cosine of the
+/// greatest between the surfaces of two blocks, 18 degrees.
+inline constexpr double shielded_part = 0.01, least_slope = 0.25, least_cosine = 0.95;
+
+/// How close to an edge of a block a corner can be shielded at most, [L]: a hundredth
+/// of the block's longest edge.
 double shield_reach(const Blocks& blocks, int block);
 
 /// Decides the groups of one list.
@@ -77,10 +82,9 @@ template <class Rules> class ContactDecision {
   ///
   /// Where a third block shields the nearest edge the next nearest acts: near a closed
   /// joint a corner slides along the surface of both blocks and has not come through
-  /// the joint. The corner is within shield_reach of both edges, and as far out of the
-  /// nearest edge as the next one is deep lies the third block, or as far inwards it
-  /// covers the corner's own flank. Of two corners in each other's blocks, one shielded
-  /// is enough.
+  /// the joint. Beyond the nearest edge, along the next one, lies a third block, and
+  /// the corner would be about as deep below a side of it that runs the same way. Of
+  /// two corners in each other's blocks, one shielded is enough.
   int acting_record(const ContactGroup& group) const {
     const Nearest found = nearest_edges(group);
     if (found.record < 0)
@@ -140,13 +144,6 @@ template <class Rules> class ContactDecision {
       }
     return out;
   }
-  bool inside(const Vec2& point, int block) const {
-    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
-      if (!Rules::inside_edge(point, at(e), end(e)))
-        return false;
-    return true;
-  }
-
   /// (20) for both tangents.
   bool faces(int c, int edge) const {
     const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
@@ -188,7 +185,7 @@ template <class Rules> class ContactDecision {
     } else if (!Rules::within_depth(corner, blocks_.centroid.col(block), p1, p2)) {
       return false;
     }
-    return sides_cross<Rules>(blocks_, {blocks_, c, edge, after});
+    return sides_cross<Rules>(blocks_, {blocks_, c, edge, after}, c, edge);
   }
 
   /// Whether the edge may act on a corner that outside_of has found here.
@@ -237,24 +234,45 @@ template <class Rules> class ContactDecision {
     return found;
   }
 
-  /// Whether a third block shields the nearest edge from this corner itself.
+  /// Whether a third block shields the nearest edge from this corner itself: beyond
+  /// that edge, along the next one, it goes on with a side of its own.
   bool covered(const ContactGroup& group, const Nearest& found) const {
     const int c = contacts_.corner[group.first];
     const Vec2 corner = at(c);
     const int e = contacts_.edge[found.record], f = contacts_.edge[found.next];
-    const Vec2 out = unit_along(e), other = unit_along(f);
-    const double depth = geometry::cross(corner - at(f), other);
-    if (!(depth <= shield_reach(blocks_, group.edge_block)))
+    const Vec2 side = unit_along(e), surface = unit_along(f);
+    const double depth = geometry::cross(corner - at(f), surface);
+    if (!(depth <= shielded_part * (end(f) - at(f)).norm()))
       return false;
-    const Vec2 push = depth * Vec2(-out.y(), out.x());
+    const double slope = geometry::cross(side, surface);  // along e's outward normal
+    if (std::abs(slope) < least_slope)
+      return false;
+    const double beyond = geometry::cross(corner - at(e), side) + depth;
+    const Vec2 there = corner + beyond / slope * surface;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;
       if (third != group.edge_block && blocks_.convex[third] &&
-          depth <= shield_reach(blocks_, third) &&
-          (inside(corner + push, third) || inside(corner - push, third)))
+          goes_on(third, there, surface, depth))
         return true;
     }
     return false;
+  }
+
+  /// Whether the point is inside a block, and about as deep below an edge of it that
+  /// runs along the surface.
+  bool goes_on(int block, const Vec2& point, const Vec2& surface, double depth) const {
+    bool found = false;
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1];
+         ++e) {
+      const Vec2 edge = end(e) - at(e);
+      const double length = edge.norm();
+      const double below = geometry::cross(point - at(e), edge) / length;
+      if (!(below >= 0.0))
+        return false;
+      found |= edge.dot(surface) > least_cosine * length && below >= 0.5 * depth &&
+               below <= 2.0 * depth && depth <= shielded_part * length;
+    }
+    return found;
   }
 
   /// The same for the corner of the edge's block that lies in this corner's block.

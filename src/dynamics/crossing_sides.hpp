@@ -27,14 +27,20 @@ struct CrossingSides {
 };
 
 /// Whether f and g cross between v and c, c being outside of f: of a slanted joint that
-/// is closed they do not, c and v pass on the same side.
-template <class Rules> bool sides_cross(const Blocks& blocks, const CrossingSides& s) {
-  const auto inside = [&](int point, int edge) {
-    return Rules::inside_edge(blocks.corner.col(point), blocks.corner.col(edge),
-                              blocks.corner.col(blocks.next[edge]));
+/// is closed they do not, c and v pass on the same side. Both leave the edge by more
+/// than the ten degrees of (20), so that they cross no farther from c than six times
+/// its depth.
+template <class Rules>
+bool sides_cross(const Blocks& blocks, const CrossingSides& s, int c, int edge) {
+  const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
+  const Vec2 p1 = at(edge), p2 = at(blocks.next[edge]);
+  const auto inside = [&](int point, int e) {
+    return Rules::inside_edge(at(point), at(e), at(blocks.next[e]));
   };
   return !inside(s.vertex, s.own) && inside(s.own_far, s.side) &&
-         inside(s.vertex_far, s.own);
+         inside(s.vertex_far, s.own) &&
+         !Rules::faces_edge(at(c), at(s.own_far), p2, p1) &&
+         !Rules::faces_edge(at(s.vertex), at(s.vertex_far), p1, p2);
 }
 
 }  // namespace blocks::dynamics
