@@ -409,30 +409,27 @@ Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
 }
 
 /// The same for the corner between the two edges, if it lies in this corner's block: of
-/// the two edges it meets there, the one that faces the nearest edge from the other
-/// side counts as its nearest.
+/// the two edges that meet in this corner, the one whose direction is more opposed to
+/// the nearest edge is the side, the other the surface.
 Shield ExactRules::partner_covered(int corner, const Two& edges) const {
   const int e = edges.nearest, f = edges.next, own = blocks_.corner_block[corner];
   const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
-  if (partner < 0)
+  if (partner < 0 || !place(partner, own).inside)
     return {};
-  const Two its = nearest_edges(partner, own, place(partner, own));
-  if (its.next < 0)
-    return {};
-  // of two edges the one whose direction is more opposed to e
-  const Whole a = dot(along(e), along(its.next)), b = dot(along(e), along(its.nearest));
-  const Whole a2 = length2(its.next), b2 = length2(its.nearest);
+  const int before = blocks_.previous[corner], after = corner;
+  const Whole a = dot(along(e), along(after)), b = dot(along(e), along(before));
+  const Whole a2 = length2(after), b2 = length2(before);
   const bool swap = compare_over_roots(a, a2, b, b2) < 0;
   const double difference =
       (lattice_.rounded(a, 2) / std::sqrt(lattice_.rounded(a2, 2)) -
        lattice_.rounded(b, 2) / std::sqrt(lattice_.rounded(b2, 2))) /
       std::sqrt(lattice_.rounded(length2(e), 2));
-  const Shield faced = swap ? covered(partner, own, its.next, its.nearest)
-                            : covered(partner, own, its.nearest, its.next);
+  const Shield faced = swap ? covered(partner, own, after, before)
+                            : covered(partner, own, before, after);
   if (std::abs(difference) > 0x1p-48)
     return faced;
-  const Shield other = swap ? covered(partner, own, its.nearest, its.next)
-                            : covered(partner, own, its.next, its.nearest);
+  const Shield other = swap ? covered(partner, own, before, after)
+                            : covered(partner, own, after, before);
   if (other.answer == faced.answer)
     return faced;
   Shield unsure = other.answer > faced.answer ? other : faced;

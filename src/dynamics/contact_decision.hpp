@@ -94,9 +94,11 @@ template <class Rules> class ContactDecision {
         0)
       return -1;
     if constexpr (Rules::shield)
-      if (found.next >= 0 && notch_record(group, found.record) < 0 &&
-          (covered(group, found) || partner_covered(group, found)))
-        return found.next;
+      if (found.next >= 0 && notch_record(group, found.record) < 0) {
+        const int c = contacts_.corner[group.first], next = contacts_.edge[found.next];
+        if (covered(c, edge, next) || partner_covered(c, edge, next))
+          return found.next;
+      }
     return found.record;
   }
 
@@ -234,12 +236,15 @@ template <class Rules> class ContactDecision {
     return found;
   }
 
-  /// Whether a third block shields the nearest edge from this corner itself: beyond
-  /// that edge, along the next one, it goes on with a side of its own.
-  bool covered(const ContactGroup& group, const Nearest& found) const {
-    const int c = contacts_.corner[group.first];
+  bool holds(const Vec2& point, int block) const {
+    return blocks_.convex[block] ? outside_of(point, block) == none
+                                 : ReentrantBlock<Rules>(blocks_, block).holds(point);
+  }
+
+  /// Whether a third block shields edge e from corner c: beyond it, along edge f of the
+  /// same block, it goes on with a side of its own.
+  bool covered(int c, int e, int f) const {
     const Vec2 corner = at(c);
-    const int e = contacts_.edge[found.record], f = contacts_.edge[found.next];
     const Vec2 side = unit_along(e), surface = unit_along(f);
     const double depth = geometry::cross(corner - at(f), surface);
     if (!(depth <= shielded_part * (end(f) - at(f)).norm()))
@@ -251,7 +256,7 @@ template <class Rules> class ContactDecision {
     const Vec2 there = corner + beyond / slope * surface;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;
-      if (third != group.edge_block && blocks_.convex[third] &&
+      if (third != blocks_.corner_block[e] && blocks_.convex[third] &&
           goes_on(third, there, surface, depth))
         return true;
     }
@@ -276,27 +281,15 @@ template <class Rules> class ContactDecision {
   }
 
   /// The same for the corner of the edge's block that lies in this corner's block.
-  bool partner_covered(const ContactGroup& group, const Nearest& found) const {
-    const int e = contacts_.edge[found.record], f = contacts_.edge[found.next];
+  bool partner_covered(int c, int e, int f) const {
     const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
-    if (partner < 0)
+    if (partner < 0 || !holds(at(partner), blocks_.corner_block[c]))
       return false;
-    for (int k = groups_.first_of_corner[partner];
-         k < groups_.first_of_corner[partner + 1]; ++k) {
-      const ContactGroup& its = groups_.all[groups_.by_corner[k]];
-      if (its.edge_block != group.corner_block)
-        continue;
-      // of its two edges the one that faces ours, though it may be the deeper one
-      Nearest faced = nearest_edges(its);
-      if (faced.next < 0)
-        return false;
-      const Vec2 ours = unit_along(e);
-      if (ours.dot(unit_along(contacts_.edge[faced.next])) <
-          ours.dot(unit_along(contacts_.edge[faced.record])))
-        std::swap(faced.record, faced.next);
-      return covered(its, faced);
-    }
-    return false;
+    // of the two edges that meet in c the one that faces ours is the side
+    int side = blocks_.previous[c], surface = c;
+    if (unit_along(e).dot(unit_along(surface)) < unit_along(e).dot(unit_along(side)))
+      std::swap(side, surface);
+    return covered(partner, side, surface);
   }
 
   const Blocks& blocks_;
