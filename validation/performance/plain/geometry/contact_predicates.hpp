@@ -62,4 +62,9 @@ inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Ve
                      plain::area(c, q1, q1, q2) * (p2 - p1).norm());
 }
 
+namespace exact {
+/// None is left to exact arithmetic here.
+inline unsigned long long calls() { return 0; }
+}  // namespace exact
+
 }  // namespace blocks::geometry
