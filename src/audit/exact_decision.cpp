@@ -278,8 +278,10 @@ Decision ExactRules::decide(int corner, int block) const {
   decision.shield = covered(corner, block, edges.nearest, edges.next);
   if (decision.shield.answer != Answer::yes)
     if (Shield partner = partner_covered(corner, edges);
-        partner.answer > decision.shield.answer)
+        both(partner.answer, shallow(corner, edges.next)) > decision.shield.answer) {
       decision.shield = partner;
+      decision.shield.answer = both(partner.answer, shallow(corner, edges.next));
+    }
   decision.shield.asked = true;
   if (decision.shield.answer == Answer::yes)
     std::swap(decision.acting, decision.as_well);
@@ -379,6 +381,12 @@ Answer ExactRules::goes_on(int third, int corner, const Vec2& shift,
     found = one_of(found, both(runs, both(as_deep, shallow)));
   }
   return both(inside, found);
+}
+
+/// Not deeper below the edge than a hundredth of its length.
+Answer ExactRules::shallow(int corner, int edge) const {
+  const double most = part * rounded(along(edge)).norm();
+  return at_least_zero(most - overlap(corner, edge), roundoff(corner, edge));
 }
 
 Shield ExactRules::covered(int corner, int block, int nearest, int next) const {

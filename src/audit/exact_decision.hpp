@@ -113,6 +113,7 @@ class ExactRules {
 
   Vec2 rounded(const Point& difference) const;
   double roundoff(int corner, int edge) const;
+  Answer shallow(int corner, int edge) const;
   Answer goes_on(int third, int corner, const Vec2& shift, const Vec2& surface,
                  double depth, double error) const;
   Shield covered(int corner, int block, int nearest, int next) const;

@@ -96,7 +96,8 @@ template <class Rules> class ContactDecision {
     if constexpr (Rules::shield)
       if (found.next >= 0 && notch_record(group, found.record) < 0) {
         const int c = contacts_.corner[group.first], next = contacts_.edge[found.next];
-        if (covered(c, edge, next) || partner_covered(c, edge, next))
+        if (shallow(c, next) &&
+            (covered(c, edge, next) || partner_covered(c, edge, next)))
           return found.next;
       }
     return found.record;
@@ -146,6 +147,7 @@ template <class Rules> class ContactDecision {
       }
     return out;
   }
+
   /// (20) for both tangents.
   bool faces(int c, int edge) const {
     const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
@@ -241,19 +243,25 @@ template <class Rules> class ContactDecision {
                                  : ReentrantBlock<Rules>(blocks_, block).holds(point);
   }
 
+  double depth_below(int c, int edge) const {
+    return geometry::cross(at(c) - at(edge), unit_along(edge));
+  }
+  /// Not too deep below the edge for a shield.
+  bool shallow(int c, int edge) const {
+    return depth_below(c, edge) <= shielded_part * (end(edge) - at(edge)).norm();
+  }
+
   /// Whether a third block shields edge e from corner c: beyond it, along edge f of the
   /// same block, it goes on with a side of its own.
   bool covered(int c, int e, int f) const {
-    const Vec2 corner = at(c);
-    const Vec2 side = unit_along(e), surface = unit_along(f);
-    const double depth = geometry::cross(corner - at(f), surface);
-    if (!(depth <= shielded_part * (end(f) - at(f)).norm()))
+    if (!shallow(c, f))
       return false;
+    const Vec2 side = unit_along(e), surface = unit_along(f);
     const double slope = geometry::cross(side, surface);  // along e's outward normal
     if (std::abs(slope) < least_slope)
       return false;
-    const double beyond = geometry::cross(corner - at(e), side) + depth;
-    const Vec2 there = corner + beyond / slope * surface;
+    const double depth = depth_below(c, f);
+    const Vec2 there = at(c) + (depth_below(c, e) + depth) / slope * surface;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;
       if (third != blocks_.corner_block[e] && blocks_.convex[third] &&
@@ -280,7 +288,7 @@ template <class Rules> class ContactDecision {
     return found;
   }
 
-  /// The same for the corner of the edge's block that lies in this corner's block.
+  /// `covered` for the corner between e and f, if it lies in the block of corner c.
   bool partner_covered(int c, int e, int f) const {
     const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
     if (partner < 0 || !holds(at(partner), blocks_.corner_block[c]))

@@ -161,8 +161,8 @@ inline void load(const Blocks& blocks, const Contacts& contacts,
                  const LiveContact* const* acting, bool rigid, ForceLanes& l) {
   const double *const arm = blocks.arm.data(), *const corner = blocks.corner.data();
   const double* const centroid = blocks.centroid.data();
-  const double *const velocity = blocks.velocity.data(), *const spin =
-                                                             blocks.spin.data();
+  const double* const velocity = blocks.velocity.data();
+  const double* const spin = blocks.spin.data();
   const double* const damping = contacts.damping.data();
   const double* const normal = contacts.normal_elastic.data();
   const double* const shear = contacts.shear_elastic.data();
@@ -195,11 +195,10 @@ inline void load(const Blocks& blocks, const Contacts& contacts,
 
 inline void store(const ForceLanes& l, int used, const LiveContact* const* acting,
                   Contacts& contacts, PairForce* pair_force, Extremes& extremes) {
-  double *const normal_elastic = contacts.normal_elastic.data(),
-                *const shear_elastic = contacts.shear_elastic.data();
-  double *const normal_force = contacts.normal_force.data(), *const shear_force =
-                                                                 contacts.shear_force
-                                                                     .data();
+  double* const normal_elastic = contacts.normal_elastic.data();
+  double* const shear_elastic = contacts.shear_elastic.data();
+  double* const normal_force = contacts.normal_force.data();
+  double* const shear_force = contacts.shear_force.data();
   double* const overlap = contacts.overlap.data();
   char* const active = contacts.active.data();
   for (int k = 0; k < used; ++k) {
