@@ -377,8 +377,8 @@ Answer ExactRules::goes_on(int third, int corner, const Vec2& shift,
     const Answer runs = at_least_zero(edge.dot(surface) / length - least_cosine, 1e-12);
     const Answer as_deep = both(at_least_zero(below - 0.5 * depth, loss),
                                 at_least_zero(2.0 * depth - below, 2.0 * loss));
-    const Answer shallow = at_least_zero(part * length - depth, loss);
-    found = one_of(found, both(runs, both(as_deep, shallow)));
+    const Answer long_enough = at_least_zero(part * length - shift.norm(), 2.0 * loss);
+    found = one_of(found, both(runs, both(as_deep, long_enough)));
   }
   return both(inside, found);
 }
@@ -403,11 +403,14 @@ Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
   if (here == Answer::no)
     return shield;
   const Vec2 shift = (overlap(corner, nearest) + shield.depth) / slope * surface;
+  const Answer near =
+      at_least_zero(shield.reach - shift.norm(), 2.0 * error / std::abs(slope));
   for (const int third : near_[corner]) {
     if (third == block || !blocks_.convex[third])
       continue;
-    const Answer answer = both(here, goes_on(third, corner, shift, surface,
-                                             shield.depth, error / std::abs(slope)));
+    const Answer answer =
+        both(both(here, near), goes_on(third, corner, shift, surface, shield.depth,
+                                       error / std::abs(slope)));
     if (answer > shield.answer) {
       shield.answer = answer;
       shield.third = third;

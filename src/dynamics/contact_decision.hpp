@@ -260,20 +260,23 @@ template <class Rules> class ContactDecision {
     const double slope = geometry::cross(side, surface);  // along e's outward normal
     if (std::abs(slope) < least_slope)
       return false;
-    const double depth = depth_below(c, f);
-    const Vec2 there = at(c) + (depth_below(c, e) + depth) / slope * surface;
+    const double depth = depth_below(c, f), way = (depth_below(c, e) + depth) / slope;
+    if (!(std::abs(way) <= shielded_part * (end(f) - at(f)).norm()))
+      return false;
+    const Vec2 there = at(c) + way * surface;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;
       if (third != blocks_.corner_block[e] && blocks_.convex[third] &&
-          goes_on(third, there, surface, depth))
+          goes_on(third, there, surface, depth, std::abs(way)))
         return true;
     }
     return false;
   }
 
   /// Whether the point is inside a block, and about as deep below an edge of it that
-  /// runs along the surface.
-  bool goes_on(int block, const Vec2& point, const Vec2& surface, double depth) const {
+  /// runs along the surface; the way there is short enough for the block to be listed.
+  bool goes_on(int block, const Vec2& point, const Vec2& surface, double depth,
+               double way) const {
     bool found = false;
     for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1];
          ++e) {
@@ -283,7 +286,7 @@ template <class Rules> class ContactDecision {
       if (!(below >= 0.0))
         return false;
       found |= edge.dot(surface) > least_cosine * length && below >= 0.5 * depth &&
-               below <= 2.0 * depth && depth <= shielded_part * length;
+               below <= 2.0 * depth && way <= shielded_part * length;
     }
     return found;
   }
