@@ -11,12 +11,11 @@
 namespace blocks::dynamics {
 
 /// Decides which potential contacts act (rules 9-12), advances their springs (rule 7)
-/// and adds force, moment and f_i x_j to both blocks. Reads corners, velocities and the
-/// blocks' swing; writes contacts, the groups' decisions, blocks.force, .moment,
-/// .applied.
+/// and adds force and moment to both blocks. Reads corners, velocities and the
+/// blocks' swing; writes the groups' decisions and lanes, blocks.force, .moment.
 Extremes add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                            const Settings& settings, double dt, Workers& workers,
-                            Profile* profile = nullptr);
+                            const Settings& settings, double dt, Found found,
+                            Workers& workers, Profile* profile = nullptr);
 
 /// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

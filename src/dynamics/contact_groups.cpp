@@ -6,7 +6,7 @@
 namespace blocks::dynamics {
 namespace {
 
-void find_pairs(const Blocks& blocks, ContactGroups& groups) {
+void find_pairs(ContactGroups& groups) {
   groups.pairs.clear();
   const int count = static_cast<int>(groups.all.size());
   for (int g = 0; g < count; ++g) {
@@ -16,19 +16,6 @@ void find_pairs(const Blocks& blocks, ContactGroups& groups) {
         groups.pairs.back().high != high)
       groups.pairs.push_back({low, high, g, g, 0.0, {}});
     groups.pairs.back().last = g + 1;
-  }
-  groups.pair_force.assign(2 * groups.pairs.size(), {});
-
-  groups.first_of_block.assign(blocks.size() + 1, 0);
-  for (const ContactPair& pair : groups.pairs)
-    ++groups.first_of_block[pair.low + 1], ++groups.first_of_block[pair.high + 1];
-  std::partial_sum(groups.first_of_block.begin(), groups.first_of_block.end(),
-                   groups.first_of_block.begin());
-  std::vector<int> next = groups.first_of_block;
-  groups.by_block.resize(2 * groups.pairs.size());
-  for (int p = 0; p < static_cast<int>(groups.pairs.size()); ++p) {
-    groups.by_block[next[groups.pairs[p].low]++] = 2 * p;
-    groups.by_block[next[groups.pairs[p].high]++] = 2 * p + 1;
   }
 }
 
@@ -51,6 +38,7 @@ void sort_by_corner(const Blocks& blocks, const Contacts& contacts,
 void Swing::start(const Blocks& blocks, bool rigid) {
   sum.assign(blocks.size(), 0.0);
   per_radian.assign(blocks.size(), 0.0);
+  way.assign(blocks.size(), 0.0);
   if (!rigid)
     return;
   // no chord is longer than its arc; a little more for the roots
@@ -62,56 +50,130 @@ void Swing::start(const Blocks& blocks, bool rigid) {
 
 namespace {
 
+/// The record that acts or is the candidate to.
 int live_record(const ContactGroup& group) {
   return group.certain.travel > 0.0 ? group.certain.candidate : group.acting;
 }
 
-LiveContact live_contact(const Blocks& blocks, const Contacts& contacts,
-                         const ContactGroup& group, int g, int pair, int low) {
-  const int i = live_record(group), e = contacts.edge[std::max(i, group.first)];
-  LiveContact live;
-  live.record = i, live.group = g, live.pair = pair;
-  live.corner = contacts.corner[group.first], live.edge = e,
-  live.edge_end = blocks.next[e];
-  live.corner_block = group.corner_block, live.edge_block = group.edge_block;
-  live.by_sign = group.certain.travel > 0.0;
-  live.acts = i >= 0 && !live.by_sign;
-  live.corner_is_low = group.corner_block == low;
-  return live;
+/// Whether the list says that a record of the group acts.
+bool acted(const Contacts& contacts, const ContactGroup& group) {
+  return std::any_of(contacts.active.begin() + group.first,
+                     contacts.active.begin() + group.last, [](char a) { return a; });
+}
+
+/// Which lanes act on each block. The list is ordered by the lower block of each pair.
+void sort_by_block(int blocks, ContactGroups& groups) {
+  const auto each = [&](const auto& tell) {
+    for (int lane = 0; lane < groups.lanes.size(); ++lane) {
+      const ContactGroup& group = groups.all[groups.group[lane]];
+      tell(lane, std::minmax(group.corner_block, group.edge_block));
+    }
+  };
+  std::vector<int>&low = groups.low_lanes, &high = groups.high_lanes;
+  low.assign(blocks + 1, 0);
+  high.assign(blocks + 1, 0);
+  each([&](int, const auto& pair) { ++low[pair.first + 1], ++high[pair.second + 1]; });
+  std::partial_sum(low.begin(), low.end(), low.begin());
+  std::partial_sum(high.begin(), high.end(), high.begin());
+  groups.high_lane.resize(groups.lanes.size());
+  each([&](int lane, const auto& pair) {
+    groups.high_lane[high[pair.second]++] = lane;
+  });
+  // each was moved on to where the next begins
+  std::move_backward(high.begin(), high.end() - 1, high.end());
+  high[0] = 0;
 }
 
 }  // namespace
 
-bool ContactGroups::set_live(const Blocks& blocks, const Contacts& contacts, int g) {
-  const ContactGroup& group = all[g];
-  const int place = live_of[g];
-  if (place >= 0)
-    live[place] = live_contact(blocks, contacts, group, g, live[place].pair,
-                               pairs[live[place].pair].low);
-  return place >= 0 || live_record(group) < 0;
+bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int g) {
+  const ContactGroup& known = all[g];
+  const int lane = lane_of[g], i = live_record(known);
+  if (lane < 0)
+    return i < 0;
+  const int e = contacts.edge[std::max(i, known.first)];
+  record[lane] = i;
+  group[lane] = g;
+  lanes.corner[lane] = contacts.corner[known.first];
+  lanes.edge[lane] = e;
+  lanes.edge_end[lane] = blocks.next[e];
+  lanes.corner_block[lane] = known.corner_block;
+  lanes.edge_block[lane] = known.edge_block;
+  lanes.rule[lane] = i < 0 ? idle : known.certain.travel > 0.0 ? by_sign : decided;
+  lanes.damping[lane] = i < 0 ? 0.0 : contacts.damping[i];
+  lanes.normal_elastic[lane] = i < 0 ? 0.0 : contacts.normal_elastic[i];
+  lanes.shear_elastic[lane] = i < 0 ? 0.0 : contacts.shear_elastic[i];
+  lanes.touch[lane] = i >= 0 && contacts.active[i] ? in_touch : apart;
+  return true;
+}
+
+void ContactGroups::forget_decisions() {
+  for (ContactPair& pair : pairs)
+    pair.certain = 0.0;
+  for (PairWatch& each : watch)
+    each.limit = 0.0;
+  for (ContactGroup& each : all)
+    each.certain.travel = 0.0, each.hopeless = 1;
+}
+
+void ContactGroups::store_spring(Contacts& contacts, int lane) const {
+  const int i = record[lane];
+  if (i < 0)
+    return;
+  contacts.active[i] = lanes.touch[lane] != apart;
+  contacts.normal_elastic[i] = lanes.normal_elastic[lane];
+  contacts.shear_elastic[i] = lanes.shear_elastic[lane];
+  if (!contacts.active[i])
+    contacts.normal_force[i] = contacts.shear_force[i] = contacts.overlap[i] = 0.0;
+}
+
+void ContactGroups::load(const Blocks& blocks, const Contacts& contacts) {
+  for (int lane = 0; lane < lanes.size(); ++lane)
+    set_lane(blocks, contacts, group[lane]);
+  loaded = true;
+}
+
+void ContactGroups::store_springs(Contacts& contacts) {
+  for (int lane = 0; loaded && lane < lanes.size(); ++lane)
+    store_spring(contacts, lane);
+  loaded = false;
+}
+
+void ContactGroups::store_everything(Contacts& contacts) {
+  store_springs(contacts);
+  for (int lane = 0; lane < lanes.size(); ++lane)
+    if (const int i = record[lane]; i >= 0) {
+      contacts.normal_force[i] = lanes.normal_force[lane];
+      contacts.shear_force[i] = lanes.shear_force[lane];
+      contacts.overlap[i] = lanes.overlap[lane];
+    }
 }
 
 void ContactGroups::join_shares() {
   for (Share& share : shares) {
     lost.insert(lost.end(), share.lost.begin(), share.lost.end());
-    live_complete = live_complete && share.live_complete;
+    lanes_complete = lanes_complete && share.lanes_complete;
     share.lost.clear();
-    share.live_complete = true;
+    share.lanes_complete = true;
   }
 }
 
-void ContactGroups::list_live(const Blocks& blocks, const Contacts& contacts) {
-  live.clear();
-  const int count = static_cast<int>(pairs.size());
-  for (int p = 0; p < count; ++p)
-    for (int g = pairs[p].first; g < pairs[p].last; ++g) {
-      // who had a place keeps it: it may want it again
-      if (live_of[g] < 0 && live_record(all[g]) < 0)
-        continue;
-      live_of[g] = static_cast<int>(live.size());
-      live.push_back(live_contact(blocks, contacts, all[g], g, p, pairs[p].low));
-    }
-  live_complete = true;
+void ContactGroups::list_lanes(const Blocks& blocks, Contacts& contacts) {
+  store_springs(contacts);
+  group.clear();
+  const int count = static_cast<int>(all.size());
+  for (int g = 0; g < count; ++g) {
+    // who had a lane keeps it: it may want it again
+    if (lane_of[g] < 0 && live_record(all[g]) < 0 && !acted(contacts, all[g]))
+      continue;
+    lane_of[g] = static_cast<int>(group.size());
+    group.push_back(g);
+  }
+  lanes.resize(static_cast<int>(group.size()));
+  record.assign(group.size(), -1);
+  sort_by_block(blocks.size(), *this);
+  load(blocks, contacts);
+  lanes_complete = true;
 }
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
@@ -135,12 +197,20 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
       groups.all.push_back(group);
     }
   }
-  find_pairs(blocks, groups);
+  find_pairs(groups);
   sort_by_corner(blocks, contacts, groups);
-  groups.live_of.assign(groups.all.size(), -1);
-  groups.live.clear();
-  groups.live.reserve(groups.all.size());
-  groups.live_complete = true;
+  groups.lane_of.assign(groups.all.size(), -1);
+  groups.low_lanes.assign(blocks.size() + 1, 0);
+  groups.high_lanes.assign(blocks.size() + 1, 0);
+  groups.watch.clear();
+  for (const ContactPair& pair : groups.pairs)
+    groups.watch.push_back({0.0, pair.low, pair.high});
+  const std::size_t most = groups.all.size();
+  groups.lanes.reserve(static_cast<int>(most));
+  groups.lanes.resize(0);
+  for (std::vector<int>* row : {&groups.group, &groups.record, &groups.high_lane})
+    row->clear(), row->reserve(most);
+  groups.lanes_complete = groups.loaded = false;
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());
   groups.shares.resize(threads);

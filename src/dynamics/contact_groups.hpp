@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dynamics/contact_lanes.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
@@ -15,6 +16,9 @@ namespace blocks::dynamics {
 struct Swing {
   std::vector<double> sum;         ///< (n) [L] grows with every step
   std::vector<double> per_radian;  ///< (n) [L] 0: all is in the sum (deformable blocks)
+  /// (n) [L] Way of the centroid and twice that of the arms, rounded up: the ways of
+  /// two blocks together grow by no less than relative_motion.
+  std::vector<double> way;
 
   /// For these blocks as they stand.
   void start(const Blocks& blocks, bool rigid);
@@ -82,17 +86,11 @@ struct ContactPair {
   RelativePose pose;
 };
 
-/// A record that acts in this step, or is the candidate to.
-struct LiveContact {
-  int record = -1;  ///< -1: none any more
-  int group = 0, pair = 0;
-  int corner = 0, edge = 0, edge_end = 0;
-  int corner_block = 0, edge_block = 0;
-  bool by_sign = false;  ///< acts if the corner is inside the edge; else it acts
-  bool acts = false;
-  bool corner_is_low = false;           ///< its block is the pair's low one
-  double tangent_x = 0, tangent_y = 0;  ///< unit vector along the edge
-  double overlap = 0;                   ///< [L]
+/// No decision of a pair has to be renewed while the ways of its two blocks (Swing)
+/// add up to less than `limit`: a quick look before relative_motion.
+struct PairWatch {
+  double limit = 0.0;  ///< [L]
+  int low = 0, high = 0;
 };
 
 /// Elastic force that a record held when it ceased to act.
@@ -111,51 +109,69 @@ struct Extremes {
   }
 };
 
-/// What the contacts of a pair do to one of its blocks: force, moment, f_i x_j.
-struct PairForce {
-  double x = 0.0, y = 0.0, moment = 0.0;
-  double sums[4] = {0.0, 0.0, 0.0, 0.0};
-};
-
 /// The groups of a list, and what passes between them. Working state between searches:
 /// not part of the model, and without influence on results.
 struct ContactGroups {
   std::vector<ContactGroup> all;  ///< in the order of the list
   std::vector<ContactPair> pairs;
-  std::vector<int> by_corner;  ///< indices into `all`, corner after corner
+  std::vector<PairWatch> watch;  ///< (pairs)
+  std::vector<int> by_corner;    ///< indices into `all`, corner after corner
   std::vector<int>
       first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
-  // forces of pair p: 2 p on its low block, 2 p + 1 on its high one
-  std::vector<int> by_block;        ///< indices into pair_force, block after block
-  std::vector<int> first_of_block;  ///< (blocks + 1) where a block's begin in by_block
-  std::vector<PairForce> pair_force;
 
-  std::vector<LiveContact> live;  ///< in the order of the groups
-  std::vector<int> live_of;       ///< (groups) index into live, -1: none
-  bool live_complete = false;     ///< no group lacks a place in it
-  std::vector<LostForce> lost;    ///< in this step
-  Swing swing;                    ///< of the blocks since the groups were made
+  // What acts, or is a candidate to, one to a lane, in the order of the groups. Between
+  // load() and store() the springs are here and not in the list.
+  ContactLanes lanes;
+  std::vector<int> record;     ///< (lanes) -1: none any more
+  std::vector<int> group;      ///< (lanes) index into `all`
+  std::vector<int> lane_of;    ///< (groups) -1: none
+  std::vector<int> low_lanes;  ///< (blocks + 1) where those of which a block is the
+                               ///< lower one begin; they stand side by side
+  std::vector<int>
+      high_lane;  ///< lanes of which it is the higher one, block after block
+  std::vector<int> high_lanes;  ///< (blocks + 1) where a block's begin in high_lane
+  bool lanes_complete = false;  ///< no group lacks a lane
+  bool loaded = false;
+
+  std::vector<LostForce> lost;  ///< in this step
+  Swing swing;                  ///< of the blocks since the groups were made
   /// What one thread finds.
   struct Share {
     std::vector<LostForce> lost;
-    bool live_complete = true;
+    bool lanes_complete = true;
     Extremes extremes;
     unsigned long long exact_calls = 0;
   };
   std::vector<Share> shares;  ///< (threads)
 
-  /// The contact of a group that acts in this step, or null.
-  const LiveContact* acting(int group) const {
-    const int i = live_of[group];
-    return i >= 0 && live[i].acts ? &live[i] : nullptr;
+  /// All decisions have to be renewed.
+  void forget_decisions();
+  /// Calls tell(lane, low) for each lane that acts on block b, in the order of the
+  /// list.
+  template <class Tell> void each_lane_of(int b, const Tell& tell) const {
+    for (int k = high_lanes[b]; k < high_lanes[b + 1]; ++k)
+      tell(high_lane[k], false);
+    for (int lane = low_lanes[b]; lane < low_lanes[b + 1]; ++lane)
+      tell(lane, true);
   }
-  /// Puts what is decided of a group into the list of live contacts. False: it has no
-  /// place there.
-  bool set_live(const Blocks& blocks, const Contacts& contacts, int group);
+  /// The lane of the group's contact that acts in this step, or -1.
+  int acting(int g) const {
+    const int lane = lane_of[g];
+    return lane >= 0 && lanes.touch[lane] != apart ? lane : -1;
+  }
+  /// Springs from the list to the lanes.
+  void load(const Blocks& blocks, const Contacts& contacts);
+  /// Springs from the lanes, or from one, to the list; forces and overlaps too.
+  void store_springs(Contacts& contacts);
+  void store_spring(Contacts& contacts, int lane) const;
+  void store_everything(Contacts& contacts);
+  /// Puts what is decided of a group, and its spring, into its lane. False: it has
+  /// none.
+  bool set_lane(const Blocks& blocks, const Contacts& contacts, int g);
   /// Makes one of what the threads found.
   void join_shares();
-  /// Lists the live contacts anew: one that had no place in the list wants one.
-  void list_live(const Blocks& blocks, const Contacts& contacts);
+  /// Lists the lanes anew: a group that had none wants one.
+  void list_lanes(const Blocks& blocks, Contacts& contacts);
 };
 
 /// Splits the list into its groups and pairs, all to be decided. each_alone: one record

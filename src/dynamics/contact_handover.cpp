@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/contact_predicates.hpp"
+
 namespace blocks::dynamics {
 namespace {
 
@@ -16,11 +18,11 @@ class Heir {
  public:
   Heir(const Blocks& blocks, const Contacts& contacts, const ContactGroups& groups,
        const LostForce& lost, double stiffness)
-      : contacts_(contacts), groups_(groups), lost_(lost), stiffness_(stiffness),
-        from_(groups.all[lost.group]), corner_(contacts.corner[lost.record]) {
+      : blocks_(blocks), groups_(groups), lanes_(groups.lanes), lost_(lost),
+        stiffness_(stiffness), from_(groups.all[lost.group]),
+        corner_(contacts.corner[lost.record]) {
     const int edge = contacts.edge[lost.record];
-    along_ = Vec2(blocks.corner.col(blocks.next[edge]) - blocks.corner.col(edge))
-                 .normalized();
+    along_ = unit_along(edge, blocks.next[edge]);
   }
 
   /// Edges of other blocks, or other edges of the same, that act on the corner.
@@ -36,36 +38,43 @@ class Heir {
     for (const int way : {-1, 1})
       for (int g = lost_.group + way;
            g >= 0 && g < count && same_pair(groups_.all[g], from_); g += way)
-        if (groups_.acting(g) && cosine(g) > 0.95)
+        if (const int lane = groups_.acting(g); lane >= 0 && cosine(lane) > 0.95)
           consider(g);
   }
 
-  /// The record, or -1.
-  int record() const { return heir_ < 0 ? -1 : groups_.acting(heir_)->record; }
+  /// Its lane, or -1.
+  int lane() const { return heir_; }
   double normal() const { return normal_; }
   double shear() const { return cosine(heir_) * lost_.shear; }
 
  private:
-  /// Of the angle between the old edge and the group's; the edges of two blocks run in
+  /// Of the angle between the old edge and the lane's; the edges of two blocks run in
   /// opposite senses.
-  double cosine(int g) const {
-    const LiveContact& live = *groups_.acting(g);
-    const double c = along_.x() * live.tangent_x + along_.y() * live.tangent_y;
-    return groups_.all[g].corner_block == from_.corner_block ? c : -c;
+  double cosine(int lane) const {
+    const double c = along_.dot(unit_along(lanes_.edge[lane], lanes_.edge_end[lane]));
+    return lanes_.corner_block[lane] == from_.corner_block ? c : -c;
+  }
+  Vec2 at(int corner) const { return blocks_.corner.col(corner); }
+  Vec2 unit_along(int p1, int p2) const { return (at(p2) - at(p1)).normalized(); }
+  double overlap(int lane) const {
+    const int p1 = lanes_.edge[lane], p2 = lanes_.edge_end[lane];
+    return std::max(
+        0.0, geometry::cross(at(lanes_.corner[lane]) - at(p1), unit_along(p1, p2)));
   }
   void consider(int g) {
-    const LiveContact* live = groups_.acting(g);
-    if (live == nullptr)
+    const int lane = groups_.acting(g);
+    if (lane < 0)
       return;
-    const double own = contacts_.normal_elastic[live->record];
+    const double own = lanes_.normal_elastic[lane];
     const double both = std::min(std::sqrt(lost_.normal * lost_.normal + own * own),
-                                 stiffness_ * live->overlap);
+                                 stiffness_ * overlap(lane));
     if (both - own > gain_)
-      heir_ = g, normal_ = both, gain_ = both - own;
+      heir_ = lane, normal_ = both, gain_ = both - own;
   }
 
-  const Contacts& contacts_;
+  const Blocks& blocks_;
   const ContactGroups& groups_;
+  const ContactLanes& lanes_;
   const LostForce& lost_;
   double stiffness_;
   const ContactGroup& from_;
@@ -77,22 +86,23 @@ class Heir {
 
 }  // namespace
 
-void hand_over(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
+void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
                double normal_stiffness) {
   // in the order of the list, whenever each was found to be lost
   std::sort(groups.lost.begin(), groups.lost.end(),
             [](const auto& l, const auto& r) { return l.record < r.record; });
+  ContactLanes& lanes = groups.lanes;
   for (const LostForce& lost : groups.lost) {
     Heir heir(blocks, contacts, groups, lost, normal_stiffness);
     heir.look_at_corner();
     heir.look_at_pair();
-    const int i = heir.record();
-    if (i < 0)
+    const int lane = heir.lane();
+    if (lane < 0)
       continue;
-    contacts.active[i] = 0;  // starts anew, with what it was handed
-    contacts.normal_elastic[i] = heir.normal();
-    if (contacts.shear_elastic[i] == 0.0)
-      contacts.shear_elastic[i] = heir.shear();
+    lanes.touch[lane] = starting;  // anew, with what it was handed
+    lanes.normal_elastic[lane] = heir.normal();
+    if (lanes.shear_elastic[lane] == 0.0)
+      lanes.shear_elastic[lane] = heir.shear();
   }
   groups.lost.clear();
 }

@@ -15,7 +15,7 @@ namespace blocks::dynamics {
 /// FN^2 / 2 Kn of the springs add up, and no spring becomes stronger than its overlap
 /// explains, so that energy never grows. Shear is taken by its component along the new
 /// edge. Forgets the lost forces.
-void hand_over(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
+void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
                double normal_stiffness);
 
 }  // namespace blocks::dynamics

@@ -1,8 +1,10 @@
-// Many contacts at once, one to a SIMD lane: plain arithmetic on arrays, compiled for
-// each instruction set that the processor may have. No fused multiply-add, no
-// reassociation: every set gives the same bits (tests/dynamics/contact_lanes_test.cpp).
+// The contacts that may act, one to a SIMD lane: where they stand, and plain arithmetic
+// on them, compiled for each instruction set that the processor may have. No fused
+// multiply-add, no reassociation: every set gives the same bits
+// (tests/dynamics/contact_lanes_test.cpp).
 #pragma once
 
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -10,48 +12,83 @@
 
 namespace blocks::dynamics {
 
-/// Contacts handled by one call.
-inline constexpr int lane_count = 32;
+/// Lanes are handled in sets of so many: one register of AVX-512, two of AVX2.
+inline constexpr int lane_count = 8;
 
-using Lanes = double[lane_count];
+/// How it is known whether the contact in a lane acts.
+inline constexpr double idle = 0.0,  ///< it does not
+    by_sign = 1.0,                   ///< if the corner is inside the edge, (19)
+    decided = 2.0;                   ///< it does
+/// Whether it does in this step.
+inline constexpr double apart = 0.0, in_touch = 1.0,
+                        starting =
+                            2.0;  ///< it did not in the step before, or took over
 
-/// Corners against edges: where they are, and how deep (19).
-struct alignas(64) OverlapLanes {
-  Lanes xc, yc, x1, y1, x2, y2;  ///< [L] in: corner, ends of the edge
-  Lanes value, bound;  ///< [L^2] 2A and the bound of its error (docs/predicates.md)
-  Lanes tangent_x, tangent_y;  ///< unit vector along the edge
-  Lanes overlap;               ///< [L] >= 0
+/// One row of numbers for each property of a contact, for as many lanes as there are.
+/// Side a is the corner's block, side b the edge's; low and high are the two by number.
+struct LaneRows {
+  int *corner, *edge, *edge_end;  ///< corners of the model
+  int *corner_block, *edge_block;
+  double* rule;                            ///< idle, by_sign, decided
+  double* damping;                         ///< [F T/L] C of (18)
+  double *normal_elastic, *shear_elastic;  ///< [F] springs, kept from step to step
+  double* touch;                           ///< apart, in_touch, starting
+  char* look;  ///< (sets) 1: a sign is in doubt, or a spring has lost its contact
+  // found in each step
+  double *fx, *fy;                   ///< [F] on the low block, 0 where apart
+  double *moment_low, *moment_high;  ///< [F L]
+  // found if they are asked for
+  double *arm_ax, *arm_ay, *arm_bx, *arm_by;  ///< [L] from each centroid to the corner
+  double* overlap;                            ///< [L] >= 0
+  double *normal_force, *shear_force;         ///< [F] 0 where apart
 };
 
-/// Acting contacts: rule 7. Side a is the corner's block, side b the edge's.
-struct alignas(64) ForceLanes {
-  // in
-  Lanes tangent_x, tangent_y, overlap;       ///< of OverlapLanes
-  Lanes arm_ax, arm_ay, arm_bx, arm_by;      ///< [L] from each centroid to the corner
-  Lanes vax, vay, vbx, vby, spin_a, spin_b;  ///< [L/T], rad/T of both blocks
-  Lanes rate_a[4], rate_b[4];                ///< 1/T strain rates 11, 12, 21, 22
-  Lanes damping;                             ///< [F T/L] C of (18)
-  Lanes starting;                            ///< 1: did not act in the step before
-  // in and out
-  Lanes normal_elastic, shear_elastic;  ///< [F]
-  // out
-  Lanes normal_force, shear_force;  ///< [F]
-  Lanes fx, fy;                     ///< [F] on side a, the opposite on side b
-  Lanes moment_a, moment_b;         ///< [F L]
-  Lanes sums_a[4], sums_b[4];       ///< [F L] f_i x_j
+/// The rows and their memory.
+class ContactLanes : public LaneRows {
+ public:
+  int size() const { return size_; }
+  int sets() const { return (size_ + lane_count - 1) / lane_count; }
+  /// Memory for so many lanes, which is not touched before it is used.
+  void reserve(int lanes);
+  /// So many lanes of those, all idle.
+  void resize(int size);
+
+ private:
+  int size_ = 0, room_ = 0;  ///< room_: a multiple of lane_count
+  std::unique_ptr<char[]> memory_;
 };
 
-/// The two computations for one instruction set.
-struct ContactLanes {
+/// What is read of the blocks.
+struct BlockRows {
+  const double *corner, *arm, *centroid, *velocity, *spin, *strain_rate;
+};
+
+/// The largest overlap and elastic normal force.
+struct LaneExtremes {
+  double overlap, spring;
+};
+
+/// What act() is to find beside springs, forces and moments.
+enum class Found {
+  forces,      ///< nothing
+  arms,        ///< arms, for the stress of deformable blocks
+  everything,  ///< all rows, for whoever reads the model after this step
+};
+
+/// The two computations for one instruction set, for the sets of lanes first .. last-1.
+struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
-  void (*overlaps)(OverlapLanes&);
-  void (*forces)(ForceLanes&, const ContactLaw&, bool rigid);
+  /// Which contacts touch: `touch` and `look`.
+  void (*find_touching)(const LaneRows&, const BlockRows&, int first, int last);
+  /// a.-d. of rule 7.
+  LaneExtremes (*act)(const LaneRows&, const BlockRows&, const ContactLaw&, bool rigid,
+                      Found, int first, int last);
 };
 
 /// All that this processor can run; the first is the baseline.
-const std::vector<ContactLanes>& all_contact_lanes();
+const std::vector<LaneArithmetic>& all_lane_arithmetic();
 
 /// The widest of them, or what the environment variable BLOCKS_SIMD names.
-const ContactLanes& contact_lanes();
+const LaneArithmetic& lane_arithmetic();
 
 }  // namespace blocks::dynamics

@@ -1,2 +1,3 @@
 #define BLOCKS_LANES baseline
+#define BLOCKS_LANES_AT_ONCE 2
 #include "dynamics/contact_lanes_body.hpp"

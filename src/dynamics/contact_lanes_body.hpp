@@ -1,72 +1,219 @@
 // The computations of contact_lanes.hpp. Included once for each instruction set, in a
-// namespace of its own; calls nothing that is not compiled here.
+// namespace of its own; calls nothing that is not compiled here. A Set is as many
+// numbers as one register holds, one of each lane, and its operators act lane by lane.
+#include <cstddef>
+#include <utility>
+
 #include "dynamics/contact_lanes.hpp"
 
-#include <cmath>
-
 namespace blocks::dynamics::BLOCKS_LANES {
+namespace {
 
-void overlaps(OverlapLanes& l) {
-  for (int k = 0; k < lane_count; ++k) {
-    const double ex = l.x2[k] - l.x1[k], ey = l.y2[k] - l.y1[k];
-    const double plus = (l.xc[k] - l.x1[k]) * ey, minus = (l.yc[k] - l.y1[k]) * ex;
-    const double length = __builtin_sqrt(ex * ex + ey * ey);
-    const double value = plus - minus, overlap = value / length;
-    l.value[k] = value;
-    // filter::overlap of geometry/contact_predicates.hpp
-    l.bound[k] = 0x1p-51 * (__builtin_fabs(plus) + __builtin_fabs(minus)) + 0x1p-1000;
-    l.tangent_x[k] = ex / length;
-    l.tangent_y[k] = ey / length;
-    // its sign is decided exactly; rounded, a tiny depth may come out below zero
-    l.overlap[k] = overlap > 0.0 ? overlap : 0.0;
-  }
+constexpr int width = BLOCKS_LANES_AT_ONCE;
+typedef double Set __attribute__((vector_size(width * sizeof(double))));
+using Mask = decltype(Set{} < Set{});
+#define BLOCKS_INLINE [[gnu::always_inline]] inline
+
+BLOCKS_INLINE Set all_of(double x) { return Set{} + x; }
+BLOCKS_INLINE Set load(const double* row, int first) {
+  return *reinterpret_cast<const Set*>(row + first);
+}
+BLOCKS_INLINE void store(double* row, int first, Set x) {
+  *reinterpret_cast<Set*>(row + first) = x;
+}
+/// One number for each lane.
+template <std::size_t... lane>
+BLOCKS_INLINE Set gather(const double* row, const int* index,
+                         std::index_sequence<lane...>) {
+  return Set{row[index[lane]]...};
+}
+BLOCKS_INLINE Set gather(const double* row, const int* index) {
+  return gather(row, index, std::make_index_sequence<width>());
 }
 
-template <bool rigid> void forces_of(ForceLanes& l, const ContactLaw& law) {
-  for (int k = 0; k < lane_count; ++k) {
-    // a. relative velocity of the two material points (14)
-    const double ax = l.arm_ax[k], ay = l.arm_ay[k];
-    const double bx = l.arm_bx[k], by = l.arm_by[k];
-    double vax = l.vax[k] - l.spin_a[k] * ay, vay = l.vay[k] + l.spin_a[k] * ax;
-    double vbx = l.vbx[k] - l.spin_b[k] * by, vby = l.vby[k] + l.spin_b[k] * bx;
-    if (!rigid) {
-      vax += l.rate_a[0][k] * ax + l.rate_a[1][k] * ay;
-      vay += l.rate_a[2][k] * ax + l.rate_a[3][k] * ay;
-      vbx += l.rate_b[0][k] * bx + l.rate_b[1][k] * by;
-      vby += l.rate_b[2][k] * bx + l.rate_b[3][k] * by;
+struct Point {
+  Set x, y;
+};
+typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
+/// Two numbers for each lane: rows r and r + 1 of column `index` of a matrix.
+template <int rows, int at_once = width>
+BLOCKS_INLINE Point gather_point(const double* matrix, const int* index, int r = 0) {
+  const auto at = [&](int k) __attribute__((always_inline)) {
+    const double* const p = matrix + static_cast<std::ptrdiff_t>(rows) * index[k] + r;
+    return Pair{p[0], p[1]};
+  };
+  if constexpr (at_once == 2) {
+    return {__builtin_shufflevector(at(0), at(1), 0, 2),
+            __builtin_shufflevector(at(0), at(1), 1, 3)};
+  } else {
+    const auto two = [&](int k) __attribute__((always_inline)) {
+      return __builtin_shufflevector(at(k), at(k + 1), 0, 1, 2, 3);
+    };
+    if constexpr (at_once == 4) {
+      return {__builtin_shufflevector(two(0), two(2), 0, 2, 4, 6),
+              __builtin_shufflevector(two(0), two(2), 1, 3, 5, 7)};
+    } else {
+      const auto four = [&](int k) __attribute__((always_inline)) {
+        return __builtin_shufflevector(two(k), two(k + 2), 0, 1, 2, 3, 4, 5, 6, 7);
+      };
+      const auto p = four(0), q = four(4);
+      return {__builtin_shufflevector(p, q, 0, 2, 4, 6, 8, 10, 12, 14),
+              __builtin_shufflevector(p, q, 1, 3, 5, 7, 9, 11, 13, 15)};
     }
-    const double vx = vax - vbx, vy = vay - vby;
-    const double tx = l.tangent_x[k], ty = l.tangent_y[k], nx = -ty, ny = tx;
-
-    // b.-d.
-    double normal_elastic = l.normal_elastic[k], shear_elastic = l.shear_elastic[k];
-    double normal, shear;
-    apply(law, normal_elastic, shear_elastic, -(vx * nx + vy * ny), vx * tx + vy * ty,
-          l.overlap[k], l.damping[k], l.starting[k], normal, shear);
-    l.normal_elastic[k] = normal_elastic;
-    l.shear_elastic[k] = shear_elastic;
-    l.normal_force[k] = normal;
-    l.shear_force[k] = shear;
-
-    // e. equal and opposite at one point
-    const double fx = normal * nx - shear * tx, fy = normal * ny - shear * ty;
-    l.fx[k] = fx;
-    l.fy[k] = fy;
-    l.moment_a[k] = ax * fy - ay * fx;
-    l.moment_b[k] = by * fx - bx * fy;
-    l.sums_a[0][k] = fx * ax;
-    l.sums_a[1][k] = fx * ay;
-    l.sums_a[2][k] = fy * ax;
-    l.sums_a[3][k] = fy * ay;
-    l.sums_b[0][k] = -fx * bx;
-    l.sums_b[1][k] = -fx * by;
-    l.sums_b[2][k] = -fy * bx;
-    l.sums_b[3][k] = -fy * by;
   }
 }
 
-void forces(ForceLanes& lanes, const ContactLaw& law, bool rigid) {
-  rigid ? forces_of<true>(lanes, law) : forces_of<false>(lanes, law);
+template <std::size_t... lane>
+BLOCKS_INLINE bool any(Mask mask, std::index_sequence<lane...>) {
+  return (mask[lane] | ...) != 0;
+}
+template <std::size_t... lane>
+BLOCKS_INLINE Mask all_less(const int* a, const int* b, std::index_sequence<lane...>) {
+  return Mask{-(a[lane] < b[lane])...};
+}
+BLOCKS_INLINE Mask all_less(const int* a, const int* b) {
+  return all_less(a, b, std::make_index_sequence<width>());
+}
+BLOCKS_INLINE Set absolute(Set x) { return x < 0.0 ? -x : x; }
+BLOCKS_INLINE Set root(Set x) {
+  for (int k = 0; k < width; ++k)
+    x[k] = __builtin_sqrt(x[k]);
+  return x;
+}
+
+/// Corners against edges: 2A of (19), and filter::overlap of
+/// geometry/contact_predicates.hpp.
+struct Sides {
+  Set xc, yc, ex, ey, value, bound;
+
+  BLOCKS_INLINE Sides(const LaneRows& l, const BlockRows& blocks, int i) {
+    const Point c = gather_point<2>(blocks.corner, l.corner + i);
+    const Point p1 = gather_point<2>(blocks.corner, l.edge + i);
+    const Point p2 = gather_point<2>(blocks.corner, l.edge_end + i);
+    xc = c.x, yc = c.y;
+    ex = p2.x - p1.x, ey = p2.y - p1.y;
+    const Set plus = (xc - p1.x) * ey, minus = (yc - p1.y) * ex;
+    value = plus - minus;
+    bound = 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
+  }
+};
+
+/// A sign in doubt is taken to touch, until it is looked at.
+BLOCKS_INLINE void find_touching_set(const LaneRows& l, const BlockRows& blocks,
+                                     int i) {
+  const Sides sides(l, blocks, i);
+  const Set rule = load(l.rule, i), before = load(l.touch, i);
+  const Mask asked = rule == by_sign, outside = sides.value < -sides.bound;
+  const Mask clear = outside | (sides.value > sides.bound);
+  const Set if_inside = before > 0.0 ? all_of(in_touch) : all_of(starting);
+  const Set if_asked = outside ? all_of(apart) : if_inside;
+  const Set if_not = rule == decided ? if_inside : all_of(apart);
+  const Set touch = asked ? if_asked : if_not;
+  store(l.touch, i, touch);
+  const Mask lost = (touch == apart) & (before > 0.0);
+  if (any((asked & ~clear) | lost, std::make_index_sequence<width>()))
+    l.look[i / lane_count] = 1;
+}
+
+template <bool rigid, Found found>
+BLOCKS_INLINE void act_set(const LaneRows& l, const BlockRows& blocks,
+                           const ContactLaw& law, int i, Set& deepest, Set& strongest) {
+  // a. frame of the edge, overlap: its sign is decided exactly; rounded, a tiny depth
+  // may come out below zero
+  const Sides sides(l, blocks, i);
+  const Set none = all_of(0.0);
+  const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
+  const Set depth = sides.value * per_length, overlap = depth > 0.0 ? depth : none;
+  const Set tx = sides.ex * per_length, ty = sides.ey * per_length, nx = -ty, ny = tx;
+
+  // relative velocity of the two material points (14)
+  const int *const a = l.corner_block + i, *const b = l.edge_block + i;
+  const auto [ax, ay] = gather_point<2>(blocks.arm, l.corner + i);
+  const Point centroid = gather_point<2>(blocks.centroid, b);
+  const Set bx = sides.xc - centroid.x, by = sides.yc - centroid.y;
+  const Set spin_a = gather(blocks.spin, a), spin_b = gather(blocks.spin, b);
+  Point va = gather_point<2>(blocks.velocity, a);
+  Point vb = gather_point<2>(blocks.velocity, b);
+  va.x -= spin_a * ay, va.y += spin_a * ax;
+  vb.x -= spin_b * by, vb.y += spin_b * bx;
+  if constexpr (!rigid) {
+    const double* const rate = blocks.strain_rate;
+    const Point a1 = gather_point<4>(rate, a, 0), a2 = gather_point<4>(rate, a, 2);
+    const Point b1 = gather_point<4>(rate, b, 0), b2 = gather_point<4>(rate, b, 2);
+    va.x += a1.x * ax + a1.y * ay, va.y += a2.x * ax + a2.y * ay;
+    vb.x += b1.x * bx + b1.y * by, vb.y += b2.x * bx + b2.y * by;
+  }
+  const Set vx = va.x - vb.x, vy = va.y - vb.y;
+
+  // b.-d.
+  const Set touch = load(l.touch, i);
+  const Mask acts = touch > 0.0;
+  Set normal_elastic = load(l.normal_elastic, i);
+  Set shear_elastic = load(l.shear_elastic, i);
+  Set normal, shear;
+  apply(law, normal_elastic, shear_elastic, -(vx * nx + vy * ny), vx * tx + vy * ty,
+        overlap, load(l.damping, i), touch - 1.0, normal, shear);
+  normal_elastic = acts ? normal_elastic : none;
+  normal = acts ? normal : none;
+  shear = acts ? shear : none;
+  store(l.normal_elastic, i, normal_elastic);
+  store(l.shear_elastic, i, acts ? shear_elastic : none);
+  const Set reached = acts ? overlap : none;
+  deepest = reached > deepest ? reached : deepest;
+  strongest = normal_elastic > strongest ? normal_elastic : strongest;
+
+  // e. equal and opposite at one point
+  const Set fx = normal * nx - shear * tx, fy = normal * ny - shear * ty;
+  const Set moment_a = ax * fy - ay * fx, moment_b = by * fx - bx * fy;
+  const Mask low = all_less(a, b);
+  store(l.fx, i, low ? fx : -fx);
+  store(l.fy, i, low ? fy : -fy);
+  store(l.moment_low, i, low ? moment_a : moment_b);
+  store(l.moment_high, i, low ? moment_b : moment_a);
+  if constexpr (found != Found::forces) {
+    store(l.arm_ax, i, ax), store(l.arm_ay, i, ay);
+    store(l.arm_bx, i, bx), store(l.arm_by, i, by);
+  }
+  if constexpr (found == Found::everything) {
+    store(l.overlap, i, reached);
+    store(l.normal_force, i, normal);
+    store(l.shear_force, i, shear);
+  }
+}
+
+template <bool rigid, Found found>
+LaneExtremes act_sets(const LaneRows& lanes, const BlockRows& blocks,
+                      const ContactLaw& law, int first, int last) {
+  Set deepest = all_of(0.0), strongest = all_of(0.0);
+  for (int i = first * lane_count; i < last * lane_count; i += width)
+    act_set<rigid, found>(lanes, blocks, law, i, deepest, strongest);
+  LaneExtremes extremes = {0.0, 0.0};
+  for (int k = 0; k < width; ++k) {
+    extremes.overlap = deepest[k] > extremes.overlap ? deepest[k] : extremes.overlap;
+    extremes.spring = strongest[k] > extremes.spring ? strongest[k] : extremes.spring;
+  }
+  return extremes;
+}
+
+}  // namespace
+
+void find_touching(const LaneRows& lanes, const BlockRows& blocks, int first,
+                   int last) {
+  for (int set = first; set < last; ++set) {
+    lanes.look[set] = 0;
+    for (int i = set * lane_count; i < (set + 1) * lane_count; i += width)
+      find_touching_set(lanes, blocks, i);
+  }
+}
+
+LaneExtremes act(const LaneRows& lanes, const BlockRows& blocks, const ContactLaw& law,
+                 bool rigid, Found found, int first, int last) {
+  const auto sets =
+      found == Found::everything
+          ? (rigid ? act_sets<true, Found::everything>
+                   : act_sets<false, Found::everything>)
+          : (rigid ? act_sets<true, Found::forces> : act_sets<false, Found::arms>);
+  return sets(lanes, blocks, law, first, last);
 }
 
 }  // namespace blocks::dynamics::BLOCKS_LANES

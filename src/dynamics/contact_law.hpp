@@ -18,35 +18,39 @@ struct ContactLaw {
 /// closing, sliding: relative velocity of the corner against the edge, inwards and
 /// along the edge [L/T]; overlap: depth [L] > 0; damping: C of (18) [F T/L]; starting:
 /// 1 if the contact did not act in the step before, or was handed a force in this one,
-/// else 0. No branches, for it runs in SIMD lanes; inlined wherever it is used, so that
-/// no instruction set leaks into another's code.
-[[gnu::always_inline]] inline void apply(const ContactLaw& law, double& normal_elastic,
-                                         double& shear_elastic, double closing,
-                                         double sliding, double overlap, double damping,
-                                         double starting, double& normal_force,
-                                         double& shear_force) {
+/// else 0. Numbers of one contact, or of the lanes of a set (contact_lanes.hpp): no
+/// branches; inlined wherever it is used, so that no instruction set leaks into
+/// another's code.
+template <class Number>
+[[gnu::always_inline]] inline void apply(const ContactLaw& law, Number& normal_elastic,
+                                         Number& shear_elastic, const Number& closing,
+                                         const Number& sliding, const Number& overlap,
+                                         const Number& damping, const Number& starting,
+                                         Number& normal_force, Number& shear_force) {
+  const Number none = Number{}, whole = none + 1.0;
   // b. On its first step a contact has closed by the overlap, not by a whole step; with
   // what it was handed it is no stronger than its overlap explains.
-  const double advance = closing * law.dt;
-  const double part = overlap / advance, most = law.normal_stiffness * overlap;
-  const double share = starting > 0.0 ? (advance > overlap ? part : 1.0) : 1.0;
-  const double spring = normal_elastic + share * law.normal_stiffness * advance;
-  const double pressed = spring > 0.0 ? spring : 0.0;
-  const double capped = pressed < most ? pressed : most;
+  const Number advance = closing * law.dt;
+  const Number part = overlap / advance, most = law.normal_stiffness * overlap;
+  const Number first_share = advance > overlap ? part : whole;
+  const Number share = starting > 0.0 ? first_share : whole;
+  const Number spring = normal_elastic + share * law.normal_stiffness * advance;
+  const Number pressed = spring > 0.0 ? spring : none;
+  const Number capped = pressed < most ? pressed : most;
   normal_elastic = starting > 0.0 ? capped : pressed;
 
   // c. No tension. The dashpot is added, never stored.
-  const double damped = normal_elastic + damping * closing;
-  normal_force = damped > 0.0 ? damped : 0.0;
+  const Number damped = normal_elastic + damping * closing;
+  normal_force = damped > 0.0 ? damped : none;
 
   // d. Coulomb friction (17); no dashpot while it slides.
-  const double limit = law.friction * normal_force;
-  const double trial = shear_elastic + share * law.shear_stiffness * sliding * law.dt;
-  const double below = trial < limit ? trial : limit;
-  const double held = below > -limit ? below : -limit;
-  const double with_dashpot = held + damping * sliding;
-  const double less = with_dashpot < limit ? with_dashpot : limit;
-  const double clamped = less > -limit ? less : -limit;
+  const Number limit = law.friction * normal_force;
+  const Number trial = shear_elastic + share * law.shear_stiffness * sliding * law.dt;
+  const Number below = trial < limit ? trial : limit;
+  const Number held = below > -limit ? below : -limit;
+  const Number with_dashpot = held + damping * sliding;
+  const Number less = with_dashpot < limit ? with_dashpot : limit;
+  const Number clamped = less > -limit ? less : -limit;
   shear_elastic = held;
   shear_force = held == trial ? clamped : held;
 }

@@ -32,9 +32,21 @@ void Displacement::include(const Displacement& others) {
   left_domain = left_domain || others.left_domain;
 }
 
-void finish_applied_stress(Blocks& blocks, BlockRange range) {
-  for (int b = range.first; b < range.last; ++b)
-    blocks.applied.col(b) /= blocks.area[b];
+void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
+                           BlockRange range) {
+  const ContactLanes& lanes = groups.lanes;
+  for (int b = range.first; b < range.last; ++b) {
+    Eigen::Vector4d sums = blocks.applied.col(b);
+    groups.each_lane_of(b, [&](int i, bool low) {
+      const bool of_corner = lanes.corner_block[i] == b;
+      const double x = of_corner ? lanes.arm_ax[i] : lanes.arm_bx[i];
+      const double y = of_corner ? lanes.arm_ay[i] : lanes.arm_by[i];
+      const double sign = low ? 1.0 : -1.0;
+      const double fx = sign * lanes.fx[i], fy = sign * lanes.fy[i];
+      sums += Eigen::Vector4d(fx * x, fx * y, fy * x, fy * y);
+    });
+    blocks.applied.col(b) = sums / blocks.area[b];
+  }
 }
 
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
@@ -87,14 +99,42 @@ void update_stress(Blocks& blocks, BlockRange range, const Settings& settings,
   }
 }
 
+namespace {
+
+/// Whether all that is within `reach` of the point is inside the domain.
+bool well_inside(const Vec2& point, double reach, const Settings& settings) {
+  return point.x() - reach >= settings.lower.x() &&
+         point.y() - reach >= settings.lower.y() &&
+         point.x() + reach <= settings.upper.x() &&
+         point.y() + reach <= settings.upper.y();
+}
+
+bool inside(const Blocks& blocks, int b, const Settings& settings) {
+  const auto corners =
+      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  return (corners.rowwise().minCoeff().array() >= settings.lower.array()).all() &&
+         (corners.rowwise().maxCoeff().array() <= settings.upper.array()).all();
+}
+
+/// What the swing of a rigid block grows by, beside what its angle tells: that by which
+/// turn and Cayley rotation differ, and round-off.
+double beside_angle(double turn, double angle, double per_radian) {
+  return turn != 0.0 ? per_radian * (std::abs(turn * turn * turn) / 12.0 +
+                                     0x1p-50 * (1.0 + std::abs(angle)))
+                     : 0.0;
+}
+
+}  // namespace
+
 Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
                          const Settings& settings, double dt) {
   Displacement result;
-  double largest = 0.0, sum = 0.0;
+  double sum = 0.0;  // carries a NaN that max would drop
   for (int b = range.first; b < range.last; ++b) {
     if (!blocks.is_free(b))
       continue;
-    const Vec2 centroid = blocks.centroid.col(b) + dt * blocks.velocity.col(b);
+    const Vec2 shift = dt * blocks.velocity.col(b);
+    const Vec2 centroid = blocks.centroid.col(b) + shift;
     const double turn = dt * blocks.spin[b];
     Eigen::Matrix2d transform = cayley_rotation(turn);
     if (!settings.rigid) {
@@ -108,36 +148,29 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
     blocks.centroid.col(b) = centroid;
     blocks.angle[b] += turn;
 
-    // beside the angle: what turn and Cayley rotation differ by, and round-off
-    double block_swing =
-        settings.rigid && turn != 0.0
-            ? swing.per_radian[b] * (std::abs(turn * turn * turn) / 12.0 +
-                                     0x1p-50 * (1.0 + std::abs(blocks.angle[b])))
-            : 0.0;
-    double block_largest = 0.0;
-    bool inside = true;
+    const double reach = swing.per_radian[b];
+    const double beside =
+        settings.rigid ? beside_angle(turn, blocks.angle[b], reach) : 0.0;
+    double swung = reach * std::abs(turn) + beside;
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
       const Vec2 arm = transform * Vec2(blocks.arm.col(c));
-      const Vec2 corner = centroid + arm;
-      const double moved = (corner - blocks.corner.col(c)).squaredNorm();
       if (!settings.rigid)
-        block_swing = std::max(block_swing, (arm - blocks.arm.col(c)).norm());
+        swung = std::max(swung, (arm - blocks.arm.col(c)).norm());
       blocks.arm.col(c) = arm;
-      blocks.corner.col(c) = corner;
-      block_largest = std::max(block_largest, moved);
-      sum += moved;  // carries a NaN that max would drop
-      inside = inside && corner.x() >= settings.lower.x() &&
-               corner.y() >= settings.lower.y() && corner.x() <= settings.upper.x() &&
-               corner.y() <= settings.upper.y();
+      blocks.corner.col(c) = centroid + arm;
     }
-    swing.sum[b] += block_swing;
-    if (block_largest > largest) {
-      largest = block_largest;
-      result.block = b;
-    }
-    result.left_domain = result.left_domain || !inside;
+    swing.sum[b] += settings.rigid ? beside : swung;
+    const double went = shift.norm();
+    swing.way[b] += 1.0000001 * (went + 2.0 * swung) + 0x1p-52 * swing.way[b];
+
+    const double moved = went + swung;
+    sum += moved;
+    if (moved > result.largest)
+      result.largest = moved, result.block = b;
+    if (!(settings.rigid && well_inside(centroid, reach, settings)) &&
+        !inside(blocks, b, settings))
+      result.left_domain = true;
   }
-  result.largest = std::sqrt(largest);
   result.finite = std::isfinite(sum);
   return result;
 }

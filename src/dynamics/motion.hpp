@@ -15,8 +15,9 @@ inline BlockRange all_of(const Blocks& blocks) { return {0, blocks.size()}; }
 
 /// What one step of motion did.
 struct Displacement {
-  double largest = 0.0;      ///< [L] of any corner (UDMAX)
-  int block = -1;            ///< block of that corner
+  double largest = 0.0;      ///< [L] no corner has moved by more (UDMAX): way of the
+                             ///< centroid and change of the longest arm
+  int block = -1;            ///< the block of which that is said
   bool finite = true;        ///< false: some corner is no longer a number
   bool left_domain = false;  ///< some corner lies outside the domain
   double strongest = 0.0;    ///< [F] largest elastic normal force of a contact
@@ -25,8 +26,10 @@ struct Displacement {
   void include(const Displacement& others);
 };
 
-/// Turns the sums f_i x_j into the applied stress (9): divides by the area.
-void finish_applied_stress(Blocks& blocks, BlockRange range);
+/// Applied stress (9): adds f_i x_j of the contacts in the lanes to that of loads and
+/// planes, and divides by the area.
+void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
+                           BlockRange range);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,

@@ -20,12 +20,15 @@ void prepare(Model& model) {
   set_contact_damping(model);
 }
 
-Displacement step(Model& model, SearchBuffers& buffers) {
+namespace {
+
+Displacement make_step(Model& model, SearchBuffers& buffers, Found found) {
   Blocks& blocks = model.blocks;
 
   // 1. potential contacts
   if (!model.search.current) {
     const Profile::Timer timer(buffers.profile, Profile::search);
+    buffers.groups.store_springs(model.contacts);
     update_contacts(model, buffers);
   }
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
@@ -38,8 +41,26 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   clear_forces(blocks);
   const Extremes touching =
       add_contact_forces(blocks, model.contacts, buffers.groups, model.settings,
-                         model.time_step.dt, *buffers.workers, buffers.profile);
+                         model.time_step.dt, found, *buffers.workers, buffers.profile);
   return move(model, buffers, touching);
+}
+
+}  // namespace
+
+Displacement step(Model& model, SearchBuffers& buffers) {
+  const Displacement moved = make_step(model, buffers, Found::everything);
+  tell(model, buffers);
+  return moved;
+}
+
+Displacement advance(Model& model, SearchBuffers& buffers) {
+  return make_step(model, buffers, Found::forces);
+}
+
+void tell(Model& model, SearchBuffers& buffers) {
+  buffers.groups.store_everything(model.contacts);
+  if (model.settings.rigid)
+    finish_applied_stress(model.blocks, buffers.groups, all_of(model.blocks));
 }
 
 void clear_forces(Blocks& blocks) {
@@ -67,9 +88,9 @@ Displacement move(Model& model, SearchBuffers& buffers,
   buffers.workers->each(
       blocks.size(), blocks_per_thread, [&](int part, int first, int last) {
         const BlockRange range{first, last};
-        finish_applied_stress(blocks, range);
         update_velocities(blocks, range, settings.gravity, dt);
         if (!settings.rigid) {
+          finish_applied_stress(blocks, buffers.groups, range);
           update_strain_rates(blocks, range, dt);
           update_stress(blocks, range, settings, dt);
         }

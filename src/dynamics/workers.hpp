@@ -10,7 +10,7 @@
 namespace blocks::dynamics {
 
 /// Items of a step below which a second thread does not pay.
-inline constexpr int pairs_per_thread = 256, live_per_thread = 1024,
+inline constexpr int pairs_per_thread = 256, sets_per_thread = 128,
                      blocks_per_thread = 128;
 
 class Workers {

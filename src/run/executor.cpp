@@ -131,10 +131,15 @@ void Executor::start() {
 Outcome Executor::advance(long steps) {
   const long rows = 10, row_every = std::max(1L, (steps + rows - 1) / rows);
   for (long i = 1; i <= steps; ++i) {
-    const bool audited = audit_.due(model_);
+    // whoever looks at the model afterwards needs all of it
+    const bool row = i % row_every == 0 || i == steps, audited = audit_.due(model_);
+    const bool paused =
+        i % 64 == 0 || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
+    const bool whole = row || audited || paused || output_due();
     if (audited)
       audit_.before(model_);
-    const dynamics::Displacement moved = dynamics::step(model_, buffers_);
+    const auto step = whole ? dynamics::step : dynamics::advance;
+    const dynamics::Displacement moved = step(model_, buffers_);
     if (!moved.finite) {
       warn(
           fmt::format("at time {:g} (step {}) some position is no longer a number; the "
@@ -148,7 +153,7 @@ Outcome Executor::advance(long steps) {
       return Outcome::unsound;
     watch(moved);
     output_if_due();
-    if (i % row_every == 0 || i == steps)
+    if (row)
       console_.row(model_);
     ++steps_made_;
     progress_.steps_left = steps - i;
@@ -156,7 +161,7 @@ Outcome Executor::advance(long steps) {
       ++progress_.card;
       begun_ = false;
     }
-    if (i % 64 == 0 || interrupt_requested() || steps_made_ == options_.stop_after) {
+    if (paused) {
       console_.progress(model_, share_from_ + (share_to_ - share_from_) *
                                                   static_cast<double>(i) /
                                                   static_cast<double>(steps));
@@ -167,6 +172,16 @@ Outcome Executor::advance(long steps) {
     }
   }
   return Outcome::finished;
+}
+
+bool Executor::output_due() const {
+  const double now = model_.time_origin +
+                     model_.time_step.dt *
+                         (static_cast<double>(model_.steps - model_.step_origin) + 1.5);
+  const auto due = [&](const OutputClock& clock) {
+    return clock.interval > 0.0 && now * (1.0 + 1e-12) >= clock.due;
+  };
+  return due(model_.plots) || due(model_.output);
 }
 
 void Executor::output_if_due() {
@@ -206,6 +221,7 @@ void Executor::watch(const dynamics::Displacement& moved) {
 
 /// A spring pressed in by more than half of what a block is deep holds no real force.
 bool Executor::runaway() {
+  buffers_.groups.store_springs(model_.contacts);
   const Contacts& contacts = model_.contacts;
   const Blocks& blocks = model_.blocks;
   for (int i = 0; i < contacts.size(); ++i) {

@@ -68,6 +68,7 @@ class Executor {
   Outcome advance(long steps);
   /// What is left of a card begun before; `all` of one that begins.
   long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
+  bool output_due() const;  ///< after the next step
   void output_if_due();
   void watch(const dynamics::Displacement& moved);
   void warn(const std::string& message);

@@ -11,8 +11,10 @@ dynamics::Displacement step(Model& model, dynamics::SearchBuffers& buffers) {
   dynamics::clear_forces(model.blocks);
   const dynamics::Extremes touching = dynamics::add_contact_forces_by<Rules>(
       model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
-      *buffers.workers);
-  return dynamics::move(model, buffers, touching);
+      dynamics::Found::everything, *buffers.workers);
+  const dynamics::Displacement moved = dynamics::move(model, buffers, touching);
+  dynamics::tell(model, buffers);
+  return moved;
 }
 
 template <class Signs> void judge_signs(const Model& model, SignTally& tally) {

@@ -13,11 +13,11 @@ namespace {
 /// Numbers of every size, of both signs, and zeros.
 class Numbers {
  public:
-  void fill(Lanes& lanes) {
-    for (double& x : lanes)
-      x = kind_(random_) == 0 ? 0.0 : std::ldexp(uniform_(random_), power_(random_));
+  double any() {
+    return kind_(random_) == 0 ? 0.0 : std::ldexp(uniform_(random_), power_(random_));
   }
   double positive() { return std::abs(uniform_(random_)) + 0x1p-20; }
+  int below(int count) { return static_cast<int>(random_() % count); }
 
  private:
   std::mt19937_64 random_{11};
@@ -25,49 +25,83 @@ class Numbers {
   std::uniform_int_distribution<int> power_{-30, 30}, kind_{0, 9};
 };
 
-template <class Batch> Batch blank() {
-  Batch batch;
-  std::memset(static_cast<void*>(&batch), 0, sizeof batch);
-  return batch;
+/// Contacts of no shape in particular between blocks of no shape in particular.
+struct Scene {
+  static constexpr int sets = 5, size = sets * lane_count - 3, blocks = 7, corners = 30;
+  std::vector<double> corner, arm, centroid, velocity, spin, rate;
+  BlockRows rows;
+  std::vector<double> springs;
+  std::vector<int> places;
+
+  explicit Scene(Numbers& numbers) {
+    const auto fill = [&](std::vector<double>& row, int count) {
+      for (int i = 0; i < count; ++i)
+        row.push_back(numbers.any());
+      return row.data();
+    };
+    rows = {fill(corner, 2 * corners),  fill(arm, 2 * corners),
+            fill(centroid, 2 * blocks), fill(velocity, 2 * blocks),
+            fill(spin, blocks),         fill(rate, 4 * blocks)};
+    fill(springs, 3 * size);
+    for (int i = 0; i < size; ++i)
+      for (const int count : {corners, corners, corners, blocks, blocks, 3, 3})
+        places.push_back(numbers.below(count));
+  }
+
+  void put(ContactLanes& lanes) const {
+    lanes.resize(size);
+    for (int i = 0; i < size; ++i) {
+      const int* const p = &places[7 * i];
+      lanes.corner[i] = p[0], lanes.edge[i] = p[1], lanes.edge_end[i] = p[2];
+      lanes.corner_block[i] = p[3], lanes.edge_block[i] = p[4];
+      lanes.rule[i] = p[5], lanes.touch[i] = p[6];
+      lanes.normal_elastic[i] = std::abs(springs[3 * i]);
+      lanes.shear_elastic[i] = springs[3 * i + 1];
+      lanes.damping[i] = std::abs(springs[3 * i + 2]);
+    }
+  }
+};
+
+/// The bits of all that the lanes hold.
+std::vector<std::uint64_t> bits(const ContactLanes& lanes, LaneExtremes extremes) {
+  std::vector<std::uint64_t> found(lanes.look, lanes.look + Scene::sets);
+  const auto add = [&](const double& x) {
+    std::uint64_t word;
+    std::memcpy(&word, &x, sizeof word);
+    found.push_back(std::isnan(x) ? 1 : word);  // of NaN the sign is not defined
+  };
+  for (int i = 0; i < Scene::size; ++i)
+    for (const double* row :
+         {lanes.touch, lanes.normal_elastic, lanes.shear_elastic, lanes.fx, lanes.fy,
+          lanes.moment_low, lanes.moment_high, lanes.arm_ax, lanes.arm_ay, lanes.arm_bx,
+          lanes.arm_by, lanes.overlap, lanes.normal_force, lanes.shear_force})
+      add(row[i]);
+  add(extremes.overlap);
+  add(extremes.spring);
+  return found;
 }
 
 TEST(ContactLanes, EveryInstructionSetGivesTheSameBits) {
   Numbers numbers;
-  const ContactLanes& baseline = all_contact_lanes().front();
-  EXPECT_EQ(baseline.name, "baseline");
-  for (int trial = 0; trial < 2000; ++trial) {
-    auto where = blank<OverlapLanes>();
-    for (Lanes* lanes :
-         {&where.xc, &where.yc, &where.x1, &where.y1, &where.x2, &where.y2})
-      numbers.fill(*lanes);
-    auto acting = blank<ForceLanes>();
-    for (Lanes* lanes :
-         {&acting.tangent_x, &acting.tangent_y, &acting.overlap, &acting.arm_ax,
-          &acting.arm_ay, &acting.arm_bx, &acting.arm_by, &acting.vax, &acting.vay,
-          &acting.vbx, &acting.vby, &acting.spin_a, &acting.spin_b, &acting.damping,
-          &acting.normal_elastic, &acting.shear_elastic})
-      numbers.fill(*lanes);
-    for (int r = 0; r < 4; ++r)
-      numbers.fill(acting.rate_a[r]), numbers.fill(acting.rate_b[r]);
-    for (int k = 0; k < lane_count; ++k)
-      acting.starting[k] = k % 3 == 0;
+  EXPECT_EQ(all_lane_arithmetic().front().name, "baseline");
+  for (int trial = 0; trial < 500; ++trial) {
+    const Scene scene(numbers);
     const ContactLaw law{numbers.positive(), numbers.positive(), numbers.positive(),
                          numbers.positive()};
-    auto expected_where = where;
-    baseline.overlaps(expected_where);
-    for (const bool rigid : {true, false}) {
-      auto expected = acting;
-      baseline.forces(expected, law, rigid);
-      for (const ContactLanes& lanes : all_contact_lanes()) {
-        auto found = acting;
-        lanes.forces(found, law, rigid);
-        ASSERT_EQ(std::memcmp(&found, &expected, sizeof found), 0) << lanes.name;
-        auto found_where = where;
-        lanes.overlaps(found_where);
-        ASSERT_EQ(std::memcmp(&found_where, &expected_where, sizeof found_where), 0)
-            << lanes.name;
+    for (const bool rigid : {true, false})
+      for (const Found found : {Found::forces, Found::everything}) {
+        std::vector<std::uint64_t> expected;
+        for (const LaneArithmetic& arithmetic : all_lane_arithmetic()) {
+          ContactLanes lanes;
+          scene.put(lanes);
+          arithmetic.find_touching(lanes, scene.rows, 0, lanes.sets());
+          const LaneExtremes extremes =
+              arithmetic.act(lanes, scene.rows, law, rigid, found, 0, lanes.sets());
+          if (expected.empty())
+            expected = bits(lanes, extremes);
+          ASSERT_EQ(bits(lanes, extremes), expected) << arithmetic.name;
+        }
       }
-    }
   }
 }
 

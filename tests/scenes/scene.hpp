@@ -79,13 +79,7 @@ class Scene {
   }
 
   /// Every contact is decided anew in the next step.
-  void forget_decisions() {
-    for (dynamics::ContactPair& pair : buffers_.groups.pairs)
-      pair.certain = 0.0;
-    for (dynamics::ContactGroup& group : buffers_.groups.all)
-      group.certain.travel = 0.0, group.hopeless = 1;
-    buffers_.groups.live_complete = false;
-  }
+  void forget_decisions() { buffers_.groups.forget_decisions(); }
 
   double dt() const { return model.time_step.dt; }
   double weight(int b) const { return model.blocks.mass[b] * model.settings.gravity.norm(); }
