@@ -10,11 +10,11 @@
 
 namespace blocks::dynamics {
 
-Extremes add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                            const Settings& settings, double dt, Found found,
-                            Workers& workers, Profile* profile) {
-  return add_contact_forces_by<ExactRules>(blocks, contacts, groups, settings, dt,
-                                           found, workers, profile);
+Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
+                           ContactGroups& groups, const Settings& settings, double dt,
+                           Found found, Workers& workers, Profile* profile) {
+  return evaluate_contacts_by<ExactRules>(blocks, contacts, groups, settings, dt, found,
+                                          workers, profile);
 }
 
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

@@ -10,14 +10,15 @@
 
 namespace blocks::dynamics {
 
-/// Decides which potential contacts act (rules 9-12), advances their springs (rule 7)
-/// and adds force and moment to both blocks. Reads corners, velocities and the
-/// blocks' swing; writes the groups' decisions and lanes, blocks.force, .moment.
-Extremes add_contact_forces(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                            const Settings& settings, double dt, Found found,
-                            Workers& workers, Profile* profile = nullptr);
+/// Decides which potential contacts act (rules 9-12) and advances their springs (rule
+/// 7). Reads corners, velocities and the blocks' swing; writes the groups' decisions
+/// and lanes, from which sum_contact_forces takes what blocks feel.
+Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
+                           ContactGroups& groups, const Settings& settings, double dt,
+                           Found found, Workers& workers, Profile* profile = nullptr);
 
-/// The same for symmetry planes: frictionless, infinite mass, no tension (rule 21).
+/// Forces from symmetry planes, added to their blocks: frictionless, infinite mass, no
+/// tension (rule 21).
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
                           const Settings& settings, double dt);
 

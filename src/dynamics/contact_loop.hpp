@@ -154,22 +154,6 @@ void settle(const Blocks& blocks, ContactGroups& groups, int set,
   }
 }
 
-/// Sums what the contacts of each block do to it, in the order of the list.
-inline void gather(Blocks& blocks, const ContactGroups& groups, int first, int last) {
-  const ContactLanes& lanes = groups.lanes;
-  for (int b = first; b < last; ++b) {
-    double x = 0.0, y = 0.0, moment = 0.0;
-    groups.each_lane_of(b, [&](int i, bool low) {
-      if (low)
-        x += lanes.fx[i], y += lanes.fy[i], moment += lanes.moment_low[i];
-      else
-        x -= lanes.fx[i], y -= lanes.fy[i], moment += lanes.moment_high[i];
-    });
-    blocks.force(0, b) += x, blocks.force(1, b) += y;
-    blocks.moment[b] += moment;
-  }
-}
-
 inline BlockRows rows_of(const Blocks& blocks) {
   return {blocks.corner.data(),   blocks.arm.data(),  blocks.centroid.data(),
           blocks.velocity.data(), blocks.spin.data(), blocks.strain_rate.data()};
@@ -177,12 +161,12 @@ inline BlockRows rows_of(const Blocks& blocks) {
 
 }  // namespace detail
 
-/// add_contact_forces (contact_forces.hpp) for any rules.
+/// evaluate_contacts (contact_forces.hpp) for any rules.
 template <class Rules>
-Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
-                               ContactGroups& groups, const Settings& settings,
-                               double dt, Found found, Workers& workers,
-                               Profile* profile = nullptr) {
+Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
+                              ContactGroups& groups, const Settings& settings,
+                              double dt, Found found, Workers& workers,
+                              Profile* profile = nullptr) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   const int pairs = static_cast<int>(groups.pairs.size());
@@ -218,9 +202,6 @@ Extremes add_contact_forces_by(Blocks& blocks, Contacts& contacts,
     const LaneExtremes most =
         arithmetic.act(groups.lanes, rows, law, settings.rigid, found, first, last);
     groups.shares[part].extremes.include(most.overlap, most.spring);
-  });
-  workers.each(blocks.size(), blocks_per_thread, [&](int, int first, int last) {
-    detail::gather(blocks, groups, first, last);
   });
   Extremes extremes;
   for (ContactGroups::Share& share : groups.shares) {

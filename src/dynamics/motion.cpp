@@ -32,6 +32,21 @@ void Displacement::include(const Displacement& others) {
   left_domain = left_domain || others.left_domain;
 }
 
+void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range) {
+  const ContactLanes& lanes = groups.lanes;
+  for (int b = range.first; b < range.last; ++b) {
+    double x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
+    groups.each_lane_of(b, [&](int i, bool low) {
+      if (low)
+        x += lanes.fx[i], y += lanes.fy[i], moment += lanes.moment_low[i];
+      else
+        x -= lanes.fx[i], y -= lanes.fy[i], moment += lanes.moment_high[i];
+    });
+    blocks.force(0, b) = x, blocks.force(1, b) = y;
+    blocks.moment[b] = moment;
+  }
+}
+
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
                            BlockRange range) {
   const ContactLanes& lanes = groups.lanes;

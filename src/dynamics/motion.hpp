@@ -26,6 +26,10 @@ struct Displacement {
   void include(const Displacement& others);
 };
 
+/// Adds force and moment of the contacts in the lanes to what loads and planes do, in
+/// the order of the list.
+void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range);
+
 /// Applied stress (9): adds f_i x_j of the contacts in the lanes to that of loads and
 /// planes, and divides by the area.
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,

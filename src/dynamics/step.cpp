@@ -40,8 +40,8 @@ Displacement make_step(Model& model, SearchBuffers& buffers, Found found) {
   // 2. contact forces
   clear_forces(blocks);
   const Extremes touching =
-      add_contact_forces(blocks, model.contacts, buffers.groups, model.settings,
-                         model.time_step.dt, found, *buffers.workers, buffers.profile);
+      evaluate_contacts(blocks, model.contacts, buffers.groups, model.settings,
+                        model.time_step.dt, found, *buffers.workers, buffers.profile);
   return move(model, buffers, touching);
 }
 
@@ -88,6 +88,7 @@ Displacement move(Model& model, SearchBuffers& buffers,
   buffers.workers->each(
       blocks.size(), blocks_per_thread, [&](int part, int first, int last) {
         const BlockRange range{first, last};
+        sum_contact_forces(blocks, buffers.groups, range);
         update_velocities(blocks, range, settings.gravity, dt);
         if (!settings.rigid) {
           finish_applied_stress(blocks, buffers.groups, range);

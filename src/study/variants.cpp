@@ -9,7 +9,7 @@ namespace {
 template <class Rules>
 dynamics::Displacement step(Model& model, dynamics::SearchBuffers& buffers) {
   dynamics::clear_forces(model.blocks);
-  const dynamics::Extremes touching = dynamics::add_contact_forces_by<Rules>(
+  const dynamics::Extremes touching = dynamics::evaluate_contacts_by<Rules>(
       model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
       dynamics::Found::everything, *buffers.workers);
   const dynamics::Displacement moved = dynamics::move(model, buffers, touching);
