@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -162,12 +163,32 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
     part->description(page->second);
 }
 
+/// Of `blocks run --audit 5 DECK` the number, which was meant for the flag; empty: no
+/// such thing.
+std::string astray_from_audit(const CLI::App& app) {
+  const CLI::App* run = app.get_subcommand("run");
+  if (!run->parsed() || run->count("--audit") == 0)
+    return {};
+  std::vector<std::string> words = run->remaining();
+  if (run->count("DECK") > 0)
+    words.push_back(run->get_option("DECK")->results().front());
+  const auto number =
+      std::find_if(words.begin(), words.end(), [](const std::string& word) {
+        return word.find_first_not_of("0123456789") == std::string::npos;
+      });
+  return number == words.end() ? std::string() : *number;
+}
+
 /// A fault of the command line, told like every other.
 std::string tell_usage_fault(const CLI::App* app, const CLI::Error& error) {
   std::string command = "blocks";
   for (auto named = app->get_subcommands(); !named.empty();
        named = named.front()->get_subcommands())
     command += ' ' + named.front()->get_name();
+  if (const std::string every = astray_from_audit(*app); !every.empty())
+    return fmt::format("blocks: error: {0}\n  hint: {1} is not read as the number of "
+                       "--audit; every {1} steps is --audit={1}\n",
+                       error.what(), every);
   return fmt::format("blocks: error: {}\n  hint: {} --help says what there is\n",
                      error.what(), command);
 }

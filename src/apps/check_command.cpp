@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "output/check_outputs.hpp"
 #include "post/figure.hpp"
 #include "run/geometry_report.hpp"
 
@@ -95,6 +96,7 @@ void add_geometry_options(CLI::App& command, GeometryOptions& options) {
 int check(const run::RunOptions& options, const GeometryOptions& geometry) {
   if (!geometry.report)
     return run::check_deck(options);
+  output::check_outputs({geometry.plot});
   const auto checked = run::build_checked(options);
   if (checked.code != run::done)
     return checked.code;

@@ -14,6 +14,7 @@
 #include "exchange/mesh_writer.hpp"
 #include "geometry/polygon.hpp"
 #include "model/model.hpp"
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/quantity.hpp"
 #include "post/results_reader.hpp"
@@ -178,6 +179,7 @@ int export_blocks(ExportOptions options) {
   if (same_file(input, options.output))
     return refuse(run::usage_error,
                   input + " would be written over: choose another -o NAME");
+  output::check_outputs({options.output});
 
   Scene scene;
   if (is_hdf5(input)) {

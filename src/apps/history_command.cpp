@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/history.hpp"
 #include "post/line_chart.hpp"
@@ -149,18 +150,27 @@ Answer profiles(const HistoryOptions& options,
   return answer;
 }
 
+/// Before anything is read: what is to be made, and where?
+void check_names(const std::vector<std::string>& outputs) {
+  for (const std::string& path : outputs) {
+    const std::string ending = fs::path(path).extension().string();
+    if (ending != ".csv" && ending != ".json" && ending != ".png" && ending != ".svg" &&
+        ending != ".pdf")
+      throw std::runtime_error(
+          "the output's name must end in .csv, .json, .png, .svg or .pdf, found '" +
+          path + "'");
+  }
+  output::check_outputs(outputs);
+}
+
 void write(const std::string& path, const Answer& answer, double width) {
   const std::string ending = fs::path(path).extension().string();
   if (ending == ".csv")
     write_text_file(path, post::csv_text(answer.runs));
   else if (ending == ".json")
     write_text_file(path, post::json_text(answer.runs));
-  else if (ending == ".png" || ending == ".svg" || ending == ".pdf")
-    post::draw_chart(path, answer.chart, width);
   else
-    throw std::runtime_error("the output's name must end in .csv, .json, .png, .svg or "
-                             ".pdf, found '" +
-                             path + "'");
+    post::draw_chart(path, answer.chart, width);
   fmt::print("{}\n", path);
 }
 
@@ -219,6 +229,7 @@ int history(const HistoryOptions& options) {
     if (!options.times.empty() && options.profile.empty())
       throw std::runtime_error("--times belongs to --profile; a history is cut with "
                                "--from and --to");
+    check_names(options.outputs);
     std::optional<post::Units> units;
     if (!options.units.empty())
       units = post::Units::parse(options.units);

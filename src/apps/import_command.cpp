@@ -12,6 +12,7 @@
 #include "exchange/mesh_writer.hpp"
 #include "exchange/soundness_text.hpp"
 #include "exchange/wkt_reader.hpp"
+#include "output/check_outputs.hpp"
 #include "run/deck_file.hpp"
 #include "run/run.hpp"
 #include "text_file.hpp"
@@ -129,6 +130,8 @@ int import_blocks(ImportOptions options) {
     return usage(options.file + " would be written over: choose another -o NAME");
   if (options.deck && mesh_name.find_first_of("'\"\n\r$!") != mesh_name.npos)
     return usage("the name " + mesh_name + " cannot stand in a deck");
+  if (!options.report_only)
+    output::check_outputs({options.output, options.deck ? deck : ""});
 
   OutlineFile file;
   std::string card = format == "geojson" ? "GeoJSON" : format == "wkt" ? "WKT" : "mesh";

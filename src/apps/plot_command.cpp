@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "dblock_plots.hpp"
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/figure_scales.hpp"
 #include "post/movie.hpp"
@@ -172,6 +173,7 @@ int plot(PlotOptions options) {
     if (options.output.empty())
       options.output = std::filesystem::path(options.file).stem().string() + ".png";
     check_ending(options.output);
+    output::check_outputs({options.output});
     take(options, options.figure);
     const post::ResultsReader results(options.file);
     if (!options.dblock.empty())

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <tuple>
 
 #include "deck/suggest.hpp"
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "run/run.hpp"
 #include "study/figure.hpp"
@@ -90,15 +90,7 @@ variants_meant(const std::vector<std::string>& given) {
 
 /// Before minutes of work: can the files be written?
 void check_files(const StudyOptions& options) {
-  for (const std::string* path : {&options.csv, &options.json, &options.figure}) {
-    const auto folder = std::filesystem::path(*path).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-      throw output::FileError("cannot write " + *path + ": there is no folder " +
-                              folder.string());
-  }
-  if (const auto& [a, b, c] = std::tie(options.csv, options.json, options.figure);
-      (!a.empty() && (a == b || a == c)) || (!b.empty() && b == c))
-    throw output::FileError("the table, the JSON and the figure need a file each");
+  output::check_outputs({options.csv, options.json, options.figure});
   const auto ending = std::filesystem::path(options.figure).extension();
   if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
       ending != ".pdf")
@@ -290,6 +282,12 @@ int study_contacts(const StudyOptions& options) {
     const study::Study& done = studies.back();
     fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(done));
     std::fflush(stdout);  // the next scene may take a minute
+    if (!done.doubt.empty())
+      fmt::print(stderr,
+                 "blocks: warning: {}: the deck's own run, of which every way is "
+                 "expected, {}\n  hint: blocks run and blocks view show it; hang-ups "
+                 "count against that run, so they say little here\n",
+                 done.scene, done.doubt);
     if (!done.refused.empty()) {
       fmt::print(stderr,
                  "blocks: error: {} was not run: {}\n  hint: nearer to the origin "

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/view_page.hpp"
 #include "run/run.hpp"
@@ -31,6 +32,7 @@ int view(ViewOptions options) {
     if (same_file(options.file, options.output))
       throw std::runtime_error(options.file +
                                " would be written over: choose another -o NAME");
+    output::check_outputs({options.output});
     std::optional<post::Units> units;
     if (!options.units.empty())
       units = post::Units::parse(options.units);

@@ -345,7 +345,7 @@ void Builder::check_fraction(const Command& command) {
         fmt::format(
             "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
             settings.fraction, settings.damping),
-        fmt::format("for 8 contacts a block the largest safe FRACTION is {:.3f} "
+        fmt::format("for 8 contacts a block the largest safe FRACTION is {:.2g} "
                     "(docs/departures.md, time step)",
                     safe));
   fraction_told_ = safe;

@@ -19,6 +19,7 @@ constexpr Colour ink{0.16, 0.16, 0.18}, faint{0.62, 0.62, 0.64},
     paper{0.992, 0.99, 0.984};
 constexpr Colour hang{0.03, 0.38, 0.72}, fall{0.84, 0.27, 0.0}, ghost{0.86, 0.86, 0.89};
 constexpr double line = 17, label = 112, gap = 26, head = 44, foot = 34, top = 76;
+constexpr double title = 16, small = 11;  // sizes of letters
 constexpr std::size_t columns = 3;
 
 class Sheet {
@@ -33,6 +34,9 @@ class Sheet {
     legend(studies);
     const std::size_t across = std::min(columns, studies.size());
     const double panel = (width_ - 2 * gap) / static_cast<double>(across);
+    below_ = std::any_of(studies.begin(), studies.end(), [&](const Study& study) {
+      return collides(study, panel - label - gap);
+    });
     for (std::size_t i = 0; i < studies.size(); ++i) {
       const double x = gap + panel * static_cast<double>(i % across) + label;
       const double y = top + panel_height(studies) * static_cast<double>(i / across);
@@ -63,11 +67,7 @@ class Sheet {
   }
 
   void draw_panel(const Study& study, double x, double y, double w) {
-    colour(ink);  // on one base line, whatever letters there are
-    cairo_set_font_size(pen_, 16);
-    cairo_move_to(pen_, x, y + 22);
-    cairo_show_text(pen_, study.scene.c_str());
-    cairo_new_path(pen_);
+    heading(study, x, y, w);
     const double first = y + head - line / 2;
     const double bottom = y + head + line * static_cast<double>(study.rows.size());
     colour({1, 1, 1});
@@ -82,8 +82,6 @@ class Sheet {
       cairo_stroke(pen_);
       text(fmt::format("{}", 25 * k), at, bottom, 11, faint, 0.5, 0);
     }
-    if (const std::string note = remark(study); !note.empty())
-      text(note, x + w, y + 22, 11, faint, 1, 1);
     double row_y = y + head;
     for (const Row& row : study.rows) {
       text(std::string(row.variant->name), x - 8, row_y, 12.5, ink, 1, 0.5);
@@ -102,6 +100,46 @@ class Sheet {
     cairo_set_line_width(pen_, 1);
     cairo_rectangle(pen_, x, first, w, bottom - line / 2 - first);
     cairo_stroke(pen_);
+  }
+
+  double width_of(const std::string& words, double size) {
+    cairo_set_font_size(pen_, size);
+    cairo_text_extents_t box;
+    cairo_text_extents(pen_, words.c_str(), &box);
+    return box.x_advance;
+  }
+
+  /// On a base line, whatever letters there are.
+  void line_of(const std::string& words, double x, double y, double size,
+               const Colour& c) {
+    cairo_set_font_size(pen_, size);
+    colour(c);
+    cairo_move_to(pen_, x, y);
+    cairo_show_text(pen_, words.c_str());
+    cairo_new_path(pen_);
+  }
+
+  /// Scene and remark do not fit on one line of this width.
+  bool collides(const Study& study, double w) {
+    const std::string note = remark(study);
+    return !note.empty() &&
+           width_of(study.scene, title) + small + width_of(note, small) > w;
+  }
+
+  /// The scene's name, and the remark beside it or, where one is too long, below it.
+  void heading(const Study& study, double x, double y, double w) {
+    std::string name = study.scene;
+    while (width_of(name, title) > w) {  // of a path the end tells more
+      std::size_t cut = name.starts_with("…") ? std::string("…").size() : 0;
+      do
+        ++cut;
+      while (cut < name.size() && (name[cut] & 0xC0) == 0x80);
+      name = "…" + name.substr(cut);
+    }
+    const std::string note = remark(study);
+    line_of(name, x, below_ ? y + 14 : y + 22, title, ink);
+    line_of(note, below_ ? x : x + w - width_of(note, small), below_ ? y + 29 : y + 22,
+            small, faint);
   }
 
   /// Why a panel has no marks of a kind.
@@ -141,8 +179,9 @@ class Sheet {
     for (const Study& study : studies)
       for (const Row& row : study.rows)
         frames = std::max(frames, row.frames);
-    text(fmt::format("per cent of {} frames, 95 % confidence", frames), gap, 54, 13.5,
-         {0.36, 0.36, 0.4}, 0, 1);
+    text(fmt::format("per cent of {} frame{}, 95 % confidence", frames,
+                     frames == 1 ? "" : "s"),
+         gap, 54, 13.5, {0.36, 0.36, 0.4}, 0, 1);
     double x = width_ > 900 ? 0.42 * width_ : gap + 300;
     const double y = 48;
     interval({0.5, 0.0, 1.0}, x, y, 26, hang, false);
@@ -159,6 +198,7 @@ class Sheet {
 
   cairo_t* pen_;
   double width_;
+  bool below_ = false;  ///< remarks stand below the names
 };
 
 }  // namespace

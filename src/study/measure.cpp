@@ -1,5 +1,7 @@
 #include "study/measure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,6 +58,11 @@ bool passes_through(const Blocks& blocks,
       return true;
   }
   return false;
+}
+
+/// Overlaps are looked at so many times, evenly spread, the last one at the end.
+bool is_checkpoint(long k, long steps, long looks) {
+  return (k + 1) % ((steps + looks - 1) / looks) == 0 || k + 1 == steps;
 }
 
 /// (pair, corner, edge): the order of lists.
@@ -244,7 +251,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
     const double change = total_energy(model, start) - energy_at_start;
     worst_energy =
         std::max(worst_energy, scene.conservative ? std::abs(change) : change);
-    if ((k + 1) % ((steps + 3) / 4) == 0 || k + 1 == steps)
+    if (is_checkpoint(k, steps, 4))
       outcome.fell_through |= passes_through(model.blocks, shared_at_start);
   }
   judge_end(scene, frame, model, start, steps, outcome);
@@ -256,15 +263,36 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   return outcome;
 }
 
-void set_expectation(Scene& scene, long steps) {
+std::string set_expectation(Scene& scene, long steps) {
   Model model = place(scene.model, Frame{}, Corners::sharp);
   dynamics::SearchBuffers buffers;
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
-  for (long k = 0; k < steps; ++k)
-    dynamics::step(model, buffers);
+  const auto shared_at_start = shared_areas(model.blocks);
+  const double energy_at_start = total_energy(model, start);
+  // a run that goes wrong gains energy by leaps, one at rest gains round-off
+  const double most_gained = keeps_books(model)
+                                 ? energy_scale(scene)
+                                 : std::numeric_limits<double>::infinity();
+  std::string doubt;
+  for (long k = 0; k < steps && doubt.empty(); ++k) {
+    if (!dynamics::step(model, buffers).finite)
+      doubt = fmt::format("is unsound: numbers are not finite after step {}", k + 1);
+    else if (total_energy(model, start) - energy_at_start > most_gained &&
+             most_gained > 0.0)
+      doubt = fmt::format("is unsound: by step {} it has gained more energy than its "
+                          "blocks had",
+                          k + 1);
+    else if (is_checkpoint(k, steps, 50) &&
+             passes_through(model.blocks, shared_at_start))
+      doubt =
+          fmt::format("lets two blocks overlap by more than {:g} % of the smaller one "
+                      "by step {}",
+                      100.0 * most_shared, k + 1);
+  }
   const Eigen::Matrix2Xd moved = model.blocks.centroid - start;
   scene.expected = [moved](long, double) { return moved; };
+  return doubt;
 }
 
 }  // namespace blocks::study

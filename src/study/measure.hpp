@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "study/statistics.hpp"
@@ -36,7 +37,9 @@ using Trace = std::vector<std::uint64_t>;
 Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
                 long steps, Trace& trace);
 
-/// A deck's scene expects what the default rules do in the deck's own frame.
-void set_expectation(Scene& scene, long steps);
+/// A deck's scene expects what the default rules do in the deck's own frame. Comes back
+/// with what speaks against that run as a measure, "is unsound: ..."; empty: nothing. A
+/// run in doubt ends there.
+std::string set_expectation(Scene& scene, long steps);
 
 }  // namespace blocks::study

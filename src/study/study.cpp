@@ -104,8 +104,8 @@ std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corne
 
 Study run_study(Scene scene, const StudyChoice& all_chosen) {
   StudyChoice choice = all_chosen;
-  Study study{
-      scene.name, scene.what, choice.steps > 0 ? choice.steps : scene.steps, {}, {}};
+  Study study{scene.name, scene.what, choice.steps > 0 ? choice.steps : scene.steps,
+              {},         {},         {}};
   study.refused = refusal(scene, choice, Corners::sharp);
   if (!study.refused.empty())
     return study;
@@ -118,7 +118,7 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
       std::erase(choice.variants, variant);
   }
   if (!scene.expected)
-    set_expectation(scene, study.steps);
+    study.doubt = set_expectation(scene, study.steps);
   const Variant& reference = all_variants().front();
   std::vector<Outcomes> all(static_cast<std::size_t>(choice.count));
   in_parallel(choice.count, choice.threads, [&](int f) {

@@ -43,6 +43,7 @@ struct Study {
   long steps = 0;
   std::vector<Row> rows;
   std::string refused;  ///< why the default rules cannot run, then there are no rows
+  std::string doubt;    ///< why a deck's own run is no measure; empty: it is one
 };
 
 /// Runs every variant in the same frames. The same result for any number of threads. A

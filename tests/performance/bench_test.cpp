@@ -60,7 +60,7 @@ TEST(Bench, SaysAtOnceWhereItCannotWrite) {
   EXPECT_EQ(bench(folder, "-o nowhere/times"), 5);
   EXPECT_EQ(
       testing::slurp(folder / "err.txt"),
-      "blocks: error: cannot write nowhere/times.md: No such file or directory\n");
+      "blocks: error: cannot write nowhere/times.md: there is no folder nowhere\n");
 }
 
 TEST(Bench, SaysWhichPartsThereAre) {

@@ -112,5 +112,15 @@ TEST(RunAudit, EveryIsAWholeNumberOfSteps) {
   EXPECT_EQ(blocks("run --audit a.deck -o b", folder.path()).code, 0);
 }
 
+TEST(AuditOption, SaysHowTheNumberIsGiven) {
+  const TemporaryFolder folder;
+  folder.write("t.deck", pair_of_squares + "STOP\n");
+  for (const char* words : {"run --audit 5 t.deck", "run t.deck --audit 5"}) {
+    const Outcome done = blocks(words, folder.path());
+    EXPECT_EQ(done.code, 2);
+    EXPECT_THAT(done.err, HasSubstr("every 5 steps is --audit=5")) << words;
+  }
+}
+
 }  // namespace
 }  // namespace blocks::testing

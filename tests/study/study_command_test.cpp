@@ -100,5 +100,42 @@ TEST(StudyCommand, KeepsWhatIsFinished) {
   EXPECT_EQ(late.out, "");
 }
 
+// Names that cannot be written are told at once, not after an hour of work.
+TEST(StudyCommand, LooksAtTheOutputsFirst) {
+  const TemporaryFolder folder;
+  for (const char* outputs : {"--csv .", "--json none/t.json", "--figure none/t.png",
+                              "--csv t.txt --json ./t.txt"}) {
+    const Outcome done =
+        blocks(std::string("study contacts tee ") + outputs, folder.path());
+    EXPECT_EQ(done.code, 5) << outputs;
+    EXPECT_EQ(done.out, "") << outputs;
+    EXPECT_THAT(done.err, HasSubstr("blocks: error: cannot write ")) << outputs;
+  }
+}
+
+// Ways are expected from the deck's own run: when that one goes wrong, nothing hangs
+// against it, and the table alone would praise the rules.
+TEST(StudyCommand, DoubtsADeckThatGoesWrongByItself) {
+  const TemporaryFolder folder;
+  const std::string blocks_on_a_floor =
+      preliminary() + rectangle(-2, -1, 2, 0, true) + rectangle(-0.5, 0, 0.5, 1);
+  const auto warned = [&](const std::string& cards) {
+    folder.write("t.deck", blocks_on_a_floor + cards + "STOP\n");
+    const Outcome done = blocks("study contacts t.deck --frames 1 --steps 400 "
+                                "--variants default",
+                                folder.path());
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.err;
+  };
+  // sinks in by a tenth; falls through within 70 steps
+  for (const char* gravity : {"GRAVITY, 0, -2E3\nDAMPING, 0.3\n", "GRAVITY, 0, -1E5\n"})
+    EXPECT_THAT(warned(gravity),
+                HasSubstr("blocks: warning: t.deck: the deck's own run, of which every "
+                          "way is expected, lets two blocks overlap by more than 2 %"));
+  EXPECT_THAT(warned("GRAVITY, 0, -10\nDAMPING, 300\n"),
+              HasSubstr("is unsound: by step "));
+  EXPECT_EQ(warned("GRAVITY, 0, -10\nDAMPING, 0.3\n"), "");
+}
+
 }  // namespace
 }  // namespace blocks::testing

@@ -1,18 +1,17 @@
 // Times of the program, alone and against other codes: ./go bench.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "geometry/numeric_environment.hpp"
+#include "output/check_outputs.hpp"
+#include "output/results.hpp"
 #include "parts.hpp"
 
 namespace {
@@ -50,16 +49,6 @@ bool write(const std::string& path, const std::string& text) {
   return static_cast<bool>(out);
 }
 
-/// Known before ten minutes have gone by.
-bool can_write(const std::string& output) {
-  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK) == 0)
-    return true;
-  fmt::print(stderr, "blocks: error: cannot write {}.md: {}\n", output,
-             std::strerror(errno));
-  return false;
-}
-
 Plan plan_of(const Options& options) {
   Plan plan;
   if (options.quick) {
@@ -79,8 +68,9 @@ Plan plan_of(const Options& options) {
 }
 
 int run(const Options& options) {
-  if (!can_write(options.output))
-    return 5;
+  // known before ten minutes have gone by
+  blocks::output::check_outputs(
+      {options.output + ".md", options.output + ".json", options.output + ".png"});
   const Plan plan = plan_of(options);
   Report report;
   report.quick = options.quick;
@@ -152,6 +142,9 @@ int main(int argc, char** argv) {
   }
   try {
     return run(options);
+  } catch (const blocks::output::FileError& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return 5;
   } catch (const std::exception& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return 1;
