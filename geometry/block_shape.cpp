@@ -65,7 +65,7 @@ BlockShape measure_shape(const Polygon& outline) {
       shape.smallest_angle = angle;
       shape.corner = static_cast<int>(i);
     }
-    if (const double length = ahead.norm(); length < shape.shortest_edge) {
+    if (const double length = ahead.stableNorm(); length < shape.shortest_edge) {
       shape.shortest_edge = length;
       shape.edge = static_cast<int>(i);
     }

@@ -21,7 +21,7 @@ bool inside_an_edge(const Vec2& corner, const Polygon& block, double reach) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     const Vec2& a = block[i];
     const Vec2 edge = block[(i + 1) % block.size()] - a, to = corner - a;
-    const double length = edge.norm(), along = to.dot(edge) / length;
+    const double length = edge.stableNorm(), along = to.dot(edge) / length;
     if (to.norm() <= reach || (to - edge).norm() <= reach)
       return false;
     inside = inside || (0.0 < along && along < length &&
@@ -40,7 +40,7 @@ double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
     return exact::Vector(exact::Rational(to.x()) - exact::Rational(from.x()),
                          exact::Rational(to.y()) - exact::Rational(from.y()));
   };
-  return exact::nearest(exact::cross(vector(a, b), vector(a, corner))) / (b - a).norm();
+  return exact::nearest(exact::cross(vector(a, b), vector(a, corner))) / (b - a).stableNorm();
 }
 
 /// A slit and three points in the middle of it, along its length.
@@ -55,7 +55,7 @@ struct Opening {
 void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double reach,
            Opening& opening) {
   const Vec2 edge = b - a;
-  const double length = edge.norm();
+  const double length = edge.stableNorm();
   if (edge.dot(d - c) >= 0.0)
     return;  // both clockwise: facing edges run in opposite senses
   const auto along = [&](const Vec2& p) { return edge.dot(p - a) / length; };

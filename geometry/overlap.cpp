@@ -4,11 +4,14 @@
 #include <CGAL/partition_2.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <list>
 
 #include "geometry/exact/box_pairs.hpp"
+#include "geometry/exact/common_part.hpp"
 #include "geometry/exact/kernels.hpp"
 #include "geometry/polygon.hpp"
 
@@ -112,7 +115,7 @@ std::vector<Polygon> convex_pieces(const Polygon& outline) {
 }
 
 // What of the convex q lies inside the convex clockwise p (Sutherland-Hodgman), in
-// doubles and relative to `origin`: only for the figures of the report.
+// doubles and relative to `origin`: only for figures of the report.
 Polygon clipped(const Polygon& p, const Polygon& q, const Vec2& origin) {
   Polygon rest = q;
   for (Vec2& corner : rest)
@@ -136,6 +139,21 @@ Polygon clipped(const Polygon& p, const Polygon& q, const Vec2& origin) {
     rest = std::move(inside);
   }
   return rest;
+}
+
+// Relative to `origin`. What is so thin that the doubles of the corners leave it few
+// digits, or clip it to nothing, is calculated exactly.
+exact::CommonPart common_part(const Polygon& p, const Polygon& q, const Vec2& origin) {
+  const SectionProperties common = section_properties(clipped(p, q, origin));
+  double size = 0.0;
+  for (const Polygon* outline : {&p, &q})
+    for (const Vec2& corner : *outline)
+      size = std::max(size, (corner - origin).lpNorm<Eigen::Infinity>());
+  if (common.area > 1e-8 * size * size)
+    return {common.area, common.centroid, separating_shift(p, q)};
+  exact::CommonPart thin = exact::common_part(p, q);
+  thin.place -= origin;
+  return thin;
 }
 
 // The outlines with their boxes and, once asked for, their convex pieces.
@@ -163,16 +181,13 @@ class Blocks {
       for (const Polygon& q : pieces(second)) {
         if (!overlap(box_of(p), box_of(q)) || !interiors_meet(p, q))
           continue;
-        const Polygon common = clipped(p, q, origin);
-        const SectionProperties part = section_properties(common);
-        // An overlap of an ulp may clip to nothing in doubles; it counts all the same.
+        const exact::CommonPart part = common_part(p, q, origin);
         if (!meet)
-          some_place = common.empty() ? Vec2(q.front() - origin) : common[0];
+          some_place = part.place;
         meet = true;
-        depth = std::max(depth, separating_shift(p, q));
-        const double part_area = std::max(part.area, 0.0);
-        area += part_area;
-        moment += part_area * part.centroid;
+        depth = std::max(depth, part.depth);
+        area += part.area;
+        moment += part.area * part.place;
       }
     }
     if (!meet)
@@ -189,6 +204,12 @@ class Blocks {
 };
 
 }  // namespace
+
+std::string positive_text(double value, int digits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return value > 0.0 ? text.data() : "less than 5e-324";
+}
 
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
                                             const std::vector<int>& layer) {

@@ -2,6 +2,7 @@
 // nothing of contacts.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/vec2.hpp"
@@ -10,9 +11,9 @@ namespace blocks::geometry {
 
 /// Two outlines whose interiors intersect.
 struct BlockOverlap {
-  int first = 0;              ///< index of the outline, from 0; first < second
-  int second = 0;             ///< index of the other
-  double area = 0.0;          ///< [L^2] of the intersection, rounded
+  int first = 0;      ///< index of the outline, from 0; first < second
+  int second = 0;     ///< index of the other
+  double area = 0.0;  ///< [L^2] of the intersection, rounded; 0: below any double
   Vec2 place = Vec2::Zero();  ///< [L] a point of it: centroid, rounded
   /// [L] shortest shift that separates the two, rounded; of concave outlines the
   /// largest such shift among their convex pieces, which is no more than theirs
@@ -28,6 +29,10 @@ struct BlockOverlap {
 /// most_overlaps pairs: whoever has so many wants no list of them.
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
                                             const std::vector<int>& layer = {});
+
+/// What is positive, in so many digits, also where it rounds to nothing: "0.25",
+/// "1.2e-31", "less than 5e-324".
+std::string positive_text(double value, int digits);
 
 constexpr std::size_t most_overlaps = 1'000'000;
 

@@ -60,13 +60,14 @@ void mark_places(const run::GeometryReport& report, post::FigureOptions& options
   worst(report.edge, Kind::edge, "short side");
   first(proof.joints.slits, proof.gaps(), Kind::gap, "gap");
   for (const auto& pair : proof.overlaps)
-    options.marks.push_back({Kind::overlap,
-                             pair.place,
-                             proof.overlaps.size() <= most
-                                 ? fmt::format("{} and {}: area {:.3g}", pair.first + 1,
-                                               pair.second + 1, pair.area)
-                                 : std::string(),
-                             {pair.first, pair.second}});
+    options.marks.push_back(
+        {Kind::overlap,
+         pair.place,
+         proof.overlaps.size() <= most
+             ? fmt::format("{} and {}: area {}", pair.first + 1, pair.second + 1,
+                           geometry::positive_text(pair.area, 3))
+             : std::string(),
+         {pair.first, pair.second}});
   name(Kind::overlap, "overlap", proof.overlaps.size(), proof.overlaps.size());
 }
 

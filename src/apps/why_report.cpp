@@ -154,10 +154,11 @@ std::string text(const WhyReport& report, const WhyScene& scene,
     out +=
         "(rebuilt from the geometry: the file holds no list of potential contacts)\n";
   if (report.overlap)
-    out += fmt::format(
-        "they overlap by {:.6g}, an area of {:.6g} near ({:.6g}, {:.6g}); {}\n",
-        report.overlap->depth, report.overlap->area, report.overlap->place.x(),
-        report.overlap->place.y(), explained(report, rules));
+    out += fmt::format("they overlap by {}, an area of {} near ({:.6g}, {:.6g}); {}\n",
+                       geometry::positive_text(report.overlap->depth, 6),
+                       geometry::positive_text(report.overlap->area, 6),
+                       report.overlap->place.x(), report.overlap->place.y(),
+                       explained(report, rules));
   else
     out += "they do not overlap\n";
   for (const audit::Decision& decision : report.decisions) {

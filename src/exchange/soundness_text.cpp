@@ -62,9 +62,10 @@ std::vector<Message> faults(const Soundness& soundness,
     const geometry::BlockOverlap& pair = largest[i];
     messages.push_back(
         {!keep_overlaps, outlines[pair.first].at,
-         fmt::format("blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, "
+         fmt::format("blocks {} and {} overlap by an area of {} near ({:.6g}, "
                      "{:.6g})",
-                     pair.first + 1, pair.second + 1, pair.area, pair.place.x(),
+                     pair.first + 1, pair.second + 1,
+                     geometry::positive_text(pair.area, 3), pair.place.x(),
                      pair.place.y()),
          hint, 0});
   }

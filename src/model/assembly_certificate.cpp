@@ -104,18 +104,18 @@ std::string verdict(const AssemblyCertificate& certificate) {
         std::max_element(certificate.overlaps.begin(), certificate.overlaps.end(),
                          [](const auto& a, const auto& b) { return a.area < b.area; });
     text = fmt::format("{} pair{} of {} blocks overlap{}, most of all {} and {} by an "
-                       "area of {:.3g}",
+                       "area of {}",
                        certificate.overlaps.size(),
                        certificate.overlaps.size() == 1 ? "" : "s", certificate.blocks,
                        certificate.overlaps.size() == 1 ? "s" : "", worst->first + 1,
-                       worst->second + 1, worst->area);
+                       worst->second + 1, geometry::positive_text(worst->area, 3));
   }
   if (!certificate.roundings.empty())
-    text += fmt::format("; {} pair{} by the rounding of corners, the largest by {:.2g} "
+    text += fmt::format("; {} pair{} by the rounding of corners, the largest by {} "
                         "of the smaller block",
                         certificate.roundings.size(),
                         certificate.roundings.size() == 1 ? "" : "s",
-                        certificate.largest_rounding);
+                        geometry::positive_text(certificate.largest_rounding, 2));
   if (certificate.moved > 0) {
     text += certificate.moved == certificate.blocks
                 ? "; all blocks have moved"
@@ -147,8 +147,9 @@ std::string joints_line(const AssemblyCertificate& certificate) {
 
 std::string full_text(const AssemblyCertificate& certificate) {
   const auto pair_line = [](const geometry::BlockOverlap& pair) {
-    return fmt::format("blocks {} and {}: area {:.6g} near {}", pair.first + 1,
-                       pair.second + 1, pair.area, at(pair.place));
+    return fmt::format("blocks {} and {}: area {} near {}", pair.first + 1,
+                       pair.second + 1, geometry::positive_text(pair.area, 6),
+                       at(pair.place));
   };
   return verdict(certificate) + "\n  " + joints_line(certificate) +
          named("overlaps", certificate.overlaps, certificate.overlaps.size(),

@@ -397,10 +397,10 @@ void Builder::check_overlaps(const Command& command) {
   for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
     diagnostics_.warning(
         command.where, command.name,
-        fmt::format(
-            "blocks {} and {} overlap by an area of {:.3g} near ({:.6g}, {:.6g})",
-            pairs[i].first + 1, pairs[i].second + 1, pairs[i].area, pairs[i].place.x(),
-            pairs[i].place.y()),
+        fmt::format("blocks {} and {} overlap by an area of {} near ({:.6g}, {:.6g})",
+                    pairs[i].first + 1, pairs[i].second + 1,
+                    geometry::positive_text(pairs[i].area, 3), pairs[i].place.x(),
+                    pairs[i].place.y()),
         i + 1 == shown && pairs.size() > shown
             ? fmt::format("and {} more pairs; an overlap at the start carries no force",
                           pairs.size() - shown)

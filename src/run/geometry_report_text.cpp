@@ -116,10 +116,11 @@ std::string joints(const GeometryReport& report) {
 }
 
 std::string resolution(const GeometryReport& report) {
+  const double part = report.resolution();
   std::string text = fmt::format(
-      "  doubles lie {:.2g} apart at the largest coordinate: {:.2g} of the shortest "
-      "side\n",
-      report.certificate.ulp, report.resolution());
+      "  doubles lie {:.2g} apart at the largest coordinate: {} the shortest side\n",
+      report.certificate.ulp,
+      std::isfinite(part) ? fmt::format("{:.2g} of", part) : "more than 1e308 times");
   if (!report.resolved())
     text += fmt::format("  warning: above {:g} contacts are poorly resolved; move the "
                         "origin of the deck near the blocks\n",
@@ -148,8 +149,9 @@ std::string text(const GeometryReport& report) {
   text += fmt::format("  {}: {}\n", report.certificate.holds() ? "proved" : "FAILS",
                       verdict(report.certificate));
   const auto pair_text = [](const geometry::BlockOverlap& pair) {
-    return fmt::format("  blocks {} and {}: area {:.6g} near {}", pair.first + 1,
-                       pair.second + 1, pair.area, at(pair.place));
+    return fmt::format("  blocks {} and {}: area {} near {}", pair.first + 1,
+                       pair.second + 1, geometry::positive_text(pair.area, 6),
+                       at(pair.place));
   };
   text += first_of(report.certificate.overlaps, pair_text);
   if (!report.certificate.contacts.empty())

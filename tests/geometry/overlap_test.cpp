@@ -25,6 +25,27 @@ TEST(BlockOverlap, OneUlpCounts) {
   EXPECT_EQ(pairs[0].second, 1);
 }
 
+// The tip of a wedge, h below a side: its depth is h and its area h^2, however small,
+// and also where the doubles of the corners leave no digit of it.
+TEST(BlockOverlap, ThinOverlapsKeepTheirDigits) {
+  for (const double at : {0.0, 1000.0})
+    for (const double h : {0x1p-20, at > 0.0 ? 0x1p-43 : 0x1p-52}) {
+      const double y = at + 1.0 - h;
+      const auto pairs = overlapping_pairs(
+          {square(at, at), {{at + 0.5, y}, {at - 0.5, y + 1.0}, {at + 1.5, y + 1.0}}});
+      ASSERT_EQ(pairs.size(), 1U);
+      EXPECT_EQ(pairs[0].area, h * h) << at;
+      EXPECT_EQ(pairs[0].depth, h) << at;
+      EXPECT_NEAR(pairs[0].place.y(), y, h) << at;
+    }
+  const double h = 0x1p-600;  // the area is below the smallest double
+  const auto pairs = overlapping_pairs({square(-1, -1), square(-h, -h)});
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(positive_text(pairs[0].area, 6), "less than 5e-324");
+  EXPECT_EQ(pairs[0].depth, h);
+  EXPECT_EQ(positive_text(0x1p-106, 6), "1.2326e-32");
+}
+
 TEST(BlockOverlap, AreaAndPlaceOfTheIntersection) {
   const auto pairs = overlapping_pairs({square(9, 9), square(1, 0.5), square(0.5, 0)});
   ASSERT_EQ(pairs.size(), 1U);
