@@ -143,14 +143,20 @@ Polygon clipped(const Polygon& p, const Polygon& q, const Vec2& origin) {
 
 // Relative to `origin`. What is so thin that the doubles of the corners leave it few
 // digits, or clip it to nothing, is calculated exactly.
-exact::CommonPart common_part(const Polygon& p, const Polygon& q, const Vec2& origin) {
-  const SectionProperties common = section_properties(clipped(p, q, origin));
+exact::CommonPart common_part(const Polygon& p, const Polygon& q, const Vec2& origin,
+                              Figures figures) {
+  const Polygon common = clipped(p, q, origin);
+  const SectionProperties properties = section_properties(common);
   double size = 0.0;
   for (const Polygon* outline : {&p, &q})
     for (const Vec2& corner : *outline)
       size = std::max(size, (corner - origin).lpNorm<Eigen::Infinity>());
-  if (common.area > 1e-8 * size * size)
-    return {common.area, common.centroid, separating_shift(p, q)};
+  if (properties.area > 1e-8 * size * size)
+    return {properties.area, properties.centroid, separating_shift(p, q)};
+  if (figures == Figures::quick)  // an overlap of an ulp may clip to nothing
+    return {std::max(properties.area, 0.0),
+            common.empty() ? Vec2(q.front() - origin) : common[0],
+            separating_shift(p, q)};
   exact::CommonPart thin = exact::common_part(p, q);
   thin.place -= origin;
   return thin;
@@ -159,8 +165,9 @@ exact::CommonPart common_part(const Polygon& p, const Polygon& q, const Vec2& or
 // The outlines with their boxes and, once asked for, their convex pieces.
 class Blocks {
  public:
-  explicit Blocks(const std::vector<Polygon>& outlines)
-      : outlines_(outlines), pieces_(outlines.size()), cut_(outlines.size(), false) {}
+  Blocks(const std::vector<Polygon>& outlines, Figures figures)
+      : outlines_(outlines), figures_(figures), pieces_(outlines.size()),
+        cut_(outlines.size(), false) {}
 
   const std::vector<Polygon>& pieces(std::size_t block) {
     if (!cut_[block]) {
@@ -181,7 +188,7 @@ class Blocks {
       for (const Polygon& q : pieces(second)) {
         if (!overlap(box_of(p), box_of(q)) || !interiors_meet(p, q))
           continue;
-        const exact::CommonPart part = common_part(p, q, origin);
+        const exact::CommonPart part = common_part(p, q, origin, figures_);
         if (!meet)
           some_place = part.place;
         meet = true;
@@ -199,6 +206,7 @@ class Blocks {
 
  private:
   const std::vector<Polygon>& outlines_;
+  Figures figures_;
   std::vector<std::vector<Polygon>> pieces_;
   std::vector<bool> cut_;
 };
@@ -212,9 +220,10 @@ std::string positive_text(double value, int digits) {
 }
 
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
-                                            const std::vector<int>& layer) {
+                                            const std::vector<int>& layer,
+                                            Figures figures) {
   struct Enough {};
-  Blocks blocks(outlines);
+  Blocks blocks(outlines, figures);
   std::vector<BlockOverlap> found;
   const auto one_tiling = [&](std::size_t first, std::size_t second) {
     return !layer.empty() && layer[first] != 0 && layer[first] == layer[second];

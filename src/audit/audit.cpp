@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "audit/common_depth.hpp"
 #include "geometry/overlap.hpp"
 
 namespace blocks::audit {
@@ -38,7 +39,9 @@ class Auditor {
       for (const int edge : edges)
         if (!fixed(pair.first, pair.second))
           found_.wrong.push_back({pair.first, pair.second, edge, -1});
+    overlaps_ = overlaps();
     look_for_excess();
+    look_for_deep();
     return std::move(found_);
   }
 
@@ -99,6 +102,18 @@ class Auditor {
     return shortest;
   }
 
+  /// [L] What depths of two blocks and of their contacts may differ by.
+  double slack(int a, int b) const {
+    return explained_slack * std::min(shortest_edge(a), shortest_edge(b));
+  }
+
+  std::vector<geometry::BlockOverlap> overlaps() const {
+    std::vector<geometry::Polygon> outlines;
+    for (int b = 0; b < blocks_.size(); ++b)
+      outlines.push_back(blocks_.outline(b));
+    return geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick);
+  }
+
   void look_for_excess() {
     struct Held {
       double depth = 0.0, pressed = 0.0;
@@ -114,10 +129,7 @@ class Auditor {
       pair.pressed = std::max(pair.pressed,
                               contacts_.normal_elastic[i] / settings_.normal_stiffness);
     }
-    std::vector<geometry::Polygon> outlines;
-    for (int b = 0; b < blocks_.size(); ++b)
-      outlines.push_back(blocks_.outline(b));
-    for (const auto& overlap : geometry::overlapping_pairs(outlines)) {
+    for (const auto& overlap : overlaps_) {
       const int a = overlap.first, b = overlap.second;
       if (!blocks_.is_free(a) && !blocks_.is_free(b))
         continue;
@@ -126,11 +138,36 @@ class Auditor {
           a, b, overlap.depth, by.depth, by.pressed, overlap.area, overlap.place};
       if (excess.excess() > found_.worst.excess())
         found_.worst = excess;
-      if (excess.excess() >
-          explained_slack * std::min(shortest_edge(a), shortest_edge(b)))
+      if (excess.excess() > slack(a, b))
         found_.excess.push_back(excess);
     }
     std::sort(found_.excess.begin(), found_.excess.end(),
+              [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
+  }
+
+  void look_for_deep() {
+    std::set<Pair> overlapping;
+    for (const auto& overlap : overlaps_)
+      overlapping.insert({overlap.first, overlap.second});
+    const CommonDepth common(blocks_);
+    for (int i = 0; i < contacts_.size(); ++i) {
+      if (!contacts_.active[i])
+        continue;
+      const int c = contacts_.corner[i], e = contacts_.edge[i];
+      const int a = contacts_.corner_block[i], b = contacts_.edge_block[i];
+      const double deep = rules_.overlap(c, e), tolerance = slack(a, b);
+      if (deep <= tolerance)
+        continue;
+      const bool meet = overlapping.contains(std::minmax(a, b));
+      const DeepContact contact{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
+                                contacts_.normal_elastic[i] /
+                                    settings_.normal_stiffness};
+      if (contact.excess() > found_.deepest.excess())
+        found_.deepest = contact;
+      if (contact.excess() > tolerance)
+        found_.deep.push_back(contact);
+    }
+    std::sort(found_.deep.begin(), found_.deep.end(),
               [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
   }
 
@@ -141,6 +178,7 @@ class Auditor {
   ExactRules rules_;
   std::set<Pair> listed_;                    ///< corner, edge
   std::map<Pair, std::vector<int>> acting_;  ///< corner, block: edges not seen yet
+  std::vector<geometry::BlockOverlap> overlaps_;
   Findings found_;
 };
 

@@ -33,6 +33,15 @@ struct ExcessOverlap {
   double excess() const { return depth - explained; }
 };
 
+/// A contact that acts at a depth which the overlap of its two blocks does not have.
+struct DeepContact {
+  int corner = 0, edge = 0;
+  double overlap = 0.0;  ///< [L] of the contact
+  double common = 0.0;   ///< [L] of the blocks' intersection along the edge's normal
+  double pressed = 0.0;  ///< [L] of its spring, FN / Kn
+  double excess() const { return overlap - common; }
+};
+
 /// What one audit saw and found.
 struct Findings {
   long pairs = 0;    ///< corners near a block, looked at one by one
@@ -43,6 +52,8 @@ struct Findings {
   std::vector<WrongDecision> wrong;
   std::vector<ExcessOverlap> excess;
   ExcessOverlap worst;  ///< of all pairs, a finding or not; excess() 0: none
+  std::vector<DeepContact> deep;
+  DeepContact deepest;  ///< a finding or not; excess() 0: none
 
   bool sound() const { return missed.empty() && wrong.empty(); }
 };
@@ -59,10 +70,13 @@ struct Moment {
 /// does not hold it though the edge is admitted for the corner, or the corner as near
 /// to the edge as what is left of the list's promise: 2 CTOL less twice the travel. An
 /// overlap is in excess when it goes beyond the deepest acting contact of
-/// the two blocks by more than explained_slack of the shortest edge of either.
+/// the two blocks by more than explained_slack of the shortest edge of either. A
+/// contact is too deep when it goes beyond the extent, along its normal, of the exact
+/// intersection of its two blocks by more than that; shallower ones are not asked.
 Findings audit(const Moment& moment);
 
-/// Part of a block's shortest edge below which an overlap needs no contact of its own.
+/// Part of a block's shortest edge below which an overlap needs no contact of its own,
+/// and a contact no overlap.
 /// In decks at rest and in motion the excess is round-off; beyond this bound it is
 /// real.
 constexpr double explained_slack = 0.001;

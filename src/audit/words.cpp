@@ -170,4 +170,14 @@ std::string tell(const ExcessOverlap& excess) {
                      excess.pressed, excess.excess());
 }
 
+std::string tell(const Blocks& blocks, const DeepContact& deep) {
+  const int b = blocks.corner_block[deep.edge];
+  const Vec2 at = blocks.corner.col(deep.corner);
+  return fmt::format("{} at ({:.9g}, {:.9g}) acts {:.6g} deep on edge {} of block {} "
+                     "(spring pressed in by {:.6g}), but along its normal the two "
+                     "blocks have only {:.6g} in common",
+                     name_of(blocks, deep.corner), at.x(), at.y(), deep.overlap,
+                     number(blocks, deep.edge), b + 1, deep.pressed, deep.common);
+}
+
 }  // namespace blocks::audit

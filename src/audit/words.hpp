@@ -24,5 +24,6 @@ std::string name_of(const Blocks& blocks, int corner);
 std::string tell(const Blocks& blocks, const MissedPair& missed);
 std::string tell(const Blocks& blocks, const WrongDecision& wrong);
 std::string tell(const ExcessOverlap& excess);
+std::string tell(const Blocks& blocks, const DeepContact& deep);
 
 }  // namespace blocks::audit

@@ -99,17 +99,33 @@ Json audited(const AuditedOverlap& pair) {
           {"springs_pressed_in", pair.pressed}};
 }
 
-/// Counts, faults in words, and the ten worst overlaps; null without audit.
+Json audited(const AuditedContact& contact) {
+  return {{"corner", {contact.block + 1, contact.corner + 1}},
+          {"edge", {contact.edge_block + 1, contact.edge + 1}},
+          {"step", contact.step},
+          {"time", contact.time},
+          {"excess", contact.excess()},
+          {"contact_overlap", contact.overlap},
+          {"common_depth", contact.common},
+          {"spring_pressed_in", contact.pressed}};
+}
+
+/// The ten worst.
+template <class Found> Json worst_of(std::vector<Found> found) {
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
+  found.resize(std::min<std::size_t>(found.size(), 10));
+  Json list = Json::array();
+  for (const Found& one : found)
+    list.push_back(audited(one));
+  return list;
+}
+
+/// Counts, faults in words, and the ten worst overlaps and contacts; null without
+/// audit.
 Json audit(const std::optional<AuditTotals>& totals) {
   if (!totals)
     return nullptr;
-  std::vector<AuditedOverlap> worst = totals->excess;
-  std::sort(worst.begin(), worst.end(),
-            [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
-  worst.resize(std::min<std::size_t>(worst.size(), 10));
-  Json list = Json::array();
-  for (const AuditedOverlap& pair : worst)
-    list.push_back(audited(pair));
   return {
       {"every", totals->every},
       {"moments", totals->moments},
@@ -121,8 +137,12 @@ Json audit(const std::optional<AuditTotals>& totals) {
       {"decided_by_rounding", totals->hanging},
       {"excess_pairs", totals->excess.size()},
       {"worst_excess", totals->worst.excess() > 0.0 ? audited(totals->worst) : Json()},
+      {"deep_contacts", totals->deep.size()},
+      {"worst_deep_contact",
+       totals->deepest.excess() > 0.0 ? audited(totals->deepest) : Json()},
       {"faults", totals->faults},
-      {"excess_overlaps", list}};
+      {"excess_overlaps", worst_of(totals->excess)},
+      {"deepest_contacts", worst_of(totals->deep)}};
 }
 
 Json merges(const Model& model) {

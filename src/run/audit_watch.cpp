@@ -69,6 +69,34 @@ AuditWatch::Verdict AuditWatch::after(const Model& model) {
       worst = here;
     }
   }
+  const auto record_contact = [&](const audit::DeepContact& deep) {
+    const int a = blocks_.corner_block[deep.corner],
+              b = blocks_.corner_block[deep.edge];
+    return AuditedContact{a,
+                          deep.corner - blocks_.first_corner[a],
+                          b,
+                          deep.edge - blocks_.first_corner[b],
+                          step,
+                          time,
+                          deep.overlap,
+                          deep.common,
+                          deep.pressed};
+  };
+  if (found.deepest.excess() > totals_.deepest.excess())
+    totals_.deepest = record_contact(found.deepest);
+  for (const auto& deep : found.deep) {
+    const AuditedContact here = record_contact(deep);
+    const auto [at, fresh] =
+        told_deep_.try_emplace({deep.corner, deep.edge}, totals_.deep.size());
+    if (fresh) {
+      totals_.deep.push_back(here);
+      verdict.deep.push_back(fmt::format("at time {:g} (step {}) audit: {}", time, step,
+                                         audit::tell(blocks_, deep)));
+    } else if (AuditedContact& worst = totals_.deep[at->second];
+               here.excess() > worst.excess()) {
+      worst = here;
+    }
+  }
   return verdict;
 }
 
@@ -79,10 +107,11 @@ std::string AuditWatch::closing() const {
       "in the list, {} acting contacts; pairs missed: {}; wrong decisions: {}; decided "
       "by "
       "rounding at a closed joint: {}; pairs of blocks that overlap more than their "
-      "contacts explain: {} (worst {:.3g})",
+      "contacts explain: {} (worst {:.3g}); contacts deeper than the overlap of their "
+      "blocks: {} (worst {:.3g})",
       totals_.every, totals_.moments, totals_.pairs, totals_.records, totals_.acting,
       totals_.missed, totals_.wrong, totals_.hanging, totals_.excess.size(),
-      totals_.worst.excess());
+      totals_.worst.excess(), totals_.deep.size(), totals_.deepest.excess());
 }
 
 }  // namespace blocks::run

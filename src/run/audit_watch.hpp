@@ -25,6 +25,7 @@ class AuditWatch {
     std::vector<std::string> faults;    ///< missed pairs, wrong decisions: unsound
     std::vector<std::string> stories;   ///< of the blocks and corners they name
     std::vector<std::string> overlaps;  ///< pairs in excess not told before
+    std::vector<std::string> deep;      ///< contacts too deep, not told before
   };
   /// Judges the step just made.
   Verdict after(const Model& model);
@@ -37,7 +38,8 @@ class AuditWatch {
   Blocks blocks_;
   double travel_ = 0.0;
   AuditTotals totals_;
-  std::map<std::pair<int, int>, std::size_t> told_;  ///< where in totals_.excess
+  std::map<std::pair<int, int>, std::size_t> told_;       ///< where in totals_.excess
+  std::map<std::pair<int, int>, std::size_t> told_deep_;  ///< where in totals_.deep
 };
 
 }  // namespace blocks::run

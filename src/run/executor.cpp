@@ -245,8 +245,9 @@ bool Executor::runaway() {
 /// the list misses a pair.
 bool Executor::passes_audit() {
   const AuditWatch::Verdict verdict = audit_.after(model_);
-  for (const std::string& line : verdict.overlaps)
-    files_.message(line);
+  for (const auto* told : {&verdict.overlaps, &verdict.deep})
+    for (const std::string& line : *told)
+      files_.message(line);
   for (const std::string& line : verdict.faults)
     warn(line);
   for (const std::string& line : verdict.stories) {

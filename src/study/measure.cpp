@@ -41,7 +41,8 @@ std::map<std::pair<int, int>, double> shared_areas(const Blocks& blocks) {
   for (int b = 0; b < blocks.size(); ++b)
     outlines.push_back(blocks.outline(b));
   std::map<std::pair<int, int>, double> areas;
-  for (const geometry::BlockOverlap& pair : geometry::overlapping_pairs(outlines))
+  for (const geometry::BlockOverlap& pair :
+       geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick))
     if (blocks.is_free(pair.first) || blocks.is_free(pair.second))
       areas[{pair.first, pair.second}] = pair.area;
   return areas;

@@ -29,8 +29,8 @@ TEST(Audit, RubbleIsClean) {
       }
       const AuditedStep step(scene);
       const Findings found = step.audit(scene);
-      ASSERT_TRUE(found.missed.empty()) << seed << " step " << i << ": "
-                                        << tell(scene.model.blocks, found.missed[0]);
+      ASSERT_TRUE(found.missed.empty())
+          << seed << " step " << i << ": " << tell(scene.model.blocks, found.missed[0]);
       ASSERT_TRUE(found.wrong.empty()) << seed << " step " << i;
       acting += found.acting, records += found.records;
     }
@@ -167,6 +167,53 @@ TEST_F(Injected, ContactThatShouldAct) {
   EXPECT_EQ(found.wrong[0].acting, -1);
   EXPECT_EQ(found.wrong[0].exact, scene.model.contacts.edge[i]);
   EXPECT_TRUE(found.missed.empty());
+}
+
+// A contact put between blocks that lie 0.1 apart, and one on the far side of a block:
+// neither depth is that of the two blocks' overlap.
+TEST(Audit, ContactDeeperThanItsBlocksOverlap) {
+  for (const auto& frame : {scenes::Frame{}, scenes::Frame{0.7, Vec2(3e3, -2e3)}}) {
+    Scene scene(frame);
+    scene.box(-2, -1, 4, 1, true);
+    scene.box(-0.5, -0.01, 1, 1);
+    scene.box(0.6, -0.01, 1, 1);
+    scene.prepare();
+    const AuditedStep step(scene);
+    const Findings sound = step.audit(scene);
+    EXPECT_TRUE(sound.deep.empty());
+    EXPECT_EQ(sound.acting, 4);
+    EXPECT_LT(sound.deepest.excess(), 1e-12);
+    const auto found_with = [&](int corner, int edge) {
+      Contacts& contacts = scene.model.contacts;
+      const Contacts whole = contacts;
+      int i = 0;
+      while (contacts.active[i])
+        ++i;
+      contacts.corner[i] = corner, contacts.edge[i] = edge;
+      contacts.corner_block[i] = scene.model.blocks.corner_block[corner];
+      contacts.edge_block[i] = scene.model.blocks.corner_block[edge];
+      contacts.active[i] = 1;
+      const Findings found = step.audit(scene);
+      contacts = whole;
+      return found;
+    };
+    // corner 1 of the third block is 0.1 beyond side 3 of the second: nothing in common
+    const Findings apart = found_with(8, 6);
+    EXPECT_TRUE(apart.deep.empty());  // depth -0.1: not deep, but a wrong decision
+    EXPECT_FALSE(apart.wrong.empty());
+    // the same corner below its top edge, as deep as that block is high
+    const Findings top = found_with(8, 5);
+    ASSERT_EQ(top.deep.size(), 1U);
+    EXPECT_NEAR(top.deep[0].overlap, 1.0, 1e-9);
+    EXPECT_EQ(top.deep[0].common, 0.0);
+    // on the floor, whose bottom edge is 0.99 from the corner and 0.01 are in common
+    const Findings bottom = found_with(4, 3);
+    ASSERT_EQ(bottom.deep.size(), 1U);
+    EXPECT_NEAR(bottom.deep[0].overlap, 0.99, 1e-9);
+    EXPECT_NEAR(bottom.deep[0].common, 0.01, 1e-9);
+    EXPECT_EQ(bottom.deep[0].corner, 4);
+    EXPECT_EQ(bottom.deep[0].edge, 3);
+  }
 }
 
 // Bars laid across each other: no corner is inside the other block, so nothing acts,
