@@ -41,6 +41,18 @@ void Pen::text(const std::string& text, double x, double y, double size,
   cairo_new_path(cairo_);
 }
 
+void Pen::label(const std::string& words, double x, double y, double size,
+                const Colour& c, const Colour& ground) {
+  cairo_text_extents_t box;
+  cairo_set_font_size(cairo_, size);
+  cairo_text_extents(cairo_, words.c_str(), &box);
+  cairo_move_to(cairo_, x - box.x_bearing - 0.5 * box.width,
+                y - box.y_bearing - 0.5 * box.height);
+  cairo_text_path(cairo_, words.c_str());
+  stroke(0.3 * size, ground, 0.85);
+  text(words, x, y, size, c, 0.5, 0.5);
+}
+
 void Pen::upright(const std::string& words, double x, double y, double size,
                   const Colour& c, double room) {
   cairo_save(cairo_);

@@ -29,6 +29,9 @@ class Pen {
   /// bottom. Text longer than `room` is set smaller.
   void text(const std::string& text, double x, double y, double size, const Colour& c,
             double along, double up, double room = page);
+  /// Centred at (x, y), with a rim of the ground's colour: read over lines as well.
+  void label(const std::string& text, double x, double y, double size, const Colour& c,
+             const Colour& ground);
   /// Centred at (x, y), read from below.
   void upright(const std::string& text, double x, double y, double size,
                const Colour& c, double room);

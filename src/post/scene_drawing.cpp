@@ -158,25 +158,27 @@ class SceneDrawing {
       const double size = size_on_page(outline);
       const auto at = static_cast<Eigen::Index>(b);
       const double x = page_x(now_.centroid(0, at)), y = axes_.y(now_.centroid(1, at));
-      const Colour letters = is_dark(fill_of(b)) ? white : ink;
+      const Colour ground = fill_of(b), letters = is_dark(ground) ? white : ink;
       if (options_.numbers)
-        pen_.text(std::to_string(now_.number[b]), x, y,
-                  std::clamp(0.42 * size, 5.0, 16.0), letters, 0.5, 0.5);
+        pen_.label(std::to_string(now_.number[b]), x, y,
+                   std::clamp(0.42 * size, 5.0, 16.0), letters, ground);
       if (options_.corners)
-        corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters);
+        corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters, ground);
     }
   }
 
   /// Inside the block, along the line that halves the angle.
-  void corner_numbers(const Outline& outline, double letter, const Colour& c) {
+  void corner_numbers(const Outline& outline, double letter, const Colour& c,
+                      const Colour& ground) {
     const std::size_t n = outline.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Eigen::Vector2d& at = outline[i];
       const Eigen::Vector2d inwards = (outline[(i + 1) % n] - at).normalized() +
                                       (outline[(i + n - 1) % n] - at).normalized();
       const Eigen::Vector2d step = 1.2 * letter * inwards.normalized();
-      pen_.text(std::to_string(i + 1), page_x(at.x()) + (mirrored_ ? -1 : 1) * step.x(),
-                axes_.y(at.y()) - step.y(), letter, c, 0.5, 0.5);
+      pen_.label(std::to_string(i + 1),
+                 page_x(at.x()) + (mirrored_ ? -1 : 1) * step.x(),
+                 axes_.y(at.y()) - step.y(), letter, c, ground);
     }
   }
 
