@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/units.hpp"
+
 namespace blocks::post {
 
 Axes::Axes(const Eigen::Vector4d& shown, double at_left, double at_top,
@@ -41,6 +43,16 @@ std::vector<double> nice_ticks(double lower, double upper, int count) {
   return ticks;
 }
 
+std::string TickLabels::titled(const std::string& name) const {
+  if (power == 0)
+    return name;
+  const std::string factor = "10" + superscript(power);
+  const auto bracket = name.rfind('[');
+  return bracket == std::string::npos
+             ? name + " [" + factor + "]"
+             : name.substr(0, bracket + 1) + factor + " " + name.substr(bracket + 1);
+}
+
 TickLabels label_ticks(double lower, double upper, int count) {
   TickLabels result{nice_ticks(lower, upper, count), {}, {}};
   const std::vector<double>& ticks = result.ticks;
@@ -55,12 +67,15 @@ TickLabels label_ticks(double lower, double upper, int count) {
     offset = std::round(0.5 * (ticks.front() + ticks.back()) / unit) * unit;
     result.offset = fmt::format("{:+.15g}", offset);
   }
+  if (offset == 0.0 && (largest >= 1e5 || largest < 1e-3) && largest > 0.0)
+    result.power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
+  const double counted = std::pow(10.0, -result.power);
   for (const double tick : ticks) {
     const double rest = tick - offset;
     // exact but for the rounding of the tick, which is no part of a round number
     const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-9));
     const double round = offset == 0.0 ? rest : std::round(rest / power) * power;
-    result.labels.push_back(fmt::format("{:g}", round == 0.0 ? 0.0 : round));
+    result.labels.push_back(fmt::format("{:g}", round == 0.0 ? 0.0 : round * counted));
   }
   return result;
 }

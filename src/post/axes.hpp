@@ -32,10 +32,15 @@ struct TickLabels {
   std::vector<double> ticks;
   std::vector<std::string> labels;
   std::string offset;  ///< "+1000000000": to be added to every label; empty for none
+  int power = 0;       ///< labels count powers of ten: a multiple of three
+
+  /// The axis' name with that power: "kinetic energy [10⁶ J/m]", "contacts [10³]".
+  std::string titled(const std::string& name) const;
 };
 
 /// About `count` ticks. What all of them share is taken off into the offset where the
-/// labels would need more than five digits otherwise.
+/// labels would need more than five digits otherwise; without an offset, labels from
+/// 100,000 or below a thousandth count powers of ten.
 TickLabels label_ticks(double lower, double upper, int count);
 
 }  // namespace blocks::post

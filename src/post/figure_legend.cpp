@@ -92,8 +92,10 @@ class Legend {
   void bar(const std::string& label, const Dimension& dimension, double low,
            double high, double room, const std::function<Colour(double)>& colour) {
     const double width = 22, top = y_ + 30, height = room - 50;
-    pen_.text(with_unit(label, dimension, options_), place_.x, y_ + 4, 14, ink, 0, 0,
-              Pen::page - place_.x - 6);
+    const TickLabels marked =
+        label_ticks(low, high, std::max(3, static_cast<int>(height / 50)));
+    pen_.text(marked.titled(with_unit(label, dimension, options_)), place_.x, y_ + 4,
+              14, ink, 0, 0, Pen::page - place_.x - 6);
     constexpr int steps = 128;
     for (int i = 0; i < steps; ++i) {
       pen_.colour(colour((steps - 0.5 - i) / steps));
@@ -103,8 +105,6 @@ class Legend {
     }
     cairo_rectangle(cairo_, place_.x, top, width, height);
     pen_.stroke(0.8, ink);
-    const TickLabels marked =
-        label_ticks(low, high, std::max(3, static_cast<int>(height / 50)));
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double y = top + height * (high - marked.ticks[i]) / (high - low);
       cairo_move_to(cairo_, place_.x + width, y);

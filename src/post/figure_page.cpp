@@ -114,12 +114,12 @@ void FigurePage::rulers(Pen& pen, const Axes& axes, bool along_x, bool along_y) 
   }
   if (along_x) {
     pen.text(xs.offset, axes.right(), axes.bottom() + 38, 14, ink, 1, 0);
-    pen.text(with_unit("x", length, options_), axes.left + axes.width / 2,
+    pen.text(xs.titled(with_unit("x", length, options_)), axes.left + axes.width / 2,
              axes.bottom() + 38, 15, ink, 0.5, 0);
   }
   if (along_y) {
     pen.text(ys.offset, axes.left - 66, axes.top - 5, 14, ink, 0, 1);
-    pen.upright(with_unit("y", length, options_), axes.left - 66,
+    pen.upright(ys.titled(with_unit("y", length, options_)), axes.left - 66,
                 axes.top + axes.height / 2, 15, ink, axes.height);
   }
 }

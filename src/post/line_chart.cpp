@@ -100,15 +100,20 @@ class ChartDrawing {
     pen_.colour({1, 1, 1});
     cairo_fill(cairo_);
     cairo_set_line_width(cairo_, 1);
-    for (const double t : nice_ticks(x_.low, x_.high, 8)) {
-      stroke(page_x(t), top, page_x(t), bottom, grid);
+    const TickLabels along = label_ticks(x_.low, x_.high, 8);
+    for (std::size_t i = 0; i < along.ticks.size(); ++i) {
+      const double x = page_x(along.ticks[i]);
+      stroke(x, top, x, bottom, grid);
       if (last)
-        pen_.text(fmt::format("{:g}", t), page_x(t), bottom + 11, 14, ink, 0.5, 0);
+        pen_.text(along.labels[i], x, bottom + 11, 14, ink, 0.5, 0);
     }
-    for (const double t : nice_ticks(y.low, y.high, 6)) {
-      stroke(left, page_y(t), end, page_y(t), t == 0.0 ? muted : grid);
-      pen_.text(fmt::format("{:g}", t), left - 9, page_y(t), 14, ink, 1, 0.5);
+    const TickLabels up = label_ticks(y.low, y.high, 6);
+    for (std::size_t i = 0; i < up.ticks.size(); ++i) {
+      const double at = page_y(up.ticks[i]);
+      stroke(left, at, end, at, up.ticks[i] == 0.0 ? muted : grid);
+      pen_.text(up.labels[i], left - 9, at, 14, ink, 1, 0.5);
     }
+    pen_.text(up.offset, 14, top - 5, 14, ink, 0, 1);
     cairo_save(cairo_);
     cairo_rectangle(cairo_, left, top, end - left, panel);
     cairo_clip(cairo_);
@@ -119,9 +124,12 @@ class ChartDrawing {
     cairo_set_line_width(cairo_, 1);
     pen_.colour(ink);
     cairo_stroke(cairo_);
-    pen_.upright(one.y_label, 22, top + panel / 2, 15, ink, panel);
-    if (last)
-      pen_.text(chart_.x_label, (left + end) / 2, bottom + 38, 15, ink, 0.5, 0);
+    pen_.upright(up.titled(one.y_label), 22, top + panel / 2, 15, ink, panel);
+    if (last) {
+      pen_.text(along.titled(chart_.x_label), (left + end) / 2, bottom + 38, 15, ink,
+                0.5, 0);
+      pen_.text(along.offset, end, bottom + 38, 14, ink, 1, 0);
+    }
     legend(one, end + 18, top + 6);
   }
 

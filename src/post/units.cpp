@@ -11,16 +11,21 @@ namespace {
 
 /// "m", "m²", "s⁻¹"; nothing for the power zero.
 std::string factor(const std::string& unit, int power) {
-  static constexpr std::array<const char*, 5> digits = {"⁰", "¹", "²", "³", "⁴"};
   if (power == 0)
     return "";
-  if (power == 1)
-    return unit;
-  return unit + (power < 0 ? "⁻" : "") +
-         digits.at(static_cast<std::size_t>(std::abs(power)));
+  return power == 1 ? unit : unit + superscript(power);
 }
 
 }  // namespace
+
+std::string superscript(int number) {
+  static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴",
+                                                         "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = number < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(number)))
+    text += digits.at(static_cast<std::size_t>(digit - '0'));
+  return text;
+}
 
 Units Units::parse(const std::string& text) {
   std::vector<std::string> names;

@@ -26,4 +26,7 @@ struct Units {
 /// number.
 std::string unit_text(const Dimension& dimension, const std::optional<Units>& units);
 
+/// "⁶", "⁻¹²".
+std::string superscript(int number);
+
 }  // namespace blocks::post

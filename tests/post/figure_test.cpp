@@ -78,6 +78,12 @@ TEST(Ticks, AreToldApartFarFromTheOrigin) {
   EXPECT_THAT(below.labels, ElementsAre("0", "0.2", "0.4", "0.6"));
   EXPECT_EQ(below.offset, "-500003");
   EXPECT_EQ(label_ticks(1000, 1100, 5).offset, "");
+  const TickLabels energy = label_ticks(0.0, 1.8e6, 6);  // not 800000 beside 1e+06
+  EXPECT_EQ(energy.titled("energy [J/m]"), "energy [10⁶ J/m]");
+  EXPECT_THAT(energy.labels, ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1", "1.2",
+                                         "1.4", "1.6", "1.8"));
+  EXPECT_EQ(label_ticks(0, 2e-4, 4).titled("contacts"), "contacts [10⁻⁶]");
+  EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [m]");
   EXPECT_TRUE(label_ticks(1e17, 1e17 + 64, 10).ticks.empty());  // doubles lie 16 apart
 }
 
