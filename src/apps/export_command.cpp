@@ -33,7 +33,10 @@ struct Scene {
   std::optional<double> time;
 };
 
-bool is_hdf5(const std::string& path) {
+/// By its name, or by how it begins, whatever its name.
+bool is_results(const std::string& path) {
+  if (fs::path(path).extension() == ".vtkhdf")
+    return true;
   std::ifstream in(path, std::ios::binary);
   std::string head(8, '\0');
   in.read(head.data(), 8);
@@ -182,7 +185,7 @@ int export_blocks(ExportOptions options) {
   output::check_outputs({options.output});
 
   Scene scene;
-  if (is_hdf5(input)) {
+  if (is_results(input)) {
     try {
       const post::ResultsReader results(input);
       if (results.frames() == 0)

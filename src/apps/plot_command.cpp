@@ -179,6 +179,7 @@ int plot(PlotOptions options) {
     if (!options.dblock.empty())
       return plot_dblock(options.dblock, results, options.output, options.figure);
     const std::vector<long> frames = chosen_frames(results, options);
+    post::require_blocks_in_zoom(results, frames, options.figure);
     if (post::is_movie(options.output)) {
       post::draw_movie(options.output, results, frames, options.rate, options.figure);
       fmt::print("{}: {} pictures, {:.3g} s\n", options.output, frames.size(),

@@ -1,5 +1,7 @@
 #include "post/figure_scales.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -129,6 +131,35 @@ FigureScales survey_scales(const ResultsReader& results,
     survey.include({now, first, contacts});
   }
   return survey.scales();
+}
+
+void require_blocks_in_zoom(const ResultsReader& results,
+                            const std::vector<long>& frames,
+                            const FigureOptions& options) {
+  if (!options.zoom)
+    return;
+  const Eigen::Vector4d& zoom = *options.zoom;
+  if (!(zoom[0] < zoom[1] && zoom[2] < zoom[3]))
+    throw std::runtime_error("the zoom needs xmin < xmax and ymin < ymax");
+  Eigen::Vector4d all(1e300, -1e300, 1e300, -1e300);  // as the zoom
+  for (const long i : frames)
+    for (const auto& outline : results.frame(i).outlines) {
+      Eigen::Vector4d box(1e300, -1e300, 1e300, -1e300);
+      for (const Eigen::Vector2d& p : outline)
+        for (const double x :
+             {p.x(), options.mirror ? 2.0 * options.mirror_x - p.x() : p.x()})
+          box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], p.y()),
+                 std::max(box[3], p.y())};
+      if (box[0] <= zoom[1] && box[1] >= zoom[0] && box[2] <= zoom[3] &&
+          box[3] >= zoom[2])
+        return;
+      all = {std::min(all[0], box[0]), std::max(all[1], box[1]),
+             std::min(all[2], box[2]), std::max(all[3], box[3])};
+    }
+  throw std::runtime_error(fmt::format(
+      "there is no block in the zoom: the blocks lie in x {:.6g} to {:.6g}, "
+      "y {:.6g} to {:.6g}",
+      all[0], all[1], all[2], all[3]));
 }
 
 }  // namespace blocks::post

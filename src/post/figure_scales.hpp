@@ -59,4 +59,10 @@ Eigen::Matrix2Xd arrow_vectors(const std::string& name, const Picture& picture);
 /// Names of arrows for help and messages.
 std::vector<std::string> arrow_names();
 
+/// Throws std::runtime_error when the zoom lies beside all blocks of all these frames,
+/// and says where they lie.
+void require_blocks_in_zoom(const ResultsReader& results,
+                            const std::vector<long>& frames,
+                            const FigureOptions& options);
+
 }  // namespace blocks::post

@@ -8,6 +8,7 @@
 #include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
+#include "post/results_nearby.hpp"
 
 namespace blocks::post {
 
@@ -171,7 +172,9 @@ ResultsReader::ResultsReader(const std::string& path) {
   auto file = std::make_unique<File>();
   File& from = *file;
   from.path = path;
-  output::naming("read", path, [&] {
+  const auto open = [&] {
+    if (const std::string fault = fault_of_head(path); !fault.empty())
+      throw Failure(fault);
     from.file = output::hdf5::open_file(path, false);
     if (!output::hdf5::exists(from.file.get(), "VTKHDF") ||
         !output::hdf5::exists(from.file.get(), "BLOCKS"))
@@ -186,7 +189,12 @@ ResultsReader::ResultsReader(const std::string& path) {
     from.times = Column::open(from.steps.get(), "Values")
                      .read<double>(0, static_cast<hsize_t>(frames));
     from.title = output::hdf5::read_text(from.file.get(), "BLOCKS/title");
-  });
+  };
+  try {
+    output::naming("read", path, open);
+  } catch (const output::FileError& error) {
+    throw output::FileError(error.what() + results_nearby(path));
+  }
   file_ = std::move(file);
 }
 

@@ -140,8 +140,17 @@ TEST(History, RefusalsNameWhatIsAvailable) {
   refused("hit.vtkhdf --profile 5,5,6,6", 2, "their centroids lie in x 0.5 to 1.52");
   refused("hit.vtkhdf -o hit.gif", 2, ".csv, .json, .png, .svg or .pdf");
   refused("hit.deck", 5, "cannot read hit.deck");
-  refused("text.vtkhdf", 5, "cannot read text.vtkhdf");
-  refused("none.vtkhdf", 5, "cannot read none.vtkhdf");
+  refused("text.vtkhdf", 5,
+          "cannot read text.vtkhdf: it is not a results file of BLOCKS\n  hint: results here: "
+          "hit.vtkhdf\n");
+  refused("none.vtkhdf", 5,
+          "cannot read none.vtkhdf: No such file or directory\n  hint: results here: "
+          "hit.vtkhdf\n");
+  folder.write("empty.vtkhdf", "");
+  refused("empty.vtkhdf", 5, "cannot read empty.vtkhdf: it is empty\n  hint: ");
+  fs::create_directory(folder / "far");
+  folder.write("far/text.vtkhdf", "no results");
+  refused("far/text.vtkhdf", 5, "hint: blocks run DECK writes results, NAME.vtkhdf");
 }
 
 TEST(History, FiguresAreWrittenAndOlderOnesKept) {

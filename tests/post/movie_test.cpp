@@ -131,6 +131,8 @@ TEST_F(Plots, RefusalsNameWhatIsAvailable) {
   refused("--colour heat", "normal_force, overlap, shear_force");
   refused("--sheet 3 --from 7", "has times 0 to 0.04, none between 7 and 0.04");
   refused("--zoom 1,0,0,1", "xmin < xmax");
+  refused("--zoom 8,9,8,9",
+          "no block in the zoom: the blocks lie in x -5 to 5, y -1 to ");
   refused("--range 1,1", "low < high");
 }
 
