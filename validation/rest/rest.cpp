@@ -1,25 +1,18 @@
 // Does a wall at rest stay at rest? Runs a deck without output for many steps and
 // tells how its kinetic energy and its corners went.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <string>
 
-#include "dynamics/step.hpp"
-#include "geometry/numeric_environment.hpp"
-#include "model/model.hpp"
-#include "run/run.hpp"
+#include "validation/long_run/long_run.hpp"
 
 namespace {
 
 using blocks::Model;
+using blocks::long_run::text;
 
-std::string text(const char* format, auto... values) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
+long acting(const Model& model) {
+  return std::count_if(model.contacts.active.begin(), model.contacts.active.end(),
+                       [](auto active) { return active != 0; });
 }
 
 double kinetic_energy(const blocks::Blocks& b) {
@@ -34,92 +27,50 @@ double kinetic_energy(const blocks::Blocks& b) {
 /// |x|: less cannot be told from rest.
 double energy_of_rounding(const Model& model) {
   const double rounding = 0x1p-53 * model.blocks.corner.cwiseAbs().maxCoeff();
-  const auto acting =
-      std::count_if(model.contacts.active.begin(), model.contacts.active.end(),
-                    [](auto active) { return active != 0; });
   return 0.5 * model.settings.normal_stiffness * rounding * rounding *
-         static_cast<double>(acting);
+         static_cast<double>(acting(model));
 }
+
+class Rest : public blocks::long_run::Watch {
+ public:
+  void start(const Model& model) override { before_ = model.blocks.corner; }
+
+  std::string row(long step, const Model& model,
+                  const blocks::dynamics::Displacement& made) override {
+    energy_ = kinetic_energy(model.blocks);
+    rounding_ = energy_of_rounding(model);
+    drift_ = (model.blocks.corner - before_).colwise().norm().maxCoeff();
+    before_ = model.blocks.corner;
+    return text("| %ld | %.2e | %.1e | %.1e | %.1e | %ld | %ld |\n", step, energy_,
+                rounding_, made.largest, drift_, acting(model), model.search.updates);
+  }
+
+  blocks::long_run::Verdict verdict(long steps, const Model&) const override {
+    const bool quiet = energy_ <= rounding_;
+    return {text("At the end the kinetic energy is %.2e, %s the energy of rounding "
+                 "%.1e; the corners moved by up to %.1e in the last %ld steps.\n",
+                 energy_, quiet ? "at most" : "above", rounding_, drift_,
+                 steps / blocks::long_run::rows),
+            quiet};
+  }
+
+ private:
+  Eigen::Matrix2Xd before_;
+  double energy_ = 0.0, rounding_ = 0.0, drift_ = 0.0;
+};
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"a deck at rest: kinetic energy and drift over many steps"};
-  std::string deck = BLOCKS_SOURCE_DIR "/validation/rest/wall.deck", report;
-  long steps = 1000000;
-  int rows = 20;
-  app.add_option("--deck", deck, "the deck; its MOTION and CYCLE cards are not used");
-  app.add_option("--steps", steps, "time steps")->check(CLI::Range(1L, 1000000000L));
-  app.add_option("--rows", rows, "rows of the table")->check(CLI::Range(1, 1000));
-  app.add_option("--report", report, "write NAME.md");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  if (const auto fault = blocks::geometry::check_numeric_environment();
-      !fault.empty()) {
-    std::fprintf(stderr, "blocks: error: %s\n", fault.c_str());
-    return 1;
-  }
-  blocks::run::RunOptions options;
-  options.deck = deck;
-  auto checked = blocks::run::build_checked(options);
-  if (checked.code != blocks::run::done)
-    return checked.code;
-
-  Model& model = checked.model;
-  blocks::dynamics::SearchBuffers buffers;
-  blocks::dynamics::prepare(model);
-  std::string table =
-      "| step | kinetic energy | of rounding | largest movement in a step | moved "
-      "since "
-      "the last row | acting | searches |\n|---|---|---|---|---|---|---|\n";
-  std::printf("%s", table.c_str());
-  Eigen::Matrix2Xd before = model.blocks.corner;
-  double energy = 0.0, rounding = 0.0, drift = 0.0;
-  for (long i = 1; i <= steps; ++i) {
-    const bool told = i * rows / steps != (i - 1) * rows / steps;
-    const auto step = told ? blocks::dynamics::step : blocks::dynamics::advance;
-    const auto moved = step(model, buffers);
-    if (!moved.finite) {
-      std::fprintf(stderr, "blocks: error: step %ld: not a number\n", i);
-      return 4;
-    }
-    if (!told)
-      continue;
-    energy = kinetic_energy(model.blocks);
-    rounding = energy_of_rounding(model);
-    drift = (model.blocks.corner - before).colwise().norm().maxCoeff();
-    before = model.blocks.corner;
-    const auto acting =
-        std::count_if(model.contacts.active.begin(), model.contacts.active.end(),
-                      [](auto active) { return active != 0; });
-    const std::string row =
-        text("| %ld | %.2e | %.1e | %.1e | %.1e | %ld | %ld |\n", i, energy, rounding,
-             moved.largest, drift, static_cast<long>(acting), model.search.updates);
-    std::printf("%s", row.c_str());
-    std::fflush(stdout);
-    table += row;
-  }
-  const bool quiet = energy <= rounding;
-  const std::string verdict =
-      text("At the end the kinetic energy is %.2e, %s the energy of rounding %.1e; the "
-           "corners moved by up to %.1e in the last %ld steps.\n",
-           energy, quiet ? "at most" : "above", rounding, drift, steps / rows);
-  std::printf("\n%s", verdict.c_str());
-  if (!report.empty()) {
-    std::ofstream out(report + ".md");
-    out << "# A wall of 1,000 bricks at rest\n\nWritten by `./go validate rest`; do "
-           "not "
-           "edit. What the columns mean: README.md.\n\n"
-        << table << "\n"
-        << verdict;
-    out.flush();
-    if (!out) {
-      std::fprintf(stderr, "blocks: error: cannot write %s.md\n", report.c_str());
-      return 5;
-    }
-  }
-  return quiet ? 0 : 4;
+  Rest rest;
+  return blocks::long_run::run(
+      argc, argv,
+      {"a deck at rest: kinetic energy and drift over many steps",
+       "validation/rest/wall.deck", 1000000, "A wall of 1,000 bricks at rest",
+       "Written by `./go validate rest`; do not edit. What the columns mean: "
+       "README.md.",
+       "| step | kinetic energy | of rounding | largest movement in a step | moved "
+       "since the last row | acting | searches |",
+       "|---|---|---|---|---|---|---|"},
+      rest);
 }

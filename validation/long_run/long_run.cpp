@@ -1,0 +1,88 @@
+#include "validation/long_run/long_run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+
+#include "geometry/numeric_environment.hpp"
+#include "output/check_outputs.hpp"
+#include "output/results.hpp"
+#include "run/run.hpp"
+
+namespace blocks::long_run {
+namespace {
+
+int refuse(int code, const std::string& message) {
+  std::fprintf(stderr, "blocks: error: %s\n", message.c_str());
+  return code;
+}
+
+/// To the screen and into the report.
+void say(const std::string& words, std::string& report) {
+  std::printf("%s", words.c_str());
+  std::fflush(stdout);
+  report += words;
+}
+
+int make_steps(Model& model, long steps, const Study& study, Watch& watch,
+               std::string& report) {
+  dynamics::SearchBuffers buffers;
+  dynamics::prepare(model);
+  watch.start(model);
+  say(study.columns + "\n" + study.ruler + "\n", report);
+  for (long i = 1; i <= steps; ++i) {
+    const bool told = i * rows / steps != (i - 1) * rows / steps;
+    const auto made = (told ? dynamics::step : dynamics::advance)(model, buffers);
+    if (!made.finite) {
+      say(text("\n**Step %ld: not a number.**\n", i), report);
+      return run::unsound_run;
+    }
+    if (told)
+      say(watch.row(i, model, made), report);
+  }
+  const Verdict verdict = watch.verdict(steps, model);
+  say("\n" + verdict.text, report);
+  return verdict.passed ? run::done : run::unsound_run;
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const Study& study, Watch& watch) {
+  CLI::App app{study.about};
+  run::RunOptions options;
+  options.deck = BLOCKS_SOURCE_DIR "/" + study.deck;
+  std::string report;
+  long steps = study.steps;
+  app.add_option("--deck", options.deck,
+                 "the deck; its MOTION and CYCLE cards are not used");
+  app.add_option("--steps", steps, "time steps")->check(CLI::Range(rows, 1000000000L));
+  app.add_option("--report", report, "write NAME.md");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? run::done : run::usage_error;
+  }
+  if (const auto fault = geometry::check_numeric_environment(); !fault.empty())
+    return refuse(run::internal_error, fault);
+  const std::string file = report.empty() ? "" : report + ".md";
+  try {
+    output::check_outputs({file});  // before hours of work
+  } catch (const output::FileError& error) {
+    return refuse(run::file_error, error.what());
+  }
+  auto checked = run::build_checked(options);
+  if (checked.code != run::done)
+    return checked.code;
+
+  std::string table;
+  const int code = make_steps(checked.model, steps, study, watch, table);
+  if (!report.empty()) {
+    std::ofstream out(file);
+    out << "# " << study.title << "\n\n" << study.remark << "\n\n" << table;
+    out.flush();
+    if (!out)
+      return refuse(run::file_error, "cannot write " + file);
+  }
+  return code;
+}
+
+}  // namespace blocks::long_run
