@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/quantity.hpp"
+#include "post/results_nearby.hpp"
 #include "post/results_reader.hpp"
 #include "post/time_series.hpp"
 #include "text_file.hpp"
@@ -35,12 +35,8 @@ struct Scene {
 
 /// By its name, or by how it begins, whatever its name.
 bool is_results(const std::string& path) {
-  if (fs::path(path).extension() == ".vtkhdf")
-    return true;
-  std::ifstream in(path, std::ios::binary);
-  std::string head(8, '\0');
-  in.read(head.data(), 8);
-  return in && head == "\x89HDF\r\n\x1a\n";
+  return fs::path(path).extension() == ".vtkhdf" ||
+         (fs::is_regular_file(path) && post::fault_of_head(path).empty());
 }
 
 Scene scene_of(const Model& model) {

@@ -63,11 +63,9 @@ class Legend {
   void materials() {
     const std::set<int> present(picture_.now.material.begin(),
                                 picture_.now.material.end());
-    for (const int material : present) {
-      const Colour own = colour_of_material(material, options_);
-      swatch(options_.forces ? mix(own, white, 0.3) : own, false,
+    for (const int material : present)
+      swatch(colour_of_material(material, options_), false,
              fmt::format("material {}", material));
-    }
   }
   void fixed() {
     const auto& fixed = picture_.now.fixed;

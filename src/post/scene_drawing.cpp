@@ -83,10 +83,8 @@ class SceneDrawing {
 
   /// Under a network of forces materials are pale.
   Colour fill_of(std::size_t b) const {
-    if (options_.colour == "material") {
-      const Colour own = colour_of_material(now_.material[b], options_);
-      return options_.forces ? mix(own, white, 0.3) : own;
-    }
+    if (options_.colour == "material")
+      return colour_of_material(now_.material[b], options_);
     const double value = shown_.values[static_cast<Eigen::Index>(b)];
     return shade(shown_.is_signed,
                  (value - scales_.low) / (scales_.high - scales_.low));
@@ -300,8 +298,10 @@ Colour shade(bool is_signed, double s) {
 
 Colour colour_of_material(int material, const FigureOptions& options) {
   const auto chosen = options.material_colours.find(material);
-  return chosen == options.material_colours.end() ? material_colour(material)
-                                                  : chosen->second;
+  const Colour own = chosen == options.material_colours.end()
+                         ? material_colour(material)
+                         : chosen->second;
+  return options.forces ? mix(own, white, 0.3) : own;  // pale below the lines
 }
 
 }  // namespace blocks::post
