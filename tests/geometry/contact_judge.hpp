@@ -10,24 +10,15 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <functional>
-#include <random>
+
+#include "validation/robustness/contact_draw.hpp"
 
 namespace blocks::geometry {
 
 using Rational = boost::multiprecision::cpp_rational;
 using Wide = boost::multiprecision::cpp_bin_float_100;
 
-/// A corner with a tangent, an edge, a second edge and the centroid of the edge's
-/// block.
-struct Case {
-  Vec2 c, p1, p2, q1, q2, centroid, neighbour;
-
-  void transform(const std::function<Vec2(const Vec2&)>& f) {
-    for (Vec2* v : {&c, &p1, &p2, &q1, &q2, &centroid, &neighbour})
-      *v = f(*v);
-  }
-};
+using Case = robustness::ContactCase;
 
 /// The definitions of the header, written out on rationals.
 struct Judge {
@@ -78,52 +69,14 @@ struct Judge {
   }
 };
 
-class Random {
+/// The study's draws, one after the other.
+class Random : public robustness::Draw {
  public:
-  double uniform(double a, double b) {
-    return a + (b - a) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-  int whole(int a, int b) {
-    return a + static_cast<int>(engine_() % static_cast<unsigned>(b - a + 1));
-  }
-  Vec2 vector(double size) {
-    const double x = uniform(-size, size);
-    return {x, uniform(-size, size)};
-  }
-  Case any(double size) {
-    Case k;
-    k.transform([&](const Vec2&) { return vector(size); });
-    return k;
-  }
-  /// Up to `most` doubles further, either way.
-  double nudge(double x, int most) {
-    const double to = whole(0, 1) ? HUGE_VAL : -HUGE_VAL;
-    for (int i = whole(0, most); i > 0; --i)
-      x = std::nextafter(x, to);
-    return x;
-  }
-  Vec2 nudge(const Vec2& v, int most) {
-    const double x = nudge(v.x(), most);
-    return {x, nudge(v.y(), most)};
-  }
-
- private:
-  std::mt19937_64 engine_{12345};
+  Random() : Draw(0, 12345) {}
+  Case any(double size) { return robustness::anywhere(*this, size); }
 };
 
-/// A brick (2 x 1, corners clockwise, edge p its top, edge q its right side) of a wall
-/// in half-brick bond, and a corner of the same wall: whole and half numbers.
-inline Case wall(Random& random) {
-  const double i = random.whole(-4, 4), j = random.whole(-3, 3);
-  const Vec2 c(i + random.whole(-1, 3), j + random.whole(-1, 2));
-  const Vec2 t(random.whole(0, 1) ? 2 : -2, 0), s(0, random.whole(0, 1) ? 1 : -1);
-  return {c,
-          {i, j + 1},
-          {i + 2, j + 1},
-          {i + 2, j + 1},
-          {i + 2, j},
-          {i + 1, j + 0.5},
-          c + (random.whole(0, 1) ? t : s)};
-}
+/// A brick near the origin and a corner of its wall: whole and half numbers.
+inline Case wall(Random& random) { return robustness::brick(random, 4, 3); }
 
 }  // namespace blocks::geometry

@@ -13,78 +13,13 @@
 namespace blocks::robustness {
 namespace {
 
-/// Splitmix64 from a number of its own for each case.
-class Draw {
- public:
-  Draw(std::uint64_t family, std::uint64_t number)
-      : state_(number * 0x9e3779b97f4a7c15ULL + (family << 56)) {}
-  std::uint64_t bits() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
-  double uniform(double a, double b) {
-    return a + (b - a) * std::ldexp(static_cast<double>(bits() >> 11), -53);
-  }
-  int whole(int a, int b) {
-    return a + static_cast<int>(bits() % static_cast<unsigned>(b - a + 1));
-  }
-  bool coin() { return bits() % 2 == 0; }
-  Vec2 vector(double size) {
-    const double x = uniform(-size, size);
-    return {x, uniform(-size, size)};
-  }
-  /// Up to `most` doubles further in either direction.
-  double nudge(double x, int most) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double to = coin() ? infinity : -infinity;
-    for (int i = whole(0, most); i > 0; --i)
-      x = std::nextafter(x, to);
-    return x;
-  }
-  Vec2 nudge(const Vec2& v, int most) {
-    const double x = nudge(v.x(), most);
-    return {x, nudge(v.y(), most)};
-  }
-
- private:
-  std::uint64_t state_;
-};
-
-template <class Map> void transform(ContactCase& k, Map&& map) {
-  for (Vec2* v : {&k.c, &k.p1, &k.p2, &k.q1, &k.q2, &k.centroid, &k.neighbour})
-    *v = map(*v);
-}
-
-ContactCase anywhere(Draw& draw, double size) {
-  ContactCase k;
-  transform(k, [&](const Vec2&) { return draw.vector(size); });
-  return k;
-}
-
-/// A brick (2 x 1, edge p its top, edge q its right side) of a wall in half-brick bond,
-/// and a corner of the same wall.
-ContactCase brick(Draw& draw) {
-  const double i = draw.whole(-20, 20), j = draw.whole(-20, 20);
-  const Vec2 c(i + draw.whole(-1, 3), j + draw.whole(-1, 2));
-  const Vec2 along(draw.coin() ? 2 : -2, 0), across(0, draw.coin() ? 1 : -1);
-  return {c,
-          {i, j + 1},
-          {i + 2, j + 1},
-          {i + 2, j + 1},
-          {i + 2, j},
-          {i + 1, j + 0.5},
-          c + (draw.coin() ? along : across)};
-}
-
 Vec2 turned(const Vec2& v, double cosine, double sine) {
   return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
 }
 
 void turn_and_move(ContactCase& k, double angle, const Vec2& origin) {
   const double cosine = std::cos(angle), sine = std::sin(angle);
-  transform(k, [&](const Vec2& v) -> Vec2 { return origin + turned(v, cosine, sine); });
+  k.transform([&](const Vec2& v) -> Vec2 { return origin + turned(v, cosine, sine); });
 }
 
 constexpr std::array<std::pair<int, int>, 6> pythagorean{
@@ -117,7 +52,7 @@ ContactCase flush_brick(std::uint64_t number) {
   return first_proper(1, number, [](Draw& draw) {
     ContactCase k = brick(draw);
     const double scale = std::ldexp(1, draw.whole(-40, 40));
-    transform(k, [&](const Vec2& v) -> Vec2 { return scale * v; });
+    k.transform([&](const Vec2& v) -> Vec2 { return scale * v; });
     return k;
   });
 }
@@ -129,8 +64,8 @@ ContactCase pythagorean_brick(std::uint64_t number) {
     const double scale = std::ldexp(1, draw.whole(-40, 40));
     const Vec2 shift(draw.whole(-1000, 1000), draw.whole(-1000, 1000));
     ContactCase k = brick(draw);
-    transform(k,
-              [&](const Vec2& v) -> Vec2 { return scale * (turned(v, a, b) + shift); });
+    k.transform(
+        [&](const Vec2& v) -> Vec2 { return scale * (turned(v, a, b) + shift); });
     if (draw.whole(0, 7) == 0)
       k.c = k.centroid + (k.p2 - k.p1);
     return k;
@@ -243,8 +178,8 @@ ContactCase subnormal(std::uint64_t number) {
     ContactCase k = draw.coin() ? brick(draw) : anywhere(draw, 1);
     const double size = std::ldexp(1, draw.whole(-1074, -900));
     const Vec2 turn = draw.coin() ? Vec2(1, 0) : draw.vector(1);
-    transform(
-        k, [&](const Vec2& v) -> Vec2 { return size * turned(v, turn.x(), turn.y()); });
+    k.transform(
+        [&](const Vec2& v) -> Vec2 { return size * turned(v, turn.x(), turn.y()); });
     return k;
   });
 }
@@ -255,7 +190,7 @@ ContactCase any_magnitude(std::uint64_t number) {
     ContactCase k = draw.coin() ? brick(draw) : anywhere(draw, 1);
     const bool mixed = draw.coin();
     const double size = std::ldexp(1, draw.whole(-1074, 1023));
-    transform(k, [&](const Vec2& v) -> Vec2 {
+    k.transform([&](const Vec2& v) -> Vec2 {
       return v * (mixed ? std::ldexp(1, draw.whole(-1074, 1023)) : size);
     });
     return k;
@@ -368,7 +303,7 @@ ContactCase near_the_bound(std::uint64_t number) {
       tangent_near_bound(k, draw);
     }
     const double scale = std::ldexp(1, draw.whole(-40, 40));
-    transform(k, [&](const Vec2& v) -> Vec2 { return scale * v; });
+    k.transform([&](const Vec2& v) -> Vec2 { return scale * v; });
     return k;
   });
 }

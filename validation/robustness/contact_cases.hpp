@@ -5,17 +5,9 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/vec2.hpp"
+#include "validation/robustness/contact_draw.hpp"
 
 namespace blocks::robustness {
-
-using geometry::Vec2;
-
-/// A corner with a tangent, an edge, a second edge and the centroid of the edge's
-/// block. Coordinates are finite, p1 and p2 differ, and so do q1 and q2.
-struct ContactCase {
-  Vec2 c, p1, p2, q1, q2, centroid, neighbour;
-};
 
 struct ContactFamily {
   const char* name;

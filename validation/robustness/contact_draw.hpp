@@ -1,0 +1,86 @@
+// Random corners, edges and bricks on which the contact predicates are tried: here for
+// the study, and for the tests.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/vec2.hpp"
+
+namespace blocks::robustness {
+
+using geometry::Vec2;
+
+/// A corner with a tangent, an edge, a second edge and the centroid of the edge's
+/// block. Coordinates are finite, p1 and p2 differ, and so do q1 and q2.
+struct ContactCase {
+  Vec2 c, p1, p2, q1, q2, centroid, neighbour;
+
+  template <class Map> void transform(Map&& map) {
+    for (Vec2* v : {&c, &p1, &p2, &q1, &q2, &centroid, &neighbour})
+      *v = map(*v);
+  }
+};
+
+/// Splitmix64 from a number of its own for each case.
+class Draw {
+ public:
+  Draw(std::uint64_t family, std::uint64_t number)
+      : state_(number * 0x9e3779b97f4a7c15ULL + (family << 56)) {}
+  std::uint64_t bits() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+  }
+  double uniform(double a, double b) {
+    return a + (b - a) * std::ldexp(static_cast<double>(bits() >> 11), -53);
+  }
+  int whole(int a, int b) {
+    return a + static_cast<int>(bits() % static_cast<unsigned>(b - a + 1));
+  }
+  bool coin() { return bits() % 2 == 0; }
+  Vec2 vector(double size) {
+    const double x = uniform(-size, size);
+    return {x, uniform(-size, size)};
+  }
+  /// Up to `most` doubles further in either direction.
+  double nudge(double x, int most) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double to = coin() ? infinity : -infinity;
+    for (int i = whole(0, most); i > 0; --i)
+      x = std::nextafter(x, to);
+    return x;
+  }
+  Vec2 nudge(const Vec2& v, int most) {
+    const double x = nudge(v.x(), most);
+    return {x, nudge(v.y(), most)};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+inline ContactCase anywhere(Draw& draw, double size) {
+  ContactCase k;
+  k.transform([&](const Vec2&) { return draw.vector(size); });
+  return k;
+}
+
+/// A brick (2 x 1, edge p its top, edge q its right side) of a wall in half-brick bond,
+/// and a corner of the same wall; columns and rows lie to either side of the origin.
+inline ContactCase brick(Draw& draw, int columns = 20, int rows = 20) {
+  const double i = draw.whole(-columns, columns), j = draw.whole(-rows, rows);
+  const Vec2 c(i + draw.whole(-1, 3), j + draw.whole(-1, 2));
+  const Vec2 along(draw.coin() ? 2 : -2, 0), across(0, draw.coin() ? 1 : -1);
+  return {c,
+          {i, j + 1},
+          {i + 2, j + 1},
+          {i + 2, j + 1},
+          {i + 2, j},
+          {i + 1, j + 0.5},
+          c + (draw.coin() ? along : across)};
+}
+
+}  // namespace blocks::robustness
