@@ -20,6 +20,9 @@ usage() {
                             kills, full disks, failing memory, forged and mutated files
   ./go validate soak [N]    the 850 blocks of subsidence for N steps (10000000)
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
+  ./go validate problems [NAME...]
+                            problems with known answers: decks, checks, figures, one report,
+                            validation/REPORT.md and .html (--long: the report's examples too)
   ./go study [N]            N frames (1000) of every scene of contact detection by the
                             rules of every run: no hang-up, no fall-through
   ./go bench [PART...]      times, against other codes on the same scenes (10 minutes;
@@ -72,6 +75,14 @@ case $command in
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   validate)
     programs="$here/build/release/validation/robustness"
+    problems() { /usr/bin/python3 "$here/validation/problems/problems.py" \
+      "$here/build/release/src/blocks" --report "$@"; }
+    if [ "${1:-}" = problems ]; then
+      echo "building ..." >&2
+      build release blocks
+      shift
+      problems "$@"; exit
+    fi
     if [ "${1:-}" = predicates ]; then
       echo "building ..." >&2
       build release predicates
@@ -96,12 +107,13 @@ case $command in
     fi
     layers=${1:-100000}
     echo "building ..." >&2
-    build release robustness certificate_study distribution_study predicates
+    build release blocks robustness certificate_study distribution_study predicates
     "$programs/robustness" --layers "$layers" --report "$here/validation/robustness/REPORT"
     "$programs/certificate_study" --report "$here/validation/robustness/CERTIFICATE"
     "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
     "$programs/predicates" --report "$here/validation/robustness/PREDICATES"
-    "$here/validation/robustness/compilers.sh" "$here/build/compilers" ;;
+    "$here/validation/robustness/compilers.sh" "$here/build/compilers"
+    problems ;;
   study)
     echo "building ..." >&2
     build release blocks

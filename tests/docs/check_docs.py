@@ -13,7 +13,8 @@ FENCE = re.compile(r"^```(\S+)(?: (\S+))?\n(.*?)^```$", re.M | re.S)
 
 
 def pages(source):
-    found = [*source.glob("*.md"), *source.glob("docs/*.md"), *source.glob("decks/*/*.md")]
+    found = [*source.glob("*.md"), *source.glob("docs/*.md"), *source.glob("decks/*/*.md"),
+             *source.glob("validation/**/*.md")]
     assert len(found) > 10, found
     return found
 

@@ -1,0 +1,125 @@
+"""One problem at work: its check runs decks, adds rows to the table and draws figures."""
+
+import math
+import subprocess
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from .results import Results
+
+
+@dataclass
+class Row:
+    """One line of the table."""
+    quantity: str
+    expected: str
+    ours: str
+    error: str
+    tolerance: str
+    reason: str
+    holds: bool
+    note: str = ""  # why it misses
+
+    def as_dict(self):
+        return asdict(self)
+
+
+class RunFailed(Exception):
+    """A deck did not run to its end."""
+
+
+def number(value, unit=""):
+    """Six digits, and the unit."""
+    if isinstance(value, float) and (math.isinf(value) or math.isnan(value)):
+        return str(value)
+    text = f"{value:.6g}"
+    return f"{text} {unit}".strip()
+
+
+def small(value):
+    """An error or a tolerance: two digits."""
+    return "0" if value == 0 else f"{value:.2g}"
+
+
+class Case:
+    """What check.py of a problem gets."""
+
+    def __init__(self, folder, program, scratch, figures=None):
+        self.folder, self.source = folder, folder.parents[2]
+        self.program, self.scratch, self.figures = program, scratch, figures
+        self.rows, self.charts, self.runs = [], [], 0
+        self.seconds = 0.0  # of all runs, as the program tells
+
+    def text(self, deck):
+        """Text of a deck: beside check.py, or by its path in the repository."""
+        path = self.source / deck if "/" in deck else self.folder / deck
+        return path.read_text()
+
+    def run(self, deck, *options, text=None, threads=1, fails=False):
+        """Runs a deck (or the text under that name); options as of `blocks run`.
+
+        fails: None instead of RunFailed when the run does not end well."""
+        self.runs += 1
+        stem = self.scratch / f"{Path(deck).stem}_{self.runs}"
+        path = stem.with_suffix(".deck")
+        path.write_text(self.text(deck) if text is None else text)
+        done = subprocess.run([self.program, "run", "-q", "-j", str(threads), path, "-o", stem,
+                               *map(str, options)], cwd=self.scratch, text=True,
+                              capture_output=True, check=False)
+        if done.returncode != 0:
+            if fails:
+                return None
+            raise RunFailed(f"{path.name}: exit code {done.returncode}\n{done.stderr}")
+        results = Results(stem)
+        self.seconds += results.summary["wall_seconds"]
+        return results
+
+    def equal(self, quantity, expected, ours, within, because, unit="", absolute=False, note=""):
+        """A row: |ours - expected| at most `within`, relative unless told absolute."""
+        error = abs(ours - expected) if absolute else abs(ours - expected) / abs(expected)
+        holds = bool(error <= within)  # not a number: a miss
+        told = unit if absolute else ""
+        self.rows.append(Row(quantity, number(expected, unit), number(ours, unit),
+                             f"{small(error)} {told}".strip() if absolute else percent(error),
+                             f"{small(within)} {told}".strip() if absolute else percent(within),
+                             because, holds, note))
+
+    def at_most(self, quantity, bound, ours, because, unit="", note=""):
+        """A row: ours is at most the bound."""
+        self.rows.append(Row(quantity, f"at most {number(bound, unit)}", number(ours, unit), "",
+                             "the bound", because, bool(ours <= bound), note))
+
+    def at_least(self, quantity, bound, ours, because, unit="", note=""):
+        """A row: ours is at least the bound."""
+        self.rows.append(Row(quantity, f"at least {number(bound, unit)}", number(ours, unit), "",
+                             "the bound", because, bool(ours >= bound), note))
+
+    def is_so(self, quantity, expected, ours, because, note=""):
+        """A row of words: what happens, not how much."""
+        self.rows.append(Row(quantity, expected, ours, "", "none", because, expected == ours, note))
+
+    def told(self, quantity, ours, because, unit=""):
+        """A row without a verdict: measured, and nothing known to compare with."""
+        value = ours if isinstance(ours, str) else number(ours, unit)
+        self.rows.append(Row(quantity, "", value, "", "", because, None))
+
+    def chart(self, chart):
+        """Adds a figure, if figures are wanted: figure.svg, figure2.svg ..."""
+        name = "figure.svg" if not self.charts else f"figure{len(self.charts) + 1}.svg"
+        self.charts.append(name)
+        if self.figures is not None:
+            (self.figures / name).write_text(chart.svg())
+
+    def picture(self, results, *options):
+        """Adds a figure of the blocks, by `blocks plot` with these options."""
+        name = "blocks.png" if "blocks.png" not in self.charts else "blocks2.png"
+        self.charts.append(name)
+        if self.figures is not None:
+            subprocess.run([self.program, "plot", results.path, "-o", self.figures / name,
+                            *map(str, options)], check=True, cwd=self.scratch,
+                           capture_output=True, text=True)
+
+
+def percent(share):
+    """0.00123 as 0.12 %, and what is round-off as a power of ten."""
+    return f"{small(100 * share)} %" if share >= 1e-6 or share == 0 else f"{share:.1e}"

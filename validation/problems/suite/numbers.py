@@ -1,0 +1,37 @@
+"""Fits and searches that several problems need."""
+
+import numpy as np
+
+
+def slope(x, y):
+    """Of the straight line of least squares."""
+    return np.polyfit(x, y, 1)[0]
+
+
+def order(steps, errors):
+    """Order of convergence: slope of log error over log step."""
+    return slope(np.log(steps), np.log(np.abs(errors)))
+
+
+def bisect(fails, low, high, width):
+    """Where `fails` turns from true (at low) to false (at high), to +-width / 2."""
+    assert fails(low) and not fails(high), "the limit is not between these"
+    while high - low > width:
+        middle = 0.5 * (low + high)
+        if fails(middle):
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+def first_time(times, values, level):
+    """When values first reach a level, linear between frames."""
+    reached = np.nonzero(values >= level)[0]
+    if len(reached) == 0:
+        return float("nan")
+    k = reached[0]
+    if k == 0:
+        return times[0]
+    share = (level - values[k - 1]) / (values[k] - values[k - 1])
+    return times[k - 1] + share * (times[k] - times[k - 1])
