@@ -56,9 +56,7 @@ class Results:
     def overlap(self, corner_block, edge_block, frame=-1):
         """Overlaps [L] of corners of one block in another, in the order of corners."""
         found = self.contacts(frame)
-        # blocks are counted from 0 in the file
-        mine = ((found["CornerBlock"] == corner_block - 1) &
-                (found["EdgeBlock"] == edge_block - 1))
+        mine = (found["CornerBlock"] == corner_block) & (found["EdgeBlock"] == edge_block)
         return found["Overlap"][mine]
 
     def free(self):
