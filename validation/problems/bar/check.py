@@ -1,0 +1,82 @@
+"""Modulus and wave speed of blocks and joints in series."""
+
+from math import cos, pi, sqrt
+
+import numpy as np
+from suite.chart import Chart
+from suite.deck import with_lines
+from suite.numbers import first_time, slope
+
+LENGTH = "medium"
+C11, RHO, P = 1.2e10, 2500.0, 1e6
+
+
+def modulus(stiffness, length=1.0, c11=C11):
+    return 1 / (1 / c11 + 1 / (4 * stiffness * length))
+
+
+def held(stiffness, c12=4e9):
+    """Modulus of a block between planes that give by s22 / K, blocks of 1 m x 1 m."""
+    return C11 - c12 ** 2 / stiffness / (1 + C11 / stiffness)
+
+
+STRAIGHT = "MATERIAL, 1, 1.2E10, 6.E9, 2500"  # nu = 0, the same C11
+
+
+def speed(case, stiffness, rise, blocks=60, material=STRAIGHT, smooth=True):
+    """By the times at which blocks 6 m to 36 m along the bar reach half the pressure."""
+    text = with_lines(case.text("decks/wave/wave.deck"), PLOTS="PLOTS, 5E-5", MATERIAL=material,
+                      STIFF=f"STIFF, {stiffness:g}, {stiffness:g}",
+                      MOTION=f"MOTION, {0.5 * rise + 50 / sqrt(modulus(stiffness) / RHO):.4g}")
+    points = [f"{rise * k / 32:.9g}, {0.5 - 0.5 * cos(pi * k / 32):.9g}" for k in range(33)]
+    if smooth:
+        text = text.replace("FUNCTION, 3\n0, 0\n0.001, 1", "\n".join(["FUNCTION, 34", *points]))
+    text = text.replace("LAYER, -60", f"LAYER, -{blocks}")
+    text = text.replace("START, 60", f"START, {blocks}").replace("20, 40, 60", "20")
+    run = case.run("wave", text=text)
+    numbers = [b for b in range(1, blocks + 1) if 5.5 <= (b - 0.5) * 60 / blocks <= 36]
+    stress = run.all("Stress")[:, :, 0]
+    times = [first_time(run.times, -stress[:, b - 1], P / 2) for b in numbers]
+    return slope(times, [(b - 0.5) * 60 / blocks for b in numbers]), run
+
+
+def check(case):
+    small = "what is left of the swing; strains are finite (1e-4)"
+    for material, exact, what in ((STRAIGHT, modulus(2e10), "nu = 0"),
+                                  (None, modulus(2e10, c11=held(2e10)), "nu = 0.25, planes give")):
+        text = case.text("bar.deck")
+        run = case.run("bar", text=with_lines(text, MATERIAL=material) if material else text)
+        x = run.all("Centroid")[run.times > 0.2, :, 0].mean(axis=0)
+        case.equal(f"slow bar: modulus of nine blocks and joints, {what}", exact,
+                   -P / ((x[9] - x[0]) / 9 - 1), 1e-3, small, "Pa")
+
+    because = "half height against dispersion; frames every 0.05 ms"
+    stiff, ours = (2e9, 2e10, 2e11), []
+    for k in stiff:
+        ours.append(speed(case, k, 0.008)[0])
+        case.equal(f"wave speed, K = {k:g}, rise 8 ms", sqrt(modulus(k) / RHO), ours[-1], 0.005,
+                   because, "m/s")
+    fine = np.geomspace(1e9, 4e11, 80)
+    chart = Chart("Wave speed of a bar of blocks and joints", "contact stiffness K, N/m per m",
+                  "speed, m/s", log="x")
+    chart.expected(fine, np.sqrt(modulus(fine) / RHO), "sqrt(E_eff / rho)")
+    chart.ours(stiff, ours)
+    case.chart(chart)
+
+    rises, exact = (0.001, 0.002, 0.004, 0.008), sqrt(modulus(2e11) / RHO)
+    speeds = [speed(case, 2e11, rise)[0] for rise in rises[:-1]] + [ours[-1]]
+    own = "MATERIAL, 1, 1.E10, 4.E9, 2500"
+    case.equal("wave speed, decks/wave: nu = 0.25, rise 1 ms", sqrt(
+        modulus(2e11, c11=held(2e11)) / RHO), speed(case, 2e11, 0.001, material=own, smooth=False)[0], 0.02,
+               "a front of 2 m over blocks of 1 m", "m/s")
+    half, _ = speed(case, 2e11, 0.004, 120)
+    exact_half = sqrt(modulus(2e11, 0.5) / RHO)
+    case.at_most("rise 4 ms: error with blocks of 0.5 m, of that with 1 m", 0.25,
+                 abs(half / exact_half - 1) / abs(speeds[2] / exact - 1),
+                 "dispersion is of second order in the length of the blocks")
+    chart = Chart("Dispersion: speed of the half height, K = 2e11", "rise of the pressure, ms",
+                  "speed, m/s", log="x")
+    chart.expected([0.9, 9], [exact, exact], "sqrt(E_eff / rho)")
+    chart.ours([1e3 * rise for rise in rises], speeds, "blocks of 1 m")
+    chart.ours([4], [half], "blocks of 0.5 m")
+    case.chart(chart)
