@@ -115,7 +115,7 @@ class Case:
         name = "blocks.png" if "blocks.png" not in self.charts else "blocks2.png"
         self.charts.append(name)
         if self.figures is not None:
-            subprocess.run([self.program, "plot", results.path, "-o", self.figures / name,
+            subprocess.run([self.program, "plot", results.path, "--units", "m,kg,s", "-o", self.figures / name,
                             *map(str, options)], check=True, cwd=self.scratch,
                            capture_output=True, text=True)
 
