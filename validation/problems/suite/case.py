@@ -1,7 +1,9 @@
 """One problem at work: its check runs decks, adds rows to the table and draws figures."""
 
+import itertools
 import math
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -48,7 +50,7 @@ class Case:
         self.folder, self.source = folder, folder.parents[2]
         self.program, self.scratch, self.figures = program, scratch, figures
         self.rows, self.charts, self.runs = [], [], 0
-        self.seconds = 0.0  # of all runs, as the program tells
+        self._count = itertools.count(1)
 
     def text(self, deck):
         """Text of a deck: beside check.py, or by its path in the repository."""
@@ -59,9 +61,8 @@ class Case:
         """Runs a deck (or the text under that name); options as of `blocks run`.
 
         fails: None instead of RunFailed when the run does not end well."""
-        self.runs += 1
-        stem = self.scratch / f"{Path(deck).stem}_{self.runs}"
-        path = stem.with_suffix(".deck")
+        stem = self.scratch / f"{Path(deck).stem}_{next(self._count)}"
+        path = stem.with_name(stem.name + ".deck")
         path.write_text(self.text(deck) if text is None else text)
         done = subprocess.run([self.program, "run", "-q", "-j", str(threads), path, "-o", stem,
                                *map(str, options)], cwd=self.scratch, text=True,
@@ -70,9 +71,13 @@ class Case:
             if fails:
                 return None
             raise RunFailed(f"{path.name}: exit code {done.returncode}\n{done.stderr}")
-        results = Results(stem)
-        self.seconds += results.summary["wall_seconds"]
-        return results
+        self.runs += 1
+        return Results(stem)
+
+    def run_all(self, decks):
+        """Runs many, two at a time: (deck, options, text or None) each; results in their order."""
+        with ThreadPoolExecutor(2) as workers:
+            return list(workers.map(lambda one: self.run(one[0], *one[1], text=one[2]), decks))
 
     def equal(self, quantity, expected, ours, within, because, unit="", absolute=False, note=""):
         """A row: |ours - expected| at most `within`, relative unless told absolute."""
@@ -115,9 +120,9 @@ class Case:
         name = "blocks.png" if "blocks.png" not in self.charts else "blocks2.png"
         self.charts.append(name)
         if self.figures is not None:
-            subprocess.run([self.program, "plot", results.path, "--units", "m,kg,s", "-o", self.figures / name,
-                            *map(str, options)], check=True, cwd=self.scratch,
-                           capture_output=True, text=True)
+            subprocess.run([self.program, "plot", results.path, "-o", self.figures / name,
+                            "--units", "m,kg,s", *map(str, options)], check=True,
+                           cwd=self.scratch, capture_output=True, text=True)
 
 
 def percent(share):

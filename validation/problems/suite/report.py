@@ -44,8 +44,8 @@ def markdown(results):
     for result in results:
         name = result["problem"]
         out += [f"## {title(result['readme'])}", "",
-                f"[{name}](problems/{name}/README.md), {result['runs']} runs, "
-                f"{result['seconds']:.1f} s", "",
+                f"[{name}](problems/{name}/README.md), {result['runs']} "
+                f"run{'s' if result['runs'] > 1 else ''}", "",
                 "| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
         for row in result["rows"]:
             line = [text.replace("|", "\\|") for text in cells(row)]

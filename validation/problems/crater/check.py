@@ -1,0 +1,61 @@
+"""Width and depth of the crater over five layerings."""
+
+import numpy as np
+from suite.chart import Chart
+
+LENGTH = "long"
+SEEDS = (1, 2, 3, 4, 5)
+SURFACE = 6.0
+
+
+def crater(run):
+    """Half width and depth of what has moved by more than 0.25 m; height of the highest block;
+    number of moved blocks; largest x of a corner that has moved, by level."""
+    way = np.linalg.norm(run.all("Centroid")[-1] - run.all("Centroid")[0], axis=1)
+    width, depth, rim = 0.0, 0.0, {}
+    for block in run.free():
+        start = run.outline(block, 0)
+        low, high = start[:, 1].min(), start[:, 1].max()
+        if way[block - 1] <= 0.25:
+            continue
+        level = round(2 * (low + high) / 2) / 2
+        rim[level] = max(rim.get(level, 0.0), start[:, 0].max())
+        if high > SURFACE - 0.01:
+            width = max(width, start[:, 0].max())
+        if start[:, 0].min() < 1.0:
+            depth = max(depth, SURFACE - low)
+    return width, depth, run.all("Centroid")[-1, :, 1].max(), int((way > 0.25).sum()), rim
+
+
+def spread(values, unit):
+    return f"{np.mean(values):.3g} +- {np.std(values, ddof=1):.2g} {unit}"
+
+
+def check(case):
+    runs = case.run_all([("decks/crater/crater.deck", ("--seed", seed), None) for seed in SEEDS])
+    width, depth, height, moved, rims = zip(*(crater(run) for run in runs))
+    case.at_least("least half width of five layerings", 0.8, min(width),
+                  "the roof of the charge, 0.8 m wide, is thrown out in any case", "m")
+    case.at_least("least depth of five layerings", 2.0, min(depth),
+                  "from the surface to the charge everything moves", "m")
+    case.at_most("largest move of a corner at the fixed sides, x > 7.9 m and y < 5 m", 0.25, max(
+        np.linalg.norm(run.outline(b, -1) - run.outline(b, 0), axis=1).max()
+        for run in runs for b in run.free()
+        if run.outline(b, 0)[:, 0].max() > 7.9 and run.outline(b, 0)[:, 1].max() < 5),
+        "the crater ends within the model", "m")
+    five = "five layerings, mean and standard deviation"
+    case.told("half width of the crater", spread(width, "m"), five)
+    case.told("depth of the crater", spread(depth, "m"), five)
+    case.told("width over depth", spread(2 * np.array(width) / np.array(depth), ""), five)
+    case.told("height of the highest block above the surface at 0.5 s",
+              spread(np.array(height) - SURFACE, "m"), five)
+    case.told("blocks that have moved by more than 0.25 m", spread(moved, ""), five)
+    case.told("worst overlap on the way", spread(
+        [1e3 * run.summary["worst_overlap"]["ever"] for run in runs], "mm"), five)
+    chart = Chart("Rim of the crater by level: blocks that have moved by more than 0.25 m", "x, m",
+                  "y, m (surface 6, charge 3 to 4)")
+    for seed, rim in zip(SEEDS, rims):
+        levels = sorted(rim)
+        chart.ours([rim[y] for y in levels], levels, f"seed {seed}")
+    case.chart(chart)
+    case.picture(runs[0], "-t", "0.02,0.1,0.5", "--columns", 3, "--mirror", 0, "--colour", "speed")
