@@ -2,14 +2,16 @@
 """Validation problems: problems.py PROGRAM [NAME...] [--quick | --long] [--report].
 
 Runs the check of each problem (all but the long ones; --long: these too; --quick: those that take
-less than a second) and prints one line per row of its table. With --report figures and results
-are written beside the problems, and REPORT.md and REPORT.html, from these results and the kept
-ones of the others, above them. Exit code 4 if a row misses, 1 if a deck does not run.
+about a second, and `blocks check` on all decks) and prints one line per row of its table. With
+--report figures and results are written beside the problems, and REPORT.md and REPORT.html, from
+these results and the kept ones of the others, above them. Exit code 4 if a row misses, 1 if a deck
+does not run.
 """
 
 import argparse
 import importlib.util
 import json
+import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -47,6 +49,15 @@ def solve(name, program, write):
             "figures": case.charts, "runs": case.runs}
 
 
+def check_decks(program):
+    """Decks that `blocks check` refuses, with what it says."""
+    decks = sorted(HERE.glob("*/*.deck"))
+    assert len(decks) > 20, decks
+    outcomes = [(deck, subprocess.run([program, "check", deck], text=True, capture_output=True,
+                                      check=False)) for deck in decks]
+    return [f"{deck}: {done.stderr}" for deck, done in outcomes if done.returncode != 0]
+
+
 def show(result):
     if result["rows"] is None:
         print(f"{result['problem']}: FAILED: {result['fault']}", flush=True)
@@ -69,8 +80,8 @@ def main():
     asked = parser.parse_intermixed_args()
     unknown = sorted(set(asked.names) - set(ORDER))
     if unknown:
-        print(f"problems.py: error: no problem {', '.join(unknown)}; there are: {', '.join(ORDER)}",
-              file=sys.stderr)
+        print(f"problems.py: error: no problem {', '.join(unknown)}; there are: "
+              f"{', '.join(ORDER)}", file=sys.stderr)
         return 2
     lengths = {"quick"} if asked.quick else {"quick", "medium", "long"} if asked.long \
         else {"quick", "medium"}
@@ -81,13 +92,16 @@ def main():
         for result in workers.map(lambda name: solve(name, program, asked.report), names):
             show(result)
             results.append(result)
+    refused = check_decks(program) if asked.quick else []
+    for words in refused:
+        print(f"FAILED: {words}")
     failed = [result for result in results if result["rows"] is None]
     sound = [result for result in results if result["rows"] is not None]
     missed = sum(row["holds"] is False for result in sound for row in result["rows"])
     if asked.report:
         write_report(sound)
-    print(f"{len(sound)} problems, {missed} misses" + (f", {len(failed)} FAILED" if failed else ""))
-    return 1 if failed else 4 if missed else 0
+    print(f"{len(sound)} problems, {missed} misses{f', {len(failed)} FAILED' if failed else ''}")
+    return 1 if failed or refused else 4 if missed else 0
 
 
 def write_report(results):

@@ -66,8 +66,9 @@ def check(case):
     rises, exact = (0.001, 0.002, 0.004, 0.008), sqrt(modulus(2e11) / RHO)
     speeds = [speed(case, 2e11, rise)[0] for rise in rises[:-1]] + [ours[-1]]
     own = "MATERIAL, 1, 1.E10, 4.E9, 2500"
-    case.equal("wave speed, decks/wave: nu = 0.25, rise 1 ms", sqrt(
-        modulus(2e11, c11=held(2e11)) / RHO), speed(case, 2e11, 0.001, material=own, smooth=False)[0], 0.02,
+    case.equal("wave speed, decks/wave: nu = 0.25, rise 1 ms",
+               sqrt(modulus(2e11, c11=held(2e11)) / RHO),
+               speed(case, 2e11, 0.001, material=own, smooth=False)[0], 0.02,
                "a front of 2 m over blocks of 1 m", "m/s")
     half, _ = speed(case, 2e11, 0.004, 120)
     exact_half = sqrt(modulus(2e11, 0.5) / RHO)

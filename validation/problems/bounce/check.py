@@ -47,7 +47,8 @@ def check(case):
              for k in (1e6, 1e7, 1e8)]
     case.equal("spread of the rebound for stiffness 1e6, 1e7, 1e8", 0, max(stiff) - min(stiff),
                0.001, "the moment of first touch", absolute=True)
-    convergence = Chart("Convergence of the rebound, DAMPING 0.2", "FRACTION", "error, root mean square", log="xy")
+    convergence = Chart("Convergence of the rebound, DAMPING 0.2", "FRACTION",
+                        "error, root mean square", log="xy")
     convergence.expected(fractions, [errors[0] * f / fractions[0] for f in fractions],
                          "first order")
     convergence.ours(fractions, errors)

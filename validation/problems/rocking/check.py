@@ -29,7 +29,7 @@ def quarter(b, start):
     """Time from th0 to 0 about the corner, by the middle rule in x: th = th0 (1 - x^2)."""
     a, p2 = atan(b), 0.75 * G / hypot(b, 1)
     x = (np.arange(100000) + 0.5) / 100000
-    spin = np.sqrt(2 * p2 * (np.cos(a - start * (1 - x * x)) * -1 + np.cos(a - start)))
+    spin = np.sqrt(2 * p2 * (np.cos(a - start) - np.cos(a - start * (1 - x * x))))
     return np.mean(2 * start * x / spin)
 
 

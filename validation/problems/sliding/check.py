@@ -36,7 +36,8 @@ def check(case):
     a = G * (sin(PSI) - tan(radians(20)) * cos(PSI))
     for way in (25.0, 250.0):
         time = sqrt(2 * way / a)
-        run = case.run("sliding.deck", "--set", f"MOTION.dt={time:.15g}", "--set", "PLOTS.dtplot=0.2")
+        run = case.run("sliding.deck", "--set", f"MOTION.dt={time:.15g}",
+                       "--set", "PLOTS.dtplot=0.2")
         t, x = run.times, run.of("Centroid", 2)[:, 0] - 5
         late = t > 1
         case.equal(f"acceleration, run to {way:g} m", a,

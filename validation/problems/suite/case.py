@@ -19,7 +19,7 @@ class Row:
     error: str
     tolerance: str
     reason: str
-    holds: bool
+    holds: bool | None  # None: nothing known to compare with
     note: str = ""  # why it misses
 
     def as_dict(self):
@@ -98,10 +98,6 @@ class Case:
         """A row: ours is at least the bound."""
         self.rows.append(Row(quantity, f"at least {number(bound, unit)}", number(ours, unit), "",
                              "the bound", because, bool(ours >= bound), note))
-
-    def is_so(self, quantity, expected, ours, because, note=""):
-        """A row of words: what happens, not how much."""
-        self.rows.append(Row(quantity, expected, ours, "", "none", because, expected == ours, note))
 
     def told(self, quantity, ours, because, unit=""):
         """A row without a verdict: measured, and nothing known to compare with."""

@@ -37,7 +37,7 @@ class Chart:
 
     def ours(self, x, y, label="ours", line=False):
         """Marks, or a thick line where there are many points."""
-        colour = COLOURS[sum(s.colour != GREY for s in self.series) % len(COLOURS)]
+        colour = COLOURS[sum(s.colour in COLOURS for s in self.series) % len(COLOURS)]
         self.series.append(Series(list(x), list(y), label, not line, colour))
         return self
 
@@ -90,13 +90,14 @@ class Chart:
         return "\n".join([*out, *self._legend(px, py), "</svg>", ""])
 
     def _legend(self, px, py):
-        """In the corner where the fewest points lie."""
+        """At the top or the bottom, where the fewest points lie."""
         named = [s for s in self.series if s.label]
         if not named:
             return []
         width = 40 + 7.2 * max(len(s.label) for s in named)
         height = 10 + 18 * len(named)
-        spots = [(x, y) for x in (LEFT + 10, WIDTH - RIGHT - 10 - width)
+        right = WIDTH - RIGHT - 10 - width
+        spots = [(x, y) for x in (LEFT + 10, right, (LEFT + 10 + right) / 2)
                  for y in (TOP + 10, HEIGHT - BOTTOM - 10 - height)]
 
         def crowd(spot):
@@ -110,7 +111,8 @@ class Chart:
         for k, s in enumerate(named):
             y = top + 17 + 18 * k
             if s.marks:
-                out.append(f'<circle cx="{left + 17:.0f}" cy="{y - 4:.0f}" r="4" fill="{s.colour}"/>')
+                out.append(f'<circle cx="{left + 17:.0f}" cy="{y - 4:.0f}" r="4" '
+                           f'fill="{s.colour}"/>')
             else:
                 out.append(f'<line x1="{left + 6:.0f}" x2="{left + 28:.0f}" y1="{y - 4:.0f}" '
                            f'y2="{y - 4:.0f}" stroke="{s.colour}" stroke-width="2"/>')

@@ -62,13 +62,16 @@ STYLE = """body { font: 15px/1.45 "DejaVu Sans", "Helvetica Neue", Arial, sans-s
   max-width: 1100px; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 26px; } h2 { font-size: 19px; margin-top: 2.2em; border-bottom: 1px solid #ccc; }
 table { border-collapse: collapse; font-size: 13px; width: 100%; margin: 1em 0; }
-th, td { text-align: left; vertical-align: top; padding: 4px 8px; border-bottom: 1px solid #e2e2e2; }
+th, td { text-align: left; vertical-align: top; padding: 4px 8px;
+  border-bottom: 1px solid #e2e2e2; }
 th { border-bottom: 2px solid #999; } td.number { white-space: nowrap; }
 .holds { color: #2a7a3f; } .misses { color: #b3261e; font-weight: bold; }
 pre { background: #f5f5f2; padding: 0.7em 1em; overflow-x: auto; } code { font-size: 92%; }
-figure { display: inline-block; margin: 0.5em 1em 0.5em 0; width: 47%; min-width: 320px; vertical-align: top; }
+figure { display: inline-block; margin: 0.5em 1em 0.5em 0; width: 47%; min-width: 320px;
+  vertical-align: top; }
 figure svg, figure img { width: 100%; height: auto; }
-nav { columns: 3; font-size: 13px; } nav a { display: block; color: #1f6fb2; text-decoration: none; }"""
+nav { columns: 3; font-size: 13px; }
+nav a { display: block; color: #1f6fb2; text-decoration: none; }"""
 
 
 def prose(text):

@@ -37,8 +37,8 @@ def check(case):
     for k in stiff:
         lean = degrees(WEIGHT * cos(radians(LIMIT)) / (k * WIDTH))
         limits.append(limit(case, k))
-        case.equal(f"limit angle, stiffness {k:g}: atan(b/h) less the lean", LIMIT - lean, limits[-1],
-                   0.02, "bisection to 0.002; 20 s see growth by e^15", "degrees", absolute=True)
+        case.equal(f"limit angle, stiffness {k:g}: atan(b/h) less the lean", LIMIT - lean,
+                   limits[-1], 0.02, "bisection to 0.002; 20 s see growth by e^15", "degrees", absolute=True)
     errors = [LIMIT - one for one in limits]
     case.equal("order of convergence in 1 / stiffness, 1e8 to 1e9", 1,
                order([1 / k for k in stiff[:3]], errors[:3]), 0.05,
