@@ -23,9 +23,11 @@ def held(stiffness, c12=4e9):
 STRAIGHT = "MATERIAL, 1, 1.2E10, 6.E9, 2500"  # nu = 0, the same C11
 
 
-def speed(case, stiffness, rise, blocks=60, material=STRAIGHT, smooth=True):
+def speed(case, stiffness, rise, blocks=60, material=STRAIGHT, smooth=True,
+          fraction=0.02):
     """By the times at which blocks 6 m to 36 m along the bar reach half the pressure."""
     text = with_lines(case.text("decks/wave/wave.deck"), PLOTS="PLOTS, 5E-5", MATERIAL=material,
+                      FRACTION=f"FRACTION, {fraction}",
                       STIFF=f"STIFF, {stiffness:g}, {stiffness:g}",
                       MOTION=f"MOTION, {0.5 * rise + 50 / sqrt(modulus(stiffness) / RHO):.4g}")
     points = [f"{rise * k / 32:.9g}, {0.5 - 0.5 * cos(pi * k / 32):.9g}" for k in range(33)]
@@ -62,6 +64,11 @@ def check(case):
     chart.expected(fine, np.sqrt(modulus(fine) / RHO), "sqrt(E_eff / rho)")
     chart.ours(stiff, ours)
     case.chart(chart)
+
+    for fraction in (0.005, 0.06):
+        other = speed(case, 2e10, 0.008, fraction=fraction)[0]
+        case.equal(f"wave speed, K = 2e10, FRACTION {fraction} against 0.02", ours[1], other, 1e-3,
+                   "the time step is not what limits the accuracy", "m/s")
 
     rises, exact = (0.001, 0.002, 0.004, 0.008), sqrt(modulus(2e11) / RHO)
     speeds = [speed(case, 2e11, rise)[0] for rise in rises[:-1]] + [ours[-1]]

@@ -23,8 +23,8 @@ def check(case):
         angles.append(angle)
         errors.append(np.linalg.norm(fall[:2] - free * down))
     case.equal(f"largest distance from the free fall of {free:.3f} m, 16 frames up to 1e6 m away",
-               0, max(errors), 1e-6, "corners are rounded to 1e-10 m there, and rub by that much", "m",
-               absolute=True)
+               0, max(errors), 1e-6, "corners are rounded to 1e-10 m there, and rub by that much",
+               "m", absolute=True)
     near = [e for k, e in enumerate(errors) if k % 4 < 2]
     case.equal("the same, frames within 1 m of the origin", 0, max(near), 1e-10,
                "corners are rounded to 1e-16 m", "m", absolute=True)

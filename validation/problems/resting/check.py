@@ -43,4 +43,7 @@ def check(case):
     for b in (0, 5):
         case.equal(f"aligned stack of six: brick {b + 1} from below has sunk", expected[b], sunk[b],
                    1e-4, "the last swings of six bricks after 2 s", "m")
+    bounced = case.run("decks/bounce/bounce.deck")
+    case.equal("decks/bounce at its end: overlap of the first square", 2000 * 9.81 / 2e7,
+               bounced.overlap(2, 1)[0], 1e-9, "swings die out within 3 s", "m")
     case.picture(runs[1], "--colour", "speed", "--width", 700)

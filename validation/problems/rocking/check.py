@@ -11,7 +11,7 @@ LENGTH = "medium"
 G = 9.81
 
 
-def rock(case, b, stiffness=1e9, damping=0.9, time=1.2):
+def rock(case, b, stiffness=1e9, damping=0.9, time=1.2, fraction=0.01):
     """Times and angles of a column of half sizes b and 1."""
     start = atan(b) / 2
     c, s = cos(start), sin(start)
@@ -21,7 +21,7 @@ def rock(case, b, stiffness=1e9, damping=0.9, time=1.2):
     text = text[:first] + rectangle(-5, -1, 5, 0, True) + polygon(corners) + text[last:]
     run = case.run("rocking", text=with_lines(
         text, STIFF=f"STIFF, {stiffness:g}, {stiffness:g}", DAMPING=f"DAMPING, {damping}",
-        FRACTION="FRACTION, 0.01", MOTION=f"MOTION, {time}"))
+        FRACTION=f"FRACTION, {fraction}", MOTION=f"MOTION, {time}"))
     return run, run.of("Angle", 2) + start
 
 
@@ -65,6 +65,12 @@ def check(case):
     errors = [abs(ratio(0.2, rock(case, 0.2, k)[1]) - (1 - 1.5 * sin(a) ** 2)) for k in stiff]
     case.at_most("error of the ratio, stiffness 1e9 over 1e7", 0.2, errors[2] / errors[0],
                  "it has to fall with stiffness")
+    exact = ratio(0.2, angle)
+    coarse = ratio(0.2, rock(case, 0.2, fraction=0.016)[1])
+    fine = ratio(0.2, rock(case, 0.2, fraction=0.005)[1])
+    case.equal("ratio at FRACTION 0.016, 0.01 and 0.005: spread", 0,
+               max(coarse, exact, fine) - min(coarse, exact, fine), 1e-3,
+               "the time step is not what limits the accuracy", absolute=True)
     chart = Chart("Spin ratio, b/h = 0.2", "stiffness, N/m per m", "error of the ratio", log="xy")
     chart.ours(stiff, errors, "DAMPING 0.9")
     chart.ours(stiff, [abs(ratio(0.2, rock(case, 0.2, k, 0.5)[1]) - (1 - 1.5 * sin(a) ** 2))

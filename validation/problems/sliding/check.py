@@ -51,6 +51,13 @@ def check(case):
     late = run.times > 1
     case.equal("acceleration, scene turned by -40 degrees and shifted", a,
                slope(run.times[late], along[late]), 1e-4, "as above", "m/s2")
+    boxes = case.run("decks/sliding/sliding.deck")
+    late = boxes.times > 0.3
+    for block in (2, 3):
+        along = boxes.of("Velocity", block)[late, :2] @ [cos(radians(30)), -sin(radians(30))]
+        case.equal(f"decks/sliding, 30 degrees, friction 0.3: acceleration of box {block - 1}",
+                   10 * (sin(radians(30)) - 0.3 * cos(radians(30))),
+                   slope(boxes.times[late], along), 1e-4, "the box swings on its springs", "m/s2")
     chart = Chart("Friction 20 degrees on a slope of 40", "time, s", "way, m")
     chart.expected(t, 0.5 * a * t ** 2, "a t^2 / 2")
     chart.ours(t, x)

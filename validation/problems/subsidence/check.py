@@ -80,8 +80,8 @@ def check(case):
         x, s, _ = measure(run)
         depth.append(s.max())
         width.append(trough.reach(x, s, 0.5 * s.max()))
-        case.told(f"panel of {2 * half} m (width / depth {2 * half / 50:.1f}): depth, half width at "
-                  "half the depth", f"{depth[-1]:.3f} m, {width[-1]:.1f} m", "seed of the deck")
+        case.told(f"panel of {2 * half} m (width / depth {2 * half / 50:.1f}): depth, half width "
+                  "at half the depth", f"{depth[-1]:.3f} m, {width[-1]:.1f} m", "seed of the deck")
     case.at_least("depth over the widest panel, of that over the narrowest", 1.0,
                   depth[-1] / depth[0], "a trough grows with its panel")
     case.at_most("deepest trough of all panels", 2.0, max(depth), "the seam was 2 m high", "m")

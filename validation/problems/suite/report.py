@@ -32,6 +32,13 @@ def count(results):
     return told + (f"{missed} miss." if missed else "none misses.")
 
 
+def misses(results):
+    """What misses, and why: (problem, quantity, told)."""
+    return [(title(result["readme"]), row["quantity"],
+             f"{row['ours']}, expected {row['expected']}. Why: {row['note'] or 'not explained.'}")
+            for result in results for row in result["rows"] if row["holds"] is False]
+
+
 HEAD = """Written by `./go validate problems`; do not edit. Each problem is a folder in
 `validation/problems` with its decks, its answer derived in words, and its check. No tolerance was
 widened to pass: a miss is shown as a miss and explained. Rows without a verdict are measurements
@@ -41,6 +48,7 @@ with nothing known to compare them with."""
 def markdown(results):
     """The report as Markdown, figures by their paths."""
     out = ["# Validation", "", HEAD, "", count(results), ""]
+    out += [f"- **{name}**: {quantity}: {told}" for name, quantity, told in misses(results)] + [""]
     for result in results:
         name = result["problem"]
         out += [f"## {title(result['readme'])}", "",
@@ -121,7 +129,9 @@ def html(results, folder):
     out = ['<!DOCTYPE html>', '<html lang="en"><head><meta charset="utf-8">',
            "<title>Validation of BLOCKS</title>", f"<style>{STYLE}</style></head><body>",
            "<h1>Validation of BLOCKS</h1>", f"<p>{words(HEAD)}</p>",
-           f"<p><b>{count(results)}</b></p>", "<nav>"]
+           f"<p><b>{count(results)}</b></p>", "<ul>",
+           *(f"<li><b>{words(name)}</b>: {words(quantity)}: {words(told)}</li>"
+             for name, quantity, told in misses(results)), "</ul>", "<nav>"]
     for result in results:
         missed = any(row["holds"] is False for row in result["rows"])
         mark = ' <span class="misses">misses</span>' if missed else ""

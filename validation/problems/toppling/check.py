@@ -38,12 +38,14 @@ def check(case):
         lean = degrees(WEIGHT * cos(radians(LIMIT)) / (k * WIDTH))
         limits.append(limit(case, k))
         case.equal(f"limit angle, stiffness {k:g}: atan(b/h) less the lean", LIMIT - lean,
-                   limits[-1], 0.02, "bisection to 0.002; 20 s see growth by e^15", "degrees", absolute=True)
+                   limits[-1], 0.02, "bisection to 0.002; 20 s see growth by e^15",
+                   "degrees", absolute=True)
     errors = [LIMIT - one for one in limits]
     case.equal("order of convergence in 1 / stiffness, 1e8 to 1e9", 1,
                order([1 / k for k in stiff[:3]], errors[:3]), 0.05,
                "bisection to 0.002 degrees, of 0.027 at 1e9")
-    chart = Chart("Limit angle of a column", "stiffness, N/m per m", "limit angle, degrees", log="x")
+    chart = Chart("Limit angle of a column", "stiffness, N/m per m", "limit angle, degrees",
+                  log="x")
     chart.expected([7e7, 1.4e10], [LIMIT, LIMIT], "atan(b / h)")
     fine = [10 ** (7.85 + 0.05 * i) for i in range(47)]
     chart.expected(fine, [LIMIT - degrees(WEIGHT * cos(radians(LIMIT)) / (k * WIDTH))
