@@ -1,0 +1,62 @@
+#!/usr/bin/python3
+"""The judge is judged: verdicts, fits and turned decks of suite/."""
+
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+from suite import report, trough  # noqa: E402
+from suite.case import Case  # noqa: E402
+from suite.deck import turned, with_lines  # noqa: E402
+from suite.numbers import bisect, first_time, order  # noqa: E402
+
+
+def test_verdicts():
+    case = Case(HERE / "bounce", Path("none"), Path("none"))
+    case.equal("at the tolerance", 2.0, 2.5, 0.25, "relative")
+    case.equal("beyond it", 2.0, 2.6, 0.25, "relative")
+    case.equal("absolute", 0.0, 0.5, 0.5, "absolute", absolute=True)
+    case.equal("not a number", 1.0, math.nan, 1e9, "a run gone wrong is a miss")
+    case.at_most("above", 1.0, 1.1, "bound")
+    case.at_least("not a number", 1.0, math.nan, "bound")
+    case.told("no verdict", 1.0, "nothing known")
+    assert [row.holds for row in case.rows] == [True, False, True, False, False, False, None]
+    rows = [row.as_dict() for row in case.rows]
+    page = report.markdown([{"problem": "x", "readme": "# X", "rows": rows, "figures": [],
+                             "runs": 1}])
+    assert "6 verdicts: 2 hold, 4 miss." in page, page
+    assert page.count("**misses**") == 4 and page.count("Why: not explained.") == 4, page
+
+
+def test_turned_deck():
+    text = "XLIMITS, -1, 1\nYLIMITS, -1, 2\nCREATE, 3, 1, 1\n0, 0, 1\n0, 1, 0\nSETVEL, 1, 0, 1, 0\n"
+    lines = turned(text, 90, (10, 20)).splitlines()
+    numbers = [[float(word) for word in line.split(",")[1:]] for line in (lines[0], lines[5])]
+    assert np.allclose([float(v) for v in lines[3].split(",")], [10, 9, 10]), lines
+    assert np.allclose([float(v) for v in lines[4].split(",")], [20, 20, 21]), lines
+    assert lines[2] == "CREATE, 3, 1, 1", lines
+    assert np.allclose(numbers[1][2:4], [0, 1]), lines
+    assert numbers[0][0] <= 8 and numbers[0][1] >= 12, lines
+    assert with_lines(text, CREATE="FIX, 1").count("FIX") == 1
+
+
+def test_fits():
+    x = np.linspace(0, 60, 60)
+    for name in trough.FUNCTIONS:
+        s = trough.profile(name, x, 1.5, 20.0, 12.0)
+        found, left = trough.fit(name, x, s)
+        assert np.allclose(found, (1.5, 20.0, 12.0), rtol=0.01) and left < 1e-3, (name, found, left)
+    assert abs(bisect(lambda v: v < 1.3, 0, 2, 1e-6) - 1.3) < 1e-6
+    assert math.isclose(order([1, 2, 4], [3, 12, 48]), 2)
+    assert first_time(np.array([0, 1, 2]), np.array([0, 0, 4]), 1) == 1.25
+    assert math.isnan(first_time(np.array([0, 1]), np.array([0, 0]), 1))
+
+
+for test in (test_verdicts, test_turned_deck, test_fits):
+    test()
