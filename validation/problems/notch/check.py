@@ -6,7 +6,7 @@ import numpy as np
 from suite.chart import Chart
 from suite.numbers import slope
 
-LENGTH = "quick"
+LENGTH = "medium"
 K, MU, TH = 1e8, 0.3, radians(30)
 LOADING = 4 * K * sin(TH) * (sin(TH) + MU * cos(TH))
 STUCK = 4 * K
