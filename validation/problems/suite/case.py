@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import os
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
@@ -57,22 +58,22 @@ class Case:
         path = self.source / deck if "/" in deck else self.folder / deck
         return path.read_text()
 
-    def run(self, deck, *options, text=None, threads=1, fails=False):
-        """Runs a deck (or the text under that name); options as of `blocks run`.
-
-        fails: None instead of RunFailed when the run does not end well."""
+    def run(self, deck, *options, text=None):
+        """Runs a deck (or the text under that name) on one thread; options as of `blocks run`."""
         stem = self.scratch / f"{Path(deck).stem}_{next(self._count)}"
         path = stem.with_name(stem.name + ".deck")
         path.write_text(self.text(deck) if text is None else text)
-        done = subprocess.run([self.program, "run", "-q", "-j", str(threads), path, "-o", stem,
-                               *map(str, options)], cwd=self.scratch, text=True,
-                              capture_output=True, check=False)
-        if done.returncode != 0:
-            if fails:
-                return None
-            raise RunFailed(f"{path.name}: exit code {done.returncode}\n{done.stderr}")
+        said = stem.with_name(stem.name + ".said")
+        with said.open("w") as sink:
+            child = subprocess.Popen([self.program, "run", "-q", "-j", "1", path, "-o", stem,
+                                      *map(str, options)], cwd=self.scratch, stdout=sink,
+                                     stderr=subprocess.STDOUT)
+            _, status, usage = os.wait4(child.pid, 0)
+            child.returncode = os.waitstatus_to_exitcode(status)
+        if child.returncode != 0:
+            raise RunFailed(f"{path.name}: exit code {child.returncode}\n{said.read_text()}")
         self.runs += 1
-        return Results(stem)
+        return Results(stem, usage.ru_utime + usage.ru_stime)
 
     def run_all(self, decks):
         """Runs many, two at a time: (deck, options, text or None) each; results in their order."""

@@ -9,7 +9,8 @@ import numpy as np
 class Results:
     """One finished run."""
 
-    def __init__(self, stem):
+    def __init__(self, stem, processor_seconds):
+        self.processor_seconds = processor_seconds  # of the whole run, files included
         self.path = stem.with_name(stem.name + ".vtkhdf")
         self.summary = json.loads(stem.with_name(stem.name + ".summary.json").read_text())
         self._file = h5py.File(self.path)
