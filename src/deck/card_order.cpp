@@ -48,6 +48,11 @@ bool CardOrder::unique(const CardSpec& spec, SourceLocation where) {
 
 bool CardOrder::pass_preliminary(const CardSpec& spec, SourceLocation where) {
   const std::string card(spec.name);
+  if (behind_deck_) {
+    diagnostics_.error(where, card, "the model is made: no preliminary card may follow",
+                       "problem cards may, see 'blocks cards'");
+    return false;
+  }
   if (spec.name == "RESTART") {
     if (restart_ && first_line_.empty()) {
       first_line_.emplace(spec.name, where.line);

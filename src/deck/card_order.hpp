@@ -21,6 +21,9 @@ class CardOrder {
   CardOrder(std::vector<std::string_view> names, Diagnostics& diagnostics)
       : names_(names.begin(), names.end()), diagnostics_(diagnostics) {}
 
+  /// The cards follow a deck that was read before: no preliminary card among them.
+  void begin_behind_deck() { started_ = ended_ = behind_deck_ = true; }
+
   /// A card goes by; misspelt: the name is a guess, which is never faulted again.
   /// False when the card is out of place, which has then been reported.
   bool pass(const CardSpec& spec, SourceLocation where, bool misspelt);
@@ -41,7 +44,8 @@ class CardOrder {
   std::map<std::string_view, int> first_line_;  ///< of each card met
   bool started_ = false;
   bool restart_ = false;
-  bool ended_ = false;  ///< the preliminary data are over
+  bool ended_ = false;        ///< the preliminary data are over
+  bool behind_deck_ = false;  ///< these cards follow a deck
 };
 
 }  // namespace blocks::deck

@@ -22,6 +22,8 @@ class Parser {
         diagnostics_(diagnostics), order_(names(lines_), diagnostics) {}
 
   void run();
+  /// The cards go on where a deck ended.
+  void run_on();
 
  private:
   /// What a keyword means, misspelt or not; null when nothing is near.
@@ -131,6 +133,11 @@ void Parser::run() {
                          "text behind STOP is ignored");
   }
   check_unused_overrides();
+}
+
+void Parser::run_on() {
+  order_.begin_behind_deck();
+  run();
 }
 
 void Parser::unknown(const Line& line) {
@@ -401,6 +408,15 @@ Deck parse(const std::string& file, const std::string& text, Diagnostics& diagno
                       "a new run begins with START, nblok, ncmx and a title line");
   } else {
     Parser(deck, std::move(lines), std::move(fields), diagnostics).run();
+  }
+  return deck;
+}
+
+Deck parse_further(const std::string& file, const std::string& text,
+                   Diagnostics& diagnostics) {
+  Deck deck{file, text, {}};
+  if (readable(text, diagnostics)) {
+    Parser(deck, split_deck(text), {}, diagnostics).run_on();
   }
   return deck;
 }

@@ -19,4 +19,8 @@ struct Override {
 Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
            const std::vector<Override>& overrides = {});
 
+/// Problem cards for a model that exists already; no cards at all are none.
+Deck parse_further(const std::string& file, const std::string& text,
+                   Diagnostics& diagnostics);
+
 }  // namespace blocks::deck

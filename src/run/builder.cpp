@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "deck/card_table.hpp"
 #include "deck/mesh_readers.hpp"
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -15,6 +16,14 @@
 namespace blocks::run {
 
 using deck::Command;
+
+std::set<std::string> unread_cards(const deck::Diagnostics& diagnostics) {
+  std::set<std::string> unread;
+  for (const deck::Diagnostic& diagnostic : diagnostics.all())
+    if (diagnostic.severity == deck::Severity::error)
+      unread.insert(deck::find_card(diagnostic.card) != nullptr ? diagnostic.card : "");
+  return unread;
+}
 
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)

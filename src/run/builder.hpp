@@ -36,6 +36,9 @@ struct BuildOptions {
   }
 };
 
+/// BuildOptions::unread of a deck with these diagnostics.
+std::set<std::string> unread_cards(const deck::Diagnostics& diagnostics);
+
 class Builder {
  public:
   /// cards: the whole deck, whose outlines share corners.

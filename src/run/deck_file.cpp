@@ -33,4 +33,8 @@ std::string deck_folder(const std::string& deck) {
                      : std::filesystem::path(deck).parent_path().string();
 }
 
+std::string beside(const std::string& folder, const std::string& name) {
+  return (std::filesystem::path(folder) / name).string();
+}
+
 }  // namespace blocks::run

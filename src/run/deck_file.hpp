@@ -14,4 +14,7 @@ std::string output_name(const std::string& deck, const std::string& given);
 /// Folder of the deck, to which file names on its cards are relative.
 std::string deck_folder(const std::string& deck);
 
+/// A file named on a card of a deck in that folder.
+std::string beside(const std::string& folder, const std::string& name);
+
 }  // namespace blocks::run

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <iostream>
 
-#include "deck/card_table.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
 #include "run/deck_file.hpp"
@@ -32,13 +31,8 @@ struct Job {
         name(output_name(given.deck, given.output)) {}
 
   BuildOptions build_options() const {
-    std::set<std::string> unread;
-    for (const deck::Diagnostic& diagnostic : diagnostics.all())
-      if (diagnostic.severity == deck::Severity::error)
-        unread.insert(deck::find_card(diagnostic.card) != nullptr ? diagnostic.card
-                                                                  : "");
-    return {options.seed, options.tape9, deck_folder(options.deck), std::move(unread),
-            from.progress.overlaps};
+    return {options.seed, options.tape9, deck_folder(options.deck),
+            unread_cards(diagnostics), from.progress.overlaps};
   }
   bool continues() const {
     return !deck.commands.empty() &&

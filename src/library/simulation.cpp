@@ -1,0 +1,314 @@
+#include "blocks/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "deck/parser.hpp"
+#include "dynamics/step.hpp"
+#include "geometry/numeric_environment.hpp"
+#include "output/checkpoint.hpp"
+#include "output/results.hpp"
+#include "run/builder.hpp"
+#include "run/deck_file.hpp"
+#include "run/executor.hpp"
+
+namespace blocks {
+namespace {
+
+bool passes_time(const deck::Command& command) {
+  return std::holds_alternative<deck::Motion>(command.card) ||
+         std::holds_alternative<deck::Cycle>(command.card);
+}
+
+/// A command of the same place that asks for one step: what must hold before it is
+/// judged there.
+deck::Command one_step(const deck::Command& last) {
+  return {last.where, last.name, deck::Cycle{{1, last.where}}};
+}
+
+Eigen::Vector2d left_of(const Vec2& from, const Vec2& to) {
+  const Vec2 along = (to - from).normalized();
+  return {-along.y(), along.x()};
+}
+
+}  // namespace
+
+struct Simulation::State {
+  State(std::string deck_name, std::string deck_folder, std::string deck, int threads)
+      : name(std::move(deck_name)), folder(std::move(deck_folder)),
+        text(std::move(deck)), buffers(std::max(1, threads)) {
+    if (const std::string fault = geometry::check_numeric_environment(); !fault.empty())
+      throw std::runtime_error(fault);
+    deck::Diagnostics said(name, text);
+    act(deck::parse(name, text, said), said);
+  }
+
+  /// All cards act; DeckError with all their faults.
+  void act(const deck::Deck& deck, deck::Diagnostics& said);
+  void step(long count);
+  /// Index of a block from its number.
+  int index(int block) const;
+
+  std::string name, folder, text;
+  Model model;
+  dynamics::SearchBuffers buffers;
+  std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
+  std::vector<std::string> warnings;
+  std::optional<output::ResultsWriter> results;
+  std::string results_path;
+
+ private:
+  void keep_warnings(const deck::Diagnostics& said);
+  void obey(Model& on, const deck::Deck& deck, deck::Diagnostics& said, bool moving);
+};
+
+void Simulation::State::keep_warnings(const deck::Diagnostics& said) {
+  for (const deck::Diagnostic& diagnostic : said.all()) {
+    std::string line = said.format(diagnostic);
+    if (diagnostic.severity == deck::Severity::warning &&
+        std::find(warnings.begin(), warnings.end(), line) == warnings.end())
+      warnings.push_back(std::move(line));
+  }
+}
+
+void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
+  // Once on a copy, in which nothing moves: every fault is found before anything is
+  // done.
+  Model trial = model;
+  obey(trial, deck, said, false);
+  keep_warnings(said);
+  if (std::none_of(deck.commands.begin(), deck.commands.end(), passes_time)) {
+    model = std::move(trial);
+  } else {
+    deck::Diagnostics later(said.file(), deck.text);
+    obey(model, deck, later, true);
+    keep_warnings(later);
+  }
+  if (model.blocks.size() > 0)
+    dynamics::prepare(model);
+}
+
+/// Applies the cards to a model; faults are thrown when the last card was read.
+/// moving: MOTION and CYCLE make time pass, else they are only judged.
+void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostics& said,
+                             bool moving) {
+  const auto stop_at_faults = [&] {
+    if (said.has_errors())
+      throw DeckError(said.format_all());
+  };
+  if (!deck.commands.empty())
+    if (const auto* card = std::get_if<deck::Restart>(&deck.commands.front().card)) {
+      if (!card->file.given) {
+        said.error(deck.commands.front().where, "RESTART", "which checkpoint?",
+                   "RESTART, file");
+        stop_at_faults();
+      }
+      output::CheckpointInfo from;
+      on = output::read_checkpoint(run::beside(folder, card->file.value), from);
+      overlaps = from.progress.overlaps;
+    }
+  const int judged = on.blocks.size();
+  run::Builder builder(on, said, deck.commands,
+                       {.seed = {},
+                        .tape9 = "tape9",
+                        .folder = folder,
+                        .unread = run::unread_cards(said),
+                        .overlaps = overlaps});
+  bool in_place = true;
+  for (const deck::Command& command : deck.commands) {
+    builder.apply(command);
+    if (!passes_time(command))
+      continue;
+    if (moving || !said.has_errors())
+      builder.check_before_motion(command, in_place);
+    in_place = moving;
+    if (!moving)
+      continue;
+    stop_at_faults();
+    dynamics::prepare(on);
+    if (const auto* motion = std::get_if<deck::Motion>(&command.card))
+      step(run::steps_for(motion->dt.value, on.time_step.dt));
+    else
+      step(std::get<deck::Cycle>(command.card).ncycle.value);
+  }
+  if (in_place && !said.has_errors() && on.blocks.size() > judged)
+    builder.check_before_motion(one_step(deck.commands.back()), true);
+  stop_at_faults();
+  if (const auto& certificate = builder.certificate())
+    overlaps = certificate->overlaps;
+}
+
+void Simulation::State::step(long count) {
+  for (long i = 0; i < count; ++i)
+    if (!dynamics::step(model, buffers).finite)
+      throw UnsoundRun(
+          fmt::format("at time {:g} (step {}) some position is no longer a number; the "
+                      "time step is probably too large: lower FRACTION",
+                      model.time, model.steps));
+}
+
+int Simulation::State::index(int block) const {
+  const int count = model.blocks.size();
+  if (block < 1 || block > count)
+    throw std::out_of_range(
+        count == 0
+            ? fmt::format("there is no block {}, there are none", block)
+            : fmt::format("there is no block {}, there are 1 to {}", block, count));
+  return block - 1;
+}
+
+Simulation::Simulation(const std::string& deck, int threads)
+    : state_(std::make_unique<State>("cards", "", deck, threads)) {}
+Simulation::Simulation(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+Simulation Simulation::from_file(const std::string& path, int threads) {
+  return Simulation(std::make_unique<State>(path, run::deck_folder(path),
+                                            run::read_deck(path), threads));
+}
+
+void Simulation::cards(const std::string& text) {
+  deck::Diagnostics said(state_->name, text);
+  state_->act(deck::parse_further(state_->name, text, said), said);
+}
+
+const std::vector<std::string>& Simulation::warnings() const {
+  return state_->warnings;
+}
+
+void Simulation::step(long count) {
+  if (count < 0)
+    throw std::invalid_argument(fmt::format("{} steps cannot be made", count));
+  if (blocks() == 0)
+    throw std::logic_error("there are no blocks to move");
+  state_->step(count);
+}
+
+long Simulation::steps() const { return state_->model.steps; }
+double Simulation::time() const { return state_->model.time; }
+double Simulation::time_step() const { return state_->model.time_step.dt; }
+
+int Simulation::blocks() const { return state_->model.blocks.size(); }
+int Simulation::material(int block) const {
+  return state_->model.blocks.material[state_->index(block)];
+}
+bool Simulation::is_free(int block) const {
+  return state_->model.blocks.is_free(state_->index(block));
+}
+double Simulation::area(int block) const {
+  return state_->model.blocks.area[state_->index(block)];
+}
+double Simulation::mass(int block) const {
+  return state_->model.blocks.mass[state_->index(block)];
+}
+Eigen::Matrix2Xd Simulation::corners(int block) const {
+  const Blocks& all = state_->model.blocks;
+  const int b = state_->index(block);
+  return all.corner.middleCols(all.first_corner[b], all.corners_of(b));
+}
+Eigen::Vector2d Simulation::centroid(int block) const {
+  return state_->model.blocks.centroid.col(state_->index(block));
+}
+Eigen::Vector2d Simulation::velocity(int block) const {
+  return state_->model.blocks.velocity.col(state_->index(block));
+}
+double Simulation::angle(int block) const {
+  return state_->model.blocks.angle[state_->index(block)];
+}
+double Simulation::spin(int block) const {
+  return state_->model.blocks.spin[state_->index(block)];
+}
+Eigen::Vector2d Simulation::force(int block) const {
+  return state_->model.blocks.force.col(state_->index(block));
+}
+double Simulation::moment(int block) const {
+  return state_->model.blocks.moment[state_->index(block)];
+}
+Eigen::Matrix2d Simulation::stress(int block) const {
+  const auto s = state_->model.blocks.stress.col(state_->index(block));
+  return (Eigen::Matrix2d() << s[0], s[1], s[2], s[3]).finished();
+}
+
+std::vector<ContactForce> Simulation::contacts() const {
+  const Model& model = state_->model;
+  const Blocks& all = model.blocks;
+  const auto number = [&](int corner) {  // within its block, from 1
+    return corner - all.first_corner[all.corner_block[corner]] + 1;
+  };
+  std::vector<ContactForce> acting;
+  const Contacts& list = model.contacts;
+  for (int i = 0; i < list.size(); ++i) {
+    const int c = list.corner[i], e = list.edge[i];
+    if (list.active[i])
+      acting.push_back({list.corner_block[i] + 1, number(c), list.edge_block[i] + 1,
+                        number(e), all.corner.col(c),
+                        left_of(all.corner.col(e), all.corner.col(all.next[e])),
+                        list.normal_force[i], list.shear_force[i], list.overlap[i]});
+  }
+  const PlaneContacts& on_planes = model.plane_contacts;
+  for (int i = 0; i < on_planes.size(); ++i) {
+    const int c = on_planes.corner[i];
+    const Plane& plane = model.settings.planes[on_planes.plane[i]];
+    if (on_planes.active[i])
+      acting.push_back({all.corner_block[c] + 1, number(c), 0, on_planes.plane[i] + 1,
+                        all.corner.col(c), left_of(plane.a, plane.b),
+                        on_planes.normal_force[i], 0.0, on_planes.overlap[i]});
+  }
+  return acting;
+}
+
+Eigen::Vector2d Simulation::contact_force(int block) const {
+  state_->index(block);
+  Eigen::Vector2d sum(0, 0);
+  for (const ContactForce& contact : contacts()) {
+    if (contact.corner_block == block)
+      sum += contact.force();
+    if (contact.edge_block == block)
+      sum -= contact.force();
+  }
+  return sum;
+}
+
+double Simulation::kinetic_energy() const {
+  return totals(state_->model).kinetic_energy;
+}
+double Simulation::worst_overlap() const { return state_->model.worst_overlap; }
+
+void Simulation::set_velocity(int block, const Eigen::Vector2d& velocity, double spin) {
+  Blocks& all = state_->model.blocks;
+  const int b = state_->index(block);
+  if (!all.is_free(b))
+    throw std::logic_error(fmt::format("block {} is fixed", block));
+  all.velocity.col(b) = velocity;
+  all.spin[b] = spin;
+}
+
+void Simulation::write_frame(const std::string& path) {
+  State& state = *state_;
+  if (!state.results || state.results_path != path) {
+    const Settings& settings = state.model.settings;
+    state.results.emplace(path,
+                          output::RunIdentity{state.name, state.text, settings.title,
+                                              BLOCKS_VERSION, settings.seed});
+    state.results_path = path;
+  }
+  state.results->write(state.model);
+}
+
+void Simulation::write_checkpoint(const std::string& path) const {
+  // Without the deck's text: this is no place in a deck that a run could go on from.
+  output::CheckpointInfo info;
+  info.deck_file = state_->name;
+  info.version = BLOCKS_VERSION;
+  info.progress.finished = true;
+  info.progress.overlaps = state_->overlaps;
+  output::write_checkpoint(path, state_->model, info);
+}
+
+}  // namespace blocks
