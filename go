@@ -11,6 +11,8 @@ usage() {
   ./go run DECK [options]   build if needed, then blocks run DECK (results beside you)
   ./go test                 build with warnings as errors and run every test
   ./go build                build only: build/release/src/blocks
+  ./go install [PREFIX]     program, man pages and library for find_package(blocks) to
+                            PREFIX (/usr/local)
   ./go validate [N]         N random layers (100000) made and judged, the certificate
                             against brute force, the same bits from g++ and clang++
   ./go validate predicates [N]
@@ -72,6 +74,9 @@ case $command in
     if [ "$command" = run ]; then set -- run "$@"; fi
     exec "$here/build/release/src/blocks" "$@" ;;
   build) build release blocks ;;
+  install)
+    build release blocks blocks_library
+    cmake --install "$here/build/release" --prefix "${1:-/usr/local}" ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   validate)
     programs="$here/build/release/validation/robustness"

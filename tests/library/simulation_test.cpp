@@ -1,0 +1,164 @@
+// The library is the program: same cards, same bits, same messages; and what is set
+// from outside acts as mechanics says.
+#include "blocks/simulation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string stack = preliminary() + rectangle(-2, -1, 3, 0, true) +
+                          "CLOOP, 3, 0, 1\n" + rectangle(0, 0, 1, 1) +
+                          "GRAVITY, 0, -9.81\nFRICTN, 0.5\nDAMPING, 0.3\n";
+
+/// Every corner of every block.
+std::vector<double> corners(const Simulation& simulation) {
+  std::vector<double> all;
+  for (int b = 1; b <= simulation.blocks(); ++b) {
+    const Eigen::Matrix2Xd of_block = simulation.corners(b);
+    all.insert(all.end(), of_block.data(), of_block.data() + of_block.size());
+  }
+  return all;
+}
+
+// Cards at once, steps one by one, on from the program's checkpoint and back again in
+// the program: one run.
+TEST(Simulation, HasTheBitsOfTheProgram) {
+  const TemporaryFolder folder;
+  const std::string push = "SETVEL, 3, 0, 1.5\n";
+  folder.write("whole.deck", stack + "CYCLE, 200\n" + push + "CYCLE, 150\n");
+  folder.write("first.deck", stack + "CYCLE, 200\n");
+  ASSERT_EQ(blocks("run whole.deck", folder.path()).code, 0);
+  ASSERT_EQ(blocks("run first.deck", folder.path()).code, 0);
+  const auto state_of = [&](const std::string& name) {
+    return corners(Simulation("RESTART, " + (folder / (name + ".ckpt.h5")).string()));
+  };
+  const std::vector<double> expected = state_of("whole");
+  ASSERT_EQ(expected.size(), 32u);
+
+  EXPECT_EQ(corners(Simulation::from_file(folder / "whole.deck", 2)), expected);
+
+  Simulation driven(stack);
+  for (int i = 0; i < 200; ++i)
+    driven.step();
+  driven.write_checkpoint(folder / "mid.ckpt.h5");
+  driven.set_velocity(3, {1.5, 0.0});
+  driven.step(150);
+  EXPECT_EQ(corners(driven), expected);
+  EXPECT_EQ(driven.steps(), 350);
+
+  Simulation restarted("RESTART, " + (folder / "first.ckpt.h5").string());
+  restarted.cards(push + "CYCLE, 150");
+  EXPECT_EQ(corners(restarted), expected);
+
+  folder.write("mid.deck", "RESTART, mid.ckpt.h5\n" + push + "CYCLE, 150\n");
+  const Outcome back = blocks("run mid.deck -o back", folder.path());
+  ASSERT_EQ(back.code, 0) << back.err;
+  EXPECT_EQ(state_of("back"), expected);
+}
+
+// m dv = dt (contact forces + m g) for every free block, step by step (1): the contacts
+// that are read are the ones that acted.
+TEST(Simulation, ContactForcesMoveTheBlocks) {
+  Simulation simulation(stack);
+  simulation.set_velocity(4, {0.4, -0.2}, 0.3);
+  int contacts = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Eigen::Vector2d> before;
+    for (int b = 2; b <= simulation.blocks(); ++b)
+      before.push_back(simulation.velocity(b));
+    simulation.step();
+    contacts += static_cast<int>(simulation.contacts().size());
+    for (int b = 2; b <= simulation.blocks(); ++b) {
+      const Eigen::Vector2d change = simulation.velocity(b) - before[b - 2];
+      const double per_mass = simulation.time_step() / simulation.mass(b);
+      const Eigen::Vector2d expected =
+          per_mass * simulation.contact_force(b) +
+          simulation.time_step() * Eigen::Vector2d(0.0, -9.81);
+      double pressed = 0.0;
+      for (const ContactForce& contact : simulation.contacts())
+        if (contact.corner_block == b || contact.edge_block == b)
+          pressed += contact.force().norm();
+      // Round-off of velocities below 1, and the normals, which have turned by spin dt
+      // since the forces acted.
+      EXPECT_LT((change - expected).norm(), 1e-14 + 1e-3 * per_mass * pressed);
+    }
+  }
+  EXPECT_GT(contacts, 300);
+}
+
+// A force through each step, given as a velocity: x = F t (t + dt) / 2m, exactly what
+// semi-implicit Euler makes of a constant force.
+TEST(Simulation, ForceThroughEveryStepAccelerates) {
+  Simulation simulation(preliminary() + rectangle(0, 0, 1, 1));
+  const Eigen::Vector2d start = simulation.centroid(1), force(300.0, -200.0);
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Vector2d change = simulation.time_step() / simulation.mass(1) * force;
+    simulation.set_velocity(1, simulation.velocity(1) + change, simulation.spin(1));
+    simulation.step();
+  }
+  const double t = simulation.time(), dt = simulation.time_step();
+  const Eigen::Vector2d expected = 0.5 * t * (t + dt) / simulation.mass(1) * force;
+  EXPECT_LT((simulation.centroid(1) - start - expected).norm(),
+            1e-12 * expected.norm());
+}
+
+// A block on two planes of a corner: planes are named, and carry the weight.
+TEST(Simulation, SymmetryPlanesStandAmongTheContacts) {
+  Simulation simulation(preliminary() + rectangle(0, 0, 1, 1) +
+                        "SPLANE, 0, 0, 1, 0\nGRAVITY, 0, -9.81\nDAMPING, 0.4\n");
+  simulation.step(3000);
+  ASSERT_EQ(simulation.contacts().size(), 2u);
+  for (const ContactForce& contact : simulation.contacts()) {
+    EXPECT_EQ(contact.edge_block, 0);
+    EXPECT_EQ(contact.edge, 1);
+    EXPECT_EQ(contact.corner_block, 1);
+    EXPECT_NEAR(contact.force().y(), 0.5 * 9.81 * simulation.mass(1),
+                1e-6 * simulation.mass(1));
+  }
+}
+
+// Faults of the cards are the messages of `blocks check`, all of them, with their
+// place; and cards at fault do nothing.
+TEST(Simulation, TellsEveryFaultOfTheCards) {
+  try {
+    Simulation simulation(stack + "FRICTN, -1\nSETVEL, 9\n");
+    FAIL() << "accepted";
+  } catch (const DeckError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("cards:"));
+    EXPECT_THAT(error.what(), HasSubstr("error: FRICTN: "));
+    EXPECT_THAT(error.what(), HasSubstr("blocks 1 to 4 exist here"));
+    EXPECT_THAT(error.what(), HasSubstr("2 errors"));
+  }
+  Simulation simulation(stack);
+  const std::vector<double> before = corners(simulation);
+  EXPECT_THROW(simulation.cards("FIX, 2\nFIX, 7\n"), DeckError);
+  EXPECT_TRUE(simulation.is_free(2));
+  try {
+    simulation.cards("STIFF, 1e7, 1e7\n");
+    FAIL() << "accepted";
+  } catch (const DeckError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("cards:1:1: error: STIFF: the model is made"));
+  }
+  EXPECT_EQ(corners(simulation), before);
+  EXPECT_THROW(simulation.velocity(5), std::out_of_range);
+  EXPECT_THROW(simulation.set_velocity(1, {0.0, 0.0}), std::logic_error);
+  EXPECT_THROW(Simulation("RESTART\n"), DeckError);
+  EXPECT_THROW(Simulation("RESTART, absent.ckpt.h5\n"), std::runtime_error);
+  EXPECT_THROW(Simulation(preliminary()).step(), std::logic_error);
+}
+
+// What deserves a warning on the command line deserves it here.
+TEST(Simulation, WarnsOfOverlap) {
+  const Simulation simulation(stack + rectangle(0.5, 2.5, 1.5, 3.5));
+  ASSERT_EQ(simulation.warnings().size(), 1u);
+  EXPECT_THAT(simulation.warnings().front(), HasSubstr("blocks 4 and 5 overlap"));
+}
+
+}  // namespace
+}  // namespace blocks::testing
