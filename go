@@ -75,7 +75,7 @@ case $command in
     exec "$here/build/release/src/blocks" "$@" ;;
   build) build release blocks ;;
   install)
-    build release blocks blocks_library
+    build release blocks blocks_library manual
     cmake --install "$here/build/release" --prefix "${1:-/usr/local}" ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   validate)

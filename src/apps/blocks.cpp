@@ -8,16 +8,17 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <new>
 #include <string>
 
 #include "check_command.hpp"
+#include "command_pages.hpp"
 #include "deck/cards_text.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "history_command.hpp"
 #include "import_command.hpp"
+#include "manual_command.hpp"
 #include "output/file_in_hand.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
@@ -106,61 +107,16 @@ void add_deck_options(CLI::App& command, RunOptions& options,
 /// The page of the command named on the command line opens with an example and says
 /// more than its line in the list of commands.
 void open_help_with_example(CLI::App& app, int argc, char** argv) {
-  const std::map<std::string, std::string> pages = {
-      {"run", "Example: blocks run decks/stack/stack.deck -o stack\n\n"
-              "Runs a deck and writes NAME.out (listing), NAME.vtkhdf (results),\n"
-              "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."},
-      {"why", "Example: blocks run decks/stack/stack.deck && blocks why stack.vtkhdf "
-              "--block 2 --block 3\n\n"
-              "Tells of every corner of two blocks which edge of the other one it "
-              "touches, and\nwhy the others are refused: every rule with its number, "
-              "decided exactly."},
-      {"check",
-       "Example: blocks check decks/stack/stack.deck\n\n"
-       "Reports every error of a deck in one pass and proves its layers.\n"
-       "With --geometry: shapes, overlaps, gaps and joints of the blocks; exit\n"
-       "code 3 when blocks overlap."},
-      {"cards", "Example: blocks cards LAYER\n\nLists all cards, or describes one."},
-      {"plot",
-       "Example: blocks plot stack.vtkhdf --forces -o stack.png\n"
-       "(after blocks run decks/stack/stack.deck)\n\n"
-       "Draws the blocks, coloured by material or a quantity, with contact forces or\n"
-       "arrows: at one time, at several on one sheet (-t 0,1,2), or as a movie\n"
-       "(-o stack.mp4)."},
-      {"history",
-       "Example: blocks history stack.vtkhdf -q y:4,speed:max -o stack.png\n"
-       "(after blocks run decks/stack/stack.deck)\n\n"
-       "Follows quantities of blocks, corners and the model in time: a table, CSV,\n"
-       "JSON, a figure. Several runs are laid over each other. With --profile: across\n"
-       "the model at some times, such as a subsidence trough."},
-      {"view",
-       "Example: blocks view stack.vtkhdf -o stack.html\n"
-       "(after blocks run decks/stack/stack.deck)\n\n"
-       "Writes one page for the browser, which needs no server and no network:\n"
-       "play, zoom, pick a block, see its numbers and their history."},
-      {"import",
-       "Example: blocks import decks/every_card/hexagons.txt --deck\n\n"
-       "Reads outlines from GeoJSON, WKT, Gmsh .msh or another form of READ9, checks\n"
-       "them exactly, and writes a mesh for READ9 and, with --deck, a deck around it."},
-      {"export",
-       "Example: blocks export decks/stack/stack.deck -o stack.geojson\n\n"
-       "Writes the blocks of a deck, or of results at one time, as GeoJSON, WKT, Gmsh\n"
-       ".msh or READ9's text form; every coordinate reads back bit for bit. Of "
-       "results\n"
-       "at all times, blocks and contacts: .pvd for ParaView and VisIt, .csv."},
-      {"study",
-       "Example: blocks study contacts figure4b --variants default,report\n\n"
-       "Runs variants of the contact rules side by side, in random frames; see\n"
-       "docs/robustness.md."}};
   if (argc < 2)
     return;
-  const auto page = pages.find(argv[1]);
-  if (page == pages.end())
+  const auto page = blocks::apps::command_pages().find(argv[1]);
+  if (page == blocks::apps::command_pages().end())
     return;
+  const std::string head = blocks::apps::help_head(page->second);
   CLI::App* command = app.get_subcommand(page->first);
-  command->description(page->second);
+  command->description(head);
   for (CLI::App* part : command->get_subcommands({}))  // blocks study contacts --help
-    part->description(page->second);
+    part->description(head);
 }
 
 /// Of `blocks run --audit 5 DECK` the number, which was meant for the flag; empty: no
@@ -288,6 +244,10 @@ int dispatch(int argc, char** argv) {
   auto* why = app.add_subcommand("why", "why two blocks touch, or do not, at one time");
   blocks::apps::add_why_options(*why, why_options);
 
+  blocks::apps::ManualOptions manual_options;
+  auto* manual = app.add_subcommand("manual", "man pages and bash completion, as text");
+  blocks::apps::add_manual_options(*manual, manual_options);
+
   study->allow_extras();
   app.failure_message(tell_usage_fault);
   app.name("blocks");
@@ -326,6 +286,8 @@ int dispatch(int argc, char** argv) {
                    : "there is no study '" + extras.front() + "', there is contacts");
     return blocks::run::usage_error;
   }
+  if (*manual)
+    return blocks::apps::manual(app, manual_options);
   if (*why)
     return blocks::apps::why(why_options);
   return blocks::apps::plot(plot_options);

@@ -5,56 +5,12 @@
 #include <fmt/format.h>
 
 #include "deck/card_table.hpp"
+#include "deck/card_words.hpp"
 
 namespace blocks::deck {
 namespace {
 
 constexpr std::size_t page_width = 80;
-
-std::string_view phase_title(Phase phase) {
-  return phase == Phase::preliminary ? "Preliminary cards, before END"
-                                     : "Problem cards, in the order they act";
-}
-
-std::string_view kind_name(Kind kind) {
-  switch (kind) {
-  case Kind::integer:
-    return "whole";
-  case Kind::real:
-    return "real";
-  case Kind::exact:
-    return "decimal";
-  case Kind::word:
-    return "word";
-  }
-  return "";
-}
-
-std::string default_text(const FieldSpec& field) {
-  if (!field.fallback) {
-    return "required";
-  }
-  return field.fallback->empty() ? "blank" : std::string(*field.fallback);
-}
-
-std::string range_text(const FieldSpec& field) {
-  std::string out = field.range.text();
-  for (const std::string_view choice : field.choices) {
-    out += (out.empty() ? "" : ", ") + std::string(choice);
-  }
-  return out.empty() ? "any" : out;
-}
-
-std::string standing(const CardSpec& card) {
-  std::string out = card.required ? "required" : "optional";
-  if (card.phase == Phase::preliminary) {
-    out += card.once ? ", once" : ", may repeat";
-  } else {
-    out = "may repeat";
-  }
-  return out + (card.section == "ours" ? "; not in the report"
-                                       : fmt::format("; report {}", card.section));
-}
 
 /// Words of a text in lines of at most page_width, each after the indent.
 std::string wrapped(std::string_view text, std::size_t indent) {
@@ -90,14 +46,6 @@ std::string indented(std::string_view text, std::size_t indent) {
     text.remove_prefix(std::min(length + 1, text.size()));
   }
   return out;
-}
-
-std::string sentence(std::string_view text) {
-  std::string out(text);
-  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') {
-    out[0] = static_cast<char>(out[0] - 'a' + 'A');
-  }
-  return out + ".";
 }
 
 std::string field_table(const CardSpec& card) {
@@ -212,19 +160,24 @@ std::optional<std::string> card_page(std::string_view name) {
 
 std::string suggest_card(std::string_view name) { return suggest(name, card_names()); }
 
+std::vector<std::string_view> reference_introduction() {
+  return {
+      "Free field: a card is a keyword in any case and its values, separated by "
+      "commas (or blanks where no comma stands). A blank field takes its default. "
+      "Exponents are written with E or D. A $ or ! starts a comment; blank lines "
+      "are skipped. Lists of values may go on over several lines. The end of the "
+      "deck acts as STOP.",
+      "Kinds: \"whole\" is a whole number (3 or 3.0), \"real\" a number kept as the "
+      "nearest double, \"decimal\" a number kept exactly as written because it "
+      "describes geometry, \"word\" a text. Units are any consistent set, per unit "
+      "thickness: L length, T time, M mass, F force."};
+}
+
 std::string card_reference_markdown() {
-  std::string out =
-      "# Deck reference\n\n"
-      "Free field: a card is a keyword in any case and its values, separated by commas "
-      "(or blanks where no comma stands). A blank field takes its default. Exponents "
-      "are written with E or D. A `$` or `!` starts a comment; blank lines are "
-      "skipped. Lists of values may go on over several lines. The end of the deck acts "
-      "as STOP.\n\n"
-      "Kinds: *whole* is a whole number (3 or 3.0), *real* a number kept as the "
-      "nearest "
-      "double, *decimal* a number kept exactly as written because it describes "
-      "geometry, *word* a text. Units are any consistent set, per unit thickness: L "
-      "length, T time, M mass, F force.\n\n";
+  std::string out = "# Deck reference\n\n";
+  for (const std::string_view part : reference_introduction()) {
+    out += fmt::format("{}\n\n", part);
+  }
   for (const Phase phase : {Phase::preliminary, Phase::problem}) {
     out += fmt::format("## {}\n\n", phase_title(phase));
     for (const CardSpec& card : card_table()) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "deck/suggest.hpp"
 
@@ -19,6 +20,9 @@ std::optional<std::string> card_page(std::string_view name);
 
 /// The card nearest to an unknown name, or empty.
 std::string suggest_card(std::string_view name);
+
+/// How decks are written, in paragraphs.
+std::vector<std::string_view> reference_introduction();
 
 /// All pages in Markdown.
 std::string card_reference_markdown();

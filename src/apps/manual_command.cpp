@@ -1,0 +1,58 @@
+#include "manual_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "bash_completion.hpp"
+#include "deck/cards_manual.hpp"
+#include "program_manual.hpp"
+#include "run/run.hpp"
+#include "text_file.hpp"
+
+namespace blocks::apps {
+
+void add_manual_options(CLI::App& command, ManualOptions& options) {
+  command.add_option("PAGE", options.page, "program, deck or bash")
+      ->required()
+      ->check(CLI::IsMember({"program", "deck", "bash"}));
+  command.add_option("-o,--output", options.output, "file (default: printed here)");
+}
+
+int manual(const CLI::App& program, const ManualOptions& options) {
+  const std::string text = options.page == "deck"
+                               ? deck::card_reference_man(BLOCKS_VERSION)
+                           : options.page == "bash" ? bash_completion(program)
+                                                    : program_manual(program);
+  if (options.output.empty())
+    std::cout << text;
+  else
+    write_text_file(options.output, text);
+  return run::done;
+}
+
+std::vector<LeafCommand> leaf_commands(const CLI::App& program) {
+  std::vector<LeafCommand> leaves;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    const auto below = leaf_commands(*command);
+    if (below.empty())
+      leaves.push_back({command->get_name(), command});
+    for (const LeafCommand& leaf : below)
+      leaves.push_back({command->get_name() + ' ' + leaf.words, leaf.app});
+  }
+  return leaves;
+}
+
+std::string value_name(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return option.get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
+}
+
+std::vector<std::string> choices(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const auto begin = type.find('{'), end = type.find('}');
+  return begin == std::string::npos || end == std::string::npos
+             ? std::vector<std::string>{}
+             : CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
+}
+
+}  // namespace blocks::apps

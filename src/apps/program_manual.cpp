@@ -1,0 +1,134 @@
+#include "program_manual.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "command_pages.hpp"
+#include "deck/roff.hpp"
+#include "manual_command.hpp"
+#include "run/run.hpp"
+
+namespace blocks::apps {
+namespace {
+
+namespace roff = deck::roff;
+
+/// "-o, --output TEXT"
+std::string option_term(const CLI::Option& option) {
+  std::string term;
+  for (const std::string& name : option.get_snames())
+    term += (term.empty() ? "" : ", ") + roff::bold("-" + name);
+  for (const std::string& name : option.get_lnames())
+    term += (term.empty() ? "" : ", ") + roff::bold("--" + name);
+  if (const std::string value = value_name(option); !value.empty())
+    term += ' ' + roff::italic(value) + (option.get_expected_max() > 1 ? " ..." : "");
+  return term;
+}
+
+/// "1 to 100", "from 1": of "1 - 100]", "0 to 5", "1 - 9223372036854775807]"
+std::string limits_in_words(std::string limits) {
+  limits = limits.substr(0, limits.find(']'));
+  if (const auto dash = limits.find(" - "); dash != std::string::npos)
+    limits.replace(dash, 3, " to ");
+  const auto no_end = limits.find(" to 9223372036854775807");
+  return no_end == std::string::npos ? CLI::detail::to_lower(limits)
+                                     : "from " + limits.substr(0, no_end);
+}
+
+/// Description, what is allowed, default.
+std::string option_meaning(const CLI::Option& option) {
+  std::string words = option.get_description();
+  const std::string type = option.get_type_name();
+  if (const auto names = choices(option); !names.empty())
+    words += "; one of " + CLI::detail::join(names, ", ");
+  else if (const auto limits = type.find_first_of("0123456789", type.find(':'));
+           limits != std::string::npos)
+    words += "; " + limits_in_words(type.substr(limits));
+  if (!option.get_default_str().empty())
+    words += "; default " + option.get_default_str();
+  return words;
+}
+
+std::string synopsis(const LeafCommand& command) {
+  std::string line =
+      roff::bold("blocks " + command.words) + " [" + roff::italic("options") + "]";
+  for (const CLI::Option* option : command.app->get_options({}))
+    if (option->get_positional()) {
+      const std::string name = roff::italic(option->get_name()) +
+                               (option->get_expected_max() > 1 ? " ..." : "");
+      line += option->get_required() ? " " + name : " [" + name + "]";
+    }
+  return line;
+}
+
+std::string command_section(const LeafCommand& command) {
+  const auto page =
+      command_pages().find(command.words.substr(0, command.words.find(' ')));
+  std::string out =
+      roff::subsection("blocks " + command.words) + synopsis(command) + "\n";
+  if (page != command_pages().end())
+    out += roff::paragraph(page->second.description);
+  for (const bool positional : {true, false})
+    for (const CLI::Option* option : command.app->get_options({}))
+      if (option->get_positional() == positional && option->get_name() != "--help")
+        out += roff::item(positional ? roff::italic(option->get_name())
+                                     : option_term(*option),
+                          option_meaning(*option));
+  if (const std::string footer = command.app->get_footer(); !footer.empty())
+    out += roff::paragraph(footer);
+  if (page == command_pages().end())
+    return out;
+  const std::string before =
+      page->second.beforehand.empty() ? "" : page->second.beforehand + "\n";
+  return out + roff::paragraph("Example:") +
+         roff::example(before + page->second.example);
+}
+
+}  // namespace
+
+std::string program_manual(const CLI::App& program) {
+  const std::vector<LeafCommand> commands = leaf_commands(program);
+  std::string out = roff::head("blocks", 1, BLOCKS_VERSION, "User commands",
+                               "2D block motion code for jointed rock");
+  out += roff::section("Synopsis");
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    out += (i == 0 ? "" : ".br\n") + synopsis(commands[i]) + "\n";
+  out +=
+      roff::section("Description") +
+      "Rock as an assembly of polygonal blocks, rigid or simply deformable, that move "
+      "under gravity, pressure and impact, collide corner to edge, slide and rub. A "
+      "problem is described by a deck of cards, " +
+      roff::bold("blocks-deck") + "(5).\n" + roff::section("Commands");
+  for (const LeafCommand& command : commands)
+    out += command_section(command);
+  out += roff::section("Exit status");
+  const std::pair<int, const char*> codes[] = {
+      {run::done, "done"},
+      {run::internal_error, "a fault of the program, or no memory"},
+      {run::usage_error, "the command line cannot be obeyed"},
+      {run::deck_error, "the deck or the geometry is at fault"},
+      {run::unsound_run, "the run became unsound: no number, or a runaway overlap"},
+      {run::file_error, "a file cannot be read or written"},
+      {run::time_limit, "stopped at a limit of time or steps, after a checkpoint"},
+      {run::interrupted, "interrupted, after a checkpoint"}};
+  for (const auto& [code, meaning] : codes)
+    out += roff::item(roff::bold(std::to_string(code)), meaning);
+  out += roff::section("Files");
+  out += roff::item(roff::italic("NAME.out"),
+                    "the listing: deck, input echo, OUTPUT tables, DUMP");
+  out += roff::item(roff::italic("NAME.vtkhdf"),
+                    "results for plot, history, view, why, export and ParaView 5.13");
+  out += roff::item(roff::italic("NAME.ckpt.h5"),
+                    "checkpoint for --restart and for a deck that begins with RESTART");
+  out += roff::item(roff::italic("NAME.summary.json"),
+                    "for scripts: steps, time step, energies, worst overlap, hashes");
+  out += roff::section("Environment");
+  out += roff::item(roff::bold("BLOCKS_SIMD"),
+                    "the instruction set of the contact loop: baseline, avx2 or avx512 "
+                    "(default: the widest that the processor has); results do not "
+                    "change");
+  return out + roff::section("See also") + roff::bold("blocks-deck") + "(5)\n";
+}
+
+}  // namespace blocks::apps

@@ -1,0 +1,11 @@
+// The man page blocks(1), from the command line's own definition.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+namespace blocks::apps {
+
+std::string program_manual(const CLI::App& program);
+
+}  // namespace blocks::apps
