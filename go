@@ -13,6 +13,7 @@ usage() {
   ./go build                build only: build/release/src/blocks
   ./go install [PREFIX]     program, man pages and library for find_package(blocks) to
                             PREFIX (/usr/local)
+  ./go package              Debian packages in build/release/packages
   ./go validate [N]         N random layers (100000) made and judged, the certificate
                             against brute force, the same bits from g++ and clang++
   ./go validate predicates [N]
@@ -75,9 +76,15 @@ case $command in
     exec "$here/build/release/src/blocks" "$@" ;;
   build) build release blocks ;;
   install)
-    build release blocks blocks_library manual
+    build release blocks blocks_library manual package_logs
     cmake --install "$here/build/release" --prefix "${1:-/usr/local}" ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
+  package)
+    echo "building ..." >&2
+    build release blocks blocks_library manual package_logs
+    (cd "$here/build/release" && cpack >"$here/build/package.log" 2>&1) \
+      || { cat "$here/build/package.log" >&2; exit 1; }
+    ls -l "$here"/build/release/packages/*.deb ;;
   validate)
     programs="$here/build/release/validation/robustness"
     problems() { /usr/bin/python3 "$here/validation/problems/problems.py" \

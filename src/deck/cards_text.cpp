@@ -186,8 +186,22 @@ std::string card_reference_markdown() {
       }
     }
   }
-  out.pop_back();
-  return out;
+  return out +
+         fmt::format("## The examples in one deck\n\nPut one below the other, the "
+                     "examples make a deck, which the tests run; `mine.msh` "
+                     "holds two squares of material 1. RESTART goes on from "
+                     "its checkpoint.\n\n```\n{}```\n",
+                     all_examples());
+}
+
+std::string all_examples() {
+  std::string deck;
+  for (const CardSpec& card : card_table()) {
+    if (card.name != "RESTART") {
+      deck += fmt::format("{}\n", card.example);
+    }
+  }
+  return deck;
 }
 
 }  // namespace blocks::deck

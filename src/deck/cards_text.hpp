@@ -24,6 +24,9 @@ std::string suggest_card(std::string_view name);
 /// How decks are written, in paragraphs.
 std::vector<std::string_view> reference_introduction();
 
+/// A deck made of the examples of all cards but RESTART.
+std::string all_examples();
+
 /// All pages in Markdown.
 std::string card_reference_markdown();
 

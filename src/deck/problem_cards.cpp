@@ -34,7 +34,7 @@ void add_block_cards(std::vector<CardSpec>& cards) {
                                           "line"}},
        .notes = "Anticlockwise corners are accepted with a warning: corner 1 is kept "
                 "and the rest reversed.",
-       .example = "CREATE, 4, 1\n0., 0., 2., 2.\n0., 1., 1., 0."});
+       .example = "CREATE, 4, 1, 1\n0., 0., 60., 60.\n-2., 0., 0., -2."});
   cards.push_back(
       {.name = "CLOOP",
        .section = "A.2.2",
@@ -44,7 +44,8 @@ void add_block_cards(std::vector<CardSpec>& cards) {
                   {"zadd", exact, "0", any, "[L]", "shift in y from copy to copy"}},
        .notes = "Must stand directly before its CREATE. Copy k is shifted by (k - 1) "
                 "(radd, zadd).",
-       .example = "CLOOP, 5, 0., 1.\nCREATE, 4, 1\n0., 0., 2., 2.\n0., 1., 1., 0."});
+       .example = "CLOOP, 5, 0., 1.\nCREATE, 4, 1\n40., 40., 42., 42.\n0., 1., 1., "
+                  "0."});
   cards.push_back({.name = "READ9",
                    .section = "A.2.3",
                    .summary = "blocks from a mesh file",
@@ -192,7 +193,7 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                   {"tdot", real, "0", any, "[1/T]",
                    "spin, radians per time, anticlockwise positive"}},
        .notes = "Acts where it stands; ignored on fixed blocks.",
-       .example = "SETVEL, 1, 10, 0., 5., 0."});
+       .example = "SETVEL, 2, 6, 0., 5., 0."});
   cards.push_back({.name = "SETVELM",
                    .section = "A.2.14",
                    .summary = "velocities of all blocks of a material",
@@ -202,7 +203,7 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                               {"tdot", real, "0", any, "[1/T]",
                                "spin, radians per time, anticlockwise positive"}},
                    .notes = "Handy for blocks from READ9, whose numbers are not known.",
-                   .example = "SETVELM, 2, 0., 30., 0."});
+                   .example = "SETVELM, 1, 0., 3., 0."});
   cards.push_back({.name = "DAMPING",
                    .section = "A.2.15",
                    .summary = "contact damping",

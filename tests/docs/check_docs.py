@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""The documentation is a test: check_docs.py {links|tutorial|commands} SOURCE [PROGRAM]."""
+"""The documentation is a test: check_docs.py {links|tutorial|commands|examples} SOURCE [PROGRAM]."""
 
+import json
 import os
 import re
 import shlex
@@ -25,10 +26,23 @@ def anchors(text):
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
+def missing_paths(source, text):
+    """Files of the tree named in backticks that are not there; * and {a,b} are patterns."""
+    for path in re.findall(r"`((?:src|geometry|tests|docs|decks|validation|examples|packaging)/[\w./*{},-]+)`", text):
+        forms = [path]
+        while any("{" in form for form in forms):
+            forms = [re.sub(r"\{[^}]*\}", part, form, count=1)
+                     for form in forms for part in re.search(r"\{([^}]*)\}", form)[1].split(",")]
+        yield from (form for form in forms
+                    if not any(list(source.glob(form.rstrip("/") + ending)) for ending in ("", ".cpp", ".hpp")))
+
+
 def check_links(source):
-    """Every relative link points to a file, and its anchor to a heading there."""
+    """Every relative link points to a file, and its anchor to a heading there; files of
+    the tree that are named in backticks exist."""
     count, faults = 0, []
     for page in pages(source):
+        faults += [f"{page}: no file {path}" for path in missing_paths(source, page.read_text())]
         for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
             if "://" in link:
                 continue
@@ -75,6 +89,52 @@ def check_tutorial(source, program):
     return faults
 
 
+TWO_SQUARES = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+6
+1 50 0 0
+2 51 0 0
+3 52 0 0
+4 52 1 0
+5 51 1 0
+6 50 1 0
+$EndNodes
+$Elements
+2
+1 3 2 1 1 1 2 5 6
+2 3 2 1 1 2 3 4 5
+$EndElements
+"""
+
+
+def check_examples(source, program):
+    """The example of every card runs: all of them one below the other, as they stand on
+    the page; then RESTART goes on."""
+    page = (source / "docs/cards.md").read_text()
+    sections = re.findall(r"^### (\w+)\n(.*?)(?=^##)", page, re.M | re.S)
+    examples = {name: re.search(r"^Example:\n\n```\n(.*?)^```$", text, re.M | re.S)[1] for name, text in sections}
+    listed = subprocess.run([program, "cards"], text=True, capture_output=True).stdout
+    assert list(examples) == re.findall(r"^  ([A-Z]\w+) ", listed, re.M), examples.keys()
+    restart = examples.pop("RESTART")
+    whole = "".join(examples.values())
+    faults = [] if f"```\n{whole}```" in page.split("## The examples in one deck")[1] else ["the whole deck differs"]
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "mine.msh").write_text(TWO_SQUARES)
+        Path(folder, "crater.deck").write_text(whole)
+        Path(folder, "on.deck").write_text(restart + examples["MOTION"])
+        steps = 0
+        for deck in ("crater.deck", "on.deck"):
+            done = subprocess.run([program, "run", deck], cwd=folder, text=True, capture_output=True)
+            if done.returncode or "warning" in done.stderr:
+                return [*faults, f"{deck}: exit code {done.returncode}\n{done.stderr}\n{whole}"]
+            summary = json.loads(Path(folder, deck.replace("deck", "summary.json")).read_text())
+            assert summary["steps"] > steps and summary["blocks"]["total"] > 12, summary
+            steps = summary["steps"]
+    return faults
+
+
 def check_commands(source, program):
     """Command lines are accepted: run becomes check, figures lack their results."""
     count, faults = 0, []
@@ -96,7 +156,7 @@ def check_commands(source, program):
 
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "tutorial": check_tutorial, "commands": check_commands}[what]
+    check = {"links": check_links, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
     faults = check(Path(source), *map(Path, program))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)
