@@ -47,7 +47,7 @@ std::vector<CardSpec> preliminary_cards() {
                   {"xmax", real, {}, any, "[L]", "greatest x of the domain, > xmin"}},
        .notes = "A block with a corner strictly outside the domain is fixed where it "
                 "stands.",
-       .example = "XLIMITS, 0., 100."});
+       .example = "XLIMITS, -10., 100."});
   add({.name = "YLIMITS",
        .once = true,
        .required = true,
