@@ -9,11 +9,13 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include "check_command.hpp"
 #include "command_pages.hpp"
 #include "deck/cards_text.hpp"
+#include "dynamics/contact_lanes.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "history_command.hpp"
@@ -323,6 +325,12 @@ int main(int argc, char** argv) {
 #if !defined(BLOCKS_SANITIZED)    // a sanitizer tells more
   blocks::output::tell_crashes_of_files(blocks::run::file_error);
 #endif
+  try {
+    blocks::dynamics::lane_arithmetic();
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return blocks::run::usage_error;
+  }
   try {
     return dispatch(argc, argv);
   } catch (const blocks::output::FileError& error) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
 
 namespace blocks::dynamics {
 
@@ -94,11 +96,18 @@ const std::vector<LaneArithmetic>& all_lane_arithmetic() {
 
 const LaneArithmetic& lane_arithmetic() {
   static const LaneArithmetic chosen = [] {
-    if (const char* name = std::getenv("BLOCKS_SIMD"))
-      for (const LaneArithmetic& arithmetic : all_lane_arithmetic())
-        if (arithmetic.name == name)
-          return arithmetic;
-    return all_lane_arithmetic().back();
+    const char* name = std::getenv("BLOCKS_SIMD");
+    if (name == nullptr)
+      return all_lane_arithmetic().back();
+    std::string there;
+    for (const LaneArithmetic& arithmetic : all_lane_arithmetic()) {
+      if (arithmetic.name == name)
+        return arithmetic;
+      there += (there.empty() ? "" : ", ") + std::string(arithmetic.name);
+    }
+    throw std::invalid_argument("BLOCKS_SIMD=" + std::string(name) +
+                                " is no instruction set of this machine; there are " +
+                                there);
   }();
   return chosen;
 }

@@ -88,7 +88,9 @@ struct LaneArithmetic {
 /// All that this processor can run; the first is the baseline.
 const std::vector<LaneArithmetic>& all_lane_arithmetic();
 
-/// The widest of them, or what the environment variable BLOCKS_SIMD names.
+/// The widest of them, or what the environment variable BLOCKS_SIMD names. Throws
+/// std::invalid_argument that lists them where there is no such one: ask for them once
+/// before the first step.
 const LaneArithmetic& lane_arithmetic();
 
 }  // namespace blocks::dynamics

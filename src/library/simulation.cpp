@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "deck/parser.hpp"
+#include "dynamics/contact_lanes.hpp"
 #include "dynamics/step.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "output/checkpoint.hpp"
@@ -43,6 +44,7 @@ struct Simulation::State {
         text(std::move(deck)), buffers(std::max(1, threads)) {
     if (const std::string fault = geometry::check_numeric_environment(); !fault.empty())
       throw std::runtime_error(fault);
+    dynamics::lane_arithmetic();
     deck::Diagnostics said(name, text);
     act(deck::parse(name, text, said), said);
   }

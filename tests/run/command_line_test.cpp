@@ -44,6 +44,23 @@ TEST(ExitCode, TellsTheKindOfFault) {
   EXPECT_EQ(code("run good.deck -o nowhere/good"), 5);
 }
 
+// A misspelt instruction set was taken for none at all.
+TEST(Environment, UnknownInstructionSetIsAnError) {
+  const TemporaryFolder folder;
+  folder.write("good.deck", falling + "CYCLE, 3\n");
+  ASSERT_EQ(setenv("BLOCKS_SIMD", "avx", 1), 0);
+  const Outcome misspelt = blocks("run good.deck", folder.path());
+  ASSERT_EQ(setenv("BLOCKS_SIMD", "baseline", 1), 0);
+  const Outcome known = blocks("run good.deck", folder.path());
+  ASSERT_EQ(unsetenv("BLOCKS_SIMD"), 0);
+  EXPECT_EQ(misspelt.code, 2);
+  EXPECT_THAT(misspelt.err,
+              StartsWith("blocks: error: BLOCKS_SIMD=avx is no instruction set of this "
+                         "machine; there are baseline"));
+  EXPECT_FALSE(folder.holds("good.out.bak"));  // only the second run wrote
+  EXPECT_EQ(known.code, 0);
+}
+
 // A step far beyond stability must end as a fault (4), not as a result.
 TEST(ExitCode, IsFourWhenTheRunIsUnsound) {
   const TemporaryFolder folder;

@@ -51,7 +51,8 @@ class Simulation {
   /// The cards of a deck act in order: START ... END, blocks, loads; MOTION and CYCLE
   /// make time pass. threads: from 1; results do not depend on it. File names on cards
   /// are relative to the present folder. Throws DeckError; std::runtime_error for a
-  /// file (READ9, RESTART) that cannot be read.
+  /// file (READ9, RESTART) that cannot be read; std::invalid_argument for a BLOCKS_SIMD
+  /// that the machine does not have.
   explicit Simulation(const std::string& deck, int threads = 1);
 
   /// The same for the deck in a file; names on its cards are relative to its folder.
