@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The documentation is a test: check_docs.py {links|tutorial|commands|examples} SOURCE [PROGRAM]."""
+"""The documentation is a test: check_docs.py {links|versions|tutorial|commands|examples} SOURCE [PROGRAM]."""
 
 import json
 import os
@@ -55,6 +55,15 @@ def check_links(source):
                 faults.append(f"{page}: no heading {link}")
     assert count > 10, count
     return faults
+
+
+def check_versions(source):
+    """A release is one everywhere."""
+    found = {name: re.search(form, (source / name).read_text(), re.M)[1] for name, form in {
+        "CMakeLists.txt": r"^project\(blocks VERSION ([\d.]+)", "CITATION.cff": r"^version: ([\d.]+)$",
+        "CHANGELOG.md": r"^## ([\d.]+)$", "docs/tutorial.md": r"blocks_([\d.]+)-1_amd64.deb",
+        "docs/library.md": r"libblocks-dev_([\d.]+)-1_amd64.deb"}.items()}
+    return [] if len(set(found.values())) == 1 else [f"versions differ: {found}"]
 
 
 def missing_lines(shown, printed):
@@ -156,8 +165,8 @@ def check_commands(source, program):
 
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
-    faults = check(Path(source), *map(Path, program))
+    check = {"links": check_links, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
+    faults = check(Path(source), *map(Path, program[:check.__code__.co_argcount - 1]))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)
 
