@@ -26,8 +26,8 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libcairo2-dev, libeigen3-dev, libfmt-dev, \
 libgmp-dev, libhdf5-dev, libmpfr-dev, zlib1g-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "blocks, cmake")
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library, for C++ programs that drive a model of blocks(1) step by step: one header, a
- static library, find_package(blocks), examples.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library, for C++ programs that drive a model of blocks(1)
+ step by step: one header, a static library, find_package(blocks), examples.")
 
 # What Debian wants to find beside each package's files.
 configure_file(changelog.Debian.in changelog.Debian @ONLY)
