@@ -40,9 +40,9 @@ usage() {
 TEXT
 }
 
-install_packages() {
+install_packages() {  # [more than packages.txt names]
   missing=""
-  for package in $(cat "$here/packages.txt"); do
+  for package in $(cat "$here/packages.txt") "$@"; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q "ok installed" || missing="$missing $package"
   done
   [ -z "$missing" ] && return
@@ -80,6 +80,7 @@ case $command in
     cmake --install "$here/build/release" --prefix "${1:-/usr/local}" ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   package)
+    install_packages dpkg-dev file
     echo "building ..." >&2
     build release blocks blocks_library manual package_logs
     (cd "$here/build/release" && cpack >"$here/build/package.log" 2>&1) \
