@@ -27,7 +27,7 @@ inside 'mkdir -p /tmp/try && cd /tmp/try && blocks --version
   test -s /usr/share/man/man1/blocks.1.gz && test -s /usr/share/man/man5/blocks-deck.5.gz
   bash -c "source /usr/share/bash-completion/completions/blocks && complete -p blocks"'
 
-inside 'apt-get install -y -qq --no-install-recommends g++ cmake ninja-build pkg-config \
+inside 'apt-get install -y -qq --no-install-recommends g++ cmake ninja-build \
     /packages/libblocks-dev_*.deb >/packages/log 2>&1 || { cat /packages/log; exit 1; }
   rm -rf /tmp/try/consumer && cp -r /usr/share/doc/libblocks-dev/examples/consumer /tmp/try
   cd /tmp/try/consumer
