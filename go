@@ -49,9 +49,15 @@ install_packages() {  # [more than packages.txt names]
   echo "installing:$missing" >&2
   root=""
   [ "$(id -u)" = 0 ] || root=sudo
-  $root apt-get update -qq >&2
-  # shellcheck disable=SC2086  # a list of words
-  DEBIAN_FRONTEND=noninteractive $root apt-get install -y -qq --no-install-recommends $missing >&2
+  log="$here/build/packages.log"
+  mkdir -p "$here/build"
+  # shellcheck disable=SC2086  # lists of words
+  if ! { $root apt-get update -qq &&
+    $root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing; } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    echo "the installation failed; the whole log: $log" >&2
+    exit 1
+  fi
 }
 
 build() {  # preset [target...]
