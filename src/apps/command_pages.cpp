@@ -75,9 +75,9 @@ const std::map<std::string, CommandPage>& command_pages() {
         "Runs variants of the contact rules side by side, in random frames; see "
         "docs/robustness.md."}},
       {"manual",
-       {"blocks manual deck | man -l -", "",
+       {"blocks manual deck -o blocks-deck.5", "",
         "Prints the man page blocks(1) (program), the man page blocks-deck(5) (deck), "
-        "or the completion for bash (bash)."}}};
+        "or the completion for bash (bash); `man -l FILE` shows a page."}}};
   return pages;
 }
 

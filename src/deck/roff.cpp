@@ -28,6 +28,9 @@ std::string text(std::string_view words) {
     case '-':  // a minus sign that can be copied, not a hyphen
       out += "\\-";
       break;
+    case '`':
+      out += "\\(ga";
+      break;
     case '^':
       out += "\\(ha";
       break;

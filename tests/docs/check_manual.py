@@ -20,7 +20,7 @@ def blocks(*words):
 def plain(page):
     """The words of a page, as they would be shown."""
     page = re.sub(r"\\f[BIR]|\\&", "", page)
-    for escaped, shown in ((r"\-", "-"), (r"\(ha", "^"), (r"\(ti", "~"), (r"\e", "\\")):
+    for escaped, shown in ((r"\-", "-"), (r"\(ha", "^"), (r"\(ga", "`"), (r"\(ti", "~"), (r"\e", "\\")):
         page = page.replace(escaped, shown)
     return page
 
