@@ -55,7 +55,7 @@ std::string markdown(const Run& run) {
   std::ostringstream out;
   out << "# Generated layers: failures\n\n"
          "Written by `./go validate`; do not edit. Each layer is made three times: by\n"
-         "`geometry/cut_layer`, by a plain program of doubles as in 1982 (naive), and "
+         "`geometry::cut_layer`, by a plain program of doubles as in 1982 (naive), and "
          "by\n"
          "that program with a crossing check. A failure is a layer that does not tile "
          "its\n"
