@@ -151,11 +151,13 @@ std::vector<double> DblockCards::chosen(const std::vector<double>& all) const {
     return {all.front()};
   const double low = from.value_or(all.front()), high = to.value_or(all.back());
   std::set<double> found(times.begin(), times.end());
-  if (all_times)
+  // closer together than any results: every one of these
+  const bool dense = every && (high - low) / *every > 1e5;
+  if (all_times || dense)
     for (const double t : all)
       if (t >= low && t <= high)
         found.insert(t);
-  if (every)
+  if (every && !dense)
     for (int k = 0; low + k * *every <= high + 1e-9 * *every; ++k)
       found.insert(std::min(low + k * *every, high));
   if (count || (times.empty() && !all_times && !every)) {

@@ -52,6 +52,13 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
     figure.mirror_x = 0.0;
   }
   const std::vector<long> chosen = frames(cards, results);
+  if (chosen.empty()) {
+    fmt::print(stderr,
+               "blocks: error: {}: no picture between TMIN and TMAX; the results have "
+               "times {:g} to {:g}\n",
+               cards_file, results.times().front(), results.times().back());
+    return run::deck_error;
+  }
   if (post::is_movie(output)) {
     post::draw_movie(output, results, chosen, 25.0, figure);
     fmt::print("{}: {} pictures\n", output, chosen.size());

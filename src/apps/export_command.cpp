@@ -35,7 +35,8 @@ struct Scene {
 
 /// By its name, or by how it begins, whatever its name.
 bool is_results(const std::string& path) {
-  return fs::path(path).extension() == ".vtkhdf" ||
+  const auto extension = fs::path(path).extension();
+  return extension == ".vtkhdf" || extension == ".h5" ||
          (fs::is_regular_file(path) && post::fault_of_head(path).empty());
 }
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -229,6 +230,11 @@ int history(const HistoryOptions& options) {
     if (!options.times.empty() && options.profile.empty())
       throw std::runtime_error("--times belongs to --profile; a history is cut with "
                                "--from and --to");
+    if (!options.profile.empty() &&
+        (!options.against.empty() || std::isfinite(options.from) ||
+         std::isfinite(options.to)))
+      throw std::runtime_error("--against, --from and --to belong to a history; the "
+                               "times of a --profile are given with --times");
     check_names(options.outputs);
     std::optional<post::Units> units;
     if (!options.units.empty())

@@ -186,6 +186,7 @@ int plot(PlotOptions options) {
                  static_cast<double>(frames.size()) / options.rate);
     } else {
       post::draw_figure(options.output, results, frames, options.figure);
+      fmt::print("{}\n", options.output);
     }
     return run::done;
   } catch (const std::runtime_error& error) {

@@ -103,8 +103,11 @@ FigureScales ScaleSurvey::scales() const {
     result.low = is_signed_ ? -std::max(std::abs(least_), std::abs(most_))
                             : std::min(0.0, least_);
     result.high = is_signed_ ? -result.low : most_;
-    if (!(result.high > result.low))
+    if (!(result.high > result.low)) {  // one value everywhere
       result.high = result.low + 1.0;
+      if (is_signed_)
+        result.low = -1.0, result.high = 1.0;
+    }
   }
   result.force = usual(forces_);
   result.arrow = usual(arrows_);
