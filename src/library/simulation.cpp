@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
+#include <map>
 #include <utility>
 #include <variant>
 
@@ -16,6 +17,7 @@
 #include "run/builder.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
+#include "run/soundness.hpp"
 
 namespace blocks {
 namespace {
@@ -36,12 +38,19 @@ Eigen::Vector2d left_of(const Vec2& from, const Vec2& to) {
   return {-along.y(), along.x()};
 }
 
+int checked(int threads) {
+  if (threads < 1 || threads > 1024)
+    throw std::invalid_argument(
+        fmt::format("{} threads are not in range 1 to 1024", threads));
+  return threads;
+}
+
 }  // namespace
 
 struct Simulation::State {
   State(std::string deck_name, std::string deck_folder, std::string deck, int threads)
       : name(std::move(deck_name)), folder(std::move(deck_folder)),
-        text(std::move(deck)), buffers(std::max(1, threads)) {
+        text(std::move(deck)), buffers(checked(threads)) {
     if (const std::string fault = geometry::check_numeric_environment(); !fault.empty())
       throw std::runtime_error(fault);
     dynamics::lane_arithmetic();
@@ -60,8 +69,7 @@ struct Simulation::State {
   dynamics::SearchBuffers buffers;
   std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
   std::vector<std::string> warnings;
-  std::optional<output::ResultsWriter> results;
-  std::string results_path;
+  std::map<std::string, output::ResultsWriter> results;  ///< by path
 
  private:
   void keep_warnings(const deck::Diagnostics& said);
@@ -145,12 +153,18 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
 }
 
 void Simulation::State::step(long count) {
-  for (long i = 0; i < count; ++i)
-    if (!dynamics::step(model, buffers).finite)
-      throw UnsoundRun(
-          fmt::format("at time {:g} (step {}) some position is no longer a number; the "
-                      "time step is probably too large: lower FRACTION",
-                      model.time, model.steps));
+  const double half_depth = run::half_depth(model.blocks);
+  for (long i = 1; i <= count; ++i) {
+    const auto step = i < count ? dynamics::advance : dynamics::step;
+    const dynamics::Displacement moved = step(model, buffers);
+    if (moved.finite &&
+        !(moved.strongest > model.settings.normal_stiffness * half_depth))
+      continue;
+    buffers.groups.store_springs(model.contacts);
+    if (const std::string fault = run::unsound(model, moved, half_depth);
+        !fault.empty())
+      throw UnsoundRun(fault);
+  }
 }
 
 int Simulation::State::index(int block) const {
@@ -287,20 +301,21 @@ void Simulation::set_velocity(int block, const Eigen::Vector2d& velocity, double
   const int b = state_->index(block);
   if (!all.is_free(b))
     throw std::logic_error(fmt::format("block {} is fixed", block));
+  if (!velocity.allFinite() || !std::isfinite(spin))
+    throw std::invalid_argument(
+        fmt::format("the velocity of block {} is not a number", block));
   all.velocity.col(b) = velocity;
   all.spin[b] = spin;
 }
 
 void Simulation::write_frame(const std::string& path) {
   State& state = *state_;
-  if (!state.results || state.results_path != path) {
-    const Settings& settings = state.model.settings;
-    state.results.emplace(path,
-                          output::RunIdentity{state.name, state.text, settings.title,
-                                              BLOCKS_VERSION, settings.seed});
-    state.results_path = path;
-  }
-  state.results->write(state.model);
+  const Settings& settings = state.model.settings;
+  const auto [file, begun] = state.results.try_emplace(
+      path, path,
+      output::RunIdentity{state.name, state.text, settings.title, BLOCKS_VERSION,
+                          settings.seed});
+  file->second.write(state.model);
 }
 
 void Simulation::write_checkpoint(const std::string& path) const {

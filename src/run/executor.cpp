@@ -10,6 +10,7 @@
 
 #include "run/interrupt.hpp"
 #include "run/profile_table.hpp"
+#include "run/soundness.hpp"
 
 namespace blocks::run {
 
@@ -19,21 +20,6 @@ int threads_of(const RunOptions& options) {
   return options.threads > 0
              ? options.threads
              : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-/// Distance of an edge from its block's centroid, [L].
-double depth_below(const Blocks& blocks, int edge, int block) {
-  const Vec2 p = blocks.corner.col(edge);
-  const Vec2 along = Vec2(blocks.corner.col(blocks.next[edge])) - p;
-  return geometry::cross(Vec2(blocks.centroid.col(block)) - p, along) / along.norm();
-}
-
-double least_depth(const Blocks& blocks) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int e = 0; e < blocks.corners(); ++e)
-    if (blocks.convex[blocks.corner_block[e]])
-      least = std::min(least, depth_below(blocks, e, blocks.corner_block[e]));
-  return std::max(least, 0.0);
 }
 
 }  // namespace
@@ -123,7 +109,7 @@ void Executor::start() {
     files_.table(model_);
   }
   started_moving_ = true;
-  half_depth_ = 0.5 * least_depth(model_.blocks);
+  half_depth_ = half_depth(model_.blocks);
   watch({});
   console_.row(model_);
 }
@@ -140,16 +126,16 @@ Outcome Executor::advance(long steps) {
       audit_.before(model_);
     const auto step = whole ? dynamics::step : dynamics::advance;
     const dynamics::Displacement moved = step(model_, buffers_);
-    if (!moved.finite) {
-      warn(
-          fmt::format("at time {:g} (step {}) some position is no longer a number; the "
-                      "time step is probably too large: lower FRACTION",
-                      model_.time, model_.steps));
-      return Outcome::unsound;
+    if (!moved.finite ||
+        moved.strongest > model_.settings.normal_stiffness * half_depth_) {
+      buffers_.groups.store_springs(model_.contacts);
+      if (const std::string fault = unsound(model_, moved, half_depth_);
+          !fault.empty()) {
+        warn(fault);
+        return Outcome::unsound;
+      }
     }
     if (audited && !passes_audit())
-      return Outcome::unsound;
-    if (moved.strongest > model_.settings.normal_stiffness * half_depth_ && runaway())
       return Outcome::unsound;
     watch(moved);
     output_if_due();
@@ -217,28 +203,6 @@ void Executor::watch(const dynamics::Displacement& moved) {
         "block {} left the domain at time {:g} and is fixed where it stands",
         exit.block + 1, exit.time));
   }
-}
-
-/// A spring pressed in by more than half of what a block is deep holds no real force.
-bool Executor::runaway() {
-  buffers_.groups.store_springs(model_.contacts);
-  const Contacts& contacts = model_.contacts;
-  const Blocks& blocks = model_.blocks;
-  for (int i = 0; i < contacts.size(); ++i) {
-    const double pressed =
-        contacts.normal_elastic[i] / model_.settings.normal_stiffness;
-    if (!contacts.active[i] || !blocks.convex[contacts.edge_block[i]] ||
-        pressed <= 0.5 * depth_below(blocks, contacts.edge[i], contacts.edge_block[i]))
-      continue;
-    warn(fmt::format(
-        "at time {:g} (step {}) a contact of blocks {} and {} is pressed in by {:.3g}, "
-        "more than half of what the block is deep; raise STIFF, or lower FRACTION if "
-        "the run is unstable",
-        model_.time, model_.steps, contacts.corner_block[i] + 1,
-        contacts.edge_block[i] + 1, pressed));
-    return true;
-  }
-  return false;
 }
 
 /// Tells what the audit of the step just made found. False: a decision was wrong, or

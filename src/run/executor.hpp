@@ -62,7 +62,6 @@ class Executor {
  private:
   void echo();
   void start();
-  bool runaway();
   bool passes_audit();
   void tell_what_remains() const;
   Outcome advance(long steps);

@@ -154,6 +154,32 @@ TEST(Simulation, TellsEveryFaultOfTheCards) {
 }
 
 // What deserves a warning on the command line deserves it here.
+// What stops a run stops a step, and no number that is none comes in.
+TEST(Simulation, RefusesWhatNoRunGoesOnFrom) {
+  Simulation thrown(preliminary() + rectangle(0, 0, 1, 1) +
+                    rectangle(1.01, 0, 2.01, 1));
+  thrown.set_velocity(1, {400.0, 0.0});
+  EXPECT_THROW(thrown.step(10000), UnsoundRun);
+  EXPECT_THROW(thrown.set_velocity(2, {std::nan(""), 1.0}), std::invalid_argument);
+  EXPECT_THROW(Simulation(stack, 0), std::invalid_argument);
+  EXPECT_THROW(Simulation(stack, 100000), std::invalid_argument);
+}
+
+TEST(Simulation, WritesEachOfSeveralResults) {
+  const TemporaryFolder folder;
+  Simulation driven(stack);
+  for (int k = 0; k < 3; ++k) {
+    driven.step(5);
+    driven.write_frame(folder / "one.vtkhdf");
+    driven.write_frame(folder / "two.vtkhdf");
+  }
+  for (const std::string name : {"one", "two"}) {
+    const Outcome told =
+        blocks("history " + name + ".vtkhdf -q kinetic_energy --csv", folder.path());
+    EXPECT_EQ(std::count(told.out.begin(), told.out.end(), '\n'), 4) << told.out;
+  }
+}
+
 TEST(Simulation, WarnsOfOverlap) {
   const Simulation simulation(stack + rectangle(0.5, 2.5, 1.5, 3.5));
   ASSERT_EQ(simulation.warnings().size(), 1u);

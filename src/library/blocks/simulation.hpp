@@ -16,7 +16,8 @@ class DeckError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Some position is no longer a number: the time step is too large, lower FRACTION.
+/// Some position is no longer a number, or a contact is pressed in by more than half of
+/// what a block is deep: lower FRACTION, or raise STIFF.
 class UnsoundRun : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -49,10 +50,10 @@ struct ContactForce {
 class Simulation {
  public:
   /// The cards of a deck act in order: START ... END, blocks, loads; MOTION and CYCLE
-  /// make time pass. threads: from 1; results do not depend on it. File names on cards
-  /// are relative to the present folder. Throws DeckError; std::runtime_error for a
-  /// file (READ9, RESTART) that cannot be read; std::invalid_argument for a BLOCKS_SIMD
-  /// that the machine does not have.
+  /// make time pass. threads: 1 to 1024; results do not depend on it. File names on
+  /// cards are relative to the present folder. Throws DeckError; std::runtime_error for
+  /// a file (READ9, RESTART) that cannot be read; std::invalid_argument for another
+  /// number of threads, or a BLOCKS_SIMD that the machine does not have.
   explicit Simulation(const std::string& deck, int threads = 1);
 
   /// The same for the deck in a file; names on its cards are relative to its folder.

@@ -620,7 +620,8 @@ const keys = {
 addEventListener("keydown", (event) => {
   const target = event.target.tagName;
   if (event.ctrlKey || event.metaKey || event.altKey || !state.ready || $("keys").open) return;
-  if (target === "SELECT" || (target === "BUTTON" && event.key === " ")) return;
+  const pressable = target === "BUTTON" || event.target.type === "checkbox";
+  if (target === "SELECT" || (pressable && event.key === " ")) return;
   const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
   if (action) { event.preventDefault(); action(); }
 });

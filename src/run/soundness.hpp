@@ -1,0 +1,21 @@
+// Whether what a step made can still be trusted.
+#pragma once
+
+#include <string>
+
+#include "dynamics/motion.hpp"
+#include "model/model.hpp"
+
+namespace blocks::run {
+
+/// Half the least distance of an edge from the centroid of its convex block, [L];
+/// infinite without convex blocks. A spring pressed in by more holds no real force.
+double half_depth(const Blocks& blocks);
+
+/// Why the step just made is unsound, or "": some position is no longer a number, or a
+/// contact of a convex block is pressed in by more than half of what the block is deep.
+/// Springs of the list must be up to date if the strongest exceeds Kn times half_depth.
+std::string unsound(const Model& model, const dynamics::Displacement& moved,
+                    double half_depth);
+
+}  // namespace blocks::run
