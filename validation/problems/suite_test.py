@@ -46,6 +46,14 @@ def test_turned_deck():
     assert with_lines(text, CREATE="FIX, 1").count("FIX") == 1
 
 
+def test_reach():
+    x = np.array([0.0, 2.7, 5.4, 8.1, 12.0])
+    s = 10.0 - x
+    assert math.isclose(trough.reach(x, s, 5.0), 5.0)
+    assert trough.reach(x, s, -5.0) == 12.0  # never falls below
+    assert trough.reach(x, s, 11.0) == 0.0
+
+
 def test_fits():
     x = np.linspace(0, 60, 60)
     for name in trough.FUNCTIONS:
@@ -58,5 +66,5 @@ def test_fits():
     assert math.isnan(first_time(np.array([0, 1]), np.array([0, 0]), 1))
 
 
-for test in (test_verdicts, test_turned_deck, test_fits):
+for test in (test_verdicts, test_turned_deck, test_reach, test_fits):
     test()

@@ -48,5 +48,13 @@ def fit(name, x, s):
 
 
 def reach(x, s, level):
-    """Largest x where the subsidence is still at least this."""
-    return x[s >= level].max() if (s >= level).any() else 0.0
+    """Where the subsidence falls below this level for good, linear between places; 0 if it never
+    is as large."""
+    above = np.nonzero(s >= level)[0]
+    if len(above) == 0:
+        return 0.0
+    last = above.max()
+    if last + 1 == len(x):
+        return x[last]
+    part = (s[last] - level) / (s[last] - s[last + 1])
+    return x[last] + part * (x[last + 1] - x[last])
