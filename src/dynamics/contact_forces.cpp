@@ -12,8 +12,8 @@ namespace blocks::dynamics {
 
 Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
                            ContactGroups& groups, const Settings& settings, double dt,
-                           Found found, Workers& workers, Profile* profile) {
-  return evaluate_contacts_by<ExactRules>(blocks, contacts, groups, settings, dt, found,
+                           Workers& workers, Profile* profile) {
+  return evaluate_contacts_by<ExactRules>(blocks, contacts, groups, settings, dt,
                                           workers, profile);
 }
 

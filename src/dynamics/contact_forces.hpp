@@ -15,7 +15,7 @@ namespace blocks::dynamics {
 /// and lanes, from which sum_contact_forces takes what blocks feel.
 Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
                            ContactGroups& groups, const Settings& settings, double dt,
-                           Found found, Workers& workers, Profile* profile = nullptr);
+                           Workers& workers, Profile* profile = nullptr);
 
 /// Forces from symmetry planes, added to their blocks: frictionless, infinite mass, no
 /// tension (rule 21).

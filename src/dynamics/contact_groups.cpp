@@ -116,15 +116,16 @@ void ContactGroups::forget_decisions() {
     each.certain.travel = 0.0, each.hopeless = 1;
 }
 
-void ContactGroups::store_spring(Contacts& contacts, int lane) const {
+void ContactGroups::store_lane(Contacts& contacts, int lane) const {
   const int i = record[lane];
   if (i < 0)
     return;
   contacts.active[i] = lanes.touch[lane] != apart;
   contacts.normal_elastic[i] = lanes.normal_elastic[lane];
   contacts.shear_elastic[i] = lanes.shear_elastic[lane];
-  if (!contacts.active[i])
-    contacts.normal_force[i] = contacts.shear_force[i] = contacts.overlap[i] = 0.0;
+  contacts.normal_force[i] = lanes.normal_force[lane];
+  contacts.shear_force[i] = lanes.shear_force[lane];
+  contacts.overlap[i] = lanes.overlap[lane];
 }
 
 void ContactGroups::load(const Blocks& blocks, const Contacts& contacts) {
@@ -133,20 +134,10 @@ void ContactGroups::load(const Blocks& blocks, const Contacts& contacts) {
   loaded = true;
 }
 
-void ContactGroups::store_springs(Contacts& contacts) {
+void ContactGroups::store(Contacts& contacts) {
   for (int lane = 0; loaded && lane < lanes.size(); ++lane)
-    store_spring(contacts, lane);
+    store_lane(contacts, lane);
   loaded = false;
-}
-
-void ContactGroups::store_everything(Contacts& contacts) {
-  store_springs(contacts);
-  for (int lane = 0; lane < lanes.size(); ++lane)
-    if (const int i = record[lane]; i >= 0) {
-      contacts.normal_force[i] = lanes.normal_force[lane];
-      contacts.shear_force[i] = lanes.shear_force[lane];
-      contacts.overlap[i] = lanes.overlap[lane];
-    }
 }
 
 void ContactGroups::join_shares() {
@@ -159,7 +150,7 @@ void ContactGroups::join_shares() {
 }
 
 void ContactGroups::list_lanes(const Blocks& blocks, Contacts& contacts) {
-  store_springs(contacts);
+  store(contacts);
   group.clear();
   const int count = static_cast<int>(all.size());
   for (int g = 0; g < count; ++g) {

@@ -131,7 +131,7 @@ struct ContactGroups {
       high_lane;  ///< lanes of which it is the higher one, block after block
   std::vector<int> high_lanes;  ///< (blocks + 1) where a block's begin in high_lane
   bool lanes_complete = false;  ///< no group lacks a lane
-  bool loaded = false;
+  bool loaded = false;          ///< the lanes hold what the list does not know yet
 
   std::vector<LostForce> lost;  ///< in this step
   Swing swing;                  ///< of the blocks since the groups were made
@@ -161,10 +161,9 @@ struct ContactGroups {
   }
   /// Springs from the list to the lanes.
   void load(const Blocks& blocks, const Contacts& contacts);
-  /// Springs from the lanes, or from one, to the list; forces and overlaps too.
-  void store_springs(Contacts& contacts);
-  void store_spring(Contacts& contacts, int lane) const;
-  void store_everything(Contacts& contacts);
+  /// Springs, forces and overlaps from the lanes, or from one, to the list.
+  void store(Contacts& contacts);
+  void store_lane(Contacts& contacts, int lane) const;
   /// Puts what is decided of a group, and its spring, into its lane. False: it has
   /// none.
   bool set_lane(const Blocks& blocks, const Contacts& contacts, int g);

@@ -69,8 +69,8 @@ void ContactLanes::resize(int size) {
 #define BLOCKS_DECLARE_LANES(name)                                                     \
   namespace name {                                                                     \
   void find_touching(const LaneRows&, const BlockRows&, int, int);                     \
-  LaneExtremes act(const LaneRows&, const BlockRows&, const ContactLaw&, bool, Found,  \
-                   int, int);                                                          \
+  LaneExtremes act(const LaneRows&, const BlockRows&, const ContactLaw&, bool, int,    \
+                   int);                                                               \
   constexpr LaneArithmetic arithmetic = {#name, find_touching, act};                   \
   }
 BLOCKS_DECLARE_LANES(baseline)

@@ -37,7 +37,7 @@ struct LaneRows {
   // found in each step
   double *fx, *fy;                   ///< [F] on the low block, 0 where apart
   double *moment_low, *moment_high;  ///< [F L]
-  // found if they are asked for
+  // found in each step for whoever reads the model
   double *arm_ax, *arm_ay, *arm_bx, *arm_by;  ///< [L] from each centroid to the corner
   double* overlap;                            ///< [L] >= 0
   double *normal_force, *shear_force;         ///< [F] 0 where apart
@@ -68,13 +68,6 @@ struct LaneExtremes {
   double overlap, spring;
 };
 
-/// What act() is to find beside springs, forces and moments.
-enum class Found {
-  forces,      ///< nothing
-  arms,        ///< arms, for the stress of deformable blocks
-  everything,  ///< all rows, for whoever reads the model after this step
-};
-
 /// The two computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
@@ -82,7 +75,7 @@ struct LaneArithmetic {
   void (*find_touching)(const LaneRows&, const BlockRows&, int first, int last);
   /// a.-d. of rule 7.
   LaneExtremes (*act)(const LaneRows&, const BlockRows&, const ContactLaw&, bool rigid,
-                      Found, int first, int last);
+                      int first, int last);
 };
 
 /// All that this processor can run; the first is the baseline.

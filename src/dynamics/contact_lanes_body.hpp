@@ -115,7 +115,7 @@ BLOCKS_INLINE void find_touching_set(const LaneRows& l, const BlockRows& blocks,
     l.look[i / lane_count] = 1;
 }
 
-template <bool rigid, Found found>
+template <bool rigid>
 BLOCKS_INLINE void act_set(const LaneRows& l, const BlockRows& blocks,
                            const ContactLaw& law, int i, Set& deepest, Set& strongest) {
   // a. frame of the edge, overlap: its sign is decided exactly; rounded, a tiny depth
@@ -170,23 +170,19 @@ BLOCKS_INLINE void act_set(const LaneRows& l, const BlockRows& blocks,
   store(l.fy, i, low ? fy : -fy);
   store(l.moment_low, i, low ? moment_a : moment_b);
   store(l.moment_high, i, low ? moment_b : moment_a);
-  if constexpr (found != Found::forces) {
-    store(l.arm_ax, i, ax), store(l.arm_ay, i, ay);
-    store(l.arm_bx, i, bx), store(l.arm_by, i, by);
-  }
-  if constexpr (found == Found::everything) {
-    store(l.overlap, i, reached);
-    store(l.normal_force, i, normal);
-    store(l.shear_force, i, shear);
-  }
+  store(l.arm_ax, i, ax), store(l.arm_ay, i, ay);
+  store(l.arm_bx, i, bx), store(l.arm_by, i, by);
+  store(l.overlap, i, reached);
+  store(l.normal_force, i, normal);
+  store(l.shear_force, i, shear);
 }
 
-template <bool rigid, Found found>
+template <bool rigid>
 LaneExtremes act_sets(const LaneRows& lanes, const BlockRows& blocks,
                       const ContactLaw& law, int first, int last) {
   Set deepest = all_of(0.0), strongest = all_of(0.0);
   for (int i = first * lane_count; i < last * lane_count; i += width)
-    act_set<rigid, found>(lanes, blocks, law, i, deepest, strongest);
+    act_set<rigid>(lanes, blocks, law, i, deepest, strongest);
   LaneExtremes extremes = {0.0, 0.0};
   for (int k = 0; k < width; ++k) {
     extremes.overlap = deepest[k] > extremes.overlap ? deepest[k] : extremes.overlap;
@@ -207,13 +203,9 @@ void find_touching(const LaneRows& lanes, const BlockRows& blocks, int first,
 }
 
 LaneExtremes act(const LaneRows& lanes, const BlockRows& blocks, const ContactLaw& law,
-                 bool rigid, Found found, int first, int last) {
-  const auto sets =
-      found == Found::everything
-          ? (rigid ? act_sets<true, Found::everything>
-                   : act_sets<false, Found::everything>)
-          : (rigid ? act_sets<true, Found::forces> : act_sets<false, Found::arms>);
-  return sets(lanes, blocks, law, first, last);
+                 bool rigid, int first, int last) {
+  return rigid ? act_sets<true>(lanes, blocks, law, first, last)
+               : act_sets<false>(lanes, blocks, law, first, last);
 }
 
 }  // namespace blocks::dynamics::BLOCKS_LANES

@@ -1,6 +1,6 @@
-// One step of all contacts: decide, measure, hand over, act (rules 7, 9-12). A template
-// over the rules of the decision; contact_forces.cpp compiles it for every run,
-// src/study for its variants.
+// One step of all contacts: decide, find what touches, hand over, act (rules 7, 9-12).
+// A template over the rules of the decision; contact_forces.cpp compiles it for every
+// run, src/study for its variants.
 #pragma once
 
 #include <algorithm>
@@ -71,7 +71,7 @@ void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int
   };
   for (int h = g; h <= g + group.reentrant; ++h)
     if (groups.lane_of[h] >= 0)
-      groups.store_spring(contacts, groups.lane_of[h]);
+      groups.store_lane(contacts, groups.lane_of[h]);
   group.certain = {};
   if (Rules::keeps_decisions && group.hopeless == 0) {
     group.certain = certainty(blocks, contacts, group);
@@ -165,8 +165,7 @@ inline BlockRows rows_of(const Blocks& blocks) {
 template <class Rules>
 Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
                               ContactGroups& groups, const Settings& settings,
-                              double dt, Found found, Workers& workers,
-                              Profile* profile = nullptr) {
+                              double dt, Workers& workers, Profile* profile = nullptr) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   const int pairs = static_cast<int>(groups.pairs.size());
@@ -200,7 +199,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   groups.lost.clear();
   workers.each(sets, sets_per_thread, [&](int part, int first, int last) {
     const LaneExtremes most =
-        arithmetic.act(groups.lanes, rows, law, settings.rigid, found, first, last);
+        arithmetic.act(groups.lanes, rows, law, settings.rigid, first, last);
     groups.shares[part].extremes.include(most.overlap, most.spring);
   });
   Extremes extremes;

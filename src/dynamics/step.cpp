@@ -20,15 +20,27 @@ void prepare(Model& model) {
   set_contact_damping(model);
 }
 
-namespace {
+Displacement step(Model& model, SearchBuffers& buffers) {
+  const Displacement moved = advance(model, buffers);
+  catch_up(model, buffers);
+  return moved;
+}
 
-Displacement make_step(Model& model, SearchBuffers& buffers, Found found) {
+void catch_up(Model& model, SearchBuffers& buffers) {
+  if (!buffers.groups.loaded)
+    return;
+  buffers.groups.store(model.contacts);
+  if (model.settings.rigid)
+    finish_applied_stress(model.blocks, buffers.groups, all_of(model.blocks));
+}
+
+Displacement advance(Model& model, SearchBuffers& buffers) {
   Blocks& blocks = model.blocks;
 
   // 1. potential contacts
   if (!model.search.current) {
     const Profile::Timer timer(buffers.profile, Profile::search);
-    buffers.groups.store_springs(model.contacts);
+    buffers.groups.store(model.contacts);
     update_contacts(model, buffers);
   }
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
@@ -41,26 +53,8 @@ Displacement make_step(Model& model, SearchBuffers& buffers, Found found) {
   clear_forces(blocks);
   const Extremes touching =
       evaluate_contacts(blocks, model.contacts, buffers.groups, model.settings,
-                        model.time_step.dt, found, *buffers.workers, buffers.profile);
+                        model.time_step.dt, *buffers.workers, buffers.profile);
   return move(model, buffers, touching);
-}
-
-}  // namespace
-
-Displacement step(Model& model, SearchBuffers& buffers) {
-  const Displacement moved = make_step(model, buffers, Found::everything);
-  tell(model, buffers);
-  return moved;
-}
-
-Displacement advance(Model& model, SearchBuffers& buffers) {
-  return make_step(model, buffers, Found::forces);
-}
-
-void tell(Model& model, SearchBuffers& buffers) {
-  buffers.groups.store_everything(model.contacts);
-  if (model.settings.rigid)
-    finish_applied_stress(model.blocks, buffers.groups, all_of(model.blocks));
 }
 
 void clear_forces(Blocks& blocks) {

@@ -155,16 +155,16 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
 void Simulation::State::step(long count) {
   const double half_depth = run::half_depth(model.blocks);
   for (long i = 1; i <= count; ++i) {
-    const auto step = i < count ? dynamics::advance : dynamics::step;
-    const dynamics::Displacement moved = step(model, buffers);
+    const dynamics::Displacement moved = dynamics::advance(model, buffers);
     if (moved.finite &&
         !(moved.strongest > model.settings.normal_stiffness * half_depth))
       continue;
-    buffers.groups.store_springs(model.contacts);
+    dynamics::catch_up(model, buffers);
     if (const std::string fault = run::unsound(model, moved, half_depth);
         !fault.empty())
       throw UnsoundRun(fault);
   }
+  dynamics::catch_up(model, buffers);
 }
 
 int Simulation::State::index(int block) const {

@@ -115,21 +115,26 @@ void Executor::start() {
 }
 
 Outcome Executor::advance(long steps) {
+  const Outcome outcome = march(steps);
+  up_to_date();
+  return outcome;
+}
+
+const Model& Executor::up_to_date() {
+  dynamics::catch_up(model_, buffers_);
+  return model_;
+}
+
+Outcome Executor::march(long steps) {
   const long rows = 10, row_every = std::max(1L, (steps + rows - 1) / rows);
   for (long i = 1; i <= steps; ++i) {
-    // whoever looks at the model afterwards needs all of it
-    const bool row = i % row_every == 0 || i == steps, audited = audit_.due(model_);
-    const bool paused =
-        i % 64 == 0 || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
-    const bool whole = row || audited || paused || output_due();
+    const bool audited = audit_.due(model_);
     if (audited)
-      audit_.before(model_);
-    const auto step = whole ? dynamics::step : dynamics::advance;
-    const dynamics::Displacement moved = step(model_, buffers_);
+      audit_.before(up_to_date());
+    const dynamics::Displacement moved = dynamics::advance(model_, buffers_);
     if (!moved.finite ||
         moved.strongest > model_.settings.normal_stiffness * half_depth_) {
-      buffers_.groups.store_springs(model_.contacts);
-      if (const std::string fault = unsound(model_, moved, half_depth_);
+      if (const std::string fault = unsound(up_to_date(), moved, half_depth_);
           !fault.empty()) {
         warn(fault);
         return Outcome::unsound;
@@ -139,18 +144,18 @@ Outcome Executor::advance(long steps) {
       return Outcome::unsound;
     watch(moved);
     output_if_due();
-    if (row)
-      console_.row(model_);
+    if (i % row_every == 0 || i == steps)
+      console_.row(up_to_date());
     ++steps_made_;
     progress_.steps_left = steps - i;
     if (i == steps) {
       ++progress_.card;
       begun_ = false;
     }
-    if (paused) {
-      console_.progress(model_, share_from_ + (share_to_ - share_from_) *
-                                                  static_cast<double>(i) /
-                                                  static_cast<double>(steps));
+    if (i % 64 == 0 || interrupt_requested() || steps_made_ == options_.stop_after) {
+      console_.progress(up_to_date(), share_from_ + (share_to_ - share_from_) *
+                                                        static_cast<double>(i) /
+                                                        static_cast<double>(steps));
       if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
         tell_what_remains();
         return outcome;
@@ -158,16 +163,6 @@ Outcome Executor::advance(long steps) {
     }
   }
   return Outcome::finished;
-}
-
-bool Executor::output_due() const {
-  const double now = model_.time_origin +
-                     model_.time_step.dt *
-                         (static_cast<double>(model_.steps - model_.step_origin) + 1.5);
-  const auto due = [&](const OutputClock& clock) {
-    return clock.interval > 0.0 && now * (1.0 + 1e-12) >= clock.due;
-  };
-  return due(model_.plots) || due(model_.output);
 }
 
 void Executor::output_if_due() {
@@ -183,9 +178,9 @@ void Executor::output_if_due() {
     return true;
   };
   if (due(model_.plots))
-    files_.frame(model_);
+    files_.frame(up_to_date());
   if (due(model_.output))
-    files_.table(model_);
+    files_.table(up_to_date());
 }
 
 void Executor::watch(const dynamics::Displacement& moved) {
@@ -208,7 +203,7 @@ void Executor::watch(const dynamics::Displacement& moved) {
 /// Tells what the audit of the step just made found. False: a decision was wrong, or
 /// the list misses a pair.
 bool Executor::passes_audit() {
-  const AuditWatch::Verdict verdict = audit_.after(model_);
+  const AuditWatch::Verdict verdict = audit_.after(up_to_date());
   for (const auto* told : {&verdict.overlaps, &verdict.deep})
     for (const std::string& line : *told)
       files_.message(line);
@@ -261,7 +256,7 @@ Outcome Executor::pressed_for_time() {
     return Outcome::time_limit;
   if (options_.checkpoint_every > 0.0 &&
       seconds(now - saved_) >= options_.checkpoint_every) {
-    files_.checkpoint(model_, progress());
+    files_.checkpoint(up_to_date(), progress());
     saved_ = Clock::now();
   }
   return Outcome::finished;

@@ -65,9 +65,10 @@ class Executor {
   bool passes_audit();
   void tell_what_remains() const;
   Outcome advance(long steps);
+  Outcome march(long steps);
+  const Model& up_to_date();  ///< after steps that left parts of it behind
   /// What is left of a card begun before; `all` of one that begins.
   long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
-  bool output_due() const;  ///< after the next step
   void output_if_due();
   void watch(const dynamics::Displacement& moved);
   void warn(const std::string& message);
