@@ -19,7 +19,7 @@ before=$(size)
 inside 'apt-get install -y -qq --no-install-recommends /packages/blocks_*.deb >/packages/log 2>&1 ||
   { cat /packages/log; exit 1; }'
 echo "blocks and what it needs: $(($(size) - before)) MB more"
-inside 'mkdir -p /tmp/try && cd /tmp/try && blocks --version
+inside 'mkdir -p /try && cd /try && blocks --version
   blocks run /usr/share/doc/blocks/decks/stack/stack.deck
   blocks plot stack.vtkhdf --forces -o stack.png
   blocks history stack.vtkhdf -q y:4,speed:max
@@ -29,8 +29,8 @@ inside 'mkdir -p /tmp/try && cd /tmp/try && blocks --version
 
 inside 'apt-get install -y -qq --no-install-recommends g++ cmake ninja-build \
     /packages/libblocks-dev_*.deb >/packages/log 2>&1 || { cat /packages/log; exit 1; }
-  rm -rf /tmp/try/consumer && cp -r /usr/share/doc/libblocks-dev/examples/consumer /tmp/try
-  cd /tmp/try/consumer
+  rm -rf /try/consumer && cp -r /usr/share/doc/libblocks-dev/examples/consumer /try
+  cd /try/consumer
   cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release >/packages/log 2>&1 &&
     cmake --build build >>/packages/log 2>&1 || { cat /packages/log; exit 1; }
   build/layer | tail -n 1; build/servo | tail -n 1
