@@ -256,6 +256,8 @@ int dispatch(int argc, char** argv) {
   open_help_with_example(app, argc, argv);
   try {
     app.parse(argc, argv);
+    if (std::find(argv, argv + argc, std::string("--audit=")) != argv + argc)
+      throw CLI::ValidationError("--audit: a number of steps is missing after =");
     for (const std::string& text : sets)
       options.overrides.push_back(parse_override(text));
   } catch (const CLI::ParseError& error) {

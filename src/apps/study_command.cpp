@@ -215,6 +215,8 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
                    "decide otherwise than exactly");
   command.add_option("--variants", options.variants, "default,report,... or all (all)")
       ->delimiter(',');
+  command.add_option("--expect", options.expected,
+                     "variant whose run of a deck is what is expected (default)");
   command
       .add_option("--offset", options.offset,
                   "distance from the origin in block sizes (0 to 1e9 at random)")
@@ -257,6 +259,12 @@ int study_contacts(const StudyOptions& options) {
                             options.threads};
   if (choice.variants.empty())
     return run::usage_error;
+  if (!options.expected.empty()) {
+    const auto expected = variants_meant({options.expected});
+    if (expected.empty())
+      return run::usage_error;
+    choice.expected = expected.front();
+  }
   if (options.gate && std::find(choice.variants.begin(), choice.variants.end(),
                                 default_rules()) == choice.variants.end()) {
     fmt::print(stderr,

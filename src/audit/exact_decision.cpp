@@ -215,8 +215,16 @@ bool ExactRules::admits_crossing(int corner, int edge, int beyond) const {
           crosses(corner, edge, after));
 }
 
+/// Some corner of the block is outside of the edge.
+bool ExactRules::cuts(int edge, int block) const {
+  for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q)
+    if (sign(area2(q, edge)) < 0)
+      return true;
+  return false;
+}
+
 bool ExactRules::admits(int corner, int edge) const {
-  return within_depth(corner, edge) &&
+  return cuts(edge, blocks_.corner_block[corner]) && within_depth(corner, edge) &&
          (blocks_.convex[blocks_.corner_block[edge]] ||
           (near_or_inside(corner, edge) && spans(corner, edge))) &&
          faces(corner, blocks_.previous[corner], edge) &&
@@ -324,6 +332,7 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   story.between = blocks_.convex[block] ? between(corner, edge) : spans(corner, edge);
   story.facing_before = faces(corner, blocks_.previous[corner], edge);
   story.facing_after = faces(corner, blocks_.next[corner], edge);
+  story.cut = cuts(edge, blocks_.corner_block[corner]);
   story.admissible =
       where.inside ? admits(corner, edge) : admits_crossing(corner, edge, where.beyond);
   return story;
@@ -344,7 +353,8 @@ Answer at_least_zero(double number, double error) {
 
 double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-constexpr double part = 0.01, least_slope = 0.25, least_cosine = 0.95;
+constexpr double most_depth = 0.03, most_way = 0.06, least_slope = 0.25,
+                 least_cosine = 0.95;
 
 }  // namespace
 
@@ -377,15 +387,16 @@ Answer ExactRules::goes_on(int third, int corner, const Vec2& shift,
     const Answer runs = at_least_zero(edge.dot(surface) / length - least_cosine, 1e-12);
     const Answer as_deep = both(at_least_zero(below - 0.5 * depth, loss),
                                 at_least_zero(2.0 * depth - below, 2.0 * loss));
-    const Answer long_enough = at_least_zero(part * length - shift.norm(), 2.0 * loss);
+    const Answer long_enough =
+        at_least_zero(most_way * length - shift.norm(), 2.0 * loss);
     found = one_of(found, both(runs, both(as_deep, long_enough)));
   }
   return both(inside, found);
 }
 
-/// Not deeper below the edge than a hundredth of its length.
+/// Not too deep below the edge.
 Answer ExactRules::shallow(int corner, int edge) const {
-  const double most = part * rounded(along(edge)).norm();
+  const double most = most_depth * rounded(along(edge)).norm();
   return at_least_zero(most - overlap(corner, edge), roundoff(corner, edge));
 }
 
@@ -396,7 +407,7 @@ Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
   const Vec2 side = e.normalized(), surface = f.normalized();
   const double error = roundoff(corner, nearest) + roundoff(corner, next);
   shield.depth = overlap(corner, next);
-  shield.reach = part * f.norm();
+  shield.reach = most_depth * f.norm();
   const double slope = cross_of(side, surface);
   const Answer here = both(at_least_zero(shield.reach - shield.depth, error),
                            at_least_zero(std::abs(slope) - least_slope, 1e-12));
@@ -404,7 +415,7 @@ Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
     return shield;
   const Vec2 shift = (overlap(corner, nearest) + shield.depth) / slope * surface;
   const Answer near =
-      at_least_zero(shield.reach - shift.norm(), 2.0 * error / std::abs(slope));
+      at_least_zero(most_way * f.norm() - shift.norm(), 2.0 * error / std::abs(slope));
   for (const int third : near_[corner]) {
     if (third == block || !blocks_.convex[third])
       continue;

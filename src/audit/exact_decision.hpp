@@ -27,7 +27,8 @@ struct EdgeStory {
   bool within_depth = false;    ///< d <= depth_limit
   bool between = false;         ///< -eps <= along <= 1 + eps, or in a notch beside it
   bool facing_before = false, facing_after = false;  ///< >= sin(-10 degrees)
-  bool admissible = false;                           ///< all that are asked
+  bool cut = false;         ///< a corner of the corner's block is outside of it
+  bool admissible = false;  ///< all that are asked
 };
 
 /// Why the next nearest edge acts in place of the nearest, or not.
@@ -37,7 +38,7 @@ struct Shield {
   int corner = -1;     ///< the corner, or its partner: the one that is shielded
   int third = -1;      ///< the block that shields it
   double depth = 0.0;  ///< [L] of the shielded corner below its next nearest edge
-  double reach = 0.0;  ///< [L] the most at which a corner can be shielded here
+  double reach = 0.0;  ///< [L] the greatest depth at which it can be shielded here
 };
 
 /// What is decided for a corner and the edges of one block. Edges are named by their
@@ -67,7 +68,7 @@ class ExactRules {
   /// a block.
   ExactRules(const Blocks& blocks, double reach);
 
-  /// Rules 1-6 of docs/theory.md, "Which corner touches which edge".
+  /// Rules 1-7 of docs/theory.md, "Which corner touches which edge".
   Decision decide(int corner, int block) const;
   /// The numbers of one edge.
   EdgeStory examine(int corner, int edge) const;
@@ -97,6 +98,7 @@ class ExactRules {
   bool between(int corner, int edge) const;
   bool faces(int corner, int neighbour, int edge) const;
   bool within_depth(int corner, int edge) const;
+  bool cuts(int edge, int block) const;
   Place place(int corner, int block) const;
   Place place_by_rays(int corner, int block) const;
   Vec2 halfway(int edge, int q) const;

@@ -16,7 +16,7 @@ std::vector<std::vector<int>> blocks_near_corners(const Blocks& blocks, double r
     const auto corners =
         blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
     Vec2 low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
-    const double more = reach + 0.01 * (high - low).sum();
+    const double more = reach + 0.061 * (high - low).sum();
     // and all that lies straight below an edge, as deep as the block's deepest corner
     for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
       const Vec2 p = blocks.corner.col(e), q = blocks.corner.col(blocks.next[e]);

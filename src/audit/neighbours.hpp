@@ -9,7 +9,7 @@
 namespace blocks::audit {
 
 /// For each corner (m) the other blocks whose bounding box, grown by `reach` [L] >= 0
-/// and a hundredth of its extents, holds it; in ascending order. Pairs of blocks that
+/// and 6 % of its extents, holds it; in ascending order. Pairs of blocks that
 /// are both fixed are left out: they have no contacts (rule 13).
 std::vector<std::vector<int>> blocks_near_corners(const Blocks& blocks, double reach);
 

@@ -40,6 +40,18 @@ inline double facing_travel(const Blocks& blocks, int c, int neighbour,
   return sign_travel(value / (1.0 + sine), edge.length, length);
 }
 
+/// The edge's line keeps cutting a block: one of its corners stays outside. Negative:
+/// all stay inside.
+double cut_travel(const Blocks& blocks, int edge, int block) {
+  double travel = -std::numeric_limits<double>::max();
+  for (int q = blocks.first_corner[block]; q < blocks.first_corner[block + 1]; ++q) {
+    const EdgeView view(blocks, q, edge);
+    travel = std::max(travel,
+                      sign_travel(-view.overlap_product(), view.length, view.distance));
+  }
+  return travel;
+}
+
 /// Positive: the record stays admissible for this travel. Negative: it stays
 /// inadmissible, for the sake of an inequality that fails by more than `enough`, or of
 /// that which fails by most.
@@ -56,7 +68,10 @@ double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i,
     return travel;
   const Vec2 from_centroid = blocks.corner.col(c) - blocks.centroid.col(block);
   const double depth = geometry::cross(from_centroid, edge.along);
-  return std::min(travel, sign_travel(-depth, edge.length, from_centroid.norm()));
+  travel = std::min(travel, sign_travel(-depth, edge.length, from_centroid.norm()));
+  if (travel < -enough)
+    return travel;
+  return std::min(travel, cut_travel(blocks, contacts.edge[i], blocks.corner_block[c]));
 }
 
 /// The corner stays deeper below the edge of record i than below that of record j, and
@@ -65,9 +80,8 @@ double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int 
   const EdgeView p(blocks, contacts.corner[i], contacts.edge[i]);
   const EdgeView q(blocks, contacts.corner[j], contacts.edge[j]);
   const double depth = p.overlap_product() / p.length;
-  const double lead =
-      std::min(depth - q.overlap_product() / q.length,
-               depth - 2.0 * shield_reach(blocks, contacts.edge_block[i]));
+  const double lead = std::min(depth - q.overlap_product() / q.length,
+                               depth - 1.01 * shielded_depth * p.length);
   const double growth = 2.0 * (1.0 + p.distance / p.length + q.distance / q.length);
   const double travel = 0.8 * lead / growth;
   return travel > 1e-9 * (p.distance + q.distance) ? travel : 0.0;

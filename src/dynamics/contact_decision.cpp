@@ -19,7 +19,7 @@ double shield_reach(const Blocks& blocks, int block) {
     most = std::max(
         most,
         Vec2(blocks.corner.col(blocks.next[e]) - blocks.corner.col(e)).squaredNorm());
-  return shielded_part * std::sqrt(most);
+  return shielded_way * std::sqrt(most);
 }
 
 }  // namespace blocks::dynamics

@@ -18,6 +18,7 @@ namespace blocks::dynamics {
 /// geometry/contact_predicates.hpp.
 struct ExactRules {
   static constexpr bool whole_block = true;      ///< "between" of blocks as a whole
+  static constexpr bool cut = true;              ///< an edge acts on blocks it cuts
   static constexpr bool shield = true;           ///< by a third block
   static constexpr bool hands_over = true;       ///< springs (contact_handover)
   static constexpr bool keeps_decisions = true;  ///< while certain (contact_certainty)
@@ -56,13 +57,14 @@ struct ExactRules {
   }
 };
 
-/// Of the shield: the most that a corner is deep below an edge, as a part of its
-/// length; sine of the least angle between the side and the surface; cosine of the
-/// greatest between the surfaces of two blocks, 18 degrees.
-inline constexpr double shielded_part = 0.01, least_slope = 0.25, least_cosine = 0.95;
+/// Of the shield, as parts of the length of the edge along which a corner slides: how
+/// deep it is below that edge at most, and how far from it the place where the third
+/// block is asked; sine of the least angle between the side and the surface; cosine of
+/// the greatest between the surfaces of two blocks, 18 degrees.
+inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
+inline constexpr double least_slope = 0.25, least_cosine = 0.95;
 
-/// How close to an edge of a block a corner can be shielded at most, [L]: a hundredth
-/// of the block's longest edge.
+/// How far from an edge of a block a corner can be shielded at most, [L].
 double shield_reach(const Blocks& blocks, int block);
 
 /// Decides the groups of one list.
@@ -75,7 +77,8 @@ template <class Rules> class ContactDecision {
   /// The record of the group that acts, or -1: the admissible edge with the least
   /// depth, if the corner is inside it (rule 12). Admissible: (20) holds for both
   /// tangents of the corner, the depth is at most that of the block's centroid (rule
-  /// 9), and the corner is between the edge's ends (rule 10), which is asked of a
+  /// 9), the edge's line cuts the corner's block, which has else not come in through
+  /// it, and the corner is between the edge's ends (rule 10), which is asked of a
   /// convex block as a whole: the corner is inside all its edges, or outside of one
   /// that a side of its own block crosses (docs/departures.md). Blocks that are not
   /// convex: ReentrantBlock.
@@ -154,6 +157,17 @@ template <class Rules> class ContactDecision {
     return Rules::faces_edge(corner, at(blocks_.previous[c]), p1, p2) &&
            Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
   }
+  /// Whether some corner of the block is outside of the edge.
+  bool cuts(int edge, int block) const {
+    if constexpr (Rules::cut) {
+      for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1];
+           ++q)
+        if (Rules::overlap_sign(at(q), at(edge), end(edge)) < 0)
+          return true;
+      return false;
+    }
+    return true;
+  }
   /// Rules 9, 10 and (20) for one record; of a block taken as a whole, the corner is
   /// known to be inside.
   bool admissible(int c, int edge, int edge_block) const {
@@ -162,12 +176,13 @@ template <class Rules> class ContactDecision {
     if (reentrant(edge_block)) {
       const ReentrantBlock<Rules> block(blocks_, edge_block);
       return Rules::inside_edge(corner, p1, p2) && block.spans(corner, edge) &&
-             block.within_depth(corner, edge) && faces(c, edge);
+             block.within_depth(corner, edge) && faces(c, edge) &&
+             cuts(edge, blocks_.corner_block[c]);
     }
     return (as_a_whole(edge_block)
                 ? Rules::within_depth(corner, centroid, p1, p2)
                 : Rules::in_reach_of_edge(corner, centroid, p1, p2)) &&
-           faces(c, edge);
+           faces(c, edge) && cuts(edge, blocks_.corner_block[c]);
   }
 
   /// Whether an edge acts on a corner that is outside of the block, but only for a side
@@ -248,7 +263,7 @@ template <class Rules> class ContactDecision {
   }
   /// Not too deep below the edge for a shield.
   bool shallow(int c, int edge) const {
-    return depth_below(c, edge) <= shielded_part * (end(edge) - at(edge)).norm();
+    return depth_below(c, edge) <= shielded_depth * (end(edge) - at(edge)).norm();
   }
 
   /// Whether a third block shields edge e from corner c: beyond it, along edge f of the
@@ -261,7 +276,7 @@ template <class Rules> class ContactDecision {
     if (std::abs(slope) < least_slope)
       return false;
     const double depth = depth_below(c, f), way = (depth_below(c, e) + depth) / slope;
-    if (!(std::abs(way) <= shielded_part * (end(f) - at(f)).norm()))
+    if (!(std::abs(way) <= shielded_way * (end(f) - at(f)).norm()))
       return false;
     const Vec2 there = at(c) + way * surface;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
@@ -286,7 +301,7 @@ template <class Rules> class ContactDecision {
       if (!(below >= 0.0))
         return false;
       found |= edge.dot(surface) > least_cosine * length && below >= 0.5 * depth &&
-               below <= 2.0 * depth && way <= shielded_part * length;
+               below <= 2.0 * depth && way <= shielded_way * length;
     }
     return found;
   }

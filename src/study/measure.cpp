@@ -264,8 +264,8 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   return outcome;
 }
 
-std::string set_expectation(Scene& scene, long steps) {
-  Model model = place(scene.model, Frame{}, Corners::sharp);
+std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
+  Model model = place(scene.model, Frame{}, variant.corners);
   dynamics::SearchBuffers buffers;
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
@@ -277,7 +277,8 @@ std::string set_expectation(Scene& scene, long steps) {
                                  : std::numeric_limits<double>::infinity();
   std::string doubt;
   for (long k = 0; k < steps && doubt.empty(); ++k) {
-    if (!dynamics::step(model, buffers).finite)
+    variant.find(model, buffers);
+    if (!variant.step(model, buffers).finite)
       doubt = fmt::format("is unsound: numbers are not finite after step {}", k + 1);
     else if (total_energy(model, start) - energy_at_start > most_gained &&
              most_gained > 0.0)

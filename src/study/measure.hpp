@@ -37,9 +37,9 @@ using Trace = std::vector<std::uint64_t>;
 Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
                 long steps, Trace& trace);
 
-/// A deck's scene expects what the default rules do in the deck's own frame. Comes back
+/// A deck's scene expects what the variant does in the deck's own frame. Comes back
 /// with what speaks against that run as a measure, "is unsound: ..."; empty: nothing. A
 /// run in doubt ends there.
-std::string set_expectation(Scene& scene, long steps);
+std::string set_expectation(Scene& scene, const Variant& variant, long steps);
 
 }  // namespace blocks::study

@@ -55,14 +55,15 @@ std::string divergence(const Row& row) {
 }
 
 /// Where the default rules failed: whoever mends them needs the frames.
-std::string frames_line(const char* what, const std::vector<int>& frames) {
+std::string frames_line(const char* what, const std::vector<int>& frames,
+                        const std::string& again) {
   if (frames.empty())
     return {};
   std::string line = fmt::format("default {} in frame", what);
   for (std::size_t i = 0; i < frames.size() && i < 10; ++i)
     line += fmt::format(" {}", frames[i]);
-  return line + fmt::format("{}; one again: --frames 1 --first {}\n",
-                            frames.size() > 10 ? " ..." : "", frames.front());
+  return line + fmt::format("{}; one again: --frames 1 --first {}{}\n",
+                            frames.size() > 10 ? " ..." : "", frames.front(), again);
 }
 
 /// Places on the screen: bytes, but ± has two.
@@ -159,8 +160,8 @@ std::string text(const Study& study) {
     if (row.variant == &all_variants().front()) {
       if (std::isnan(row.hang_ups.value))
         notes += "hang-ups: not possible here, nothing is to move\n";
-      notes += frames_line("hung", row.hung_in);
-      notes += frames_line("fell through", row.fell_in);
+      notes += frames_line("hung", row.hung_in, study.again);
+      notes += frames_line("fell through", row.fell_in, study.again);
     }
   }
   if (frames > 0)

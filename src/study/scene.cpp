@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace blocks::study {
@@ -36,6 +37,9 @@ class Draft {
     return add({{x, y}, {x, y + h}, {x + w, y + h}, {x + w, y}}, fixed);
   }
   void gravity(double x, double y) { scene_.model.settings.gravity = {x, y}; }
+  void stiffness(double k) {
+    scene_.model.settings.normal_stiffness = scene_.model.settings.shear_stiffness = k;
+  }
   void velocity(int b, double x, double y) {
     scene_.model.blocks.velocity.col(b) << x, y;
   }
@@ -131,6 +135,43 @@ Scene floor_of_boxes() {
   });
 }
 
+Scene soft_floor() {
+  constexpr double speed = 10.0, friction = 0.1;
+  Draft draft("soft",
+              "a box slides over a floor of boxes so soft that it sinks in by 1 % of "
+              "their width",
+              600);
+  draft.stiffness(1e6);
+  draft.rub(friction, 0.2);
+  for (int i = 0; i < 20; ++i)
+    draft.box(i - 1, -1, 1, 1, true);
+  const int b = draft.box(0, 0, 1, 1);
+  draft.velocity(b, speed, 0);
+  draft.gravity(0, -g);
+  return draft.moves(b, [](long k, double dt) {
+    const double t = static_cast<double>(k) * dt;
+    return Vec2(speed * t - 0.5 * friction * g * t * t, 0);
+  });
+}
+
+Scene needle() {
+  constexpr double speed = 3.0, width = 0.02;
+  const double c = std::cos(std::numbers::pi / 18.0),
+               s = std::sin(std::numbers::pi / 18.0);
+  Draft draft("needle", "a needle strikes a wide floor at 10 degrees and glides on",
+              600);
+  draft.box(-10, -1, 20, 1, true);
+  // corners from its foot: along it by t, across by w
+  const auto at = [&](double t, double w) {
+    return Vec2(2.0 + t * s - w * c, 0.005 + t * c + w * s);
+  };
+  const int b = draft.add({at(0, 0), at(0, width), at(1, width), at(1, 0)}, false);
+  draft.velocity(b, -speed, -speed);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(-speed * static_cast<double>(k) * dt, 0);
+  });
+}
+
 Scene wedge() {
   Draft draft("wedge", "a wedge slides along one slanted face and leaves the other",
               530);
@@ -184,7 +225,8 @@ struct Named {
 constexpr std::array scenes = {
     Named{"figure4b", figure4b}, Named{"diagonal", diagonal},    Named{"stack", stack},
     Named{"wall", wall},         Named{"floor", floor_of_boxes}, Named{"wedge", wedge},
-    Named{"tee", tee},           Named{"shaft", shaft},          Named{"slab", slab}};
+    Named{"tee", tee},           Named{"shaft", shaft},          Named{"slab", slab},
+    Named{"soft", soft_floor},   Named{"needle", needle}};
 
 }  // namespace
 

@@ -89,6 +89,20 @@ Row summarise(const StudyChoice& choice, const std::vector<Outcomes>& all,
   return row;
 }
 
+/// What was chosen of the frames, as on the command line.
+std::string options_again(const StudyChoice& choice) {
+  std::string options;
+  if (choice.frames.offset)
+    options += fmt::format(" --offset {}", *choice.frames.offset);
+  if (choice.frames.scale)
+    options += fmt::format(" --scale {}", *choice.frames.scale);
+  if (choice.frames.seed != FrameChoice().seed)
+    options += fmt::format(" --seed {}", choice.frames.seed);
+  if (choice.steps > 0)
+    options += fmt::format(" --steps {}", choice.steps);
+  return options;
+}
+
 /// Why the blocks of a scene cannot be made; empty: they can, in every frame.
 std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corners) {
   for (int f = choice.first; f < choice.first + choice.count; ++f)
@@ -104,8 +118,13 @@ std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corne
 
 Study run_study(Scene scene, const StudyChoice& all_chosen) {
   StudyChoice choice = all_chosen;
-  Study study{scene.name, scene.what, choice.steps > 0 ? choice.steps : scene.steps,
-              {},         {},         {}};
+  Study study{scene.name,
+              scene.what,
+              choice.steps > 0 ? choice.steps : scene.steps,
+              {},
+              {},
+              {},
+              options_again(choice)};
   study.refused = refusal(scene, choice, Corners::sharp);
   if (!study.refused.empty())
     return study;
@@ -117,9 +136,10 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
     if (!refusals.back().empty())
       std::erase(choice.variants, variant);
   }
-  if (!scene.expected)
-    study.doubt = set_expectation(scene, study.steps);
   const Variant& reference = all_variants().front();
+  if (!scene.expected)
+    study.doubt = set_expectation(scene, choice.expected ? *choice.expected : reference,
+                                  study.steps);
   std::vector<Outcomes> all(static_cast<std::size_t>(choice.count));
   in_parallel(choice.count, choice.threads, [&](int f) {
     const Frame frame = random_frame(choice.frames, choice.first + f, scene.size);

@@ -16,6 +16,8 @@ struct StudyChoice {
   long steps = 0;                        ///< 0: the scene's own
   std::vector<const Variant*> variants;  ///< default need not be among them
   int threads = 1;
+  /// Its run is what is expected of a deck; null: that of the default rules.
+  const Variant* expected = nullptr;
 };
 
 /// One line of the table: a variant in a scene over all frames.
@@ -44,6 +46,7 @@ struct Study {
   std::vector<Row> rows;
   std::string refused;  ///< why the default rules cannot run, then there are no rows
   std::string doubt;    ///< why a deck's own run is no measure; empty: it is one
+  std::string again;    ///< options that make the same frames once more
 };
 
 /// Runs every variant in the same frames. The same result for any number of threads. A

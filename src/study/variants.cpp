@@ -65,9 +65,10 @@ constexpr Use ours = {};
 /// Ours but for one rule.
 constexpr Use no_facing = {.facing = false};
 constexpr Use no_nearest = {.nearest_edge = false};
-constexpr Use bare = {.facing = false, .nearest_edge = false};
+constexpr Use bare = {.cut = false, .facing = false, .nearest_edge = false};
 /// The shape of the corners, not (20), says which edge a corner can meet.
-constexpr Use shaped = {.facing = false, .shield = false};
+constexpr Use shaped = {.cut = false, .facing = false, .shield = false};
+constexpr Use no_cut = {.cut = false};
 constexpr Use no_shield = {.shield = false};
 constexpr Use no_hand_over = {.hands_over = false};
 constexpr Use by_edge = {.whole_block = false};
@@ -81,8 +82,8 @@ constexpr Use kept_list = [] {
 
 const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
-      as_run("default", "the step of every run: exact, slack 1e-6, (20), nearest "
-                        "edge, shield, hand-over"),
+      as_run("default", "the step of every run: exact, slack 1e-6, (20), cut, "
+                        "nearest edge, shield, hand-over"),
       // arithmetic
       variant<Plain<PrintedArea>, ours>(
           "printed",
@@ -101,7 +102,10 @@ const std::vector<Variant>& all_variants() {
       // rules left out
       variant<Exact, no_facing>("no-20", "default without (20)"),
       variant<Exact, no_nearest>("no-nearest", "default without the nearest edge"),
-      variant<Exact, bare>("bare", "default without (20) and nearest edge"),
+      variant<Exact, bare>("bare", "default without (20), nearest edge and cut"),
+      variant<Exact, no_cut>("no-cut",
+                             "default, but an edge also acts on blocks wholly behind "
+                             "its line"),
       variant<Exact, no_shield>("no-shield", "default without the shield"),
       variant<Exact, no_hand_over>("no-hand-over", "default without hand-over"),
       // 1982

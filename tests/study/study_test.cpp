@@ -146,7 +146,8 @@ TEST(DefaultVariant, NeverHangsNorFallsThrough) {
     EXPECT_FALSE(row.phantom.value > 0.0) << name;
     EXPECT_FALSE(row.missed.value > 0.0) << name;
     EXPECT_FALSE(row.speed_lost.high > 0.001) << name;  // a bounce times friction
-    EXPECT_LT(row.worst_energy, 1e-4) << name;
+    // the needle's spring takes up all its energy, seen half a step off: omega dt / 2
+    EXPECT_LT(row.worst_energy, name == "needle" ? 0.02 : 1e-4) << name;
   }
 }
 
@@ -160,7 +161,8 @@ TEST(Variants, FailWhereTheyMust) {
        {Known{"figure4b", "bare", true},  // section 3.3
         Known{"diagonal", "no-nearest", true}, Known{"floor", "report-exact", true},
         Known{"floor", "no-nearest", true}, Known{"floor", "no-shield", true},
-        Known{"slab", "keep", true}, Known{"stack", "no-20", false}}) {
+        Known{"soft", "no-shield", true}, Known{"needle", "no-cut", true},
+        Known{"slab", "keep", true}, Known{"wall", "no-20", false}}) {
     const Row row =
         run_study(make_scene(known.scene), choice_of({known.variant}, 6)).rows[0];
     EXPECT_GE(known.hangs ? row.hung : row.fell, 5) << known.scene << known.variant;
