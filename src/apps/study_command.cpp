@@ -259,8 +259,13 @@ int study_contacts(const StudyOptions& options) {
                             options.threads};
   if (choice.variants.empty())
     return run::usage_error;
-  if (!options.expected.empty()) {
-    const auto expected = variants_meant({options.expected});
+  if (options.expected) {
+    if (std::all_of(names.begin(), names.end(), is_scene)) {
+      fmt::print(stderr, "blocks: error: --expect is for decks; the motion of a scene "
+                         "is known\n");
+      return run::usage_error;
+    }
+    const auto expected = variants_meant({*options.expected});
     if (expected.empty())
       return run::usage_error;
     choice.expected = expected.front();

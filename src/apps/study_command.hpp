@@ -10,9 +10,9 @@
 namespace blocks::apps {
 
 struct StudyOptions {
-  std::vector<std::string> scenes;    ///< names, "all" or decks
-  std::vector<std::string> variants;  ///< names; empty: all
-  std::string expected;  ///< variant a deck is held against; empty: default
+  std::vector<std::string> scenes;      ///< names, "all" or decks
+  std::vector<std::string> variants;    ///< names; empty: all
+  std::optional<std::string> expected;  ///< variant a deck is held against (default)
   int frames = 20, first = 0, threads = 1;
   long steps = 0;  ///< 0: the scene's own
   std::uint64_t seed = 1982;

@@ -215,20 +215,36 @@ bool ExactRules::admits_crossing(int corner, int edge, int beyond) const {
           crosses(corner, edge, after));
 }
 
-/// Some corner of the block is outside of the edge.
-bool ExactRules::cuts(int edge, int block) const {
-  for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q)
-    if (sign(area2(q, edge)) < 0)
+/// The edge and the block have a point in common: of a convex block, two shapes are
+/// apart when the line of a side of either lies between them.
+bool ExactRules::meets(int edge, int block) const {
+  const int end = blocks_.next[edge];
+  bool cut = false;
+  for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
+    cut |= sign(area2(q, edge)) < 0;
+    if (blocks_.convex[block] && sign(area2(edge, q)) < 0 && sign(area2(end, q)) < 0)
+      return false;
+  }
+  return cut;
+}
+
+/// Another edge of the block is nearer to a corner inside.
+bool ExactRules::nearer_edge(int corner, int edge) const {
+  const int block = blocks_.corner_block[edge];
+  for (int f = blocks_.first_corner[block]; f < blocks_.first_corner[block + 1]; ++f)
+    if (f != edge && compare_depth(corner, f, edge) < 0 &&
+        (blocks_.convex[block] || (near_or_inside(corner, f) && spans(corner, f))))
       return true;
   return false;
 }
 
 bool ExactRules::admits(int corner, int edge) const {
-  return cuts(edge, blocks_.corner_block[corner]) && within_depth(corner, edge) &&
+  return within_depth(corner, edge) &&
          (blocks_.convex[blocks_.corner_block[edge]] ||
           (near_or_inside(corner, edge) && spans(corner, edge))) &&
          faces(corner, blocks_.previous[corner], edge) &&
-         faces(corner, blocks_.next[corner], edge);
+         faces(corner, blocks_.next[corner], edge) &&
+         (!nearer_edge(corner, edge) || meets(edge, blocks_.corner_block[corner]));
 }
 
 int ExactRules::compare_depth(int corner, int edge, int other) const {
@@ -332,7 +348,8 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   story.between = blocks_.convex[block] ? between(corner, edge) : spans(corner, edge);
   story.facing_before = faces(corner, blocks_.previous[corner], edge);
   story.facing_after = faces(corner, blocks_.next[corner], edge);
-  story.cut = cuts(edge, blocks_.corner_block[corner]);
+  story.comes_through =
+      !nearer_edge(corner, edge) || meets(edge, blocks_.corner_block[corner]);
   story.admissible =
       where.inside ? admits(corner, edge) : admits_crossing(corner, edge, where.beyond);
   return story;
@@ -394,6 +411,28 @@ Answer ExactRules::goes_on(int third, int corner, const Vec2& shift,
   return both(inside, found);
 }
 
+/// The point that lies `shift` from the corner is in the block. Not convex: a ray
+/// upwards leaves it once more than it enters; near an edge nothing is certain.
+Answer ExactRules::reaches(int block, int corner, const Vec2& shift,
+                           double error) const {
+  Answer inside = Answer::yes;
+  bool odd = false, near = false;
+  for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
+    const Vec2 edge = rounded(along(q));
+    const Vec2 from = rounded(corner_[corner] - corner_[q]) + shift;
+    const double loss = error + roundoff(corner, q);
+    const double below = cross_of(from, edge) / edge.norm();
+    inside = both(inside, at_least_zero(below, loss));
+    if ((from.x() < 0.0) != (from.x() < edge.x()))
+      odd ^= from.y() < edge.y() / edge.x() * from.x();
+    const double place = std::clamp(from.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    near |= (from - place * edge).norm() <= loss;
+  }
+  if (blocks_.convex[block])
+    return inside;
+  return near ? Answer::either : odd ? Answer::yes : Answer::no;
+}
+
 /// Not too deep below the edge.
 Answer ExactRules::shallow(int corner, int edge) const {
   const double most = most_depth * rounded(along(edge)).norm();
@@ -414,8 +453,11 @@ Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
   if (here == Answer::no)
     return shield;
   const Vec2 shift = (overlap(corner, nearest) + shield.depth) / slope * surface;
-  const Answer near =
-      at_least_zero(most_way * f.norm() - shift.norm(), 2.0 * error / std::abs(slope));
+  const Vec2 height = shield.depth * Vec2(-surface.y(), surface.x());
+  const Answer near = both(
+      at_least_zero(most_way * f.norm() - shift.norm(), 2.0 * error / std::abs(slope)),
+      reaches(blocks_.corner_block[corner], corner, shift + height,
+              2.0 * error / std::abs(slope)));
   for (const int third : near_[corner]) {
     if (third == block || !blocks_.convex[third])
       continue;

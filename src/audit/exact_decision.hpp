@@ -27,8 +27,8 @@ struct EdgeStory {
   bool within_depth = false;    ///< d <= depth_limit
   bool between = false;         ///< -eps <= along <= 1 + eps, or in a notch beside it
   bool facing_before = false, facing_after = false;  ///< >= sin(-10 degrees)
-  bool cut = false;         ///< a corner of the corner's block is outside of it
-  bool admissible = false;  ///< all that are asked
+  bool comes_through = false;  ///< no edge is nearer, or it meets the corner's block
+  bool admissible = false;     ///< all that are asked
 };
 
 /// Why the next nearest edge acts in place of the nearest, or not.
@@ -98,7 +98,8 @@ class ExactRules {
   bool between(int corner, int edge) const;
   bool faces(int corner, int neighbour, int edge) const;
   bool within_depth(int corner, int edge) const;
-  bool cuts(int edge, int block) const;
+  bool meets(int edge, int block) const;
+  bool nearer_edge(int corner, int edge) const;
   Place place(int corner, int block) const;
   Place place_by_rays(int corner, int block) const;
   Vec2 halfway(int edge, int q) const;
@@ -118,6 +119,7 @@ class ExactRules {
   Answer shallow(int corner, int edge) const;
   Answer goes_on(int third, int corner, const Vec2& shift, const Vec2& surface,
                  double depth, double error) const;
+  Answer reaches(int block, int corner, const Vec2& shift, double error) const;
   Shield covered(int corner, int block, int nearest, int next) const;
   Shield partner_covered(int corner, const Two& edges) const;
 

@@ -113,8 +113,8 @@ std::string verdict(const ExactRules& rules, const Decision& decision,
                : "refused: deeper than half of the block's deepest corner";
   if (!edge.facing_before || !edge.facing_after)
     return "refused: " + faces_away(rules, decision.corner, edge);
-  if (!edge.cut)
-    return fmt::format("refused: block {} lies wholly behind its line",
+  if (!edge.comes_through)
+    return fmt::format("refused: not the nearest, and block {} does not reach it",
                        blocks.corner_block[decision.corner] + 1);
   if (edge.edge == decision.nearest)
     return edge.overlap_sign > 0 ? "nearest, but shielded" : "nearest, but no overlap";

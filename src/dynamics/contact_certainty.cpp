@@ -20,6 +20,7 @@ struct EdgeView {
         from_first(blocks.corner.col(c) - blocks.corner.col(edge)),
         length(along.norm()), distance(from_first.norm()) {}
   double overlap_product() const { return geometry::cross(from_first, along); }
+  double depth() const { return overlap_product() / length; }  ///< [L]
   double slack() const { return geometry::contact_slack * length * length; }
 };
 
@@ -40,15 +41,38 @@ inline double facing_travel(const Blocks& blocks, int c, int neighbour,
   return sign_travel(value / (1.0 + sine), edge.length, length);
 }
 
-/// The edge's line keeps cutting a block: one of its corners stays outside. Negative:
-/// all stay inside.
-double cut_travel(const Blocks& blocks, int edge, int block) {
-  double travel = -std::numeric_limits<double>::max();
+/// A lead of the depth below one edge over that below another is not lost.
+double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
+  const double growth = 2.0 * (1.0 + p.distance / p.length + q.distance / q.length);
+  const double travel = 0.8 * lead / growth;
+  return travel > 1e-9 * (p.distance + q.distance) ? travel : 0.0;
+}
+
+/// The edge keeps meeting a block (ContactDecision::meets).
+double meeting_travel(const Blocks& blocks, int edge, int block) {
+  const auto inside = [&](int corner, int side) {
+    const EdgeView view(blocks, corner, side);
+    return sign_travel(view.overlap_product(), view.length, view.distance);
+  };
+  double cut = 0.0, apart = std::numeric_limits<double>::max();
   for (int q = blocks.first_corner[block]; q < blocks.first_corner[block + 1]; ++q) {
-    const EdgeView view(blocks, q, edge);
-    travel = std::max(travel,
-                      sign_travel(-view.overlap_product(), view.length, view.distance));
+    cut = std::max(cut, -inside(q, edge));
+    if (blocks.convex[block])
+      apart = std::min(apart, std::max(inside(edge, q), inside(blocks.next[edge], q)));
   }
+  return std::min(cut, apart);
+}
+
+/// Edge e stays the nearest of its block.
+double nearest_travel(const Blocks& blocks, int c, int e) {
+  const EdgeView q(blocks, c, e);
+  const int block = blocks.corner_block[e];
+  double travel = std::numeric_limits<double>::max();
+  for (int f = blocks.first_corner[block]; f < blocks.first_corner[block + 1]; ++f)
+    if (f != e) {
+      const EdgeView p(blocks, c, f);
+      travel = std::min(travel, lead_travel(p, q, p.depth() - q.depth()));
+    }
   return travel;
 }
 
@@ -68,10 +92,7 @@ double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i,
     return travel;
   const Vec2 from_centroid = blocks.corner.col(c) - blocks.centroid.col(block);
   const double depth = geometry::cross(from_centroid, edge.along);
-  travel = std::min(travel, sign_travel(-depth, edge.length, from_centroid.norm()));
-  if (travel < -enough)
-    return travel;
-  return std::min(travel, cut_travel(blocks, contacts.edge[i], blocks.corner_block[c]));
+  return std::min(travel, sign_travel(-depth, edge.length, from_centroid.norm()));
 }
 
 /// The corner stays deeper below the edge of record i than below that of record j, and
@@ -79,12 +100,9 @@ double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i,
 double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int j) {
   const EdgeView p(blocks, contacts.corner[i], contacts.edge[i]);
   const EdgeView q(blocks, contacts.corner[j], contacts.edge[j]);
-  const double depth = p.overlap_product() / p.length;
-  const double lead = std::min(depth - q.overlap_product() / q.length,
-                               depth - 1.01 * shielded_depth * p.length);
-  const double growth = 2.0 * (1.0 + p.distance / p.length + q.distance / q.length);
-  const double travel = 0.8 * lead / growth;
-  return travel > 1e-9 * (p.distance + q.distance) ? travel : 0.0;
+  const double lead =
+      std::min(p.depth() - q.depth(), p.depth() - 1.01 * shielded_depth * p.length);
+  return lead_travel(p, q, lead);
 }
 
 /// The corner stays on its side of an edge, up to the slack: positive when inside.
@@ -217,6 +235,11 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
   double travel = edge == sides.edge ? sides.next : sides.least;
   if (travel > 0.0)
     travel = std::min(travel, admissible_travel(blocks, contacts, i, 0.0));
+  if (travel > 0.0)
+    if (const double nearest = nearest_travel(blocks, c, edge); nearest < travel)
+      travel = std::min(
+          travel,
+          std::max(nearest, meeting_travel(blocks, edge, blocks.corner_block[c])));
   for (int j = group.first; j < group.last && travel > 0.0; ++j) {
     if (j == i)
       continue;

@@ -15,7 +15,8 @@ namespace blocks::dynamics {
 ///   s)), with a fifth of it to spare for the slack and round-off.
 /// - A depth below an edge of length L changes by u + 2 u w / L at most, w the distance
 ///   from the edge's first corner.
-/// - A candidate stays admissible, its corner inside the other edges of the block, and
+/// - A candidate stays admissible, nearest of its block or meeting the corner's, its
+///   corner inside the other edges of the block, and
 ///   every other record inadmissible, or deeper and too deep for a shield, for a third
 ///   block moves as it likes. Then nothing but the sign of its overlap is open, whether
 ///   the corner is inside its edge, in the slack, or beyond (where no side may cross).

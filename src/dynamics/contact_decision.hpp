@@ -18,7 +18,7 @@ namespace blocks::dynamics {
 /// geometry/contact_predicates.hpp.
 struct ExactRules {
   static constexpr bool whole_block = true;      ///< "between" of blocks as a whole
-  static constexpr bool cut = true;              ///< an edge acts on blocks it cuts
+  static constexpr bool far_edges_meet = true;   ///< far edges act if they meet it
   static constexpr bool shield = true;           ///< by a third block
   static constexpr bool hands_over = true;       ///< springs (contact_handover)
   static constexpr bool keeps_decisions = true;  ///< while certain (contact_certainty)
@@ -77,16 +77,17 @@ template <class Rules> class ContactDecision {
   /// The record of the group that acts, or -1: the admissible edge with the least
   /// depth, if the corner is inside it (rule 12). Admissible: (20) holds for both
   /// tangents of the corner, the depth is at most that of the block's centroid (rule
-  /// 9), the edge's line cuts the corner's block, which has else not come in through
-  /// it, and the corner is between the edge's ends (rule 10), which is asked of a
+  /// 9), and the corner is between the edge's ends (rule 10), which is asked of a
   /// convex block as a whole: the corner is inside all its edges, or outside of one
-  /// that a side of its own block crosses (docs/departures.md). Blocks that are not
-  /// convex: ReentrantBlock.
+  /// that a side of its own block crosses (docs/departures.md). Where another edge of
+  /// the block is nearer the edge has to meet the corner's block, which has else not
+  /// come in through it. Blocks that are not convex: ReentrantBlock.
   ///
   /// Where a third block shields the nearest edge the next nearest acts: near a closed
   /// joint a corner slides along the surface of both blocks and has not come through
   /// the joint. Beyond the nearest edge, along the next one, lies a third block, and
-  /// the corner would be about as deep below a side of it that runs the same way. Of
+  /// the corner would be about as deep below a side of it that runs the same way; its
+  /// own block reaches as far. Of
   /// two corners in each other's blocks, one shielded is enough.
   int acting_record(const ContactGroup& group) const {
     const Nearest found = nearest_edges(group);
@@ -157,15 +158,35 @@ template <class Rules> class ContactDecision {
     return Rules::faces_edge(corner, at(blocks_.previous[c]), p1, p2) &&
            Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
   }
-  /// Whether some corner of the block is outside of the edge.
-  bool cuts(int edge, int block) const {
-    if constexpr (Rules::cut) {
-      for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1];
-           ++q)
-        if (Rules::overlap_sign(at(q), at(edge), end(edge)) < 0)
-          return true;
-      return false;
+  /// Whether the block and the edge have a point in common: neither the edge's line
+  /// nor, of a convex block, a side of it lies between them.
+  bool meets(int edge, int block) const {
+    const Vec2 p1 = at(edge), p2 = end(edge);
+    bool cut = false;
+    for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1];
+         ++q) {
+      cut = cut || Rules::overlap_sign(at(q), p1, p2) < 0;
+      if (blocks_.convex[block] && Rules::overlap_sign(p1, at(q), end(q)) < 0 &&
+          Rules::overlap_sign(p2, at(q), end(q)) < 0)
+        return false;
     }
+    return cut;
+  }
+  /// Whether another edge of the block is nearer to a corner inside.
+  bool nearer_edge(int c, int edge) const {
+    const int block = blocks_.corner_block[edge];
+    for (int f = blocks_.first_corner[block]; f < blocks_.first_corner[block + 1]; ++f)
+      if (f != edge && nearer(c, f, edge) &&
+          (!reentrant(block) ||
+           (Rules::inside_edge(at(c), at(f), end(f)) &&
+            ReentrantBlock<Rules>(blocks_, block).spans(at(c), f))))
+        return true;
+    return false;
+  }
+  /// An edge that is not the nearest of all has to meet the corner's block.
+  bool comes_through(int c, int edge) const {
+    if constexpr (Rules::far_edges_meet)
+      return !nearer_edge(c, edge) || meets(edge, blocks_.corner_block[c]);
     return true;
   }
   /// Rules 9, 10 and (20) for one record; of a block taken as a whole, the corner is
@@ -177,12 +198,12 @@ template <class Rules> class ContactDecision {
       const ReentrantBlock<Rules> block(blocks_, edge_block);
       return Rules::inside_edge(corner, p1, p2) && block.spans(corner, edge) &&
              block.within_depth(corner, edge) && faces(c, edge) &&
-             cuts(edge, blocks_.corner_block[c]);
+             comes_through(c, edge);
     }
     return (as_a_whole(edge_block)
                 ? Rules::within_depth(corner, centroid, p1, p2)
                 : Rules::in_reach_of_edge(corner, centroid, p1, p2)) &&
-           faces(c, edge) && cuts(edge, blocks_.corner_block[c]);
+           faces(c, edge) && comes_through(c, edge);
   }
 
   /// Whether an edge acts on a corner that is outside of the block, but only for a side
@@ -266,8 +287,20 @@ template <class Rules> class ContactDecision {
     return depth_below(c, edge) <= shielded_depth * (end(edge) - at(edge)).norm();
   }
 
+  static Vec2 outwards(const Vec2& along) { return {-along.y(), along.x()}; }
+
+  /// Whether a point is in a block, rounded.
+  bool reaches(int block, const Vec2& point) const {
+    if (!blocks_.convex[block])
+      return holds(point, block);
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      if (!(geometry::cross(point - at(e), end(e) - at(e)) >= 0.0))
+        return false;
+    return true;
+  }
+
   /// Whether a third block shields edge e from corner c: beyond it, along edge f of the
-  /// same block, it goes on with a side of its own.
+  /// same block, it goes on with a side of its own, and the corner's block over it.
   bool covered(int c, int e, int f) const {
     if (!shallow(c, f))
       return false;
@@ -279,6 +312,9 @@ template <class Rules> class ContactDecision {
     if (!(std::abs(way) <= shielded_way * (end(f) - at(f)).norm()))
       return false;
     const Vec2 there = at(c) + way * surface;
+    // at the height of the surface
+    if (!reaches(blocks_.corner_block[c], there + depth * outwards(surface)))
+      return false;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;
       if (third != blocks_.corner_block[e] && blocks_.convex[third] &&

@@ -165,8 +165,11 @@ std::string text(const Study& study) {
     }
   }
   if (frames > 0)
-    out += fmt::format("{} frame{} of {} steps; 95 % confidence\n\n", frames,
-                       frames == 1 ? "" : "s", study.steps) +
+    out += fmt::format("{} frame{} of {} steps; 95 % confidence{}\n\n", frames,
+                       frames == 1 ? "" : "s", study.steps,
+                       study.expected.empty()
+                           ? std::string()
+                           : "; expected is the run of " + study.expected) +
            aligned(table);
   return out + notes;
 }
@@ -215,6 +218,8 @@ std::string json(const std::vector<Study>& studies, const ReportHead& head) {
   for (const Study& study : studies) {
     nlohmann::json one = {
         {"scene", study.scene}, {"what", study.what}, {"steps", study.steps}};
+    if (!study.expected.empty())
+      one["expected"] = study.expected;
     if (!study.refused.empty())
       one["refused"] = study.refused;
     one["variants"] = nlohmann::json::array();

@@ -135,6 +135,31 @@ Scene floor_of_boxes() {
   });
 }
 
+Scene slot() {
+  Draft draft("slot",
+              "a thin slab falls down a slot exactly as wide, pressed to a side", 1500);
+  draft.box(-1.02, -1, 1, 1, true);
+  draft.box(0, -1, 1, 1, true);
+  const int b = draft.box(-0.02, -0.05, 0.02, 0.2);
+  draft.gravity(0.01 * g, -g);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(0, -0.5 * g * static_cast<double>(k) * static_cast<double>(k + 1) * dt *
+                       dt);
+  });
+}
+
+Scene plate() {
+  Draft draft("plate",
+              "a thin plate strikes a floor so fast that it sinks in by its thickness",
+              600);
+  draft.stiffness(1e6);
+  draft.box(-10, -1, 20, 1, true);
+  const int b = draft.box(0, 0.01, 1, 0.02);
+  draft.velocity(b, 3.0, -6.0);
+  return draft.moves(
+      b, [](long k, double dt) { return Vec2(3.0 * static_cast<double>(k) * dt, 0); });
+}
+
 Scene soft_floor() {
   constexpr double speed = 10.0, friction = 0.1;
   Draft draft("soft",
@@ -226,7 +251,8 @@ constexpr std::array scenes = {
     Named{"figure4b", figure4b}, Named{"diagonal", diagonal},    Named{"stack", stack},
     Named{"wall", wall},         Named{"floor", floor_of_boxes}, Named{"wedge", wedge},
     Named{"tee", tee},           Named{"shaft", shaft},          Named{"slab", slab},
-    Named{"soft", soft_floor},   Named{"needle", needle}};
+    Named{"soft", soft_floor},   Named{"needle", needle},        Named{"slot", slot},
+    Named{"plate", plate}};
 
 }  // namespace
 

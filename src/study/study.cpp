@@ -100,6 +100,8 @@ std::string options_again(const StudyChoice& choice) {
     options += fmt::format(" --seed {}", choice.frames.seed);
   if (choice.steps > 0)
     options += fmt::format(" --steps {}", choice.steps);
+  if (choice.expected)
+    options += fmt::format(" --expect {}", choice.expected->name);
   return options;
 }
 
@@ -124,7 +126,8 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
               {},
               {},
               {},
-              options_again(choice)};
+              options_again(choice),
+              {}};
   study.refused = refusal(scene, choice, Corners::sharp);
   if (!study.refused.empty())
     return study;
@@ -137,9 +140,11 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
       std::erase(choice.variants, variant);
   }
   const Variant& reference = all_variants().front();
-  if (!scene.expected)
-    study.doubt = set_expectation(scene, choice.expected ? *choice.expected : reference,
-                                  study.steps);
+  if (!scene.expected) {
+    const Variant& measure_of = choice.expected ? *choice.expected : reference;
+    study.expected = measure_of.name;
+    study.doubt = set_expectation(scene, measure_of, study.steps);
+  }
   std::vector<Outcomes> all(static_cast<std::size_t>(choice.count));
   in_parallel(choice.count, choice.threads, [&](int f) {
     const Frame frame = random_frame(choice.frames, choice.first + f, scene.size);

@@ -65,10 +65,10 @@ constexpr Use ours = {};
 /// Ours but for one rule.
 constexpr Use no_facing = {.facing = false};
 constexpr Use no_nearest = {.nearest_edge = false};
-constexpr Use bare = {.cut = false, .facing = false, .nearest_edge = false};
+constexpr Use bare = {.far_edges_meet = false, .facing = false, .nearest_edge = false};
 /// The shape of the corners, not (20), says which edge a corner can meet.
-constexpr Use shaped = {.cut = false, .facing = false, .shield = false};
-constexpr Use no_cut = {.cut = false};
+constexpr Use shaped = {.far_edges_meet = false, .facing = false, .shield = false};
+constexpr Use no_meeting = {.far_edges_meet = false};
 constexpr Use no_shield = {.shield = false};
 constexpr Use no_hand_over = {.hands_over = false};
 constexpr Use by_edge = {.whole_block = false};
@@ -82,7 +82,7 @@ constexpr Use kept_list = [] {
 
 const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
-      as_run("default", "the step of every run: exact, slack 1e-6, (20), cut, "
+      as_run("default", "the step of every run: exact, slack 1e-6, (20), meeting, "
                         "nearest edge, shield, hand-over"),
       // arithmetic
       variant<Plain<PrintedArea>, ours>(
@@ -102,10 +102,10 @@ const std::vector<Variant>& all_variants() {
       // rules left out
       variant<Exact, no_facing>("no-20", "default without (20)"),
       variant<Exact, no_nearest>("no-nearest", "default without the nearest edge"),
-      variant<Exact, bare>("bare", "default without (20), nearest edge and cut"),
-      variant<Exact, no_cut>("no-cut",
-                             "default, but an edge also acts on blocks wholly behind "
-                             "its line"),
+      variant<Exact, bare>("bare", "default without (20), nearest edge and meeting"),
+      variant<Exact, no_meeting>(
+          "no-meeting", "default, but far edges also act on blocks that do not "
+                        "reach them"),
       variant<Exact, no_shield>("no-shield", "default without the shield"),
       variant<Exact, no_hand_over>("no-hand-over", "default without hand-over"),
       // 1982

@@ -111,10 +111,10 @@ template <Ends ends> struct ExactSigns : dynamics::ExactRules {
 /// Which of the rules are in force. As it stands: ours.
 struct Use {
   bool whole_block = true;  ///< "between" of a convex block as a whole, not of the edge
-  bool cut = true;          ///< an edge acts on blocks that its line cuts
-  bool facing = true;       ///< (20)
-  bool nearest_edge = true;  ///< of a block's edges only the nearest acts
-  bool depth = true;         ///< not deeper than the centroid
+  bool far_edges_meet = true;  ///< an edge not the nearest meets the corner's block
+  bool facing = true;          ///< (20)
+  bool nearest_edge = true;    ///< of a block's edges only the nearest acts
+  bool depth = true;           ///< not deeper than the centroid
   bool shield = true;
   bool hands_over = true;
   List list = List::reach;
@@ -122,7 +122,7 @@ struct Use {
 
 /// What a program of 1982 had: neither nearest edge nor depth nor the rest of ours.
 inline constexpr Use report_rules = {.whole_block = false,
-                                     .cut = false,
+                                     .far_edges_meet = false,
                                      .facing = true,
                                      .nearest_edge = false,
                                      .depth = false,
@@ -132,7 +132,7 @@ inline constexpr Use report_rules = {.whole_block = false,
 
 template <class Signs, Use use> struct VariantRules : Signs {
   static constexpr bool whole_block = use.whole_block;
-  static constexpr bool cut = use.cut;
+  static constexpr bool far_edges_meet = use.far_edges_meet;
   static constexpr bool shield = use.shield && use.nearest_edge;
   static constexpr bool hands_over = use.hands_over;
   static constexpr bool keeps_decisions = false;

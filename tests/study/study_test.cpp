@@ -146,8 +146,9 @@ TEST(DefaultVariant, NeverHangsNorFallsThrough) {
     EXPECT_FALSE(row.phantom.value > 0.0) << name;
     EXPECT_FALSE(row.missed.value > 0.0) << name;
     EXPECT_FALSE(row.speed_lost.high > 0.001) << name;  // a bounce times friction
-    // the needle's spring takes up all its energy, seen half a step off: omega dt / 2
-    EXPECT_LT(row.worst_energy, name == "needle" ? 0.02 : 1e-4) << name;
+    // springs that take up all the energy are seen half a step off: omega dt / 2
+    const bool strikes = name == "needle" || name == "plate";
+    EXPECT_LT(row.worst_energy, strikes ? 0.03 : 1e-4) << name;
   }
 }
 
@@ -161,7 +162,7 @@ TEST(Variants, FailWhereTheyMust) {
        {Known{"figure4b", "bare", true},  // section 3.3
         Known{"diagonal", "no-nearest", true}, Known{"floor", "report-exact", true},
         Known{"floor", "no-nearest", true}, Known{"floor", "no-shield", true},
-        Known{"soft", "no-shield", true}, Known{"needle", "no-cut", true},
+        Known{"soft", "no-shield", true}, Known{"needle", "no-meeting", true},
         Known{"slab", "keep", true}, Known{"wall", "no-20", false}}) {
     const Row row =
         run_study(make_scene(known.scene), choice_of({known.variant}, 6)).rows[0];
