@@ -72,6 +72,10 @@ build() {  # preset [target...]
   fi
 }
 
+number() {  # the text if it is a whole number, else 0: the program tells what is wrong
+  case $1 in *[!0-9]* | "") echo 0 ;; *) echo "$1" ;; esac
+}
+
 command=${1:-help}
 [ $# -gt 0 ] && shift
 case $command in
@@ -106,12 +110,14 @@ case $command in
       echo "building ..." >&2
       build release predicates
       # fewer inputs leave the report as it is
-      [ "${2:-10000000}" -ge 10000000 ] || exec "$programs/predicates" --inputs "$2"
+      [ "$(number "${2:-10000000}")" -ge 10000000 ] || exec "$programs/predicates" --inputs "$2"
       exec "$programs/predicates" --inputs "${2:-10000000}" --report "$here/validation/robustness/PREDICATES"
     fi
     if [ "${1:-}" = rest ]; then
       echo "building ..." >&2
       build release rest
+      # fewer steps leave the report as it is
+      [ "$(number "${2:-1000000}")" -ge 1000000 ] || exec "$here/build/release/validation/rest/rest" --steps "$2"
       exec "$here/build/release/validation/rest/rest" --steps "${2:-1000000}" --report "$here/validation/rest/REST"
     fi
     if [ "${1:-}" = reliability ]; then
@@ -140,7 +146,7 @@ case $command in
     build release blocks
     frames=${1:-1000}
     # fewer frames leave the table as it is
-    table=; [ "$frames" -lt 1000 ] || table="--csv $here/validation/robustness/CONTACTS.csv"
+    table=; [ "$(number "$frames")" -lt 1000 ] || table="--csv $here/validation/robustness/CONTACTS.csv"
     exec "$here/build/release/src/blocks" study contacts all --variants default \
       --frames "$frames" -j "$(nproc)" --gate $table ;;
   bench)

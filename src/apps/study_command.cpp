@@ -297,10 +297,10 @@ int study_contacts(const StudyOptions& options) {
     std::fflush(stdout);  // the next scene may take a minute
     if (!done.doubt.empty())
       fmt::print(stderr,
-                 "blocks: warning: {}: the deck's own run, of which every way is "
+                 "blocks: warning: {}: the run of {}, of which every way is "
                  "expected, {}\n  hint: blocks run and blocks view show it; hang-ups "
                  "count against that run, so they say little here\n",
-                 done.scene, done.doubt);
+                 done.scene, done.expected, done.doubt);
     if (!done.refused.empty()) {
       fmt::print(stderr,
                  "blocks: error: {} was not run: {}\n  hint: nearer to the origin "

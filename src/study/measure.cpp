@@ -192,7 +192,7 @@ void judge_end(const Scene& scene, const Frame& frame, const Model& model,
       outcome.could_hang = true;
       outcome.hung |= !(moved.dot(way) >= scene.least_share * way.squaredNorm());
     }
-    if (scene.most_sinking > 0.0 && gravity > 0.0) {
+    if (gravity > 0.0) {
       const double sunk = scene.model.settings.gravity.dot(moved - way) / gravity;
       outcome.fell_through |= !(sunk <= scene.most_sinking * scene.size);
     }

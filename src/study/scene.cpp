@@ -287,7 +287,7 @@ Scene scene_of_deck(const std::string& name, const Model& model) {
   scene.size = count > 0 ? std::sqrt(area / count) : 1.0;
   scene.known_motion = false;
   scene.least_share = 0.5, scene.least_way = 0.5;
-  scene.most_sinking = 0.0;
+  scene.most_sinking = 0.5;
   scene.conservative = false;
   return scene;
 }

@@ -36,7 +36,7 @@ struct Scene {
   /// whose way is longer than least_way, in units of the size.
   double least_share = 0.9, least_way = 0.05;
   /// A block that sinks along gravity by this much more than expected has lost its
-  /// support, in units of the size; 0: not asked.
+  /// support, in units of the size.
   double most_sinking = 0.05;
   bool conservative = false;  ///< neither friction nor damping: energy is kept
 };

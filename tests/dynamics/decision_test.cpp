@@ -115,13 +115,22 @@ int if_inside(const Blocks& blocks, const Contacts& contacts, int i) {
 TEST(CertainTravel, IsSound) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  int judged = 0, acting = 0;
+  int judged = 0, acting = 0, needles = 0;
   for (int trial = 0; trial < 8000; ++trial) {
     Scene scene;
     scene.add(random_polygon(random, {0, 0}, 1.0));
     // mostly touching or overlapping by little
     const double distance = 1.5 + 0.5 * uniform(random);
-    if (trial % 4 > 0)
+    if (trial % 8 == 1) {  // a needle in its surface: far edges may face a corner
+      const double angle = 3.15 * uniform(random),
+                   width = 0.03 + 0.02 * uniform(random);
+      const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x());
+      const Vec2 middle(0.8 + 0.3 * uniform(random), 0.3 * uniform(random));
+      const auto at = [&](double a, double w) {
+        return Vec2(middle + 0.5 * a * along + w * width * across);
+      };
+      scene.add({at(-1, 0), at(-1, 1), at(1, 1), at(1, 0)});
+    } else if (trial % 4 > 0)
       scene.add(random_polygon(random, {distance, 0.3 * uniform(random)}, 1.0));
     else  // two stones on each other, their sides slanted: these may cross
       for (const double top : {0.0, 2.0 + 0.02 * uniform(random)}) {
@@ -142,6 +151,7 @@ TEST(CertainTravel, IsSound) {
           dynamics::acting_record(scene.model.blocks, contacts, buffers.groups, group);
       ASSERT_EQ(now, if_inside(scene.model.blocks, contacts, candidate)) << trial;
       acting += now >= 0;
+      needles += now >= 0 && trial % 8 == 1;
       for (int k = 0; k < 16; ++k) {
         const Nudge one = random_nudge(random), other = random_nudge(random);
         const int a = group.corner_block, b = group.edge_block;
@@ -166,6 +176,7 @@ TEST(CertainTravel, IsSound) {
   }
   EXPECT_GT(judged, 10000);
   EXPECT_GT(acting, 500);
+  EXPECT_GT(needles, 50);
 }
 
 // Neighbours along a slanted joint, the right one a little lower and pressed in: its

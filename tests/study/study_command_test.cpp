@@ -130,7 +130,7 @@ TEST(StudyCommand, DoubtsADeckThatGoesWrongByItself) {
   // sinks in by a tenth; falls through within 70 steps
   for (const char* gravity : {"GRAVITY, 0, -2E3\nDAMPING, 0.3\n", "GRAVITY, 0, -1E5\n"})
     EXPECT_THAT(warned(gravity),
-                HasSubstr("blocks: warning: t.deck: the deck's own run, of which every "
+                HasSubstr("blocks: warning: t.deck: the run of default, of which every "
                           "way is expected, lets two blocks overlap by more than 2 %"));
   EXPECT_THAT(warned("GRAVITY, 0, -10\nDAMPING, 300\n"),
               HasSubstr("is unsound: by step "));
