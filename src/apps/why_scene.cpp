@@ -7,12 +7,11 @@
 
 #include "geometry/polygon.hpp"
 #include "output/checkpoint.hpp"
+#include "post/results_nearby.hpp"
 #include "post/results_reader.hpp"
 
 namespace blocks::apps {
 namespace {
-
-constexpr std::string_view results_head = "\x89HDF\r\n\x1a\n";
 
 /// The first bytes of a file. Throws output::FileError.
 std::string head_of(const std::string& path) {
@@ -100,7 +99,7 @@ const RememberedContact* WhyScene::find(int corner, int edge) const {
 }
 
 std::optional<double> first_time_with(const std::string& path, int blocks) {
-  if (head_of(path) != results_head)
+  if (!post::fault_of_head(path).empty())
     return {};
   const post::ResultsReader results(path);
   for (long i = 0; i < results.frames(); ++i)
@@ -111,7 +110,7 @@ std::optional<double> first_time_with(const std::string& path, int blocks) {
 
 WhyScene read_scene(const std::string& path, const std::optional<double>& time) {
   const std::string head = head_of(path);
-  if (head == results_head)
+  if (post::fault_of_head(path).empty())
     return from_results(path, time);
   if (head == "BLOCKS c")
     return from_checkpoint(path);

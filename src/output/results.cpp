@@ -13,6 +13,7 @@
 #include "output/file_tools.hpp"
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"
+#include "output/results_mark.hpp"
 
 namespace blocks::output {
 namespace {
@@ -57,6 +58,7 @@ struct ResultsWriter::File {
   std::string path;
   std::string written_as;  ///< temporary name, until there is a first frame
   std::string aside;       ///< ending that an older file of its name then gets
+  ChangeMark mark;         ///< outlives what closes the file
   hdf5::Handle file, vtk, steps, own;
   long frames = 0;
   std::int64_t last_step = -1;
@@ -73,6 +75,8 @@ struct ResultsWriter::File {
   std::vector<int> topology;  ///< first corners of the topology last written
   std::int64_t part = -1, first_cell = 0, first_id = 0;  ///< where it stands
 
+  File() = default;
+  ~File();
   template <class Make> void lay_out(Make&& make, hsize_t blocks, hsize_t corners);
   void create_columns(const Model& model);
   void open_columns();
@@ -89,6 +93,14 @@ struct ResultsWriter::File {
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
   }
 };
+
+/// HDF5 writes its last words while the members go.
+ResultsWriter::File::~File() {
+  try {
+    mark.begin();
+  } catch (...) {  // nothing more can be written then
+  }
+}
 
 /// Goes through all datasets once, for making and for opening. make(group, name, type,
 /// width, rows of a chunk) returns the column.
@@ -300,6 +312,7 @@ void ResultsWriter::File::discard() {
 }
 
 void ResultsWriter::File::append(const Model& model) {
+  mark.begin();
   if (!laid_out)
     create_columns(model);
   put_topology(model.blocks);
@@ -318,6 +331,7 @@ void ResultsWriter::File::append(const Model& model) {
   cell_offsets.put(frame, &first_cell, 1);
   id_offsets.put(frame, &first_id, 1);
   publish(frames + 1);
+  mark.end();
   appear();
   ++frames;
   last_step = model.steps;
@@ -345,7 +359,9 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
   to.written_as = path + ".tmp";
   to.aside = std::move(aside);
   const auto create = [&] {
-    to.file = hdf5::create_file(to.written_as);
+    to.file = hdf5::create_file(to.written_as, mark_size);
+    to.mark = ChangeMark::make(to.written_as);
+    to.mark.begin();
     to.vtk = hdf5::create_group(to.file.get(), "VTKHDF");
     const hdf5::Handle version_space = [] {
       const hsize_t two = 2;
@@ -371,6 +387,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     hdf5::write_text(to.own.get(), "deck_file", identity.deck_file);
     hdf5::write_text(to.own.get(), "deck_text", identity.deck_text);
     to.publish(0);
+    to.mark.end();
   };
   try {
     naming("write", path, create);
@@ -387,6 +404,8 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
   auto file = std::make_unique<File>();
   file->path = path;
   naming("continue", path, [&] {
+    file->mark = ChangeMark::find(path);
+    file->mark.begin();
     file->file = hdf5::open_file(path, true);
     if (!hdf5::exists(file->file.get(), "VTKHDF") ||
         !hdf5::exists(file->file.get(), "BLOCKS"))
@@ -397,6 +416,7 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
     if (hdf5::read_attribute(file->own.get(), "format") > format)
       throw hdf5::Failure("a newer version of BLOCKS wrote it");
     file->keep(frames);
+    file->mark.end();
   });
   return ResultsWriter(std::move(file));
 }

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <vector>
 
+#include "output/results_mark.hpp"
+
 namespace blocks::post {
 
 namespace fs = std::filesystem;
@@ -18,7 +20,9 @@ std::string fault_of_head(const std::string& path) {
   in.read(head.data(), 8);
   if (in.gcount() == 0)
     return "it is empty";
-  return head == "\x89HDF\r\n\x1a\n" ? "" : "it is not a results file of BLOCKS";
+  const bool older = head == "\x89HDF\r\n\x1a\n";  // without a mark
+  return older || head == output::results_head ? ""
+                                               : "it is not a results file of BLOCKS";
 }
 
 std::string results_nearby(const std::string& path) {

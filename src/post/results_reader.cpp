@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
+#include "output/results_mark.hpp"
 #include "post/results_nearby.hpp"
 
 namespace blocks::post {
@@ -16,11 +20,28 @@ using output::hdf5::Column;
 using output::hdf5::Failure;
 using output::hdf5::Handle;
 
+namespace {
+
+/// A frame is written in milliseconds; a disk may hold it up.
+constexpr std::chrono::seconds patience(10);
+
+}  // namespace
+
 struct ResultsReader::File {
   std::string path;
+  output::ChangeWatch watch;
+  std::optional<std::uint64_t> opened_at;  ///< number of changes when it was opened
   Handle file, vtk, steps, own;
   std::vector<double> times;
   std::string title;
+
+  explicit File(const std::string& name) : path(name), watch(name) {}
+
+  /// Throws Failure.
+  void open();
+  /// What `action` reads while the file does not change: opens it anew and reads again
+  /// otherwise. Throws Failure.
+  template <class Action> auto soundly(Action&& action) -> decltype(action());
 
   hsize_t step_value(const std::string& name, hsize_t row) const {
     const auto value = Column::open(steps.get(), name).at<std::int64_t>(row);
@@ -167,35 +188,68 @@ Eigen::Matrix2Xd FrameContacts::force() const {
   return normal * normal_force.asDiagonal() - along * shear_force.asDiagonal();
 }
 
-ResultsReader::ResultsReader(const std::string& path) {
+void ResultsReader::File::open() {
+  if (const std::string fault = fault_of_head(path); !fault.empty())
+    throw Failure(fault);
+  for (Handle* handle : {&own, &steps, &vtk, &file})
+    *handle = Handle();  // HDF5 keeps what it knows of an open file
+  file = output::hdf5::open_file(path, false);
+  if (!output::hdf5::exists(file.get(), "VTKHDF") ||
+      !output::hdf5::exists(file.get(), "BLOCKS"))
+    throw Failure("it is not a results file of BLOCKS");
+  vtk = output::hdf5::open_group(file.get(), "VTKHDF");
+  steps = output::hdf5::open_group(vtk.get(), "Steps");
+  own = output::hdf5::open_group(file.get(), "BLOCKS");
+  if (!watch.still_named(path))
+    throw Failure("another file took its name meanwhile");
+  // Frames beyond NSteps are still being written, or were cut off.
+  const auto frames = output::hdf5::read_attribute(steps.get(), "NSteps");
+  if (frames <= 0)
+    throw Failure("it has no frames yet");
+  if (static_cast<std::size_t>(frames) < times.size())
+    throw Failure("a restart has taken frames away meanwhile");
+}
+
+template <class Action>
+auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (const auto number = watch.settled(until)) {
+    try {
+      if (opened_at != number) {
+        opened_at.reset();
+        open();
+        opened_at = number;
+      }
+      auto result = action();
+      if (watch.number() == *number)
+        return result;
+    } catch (...) {  // also for want of memory, on the word of half a change
+      if (watch.number() == *number)
+        throw;
+    }
+    if (std::chrono::steady_clock::now() > until)
+      break;
+  }
+  throw Failure("the run is writing just now; try again");
+}
+
+ResultsReader::ResultsReader(const std::string& path)
+    : file_(std::make_unique<File>(path)) {
   const output::FileInHand in_hand("read", path);  // until what failed is closed again
-  auto file = std::make_unique<File>();
-  File& from = *file;
-  from.path = path;
-  const auto open = [&] {
-    if (const std::string fault = fault_of_head(path); !fault.empty())
-      throw Failure(fault);
-    from.file = output::hdf5::open_file(path, false);
-    if (!output::hdf5::exists(from.file.get(), "VTKHDF") ||
-        !output::hdf5::exists(from.file.get(), "BLOCKS"))
-      throw Failure("it is not a results file of BLOCKS");
-    from.vtk = output::hdf5::open_group(from.file.get(), "VTKHDF");
-    from.steps = output::hdf5::open_group(from.vtk.get(), "Steps");
-    from.own = output::hdf5::open_group(from.file.get(), "BLOCKS");
-    // Frames beyond NSteps are still being written, or were cut off.
+  File& from = *file_;
+  const auto read = [&] {
     const auto frames = output::hdf5::read_attribute(from.steps.get(), "NSteps");
-    if (frames <= 0)
-      throw Failure("it has no frames yet");
-    from.times = Column::open(from.steps.get(), "Values")
-                     .read<double>(0, static_cast<hsize_t>(frames));
-    from.title = output::hdf5::read_text(from.file.get(), "BLOCKS/title");
+    return std::pair(Column::open(from.steps.get(), "Values")
+                         .read<double>(0, static_cast<hsize_t>(frames)),
+                     output::hdf5::read_text(from.file.get(), "BLOCKS/title"));
   };
   try {
-    output::naming("read", path, open);
+    std::tie(from.times, from.title) =
+        output::naming("read", path, [&] { return from.soundly(read); });
   } catch (const output::FileError& error) {
+    file_.reset();
     throw output::FileError(error.what() + results_nearby(path));
   }
-  file_ = std::move(file);
 }
 
 ResultsReader::~ResultsReader() {
@@ -220,14 +274,17 @@ void ResultsReader::File::require(long i) const {
 
 Frame ResultsReader::frame(long i) const {
   file_->require(i);
-  return output::naming("read", file_->path,
-                        [&] { return file_->read(static_cast<hsize_t>(i)); });
+  return output::naming("read", file_->path, [&] {
+    return file_->soundly([&] { return file_->read(static_cast<hsize_t>(i)); });
+  });
 }
 
 FrameContacts ResultsReader::contacts(long i) const {
   file_->require(i);
-  return output::naming("read", file_->path,
-                        [&] { return file_->read_contacts(static_cast<hsize_t>(i)); });
+  return output::naming("read", file_->path, [&] {
+    return file_->soundly(
+        [&] { return file_->read_contacts(static_cast<hsize_t>(i)); });
+  });
 }
 
 long ResultsReader::nearest(double time) const {

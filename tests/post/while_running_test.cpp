@@ -7,8 +7,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <optional>
 
+#include "output/results_mark.hpp"
 #include "output/sample_model.hpp"
+#include "post/results_reader.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {
@@ -36,6 +42,102 @@ TEST(WhileRunning, ResultsCanBeLookedAt) {
     }
   }
   EXPECT_EQ(writer.frames(), 2);
+}
+
+/// Frame i of a row of blocks that says in every number which frame it is.
+Model state(int i) {
+  Model model = samples::no_blocks();
+  for (int k = 0; k < 300; ++k)
+    samples::add_box(model, 2 * k, 0.01 * i, 1, 1);
+  model.steps = 10 * i;
+  model.time = 0.25 * i;
+  model.blocks.spin.setConstant(i + 1);
+  Contacts& list = model.contacts;
+  list.resize(199);
+  list.normal_force.setConstant(i + 1);
+  for (int k = 0; k < 199; ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    list.corner[n] = 4 * k + 4, list.edge[n] = 4 * k + 2;
+    list.corner_block[n] = k + 1, list.edge_block[n] = k;
+    list.active[n] = 1;
+  }
+  return model;
+}
+
+/// Readings beside the writer, and how many frames came out otherwise than written.
+struct Tally {
+  long readings = 0, wrong = 0;
+};
+
+Tally read_until(const std::string& path, const std::function<bool()>& ended) {
+  Tally tally;
+  while (!ended()) {
+    const post::ResultsReader results(path);
+    ++tally.readings;
+    for (long i = 0; i < results.frames(); ++i) {
+      const post::Frame frame = results.frame(i);
+      const post::FrameContacts contacts = results.contacts(i);
+      const auto n = static_cast<double>(i);
+      const bool same =
+          frame.size() == 300 && frame.step == 10 * i &&
+          (frame.outlines[299][1] - Eigen::Vector2d(598, 0.01 * n + 1)).norm() < 1e-9 &&
+          (frame.spin.array() == n + 1).all() && contacts.size() == 199 &&
+          (contacts.normal_force.array() == n + 1).all();
+      tally.wrong += !same;
+    }
+  }
+  return tally;
+}
+
+// A reader that caught an index between two of its nodes found zeros in frames that
+// were there long before, or failed: every number must be as written, whenever it is
+// asked.
+TEST(WhileRunning, EveryReadingDuringWritesIsRight) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "going.vtkhdf").string();
+  const pid_t writer = fork();
+  if (writer == 0) {
+    try {
+      output::ResultsWriter results(path, {});
+      for (int i = 0; i < 400; ++i) {
+        results.write(state(i));
+        usleep(2000);
+      }
+    } catch (...) {
+      _exit(1);
+    }
+    _exit(0);
+  }
+  while (!folder.holds("going.vtkhdf"))
+    usleep(1000);
+  int status = -1;
+  const Tally tally =
+      read_until(path, [&] { return waitpid(writer, &status, WNOHANG) == writer; });
+  EXPECT_EQ(status, 0);
+  EXPECT_GT(tally.readings, 5);
+  EXPECT_EQ(tally.wrong, 0) << "in " << tally.readings << " readings";
+  EXPECT_EQ(post::ResultsReader(path).frames(), 400);
+}
+
+// Killed within a change, or stopped: the first is read as it lies, the second tells.
+TEST(WhileRunning, AWriterThatDiedIsNotWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.vtkhdf").string();
+  output::ResultsWriter(path, {}).write(state(0));
+  std::optional<output::ChangeMark> mark = output::ChangeMark::find(path);
+  mark->begin();
+  const output::ChangeWatch watch(path);
+  const auto soon = [] {
+    return std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+  };
+  EXPECT_FALSE(watch.settled(soon()));
+  const std::string odd = slurp(path);
+  mark.reset();
+  EXPECT_EQ(watch.settled(soon()), watch.number());
+  std::ofstream(path, std::ios::binary) << odd;  // as kill -9 leaves it
+  EXPECT_EQ(watch.number() % 2, 1U);
+  EXPECT_EQ(watch.settled(soon()), watch.number());
+  EXPECT_EQ(post::ResultsReader(path).frame(0).spin[7], 1);
 }
 
 /// What a run of half a second writes to standard error when that is a terminal.
