@@ -1,105 +1,64 @@
 #include "post/view_data.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 
 #include "post/colour_map.hpp"
 #include "post/quantity.hpp"
+#include "post/view_numbers.hpp"
+#include "post/view_store.hpp"
 
 namespace blocks::post {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Bytes = std::vector<unsigned char>;
 
 /// Those the page shows, in its order.
-constexpr std::array shown = {
-    "displacement", "dx", "dy", "speed",  "vx",  "vy",  "x",   "y",  "rotation",
-    "spin",         "fx", "fy", "moment", "s11", "s22", "s12", "p1", "p2"};
+constexpr std::array shown = {"displacement",
+                              "dx",
+                              "dy",
+                              "speed",
+                              "vx",
+                              "vy",
+                              "x",
+                              "y",
+                              "rotation",
+                              "spin",
+                              "fx",
+                              "fy",
+                              "moment",
+                              "s11",
+                              "s22",
+                              "s12",
+                              "p1",
+                              "p2",
+                              "kinetic_energy",
+                              "overlap",
+                              "contacts"};
 
-/// Arrays one behind the other, and a note of each in the page's JSON.
-class Store {
- public:
-  template <class T>
-  void add(const std::string& name, const char* type, const std::vector<T>& values) {
-    note(name, type, values.size(), 0);
-    append(values.data(), values.size() * sizeof(T));
-  }
-
-  /// Frames of `rows` values each: against the frame before, first bytes first, so that
-  /// what does not change becomes zeros.
-  template <class T>
-  void add_frames(const std::string& name, const char* type, std::vector<T> values,
-                  std::size_t rows) {
-    note(name, type, values.size(), rows);
-    Bytes raw(values.size() * sizeof(T));
-    std::memcpy(raw.data(), values.data(), raw.size());
-    const std::size_t frame = rows * sizeof(T);
-    for (std::size_t i = raw.size(); i-- > frame;)
-      raw[i] = static_cast<unsigned char>(raw[i] ^ raw[i - frame]);
-    Bytes planes(raw.size());
-    for (std::size_t k = 0; k < sizeof(T); ++k)
-      for (std::size_t i = 0; i < values.size(); ++i)
-        planes[k * values.size() + i] = raw[i * sizeof(T) + k];
-    append(planes.data(), planes.size());
-  }
-
-  const Json& notes() const { return notes_; }
-
-  /// zlib's stream in base64.
-  std::string packed() const {
-    uLongf size = compressBound(bytes_.size());
-    Bytes deflated(size);
-    if (compress2(deflated.data(), &size, bytes_.data(), bytes_.size(), 6) != Z_OK)
-      throw std::runtime_error("the page's data cannot be compressed");
-    deflated.resize(size);
-    return base64(deflated);
-  }
-
- private:
-  void note(const std::string& name, const char* type, std::size_t count,
-            std::size_t rows) {
-    notes_.push_back(
-        {{"name", name}, {"type", type}, {"count", count}, {"rows", rows}});
-  }
-  void append(const void* data, std::size_t size) {
-    const auto* from = static_cast<const unsigned char*>(data);
-    bytes_.insert(bytes_.end(), from, from + size);
-  }
-  static std::string base64(const Bytes& in) {
-    constexpr const char* letters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((in.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < in.size(); i += 3) {
-      std::uint32_t word = static_cast<std::uint32_t>(in[i]) << 16;
-      if (i + 1 < in.size())
-        word |= static_cast<std::uint32_t>(in[i + 1]) << 8;
-      if (i + 2 < in.size())
-        word |= in[i + 2];
-      out += letters[word >> 18];
-      out += letters[(word >> 12) & 63];
-      out += i + 1 < in.size() ? letters[(word >> 6) & 63] : '=';
-      out += i + 2 < in.size() ? letters[word & 63] : '=';
-    }
-    return out;
-  }
-
-  Bytes bytes_;
-  Json notes_ = Json::array();
+/// The guesses by other quantities, which the page makes with the same operations in
+/// the same order: what they miss is what rounding to six digits leaves.
+struct Formula {
+  const char *quantity, *name;
+  std::array<const char*, 3> of;
 };
+constexpr std::array formulas = {
+    Formula{"x", "moved_x", {"dx", nullptr, nullptr}},
+    Formula{"y", "moved_y", {"dy", nullptr, nullptr}},
+    Formula{"displacement", "length", {"dx", "dy", nullptr}},
+    Formula{"speed", "length", {"vx", "vy", nullptr}},
+    Formula{"p1", "principal_1", {"s11", "s22", "s12"}},
+    Formula{"p2", "principal_2", {"s11", "s22", "s12"}},
+    Formula{"kinetic_energy", "energy", {"vx", "vy", "spin"}}};
 
 /// The map from a block's first arms to the present ones: R(turn) for a rigid block.
 struct Shape {
@@ -117,18 +76,15 @@ Eigen::Matrix2Xd arms(const Frame& frame, int b) {
   return r;
 }
 
+/// Strains are drawn, not shown: a block of 1000 pixels is right to a hundredth of one.
+constexpr double strain_step = 1e-5;
+
 /// One contact force to be drawn.
 struct Arrow {
   int corner = 0;               ///< counted through all blocks
   unsigned char direction = 0;  ///< of 256 in a turn, from x to y
   double size = 0.0;
 };
-
-void put_varint(Bytes& bytes, unsigned value) {
-  for (; value > 127; value >>= 7)
-    bytes.push_back(static_cast<unsigned char>(value | 128));
-  bytes.push_back(static_cast<unsigned char>(value));
-}
 
 class Packer {
  public:
@@ -144,14 +100,12 @@ class Packer {
   }
 
   ViewData pack(const std::optional<Units>& units) {
-    for (const char* name : shown)
-      kinds_.push_back(find_quantity(name));
-    columns_.resize(kinds_.size());
+    columns_.assign(shown.size(), DigitColumn{blocks_, {}, {}});
     const Frame first = results_.frame(0);
     for (const long i : chosen_)
       take(results_.frame(i), first, results_.contacts(i));
 
-    Store store;
+    ViewStore store;
     std::vector<std::uint16_t> corners;
     std::vector<double> origin;
     std::vector<float> arm;
@@ -168,14 +122,19 @@ class Packer {
     store.add("origin", "f64", origin);  // eight bytes first: arrays stay aligned
     store.add("arm", "f32", arm);
     store.add("angle", "f32", angle);
-    for (std::size_t k = 0; k < kinds_.size(); ++k)
-      store.add_frames(kinds_[k]->name, "f32", std::move(columns_[k]), blocks_);
+    const auto single = [](const Eigen::VectorXd& values) {
+      return std::vector<float>(values.begin(), values.end());
+    };
+    store.add("mass", "f32", single(last_.mass));
+    store.add("inertia", "f32", single(last_.inertia));
+    add_quantities(store, origin, single(last_.mass), single(last_.inertia));
     if (strained_)
-      store.add_frames("strain", "f32", std::move(strain_), 4 * blocks_);
+      store.add_whole("strain", strain_, 4 * blocks_);
     store.add("corners", "u16", corners);
-    store.add_frames("fixed", "u8", std::move(fixed_), blocks_);
-    store.add("contacts", "u8", contact_bytes());
-    return {meta(store, units), store.packed()};
+    store.add_frames("fixed", fixed_, blocks_);
+    add_forces(store);
+    PackedText packed = store.packed();
+    return {meta(store, packed.bytes, units), std::move(packed.text)};
   }
 
  private:
@@ -184,25 +143,68 @@ class Packer {
     steps_.push_back(now.step);
     counts_.push_back(now.size());
     energy_.push_back(now.kinetic_energy);
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
-      const Eigen::VectorXd values = kinds_[k]->values(now, first);
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+      const Eigen::VectorXd values = quantity(shown[k], now, first, contacts).values;
       for (std::size_t b = 0; b < blocks_; ++b)
-        columns_[k].push_back(static_cast<int>(b) < now.size()
-                                  ? six_digits(values[static_cast<Eigen::Index>(b)])
-                                  : 0.0F);
+        columns_[k].add(static_cast<int>(b) < now.size()
+                            ? values[static_cast<Eigen::Index>(b)]
+                            : 0.0);
     }
     for (std::size_t b = 0; b < blocks_; ++b) {
       const bool there = static_cast<int>(b) < now.size();
       fixed_.push_back(there && now.fixed[b] != 0 ? 1 : 0);
-      const Eigen::Matrix2d map =
-          there ? follow(now, first, static_cast<int>(b)) : Eigen::Matrix2d::Identity();
-      for (const double value : map.reshaped())
-        strain_.push_back(static_cast<float>(value));
+      const Eigen::Matrix2d strain =
+          there ? follow(now, first, static_cast<int>(b)) : Eigen::Matrix2d::Zero();
+      for (const double value : strain.reshaped())
+        strain_.push_back(
+            static_cast<int>(std::lround(std::clamp(value / strain_step, -1e9, 1e9))));
     }
     take_contacts(contacts);
   }
 
-  /// The map of the block's arms; notes a new block and strained ones.
+  /// Those that others are guessed by come first.
+  void add_quantities(ViewStore& store, const std::vector<double>& origin,
+                      const std::vector<float>& mass,
+                      const std::vector<float>& inertia) const {
+    const auto shown_by = [&](const std::string& name) -> const std::vector<float>& {
+      const auto* found = std::find(shown.begin(), shown.end(), name);
+      return columns_[static_cast<std::size_t>(found - shown.begin())].shown;
+    };
+    const auto formula_of = [](const std::string& name) {
+      return std::find_if(formulas.begin(), formulas.end(),
+                          [&](const Formula& one) { return one.quantity == name; });
+    };
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      if (formula_of(shown[k]) == formulas.end())
+        store.add_digits(shown[k], columns_[k]);
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+      const auto* formula = formula_of(shown[k]);
+      if (formula == formulas.end())
+        continue;
+      std::array<const float*, 3> by{};
+      for (std::size_t j = 0; j < 3; ++j)
+        by[j] = formula->of[j] == nullptr ? nullptr : shown_by(formula->of[j]).data();
+      const std::string name = formula->name;
+      const Guess guess = [&, by, n = blocks_](std::size_t i) -> double {
+        const double a = by[0][i], b = by[1] == nullptr ? 0.0 : by[1][i],
+                     c = by[2] == nullptr ? 0.0 : by[2][i];
+        if (name == "moved_x")
+          return origin[2 * (i % n)] + a;
+        if (name == "moved_y")
+          return origin[2 * (i % n) + 1] + a;
+        if (name == "length")
+          return std::sqrt(a * a + b * b);
+        if (name == "energy")
+          return 0.5 * (mass[i % n] * (a * a + b * b) + inertia[i % n] * (c * c));
+        const double half = 0.5 * (a - b), radius = std::sqrt(half * half + c * c);
+        return 0.5 * (a + b) + (name == "principal_1" ? radius : -radius);
+      };
+      store.add_digits(shown[k], columns_[k], name, guess);
+    }
+  }
+
+  /// What the block's arms are strained before they are turned; notes a new block and
+  /// strained ones.
   Eigen::Matrix2d follow(const Frame& now, const Frame& first, int b) {
     const Eigen::Matrix2Xd r = arms(now, b);
     if (static_cast<std::size_t>(b) == shapes_.size()) {
@@ -221,12 +223,12 @@ class Packer {
     const double turn = now.angle[b] - shape.first_angle;
     const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
     if ((r - rotation * shape.arms).cwiseAbs().maxCoeff() < 1e-6 * shape.extent)
-      return rotation;
+      return Eigen::Matrix2d::Zero();
     strained_ = true;
     const Eigen::Matrix2d map = r * shape.arms.transpose() * shape.inverse;
     if ((r - map * shape.arms).cwiseAbs().maxCoeff() > 1e-4 * shape.extent)
       refuse(now, b);
-    return map;
+    return rotation.transpose() * map - Eigen::Matrix2d::Identity();
   }
   [[noreturn]] void refuse(const Frame& now, int b) const {
     throw std::runtime_error(fmt::format(
@@ -256,27 +258,40 @@ class Packer {
     arrows_.push_back(std::move(arrows));
   }
 
-  /// Per frame: their number; then of each the step to its corner, its direction and
-  /// its size on a logarithmic scale of 255 steps over six decades below the largest.
-  Bytes contact_bytes() const {
-    Bytes bytes;
+  /// How many forces each corner has in each frame; then direction and size of all of
+  /// them, against those of the same corner in the frame before. The size is on a
+  /// logarithmic scale of 255 steps over six decades below the largest.
+  void add_forces(ViewStore& store) const {
+    const auto corners = static_cast<std::size_t>(first_corner_.back());
+    Bytes acting, directions, sizes;
+    std::vector<Bytes> old_directions(corners), old_sizes(corners);
     for (const auto& arrows : arrows_) {
-      put_varint(bytes, static_cast<unsigned>(arrows.size()));
-      int before = 0;
+      std::vector<Bytes> new_directions(corners), new_sizes(corners);
       for (const Arrow& arrow : arrows) {
-        put_varint(bytes, static_cast<unsigned>(arrow.corner - before));
-        before = arrow.corner;
-      }
-      for (const Arrow& arrow : arrows)
-        bytes.push_back(arrow.direction);
-      for (const Arrow& arrow : arrows) {
+        const auto corner = static_cast<std::size_t>(arrow.corner);
+        const auto tell = [&](unsigned char value, Bytes& told, Bytes& now,
+                              const Bytes& before) {
+          const std::size_t rank = now.size();
+          told.push_back(static_cast<unsigned char>(
+              value - (rank < before.size() ? before[rank] : 0)));
+          now.push_back(value);
+        };
         const double decades =
             arrow.size > 0.0 ? std::log10(arrow.size / largest_) : -9;
-        bytes.push_back(static_cast<unsigned char>(
-            std::clamp(std::lround(255 * (1 + decades / 6)), 0L, 255L)));
+        tell(arrow.direction, directions, new_directions[corner],
+             old_directions[corner]);
+        tell(static_cast<unsigned char>(
+                 std::clamp(std::lround(255 * (1 + decades / 6)), 0L, 255L)),
+             sizes, new_sizes[corner], old_sizes[corner]);
       }
+      for (const Bytes& of_corner : new_sizes)
+        acting.push_back(static_cast<unsigned char>(of_corner.size()));
+      old_directions = std::move(new_directions);
+      old_sizes = std::move(new_sizes);
     }
-    return bytes;
+    store.add_frames("acting", acting, corners);
+    store.add("directions", "u8", directions);
+    store.add("sizes", "u8", sizes);
   }
 
   static std::string css(const Colour& c) {
@@ -286,13 +301,16 @@ class Packer {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
   }
 
-  std::string meta(const Store& store, const std::optional<Units>& units) const {
+  std::string meta(const ViewStore& store, std::size_t packed,
+                   const std::optional<Units>& units) const {
     Json quantities = Json::array();
-    for (const QuantityKind* kind : kinds_)
-      quantities.push_back({{"name", kind->name},
-                            {"label", kind->label},
-                            {"unit", unit_text(kind->dimension, units)},
-                            {"signed", kind->is_signed}});
+    for (const char* name : shown) {
+      const Quantity kind = quantity(name, last_, last_);
+      quantities.push_back({{"name", name},
+                            {"label", kind.label},
+                            {"unit", unit_text(kind.dimension, units)},
+                            {"signed", kind.is_signed}});
+    }
     Json sequential_map = Json::array(), diverging_map = Json::array(),
          materials = Json::object();
     constexpr int shades = 64;
@@ -323,6 +341,8 @@ class Packer {
                        {"length_unit", unit_text({1, 0, 0, "m", ""}, units)},
                        {"force_unit", unit_text({0, 1, -2, "N/m", ""}, units)},
                        {"energy_unit", unit_text({1, 1, -2, "J/m", ""}, units)},
+                       {"strain_step", strain_step},
+                       {"packed", packed},
                        {"arrays", store.notes()}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
@@ -332,9 +352,8 @@ class Packer {
   Frame last_;
   std::size_t blocks_ = 0;
   std::vector<int> first_corner_;
-  std::vector<const QuantityKind*> kinds_;
-  std::vector<std::vector<float>> columns_;
-  std::vector<float> strain_;
+  std::vector<DigitColumn> columns_;
+  std::vector<int> strain_;  ///< in steps
   std::vector<unsigned char> fixed_;
   bool strained_ = false;
   std::vector<Shape> shapes_;
@@ -347,16 +366,6 @@ class Packer {
 };
 
 }  // namespace
-
-float six_digits(double value) {
-  if (value == 0.0 || !std::isfinite(value))
-    return static_cast<float>(value);
-  std::array<char, 40> text{};
-  const auto end = fmt::format_to_n(text.data(), text.size(), "{:.5e}", value).out;
-  float nearest = 0.0F;
-  std::from_chars(text.data(), end, nearest);
-  return std::abs(nearest) < 1e-37F ? 0.0F : nearest;
-}
 
 ViewData view_data(const ResultsReader& results, long every,
                    const std::optional<Units>& units) {

@@ -13,7 +13,7 @@ namespace blocks::post {
 
 struct ViewData {
   std::string meta;    ///< JSON: title, times, quantities, where each array stands
-  std::string packed;  ///< arrays, deflated, in base64
+  std::string packed;  ///< arrays (view_store.hpp)
 };
 
 /// Every `every`-th frame and the last. A number is stored as the float nearest to its
@@ -23,9 +23,5 @@ struct ViewData {
 /// block changes its outline other than by moving, turning and straining evenly.
 ViewData view_data(const ResultsReader& results, long every,
                    const std::optional<Units>& units);
-
-/// The float nearest to the six leading digits of the value: "%.6g" of both is the same
-/// for 1e-37 < |value| < 3e38; what is smaller becomes zero.
-float six_digits(double value);
 
 }  // namespace blocks::post

@@ -18,7 +18,7 @@ from pathlib import Path
 import browser
 
 QUANTITIES = ["x", "y", "dx", "dy", "displacement", "speed", "vx", "vy", "rotation", "spin", "fx", "fy", "moment",
-              "s11", "s22", "s12", "p1", "p2"]
+              "s11", "s22", "s12", "p1", "p2", "kinetic_energy", "overlap", "contacts"]
 SEEN = """Object.fromEntries([...$("numbers").rows].map((row) =>
     [row.dataset.name, row.cells[1].textContent.replaceAll("−", "-")]))"""
 
@@ -51,6 +51,16 @@ def check_numbers(page, rows, followed, deck):
         page.key("ArrowRight")
 
 
+def check_corners(page, program, results, block):
+    """Rigid or strained, the outline drawn is the file's to a hundred-thousandth of the block."""
+    first, end = page.evaluate(f"[data.first_corner[{block - 1}], data.first_corner[{block}]]")
+    curves = [f"{axis}:{block}.{c + 1}" for c in range(end - first) for axis in "xy"]
+    for frame, row in enumerate(history(program, results, curves)):
+        drawn = page.evaluate(f"[...place_corners({frame}, new Float64Array(corners.length))]")[2 * first:2 * end]
+        for name, at in zip(curves, drawn):
+            assert abs(at - row[name]) < 2e-5, f"frame {frame}: {name} drawn at {at}, the file has {row[name]}"
+
+
 def check_playing(page, frames):
     page.evaluate("$('pace').value = '4'; $('pace').dispatchEvent(new Event('change'))")
     page.key("Home")
@@ -67,7 +77,7 @@ def check_forces(page, acting):
     """At rest every force of the stack stands upright, at a corner where two bricks meet, and together the forces on
     the floor, of opposite sign on the bricks, carry twelve bricks of 10 kN (in steps of 3 %)."""
     count, directions, heights, floor = page.evaluate(
-        "(() => { const {corner, direction, size} = data.contacts.at(-1);"
+        "(() => { const {corner, direction, size} = data.forces.at(-1);"
         "const at = [...corner].map((c) => corners[2 * c + 1]);"
         "const force = (i) => meta.largest_force * 10 ** (6 * (size[i] / 255 - 1));"
         "return [corner.length, [...direction], at, at.reduce((sum, y, i) => sum + (Math.abs(y) < 0.01 ? force(i) : 0), 0)];"
@@ -145,6 +155,7 @@ def check(program, deck, folder, followed, page, hands):
     rows = history(program, results, [f"{name}:{followed}" for name in QUANTITIES])
     assert len(rows) > 5
     check_numbers(page, rows, followed, deck.stem)
+    check_corners(page, program, results, followed)
     check_playing(page, len(rows))
     page.picture(folder / f"{deck.stem}_block.png")
     if hands:

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
+#include "output/sample_model.hpp"
 #include "post/view_data.hpp"
+#include "post/view_numbers.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {
@@ -15,6 +18,8 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+float six_digits(double value) { return post::float_of(post::six_digits_of(value)); }
 
 // The page shows the float to six digits; they must be those of the double. A plain
 // conversion to float loses this where a digit is about to turn.
@@ -27,12 +32,12 @@ TEST(View, SixDigitsSurviveTheFloat) {
   for (int i = 0; i < 100000; ++i) {
     const double value =
         (i % 2 ? -1 : 1) * mantissa(random) * std::pow(10.0, power(random));
-    const double kept = post::six_digits(value);
+    const double kept = six_digits(value);
     ASSERT_EQ(digits(kept), digits(value));
     plain_fails += digits(static_cast<float>(value)) != digits(value);
   }
   EXPECT_GT(plain_fails, 0);
-  EXPECT_EQ(post::six_digits(1e-40), 0.0F);
+  EXPECT_EQ(six_digits(1e-40), 0.0F);
 }
 
 TEST(View, WritesOnePageAndKeepsTheOlder) {
@@ -45,6 +50,75 @@ TEST(View, WritesOnePageAndKeepsTheOlder) {
   const std::string page = slurp(folder / "fall.html");
   EXPECT_THAT(page, HasSubstr("\"blocks\":1"));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
+}
+
+/// Whatever is drawn at random has six digits in every frame and no pattern:
+/// velocities, spins, forces, stresses. Places go on as the velocities say; contacts
+/// last.
+void jolt(Model& model, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto shake = [&](auto& values, double scale) {
+    for (double& value : values.reshaped())
+      value = scale * any(random);
+  };
+  Blocks& blocks = model.blocks;
+  model.time += 0.01;
+  model.steps += 140;
+  for (int b = 0; b < blocks.size(); ++b) {
+    blocks.velocity.col(b) += Vec2(any(random), any(random));
+    const Vec2 way = 0.01 * blocks.velocity.col(b);
+    Eigen::Matrix2d strain;
+    shake(strain, 1e-3);
+    const double turn = 0.01 * blocks.spin[b];
+    blocks.angle[b] += turn;
+    const Eigen::Matrix2d map =
+        Eigen::Rotation2Dd(turn) * (Eigen::Matrix2d::Identity() + strain);
+    for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
+      blocks.corner.col(c) = blocks.centroid.col(b) + way +
+                             map * (blocks.corner.col(c) - blocks.centroid.col(b));
+    blocks.centroid.col(b) += way;
+  }
+  shake(blocks.spin, 3);
+  shake(blocks.force, 1e6);
+  shake(blocks.moment, 1e5);
+  shake(blocks.stress, 1e7);
+  Contacts& list = model.contacts;
+  for (int i = 0; i < list.size(); ++i) {
+    if (any(random) > 0.8)
+      list.active[i] = !list.active[i];
+    list.normal_force[i] *= 1 + 0.3 * any(random);
+    list.overlap[i] = 1e-3 * (1 + any(random));
+  }
+}
+
+// 850 blocks x 100 frames in full motion, deformable: the requirement is 5 MB.
+TEST(View, AHundredFramesOfMotionStayBelowFiveMegabytes) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "motion.vtkhdf").string();
+  {
+    Model model = samples::no_blocks();
+    for (int b = 0; b < 850; ++b)
+      samples::add_box(model, 2 * (b % 34), 2 * (b / 34), 1.9, 1.9);
+    Contacts& list = model.contacts;
+    list.resize(3400);
+    list.normal_force.setConstant(1e5);
+    list.shear_force.setConstant(2e4);
+    for (int i = 0; i < list.size(); ++i) {
+      const int b = i / 4, other = b == 0 ? 1 : b - 1;
+      list.corner[i] = i, list.corner_block[i] = b;
+      list.edge[i] = 4 * other + i % 4, list.edge_block[i] = other;
+      list.active[i] = 1;
+    }
+    std::mt19937_64 random(850);
+    output::ResultsWriter results(path, {});
+    for (int frame = 0; frame < 100; ++frame) {
+      results.write(model);
+      jolt(model, random);
+    }
+  }
+  const post::ViewData page = post::view_data(post::ResultsReader(path), 1, {});
+  EXPECT_LT(page.packed.size() + page.meta.size(), 5'000'000U);
+  EXPECT_GT(page.packed.size(), 2'000'000U);  // else nothing moved
 }
 
 // A title ends neither the script nor the page.

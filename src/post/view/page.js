@@ -19,53 +19,121 @@ async function unpack() {
   if (!("DecompressionStream" in window))
     throw new Error("This browser is too old for the page: it needs DecompressionStream "
       + "(Chromium 80, Firefox 113, Safari 16.4 or newer).");
-  const text = atob($("data").textContent);
-  const packed = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
+  const packed = bytes_of($("data").textContent, meta.packed);
   $("data").remove();
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
   const kinds = {f64: Float64Array, f32: Float32Array, u16: Uint16Array, u8: Uint8Array};
+  const size = {digits: 4, whole: 4, frames: 1};
   let at = 0;
-  for (const {name, type, count, rows} of meta.arrays) {
-    const Kind = kinds[type], size = Kind.BYTES_PER_ELEMENT;
-    const part = bytes.subarray(at, at + count * size);
-    data[name] = rows ? frames_of(part, Kind, count, rows) : new Kind(part.slice().buffer);
-    at += count * size;
+  for (const note of meta.arrays) {
+    const {name, type, count, rows} = note;
+    const part = bytes.subarray(at, at += count * (size[type] ?? kinds[type].BYTES_PER_ELEMENT));
+    data[name] = type === "digits" ? read_digits(part, note)
+      : type === "whole" ? on_top(unfold(planes(part, count, 4)), rows)
+      : type === "frames" ? part.map((byte, i) => i < rows ? byte : part[i] ^= part[i - rows])
+      : new kinds[type](part.slice().buffer);
   }
   data.first_corner = new Uint32Array(meta.blocks + 1);
   for (let b = 0; b < meta.blocks; ++b)
     data.first_corner[b + 1] = data.first_corner[b] + data.corners[b];
-  data.contacts = read_contacts(data.contacts);
+  data.forces = read_forces();
   data.size = new Float32Array(meta.blocks);  // of the arms, for picking and zoom
   for (let b = 0; b < meta.blocks; ++b)
     for (let c = data.first_corner[b]; c < data.first_corner[b + 1]; ++c)
       data.size[b] = Math.max(data.size[b], Math.hypot(data.arm[2 * c], data.arm[2 * c + 1]));
 }
 
-/// Planes of bytes back to numbers, each frame on top of the one before.
-function frames_of(planes, Kind, count, rows) {
-  const size = Kind.BYTES_PER_ELEMENT, raw = new Uint8Array(count * size);
-  for (let k = 0; k < size; ++k)
-    for (let i = 0, from = k * count, to = k; i < count; ++i, to += size)
-      raw[to] = planes[from + i];
-  for (let i = rows * size; i < raw.length; ++i) raw[i] ^= raw[i - rows * size];
-  return new Kind(raw.buffer);
+/// Two letters of 91 are 13 bits.
+function bytes_of(text, count) {
+  const digit = new Uint8Array(128);
+  let known = 0;
+  for (let c = 33; c < 127; ++c)
+    if (!"&<>".includes(String.fromCharCode(c))) digit[c] = known++;
+  const bytes = new Uint8Array(count);  // what the last letters hold beyond is left out
+  for (let i = 0, n = 0, held = 0, bits = 0; i + 1 < text.length; i += 2) {
+    held |= (digit[text.charCodeAt(i)] + 91 * digit[text.charCodeAt(i + 1)]) << bits;
+    for (bits += 13; bits > 7; bits -= 8, held >>>= 8) bytes[n++] = held & 255;
+  }
+  return bytes;
 }
 
-function read_contacts(bytes) {
-  let at = 0;
-  const number = () => {
-    let value = 0, factor = 1, byte;
-    do { byte = bytes[at++]; value += (byte & 127) * factor; factor *= 128; } while (byte > 127);
-    return value;
-  };
-  return meta.times.map(() => {
-    const n = number(), corner = new Uint32Array(n);
-    for (let i = 0, last = 0; i < n; ++i) corner[i] = last += number();
-    const direction = bytes.subarray(at, at += n), size = bytes.subarray(at, at += n);
-    return {corner, direction, size};
-  });
+/// The lowest bytes of all numbers, then the next ones.
+function planes(part, count, number) {
+  const whole = new Uint32Array(count);
+  for (let k = number - 1; k >= 0; --k)
+    for (let i = 0, from = k * count; i < count; ++i) whole[i] = whole[i] << 8 | part[from + i];
+  return whole;
+}
+/// 0, 1, 2, 3 as 0, -1, 1, -2.
+function unfold(told) {
+  for (let i = 0; i < told.length; ++i) told[i] = told[i] >>> 1 ^ -(told[i] & 1);
+  return new Int32Array(told.buffer);
+}
+/// Each frame on top of the one before.
+function on_top(changes, rows) {
+  for (let i = rows; i < changes.length; ++i) changes[i] += changes[i - rows];
+  return changes;
+}
+
+/// Guesses of numbers by other quantities: the program made them by the same operations in
+/// the same order (view_data.cpp), and tells what they miss.
+const formulas = {
+  moved_x: (n) => (i) => data.origin[2 * (i % n)] + data.dx[i],
+  moved_y: (n) => (i) => data.origin[2 * (i % n) + 1] + data.dy[i],
+  length: (n, [x, y]) => (i) => Math.sqrt(x[i] * x[i] + y[i] * y[i]),
+  principal: (n, sign) => (i) => {
+    const a = data.s11[i], b = data.s22[i], c = data.s12[i], half = 0.5 * (a - b);
+    return 0.5 * (a + b) + sign * Math.sqrt(half * half + c * c);
+  },
+  energy: (n) => (i) => 0.5 * (data.mass[i % n] * (data.vx[i] * data.vx[i] + data.vy[i] * data.vy[i])
+    + data.inertia[i % n] * (data.spin[i] * data.spin[i])),
+};
+const guess_of = ({name, guess, rows}) => ({
+  length: () => formulas.length(rows, name === "speed" ? [data.vx, data.vy] : [data.dx, data.dy]),
+  principal_1: () => formulas.principal(rows, 1), principal_2: () => formulas.principal(rows, -1),
+}[guess] ?? (() => formulas[guess](rows)))();
+
+const tens = Array.from({length: 64}, (_, k) => Number(`1e${k}`));
+const shifted = (value, power) => power >= 0 ? value * tens[power] : value / tens[-power];
+const not_finite = 127;
+
+/// Six digits and a power of ten each (view_numbers.hpp).
+function read_digits(part, note) {
+  const {count, rows, guess} = note, shown = new Float32Array(count);
+  const power = on_top(new Int8Array(part.slice(0, count).buffer), rows);
+  const told = unfold(planes(part.subarray(count), count, 3));
+  const expected = guess === "before" ? (i) => i < rows ? 0 : shown[i - rows]
+    : guess === "linear" ? (i) => i < rows ? 0 : i < 2 * rows ? shown[i - rows] : 2 * shown[i - rows] - shown[i - 2 * rows]
+    : guess_of(note);
+  for (let i = 0; i < count; ++i) {
+    const near = Math.floor(shifted(expected(i), -power[i]) + 0.5);
+    const digits = told[i] + (near !== near ? 0 : Math.max(-999999, Math.min(999999, near)));
+    shown[i] = power[i] !== not_finite ? shifted(digits, power[i]) : digits ? digits * Infinity : NaN;
+  }
+  return shown;
+}
+
+/// The forces of each frame: their corners, directions and sizes.
+function read_forces() {
+  const {acting, directions, sizes} = data, all = acting.length / frames, result = [];
+  let before = {start: new Uint32Array(all + 1), direction: [], size: []};
+  for (let f = 0, at = 0; f < frames; ++f) {
+    const count = acting.subarray(f * all, (f + 1) * all), start = new Uint32Array(all + 1);
+    for (let c = 0; c < all; ++c) start[c + 1] = start[c] + count[c];
+    const n = start[all], corner = new Uint32Array(n), direction = directions.slice(at, at + n), size = sizes.slice(at, at + n);
+    for (let c = 0; c < all; ++c)
+      for (let i = start[c], old = before.start[c]; i < start[c + 1]; ++i, ++old) {
+        corner[i] = c;
+        if (old >= before.start[c + 1]) continue;
+        direction[i] += before.direction[old];
+        size[i] += before.size[old];
+      }
+    result.push({corner, direction, size});
+    before = {start, direction, size};
+    at += n;
+  }
+  return result;
 }
 
 const quantity = (name) => meta.quantities.find((q) => q.name === name);
@@ -111,13 +179,14 @@ function centre(b, f) {
 function place_corners(f, into) {
   for (let b = 0; b < meta.counts[f]; ++b) {
     const [x, y] = centre(b, f);
-    let a = 1, c = 0, d = 0, e = 1;  // columns (a, c), (d, e)
+    const turn = (value("rotation", b, f) - data.angle[b]) * Math.PI / 180;
+    const cos = Math.cos(turn), sin = Math.sin(turn);
+    let a = cos, c = sin, d = -sin, e = cos;  // columns (a, c), (d, e)
     if (data.strain) {
-      const i = 4 * (f * meta.blocks + b);
-      [a, c, d, e] = [data.strain[i], data.strain[i + 1], data.strain[i + 2], data.strain[i + 3]];
-    } else {
-      const turn = (value("rotation", b, f) - data.angle[b]) * Math.PI / 180;
-      a = e = Math.cos(turn); c = Math.sin(turn); d = -c;
+      const i = 4 * (f * meta.blocks + b), step = meta.strain_step;
+      const s = 1 + step * data.strain[i], t = step * data.strain[i + 1];
+      const u = step * data.strain[i + 2], v = 1 + step * data.strain[i + 3];
+      [a, c, d, e] = [cos * s - sin * t, sin * s + cos * t, cos * u - sin * v, sin * u + cos * v];
     }
     for (let i = 2 * data.first_corner[b]; i < 2 * data.first_corner[b + 1]; i += 2) {
       const u = data.arm[i], v = data.arm[i + 1];
@@ -257,7 +326,7 @@ function draw_original() {
 let usual = -1;
 function usual_force() {
   if (usual >= 0) return usual;
-  const largest = data.contacts.map(({size}) => size.reduce((most, s) => Math.max(most, s), 0))
+  const largest = data.forces.map(({size}) => size.reduce((most, s) => Math.max(most, s), 0))
     .filter((most) => most > 0).sort((a, b) => a - b);
   return usual = largest[largest.length >> 1] ?? 255;
 }
@@ -268,7 +337,7 @@ const force_length = () => Math.min(60, 1.2 * typical_size() * state.view.scale)
 
 /// Lines through the contacts along their forces: x0, y0, x1, y1 on the page.
 function force_lines(f) {
-  const {corner, direction, size} = data.contacts[f], full = force_length(), lines = [];
+  const {corner, direction, size} = data.forces[f], full = force_length(), lines = [];
   const {x, y, scale} = state.view, w = model.clientWidth, h = model.clientHeight;
   for (let i = 0; i < corner.length; ++i) {
     const length = Math.min(2 * full, full * Math.sqrt(10 ** (6 * (size[i] - usual_force()) / 255)));
