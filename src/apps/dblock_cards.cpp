@@ -21,10 +21,24 @@ struct Card {
   bool whole = false;  ///< whole numbers from 1
 };
 
-Card colour(double r, double g, double b) {
+/// Table E.2.
+const std::map<std::string, post::Colour, std::less<>>& colours() {
+  static const std::map<std::string, post::Colour, std::less<>> all = {
+      {"CLEARC", {1, 1, 1}},
+      {"BLUE", {0.16, 0.35, 0.80}},
+      {"CYAN", {0.35, 0.80, 0.85}},
+      {"GREEN", {0.25, 0.62, 0.32}},
+      {"MGENTA", {0.78, 0.25, 0.65}},
+      {"RED", {0.82, 0.20, 0.18}},
+      {"YELLOW", {0.96, 0.85, 0.25}},
+      {"ZUNI", {0.45, 0.70, 0.92}}};  // Sandia light blue
+  return all;
+}
+
+Card colour_card(const post::Colour& colour) {
   return {1, 1,
           [=](DblockCards& cards, const std::vector<double>& v) {
-            cards.materials[static_cast<int>(v[0])] = {r, g, b};
+            cards.materials[static_cast<int>(v[0])] = colour;
           },
           true};
 }
@@ -33,7 +47,7 @@ const std::map<std::string, Card, std::less<>>& table() {
   using C = DblockCards;
   using Values = std::vector<double>;
   constexpr std::size_t any = 1000;
-  static const std::map<std::string, Card, std::less<>> cards = {
+  static std::map<std::string, Card, std::less<>> cards = {
       {"BLOCKS", {0, 0, [](C& c, const Values&) { c.first_only = true; }}},
       {"ZOOM",
        {4, 4,
@@ -61,15 +75,9 @@ const std::map<std::string, Card, std::less<>>& table() {
         }}},
       {"MOVIE", {0, 0, [](C& c, const Values&) { c.movie = true; }}},
       {"FLIP", {0, 0, [](C& c, const Values&) { c.flip = true; }}},
-      {"ENDDATA", {0, 0, [](C&, const Values&) {}}},
-      {"CLEARC", colour(1, 1, 1)},
-      {"BLUE", colour(0.16, 0.35, 0.80)},
-      {"CYAN", colour(0.35, 0.80, 0.85)},
-      {"GREEN", colour(0.25, 0.62, 0.32)},
-      {"MGENTA", colour(0.78, 0.25, 0.65)},
-      {"RED", colour(0.82, 0.20, 0.18)},
-      {"YELLOW", colour(0.96, 0.85, 0.25)},
-      {"ZUNI", colour(0.45, 0.70, 0.92)}};  // Sandia light blue
+      {"ENDDATA", {0, 0, [](C&, const Values&) {}}}};
+  for (const auto& [name, colour] : colours())
+    cards.try_emplace(name, colour_card(colour));
   return cards;
 }
 
@@ -114,6 +122,25 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
 
 }  // namespace
 
+std::optional<post::Colour> named_colour(const std::string& name) {
+  if (const auto found = colours().find(deck::capitals(name)); found != colours().end())
+    return found->second;
+  if (name.size() != 7 || name[0] != '#' ||
+      name.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+    return {};
+  const auto part = [&](std::size_t at) {
+    return std::stoi(name.substr(at, 2), nullptr, 16) / 255.0;
+  };
+  return post::Colour{part(1), part(3), part(5)};
+}
+
+std::string colour_names() {
+  std::string text;
+  for (const auto& [name, colour] : colours())
+    text += name + ", ";
+  return text + "#rrggbb";
+}
+
 DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults) {
   DblockCards cards;
   for (const deck::Line& line : deck::split_deck(text)) {
@@ -131,6 +158,8 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
     if (!values)
       continue;
     found->second.act(cards, *values);
+    if (colours().contains(name))
+      cards.painted[static_cast<int>(values->front())] = {line.fields[1].where, name};
     if (name == "ENDDATA")
       break;
     if (name == "FRAMESIZE" && cards.frame_size > 3)
@@ -149,7 +178,9 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
 std::vector<double> DblockCards::chosen(const std::vector<double>& all) const {
   if (first_only)
     return {all.front()};
-  const double low = from.value_or(all.front()), high = to.value_or(all.back());
+  // beyond the results there is nothing; TIMES alone must be there
+  const double low = std::max(from.value_or(all.front()), all.front()),
+               high = std::min(to.value_or(all.back()), all.back());
   std::set<double> found(times.begin(), times.end());
   // closer together than any results: every one of these
   const bool dense = every && (high - low) / *every > 1e5;
@@ -157,6 +188,8 @@ std::vector<double> DblockCards::chosen(const std::vector<double>& all) const {
     for (const double t : all)
       if (t >= low && t <= high)
         found.insert(t);
+  if (low > high)
+    return {found.begin(), found.end()};
   if (every && !dense)
     for (int k = 0; low + k * *every <= high + 1e-9 * *every; ++k)
       found.insert(std::min(low + k * *every, high));

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "deck/diagnostics.hpp"
@@ -25,11 +26,18 @@ struct DblockCards {
   bool movie = false;                     ///< MOVIE
   bool flip = false;                      ///< FLIP
   std::map<int, post::Colour> materials;  ///< CLEARC, BLUE, ...
+  std::map<int, std::pair<deck::SourceLocation, std::string>>
+      painted;  ///< where, by which
 
   /// Times to be plotted, rising, none twice; `all` are those of the file. Without a
   /// card that asks for times: ten from TMIN to TMAX, as in 1982.
   std::vector<double> chosen(const std::vector<double>& all) const;
 };
+
+/// A colour of Table E.2 in any case, or #rrggbb.
+std::optional<post::Colour> named_colour(const std::string& name);
+/// "BLUE, CLEARC, ..." and #rrggbb.
+std::string colour_names();
 
 /// Reads cards up to ENDDATA; all faults go into `faults`.
 DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
 
 #include "dblock_cards.hpp"
+#include "post/counted.hpp"
 #include "post/figure_scales.hpp"
 #include "post/movie.hpp"
 #include "run/deck_file.hpp"
@@ -22,6 +24,19 @@ std::vector<long> frames(const DblockCards& cards, const post::ResultsReader& re
   return chosen;
 }
 
+/// Colours are for materials that there are.
+void check_materials(const DblockCards& cards, const post::ResultsReader& results,
+                     deck::Diagnostics& faults) {
+  if (cards.painted.empty())
+    return;
+  const std::set<int> present = post::materials_of(results);
+  for (const auto& [material, card] : cards.painted)
+    if (!present.contains(material))
+      faults.error(card.first, card.second,
+                   fmt::format("there is no material {}; the results have {}", material,
+                               fmt::join(present, ", ")));
+}
+
 void print_corners(const post::Frame& frame) {
   fmt::print("time {:.9g}\n{:>8}{:>8}{:>18}{:>18}\n", frame.time, "block", "corner",
              "x", "y");
@@ -34,17 +49,19 @@ void print_corners(const post::Frame& frame) {
 }  // namespace
 
 int plot_dblock(const std::string& cards_file, const post::ResultsReader& results,
-                const std::string& output, post::FigureOptions figure) {
+                const std::string& output, double rate, post::FigureOptions figure) {
   const std::string text = run::read_deck(cards_file);
   deck::Diagnostics faults(cards_file, text);
   const DblockCards cards = read_dblock_cards(text, faults);
+  check_materials(cards, results, faults);
   fmt::print(stderr, "{}", faults.format_all());
   if (faults.has_errors())
     return run::deck_error;
 
   constexpr double widths[] = {1200, 800, 640};  // FRAMESIZE
   figure.width = widths[cards.frame_size - 1];
-  figure.material_colours = cards.materials;
+  for (const auto& [material, colour] : cards.materials)
+    figure.material_colours[material] = colour;
   if (cards.zoom)
     figure.zoom = cards.zoom;
   if (cards.flip) {
@@ -59,9 +76,15 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
                cards_file, results.times().front(), results.times().back());
     return run::deck_error;
   }
+  post::require_blocks_in_zoom(results, chosen, figure);
   if (post::is_movie(output)) {
-    post::draw_movie(output, results, chosen, 25.0, figure);
-    fmt::print("{}: {} pictures\n", output, chosen.size());
+    post::draw_movie(output, results, chosen, rate, figure);
+    if (cards.print)
+      for (const long frame : chosen)
+        print_corners(results.frame(frame));
+    else
+      fmt::print("{}: {}, {:.3g} s\n", output, post::counted(chosen.size(), "picture"),
+                 static_cast<double>(chosen.size()) / rate);
     return run::done;
   }
   if (cards.movie && !figure.zoom)  // so that the plots lie over each other

@@ -15,6 +15,7 @@
 #include "model/model.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
+#include "post/counted.hpp"
 #include "post/quantity.hpp"
 #include "post/results_nearby.hpp"
 #include "post/results_reader.hpp"
@@ -127,8 +128,9 @@ void write_series(const ExportOptions& options, const std::string& format,
       format == "pvd" ? post::write_pvd(options.output, results, frames)
                       : post::write_csv(options.output, results, frames);
   if (!options.input.quiet)
-    fmt::print("{}: {} times, {} rows of blocks and {} of contacts\n",
-               fmt::join(files.names, ", "), frames.size(), files.blocks,
+    fmt::print("{}: {}, {} of blocks and {} of contacts\n",
+               fmt::join(files.names, ", "), post::counted(frames.size(), "time"),
+               post::counted(static_cast<std::size_t>(files.blocks), "row"),
                files.contacts);
 }
 
@@ -224,7 +226,7 @@ int export_blocks(ExportOptions options) {
   }
   write_text_file(options.output, text);
   if (!options.input.quiet) {
-    fmt::print("{}: {} blocks", options.output, scene.blocks.size());
+    fmt::print("{}: {}", options.output, post::counted(scene.blocks.size(), "block"));
     if (scene.time)
       fmt::print(" at time {:g}", *scene.time);
     const std::string missing = left_out(scene, format);

@@ -48,7 +48,11 @@ post::ChartPanel& panel(post::Chart& chart, const std::string& y_label) {
 }
 
 void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs) {
-  chart.title = runs.front().title;
+  std::vector<std::string> titles;
+  for (const NumberTable& run : runs)
+    if (std::find(titles.begin(), titles.end(), run.title) == titles.end())
+      titles.push_back(run.title);
+  chart.title = fmt::format("{}", fmt::join(titles, "  ·  "));
   for (const NumberTable& run : runs)
     chart.subtitle += (chart.subtitle.empty() ? "" : ", ") + run.file;
 }
@@ -118,11 +122,15 @@ Answer profiles(const HistoryOptions& options,
   }
   Answer answer;
   const std::string length = post::unit_text({1, 0, 0, "m", ""}, units);
+  const std::string time_unit =
+      units ? " " + post::unit_text({0, 0, 1, "s", ""}, units) : "";
   const std::string position = line.segment ? "distance along the line" : "x";
   for (const std::string& file : options.files) {
     const post::ResultsReader results(file);
     const post::Frame first = results.frame(0);
-    const auto places = post::profile_places(first, line);
+    auto places = post::profile_places(first, line);
+    if (options.mirror)
+      places = post::both_halves(places, *options.mirror);
     NumberTable table{file, results.title(), {{"position", position, length, {}}}};
     table.columns.push_back({"block", "block", "", {}});
     for (const post::ProfilePlace& place : places) {
@@ -140,7 +148,7 @@ Answer profiles(const HistoryOptions& options,
         const std::string run =
             options.files.size() > 1 ? ", " + fs::path(file).stem().string() : "";
         panel(answer.chart, with_unit(kind->label, unit))
-            .lines.push_back({"t = " + at + run, table.columns[0].values,
+            .lines.push_back({"t = " + at + time_unit + run, table.columns[0].values,
                               table.columns.back().values});
       }
     }
@@ -209,6 +217,9 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
                   "times of a profile, with commas (default: the last)")
       ->delimiter(',')
       ->allow_extra_args(false);
+  command.add_option("--mirror", options.mirror,
+                     "of --profile top: the other half of a half model too, mirrored "
+                     "about this x");
   command
       .add_option("-o,--output", options.outputs,
                   "a .csv, .json, .png, .svg or .pdf file; several with commas "
@@ -216,8 +227,9 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
-  command.add_flag("--csv", options.csv, "print CSV instead of the table");
-  command.add_flag("--json", options.json, "print JSON instead of the table");
+  auto* csv = command.add_flag("--csv", options.csv, "print CSV instead of the table");
+  command.add_flag("--json", options.json, "print JSON instead of the table")
+      ->excludes(csv);
   command.add_option("--units", options.units,
                      "units of length, mass and time, as in m,kg,s");
   command.add_option("--width", options.width, "of a figure, pixels or points")
@@ -235,6 +247,9 @@ int history(const HistoryOptions& options) {
          std::isfinite(options.to)))
       throw std::runtime_error("--against, --from and --to belong to a history; the "
                                "times of a --profile are given with --times");
+    if (options.mirror && (options.profile != "top" || !std::isfinite(*options.mirror)))
+      throw std::runtime_error("--mirror belongs to --profile top: the x of the plane "
+                               "that a half model ends at");
     check_names(options.outputs);
     std::optional<post::Units> units;
     if (!options.units.empty())

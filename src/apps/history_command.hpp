@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct HistoryOptions {
   std::string against;                  ///< empty: time
   std::string profile;                  ///< empty: histories
   std::vector<double> times;            ///< of a profile; empty: the last frame
+  std::optional<double> mirror;         ///< of a profile: x of the plane [L]
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
   std::vector<std::string> outputs;  ///< files; empty: the terminal

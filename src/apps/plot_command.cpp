@@ -7,10 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <set>
 
+#include "dblock_cards.hpp"
 #include "dblock_plots.hpp"
+#include "deck/free_field.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
+#include "post/counted.hpp"
 #include "post/figure_scales.hpp"
 #include "post/movie.hpp"
 #include "post/quantity.hpp"
@@ -73,7 +78,7 @@ std::vector<long> chosen_frames(const post::ResultsReader& results,
   if (options.sheet > 0)
     return spread(results, between, options.sheet);
   if (post::is_movie(options.output))
-    return thinned(between, options.every);
+    return thinned(between, options.every.value_or(1));
   return {between.back()};
 }
 
@@ -88,6 +93,59 @@ void check_ending(const std::string& path) {
                            path + "'");
 }
 
+/// An option that would do nothing is a misunderstanding.
+void check_combinations(const PlotOptions& options) {
+  const auto refuse = [](bool given, const std::string& words) {
+    if (given)
+      throw std::runtime_error(words);
+  };
+  const bool movie = post::is_movie(options.output);
+  const bool sheet = !movie && (options.sheet > 0 || options.times.size() > 1);
+  const std::string a_movie = " belongs to a movie: -o NAME.mp4 or NAME.gif";
+  refuse(options.every && !movie, "--every" + a_movie);
+  refuse(options.rate && !movie, "--rate" + a_movie);
+  refuse(options.figure.columns > 0 && !sheet,
+         "--columns belongs to a sheet: --sheet 4 or -t 0,1,2");
+  refuse((options.from || options.to) && options.sheet == 0 &&
+             (!movie || !options.times.empty()),
+         "--from and --to belong to --sheet or to a movie; a single time is -t");
+  refuse(options.sheet > 0 && movie,
+         "--sheet is for a figure; a movie is cut with --from, --to and --every");
+  refuse(options.mirror && !std::isfinite(*options.mirror),
+         "--mirror is the x of the plane that a half model ends at");
+  const bool by_material = options.figure.colour == "material";
+  refuse(!options.range.empty() && by_material,
+         "--range is that of --colour QUANTITY; materials have none");
+  refuse(!options.materials.empty() && !by_material,
+         "--materials are drawn with --colour material only");
+}
+
+/// "1=RED" and so on. Throws std::runtime_error saying what there is.
+std::map<int, post::Colour> material_colours(const std::vector<std::string>& texts,
+                                             const post::ResultsReader& results) {
+  std::map<int, post::Colour> chosen;
+  if (texts.empty())
+    return chosen;
+  const std::set<int> present = post::materials_of(results);
+  for (const std::string& text : texts) {
+    const auto mark = text.find('=');
+    const auto colour =
+        mark == text.npos ? std::nullopt : named_colour(text.substr(mark + 1));
+    if (!colour)
+      throw std::runtime_error("--materials are written as 1=RED; there are " +
+                               colour_names() + ", found '" + text + "'");
+    const auto material = std::find_if(present.begin(), present.end(), [&](int one) {
+      return std::to_string(one) == text.substr(0, mark);
+    });
+    if (material == present.end())
+      throw std::runtime_error(fmt::format("there is no material {}; {} has {}",
+                                           text.substr(0, mark), results.path(),
+                                           fmt::join(present, ", ")));
+    chosen[*material] = *colour;
+  }
+  return chosen;
+}
+
 void take(const PlotOptions& options, post::FigureOptions& figure) {
   if (!options.zoom.empty())
     figure.zoom = Eigen::Vector4d(options.zoom.data());
@@ -97,6 +155,8 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
     figure.mirror = true;
     figure.mirror_x = *options.mirror;
   }
+  if (deck::capitals(figure.colour) == "MATERIAL")
+    figure.colour = "material";
   if (!options.units.empty())
     figure.units = post::Units::parse(options.units);
 }
@@ -109,32 +169,42 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command.add_option("-o,--output", options.output,
                      "figure: .png, .svg or .pdf; movie: .mp4 or .gif, which need "
                      "ffmpeg (default: NAME.png)");
-  auto* times = command
-                    .add_option("-t,--time", options.times,
-                                "time of the frame (default: the last); several with "
-                                "commas: side by side on one sheet")
-                    ->delimiter(',')
-                    ->allow_extra_args(false);
+  auto* times =
+      command
+          .add_option("-t,--time", options.times,
+                      "time of the frame (default: the last); several with "
+                      "commas: side by side on one sheet, or the pictures of a movie")
+          ->delimiter(',')
+          ->allow_extra_args(false);
+  auto* sheet =
+      command
+          .add_option("--sheet", options.sheet,
+                      "so many times evenly spread, side by side on one sheet")
+          ->check(CLI::Range(1, 100))
+          ->excludes(times);
+  auto* columns =
+      command
+          .add_option("--columns", figure.columns, "of a sheet (default: what fits)")
+          ->check(CLI::Range(1, 100));
+  auto* from =
+      command.add_option("--from", options.from, "first time of a sheet or movie");
+  auto* to = command.add_option("--to", options.to, "last time of a sheet or movie");
+  auto* every = command
+                    .add_option("--every", options.every,
+                                "of a movie: take every so many frames, and the last")
+                    ->check(CLI::Range(1, 1000000000));
   command
-      .add_option("--sheet", options.sheet,
-                  "so many times evenly spread, side by side on one sheet")
-      ->check(CLI::Range(1, 100))
-      ->excludes(times);
-  command.add_option("--columns", figure.columns, "of a sheet (default: what fits)")
-      ->check(CLI::Range(1, 100));
-  command.add_option("--from", options.from, "first time of a sheet or movie");
-  command.add_option("--to", options.to, "last time of a sheet or movie");
-  command
-      .add_option("--every", options.every,
-                  "of a movie: take every so many frames, and the last")
-      ->check(CLI::Range(1, 1000000000));
-  command.add_option("--rate", options.rate, "of a movie: pictures a second")
-      ->check(CLI::Range(0.1, 100.0))
-      ->capture_default_str();
+      .add_option("--rate", options.rate, "of a movie: pictures a second (default: 25)")
+      ->check(CLI::Range(0.1, 100.0));
   command
       .add_option("--colour,--color", figure.colour,
                   "material, " + post::block_quantity_names())
       ->capture_default_str();
+  command
+      .add_option("--materials", options.materials,
+                  "colours of materials, as 1=RED,2=#8fa88b: " + colour_names())
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_option("--range", options.range, "low high: of the colours")
       ->expected(2)
       ->delimiter(',');
@@ -158,14 +228,20 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->delimiter(',');
   command.add_option("--units", options.units,
                      "units of length, mass and time, as in m,kg,s");
-  command.add_option("--width", figure.width, "pixels or points")
-      ->check(CLI::Range(100, 20000))
-      ->capture_default_str();
+  auto* width = command.add_option("--width", figure.width, "pixels or points")
+                    ->check(CLI::Range(100, 20000))
+                    ->capture_default_str();
   command
       .add_option("--dblock", options.dblock,
                   "cards of DBLOCK (Appendix E of the report): a series of figures, or "
                   "a movie of them")
-      ->excludes(times);
+      ->excludes(times)
+      ->excludes(sheet)
+      ->excludes(columns)
+      ->excludes(from)
+      ->excludes(to)
+      ->excludes(every)
+      ->excludes(width);
 }
 
 int plot(PlotOptions options) {
@@ -175,15 +251,19 @@ int plot(PlotOptions options) {
     check_ending(options.output);
     output::check_outputs({options.output});
     take(options, options.figure);
+    check_combinations(options);
     const post::ResultsReader results(options.file);
+    options.figure.material_colours = material_colours(options.materials, results);
+    const double rate = options.rate.value_or(25.0);
     if (!options.dblock.empty())
-      return plot_dblock(options.dblock, results, options.output, options.figure);
+      return plot_dblock(options.dblock, results, options.output, rate, options.figure);
     const std::vector<long> frames = chosen_frames(results, options);
     post::require_blocks_in_zoom(results, frames, options.figure);
     if (post::is_movie(options.output)) {
-      post::draw_movie(options.output, results, frames, options.rate, options.figure);
-      fmt::print("{}: {} pictures, {:.3g} s\n", options.output, frames.size(),
-                 static_cast<double>(frames.size()) / options.rate);
+      post::draw_movie(options.output, results, frames, rate, options.figure);
+      fmt::print("{}: {}, {:.3g} s\n", options.output,
+                 post::counted(frames.size(), "picture"),
+                 static_cast<double>(frames.size()) / rate);
     } else {
       post::draw_figure(options.output, results, frames, options.figure);
       fmt::print("{}\n", options.output);

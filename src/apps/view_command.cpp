@@ -29,6 +29,11 @@ int view(ViewOptions options) {
   try {
     if (options.output.empty())
       options.output = std::filesystem::path(options.file).stem().string() + ".html";
+    const std::string ending =
+        std::filesystem::path(options.output).extension().string();
+    if (ending != ".html" && ending != ".htm")
+      throw std::runtime_error("the page's name must end in .html, found '" +
+                               options.output + "'");
     if (same_file(options.file, options.output))
       throw std::runtime_error(options.file +
                                " would be written over: choose another -o NAME");

@@ -28,8 +28,19 @@ Colour material_colour(int material) {
   static constexpr std::array<Colour, 8> palette = {
       hex(0xc9b79c), hex(0x6b7f8f), hex(0xb5886b), hex(0x8fa88b),
       hex(0xd8c27a), hex(0x8a7a99), hex(0xa9c1cf), hex(0x7d6b5d)};
-  const int index = (material - 1) % 8;
-  return palette[static_cast<std::size_t>(index < 0 ? index + 8 : index)];
+  struct Shade {
+    Colour with;
+    double share;
+  };
+  static constexpr std::array<Shade, 5> rounds = {Shade{hex(0xffffff), 0.0},
+                                                  {hex(0xffffff), 0.5},
+                                                  {hex(0x000000), 0.35},
+                                                  {hex(0xffffff), 0.75},
+                                                  {hex(0x000000), 0.6}};
+  const int all = static_cast<int>(palette.size() * rounds.size());
+  const auto index = static_cast<std::size_t>(((material - 1) % all + all) % all);
+  const Shade& shade = rounds[index / palette.size()];
+  return mix(shade.with, palette[index % palette.size()], shade.share);
 }
 
 Colour sequential(double s) {

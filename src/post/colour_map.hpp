@@ -7,7 +7,7 @@ struct Colour {
   double r = 0, g = 0, b = 0;  ///< 0 to 1
 };
 
-/// Muted, told apart by colour-blind eyes; repeats after eight materials.
+/// Muted, told apart by colour-blind eyes; repeats after forty materials.
 Colour material_colour(int material);
 
 /// Dark blue to yellow, 0 <= s <= 1 (clamped): magnitudes.

@@ -28,18 +28,21 @@ std::string block_rows(const Frame& now, const Frame& first) {
   return text;
 }
 
+/// Without the sign of a zero.
+Eigen::Matrix2Xd plain(const Eigen::Matrix2Xd& values) { return values.array() + 0.0; }
+
 std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
-  const Eigen::Matrix2Xd force = contacts.force();
+  const Eigen::Matrix2Xd force = plain(contacts.force()),
+                         normal = plain(contacts.normal);
   std::string text;
   for (int i = 0; i < contacts.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    fmt::format_to(std::back_inserter(text),
-                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", now.time, now.step,
-                   contacts.corner_block[k], contacts.corner[k], contacts.edge_block[k],
-                   contacts.edge[k], contacts.point(0, i), contacts.point(1, i),
-                   contacts.normal(0, i), contacts.normal(1, i), force(0, i),
-                   force(1, i), contacts.normal_force[i], contacts.shear_force[i],
-                   contacts.overlap[i]);
+    fmt::format_to(
+        std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        now.time, now.step, contacts.corner_block[k], contacts.corner[k],
+        contacts.edge_block[k], contacts.edge[k], contacts.point(0, i),
+        contacts.point(1, i), normal(0, i), normal(1, i), force(0, i), force(1, i),
+        contacts.normal_force[i], contacts.shear_force[i], contacts.overlap[i]);
   }
   return text;
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
+#include <map>
 
 #include "post/axes.hpp"
 #include "post/quantity.hpp"
@@ -13,7 +13,24 @@
 namespace blocks::post {
 namespace {
 
-constexpr double line = 26;  ///< height of an entry
+constexpr double line = 26;        ///< height of an entry
+constexpr double small_line = 19;  ///< of a material among many
+constexpr double least_bar = 170, most_bar = 460;
+constexpr std::size_t few_materials = 10, columns = 3, most_materials = 90;
+
+bool by_material(const FigureOptions& options) { return options.colour == "material"; }
+bool with_forces(const FigureScales& scales, const FigureOptions& options) {
+  return options.forces && scales.force > 0.0;
+}
+int bars(const FigureScales& scales, const FigureOptions& options) {
+  return (by_material(options) ? 0 : 1) + (with_forces(scales, options) ? 1 : 0);
+}
+double materials_height(std::size_t count) {
+  if (count <= few_materials)
+    return static_cast<double>(count) * line;
+  const std::size_t shown = std::min(count, most_materials);
+  return static_cast<double>((shown + columns - 1) / columns + 1) * small_line + 10;
+}
 
 /// Writes its entries one below the other.
 class Legend {
@@ -24,23 +41,22 @@ class Legend {
         scales_(scales), options_(options), y_(place.top + 2) {}
 
   void draw() {
-    const bool by_material = options_.colour == "material";
-    const bool forces = options_.forces && scales_.force > 0.0;
-    if (by_material)
+    if (by_material(options_))
       materials();
-    fixed();
+    if (scales_.fixed)
+      swatch({0.9, 0.9, 0.9}, true, "fixed");
     if (!options_.arrows.empty())
       arrow();
     const double room = place_.top + place_.height - y_;
     const double each =
-        std::clamp(room / (forces && !by_material ? 2 : 1), 110.0, 460.0);
-    if (!by_material) {
+        std::clamp(room / std::max(1, bars(scales_, options_)), least_bar, most_bar);
+    if (!by_material(options_)) {
       const Quantity shown =
           quantity(options_.colour, picture_.now, picture_.first, picture_.contacts);
       bar(shown.label, shown.dimension, scales_.low, scales_.high, each,
           [&](double s) { return shade(shown.is_signed, s); });
     }
-    if (forces)
+    if (with_forces(scales_, options_))
       bar("contact force", {0, 1, -2, "N/m", ""}, 0.0, scales_.force, each, intensity);
     marks();
   }
@@ -57,20 +73,38 @@ class Legend {
     y_ += line;
   }
   void words(const std::string& text) {
-    pen_.text(text, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, Pen::page - place_.x - 32);
+    pen_.text(text, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
   }
 
+  /// Of many only the numbers, side by side.
   void materials() {
-    const std::set<int> present(picture_.now.material.begin(),
-                                picture_.now.material.end());
-    for (const int material : present)
-      swatch(colour_of_material(material, options_), false,
-             fmt::format("material {}", material));
-  }
-  void fixed() {
-    const auto& fixed = picture_.now.fixed;
-    if (std::any_of(fixed.begin(), fixed.end(), [](int one) { return one != 0; }))
-      swatch({0.9, 0.9, 0.9}, true, "fixed");
+    const auto& present = scales_.materials;
+    if (present.size() <= few_materials) {
+      for (const int material : present)
+        swatch(colour_of_material(material, options_), false,
+               fmt::format("material {}", material));
+      return;
+    }
+    const double top = y_, across = room() / columns;
+    const bool all = present.size() <= most_materials;
+    pen_.text(all ? "materials"
+                  : fmt::format("{} of {} materials", most_materials, present.size()),
+              place_.x, y_ + 6, 14, ink, 0, 0.5, room());
+    std::size_t i = 0;
+    for (const int material : present) {
+      if (i == most_materials)
+        break;
+      const double x = place_.x + across * static_cast<double>(i % columns);
+      y_ = top + small_line * static_cast<double>(i / columns + 1);
+      cairo_rectangle(cairo_, x, y_, 13, 11);
+      pen_.colour(colour_of_material(material, options_));
+      cairo_fill_preserve(cairo_);
+      pen_.stroke(0.7, ink);
+      pen_.text(std::to_string(material), x + 17, y_ + 5.5, 11, ink, 0, 0.5,
+                across - 20);
+      ++i;
+    }
+    y_ = top + materials_height(present.size());
   }
 
   void arrow() {
@@ -82,18 +116,20 @@ class Legend {
       draw_arrow(pen_, place_.x, y_ + 7, place_.arrow, 0);
     y_ += line - 6;
     const std::string unit = unit_text(dimensions.at(options_.arrows), options_.units);
-    pen_.text(fmt::format("{} {:.3g} {}", options_.arrows, scales_.arrow, unit),
-              place_.x, y_ + 7, 13, ink, 0, 0.5, Pen::page - place_.x - 6);
-    y_ += line;
+    pen_.text(options_.arrows, place_.x, y_ + 6, 13, ink, 0, 0.5, room());
+    pen_.text(fmt::format("{:.3g} {}", scales_.arrow, unit), place_.x, y_ + 22, 13, ink,
+              0, 0.5, room());
+    y_ += 42;
   }
 
   void bar(const std::string& label, const Dimension& dimension, double low,
            double high, double room, const std::function<Colour(double)>& colour) {
-    const double width = 22, top = y_ + 30, height = room - 50;
+    const double width = 22, end = y_ + room;
     const TickLabels marked =
-        label_ticks(low, high, std::max(3, static_cast<int>(height / 50)));
-    pen_.text(marked.titled(with_unit(label, dimension, options_)), place_.x, y_ + 4,
-              14, ink, 0, 0, Pen::page - place_.x - 6);
+        label_ticks(low, high, std::max(3, static_cast<int>((room - 70) / 50)));
+    y_ += pen_.paragraph(marked.titled(with_unit(label, dimension, options_)), place_.x,
+                         y_, 14, ink, this->room());
+    const double top = y_ + 10, height = end - 24 - top;
     constexpr int steps = 128;
     for (int i = 0; i < steps; ++i) {
       pen_.colour(colour((steps - 0.5 - i) / steps));
@@ -111,8 +147,10 @@ class Legend {
       pen_.text(marked.labels[i], place_.x + width + 9, y, 13, ink, 0, 0.5);
     }
     pen_.text(marked.offset, place_.x, top + height + 6, 13, ink, 0, 0);
-    y_ += room;
+    y_ = end;
   }
+
+  double room() const { return Pen::page - place_.x - 8; }
 
   void marks() {
     y_ += 8;
@@ -136,6 +174,14 @@ class Legend {
 };
 
 }  // namespace
+
+double legend_height(const FigureScales& scales, const FigureOptions& options) {
+  constexpr double arrow = 62, mark = 42;
+  return (by_material(options) ? materials_height(scales.materials.size()) : 0) +
+         (scales.fixed ? line : 0) + (options.arrows.empty() ? 0 : arrow) +
+         bars(scales, options) * least_bar +
+         mark * static_cast<double>(options.mark_names.size());
+}
 
 void draw_legend(Pen& pen, const LegendPlace& place, const Picture& picture,
                  const FigureScales& scales, const FigureOptions& options) {

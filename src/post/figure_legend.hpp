@@ -11,6 +11,9 @@ struct LegendPlace {
   double x, top, height, arrow;
 };
 
+/// The least height it needs.
+double legend_height(const FigureScales& scales, const FigureOptions& options);
+
 void draw_legend(Pen& pen, const LegendPlace& place, const Picture& picture,
                  const FigureScales& scales, const FigureOptions& options);
 

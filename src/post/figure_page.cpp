@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/counted.hpp"
 #include "post/figure_legend.hpp"
 #include "post/scene_drawing.hpp"
 
@@ -31,8 +32,9 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
     const auto across = static_cast<double>(columns);
     const auto rows = std::ceil(static_cast<double>(count) / across);
     const double width = (Pen::page - left - right - (across - 1) * gap) / across;
-    const double height =
-        top + rows * (width * shape + (count > 1 ? heading : 0)) + foot;
+    const double height = top + foot +
+                          std::max(rows * (width * shape + (count > 1 ? heading : 0)),
+                                   legend_height(scales, options) - 0.5 * foot);
     // the page nearest to the shape of a sheet lying on its side, with few empty places
     const double empty = across * rows - static_cast<double>(count);
     const double far = std::abs(std::log(height / (0.75 * Pen::page))) + 0.2 * empty;
@@ -72,19 +74,22 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
     pen.text(at, here.left, here.top - 9, 15, muted, 0, 1);
   else
     pen.text(options_.subtitle.empty()
-                 ? fmt::format("{}    step {}    {} blocks", at, picture.now.step,
-                               picture.now.outlines.size())
+                 ? fmt::format("{}    step {}    {}", at, picture.now.step,
+                               counted(picture.now.outlines.size(), "block"))
                  : options_.subtitle,
              left, 62, 15, muted, 0, 1);
 }
 
 void FigurePage::end(Pen& pen, const Picture& last) const {
   const Axes first = axes(0), lowest = axes(count_ - 1);
+  const double room = std::max(lowest.bottom(), height_ - 0.5 * foot) - first.top;
   if (count_ > 1)
-    pen.text(fmt::format("{} times    {} blocks", count_, last.now.outlines.size()),
+    pen.text(counted(count_, "time") + "    " +
+                 counted(last.now.outlines.size(), "block"),
              left, 62, 15, muted, 0, 1);
   draw_legend(pen,
-              {Pen::page - right + 16, first.top, lowest.bottom() - first.top,
+              {Pen::page - right + 16, first.top,
+               lowest.bottom() - first.top < 300 ? room : lowest.bottom() - first.top,
                arrow_length(first, scales_)},
               last, scales_, options_);
 }

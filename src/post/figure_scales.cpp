@@ -52,6 +52,9 @@ void ScaleSurvey::include_corners(const Frame& frame) {
 
 void ScaleSurvey::include(const Picture& picture) {
   include_corners(picture.now);
+  materials_.insert(picture.now.material.begin(), picture.now.material.end());
+  for (const int fixed : picture.now.fixed)
+    fixed_ = fixed_ || fixed != 0;
   if (options_.original)
     include_corners(picture.first);
   if (options_.colour != "material") {
@@ -112,6 +115,8 @@ FigureScales ScaleSurvey::scales() const {
   result.force = usual(forces_);
   result.arrow = usual(arrows_);
   result.block_size = block_size_;
+  result.materials = materials_;
+  result.fixed = fixed_;
   return result;
 }
 
@@ -119,6 +124,11 @@ FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& re
                            long frame) {
   const bool shown = options.forces || find_other(options.colour);
   return shown ? results.contacts(frame) : FrameContacts{};
+}
+
+std::set<int> materials_of(const ResultsReader& results) {
+  const Frame last = results.frame(results.frames() - 1);  // blocks never go away
+  return {last.material.begin(), last.material.end()};
 }
 
 FigureScales survey_scales(const ResultsReader& results,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct FigureScales {
   double force = 0.0;                ///< [F] drawn at full width, the usual largest
   double arrow = 0.0;                ///< drawn at full length, the usual largest
   double block_size = 1.0;           ///< [L] root of the median area
+  std::set<int> materials;
+  bool fixed = false;  ///< some block is
 };
 
 class ScaleSurvey {
@@ -41,12 +44,17 @@ class ScaleSurvey {
   bool is_signed_ = false;
   std::vector<double> forces_, arrows_;  ///< the largest of each picture
   double block_size_ = 1.0;
+  std::set<int> materials_;
+  bool fixed_ = false;
 };
 
 /// Of these frames, read one at a time. Throws std::runtime_error when there are none.
 FigureScales survey_scales(const ResultsReader& results,
                            const std::vector<long>& frames,
                            const FigureOptions& options);
+
+/// Those of all blocks.
+std::set<int> materials_of(const ResultsReader& results);
 
 /// The contacts of a frame, read only if the figure shows something of them.
 FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,

@@ -20,7 +20,7 @@ namespace {
 
 constexpr Colour grid{0.9, 0.9, 0.9};
 
-/// Told apart by colour-blind eyes; dashes take over after seven lines.
+/// Told apart by colour-blind eyes; other dashes every seven lines.
 Colour line_colour(std::size_t i) {
   static constexpr std::array<Colour, 7> palette = {
       Colour{0.00, 0.36, 0.62}, {0.80, 0.33, 0.00}, {0.00, 0.51, 0.37},
@@ -41,8 +41,9 @@ struct Range {
   bool empty() const { return !(low <= high); }
   /// A line along the edge of the paper is not seen, a constant has no height.
   Range widened(double part) const {
-    const double margin =
-        high > low ? part * (high - low) : std::max(0.1 * std::abs(high), 1e-12);
+    const double margin = high > low    ? part * (high - low)
+                          : high == 0.0 ? 1.0
+                                        : 0.1 * std::abs(high);
     return {low - margin, high + margin};
   }
 };
@@ -72,8 +73,9 @@ class ChartDrawing {
   void draw() {
     pen_.colour(paper);
     cairo_paint(cairo_);
-    pen_.text(chart_.title.empty() ? "BLOCKS" : chart_.title, left, 34, 21, ink, 0, 1);
-    pen_.text(chart_.subtitle, left, 62, 15, muted, 0, 1);
+    pen_.text(chart_.title.empty() ? "BLOCKS" : chart_.title, left, 34, 21, ink, 0, 1,
+              page - left - 20);
+    pen_.text(chart_.subtitle, left, 62, 15, muted, 0, 1, page - left - 20);
     double top = head;
     for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
       draw_panel(chart_.panels[i], top, i + 1 == chart_.panels.size());
@@ -134,10 +136,21 @@ class ChartDrawing {
   }
 
   void style(std::size_t i) {
-    static constexpr double dashes[] = {9, 5};
     pen_.colour(line_colour(i));
     cairo_set_line_width(cairo_, 2.2);
-    cairo_set_dash(cairo_, dashes, i % 14 < 7 ? 0 : 2, 0);
+    switch (i / 7 % 4) {
+    case 0:
+      pen_.dashes({});
+      break;
+    case 1:
+      pen_.dashes({9, 5});
+      break;
+    case 2:
+      pen_.dashes({2, 4});
+      break;
+    default:
+      pen_.dashes({10, 4, 2, 4});
+    }
   }
 
   template <class PageY>
@@ -160,21 +173,26 @@ class ChartDrawing {
       }
   }
 
+  /// Entries stand closer where there are many.
   void legend(const ChartPanel& one, double x, double y) {
-    const std::size_t room = static_cast<std::size_t>(panel / 24);
+    constexpr double tall = 24, low = 13;
+    const auto n = static_cast<double>(one.lines.size());
+    const double step = std::clamp(panel / n, low, tall);
+    const auto room = static_cast<std::size_t>(panel / step);
     for (std::size_t i = 0; i < one.lines.size(); ++i) {
       if (i + 1 == room && one.lines.size() > room) {
-        pen_.text(fmt::format("and {} more", one.lines.size() - i), x, y + 8, 13, muted,
-                  0, 0.5);
+        pen_.text(fmt::format("and {} more", one.lines.size() - i), x, y + step / 3, 11,
+                  muted, 0, 0.5);
         return;
       }
       style(i);
-      cairo_move_to(cairo_, x, y + 8);
+      cairo_move_to(cairo_, x, y + step / 3);
       cairo_rel_line_to(cairo_, 26, 0);
       cairo_stroke(cairo_);
       cairo_set_dash(cairo_, nullptr, 0, 0);
-      pen_.text(one.lines[i].legend, x + 34, y + 8, 13, ink, 0, 0.5, page - x - 44);
-      y += 24;
+      pen_.text(one.lines[i].legend, x + 34, y + step / 3, std::min(13.0, 0.85 * step),
+                ink, 0, 0.5, page - x - 44);
+      y += step;
     }
   }
 

@@ -1,6 +1,7 @@
 #include "post/model_quantity.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <vector>
 
@@ -64,7 +65,10 @@ const std::map<std::string, OtherKind>& other_kinds() {
 }
 
 const OtherKind* find_other(const std::string& name) {
-  const auto found = other_kinds().find(name);
+  std::string lower = name;
+  for (char& c : lower)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto found = other_kinds().find(lower);
   return found == other_kinds().end() ? nullptr : &found->second;
 }
 

@@ -29,7 +29,7 @@ struct OtherKind {
 /// By name: contacts, normal_force, overlap, shear_force; blocks, step, time.
 const std::map<std::string, OtherKind>& other_kinds();
 
-/// nullptr if there is none.
+/// In any case; nullptr if there is none.
 const OtherKind* find_other(const std::string& name);
 
 /// (blocks) a quantity of the contacts, over the contacts of each block: the largest

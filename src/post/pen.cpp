@@ -1,5 +1,6 @@
 #include "post/pen.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace blocks::post {
@@ -9,6 +10,10 @@ Pen::Pen(cairo_t* cairo, double width) : cairo_(cairo) {
   cairo_select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+  cairo_font_options_t* fonts = cairo_font_options_create();
+  cairo_font_options_set_hint_metrics(fonts, CAIRO_HINT_METRICS_OFF);
+  cairo_set_font_options(cairo_, fonts);  // half the size takes half the room
+  cairo_font_options_destroy(fonts);
 }
 
 void Pen::colour(const Colour& c, double alpha) {
@@ -39,6 +44,39 @@ void Pen::text(const std::string& text, double x, double y, double size,
                 y - box.y_bearing - up * box.height);
   cairo_show_text(cairo_, text.c_str());
   cairo_new_path(cairo_);
+}
+
+double Pen::width_of(const std::string& words, double size) {
+  cairo_text_extents_t box;
+  cairo_set_font_size(cairo_, size);
+  cairo_text_extents(cairo_, words.c_str(), &box);
+  return box.width;
+}
+
+double Pen::paragraph(const std::string& words, double x, double y, double size,
+                      const Colour& c, double room) {
+  const double step = 1.25 * size;
+  const double from = y;
+  std::string line;
+  const auto put = [&] {
+    text(line, x, y + 0.5 * size, size, c, 0, 0.5, room);
+    y += step;
+  };
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t end =
+        words[at] == '[' ? words.size() : std::min(words.find(' ', at), words.size());
+    const std::string word = words.substr(at, end - at);
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && width_of(longer, size) > room) {
+      put();
+      line = word;
+    } else {
+      line = longer;
+    }
+    at = end + 1;
+  }
+  put();
+  return y - from;
 }
 
 void Pen::label(const std::string& words, double x, double y, double size,

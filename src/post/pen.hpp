@@ -29,6 +29,10 @@ class Pen {
   /// bottom. Text longer than `room` is set smaller.
   void text(const std::string& text, double x, double y, double size, const Colour& c,
             double along, double up, double room = page);
+  /// Words on as many lines as `room` asks for; a unit in brackets stays in one piece.
+  /// Returns the height used.
+  double paragraph(const std::string& words, double x, double y, double size,
+                   const Colour& c, double room);
   /// Centred at (x, y), with a rim of the ground's colour: read over lines as well.
   void label(const std::string& text, double x, double y, double size, const Colour& c,
              const Colour& ground);
@@ -39,6 +43,7 @@ class Pen {
   void tag(const std::string& text, double x, double y, const Colour& c);
 
  private:
+  double width_of(const std::string& words, double size);
   cairo_t* cairo_;
 };
 

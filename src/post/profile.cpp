@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -90,6 +91,14 @@ std::vector<ProfilePlace> surface(const Frame& first) {
   return places;
 }
 
+/// Does it change its sign in a mirror that stands upright?
+bool is_odd(const std::string& name) {
+  static const std::set<std::string> odd = {
+      "dx",  "vx",  "fx",  "momentum_x", "rotation",        "spin", "moment", "s12",
+      "s21", "a12", "a21", "e12",        "angular_momentum"};
+  return odd.contains(name);
+}
+
 }  // namespace
 
 ProfileLine ProfileLine::parse(const std::string& text) {
@@ -131,13 +140,31 @@ std::vector<ProfilePlace> profile_places(const Frame& first, const ProfileLine& 
   return places;
 }
 
+std::vector<ProfilePlace> both_halves(const std::vector<ProfilePlace>& places,
+                                      double plane) {
+  std::vector<ProfilePlace> both = places;
+  for (const ProfilePlace& place : places)
+    if (place.position != plane)
+      both.push_back({place.block, 2.0 * plane - place.position, plane});
+  std::stable_sort(both.begin(), both.end(),
+                   [](const ProfilePlace& a, const ProfilePlace& b) {
+                     return a.position < b.position;
+                   });
+  return both;
+}
+
 std::vector<double> profile_values(const std::vector<ProfilePlace>& places,
                                    const QuantityKind& kind, const Frame& now,
                                    const Frame& first) {
   const Eigen::VectorXd all = kind.values(now, first);
   std::vector<double> values;
-  for (const ProfilePlace& place : places)
-    values.push_back(all[place.block - 1]);
+  for (const ProfilePlace& place : places) {
+    const double value = all[place.block - 1];
+    values.push_back(!place.mirror       ? value
+                     : kind.name == "x"  ? 2.0 * *place.mirror - value
+                     : is_odd(kind.name) ? -value
+                                         : value);
+  }
   return values;
 }
 

@@ -20,14 +20,20 @@ struct ProfileLine {
 
 /// A place of the profile: a block of the first frame.
 struct ProfilePlace {
-  int block = 0;          ///< from 1
-  double position = 0.0;  ///< [L] x, or the distance from (x0, y0)
+  int block = 0;                      ///< from 1
+  double position = 0.0;              ///< [L] x, or the distance from (x0, y0)
+  std::optional<double> mirror = {};  ///< [L] x of the plane it is mirrored about
 };
 
 /// Blocks the line crosses, at the middle of the crossing; or blocks with none above
 /// their centroid, at its x. Along the profile. Throws std::runtime_error when there
 /// are none.
 std::vector<ProfilePlace> profile_places(const Frame& first, const ProfileLine& line);
+
+/// Both halves of a model that ends at a symmetry plane x = plane [L], along the
+/// profile.
+std::vector<ProfilePlace> both_halves(const std::vector<ProfilePlace>& places,
+                                      double plane);
 
 /// The quantity of those blocks in one frame, one value per place.
 std::vector<double> profile_values(const std::vector<ProfilePlace>& places,

@@ -33,6 +33,14 @@ TEST_F(Dblock, TimesAreThoseAskedFor) {
   EXPECT_TRUE(folder_.holds("fall.png"));
 }
 
+// TMIN and TMAX are limits, not times.
+TEST_F(Dblock, LimitsBeyondTheResultsAreTheirEnds) {
+  const Outcome plots = plot("TMIN, -5\nTMAX, 100\nNTIMES, 2\n");
+  EXPECT_EQ(plots.code, 0) << plots.err;
+  EXPECT_THAT(plots.out, HasSubstr("fall_01.png time 0\nfall_02.png time 0.04"));
+  EXPECT_THAT(plot("TMIN, 50").err, HasSubstr("no picture between TMIN and TMAX"));
+}
+
 TEST_F(Dblock, PrintGivesTheCorners) {
   EXPECT_THAT(plot("print\nblocks\n").out,
               HasSubstr("       1       2                 0                 1\n"));
@@ -46,6 +54,10 @@ TEST_F(Dblock, FaultsAreReportedAtTheirPlaces) {
   EXPECT_THAT(faults.err, HasSubstr("cards.txt:2:7: error: TMAX: expected a number"));
   EXPECT_THAT(faults.err, HasSubstr("did you mean GREEN?"));
   EXPECT_THAT(faults.err, HasSubstr("cards.txt:4:12: error: FRAMESIZE: expected 1, 2"));
+  EXPECT_THAT(plot("BLUE, 1\nRED, 77").err,
+              HasSubstr("cards.txt:2:6: error: RED: there is no material 77; the "
+                        "results have 1"));
+  EXPECT_THAT(plot("ZOOM, 50, 60, 50, 60").err, HasSubstr("no block in the zoom"));
   EXPECT_THAT(plot("TIMES, 77").err, HasSubstr("fall.vtkhdf has times 0 to "));
 }
 

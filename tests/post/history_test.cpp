@@ -141,7 +141,8 @@ TEST(History, RefusalsNameWhatIsAvailable) {
   refused("hit.vtkhdf -o hit.gif", 2, ".csv, .json, .png, .svg or .pdf");
   refused("hit.deck", 5, "cannot read hit.deck");
   refused("text.vtkhdf", 5,
-          "cannot read text.vtkhdf: it is not a results file of BLOCKS\n  hint: results here: "
+          "cannot read text.vtkhdf: it is not a results file of BLOCKS\n  hint: "
+          "results here: "
           "hit.vtkhdf\n");
   refused("none.vtkhdf", 5,
           "cannot read none.vtkhdf: No such file or directory\n  hint: results here: "
@@ -193,6 +194,28 @@ TEST(Profile, FindsTheSurfaceAndTheLine) {
   EXPECT_EQ(
       post::profile_places(frame, post::ProfileLine::parse("-1,0.5,9,0.5"))[1].position,
       2.5);
+}
+
+// What a mirror about x = plane makes of a vector and of places; nothing is lost or
+// doubled.
+TEST(Profile, BothHalvesOfAHalfModel) {
+  post::Frame first, now;
+  first.centroid.resize(2, 3);
+  first.centroid << 1, 2, 3, 0, 0, 0;
+  now = first;
+  now.centroid.row(0).array() += 0.25;
+  now.centroid.row(1).array() -= 0.5;
+  const auto places = post::both_halves({{1, 1.0}, {2, 2.0}, {3, 3.0}}, 1.0);
+  std::vector<double> positions;
+  for (const auto& place : places)
+    positions.push_back(place.position);
+  EXPECT_EQ(positions, (std::vector<double>{-1, 0, 1, 2, 3}));
+  const auto values = [&](const char* name) {
+    return post::profile_values(places, *post::find_quantity(name), now, first);
+  };
+  EXPECT_EQ(values("dx"), (std::vector{-0.25, -0.25, 0.25, 0.25, 0.25}));
+  EXPECT_EQ(values("dy"), (std::vector{-0.5, -0.5, -0.5, -0.5, -0.5}));
+  EXPECT_EQ(values("x"), (std::vector{-1.25, -0.25, 1.25, 2.25, 3.25}));
 }
 
 }  // namespace

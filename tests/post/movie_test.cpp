@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include "post/force_network.hpp"
 #include "run/program.hpp"
@@ -133,7 +134,23 @@ TEST_F(Plots, RefusalsNameWhatIsAvailable) {
   refused("--zoom 1,0,0,1", "xmin < xmax");
   refused("--zoom 8,9,8,9",
           "no block in the zoom: the blocks lie in x -5 to 5, y -1 to ");
-  refused("--range 1,1", "low < high");
+  refused("--colour speed --range 1,1", "low < high");
+  refused("--materials 7=RED", "there is no material 7; ");
+  refused("--materials 1=REED", "BLUE, CLEARC, CYAN, GREEN");
+}
+
+// An option that would do nothing is refused, not passed over.
+TEST_F(Plots, OptionsThatDoNothingAreRefused) {
+  for (const char* options :
+       {"--rate 10", "--every 2", "--columns 3", "--range 0,1", "--from 0",
+        "--mirror nan", "--colour speed --materials 1=RED", "--sheet 3 -o hit.mp4"}) {
+    const Outcome run = plot(options);
+    EXPECT_EQ(run.code, 2) << options;
+    EXPECT_THAT(run.err, HasSubstr("blocks: error: --")) << options;
+  }
+  EXPECT_EQ(plot("--materials 1=zuni --colour MATERIAL -o painted.svg").code, 0);
+  const std::regex zuni("rgb\\(45%, ?70%, ?92%\\)");
+  EXPECT_TRUE(std::regex_search(slurp(folder_ / "painted.svg"), zuni));
 }
 
 }  // namespace
