@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 
 #include "output/check_outputs.hpp"
@@ -21,6 +22,8 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
   command
       .add_option("--every", options.every, "take every so many frames, and the last")
       ->check(CLI::Range(1L, 1000000000L));
+  command.add_option("--mirror", options.mirror,
+                     "show the other half too, mirrored about this x");
   command.add_option("--units", options.units,
                      "units of length, mass and time, as in m,kg,s");
 }
@@ -37,13 +40,16 @@ int view(ViewOptions options) {
     if (same_file(options.file, options.output))
       throw std::runtime_error(options.file +
                                " would be written over: choose another -o NAME");
+    if (options.mirror && !std::isfinite(*options.mirror))
+      throw std::runtime_error(
+          "--mirror is the x of the plane that a half model ends at");
     output::check_outputs({options.output});
     std::optional<post::Units> units;
     if (!options.units.empty())
       units = post::Units::parse(options.units);
     const post::ResultsReader results(options.file);
     const std::string page =
-        post::view_page(post::view_data(results, options.every, units));
+        post::view_page(post::view_data(results, options.every, units, options.mirror));
     write_text_file(options.output, page);
     const auto size = static_cast<double>(page.size());
     fmt::print("{}: {}, open it in a browser\n", options.output,

@@ -88,7 +88,8 @@ struct Arrow {
 
 class Packer {
  public:
-  Packer(const ResultsReader& results, long every) : results_(results) {
+  Packer(const ResultsReader& results, long every, const std::optional<double>& mirror)
+      : results_(results), mirror_(mirror) {
     for (long i = 0; i < results.frames(); ++i)
       if (i % every == 0 || i + 1 == results.frames())
         chosen_.push_back(i);
@@ -312,11 +313,12 @@ class Packer {
                             {"signed", kind.is_signed}});
     }
     Json sequential_map = Json::array(), diverging_map = Json::array(),
-         materials = Json::object();
+         intensity_map = Json::array(), materials = Json::object();
     constexpr int shades = 64;
     for (int i = 0; i < shades; ++i) {
       sequential_map.push_back(css(sequential(i / (shades - 1.0))));
       diverging_map.push_back(css(diverging(i / (shades - 1.0))));
+      intensity_map.push_back(css(intensity(i / (shades - 1.0))));
     }
     for (const int material : last_.material)
       materials[std::to_string(material)] = css(material_colour(material));
@@ -341,6 +343,8 @@ class Packer {
                        {"length_unit", unit_text({1, 0, 0, "m", ""}, units)},
                        {"force_unit", unit_text({0, 1, -2, "N/m", ""}, units)},
                        {"energy_unit", unit_text({1, 1, -2, "J/m", ""}, units)},
+                       {"intensity", intensity_map},
+                       {"mirror", mirror_ ? Json(*mirror_) : Json()},
                        {"strain_step", strain_step},
                        {"packed", packed},
                        {"arrays", store.notes()}};
@@ -348,6 +352,7 @@ class Packer {
   }
 
   const ResultsReader& results_;
+  std::optional<double> mirror_;
   std::vector<long> chosen_;
   Frame last_;
   std::size_t blocks_ = 0;
@@ -368,8 +373,9 @@ class Packer {
 }  // namespace
 
 ViewData view_data(const ResultsReader& results, long every,
-                   const std::optional<Units>& units) {
-  return Packer(results, every).pack(units);
+                   const std::optional<Units>& units,
+                   const std::optional<double>& mirror) {
+  return Packer(results, every, mirror).pack(units);
 }
 
 }  // namespace blocks::post

@@ -19,9 +19,11 @@ struct ViewData {
 /// Every `every`-th frame and the last. A number is stored as the float nearest to its
 /// six leading decimal digits, which a float keeps: what the page shows to six digits
 /// is the file's number, digit for digit. Of a contact force the page has the direction
-/// to 1.5 degrees and the size to 3 %, for drawing. Throws std::runtime_error when a
-/// block changes its outline other than by moving, turning and straining evenly.
+/// to 1.5 degrees and the size to 3 %, for drawing. mirror: x [L] of the plane that a
+/// half model ends at; the page can show the other half. Throws std::runtime_error when
+/// a block changes its outline other than by moving, turning and straining evenly.
 ViewData view_data(const ResultsReader& results, long every,
-                   const std::optional<Units>& units);
+                   const std::optional<Units>& units,
+                   const std::optional<double>& mirror = {});
 
 }  // namespace blocks::post

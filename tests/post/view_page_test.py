@@ -127,6 +127,23 @@ def check_draft(page, blocks):
     page.evaluate("draft_above = 3000; colour_by('material')")
 
 
+def check_mirror(program, results, folder, page, block, x, y):
+    """The other half of a half model is drawn and picked; M hides it."""
+    path = folder / "whole.html"
+    subprocess.run([program, "view", results, "-o", path, "--mirror", "-2"], check=True, capture_output=True)
+    page.open(path)
+    page.wait("document.documentElement?.dataset.ready === 'yes'")
+    page.drawn()
+    there = screen(page, -4 - x, y)
+    page.click(*there)
+    assert page.evaluate("state.block") == block - 1
+    both = page.evaluate("$('model').toDataURL()")
+    page.key("m")
+    assert page.evaluate("$('model').toDataURL()") != both
+    page.click(*there)
+    assert page.evaluate("state.block") == -1
+
+
 def check(program, deck, folder, followed, page, hands):
     results = folder / f"{deck.stem}.vtkhdf"
     subprocess.run([program, "run", deck, "-q", "-o", folder / deck.stem], check=True, capture_output=True)
@@ -163,6 +180,7 @@ def check(program, deck, folder, followed, page, hands):
         check_hands(page)
         page.key("f")
         check_draft(page, blocks)
+        check_mirror(program, results, folder, page, followed, last[f"x:{followed}"], last[f"y:{followed}"])
     assert not page.faults(), page.faults()
     assert not page.requests(), page.requests()
     print(f"{deck.stem}: {blocks} blocks picked, {len(rows) * len(QUANTITIES)} numbers as in the file")

@@ -23,7 +23,7 @@ let picture = null, pixels = null, crossings = new Float64Array(64);
 /// model's origin.
 let sheet = {w: 0, h: 0, ratio: 1, scale: 1, u: 0, v: 0};
 
-function draw_draft(f, visible) {
+function draw_draft(f, visible, halves) {
   const w = model.width, h = model.height, ratio = w / model.clientWidth, scale = state.view.scale * ratio;
   sheet = {w, h, ratio, scale, u: w / 2 - state.view.x * scale, v: h / 2 + state.view.y * scale};
   if (picture?.width !== w || picture?.height !== h) {
@@ -34,7 +34,7 @@ function draw_draft(f, visible) {
   const edges = typical_size() * state.view.scale > 7;
   for (const [shade, group] of shades(f, visible)) {
     const ground = pixel(shade), edge = edges ? pixel(darker(shade)) : ground;
-    for (const b of group) put_block(b, ground, edge);
+    for (const half of halves) for (const b of group) put_block(b, half, ground, edge);
   }
 }
 
@@ -52,7 +52,7 @@ const darker = (shade) => "#" + [1, 3, 5].map((i) =>
 
 /// Pixels whose middle lies inside, so that neighbours leave no gap; the leftmost of each
 /// row and the lowest row in the colour of the edge.
-function put_block(b, ground, edge) {
+function put_block(b, corners, ground, edge) {
   const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1], {w, h, scale, u, v} = sheet;
   let low = Infinity, high = -Infinity;
   for (let i = first; i < end; i += 2) {

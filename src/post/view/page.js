@@ -7,7 +7,7 @@ const meta = JSON.parse($("meta").textContent);
 const frames = meta.times.length;
 const state = {
   frame: frames - 1, playing: false, pace: 1, colour: "material", followed: "speed",
-  block: -1, original: false, forces: false, labels: false, ready: false,
+  block: -1, original: false, forces: false, labels: false, mirror: meta.mirror !== null, ready: false,
   view: {x: 0, y: 0, scale: 1},  // model point in the middle, pixels per length
 };
 let data = {};  // arrays by name
@@ -146,6 +146,7 @@ const digits = (number) => {
     ? number.toExponential(5).replace(/\.?0+e/, "e").replace("e+", "e")
     : String(Number(number.toPrecision(6)));
 };
+const counted = (n, thing) => `${n} ${thing}${n === 1 ? "" : "s"}`;
 const with_unit = (text, unit) => unit ? `${text} [${unit}]` : text;
 
 function find_ranges() {
@@ -160,7 +161,7 @@ function find_ranges() {
     if (!(low <= high)) low = high = 0;
     if (q.signed) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
     else if (q.name !== "x" && q.name !== "y") low = Math.min(low, 0);
-    if (!(high > low)) high = low + 1;
+    if (!(high > low)) [low, high] = q.signed ? [-1, 1] : [low, low + 1];
     ranges[q.name] = [low, high];
   }
 }
@@ -197,6 +198,10 @@ function place_corners(f, into) {
   return into;
 }
 
+/// The other half of a half model, where the page has a plane and shall show it.
+const reflect = (all) => all.map((value, i) => i % 2 ? value : 2 * meta.mirror - value);
+const both_halves = (all) => state.mirror ? [reflect(all), all] : [all];
+
 const to_screen = (x, y) => [
   model.clientWidth / 2 + (x - state.view.x) * state.view.scale,
   model.clientHeight / 2 - (y - state.view.y) * state.view.scale];
@@ -210,14 +215,16 @@ function fit() {
   for (const f of new Set([0, state.frame])) {
     const all = place_corners(f, new Float64Array(2 * data.first_corner[meta.blocks]));
     for (let i = 0; i < 2 * data.first_corner[meta.counts[f]]; i += 2) {
-      left = Math.min(left, all[i]); right = Math.max(right, all[i]);
+      const other = state.mirror ? 2 * meta.mirror - all[i] : all[i];
+      left = Math.min(left, all[i], other); right = Math.max(right, all[i], other);
       low = Math.min(low, all[i + 1]); high = Math.max(high, all[i + 1]);
     }
   }
   if (!(left < right)) [left, right, low, high] = [0, 1, 0, 1];
-  const legend = model.clientWidth > 700 ? 130 : 0, room = model.clientWidth - legend;
-  const scale = Math.min(0.92 * room / (right - left), 0.86 * model.clientHeight / (high - low));
-  state.view = {x: (left + right) / 2 + legend / 2 / scale, y: (low + high) / 2, scale};
+  const wide = model.clientWidth > 700, legend = wide ? 150 : 0, head = wide ? 0 : 130;
+  const room = model.clientWidth - legend, tall = model.clientHeight - head;
+  const scale = Math.min(0.92 * room / (right - left), 0.86 * tall / (high - low));
+  state.view = {x: (left + right) / 2 + legend / 2 / scale, y: (low + high) / 2 + head / 2 / scale, scale};
   redraw();
 }
 
@@ -265,44 +272,55 @@ function draw_model() {
   const visible = [];
   for (let b = 0; b < meta.counts[f]; ++b) {
     const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
-    if (Math.abs(cx - x) < half_w + r && Math.abs(cy - y) < half_h + r) visible.push(b);
+    const near = Math.abs(cx - x) < half_w + r || (state.mirror && Math.abs(2 * meta.mirror - cx - x) < half_w + r);
+    if (near && Math.abs(cy - y) < half_h + r) visible.push(b);
   }
-  const fine = visible.length <= draft_above || !hurried();
+  const fine = visible.length <= draft_above || !hurried(), halves = both_halves(corners);
   if (!fine) {
-    draw_draft(f, visible);
-    const force = pixel(style("--force").trim());
-    for (const [x0, y0, x1, y1] of state.forces ? force_lines(f) : []) put_line(x0, y0, x1, y1, force);
+    draw_draft(f, visible, halves);
+    for (const [x0, y0, x1, y1, part] of state.forces ? force_lines(f, halves) : [])
+      put_line(x0, y0, x1, y1, pixel(force_shade(part)));
     pen.putImageData(picture, 0, 0);
   }
   for (const [shade, group] of fine ? shades(f, visible) : []) {
     pen.fillStyle = shade;
-    in_parts(group, corners, () => pen.fill());
+    for (const half of halves) in_parts(group, half, () => pen.fill());
   }
-  hatch_fixed(f, visible);
+  for (const half of halves) hatch_fixed(f, visible, half);
   const edge = Math.min(1, typical_size() * scale / 24);
   if (fine && edge > 0.2) {
     pen.strokeStyle = style("--edge");
     pen.lineWidth = edge;
     pen.lineJoin = "round";
-    in_parts(visible, corners, () => pen.stroke());
+    for (const half of halves) in_parts(visible, half, () => pen.stroke());
   }
   if (state.original) draw_original();
-  if (fine && state.forces) draw_forces(f);
+  if (fine && state.forces) draw_forces(f, halves);
+  if (state.mirror) draw_plane();
   if (state.labels) draw_labels(f, visible);
   if (state.block >= 0 && exists(state.block, f)) {
     pen.beginPath();
-    trace(state.block, corners);
+    for (const half of halves) trace(state.block, half);
     pen.strokeStyle = style("--sheet"); pen.lineWidth = 5; pen.stroke();
     pen.strokeStyle = style("--mark"); pen.lineWidth = 2.5; pen.stroke();
   }
 }
 
-function hatch_fixed(f, visible) {
+function draw_plane() {
+  const [px] = to_screen(meta.mirror, 0);
+  pen.save();
+  pen.setLineDash([14, 4, 3, 4]);
+  pen.strokeStyle = style("--muted"); pen.lineWidth = 1;
+  pen.beginPath(); pen.moveTo(px, 0); pen.lineTo(px, model.clientHeight); pen.stroke();
+  pen.restore();
+}
+
+function hatch_fixed(f, visible, half) {
   const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]);
   if (!fixed.length) return;
   pen.save();
   pen.beginPath();
-  for (const b of fixed) trace(b, corners);
+  for (const b of fixed) trace(b, half);
   pen.clip();
   pen.beginPath();
   const w = model.clientWidth, h = model.clientHeight;
@@ -318,7 +336,7 @@ function draw_original() {
   pen.save();
   pen.setLineDash([4, 3]);
   pen.strokeStyle = style("--first"); pen.lineWidth = 0.9;
-  in_parts([...Array(meta.counts[0]).keys()], first_corners, () => pen.stroke());
+  for (const half of both_halves(first_corners)) in_parts([...Array(meta.counts[0]).keys()], half, () => pen.stroke());
   pen.restore();
 }
 
@@ -335,25 +353,34 @@ function usual_force() {
 /// large.
 const force_length = () => Math.min(60, 1.2 * typical_size() * state.view.scale);
 
-/// Lines through the contacts along their forces: x0, y0, x1, y1 on the page.
-function force_lines(f) {
+/// As many shades as there are widths; part: of the usual largest force.
+const force_steps = 12;
+const force_shade = (part) => meta.intensity[Math.round(Math.min(1, part) * (meta.intensity.length - 1))];
+
+/// Lines through the contacts along their forces: x0, y0, x1, y1 on the page and the part
+/// that the force has of the usual largest.
+function force_lines(f, halves) {
   const {corner, direction, size} = data.forces[f], full = force_length(), lines = [];
   const {x, y, scale} = state.view, w = model.clientWidth, h = model.clientHeight;
   for (let i = 0; i < corner.length; ++i) {
-    const length = Math.min(2 * full, full * Math.sqrt(10 ** (6 * (size[i] - usual_force()) / 255)));
+    const part = 10 ** (6 * (size[i] - usual_force()) / 255), length = Math.min(2 * full, full * Math.sqrt(part));
     if (length < 0.7) continue;
-    const px = w / 2 + (corners[2 * corner[i]] - x) * scale, py = h / 2 - (corners[2 * corner[i] + 1] - y) * scale;
-    if (px < -full || py < -full || px > w + full || py > h + full) continue;
     const turn = direction[i] / 256 * 2 * Math.PI;
-    const dx = Math.cos(turn) * length / 2, dy = -Math.sin(turn) * length / 2;
-    lines.push([px - dx, py - dy, px + dx, py + dy]);
+    halves.forEach((half) => {
+      const px = w / 2 + (half[2 * corner[i]] - x) * scale, py = h / 2 - (half[2 * corner[i] + 1] - y) * scale;
+      if (px < -full || py < -full || px > w + full || py > h + full) return;
+      const dx = (half === corners ? 1 : -1) * Math.cos(turn) * length / 2, dy = -Math.sin(turn) * length / 2;
+      lines.push([px - dx, py - dy, px + dx, py + dy, part]);
+    });
   }
   return lines;
 }
 
-function draw_forces(f) {
-  const lines = force_lines(f), full = force_length();
-  const paint = (colour, width, alpha) => {
+/// Small ones first: wide and dark lines lie on top.
+function draw_forces(f, halves) {
+  const full = force_length(), groups = Array.from({length: force_steps + 1}, () => []);
+  for (const line of force_lines(f, halves)) groups[Math.round(Math.min(1, line[4]) * force_steps)].push(line);
+  const paint = (lines, colour, width, alpha) => {
     pen.strokeStyle = colour; pen.lineWidth = width; pen.globalAlpha = alpha;
     for (let i = 0; i < lines.length; i += 64) {
       pen.beginPath();
@@ -362,8 +389,11 @@ function draw_forces(f) {
     }
   };
   pen.lineCap = full > 10 ? "round" : "butt";
-  if (full > 10) paint(style("--sheet"), 3.4, 0.7);
-  paint(style("--force"), Math.max(0.6, Math.min(1.8, full / 8)), 1);
+  groups.forEach((lines, k) => {
+    const part = k / force_steps, width = Math.max(0.6, Math.min(1, full / 12) * (1 + 3 * part));
+    if (full > 10) paint(lines, "#fff", width + 1.6, 0.7);
+    paint(lines, force_shade(part), width, 1);
+  });
   pen.globalAlpha = 1;
 }
 
@@ -394,7 +424,10 @@ function size_canvas(canvas, its_pen) {
 
 /// The block at a place of the canvas, the last drawn first; -1 for none.
 function pick(px, py) {
-  const [x, y] = to_model(px, py);
+  const [x, y] = to_model(px, py), here = pick_at(x, y);
+  return here < 0 && state.mirror ? pick_at(2 * meta.mirror - x, y) : here;
+}
+function pick_at(x, y) {
   for (let b = meta.counts[state.frame] - 1; b >= 0; --b) {
     let inside = false;
     const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
@@ -422,37 +455,53 @@ const tick_text = (t, step) => {
   return (big ? Number(t.toPrecision(4)).toExponential() : String(Number(t.toPrecision(6)))).replaceAll("-", "−");
 };
 
-function draw_key() {
-  const bar = $("key_bar"), ticks = $("key_ticks");
-  ticks.replaceChildren();
-  const by_material = state.colour === "material";
-  bar.style.display = by_material ? "none" : "";
-  if (by_material) {
-    $("key_label").textContent = "";
-    ticks.style.height = "";
-    for (const [name, shade] of Object.entries(meta.materials)) {
-      const row = document.createElement("div"), swatch = document.createElement("i");
-      swatch.style.background = shade;
-      row.append(swatch, `material ${name}`);
-      ticks.append(row);
-    }
-    return;
-  }
-  const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
-  const [low, high] = ranges[q.name], brush = bar.getContext("2d");
-  $("key_label").textContent = with_unit(q.label, q.unit);
-  const tall = bar.clientHeight;
-  const fill = brush.createLinearGradient(0, 160, 0, 0);
-  map.forEach((shade, i) => fill.addColorStop(i / (map.length - 1), shade));
-  brush.fillStyle = fill;
-  brush.fillRect(0, 0, 10, 160);
-  ticks.style.height = `${tall}px`;
+const made = (kind, name, text = "") => {
+  const part = document.createElement(kind);
+  part.className = name;
+  part.textContent = text;
+  return part;
+};
+
+/// A bar of colours with its numbers.
+function key_bar(label, map, low, high) {
+  const bar = made("div", "bar"), ticks = made("div", "ticks");
+  bar.style.background = `linear-gradient(to top, ${map.join(", ")})`;
   for (const t of nice_ticks(low, high, 5)) {
-    const text = document.createElement("span");
-    text.style.top = `${tall * (high - t) / (high - low)}px`;
-    text.textContent = tick_text(t);
+    const text = made("span", "", tick_text(t));
+    text.style.top = `${100 * (high - t) / (high - low)}%`;
     ticks.append(text);
   }
+  const key = made("div", "scale");
+  key.append(made("p", "", label), bar, ticks);
+  return key;
+}
+
+/// What the colours mean; of many materials only the numbers.
+let key_shown = "";
+function draw_key() {
+  const wanted = `${state.colour} ${state.forces}`;
+  if (wanted === key_shown) return;
+  key_shown = wanted;
+  const by_material = state.colour === "material", materials = by_material ? Object.entries(meta.materials) : [];
+  const many = materials.length > 12, list = made("div", many ? "many" : "few");
+  const add = (text, shade, name) => {
+    const row = made("div", `swatch ${name}_row`), colour = made("i", name);
+    colour.style.backgroundColor = shade;
+    row.append(colour, text);
+    list.append(row);
+  };
+  for (const [name, shade] of materials) add(many ? name : `material ${name}`, shade, "");
+  if (data.fixed.some((is) => is)) add("fixed", "", "fixed");
+  const parts = [list];
+  if (many) parts.unshift(made("p", "", "materials"));
+  if (!by_material) {
+    const q = quantity(state.colour);
+    parts.push(key_bar(with_unit(q.label, q.unit), q.signed ? meta.diverging : meta.sequential, ...ranges[q.name]));
+  }
+  if (state.forces && meta.largest_force > 0)
+    parts.push(key_bar(with_unit("contact force", meta.force_unit), meta.intensity, 0,
+      meta.largest_force * 10 ** (6 * (usual_force() / 255 - 1))));
+  $("key").replaceChildren(...parts);
 }
 
 /// The rows of the table: of the block picked, or of the whole model.
@@ -505,7 +554,7 @@ function draw_chart({label, unit, all}) {
   let low = Infinity, high = -Infinity;
   for (const v of all) if (v === v) { low = Math.min(low, v); high = Math.max(high, v); }
   if (!(low <= high)) { low = 0; high = 1; }
-  const margin = high > low ? 0.06 * (high - low) : Math.max(0.1 * Math.abs(high), 1e-12);
+  const margin = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
   low -= margin; high += margin;
   const t0 = meta.times[0], t1 = meta.times[frames - 1] > t0 ? meta.times[frames - 1] : t0 + 1;
   const px = (t) => left + (t - t0) / (t1 - t0) * (right - left);
@@ -682,7 +731,7 @@ const other_theme = () => set_theme(document.documentElement.dataset.theme === "
 const keys = {
   " ": () => play(!state.playing), "ArrowLeft": () => show(state.frame - 1), "ArrowRight": () => show(state.frame + 1),
   "Home": () => show(0), "End": () => show(frames - 1), "+": () => zoom(1.25), "=": () => zoom(1.25), "-": () => zoom(0.8),
-  "f": fit, "0": fit, "o": () => toggle("original"), "c": () => toggle("forces"), "n": () => toggle("labels"),
+  "m": () => meta.mirror !== null && toggle("mirror"), "f": fit, "0": fit, "o": () => toggle("original"), "c": () => toggle("forces"), "n": () => toggle("labels"),
   "[": () => next_colour(-1), "]": () => next_colour(1), "t": other_theme, "Escape": () => choose(-1),
   ",": () => choose(Math.max(0, state.block - 1)), ".": () => choose(Math.min(meta.blocks - 1, state.block + 1)),
   "?": () => $("keys").showModal()};
@@ -705,7 +754,7 @@ $("pace").onchange = (event) => {
   if (on) { play(false); play(true); }
 };
 $("colour").onchange = (event) => colour_by(event.target.value);
-for (const name of ["original", "forces", "labels"])
+for (const name of ["original", "forces", "labels", "mirror"])
   $(name).onchange = (event) => { state[name] = event.target.checked; redraw(); };
 $("fit").onclick = fit;
 $("help").onclick = () => $("keys").showModal();
@@ -718,8 +767,10 @@ async function begin() {
   set_theme(dark.matches ? "dark" : "light");
   dark.addEventListener("change", () => set_theme(dark.matches ? "dark" : "light"));
   document.title = $("title").textContent = meta.title || "BLOCKS";
-  $("about").textContent = `${meta.file} · ${meta.blocks} blocks · ${frames} frames`;
+  $("about").textContent = `${meta.file} · ${counted(meta.blocks, "block")} · ${counted(frames, "frame")}`;
   $("scrub").max = frames - 1;
+  $("mirror").checked = state.mirror;
+  $("mirror").parentElement.hidden = meta.mirror === null;
   const option = (name, text) => $("colour").add(new Option(text, name));
   option("material", "material");
   for (const q of meta.quantities) option(q.name, with_unit(q.label, q.unit));
