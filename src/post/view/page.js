@@ -249,18 +249,21 @@ function in_parts(blocks, from, paint, most = 32) {
 
 /// Blocks by colour: one path for each shade.
 function shades(f, visible) {
-  const groups = new Map();
-  const put = (shade, b) => groups.has(shade) ? groups.get(shade).push(b) : groups.set(shade, [b]);
-  if (state.colour === "material") {
-    for (const b of visible) put(meta.materials[meta.material[b]], b);
-  } else {
-    const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
-    const [low, high] = ranges[q.name], factor = (map.length - 1) / (high - low);
-    for (const b of visible)
-      put(map[Math.round((value(q.name, b, f) - low) * factor)], b);
+  const groups = new Map(), shade_of = shades_at(f);
+  for (const b of visible) {
+    const shade = shade_of(b);
+    groups.has(shade) ? groups.get(shade).push(b) : groups.set(shade, [b]);
   }
   return groups;
 }
+/// Colour of a block in that frame.
+function shades_at(f) {
+  if (state.colour === "material") return (b) => meta.materials[meta.material[b]];
+  const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
+  const [low, high] = ranges[q.name], factor = (map.length - 1) / (high - low);
+  return (b) => map[Math.round((value(q.name, b, f) - low) * factor)];
+}
+const is_dark = (shade) => [1, 3, 5].reduce((sum, i) => sum + parseInt(shade.slice(i, i + 2), 16), 0) < 306;
 
 const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
 
@@ -316,7 +319,13 @@ function draw_plane() {
 }
 
 function hatch_fixed(f, visible, half) {
-  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]);
+  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]), shade_of = shades_at(f);
+  const dark = (b) => is_dark(shade_of(b));
+  hatch(fixed.filter((b) => !dark(b)), half, style("--edge"));
+  hatch(fixed.filter(dark), half, "#fff");
+}
+
+function hatch(fixed, half, colour) {
   if (!fixed.length) return;
   pen.save();
   pen.beginPath();
@@ -325,7 +334,7 @@ function hatch_fixed(f, visible, half) {
   pen.beginPath();
   const w = model.clientWidth, h = model.clientHeight;
   for (let s = -h; s < w; s += 8) { pen.moveTo(s, h); pen.lineTo(s + h, 0); }
-  pen.strokeStyle = style("--edge"); pen.globalAlpha = 0.45; pen.lineWidth = 1;
+  pen.strokeStyle = colour; pen.globalAlpha = 0.45; pen.lineWidth = 1;
   pen.stroke();
   pen.restore();
 }
