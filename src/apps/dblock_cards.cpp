@@ -143,6 +143,11 @@ std::string colour_names() {
 
 DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults) {
   DblockCards cards;
+  if (const auto where = deck::first_binary_byte(text)) {
+    faults.error(*where, "", "not a text file: a control character",
+                 "cards of DBLOCK are plain text, as TIMES, 0, 1");
+    return cards;
+  }
   for (const deck::Line& line : deck::split_deck(text)) {
     const deck::Field& head = line.fields.front();
     const std::string name = deck::capitals(head.text);

@@ -58,6 +58,8 @@ TEST_F(Dblock, FaultsAreReportedAtTheirPlaces) {
               HasSubstr("cards.txt:2:6: error: RED: there is no material 77; the "
                         "results have 1"));
   EXPECT_THAT(plot("ZOOM, 50, 60, 50, 60").err, HasSubstr("no block in the zoom"));
+  EXPECT_THAT(plot("BLOCKS\n\x01").err,
+              HasSubstr("cards.txt:2:1: error: not a text file"));
   EXPECT_THAT(plot("TIMES, 77").err, HasSubstr("fall.vtkhdf has times 0 to "));
 }
 
