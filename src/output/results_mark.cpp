@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <ctime>
 #include <string_view>
 #include <thread>
 
@@ -49,6 +50,19 @@ std::optional<std::uint64_t> number_in(int file) {
 }
 
 bool is_odd(std::uint64_t number) { return number % 2 != 0; }
+
+/// Is the writer of an odd number gone? Where there are no locks: has it not written
+/// for a minute?
+bool abandoned(int file) {
+  if (::flock(file, LOCK_SH | LOCK_NB) == 0) {
+    ::flock(file, LOCK_UN);
+    return true;
+  }
+  struct stat state;
+  constexpr std::time_t long_ago = 60;
+  return errno != EWOULDBLOCK && errno != EINTR && ::fstat(file, &state) == 0 &&
+         std::time(nullptr) - state.st_mtime > long_ago;
+}
 
 }  // namespace
 
@@ -116,10 +130,8 @@ ChangeWatch::settled(std::chrono::steady_clock::time_point until) const {
     const std::uint64_t now = number();
     if (!is_odd(now))
       return now;
-    if (::flock(file_.get(), LOCK_SH | LOCK_NB) == 0) {  // its writer is gone
-      ::flock(file_.get(), LOCK_UN);
+    if (abandoned(file_.get()))
       return now;
-    }
     if (std::chrono::steady_clock::now() > until)
       return {};
     std::this_thread::sleep_for(pause);

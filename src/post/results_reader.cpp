@@ -24,6 +24,7 @@ namespace {
 
 /// A frame is written in milliseconds; a disk may hold it up.
 constexpr std::chrono::seconds patience(10);
+const std::string busy = "the run is writing just now; try again";
 
 }  // namespace
 
@@ -230,7 +231,7 @@ auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
     if (std::chrono::steady_clock::now() > until)
       break;
   }
-  throw Failure("the run is writing just now; try again");
+  throw Failure(busy);
 }
 
 ResultsReader::ResultsReader(const std::string& path)
@@ -248,7 +249,9 @@ ResultsReader::ResultsReader(const std::string& path)
         output::naming("read", path, [&] { return from.soundly(read); });
   } catch (const output::FileError& error) {
     file_.reset();
-    throw output::FileError(error.what() + results_nearby(path));
+    const std::string words = error.what();
+    throw output::FileError(words.ends_with(busy) ? words
+                                                  : words + results_nearby(path));
   }
 }
 
