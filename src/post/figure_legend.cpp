@@ -130,13 +130,17 @@ class Legend {
     y_ += pen_.paragraph(marked.titled(with_unit(label, dimension, options_)), place_.x,
                          y_, 14, ink, this->room());
     const double top = y_ + 10, height = end - 24 - top;
-    constexpr int steps = 128;
-    for (int i = 0; i < steps; ++i) {
-      pen_.colour(colour((steps - 0.5 - i) / steps));
-      cairo_rectangle(cairo_, place_.x, top + height * i / steps, width,
-                      height / steps + 0.6);
-      cairo_fill(cairo_);
+    cairo_pattern_t* shades = cairo_pattern_create_linear(0, top + height, 0, top);
+    constexpr int steps = 64;
+    for (int i = 0; i <= steps; ++i) {
+      const double at = static_cast<double>(i) / steps;
+      const Colour c = colour(at);
+      cairo_pattern_add_color_stop_rgb(shades, at, c.r, c.g, c.b);
     }
+    cairo_rectangle(cairo_, place_.x, top, width, height);
+    cairo_set_source(cairo_, shades);
+    cairo_fill(cairo_);
+    cairo_pattern_destroy(shades);
     cairo_rectangle(cairo_, place_.x, top, width, height);
     pen_.stroke(0.8, ink);
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {

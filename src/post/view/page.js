@@ -471,12 +471,21 @@ const made = (kind, name, text = "") => {
   return part;
 };
 
+/// Large and small numbers are counted in powers of ten, which stand with the unit.
+const superscript = (n) => String(n).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]);
+function power_of(low, high) {
+  const most = Math.max(Math.abs(low), Math.abs(high));
+  return most >= 1e5 || (most > 0 && most < 1e-3) ? 3 * Math.floor(Math.log10(most) / 3) : 0;
+}
+const titled = (label, unit, power) => with_unit(label, [power ? `10${superscript(power)}` : "", unit].filter(Boolean).join(" "));
+
 /// A bar of colours with its numbers.
-function key_bar(label, map, low, high) {
+function key_bar(name, unit, map, low, high) {
+  const power = power_of(low, high), label = titled(name, unit, power);
   const bar = made("div", "bar"), ticks = made("div", "ticks");
   bar.style.background = `linear-gradient(to top, ${map.join(", ")})`;
   for (const t of nice_ticks(low, high, 5)) {
-    const text = made("span", "", tick_text(t));
+    const text = made("span", "", tick_text(t / 10 ** power));
     text.style.top = `${100 * (high - t) / (high - low)}%`;
     ticks.append(text);
   }
@@ -505,10 +514,10 @@ function draw_key() {
   if (many) parts.unshift(made("p", "", "materials"));
   if (!by_material) {
     const q = quantity(state.colour);
-    parts.push(key_bar(with_unit(q.label, q.unit), q.signed ? meta.diverging : meta.sequential, ...ranges[q.name]));
+    parts.push(key_bar(q.label, q.unit, q.signed ? meta.diverging : meta.sequential, ...ranges[q.name]));
   }
   if (state.forces && meta.largest_force > 0)
-    parts.push(key_bar(with_unit("contact force", meta.force_unit), meta.intensity, 0,
+    parts.push(key_bar("contact force", meta.force_unit, meta.intensity, 0,
       meta.largest_force * 10 ** (6 * (usual_force() / 255 - 1))));
   $("key").replaceChildren(...parts);
 }
@@ -559,12 +568,13 @@ function draw_chart({label, unit, all}) {
   size_canvas(chart, chart_pen);
   const p = chart_pen, w = chart.clientWidth, h = chart.clientHeight;
   const left = 58, right = w - 10, top = 10, bottom = h - 34;
-  $("chart_name").textContent = with_unit(label, unit);
   let low = Infinity, high = -Infinity;
   for (const v of all) if (v === v) { low = Math.min(low, v); high = Math.max(high, v); }
   if (!(low <= high)) { low = 0; high = 1; }
   const margin = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
   low -= margin; high += margin;
+  const power = power_of(low, high);
+  $("chart_name").textContent = titled(label, unit, power);
   const t0 = meta.times[0], t1 = meta.times[frames - 1] > t0 ? meta.times[frames - 1] : t0 + 1;
   const px = (t) => left + (t - t0) / (t1 - t0) * (right - left);
   const py = (v) => bottom - (v - low) / (high - low) * (bottom - top);
@@ -575,7 +585,7 @@ function draw_chart({label, unit, all}) {
   for (const v of nice_ticks(low, high, 4)) {
     p.strokeStyle = style("--line");
     p.beginPath(); p.moveTo(left, py(v)); p.lineTo(right, py(v)); p.stroke();
-    p.fillText(tick_text(v), left - 6, py(v));
+    p.fillText(tick_text(v / 10 ** power), left - 6, py(v));
   }
   p.textAlign = "center"; p.textBaseline = "top";
   for (const t of nice_ticks(t0, t1, 4)) p.fillText(tick_text(t), px(t), bottom + 5);
