@@ -79,6 +79,13 @@ Eigen::Matrix2Xd arms(const Frame& frame, int b) {
 /// Strains are drawn, not shown: a block of 1000 pixels is right to a hundredth of one.
 constexpr double strain_step = 1e-5;
 
+/// 0 for what is no number: a run may end so.
+int in_strain_steps(double strain) {
+  return std::isnan(strain) ? 0
+                            : static_cast<int>(std::lround(
+                                  std::clamp(strain / strain_step, -1e9, 1e9)));
+}
+
 /// One contact force to be drawn.
 struct Arrow {
   int corner = 0;               ///< counted through all blocks
@@ -157,8 +164,7 @@ class Packer {
       const Eigen::Matrix2d strain =
           there ? follow(now, first, static_cast<int>(b)) : Eigen::Matrix2d::Zero();
       for (const double value : strain.reshaped())
-        strain_.push_back(
-            static_cast<int>(std::lround(std::clamp(value / strain_step, -1e9, 1e9))));
+        strain_.push_back(in_strain_steps(value));
     }
     take_contacts(contacts);
   }

@@ -31,7 +31,10 @@ double shifted(double value, int power) {
   return power >= 0 ? value * ten(power) : value / ten(power);
 }
 
+/// The page finds no power of ten for what is not finite, and so guesses nothing.
 std::int64_t in_digits(double guess, int power) {
+  if (power == not_finite)
+    return 0;
   const double digits = std::floor(shifted(guess, -power) + 0.5);
   return std::isnan(digits)
              ? 0

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "output/sample_model.hpp"
@@ -38,6 +39,32 @@ TEST(View, SixDigitsSurviveTheFloat) {
   }
   EXPECT_GT(plain_fails, 0);
   EXPECT_EQ(six_digits(1e-40), 0.0F);
+}
+
+// What a guess misses, put back on it, is the number; whatever the guess was worth.
+TEST(View, NumbersAreToldByWhatAGuessMisses) {
+  post::DigitColumn column{2, {}, {}};
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double value :
+       {1.0, -2e-30, 1.00001, 0.0, -inf, std::nan(""), 999999.4, 7e30, 0.0, -7e30})
+    column.add(value);
+  EXPECT_EQ(column.shown[4], -inf);
+  EXPECT_TRUE(std::isnan(column.shown[5]));
+  EXPECT_EQ(column.exact[3].power, column.exact[1].power);  // of a zero: as before
+  const auto in_time = post::TimeGuess{true}.of(column);
+  EXPECT_EQ(post::differences(column, in_time)[2], 2U);  // one more, folded
+  for (const double guess : {0.0, 1e300, -inf, std::nan("")}) {
+    const auto told = post::differences(column, [=](std::size_t) { return guess; });
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      const std::int64_t miss =
+          told[i] % 2 ? -std::int64_t{told[i] / 2} - 1 : told[i] / 2;
+      const bool none = std::isnan(guess) || guess == 0.0 ||
+                        column.exact[i].power == post::not_finite;
+      const double start = none ? 0 : guess > 0 ? 999999 : -999999;
+      EXPECT_EQ(start + static_cast<double>(miss), column.exact[i].digits)
+          << guess << " " << i;
+    }
+  }
 }
 
 TEST(View, WritesOnePageAndKeepsTheOlder) {
