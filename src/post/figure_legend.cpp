@@ -28,8 +28,9 @@ int bars(const FigureScales& scales, const FigureOptions& options) {
 double materials_height(std::size_t count) {
   if (count <= few_materials)
     return static_cast<double>(count) * line;
-  const std::size_t shown = std::min(count, most_materials);
-  return static_cast<double>((shown + columns - 1) / columns + 1) * small_line + 10;
+  const std::size_t shown = std::min(count, most_materials),
+                    rows = (shown + columns - 1) / columns;
+  return static_cast<double>(rows + 1) * small_line + 10;
 }
 
 /// Writes its entries one below the other.
@@ -94,8 +95,9 @@ class Legend {
     for (const int material : present) {
       if (i == most_materials)
         break;
-      const double x = place_.x + across * static_cast<double>(i % columns);
-      y_ = top + small_line * static_cast<double>(i / columns + 1);
+      const std::size_t column = i % columns, row = i / columns;
+      const double x = place_.x + across * static_cast<double>(column);
+      y_ = top + small_line * static_cast<double>(row + 1);
       cairo_rectangle(cairo_, x, y_, 13, 11);
       pen_.colour(colour_of_material(material, options_));
       cairo_fill_preserve(cairo_);

@@ -66,7 +66,9 @@ double Pen::paragraph(const std::string& words, double x, double y, double size,
     const std::size_t end =
         words[at] == '[' ? words.size() : std::min(words.find(' ', at), words.size());
     const std::string word = words.substr(at, end - at);
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    longer += line.empty() ? "" : " ";
+    longer += word;
     if (!line.empty() && width_of(longer, size) > room) {
       put();
       line = word;
