@@ -148,8 +148,8 @@ Answer profiles(const HistoryOptions& options,
         const std::string run =
             options.files.size() > 1 ? ", " + fs::path(file).stem().string() : "";
         panel(answer.chart, with_unit(kind->label, unit))
-            .lines.push_back({"t = " + at + time_unit + run, table.columns[0].values,
-                              table.columns.back().values});
+            .lines.push_back({fmt::format("t = {}{}{}", at, time_unit, run),
+                              table.columns[0].values, table.columns.back().values});
       }
     }
     answer.runs.push_back(std::move(table));

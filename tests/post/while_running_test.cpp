@@ -49,7 +49,7 @@ Model state(int i) {
   Model model = samples::no_blocks();
   for (int k = 0; k < 300; ++k)
     samples::add_box(model, 2 * k, 0.01 * i, 1, 1);
-  model.steps = 10 * i;
+  model.steps = 10L * i;
   model.time = 0.25 * i;
   model.blocks.spin.setConstant(i + 1);
   Contacts& list = model.contacts;
