@@ -66,8 +66,10 @@ std::vector<CardSpec> preliminary_cards() {
                   {"ctol", real, "0.1", positive, "[L]",
                    "contact tolerance: pairs within 2 ctol are listed, and the list is "
                    "renewed when corners have moved by ctol"}},
-       .notes = "Results do not depend on this card, only speed does. A good ctol is a "
-                "little less than half the shortest edge.",
+       .notes =
+           "Results do not depend on this card, and speed on ctol alone: the search "
+           "chooses cells of its own. A good ctol is a little less than half the "
+           "shortest edge.",
        .example = "BOXES, 20, 10, .25"});
   add({.name = "STIFF",
        .once = true,

@@ -14,7 +14,7 @@ void find_pairs(ContactGroups& groups) {
     const auto [low, high] = std::minmax(group.corner_block, group.edge_block);
     if (groups.pairs.empty() || groups.pairs.back().low != low ||
         groups.pairs.back().high != high)
-      groups.pairs.push_back({low, high, g, g, 0.0, {}});
+      groups.pairs.push_back({low, high, g, g, 0.0});
     groups.pairs.back().last = g + 1;
   }
 }
@@ -35,24 +35,39 @@ void sort_by_corner(const Blocks& blocks, const Contacts& contacts,
 
 }  // namespace
 
-void Swing::start(const Blocks& blocks, bool rigid) {
-  sum.assign(blocks.size(), 0.0);
-  per_radian.assign(blocks.size(), 0.0);
-  way.assign(blocks.size(), 0.0);
-  if (!rigid)
-    return;
+void Swing::start(const Blocks& blocks, bool rigid_blocks) {
+  rigid = rigid_blocks;
+  for (std::vector<double>* column : {&longest, &sum, &way})
+    column->assign(blocks.size(), 0.0);
+  shape.resize(4, rigid ? 0 : blocks.size());
+  shape.colwise() = Eigen::Vector4d(1.0, 0.0, 0.0, 1.0);
+  reach.setZero(2, shape.cols());
+  travel = 0.0;
   // no chord is longer than its arc; a little more for the roots
   for (int c = 0; c < blocks.corners(); ++c) {
-    double& most = per_radian[blocks.corner_block[c]];
+    double& most = longest[blocks.corner_block[c]];
     most = std::max(most, 1.0001 * blocks.arm.col(c).norm());
+    if (!rigid) {
+      auto most_of_each = reach.col(blocks.corner_block[c]);
+      most_of_each = most_of_each.cwiseMax(1.0001 * blocks.arm.col(c).cwiseAbs());
+    }
   }
+}
+
+double Swing::reshaped(int b, const Eigen::Vector4d& since) const {
+  const Eigen::Array4d change = (shape.col(b) - since).cwiseAbs();
+  const double along_x = change[0] * reach(0, b) + change[2] * reach(1, b);
+  const double along_y = change[1] * reach(0, b) + change[3] * reach(1, b);
+  return std::sqrt(along_x * along_x + along_y * along_y);
 }
 
 namespace {
 
-/// The record that acts or is the candidate to.
-int live_record(const ContactGroup& group) {
-  return group.certain.travel > 0.0 ? group.certain.candidate : group.acting;
+/// How it is known whether the group's contact acts.
+double rule_of(const ContactGroup& group) {
+  return group.live_record() < 0      ? idle
+         : group.certain.travel > 0.0 ? by_sign
+                                      : decided;
 }
 
 /// Whether the list says that a record of the group acts.
@@ -86,25 +101,65 @@ void sort_by_block(int blocks, ContactGroups& groups) {
 
 }  // namespace
 
+bool ContactGroups::keep_lane(int g) {
+  const int lane = lane_of[g];
+  if (lane < 0 || record[lane] != all[g].live_record())
+    return false;
+  lanes.at(lane, &LanePlaces::rule) = rule_of(all[g]);
+  return true;
+}
+
 bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int g) {
   const ContactGroup& known = all[g];
-  const int lane = lane_of[g], i = live_record(known);
+  const int lane = lane_of[g], i = known.live_record();
   if (lane < 0)
     return i < 0;
   const int e = contacts.edge[std::max(i, known.first)];
   record[lane] = i;
   group[lane] = g;
-  lanes.corner[lane] = contacts.corner[known.first];
-  lanes.edge[lane] = e;
-  lanes.edge_end[lane] = blocks.next[e];
-  lanes.corner_block[lane] = known.corner_block;
-  lanes.edge_block[lane] = known.edge_block;
-  lanes.rule[lane] = i < 0 ? idle : known.certain.travel > 0.0 ? by_sign : decided;
-  lanes.damping[lane] = i < 0 ? 0.0 : contacts.damping[i];
-  lanes.normal_elastic[lane] = i < 0 ? 0.0 : contacts.normal_elastic[i];
-  lanes.shear_elastic[lane] = i < 0 ? 0.0 : contacts.shear_elastic[i];
-  lanes.touch[lane] = i >= 0 && contacts.active[i] ? in_touch : apart;
+  const int set = lane / lane_count, k = lane % lane_count;
+  LanePlaces& places = lanes.places[set];
+  LaneSprings& springs = lanes.springs[set];
+  places.corner[k] = contacts.corner[known.first];
+  places.edge[k] = e;
+  places.edge_end[k] = blocks.next[e];
+  places.corner_block[k] = known.corner_block;
+  places.edge_block[k] = known.edge_block;
+  places.rule[k] = rule_of(known);
+  springs.damping[k] = i < 0 ? 0.0 : contacts.damping[i];
+  springs.normal_elastic[k] = i < 0 ? 0.0 : contacts.normal_elastic[i];
+  springs.shear_elastic[k] = i < 0 ? 0.0 : contacts.shear_elastic[i];
+  places.touch[k] = i >= 0 && contacts.active[i] ? in_touch : apart;
   return true;
+}
+
+void ContactGroups::take_pose(const Blocks& blocks, int pair) {
+  const int low = pairs[pair].low, high = pairs[pair].high;
+  poses[pair] = {blocks.centroid(0, low) - blocks.centroid(0, high),
+                 blocks.centroid(1, low) - blocks.centroid(1, high),
+                 blocks.angle[low],
+                 blocks.angle[high],
+                 swing.sum[low],
+                 swing.sum[high]};
+  if (!swing.rigid)
+    shapes[pair] = {swing.shape.col(low), swing.shape.col(high)};
+}
+
+double ContactGroups::relative_motion(const Blocks& blocks, int pair) const {
+  const int low = pairs[pair].low, high = pairs[pair].high;
+  const PairPose& pose = poses[pair];
+  const double x = blocks.centroid(0, low) - blocks.centroid(0, high) - pose.x;
+  const double y = blocks.centroid(1, low) - blocks.centroid(1, high) - pose.y;
+  double arm_low = swing.sum[low] - pose.sum_low;
+  double arm_high = swing.sum[high] - pose.sum_high;
+  if (swing.rigid) {
+    arm_low += swing.longest[low] * std::abs(blocks.angle[low] - pose.angle_low);
+    arm_high += swing.longest[high] * std::abs(blocks.angle[high] - pose.angle_high);
+  } else {
+    arm_low += swing.reshaped(low, shapes[pair].low);
+    arm_high += swing.reshaped(high, shapes[pair].high);
+  }
+  return std::sqrt(x * x + y * y) + 2.0 * (arm_low > arm_high ? arm_low : arm_high);
 }
 
 void ContactGroups::forget_decisions() {
@@ -112,6 +167,7 @@ void ContactGroups::forget_decisions() {
     pair.certain = 0.0;
   for (PairWatch& each : watch)
     each.limit = 0.0;
+  std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
     each.certain.travel = 0.0, each.hopeless = 1;
 }
@@ -120,12 +176,15 @@ void ContactGroups::store_lane(Contacts& contacts, int lane) const {
   const int i = record[lane];
   if (i < 0)
     return;
-  contacts.active[i] = lanes.touch[lane] != apart;
-  contacts.normal_elastic[i] = lanes.normal_elastic[lane];
-  contacts.shear_elastic[i] = lanes.shear_elastic[lane];
-  contacts.normal_force[i] = lanes.normal_force[lane];
-  contacts.shear_force[i] = lanes.shear_force[lane];
-  contacts.overlap[i] = lanes.overlap[lane];
+  const int set = lane / lane_count, k = lane % lane_count;
+  const LaneSprings& springs = lanes.springs[set];
+  const LaneReadings& readings = lanes.readings[set];
+  contacts.active[i] = lanes.places[set].touch[k] != apart;
+  contacts.normal_elastic[i] = springs.normal_elastic[k];
+  contacts.shear_elastic[i] = springs.shear_elastic[k];
+  contacts.normal_force[i] = readings.normal_force[k];
+  contacts.shear_force[i] = readings.shear_force[k];
+  contacts.overlap[i] = readings.overlap[k];
 }
 
 void ContactGroups::load(const Blocks& blocks, const Contacts& contacts) {
@@ -155,7 +214,7 @@ void ContactGroups::list_lanes(const Blocks& blocks, Contacts& contacts) {
   const int count = static_cast<int>(all.size());
   for (int g = 0; g < count; ++g) {
     // who had a lane keeps it: it may want it again
-    if (lane_of[g] < 0 && live_record(all[g]) < 0 && !acted(contacts, all[g]))
+    if (lane_of[g] < 0 && all[g].live_record() < 0 && !acted(contacts, all[g]))
       continue;
     lane_of[g] = static_cast<int>(group.size());
     group.push_back(g);
@@ -196,6 +255,8 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.watch.clear();
   for (const ContactPair& pair : groups.pairs)
     groups.watch.push_back({0.0, pair.low, pair.high});
+  groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
+                       0.0);
   const std::size_t most = groups.all.size();
   groups.lanes.reserve(static_cast<int>(most));
   groups.lanes.resize(0);
@@ -210,6 +271,8 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
     share.lost.reserve(groups.all.size() / threads + 64);
   }
   groups.swing.start(blocks, rigid);
+  groups.poses.assign(groups.pairs.size(), {});
+  groups.shapes.assign(rigid ? 0 : groups.pairs.size(), {});
 }
 
 }  // namespace blocks::dynamics

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "dynamics/contact_lanes.hpp"
@@ -10,51 +11,28 @@
 
 namespace blocks::dynamics {
 
-/// How far the arms of each block may have turned and strained, beside what its angle
-/// tells: no arm has changed by more than `sum` and `per_radian` times the change of
-/// the angle.
+/// How far the arms of each block may have turned and strained, and how far the block
+/// has gone. Between two moments no arm of a block has changed by more than `sum` has
+/// grown and, of a rigid block, `longest` times the change of its angle; of a
+/// deformable one, `longest` times that of its shape: a block that sways about a place
+/// stays near.
 struct Swing {
-  std::vector<double> sum;         ///< (n) [L] grows with every step
-  std::vector<double> per_radian;  ///< (n) [L] 0: all is in the sum (deformable blocks)
+  bool rigid = true;
+  std::vector<double> longest;  ///< (n) [L] longest arm at the start, rounded up
+  std::vector<double> sum;      ///< (n) [L] round-off; only grows
+  // deformable blocks only
+  Eigen::Matrix4Xd shape;  ///< (4, n) by columns: arms over those at the start
+  Eigen::Matrix2Xd reach;  ///< [L] (2, n) no arm had larger components at the start
   /// (n) [L] Way of the centroid and twice that of the arms, rounded up: the ways of
-  /// two blocks together grow by no less than relative_motion.
+  /// two blocks together grow by no less than their motion (relative_motion).
   std::vector<double> way;
+  double travel = 0.0;  ///< [L] no way has grown by more between two moments
 
   /// For these blocks as they stand.
-  void start(const Blocks& blocks, bool rigid);
+  void start(const Blocks& blocks, bool rigid_blocks);
+  /// No arm of deformable block b has changed by more since this was its shape, [L].
+  double reshaped(int b, const Eigen::Vector4d& since) const;
 };
-
-/// How two blocks stood to each other.
-struct RelativePose {
-  double x = 0.0, y = 0.0;              ///< [L] between the centroids
-  double angle_a = 0.0, angle_b = 0.0;  ///< rad
-  double swing_a = 0.0, swing_b = 0.0;  ///< [L]
-};
-
-inline RelativePose relative_pose(const Blocks& blocks, const Swing& swing, int a,
-                                  int b) {
-  return {blocks.centroid(0, a) - blocks.centroid(0, b),
-          blocks.centroid(1, a) - blocks.centroid(1, b),
-          blocks.angle[a],
-          blocks.angle[b],
-          swing.sum[a],
-          swing.sum[b]};
-}
-
-/// Bound on how far the two blocks have moved against each other since then: no
-/// difference of two of their corners, or of a corner and a centroid, has changed by
-/// more, [L]: two of one block by its arms alone. A distance: from one pose to a third
-/// never farther than by way of a second.
-inline double relative_motion(const Blocks& blocks, const Swing& swing, int a, int b,
-                              const RelativePose& since) {
-  const RelativePose now = relative_pose(blocks, swing, a, b);
-  const double x = now.x - since.x, y = now.y - since.y;
-  const double arm_a = (now.swing_a - since.swing_a) +
-                       swing.per_radian[a] * std::abs(now.angle_a - since.angle_a);
-  const double arm_b = (now.swing_b - since.swing_b) +
-                       swing.per_radian[b] * std::abs(now.angle_b - since.angle_b);
-  return std::sqrt(x * x + y * y) + 2.0 * (arm_a > arm_b ? arm_a : arm_b);
-}
 
 /// What is known of a group without deciding it again. `travel` [L]: while the two
 /// blocks have moved against each other by less (relative_motion), the record
@@ -72,10 +50,12 @@ struct ContactGroup {
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
   bool reentrant = false, of_notch = false;
-  int hopeless = 0;  ///< decisions left for which certainty is not even tried
-  int acting = -1;   ///< the record that acts, -1: none, as last decided
-  Certainty certain;
-  RelativePose pose;  ///< when decided
+  std::uint8_t hopeless = 0;  ///< decisions left for which certainty is not even tried
+  int acting = -1;            ///< the record that acts, -1: none, as last decided
+  Certainty certain;          ///< travel: from the pose of its pair
+
+  /// The record that acts or is the candidate to, -1: none.
+  int live_record() const { return certain.travel > 0.0 ? certain.candidate : acting; }
 };
 
 /// The groups of two blocks, which stand side by side.
@@ -83,7 +63,16 @@ struct ContactPair {
   int low = 0, high = 0;    ///< the two blocks
   int first = 0, last = 0;  ///< groups
   double certain = 0.0;     ///< [L] until the first of its groups has to be decided
-  RelativePose pose;
+};
+
+/// How the two blocks of a pair stood to each other when certainty began to count.
+struct PairPose {
+  double x = 0.0, y = 0.0;                   ///< [L] between the centroids
+  double angle_low = 0.0, angle_high = 0.0;  ///< rad
+  double sum_low = 0.0, sum_high = 0.0;      ///< [L] of the swing
+};
+struct PairShapes {
+  Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();
 };
 
 /// No decision of a pair has to be renewed while the ways of its two blocks (Swing)
@@ -92,6 +81,10 @@ struct PairWatch {
   double limit = 0.0;  ///< [L]
   int low = 0, high = 0;
 };
+
+/// So many pairs have one limit together: none of their watches is due while the travel
+/// (Swing) is less.
+inline constexpr int pairs_of_round = 8;
 
 /// Elastic force that a record held when it ceased to act.
 struct LostForce {
@@ -114,8 +107,11 @@ struct Extremes {
 struct ContactGroups {
   std::vector<ContactGroup> all;  ///< in the order of the list
   std::vector<ContactPair> pairs;
-  std::vector<PairWatch> watch;  ///< (pairs)
-  std::vector<int> by_corner;    ///< indices into `all`, corner after corner
+  std::vector<PairPose> poses;     ///< (pairs)
+  std::vector<PairShapes> shapes;  ///< (pairs) deformable blocks only
+  std::vector<PairWatch> watch;    ///< (pairs)
+  std::vector<double> rounds;      ///< [L] (pairs / pairs_of_round, rounded up)
+  std::vector<int> by_corner;      ///< indices into `all`, corner after corner
   std::vector<int>
       first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
 
@@ -157,8 +153,15 @@ struct ContactGroups {
   /// The lane of the group's contact that acts in this step, or -1.
   int acting(int g) const {
     const int lane = lane_of[g];
-    return lane >= 0 && lanes.touch[lane] != apart ? lane : -1;
+    return lane >= 0 && lanes.at(lane, &LanePlaces::touch) != apart ? lane : -1;
   }
+  /// Certainty of a pair counts from here on.
+  void take_pose(const Blocks& blocks, int pair);
+  /// Bound on how far the two blocks of a pair have moved against each other since: no
+  /// difference of two of their corners, or of a corner and a centroid, has changed by
+  /// more, [L]: two of one block by its arms alone. A distance: from one pose to a
+  /// third never farther than by way of a second.
+  double relative_motion(const Blocks& blocks, int pair) const;
   /// Springs from the list to the lanes.
   void load(const Blocks& blocks, const Contacts& contacts);
   /// Springs, forces and overlaps from the lanes, or from one, to the list.
@@ -167,6 +170,9 @@ struct ContactGroups {
   /// Puts what is decided of a group, and its spring, into its lane. False: it has
   /// none.
   bool set_lane(const Blocks& blocks, const Contacts& contacts, int g);
+  /// The same where its lane holds that very record, or none, already: what is in it
+  /// stays. False: it does not.
+  bool keep_lane(int g);
   /// Makes one of what the threads found.
   void join_shares();
   /// Lists the lanes anew: a group that had none wants one.

@@ -51,21 +51,24 @@ class Heir {
   /// Of the angle between the old edge and the lane's; the edges of two blocks run in
   /// opposite senses.
   double cosine(int lane) const {
-    const double c = along_.dot(unit_along(lanes_.edge[lane], lanes_.edge_end[lane]));
-    return lanes_.corner_block[lane] == from_.corner_block ? c : -c;
+    const double c = along_.dot(unit_along(lanes_.at(lane, &LanePlaces::edge),
+                                           lanes_.at(lane, &LanePlaces::edge_end)));
+    return lanes_.at(lane, &LanePlaces::corner_block) == from_.corner_block ? c : -c;
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 unit_along(int p1, int p2) const { return (at(p2) - at(p1)).normalized(); }
   double overlap(int lane) const {
-    const int p1 = lanes_.edge[lane], p2 = lanes_.edge_end[lane];
-    return std::max(
-        0.0, geometry::cross(at(lanes_.corner[lane]) - at(p1), unit_along(p1, p2)));
+    const int p1 = lanes_.at(lane, &LanePlaces::edge),
+              p2 = lanes_.at(lane, &LanePlaces::edge_end);
+    return std::max(0.0,
+                    geometry::cross(at(lanes_.at(lane, &LanePlaces::corner)) - at(p1),
+                                    unit_along(p1, p2)));
   }
   void consider(int g) {
     const int lane = groups_.acting(g);
     if (lane < 0)
       return;
-    const double own = lanes_.normal_elastic[lane];
+    const double own = lanes_.at(lane, &LaneSprings::normal_elastic);
     const double both = std::min(std::sqrt(lost_.normal * lost_.normal + own * own),
                                  stiffness_ * overlap(lane));
     if (both - own > gain_)
@@ -99,10 +102,10 @@ void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& gr
     const int lane = heir.lane();
     if (lane < 0)
       continue;
-    lanes.touch[lane] = starting;  // anew, with what it was handed
-    lanes.normal_elastic[lane] = heir.normal();
-    if (lanes.shear_elastic[lane] == 0.0)
-      lanes.shear_elastic[lane] = heir.shear();
+    lanes.at(lane, &LanePlaces::touch) = starting;  // anew, with what it was handed
+    lanes.at(lane, &LaneSprings::normal_elastic) = heir.normal();
+    if (lanes.at(lane, &LaneSprings::shear_elastic) == 0.0)
+      lanes.at(lane, &LaneSprings::shear_elastic) = heir.shear();
   }
   groups.lost.clear();
 }

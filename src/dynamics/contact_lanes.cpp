@@ -7,69 +7,36 @@
 
 namespace blocks::dynamics {
 
-namespace {
-
-constexpr int* LaneRows::*int_rows[] = {&LaneRows::corner, &LaneRows::edge,
-                                        &LaneRows::edge_end, &LaneRows::corner_block,
-                                        &LaneRows::edge_block};
-constexpr double* LaneRows::*double_rows[] = {&LaneRows::rule,
-                                              &LaneRows::damping,
-                                              &LaneRows::normal_elastic,
-                                              &LaneRows::shear_elastic,
-                                              &LaneRows::touch,
-                                              &LaneRows::fx,
-                                              &LaneRows::fy,
-                                              &LaneRows::moment_low,
-                                              &LaneRows::moment_high,
-                                              &LaneRows::arm_ax,
-                                              &LaneRows::arm_ay,
-                                              &LaneRows::arm_bx,
-                                              &LaneRows::arm_by,
-                                              &LaneRows::overlap,
-                                              &LaneRows::normal_force,
-                                              &LaneRows::shear_force};
-constexpr std::size_t alignment = 64;
-
-}  // namespace
-
 void ContactLanes::reserve(int lanes) {
-  if (lanes <= room_)
+  const int room = (lanes + lane_count - 1) / lane_count;
+  if (room <= room_)
     return;
-  const std::size_t sets =
-      (static_cast<std::size_t>(lanes) + lane_count - 1) / lane_count;
-  const std::size_t room = sets * lane_count;
-  const std::size_t bytes = room * (std::size(double_rows) * sizeof(double) +
-                                    std::size(int_rows) * sizeof(int)) +
-                            sets;
-  memory_ = std::make_unique_for_overwrite<char[]>(bytes + alignment);
-  void* at = memory_.get();
-  std::size_t space = bytes + alignment;
-  std::align(alignment, bytes, at, space);
-  double* d = static_cast<double*>(at);
-  for (const auto row : double_rows)
-    this->*row = d, d += room;
-  int* i = reinterpret_cast<int*>(d);
-  for (const auto row : int_rows)
-    this->*row = i, i += room;
-  look = reinterpret_cast<char*>(i);
-  room_ = static_cast<int>(room);
-  size_ = 0;
+  const auto make = [room]<class Part>(std::unique_ptr<Part[]>& own, Part*& part) {
+    own.reset();  // not beside the new ones
+    own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(room));
+    part = own.get();
+  };
+  size_ = room_ = 0;
+  make(own_places_, places);
+  make(own_springs_, springs);
+  make(own_forces_, forces);
+  make(own_readings_, readings);
+  room_ = room;
 }
 
 void ContactLanes::resize(int size) {
   reserve(size);
   size_ = size;
-  const std::size_t lanes = static_cast<std::size_t>(sets()) * lane_count;
-  for (const auto row : int_rows)
-    std::fill_n(this->*row, lanes, 0);
-  for (const auto row : double_rows)
-    std::fill_n(this->*row, lanes, 0.0);
+  std::fill_n(places, sets(), LanePlaces{});
+  std::fill_n(springs, sets(), LaneSprings{});
+  std::fill_n(forces, sets(), LaneForces{});
+  std::fill_n(readings, sets(), LaneReadings{});
 }
 
 #define BLOCKS_DECLARE_LANES(name)                                                     \
   namespace name {                                                                     \
-  void find_touching(const LaneRows&, const BlockRows&, int, int);                     \
-  LaneExtremes act(const LaneRows&, const BlockRows&, const ContactLaw&, bool, int,    \
+  void find_touching(const LaneSets&, const BlockRows&, int, int);                     \
+  LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, int,    \
                    int);                                                               \
   constexpr LaneArithmetic arithmetic = {#name, find_touching, act};                   \
   }

@@ -24,27 +24,44 @@ inline constexpr double apart = 0.0, in_touch = 1.0,
                         starting =
                             2.0;  ///< it did not in the step before, or took over
 
-/// One row of numbers for each property of a contact, for as many lanes as there are.
-/// Side a is the corner's block, side b the edge's; low and high are the two by number.
-struct LaneRows {
-  int *corner, *edge, *edge_end;  ///< corners of the model
-  int *corner_block, *edge_block;
-  double* rule;                            ///< idle, by_sign, decided
-  double* damping;                         ///< [F T/L] C of (18)
-  double *normal_elastic, *shear_elastic;  ///< [F] springs, kept from step to step
-  double* touch;                           ///< apart, in_touch, starting
-  char* look;  ///< (sets) 1: a sign is in doubt, or a spring has lost its contact
-  // found in each step
-  double *fx, *fy;                   ///< [F] on the low block, 0 where apart
-  double *moment_low, *moment_high;  ///< [F L]
-  // found in each step for whoever reads the model
-  double *arm_ax, *arm_ay, *arm_bx, *arm_by;  ///< [L] from each centroid to the corner
-  double* overlap;                            ///< [L] >= 0
-  double *normal_force, *shear_force;         ///< [F] 0 where apart
+/// A property of the contacts of a set.
+template <class Number> using LaneRow = Number[lane_count];
+
+/// What contacts are. Side a is the corner's block, side b the edge's.
+struct alignas(64) LanePlaces {
+  LaneRow<double> rule;                 ///< idle, by_sign, decided
+  LaneRow<double> touch;                ///< apart, in_touch, starting
+  LaneRow<int> corner, edge, edge_end;  ///< corners of the model
+  LaneRow<int> corner_block, edge_block;
+  int look;  ///< 1: a sign is in doubt, or a spring has lost its contact
+};
+/// What is kept from step to step.
+struct alignas(64) LaneSprings {
+  LaneRow<double> normal_elastic, shear_elastic;  ///< [F]
+  LaneRow<double> damping;                        ///< [F T/L] C of (18)
+};
+/// What blocks feel in a step; low and high are the two by number.
+struct alignas(64) LaneForces {
+  LaneRow<double> fx, fy;                   ///< [F] on the low block, 0 where apart
+  LaneRow<double> moment_low, moment_high;  ///< [F L]
+};
+/// What else a step finds, for whoever reads the model.
+struct alignas(64) LaneReadings {
+  LaneRow<double> low_x, low_y, high_x, high_y;  ///< [L] arms from the two centroids
+  LaneRow<double> overlap;                       ///< [L] >= 0
+  LaneRow<double> normal_force, shear_force;     ///< [F] 0 where apart
 };
 
-/// The rows and their memory.
-class ContactLanes : public LaneRows {
+/// All sets. What one computation needs stands side by side in the memory.
+struct LaneSets {
+  LanePlaces* places = nullptr;
+  LaneSprings* springs = nullptr;
+  LaneForces* forces = nullptr;
+  LaneReadings* readings = nullptr;
+};
+
+/// The sets and their memory.
+class ContactLanes : public LaneSets {
  public:
   int size() const { return size_; }
   int sets() const { return (size_ + lane_count - 1) / lane_count; }
@@ -53,9 +70,24 @@ class ContactLanes : public LaneRows {
   /// So many lanes of those, all idle.
   void resize(int size);
 
+  /// A number of one lane: at(lane, &LaneReadings::overlap).
+  template <class Part, class Number>
+  Number& at(int lane, LaneRow<Number> Part::*row) const {
+    return (part(static_cast<Part*>(nullptr))[lane / lane_count].*
+            row)[lane % lane_count];
+  }
+
  private:
-  int size_ = 0, room_ = 0;  ///< room_: a multiple of lane_count
-  std::unique_ptr<char[]> memory_;
+  LanePlaces* part(LanePlaces*) const { return places; }
+  LaneSprings* part(LaneSprings*) const { return springs; }
+  LaneForces* part(LaneForces*) const { return forces; }
+  LaneReadings* part(LaneReadings*) const { return readings; }
+
+  int size_ = 0, room_ = 0;  ///< lanes; sets
+  std::unique_ptr<LanePlaces[]> own_places_;
+  std::unique_ptr<LaneSprings[]> own_springs_;
+  std::unique_ptr<LaneForces[]> own_forces_;
+  std::unique_ptr<LaneReadings[]> own_readings_;
 };
 
 /// What is read of the blocks.
@@ -72,9 +104,9 @@ struct LaneExtremes {
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
   /// Which contacts touch: `touch` and `look`.
-  void (*find_touching)(const LaneRows&, const BlockRows&, int first, int last);
+  void (*find_touching)(const LaneSets&, const BlockRows&, int first, int last);
   /// a.-d. of rule 7.
-  LaneExtremes (*act)(const LaneRows&, const BlockRows&, const ContactLaw&, bool rigid,
+  LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
                       int first, int last);
 };
 

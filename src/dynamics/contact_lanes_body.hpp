@@ -67,12 +67,11 @@ template <std::size_t... lane>
 BLOCKS_INLINE bool any(Mask mask, std::index_sequence<lane...>) {
   return (mask[lane] | ...) != 0;
 }
-template <std::size_t... lane>
-BLOCKS_INLINE Mask all_less(const int* a, const int* b, std::index_sequence<lane...>) {
-  return Mask{-(a[lane] < b[lane])...};
-}
+typedef int Integers __attribute__((vector_size(width * sizeof(int))));
 BLOCKS_INLINE Mask all_less(const int* a, const int* b) {
-  return all_less(a, b, std::make_index_sequence<width>());
+  const Integers less =
+      *reinterpret_cast<const Integers*>(a) < *reinterpret_cast<const Integers*>(b);
+  return __builtin_convertvector(less, Mask);
 }
 BLOCKS_INLINE Set absolute(Set x) { return x < 0.0 ? -x : x; }
 BLOCKS_INLINE Set root(Set x) {
@@ -86,7 +85,7 @@ BLOCKS_INLINE Set root(Set x) {
 struct Sides {
   Set xc, yc, ex, ey, value, bound;
 
-  BLOCKS_INLINE Sides(const LaneRows& l, const BlockRows& blocks, int i) {
+  BLOCKS_INLINE Sides(const LanePlaces& l, const BlockRows& blocks, int i) {
     const Point c = gather_point<2>(blocks.corner, l.corner + i);
     const Point p1 = gather_point<2>(blocks.corner, l.edge + i);
     const Point p2 = gather_point<2>(blocks.corner, l.edge_end + i);
@@ -99,8 +98,7 @@ struct Sides {
 };
 
 /// A sign in doubt is taken to touch, until it is looked at.
-BLOCKS_INLINE void find_touching_set(const LaneRows& l, const BlockRows& blocks,
-                                     int i) {
+BLOCKS_INLINE void find_touching_set(LanePlaces& l, const BlockRows& blocks, int i) {
   const Sides sides(l, blocks, i);
   const Set rule = load(l.rule, i), before = load(l.touch, i);
   const Mask asked = rule == by_sign, outside = sides.value < -sides.bound;
@@ -112,14 +110,18 @@ BLOCKS_INLINE void find_touching_set(const LaneRows& l, const BlockRows& blocks,
   store(l.touch, i, touch);
   const Mask lost = (touch == apart) & (before > 0.0);
   if (any((asked & ~clear) | lost, std::make_index_sequence<width>()))
-    l.look[i / lane_count] = 1;
+    l.look = 1;
 }
 
 template <bool rigid>
-BLOCKS_INLINE void act_set(const LaneRows& l, const BlockRows& blocks,
+BLOCKS_INLINE void act_set(const LaneSets& sets, int set, const BlockRows& blocks,
                            const ContactLaw& law, int i, Set& deepest, Set& strongest) {
   // a. frame of the edge, overlap: its sign is decided exactly; rounded, a tiny depth
   // may come out below zero
+  const LanePlaces& l = sets.places[set];
+  LaneSprings& springs = sets.springs[set];
+  LaneForces& forces = sets.forces[set];
+  LaneReadings& readings = sets.readings[set];
   const Sides sides(l, blocks, i);
   const Set none = all_of(0.0);
   const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
@@ -148,16 +150,16 @@ BLOCKS_INLINE void act_set(const LaneRows& l, const BlockRows& blocks,
   // b.-d.
   const Set touch = load(l.touch, i);
   const Mask acts = touch > 0.0;
-  Set normal_elastic = load(l.normal_elastic, i);
-  Set shear_elastic = load(l.shear_elastic, i);
+  Set normal_elastic = load(springs.normal_elastic, i);
+  Set shear_elastic = load(springs.shear_elastic, i);
   Set normal, shear;
   apply(law, normal_elastic, shear_elastic, -(vx * nx + vy * ny), vx * tx + vy * ty,
-        overlap, load(l.damping, i), touch - 1.0, normal, shear);
+        overlap, load(springs.damping, i), touch - 1.0, normal, shear);
   normal_elastic = acts ? normal_elastic : none;
   normal = acts ? normal : none;
   shear = acts ? shear : none;
-  store(l.normal_elastic, i, normal_elastic);
-  store(l.shear_elastic, i, acts ? shear_elastic : none);
+  store(springs.normal_elastic, i, normal_elastic);
+  store(springs.shear_elastic, i, acts ? shear_elastic : none);
   const Set reached = acts ? overlap : none;
   deepest = reached > deepest ? reached : deepest;
   strongest = normal_elastic > strongest ? normal_elastic : strongest;
@@ -166,23 +168,26 @@ BLOCKS_INLINE void act_set(const LaneRows& l, const BlockRows& blocks,
   const Set fx = normal * nx - shear * tx, fy = normal * ny - shear * ty;
   const Set moment_a = ax * fy - ay * fx, moment_b = by * fx - bx * fy;
   const Mask low = all_less(a, b);
-  store(l.fx, i, low ? fx : -fx);
-  store(l.fy, i, low ? fy : -fy);
-  store(l.moment_low, i, low ? moment_a : moment_b);
-  store(l.moment_high, i, low ? moment_b : moment_a);
-  store(l.arm_ax, i, ax), store(l.arm_ay, i, ay);
-  store(l.arm_bx, i, bx), store(l.arm_by, i, by);
-  store(l.overlap, i, reached);
-  store(l.normal_force, i, normal);
-  store(l.shear_force, i, shear);
+  store(forces.fx, i, low ? fx : -fx);
+  store(forces.fy, i, low ? fy : -fy);
+  store(forces.moment_low, i, low ? moment_a : moment_b);
+  store(forces.moment_high, i, low ? moment_b : moment_a);
+  store(readings.low_x, i, low ? ax : bx);
+  store(readings.low_y, i, low ? ay : by);
+  store(readings.high_x, i, low ? bx : ax);
+  store(readings.high_y, i, low ? by : ay);
+  store(readings.overlap, i, reached);
+  store(readings.normal_force, i, normal);
+  store(readings.shear_force, i, shear);
 }
 
 template <bool rigid>
-LaneExtremes act_sets(const LaneRows& lanes, const BlockRows& blocks,
+LaneExtremes act_sets(const LaneSets& sets, const BlockRows& blocks,
                       const ContactLaw& law, int first, int last) {
   Set deepest = all_of(0.0), strongest = all_of(0.0);
-  for (int i = first * lane_count; i < last * lane_count; i += width)
-    act_set<rigid>(lanes, blocks, law, i, deepest, strongest);
+  for (int set = first; set < last; ++set)
+    for (int i = 0; i < lane_count; i += width)
+      act_set<rigid>(sets, set, blocks, law, i, deepest, strongest);
   LaneExtremes extremes = {0.0, 0.0};
   for (int k = 0; k < width; ++k) {
     extremes.overlap = deepest[k] > extremes.overlap ? deepest[k] : extremes.overlap;
@@ -193,19 +198,18 @@ LaneExtremes act_sets(const LaneRows& lanes, const BlockRows& blocks,
 
 }  // namespace
 
-void find_touching(const LaneRows& lanes, const BlockRows& blocks, int first,
-                   int last) {
+void find_touching(const LaneSets& sets, const BlockRows& blocks, int first, int last) {
   for (int set = first; set < last; ++set) {
-    lanes.look[set] = 0;
-    for (int i = set * lane_count; i < (set + 1) * lane_count; i += width)
-      find_touching_set(lanes, blocks, i);
+    sets.places[set].look = 0;
+    for (int i = 0; i < lane_count; i += width)
+      find_touching_set(sets.places[set], blocks, i);
   }
 }
 
-LaneExtremes act(const LaneRows& lanes, const BlockRows& blocks, const ContactLaw& law,
+LaneExtremes act(const LaneSets& sets, const BlockRows& blocks, const ContactLaw& law,
                  bool rigid, int first, int last) {
-  return rigid ? act_sets<true>(lanes, blocks, law, first, last)
-               : act_sets<false>(lanes, blocks, law, first, last);
+  return rigid ? act_sets<true>(sets, blocks, law, first, last)
+               : act_sets<false>(sets, blocks, law, first, last);
 }
 
 }  // namespace blocks::dynamics::BLOCKS_LANES

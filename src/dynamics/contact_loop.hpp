@@ -55,81 +55,102 @@ class ExactCalls {
 };
 
 /// Which record of group g acts, or which two of a notch, and for how long that is
-/// known.
+/// known from where the blocks stand.
 template <class Rules>
 void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g,
             ContactGroups::Share& share) {
   ContactGroup& group = groups.all[g];
-  const auto release_but = [&](int one, int other) {
-    for (int i = group.first; i < group.last; ++i)
-      if (contacts.active[i] && i != one && i != other)
-        release(contacts, share.lost, g, i);
+  int other = -1;  // of a notch
+  group.certain = {};
+  if (Rules::keeps_decisions && group.hopeless == 0)
+    group.certain = certainty(blocks, contacts, group);
+  if (!(group.certain.travel > 0.0)) {
+    group.hopeless =
+        static_cast<std::uint8_t>(group.hopeless == 0 ? 16 : group.hopeless - 1);
+    const ContactDecision<Rules> decision(blocks, contacts, groups);
+    group.acting = decision.acting_record(group);
+    other = decision.notch_record(group, group.acting);
+  }
+  const int one = group.live_record();
+  const auto to_release = [&](int i) {
+    return contacts.active[i] && i != one && i != other;
   };
-  const auto set_notch = [&](int record) {
-    groups.all[g + 1].acting = record;
-    share.lanes_complete &= groups.set_lane(blocks, contacts, g + 1);
-  };
+  bool none = true;
+  for (int i = group.first; i < group.last; ++i)
+    none &= !to_release(i);
+  if (none && !group.reentrant && groups.keep_lane(g))
+    return;
   for (int h = g; h <= g + group.reentrant; ++h)
     if (groups.lane_of[h] >= 0)
       groups.store_lane(contacts, groups.lane_of[h]);
-  group.certain = {};
-  if (Rules::keeps_decisions && group.hopeless == 0) {
-    group.certain = certainty(blocks, contacts, group);
-    group.pose =
-        relative_pose(blocks, groups.swing, group.corner_block, group.edge_block);
-  }
-  if (group.certain.travel > 0.0) {
-    release_but(group.certain.candidate, -1);
-    if (group.reentrant)
-      set_notch(-1);
-  } else {
-    group.hopeless = group.hopeless == 0 ? 16 : group.hopeless - 1;
-    const ContactDecision<Rules> decision(blocks, contacts, groups);
-    group.acting = decision.acting_record(group);
-    const int other = decision.notch_record(group, group.acting);
-    release_but(group.acting, other);
-    if (group.reentrant)
-      set_notch(other);
+  for (int i = group.first; i < group.last; ++i)
+    if (to_release(i))
+      release(contacts, share.lost, g, i);
+  if (group.reentrant) {
+    groups.all[g + 1].acting = other;
+    share.lanes_complete &= groups.set_lane(blocks, contacts, g + 1);
   }
   share.lanes_complete &= groups.set_lane(blocks, contacts, g);
 }
 
+/// Decides the groups of a pair for which the blocks have moved too far, `moved` from
+/// the pose of the pair. Where a certainty is looked for anew, all of the pair's count
+/// from the present pose.
+template <class Rules>
+void renew_pair(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int p,
+                double moved, ContactGroups::Share& share) {
+  ContactPair& pair = groups.pairs[p];
+  // the other way round a NaN would let a decision stand
+  const auto stands = [&](const ContactGroup& group) {
+    return Rules::keeps_decisions && group.certain.travel - moved > 0.0;
+  };
+  bool anew = false;
+  for (int g = pair.first; g < pair.last; ++g)
+    anew |= !groups.all[g].of_notch && !stands(groups.all[g]) &&
+            groups.all[g].hopeless == 0;
+  pair.certain = std::numeric_limits<double>::max();
+  for (int g = pair.first; g < pair.last; ++g) {
+    ContactGroup& group = groups.all[g];
+    if (group.of_notch)  // with the one before
+      continue;
+    if (!stands(group))
+      decide<Rules>(blocks, contacts, groups, g, share);
+    else if (anew)
+      group.certain.travel -= moved;
+    pair.certain = std::min(pair.certain, group.certain.travel);
+  }
+  if (anew)
+    groups.take_pose(blocks, p);
+}
+
 /// Decides the groups whose blocks have moved too far since they were last decided, of
-/// the pairs first .. last - 1.
+/// the rounds of pairs first .. last - 1.
 template <class Rules>
 void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
                      int first, int last, ContactGroups::Share& share) {
-  for (int p = first; p < last; ++p) {
-    PairWatch& watch = groups.watch[p];
-    const double way = groups.swing.way[watch.low] + groups.swing.way[watch.high];
-    if (Rules::keeps_decisions && way < watch.limit)
+  const Swing& swing = groups.swing;
+  const int pairs = static_cast<int>(groups.pairs.size());
+  for (int round = first; round < last; ++round) {
+    if (Rules::keeps_decisions && swing.travel < groups.rounds[round])
       continue;
-    ContactPair& pair = groups.pairs[p];
-    if (Rules::keeps_decisions) {
-      const double left = pair.certain - relative_motion(blocks, groups.swing, pair.low,
-                                                         pair.high, pair.pose);
-      // the other way round a NaN would let a decision stand
-      if (left > 0.0) {
-        watch.limit = way + left;
-        continue;
+    double left_of_round = std::numeric_limits<double>::max();
+    for (int p = round * pairs_of_round;
+         p < std::min(pairs, (round + 1) * pairs_of_round); ++p) {
+      PairWatch& watch = groups.watch[p];
+      const double way = swing.way[watch.low] + swing.way[watch.high];
+      if (!Rules::keeps_decisions || !(way < watch.limit)) {
+        const double& certain = groups.pairs[p].certain;
+        double moved = groups.relative_motion(blocks, p);
+        if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
+          renew_pair<Rules>(blocks, contacts, groups, p, moved, share);
+          moved = groups.relative_motion(blocks, p);
+        }
+        watch.limit = way + (certain - moved);
       }
+      left_of_round = std::min(left_of_round, watch.limit - way);
     }
-    pair.certain = std::numeric_limits<double>::max();
-    pair.pose = relative_pose(blocks, groups.swing, pair.low, pair.high);
-    for (int g = pair.first; g < pair.last; ++g) {
-      ContactGroup& group = groups.all[g];
-      if (group.of_notch)  // with the one before
-        continue;
-      const auto left = [&] {
-        return group.certain.travel - relative_motion(blocks, groups.swing,
-                                                      group.corner_block,
-                                                      group.edge_block, group.pose);
-      };
-      if (!Rules::keeps_decisions || !(left() > 0.0))
-        decide<Rules>(blocks, contacts, groups, g, share);
-      pair.certain = std::min(pair.certain, left());
-    }
-    watch.limit = way + pair.certain;
+    // each of the two blocks goes as far as the travel tells
+    groups.rounds[round] = swing.travel + 0.5 * left_of_round;
   }
 }
 
@@ -138,19 +159,22 @@ void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& gr
 template <class Rules>
 void settle(const Blocks& blocks, ContactGroups& groups, int set,
             std::vector<LostForce>& lost) {
-  ContactLanes& lanes = groups.lanes;
+  LanePlaces& lanes = groups.lanes.places[set];
+  LaneSprings& springs = groups.lanes.springs[set];
   const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
-  for (int i = set * lane_count; i < (set + 1) * lane_count; ++i) {
-    if (lanes.rule[i] == by_sign && lanes.touch[i] != apart &&
-        Rules::overlap_sign(at(lanes.corner[i]), at(lanes.edge[i]),
-                            at(lanes.edge_end[i])) <= 0)
-      lanes.touch[i] = apart;
-    if (lanes.touch[i] != apart)
+  for (int k = 0; k < lane_count; ++k) {
+    if (lanes.rule[k] == by_sign && lanes.touch[k] != apart &&
+        Rules::overlap_sign(at(lanes.corner[k]), at(lanes.edge[k]),
+                            at(lanes.edge_end[k])) <= 0)
+      lanes.touch[k] = apart;
+    if (lanes.touch[k] != apart)
       continue;
-    if (lanes.normal_elastic[i] > 0.0)
-      lost.push_back({groups.group[i], groups.record[i], lanes.normal_elastic[i],
-                      lanes.shear_elastic[i]});
-    lanes.normal_elastic[i] = lanes.shear_elastic[i] = 0.0;
+    if (springs.normal_elastic[k] > 0.0) {
+      const int lane = set * lane_count + k;
+      lost.push_back({groups.group[lane], groups.record[lane],
+                      springs.normal_elastic[k], springs.shear_elastic[k]});
+    }
+    springs.normal_elastic[k] = springs.shear_elastic[k] = 0.0;
   }
 }
 
@@ -168,16 +192,17 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
                               double dt, Workers& workers, Profile* profile = nullptr) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
-  const int pairs = static_cast<int>(groups.pairs.size());
+  const int rounds = static_cast<int>(groups.rounds.size());
   {
     const Profile::Timer timer(profile, Profile::decisions);
     if (!groups.loaded)
       groups.load(blocks, contacts);
-    workers.each(pairs, pairs_per_thread, [&](int part, int first, int last) {
-      const detail::ExactCalls calls(profile, groups.shares[part]);
-      detail::renew_decisions<Rules>(blocks, contacts, groups, first, last,
-                                     groups.shares[part]);
-    });
+    workers.each(rounds, pairs_per_thread / pairs_of_round,
+                 [&](int part, int first, int last) {
+                   const detail::ExactCalls calls(profile, groups.shares[part]);
+                   detail::renew_decisions<Rules>(blocks, contacts, groups, first, last,
+                                                  groups.shares[part]);
+                 });
     groups.join_shares();
     if (!groups.lanes_complete)
       groups.list_lanes(blocks, contacts);
@@ -190,7 +215,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     const detail::ExactCalls calls(profile, groups.shares[part]);
     arithmetic.find_touching(groups.lanes, rows, first, last);
     for (int set = first; set < last; ++set)
-      if (groups.lanes.look[set])
+      if (groups.lanes.places[set].look)
         detail::settle<Rules>(blocks, groups, set, groups.shares[part].lost);
   });
   groups.join_shares();

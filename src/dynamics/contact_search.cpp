@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "dynamics/contact_decision.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -71,30 +72,66 @@ SearchBuffers::Record record(const Contacts& contacts, int i) {
   return {std::min(a, b), std::max(a, b), contacts.corner[i], contacts.edge[i]};
 }
 
-/// Writes the records found into `next`, with the state of those that were there
-/// before.
-void merge(const Blocks& blocks, const Contacts& old, SearchBuffers& buffers) {
-  Contacts& next = buffers.next;
-  next.resize(static_cast<int>(buffers.found.size()));
-  int j = 0;
-  for (int i = 0; i < next.size(); ++i) {
-    const SearchBuffers::Record& r = buffers.found[i];
-    next.corner[i] = r.corner;
-    next.edge[i] = r.edge;
-    next.corner_block[i] = blocks.corner_block[r.corner];
-    next.edge_block[i] = blocks.corner_block[r.edge];
-    next.active[i] = 0;
-    while (j < old.size() && record(old, j) < r)
-      ++j;
-    if (j < old.size() && record(old, j) == r) {
-      next.active[i] = old.active[j];
-      next.normal_elastic[i] = old.normal_elastic[j];
-      next.shear_elastic[i] = old.shear_elastic[j];
-      next.normal_force[i] = old.normal_force[j];
-      next.shear_force[i] = old.shear_force[j];
-      next.overlap[i] = old.overlap[j];
-    }
+/// Orders the records: by the lower block in one go, then those of each.
+void sort_found(int blocks, SearchBuffers& buffers) {
+  std::vector<int> first(blocks + 1, 0);
+  for (const SearchBuffers::Record& r : buffers.found)
+    ++first[r.low + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<SearchBuffers::Record> sorted(buffers.found.size());
+  for (const SearchBuffers::Record& r : buffers.found)
+    sorted[first[r.low]++] = r;
+  auto begin = sorted.begin();
+  for (int b = 0; b < blocks; ++b) {  // each first was moved on to its end
+    const auto end = sorted.begin() + first[b];
+    std::sort(begin, end);
+    begin = end;
   }
+  buffers.found.swap(sorted);
+}
+
+/// What acts, out of a list that is not needed any more.
+void keep_acting(Contacts& contacts, std::vector<SearchBuffers::Kept>& kept) {
+  kept.clear();
+  for (int i = 0; i < contacts.size(); ++i)
+    if (contacts.active[i])
+      kept.push_back({record(contacts, i), contacts.normal_elastic[i],
+                      contacts.shear_elastic[i], contacts.normal_force[i],
+                      contacts.shear_force[i], contacts.overlap[i]});
+  contacts.resize(0);
+}
+
+/// Makes the records found the list, with the state of those that act: the others have
+/// none.
+void fill_list(const Blocks& blocks, Contacts& contacts, const SearchBuffers& buffers) {
+  contacts.resize(static_cast<int>(buffers.found.size()));
+  auto kept = buffers.kept.begin();
+  for (int i = 0; i < contacts.size(); ++i) {
+    const SearchBuffers::Record& r = buffers.found[i];
+    contacts.corner[i] = r.corner;
+    contacts.edge[i] = r.edge;
+    contacts.corner_block[i] = blocks.corner_block[r.corner];
+    contacts.edge_block[i] = blocks.corner_block[r.edge];
+    while (kept != buffers.kept.end() && kept->record < r)
+      ++kept;
+    const bool acts = kept != buffers.kept.end() && kept->record == r;
+    contacts.active[i] = acts;
+    if (!acts)
+      continue;
+    contacts.normal_elastic[i] = kept->normal_elastic;
+    contacts.shear_elastic[i] = kept->shear_elastic;
+    contacts.normal_force[i] = kept->normal_force;
+    contacts.shear_force[i] = kept->shear_force;
+    contacts.overlap[i] = kept->overlap;
+  }
+}
+
+/// Memory that only a search needs: some stays, for to ask for it at every search of a
+/// small model is slower.
+template <class Item> void give_back(std::vector<Item>& items) {
+  items.clear();
+  if (items.capacity() * sizeof(Item) > 1 << 25)
+    items.shrink_to_fit();
 }
 
 void update_plane_contacts(Model& model, SearchBuffers& buffers) {
@@ -156,9 +193,11 @@ void update_contacts(Model& model, SearchBuffers& buffers) {
 }
 
 void adopt_list(Model& model, SearchBuffers& buffers) {
-  std::sort(buffers.found.begin(), buffers.found.end());
-  merge(model.blocks, model.contacts, buffers);
-  std::swap(model.contacts, buffers.next);
+  keep_acting(model.contacts, buffers.kept);
+  sort_found(model.blocks.size(), buffers);
+  fill_list(model.blocks, model.contacts, buffers);
+  give_back(buffers.found);
+  give_back(buffers.kept);
   update_plane_contacts(model, buffers);
   set_contact_damping(model);
   model.search.current = true;

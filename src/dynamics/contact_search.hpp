@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "dynamics/box_grid.hpp"
+#include "dynamics/cell_grid.hpp"
 #include "dynamics/contact_groups.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/profile.hpp"
@@ -65,13 +65,18 @@ struct SearchBuffers {
     int corner, edge;  ///< corner, first corner of the edge
     auto operator<=>(const Record&) const = default;
   };
-  BoxGrid grid;
+  CellGrid grid;
   std::vector<Reach> reach;  ///< of the edges of one block
   std::vector<Record> found;
   ContactGroups groups;             ///< of the present list
   long grouped_update = -1;         ///< NUPDAT when the groups were made
   std::vector<Displacement> moved;  ///< (threads) in this step
-  Contacts next;
+  /// What a record that acts takes to the next list.
+  struct Kept {
+    Record record;
+    double normal_elastic, shear_elastic, normal_force, shear_force, overlap;
+  };
+  std::vector<Kept> kept;
   PlaneContacts next_planes;
 };
 

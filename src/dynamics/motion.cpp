@@ -28,19 +28,23 @@ void rotate_symmetric(Eigen::Ref<Eigen::Vector4d> s, const Eigen::Matrix2d& r) {
 void Displacement::include(const Displacement& others) {
   if (others.largest > largest)
     largest = others.largest, block = others.block;
+  way = std::max(way, others.way);
   finite = finite && others.finite;
   left_domain = left_domain || others.left_domain;
 }
 
 void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range) {
-  const ContactLanes& lanes = groups.lanes;
+  const LaneForces* const forces = groups.lanes.forces;
   for (int b = range.first; b < range.last; ++b) {
     double x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
     groups.each_lane_of(b, [&](int i, bool low) {
+      const auto lane = static_cast<unsigned>(i);
+      const LaneForces& of = forces[lane / lane_count];
+      const unsigned k = lane % lane_count;
       if (low)
-        x += lanes.fx[i], y += lanes.fy[i], moment += lanes.moment_low[i];
+        x += of.fx[k], y += of.fy[k], moment += of.moment_low[k];
       else
-        x -= lanes.fx[i], y -= lanes.fy[i], moment += lanes.moment_high[i];
+        x -= of.fx[k], y -= of.fy[k], moment += of.moment_high[k];
     });
     blocks.force(0, b) = x, blocks.force(1, b) = y;
     blocks.moment[b] = moment;
@@ -51,16 +55,22 @@ void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
                            BlockRange range) {
   const ContactLanes& lanes = groups.lanes;
   for (int b = range.first; b < range.last; ++b) {
-    Eigen::Vector4d sums = blocks.applied.col(b);
+    double* const applied = &blocks.applied(0, b);
+    double xx = applied[0], xy = applied[1], yx = applied[2], yy = applied[3];
     groups.each_lane_of(b, [&](int i, bool low) {
-      const bool of_corner = lanes.corner_block[i] == b;
-      const double x = of_corner ? lanes.arm_ax[i] : lanes.arm_bx[i];
-      const double y = of_corner ? lanes.arm_ay[i] : lanes.arm_by[i];
-      const double sign = low ? 1.0 : -1.0;
-      const double fx = sign * lanes.fx[i], fy = sign * lanes.fy[i];
-      sums += Eigen::Vector4d(fx * x, fx * y, fy * x, fy * y);
+      const auto lane = static_cast<unsigned>(i);
+      const unsigned set = lane / lane_count, k = lane % lane_count;
+      const LaneForces& forces = lanes.forces[set];
+      const LaneReadings& arms = lanes.readings[set];
+      const double x = low ? arms.low_x[k] : arms.high_x[k];
+      const double y = low ? arms.low_y[k] : arms.high_y[k];
+      const double fx = low ? forces.fx[k] : -forces.fx[k];
+      const double fy = low ? forces.fy[k] : -forces.fy[k];
+      xx += fx * x, xy += fx * y, yx += fy * x, yy += fy * y;
     });
-    blocks.applied.col(b) = sums / blocks.area[b];
+    const double area = blocks.area[b];
+    applied[0] = xx / area, applied[1] = xy / area;
+    applied[2] = yx / area, applied[3] = yy / area;
   }
 }
 
@@ -131,11 +141,11 @@ bool inside(const Blocks& blocks, int b, const Settings& settings) {
          (corners.rowwise().maxCoeff().array() <= settings.upper.array()).all();
 }
 
-/// What the swing of a rigid block grows by, beside what its angle tells: that by which
-/// turn and Cayley rotation differ, and round-off.
-double beside_angle(double turn, double angle, double per_radian) {
-  return turn != 0.0 ? per_radian * (std::abs(turn * turn * turn) / 12.0 +
-                                     0x1p-50 * (1.0 + std::abs(angle)))
+/// What the sum of a rigid block's swing grows by: that by which turn and Cayley
+/// rotation differ, and round-off.
+double beside_angle(double turn, double angle, double longest) {
+  return turn != 0.0 ? longest * (std::abs(turn * turn * turn) / 12.0 +
+                                  0x1p-50 * (1.0 + std::abs(angle)))
                      : 0.0;
 }
 
@@ -163,26 +173,35 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
     blocks.centroid.col(b) = centroid;
     blocks.angle[b] += turn;
 
-    const double reach = swing.per_radian[b];
-    const double beside =
-        settings.rigid ? beside_angle(turn, blocks.angle[b], reach) : 0.0;
-    double swung = reach * std::abs(turn) + beside;
+    double swung = 0.0;
+    if (settings.rigid) {
+      const double beside = beside_angle(turn, blocks.angle[b], swing.longest[b]);
+      swung = swing.longest[b] * std::abs(turn) + beside;
+      swing.sum[b] += beside;
+    }
+    double farthest = 0.0, stretch = 1.0;
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
       const Vec2 arm = transform * Vec2(blocks.arm.col(c));
       if (!settings.rigid)
-        swung = std::max(swung, (arm - blocks.arm.col(c)).norm());
+        farthest = std::max(farthest, (arm - blocks.arm.col(c)).squaredNorm());
       blocks.arm.col(c) = arm;
       blocks.corner.col(c) = centroid + arm;
     }
-    swing.sum[b] += settings.rigid ? beside : swung;
-    const double went = shift.norm();
-    swing.way[b] += 1.0000001 * (went + 2.0 * swung) + 0x1p-52 * swing.way[b];
-
-    const double moved = went + swung;
+    if (!settings.rigid) {
+      swung = std::sqrt(farthest);
+      Eigen::Map<Eigen::Matrix2d> shape(swing.shape.col(b).data());
+      shape = (transform * shape).eval();
+      stretch = shape.norm();
+      swing.sum[b] += 0x1p-49 * swing.longest[b] * stretch;
+    }
+    const double went = shift.norm(), moved = went + swung;
+    const double way = 1.0000001 * (went + 2.0 * swung) + 0x1p-52 * swing.way[b];
+    swing.way[b] += way;
+    result.way = std::max(result.way, way + 0x1p-52 * swing.way[b]);
     sum += moved;
     if (moved > result.largest)
       result.largest = moved, result.block = b;
-    if (!(settings.rigid && well_inside(centroid, reach, settings)) &&
+    if (!well_inside(centroid, swing.longest[b] * stretch + swing.sum[b], settings) &&
         !inside(blocks, b, settings))
       result.left_domain = true;
   }

@@ -18,6 +18,7 @@ struct Displacement {
   double largest = 0.0;      ///< [L] no corner has moved by more (UDMAX): way of the
                              ///< centroid and change of the longest arm
   int block = -1;            ///< the block of which that is said
+  double way = 0.0;          ///< [L] no block's way (Swing) has grown by more
   bool finite = true;        ///< false: some corner is no longer a number
   bool left_domain = false;  ///< some corner lies outside the domain
   double strongest = 0.0;    ///< [F] largest elastic normal force of a contact

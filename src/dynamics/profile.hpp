@@ -6,10 +6,10 @@
 
 namespace blocks::dynamics {
 
-/// Wall clock of the phases of a step, and how often the filters of the predicates left
-/// a decision to exact arithmetic.
+/// Wall clock of the phases of a run, most of them of a step, and how often the filters
+/// of the predicates left a decision to exact arithmetic.
 struct Profile {
-  enum Phase { search, decisions, forces, motion, output, phases };
+  enum Phase { building, search, decisions, forces, motion, output, phases };
 
   std::array<double, phases> seconds{};
   unsigned long long exact_calls = 0;

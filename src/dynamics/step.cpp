@@ -1,6 +1,7 @@
 #include "dynamics/step.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "dynamics/domain.hpp"
 #include "dynamics/loads.hpp"
@@ -44,6 +45,7 @@ Displacement advance(Model& model, SearchBuffers& buffers) {
     update_contacts(model, buffers);
   }
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
+    const Profile::Timer timer(buffers.profile, Profile::search);
     group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups, false,
                    buffers.workers->threads());
     buffers.grouped_update = model.search.updates;
@@ -95,6 +97,9 @@ Displacement move(Model& model, SearchBuffers& buffers,
   Displacement moved;
   for (const Displacement& part : buffers.moved)
     moved.include(part);
+  double& travel = buffers.groups.swing.travel;
+  travel += moved.finite ? moved.way + 0x1p-52 * travel
+                         : std::numeric_limits<double>::infinity();
   moved.strongest = std::max(blocks_touching.spring, planes_touching.spring);
   model.worst_overlap =
       std::max({model.worst_overlap, blocks_touching.overlap, planes_touching.overlap});

@@ -1,5 +1,6 @@
-// The step allocates nothing: memory is asked for at a search, if at all.
+// The step allocates nothing: memory is asked for at a search, if at all; and how much.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -54,6 +55,40 @@ TEST(Step, AllocatesNothing) {
     EXPECT_LT(searches, 200);
     EXPECT_GT(asked, 0);  // the count itself
   }
+}
+
+double bytes_in_use() {
+  const struct mallinfo2 now = mallinfo2();
+  return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
+}
+
+// What a million blocks hold is a million times what one does: the model, its list of
+// contacts, their groups and lanes, after several searches.
+TEST(Memory, OfABrickInAWall) {
+  const double before = bytes_in_use();
+  scenes::Scene scene;
+  scene.model.settings.rigid = true;
+  scene.model.settings.contact_tolerance = 0.05;
+  const int rows = 40, bricks = 50;
+  scene.box(-1, -1, bricks + 2, 1, true);
+  std::vector<NewBlock> wall;
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < bricks; ++i) {
+      const double x = i + 0.5 * (row % 2), y = 0.5 * row;
+      wall.push_back({{{x, y}, {x, y + 0.5}, {x + 1, y + 0.5}, {x + 1, y}}, 1, 2000.0});
+    }
+  scene.model.blocks.append(wall);
+  wall = {};
+  scene.gravity(0, -10);
+  for (int i = 0; i < 3; ++i) {
+    scene.model.search.current = false;
+    scene.steps(2);
+  }
+  EXPECT_GT(totals(scene.model).active_contacts, 1000);
+  const double each = (bytes_in_use() - before) / (rows * bricks);
+  RecordProperty("bytes_of_a_brick", std::to_string(each));
+  EXPECT_LT(each, 6500.0);  // 5,114; a second list beside the first would add 2,000
+  EXPECT_GT(each, 1000.0);
 }
 
 }  // namespace

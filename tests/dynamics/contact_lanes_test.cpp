@@ -52,30 +52,37 @@ struct Scene {
     lanes.resize(size);
     for (int i = 0; i < size; ++i) {
       const int* const p = &places[7 * i];
-      lanes.corner[i] = p[0], lanes.edge[i] = p[1], lanes.edge_end[i] = p[2];
-      lanes.corner_block[i] = p[3], lanes.edge_block[i] = p[4];
-      lanes.rule[i] = p[5], lanes.touch[i] = p[6];
-      lanes.normal_elastic[i] = std::abs(springs[3 * i]);
-      lanes.shear_elastic[i] = springs[3 * i + 1];
-      lanes.damping[i] = std::abs(springs[3 * i + 2]);
+      lanes.at(i, &LanePlaces::corner) = p[0], lanes.at(i, &LanePlaces::edge) = p[1],
+                  lanes.at(i, &LanePlaces::edge_end) = p[2];
+      lanes.at(i, &LanePlaces::corner_block) = p[3],
+                  lanes.at(i, &LanePlaces::edge_block) = p[4];
+      lanes.at(i, &LanePlaces::rule) = p[5], lanes.at(i, &LanePlaces::touch) = p[6];
+      lanes.at(i, &LaneSprings::normal_elastic) = std::abs(springs[3 * i]);
+      lanes.at(i, &LaneSprings::shear_elastic) = springs[3 * i + 1];
+      lanes.at(i, &LaneSprings::damping) = std::abs(springs[3 * i + 2]);
     }
   }
 };
 
 /// The bits of all that the lanes hold.
 std::vector<std::uint64_t> bits(const ContactLanes& lanes, LaneExtremes extremes) {
-  std::vector<std::uint64_t> found(lanes.look, lanes.look + Scene::sets);
+  std::vector<std::uint64_t> found;
+  for (int set = 0; set < lanes.sets(); ++set)
+    found.push_back(lanes.places[set].look);
   const auto add = [&](const double& x) {
     std::uint64_t word;
     std::memcpy(&word, &x, sizeof word);
     found.push_back(std::isnan(x) ? 1 : word);  // of NaN the sign is not defined
   };
-  for (int i = 0; i < Scene::size; ++i)
-    for (const double* row :
-         {lanes.touch, lanes.normal_elastic, lanes.shear_elastic, lanes.fx, lanes.fy,
-          lanes.moment_low, lanes.moment_high, lanes.arm_ax, lanes.arm_ay, lanes.arm_bx,
-          lanes.arm_by, lanes.overlap, lanes.normal_force, lanes.shear_force})
-      add(row[i]);
+  for (int i = 0; i < Scene::size; ++i) {
+    const auto add_rows = [&](auto... row) { (add(lanes.at(i, row)), ...); };
+    add_rows(&LanePlaces::touch, &LaneSprings::normal_elastic,
+             &LaneSprings::shear_elastic, &LaneForces::fx, &LaneForces::fy,
+             &LaneForces::moment_low, &LaneForces::moment_high, &LaneReadings::low_x,
+             &LaneReadings::low_y, &LaneReadings::high_x, &LaneReadings::high_y,
+             &LaneReadings::overlap, &LaneReadings::normal_force,
+             &LaneReadings::shear_force);
+  }
   add(extremes.overlap);
   add(extremes.spring);
   return found;

@@ -66,7 +66,8 @@ TEST(KeptDecisions, ChangeNoBit) {
         anew.forget_decisions();
         anew.step();
       }
-      ASSERT_EQ(kept.model.blocks.corner, anew.model.blocks.corner) << seed;
+      ASSERT_EQ(kept.model.blocks.corner, anew.model.blocks.corner)
+          << seed << (rigid ? " rigid" : " deformable");
       ASSERT_EQ(kept.model.blocks.velocity, anew.model.blocks.velocity) << seed;
       EXPECT_GT(totals(kept.model).active_contacts, 10);
     }
