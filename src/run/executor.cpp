@@ -105,6 +105,7 @@ void Executor::start() {
                               model_.time_step.dt, model_.time_step.block + 1,
                               model_.time_step.elastic ? "its stiffness" : "contact",
                               model_.blocks.size(), model_.settings.seed));
+    const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.frame(model_);
     files_.table(model_);
   }
@@ -256,6 +257,7 @@ Outcome Executor::pressed_for_time() {
     return Outcome::time_limit;
   if (options_.checkpoint_every > 0.0 &&
       seconds(now - saved_) >= options_.checkpoint_every) {
+    const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.checkpoint(up_to_date(), progress());
     saved_ = Clock::now();
   }

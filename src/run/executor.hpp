@@ -43,6 +43,8 @@ class Executor {
   void dump();
   /// A deck in which no time passed is echoed all the same.
   void finish();
+  /// Of the run, if it is wanted, else null.
+  dynamics::Profile* profile() { return buffers_.profile; }
   /// --profile: where the time went.
   void tell_profile();
 

@@ -17,6 +17,8 @@
 namespace blocks::run {
 namespace {
 
+using dynamics::Profile;
+
 bool passes_time(const deck::Command& command) {
   return std::holds_alternative<deck::Motion>(command.card) ||
          std::holds_alternative<deck::Cycle>(command.card);
@@ -234,10 +236,14 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   for (; next < job.deck.commands.size() && outcome == Outcome::finished; ++next) {
     const deck::Command& command = job.deck.commands[next];
     executor.set_card(static_cast<long>(next));
-    builder.apply(command);
+    {
+      const Profile::Timer timer(executor.profile(), Profile::building);
+      builder.apply(command);
+    }
     for (const std::string& note : builder.take_notes())
       files.message(note);
     if (passes_time(command)) {
+      const Profile::Timer timer(executor.profile(), Profile::building);
       if (executor.begun()) {
         // It was judged when it began.
       } else if (motion == 0.0) {
@@ -283,7 +289,10 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   progress.finished = outcome == Outcome::finished;
   if (progress.finished)
     progress.card = static_cast<long>(job.deck.commands.size());
-  files.close(model, report, progress);
+  {
+    const Profile::Timer timer(executor.profile(), Profile::output);
+    files.close(model, report, progress);
+  }
   console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
                            report.status, model.steps, model.time, report.wall_seconds,
                            job.name + ".out", files.results_path(),
@@ -345,6 +354,7 @@ int run_deck(const RunOptions& options) {
     for (const std::string& note : notes)
       fmt::print(stderr, "{}\n", note);
   }
+  checked = {};  // not beside the model that runs
   catch_interrupts();
   Console console(!options.json, options.quiet);
   return execute(job, console, warnings_of(job.diagnostics));
