@@ -82,8 +82,9 @@ int run(const Options& options) {
     text += more;
   };
   say(fmt::format(
-      "# Times\n\nWritten by `./go bench`; do not edit. One thread; medians "
-      "of {} rounds in which the codes take turns, on processor time.\n",
+      "# Times\n\nWritten by `./go bench`; do not edit. Medians of {} "
+      "rounds in which the codes take turns; one thread on processor time, more on "
+      "the clock.\n",
       plan.rounds));
   for (const Part& part : parts())
     if (options.parts.empty() || std::find(options.parts.begin(), options.parts.end(),

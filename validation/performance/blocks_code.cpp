@@ -12,8 +12,9 @@ int free_blocks(const Model& model) {
   return count;
 }
 
-BlocksCode::BlocksCode(Model start, std::string name)
-    : model_(std::move(start)), name_(std::move(name)), free_(free_blocks(model_)) {
+BlocksCode::BlocksCode(Model start, std::string name, int threads)
+    : model_(std::move(start)), buffers_(threads), name_(std::move(name)),
+      free_(free_blocks(model_)) {
   dynamics::prepare(model_);
 }
 

@@ -13,9 +13,10 @@ int free_blocks(const Model& model);
 class BlocksCode : public Contestant {
  public:
   /// Steps the model from its present state.
-  explicit BlocksCode(Model start, std::string name = "blocks");
+  explicit BlocksCode(Model start, std::string name = "blocks", int threads = 1);
 
   std::string name() const override { return name_; }
+  int threads() const override { return buffers_.workers->threads(); }
   double work_per_step() const override { return free_; }  ///< block-steps
   /// Throws std::runtime_error when a corner is no longer a number.
   void run(long steps) override;

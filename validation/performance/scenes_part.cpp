@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "blocks_code.hpp"
@@ -50,6 +51,15 @@ void note_box2d(Report& report) {
     report.notes.push_back(note);
 }
 
+/// Numbers of threads that this machine has cores for, beside one: 2, 4, 8.
+std::vector<int> threads_to_time() {
+  std::vector<int> all;
+  for (unsigned threads = 2; threads <= 8; threads *= 2)
+    if (threads <= std::thread::hardware_concurrency())
+      all.push_back(static_cast<int>(threads));
+  return all;
+}
+
 /// The program, the linked lists from the same state, Box2D from the start.
 void compare_codes(const Plan& plan, const std::string& part, const std::string& scene,
                    BlocksCode& ours, Contestant* box2d, bool with_deformable,
@@ -68,6 +78,12 @@ void compare_codes(const Plan& plan, const std::string& part, const std::string&
     deforming = std::make_unique<BlocksCode>(std::move(soft), deformable);
     codes.push_back(deforming.get());
   }
+  std::vector<std::unique_ptr<BlocksCode>> threaded;
+  for (const int threads : threads_to_time())
+    codes.push_back(
+        threaded
+            .emplace_back(std::make_unique<BlocksCode>(ours.model(), "blocks", threads))
+            .get());
   compare(plan, part, scene, codes, ours.work_per_step(), report);
 }
 
@@ -89,6 +105,15 @@ void compare_sizes(const Plan& plan, int power, Report& report) {
   report.targets.push_back(
       {"a block-step of " + bricks(power) + " over one of " + bricks(4), growth.middle,
        1.5, false, " times"});
+}
+
+/// How many times as fast the program is with a second thread.
+void add_thread_target(const std::string& scene, Report& report) {
+  for (const Row& row : report.rows)
+    if (row.part == "wall" && row.scene == scene && row.code == "blocks" &&
+        row.threads == 2)
+      report.targets.push_back({scene + ": gain by a second thread",
+                                1.0 / row.ratio->middle, 1.8, true, " times"});
 }
 
 void add_targets(const std::string& scene, double box2d_limit, Report& report) {
@@ -120,6 +145,8 @@ void run_wall(const Plan& plan, Report& report) {
     // 5 (100,000 bricks: 8) times Box2D v3, which did 3.6 times the iterations of 2.4.1
     if (power >= 3)
       add_targets(bricks(power), power == 5 ? 29 : 18, report);
+    if (power == 4)
+      add_thread_target(bricks(power), report);
   }
   if (plan.largest >= 6) {
     announce("wall of " + bricks(6));
