@@ -83,8 +83,8 @@ int run(const Options& options) {
   };
   say(fmt::format(
       "# Times\n\nWritten by `./go bench`; do not edit. Medians of {} "
-      "rounds in which the codes take turns; one thread on processor time, more on "
-      "the clock.\n",
+      "rounds in which the codes take turns; one thread on processor time, more, "
+      "and one beside them, on the clock.\n",
       plan.rounds));
   for (const Part& part : parts())
     if (options.parts.empty() || std::find(options.parts.begin(), options.parts.end(),

@@ -127,7 +127,9 @@ bool draw(const Report& report, const std::string& path) {
     if (row.part == "wall") {
       add_point(chart.panels[0], row, row.cost);
       add_point(chart.panels[1], row,
-                row.ratio && row.against == "blocks" ? row.ratio->middle : 1.0);
+                row.ratio && (row.against == "blocks" || row.threads > 1)
+                    ? row.ratio->middle
+                    : 1.0);
     }
   if (chart.panels[0].lines.empty() || chart.panels[0].lines.front().x.size() < 2)
     return false;

@@ -60,6 +60,34 @@ std::vector<int> threads_to_time() {
   return all;
 }
 
+/// One thread by the clock, as several are timed.
+class OneByClock : public Contestant {
+ public:
+  explicit OneByClock(BlocksCode& code) : code_(code) {}
+  std::string name() const override { return "blocks, by the clock"; }
+  bool by_clock() const override { return true; }
+  double work_per_step() const override { return code_.work_per_step(); }
+  void run(long steps) override { code_.run(steps); }
+
+ private:
+  BlocksCode& code_;
+};
+
+/// In turns of their own: waiting threads are in nobody's way.
+void compare_threads(const Plan& plan, const std::string& part,
+                     const std::string& scene, BlocksCode& ours, Report& report) {
+  OneByClock one(ours);
+  std::vector<Contestant*> codes{&one};
+  std::vector<std::unique_ptr<BlocksCode>> several;
+  for (const int threads : threads_to_time())
+    codes.push_back(
+        several
+            .emplace_back(std::make_unique<BlocksCode>(ours.model(), "blocks", threads))
+            .get());
+  if (codes.size() > 1)
+    compare(plan, part, scene, codes, ours.work_per_step(), report);
+}
+
 /// The program, the linked lists from the same state, Box2D from the start.
 void compare_codes(const Plan& plan, const std::string& part, const std::string& scene,
                    BlocksCode& ours, Contestant* box2d, bool with_deformable,
@@ -78,13 +106,8 @@ void compare_codes(const Plan& plan, const std::string& part, const std::string&
     deforming = std::make_unique<BlocksCode>(std::move(soft), deformable);
     codes.push_back(deforming.get());
   }
-  std::vector<std::unique_ptr<BlocksCode>> threaded;
-  for (const int threads : threads_to_time())
-    codes.push_back(
-        threaded
-            .emplace_back(std::make_unique<BlocksCode>(ours.model(), "blocks", threads))
-            .get());
   compare(plan, part, scene, codes, ours.work_per_step(), report);
+  compare_threads(plan, part, scene, ours, report);
 }
 
 std::string bricks(int power) {

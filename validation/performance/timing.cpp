@@ -48,7 +48,7 @@ std::vector<Times> take_turns(const std::vector<Contestant*>& codes, int rounds,
 }  // namespace
 
 double seconds_of_run(Contestant& code, long steps) {
-  const auto now = code.threads() == 1 ? processor_seconds : wall_seconds;
+  const auto now = code.by_clock() ? wall_seconds : processor_seconds;
   const double start = now();
   code.run(steps);
   return now() - start;

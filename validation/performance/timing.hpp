@@ -9,7 +9,7 @@
 namespace blocks::bench {
 
 /// Seconds of one call. One thread: of the processor, for other programs may share
-/// it; more: of the clock on the wall.
+/// it; more, and what is compared with them: of the clock on the wall.
 double seconds_of_run(Contestant& code, long steps);
 
 double median(std::vector<double> values);
