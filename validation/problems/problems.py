@@ -4,8 +4,11 @@
 Runs the check of each problem (all but the long ones; --long: these too; --quick: those that take
 about a second, and `blocks check` on all decks) and prints one line per row of its table. With
 --report figures and results are written beside the problems, and REPORT.md and REPORT.html, from
-these results and the kept ones of the others, above them. Exit code 4 if a row misses, 1 if a deck
-does not run.
+these results and the kept ones of the others, above them; rows carry the program that measured
+them. --kept: runs nothing, says which kept results are of another program.
+
+Exit code 4 if a row misses that is not in known_misses.json of its problem (with --kept: if a
+result is of another program), 1 if a deck does not run.
 """
 
 import argparse
@@ -18,9 +21,11 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+SOURCE = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 sys.dont_write_bytecode = True
 
+from suite import program as programs  # noqa: E402
 from suite import report  # noqa: E402
 from suite.case import Case, Row, RunFailed  # noqa: E402
 
@@ -45,8 +50,24 @@ def solve(name, program, write):
         except RunFailed as fault:
             return {"problem": name, "rows": None, "fault": str(fault)}
     assert case.rows, f"{name} checks nothing"
-    return {"problem": name, "rows": [row.as_dict() for row in case.rows],
-            "figures": case.charts, "runs": case.runs}
+    rows = [row.as_dict() for row in case.rows]
+    explain(name, rows)
+    return {"problem": name, "rows": rows, "figures": case.charts, "runs": case.runs}
+
+
+def explain(name, rows):
+    """Gives rows that miss, and are known to, the reason that stands in known_misses.json:
+    {quantity: why}. Known misses that no row has are a fault of that file."""
+    path = HERE / name / "known_misses.json"
+    known = json.loads(path.read_text()) if path.exists() else {}
+    unknown = set(known) - {row["quantity"] for row in rows}
+    assert not unknown, f"{path}: no row is called {unknown}"
+    for row in rows:
+        if row["quantity"] in known and row["holds"] is False:
+            row["note"] = known[row["quantity"]]
+        elif row["quantity"] in known:
+            print(f"{name}: {row['quantity']}: holds now; known_misses.json still has it",
+                  flush=True)
 
 
 def check_decks(program):
@@ -65,7 +86,7 @@ def show(result):
     for row in result["rows"]:
         expected = f", expected {row['expected']}" if row["expected"] else ""
         error = f", error {row['error']}" if row["error"] else ""
-        print(f"{report.verdict(row):6} {result['problem']}: {row['quantity']}: "
+        print(f"{report.verdict(row):12} {result['problem']}: {row['quantity']}: "
               f"{row['ours']}{expected}{error}", flush=True)
 
 
@@ -76,6 +97,7 @@ def main():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--long", action="store_true")
     parser.add_argument("--report", action="store_true")
+    parser.add_argument("--kept", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     asked = parser.parse_intermixed_args()
     unknown = sorted(set(asked.names) - set(ORDER))
@@ -87,6 +109,8 @@ def main():
         else {"quick", "medium"}
     names = asked.names or [name for name in ORDER if load(name).LENGTH in lengths]
     program = asked.program.resolve()
+    if asked.kept:
+        return 4 if tell_kept(programs.identity(program, SOURCE), kept_results()) else 0
     with ThreadPoolExecutor(asked.jobs) as workers:
         results = []
         for result in workers.map(lambda name: solve(name, program, asked.report), names):
@@ -97,28 +121,47 @@ def main():
         print(f"FAILED: {words}")
     failed = [result for result in results if result["rows"] is None]
     sound = [result for result in results if result["rows"] is not None]
-    missed = sum(row["holds"] is False for result in sound for row in result["rows"])
+    missed = [row for result in sound for row in result["rows"] if row["holds"] is False]
+    new = sum(not row["note"] for row in missed)
     if asked.report:
-        write_report(results)
-    print(f"{len(sound)} problems, {missed} misses{f', {len(failed)} FAILED' if failed else ''}")
-    return 1 if failed or refused else 4 if missed else 0
+        who = programs.identity(program, SOURCE)
+        write_report(results, who)
+        tell_kept(who, [result for result in kept_results() if result["problem"] not in names])
+    print(f"{len(sound)} problems, {new} misses, {len(missed) - new} known misses"
+          f"{f', {len(failed)} FAILED' if failed else ''}")
+    return 1 if failed or refused else 4 if new else 0
 
 
-def write_report(results):
+def tell_kept(who, kept):
+    """Prints which kept results the report has, and whose; how many are of other numerics."""
+    print(f"this program: {programs.told(who)}")
+    others = 0
+    for result in kept:
+        by = result.get("program")
+        other = not by or by["numerics"] != who["numerics"]
+        others += other
+        print(f"kept, not run now: {result['problem']}: {programs.told(by)}"
+              f"{': ANOTHER PROGRAM' if other else ''}")
+    return others
+
+
+def kept_results():
+    """What result.json of the problems say, in the order of the report."""
+    paths = [HERE / name / "result.json" for name in ORDER]
+    return [json.loads(path.read_text()) for path in paths if path.exists()]
+
+
+def write_report(results, who):
     """Keeps these results, and writes the report from all that are kept."""
     for result in results:
         if result["rows"] is None:  # or the report would go on saying what once held
-            row = Row("every deck runs", "yes", "no", "", "", "", False, result["fault"])
+            row = Row("every deck runs", "yes", "no", "", "", result["fault"], False)
             result = {"problem": result["problem"], "rows": [row.as_dict()], "figures": [],
                       "runs": 0}
         path = HERE / result["problem"] / "result.json"
-        path.write_text(json.dumps(result, indent=1) + "\n")
-    kept = []
-    for name in ORDER:
-        path = HERE / name / "result.json"
-        if path.exists():
-            kept.append({**json.loads(path.read_text()),
-                         "readme": (HERE / name / "README.md").read_text()})
+        path.write_text(json.dumps({**result, "program": who}, indent=1) + "\n")
+    kept = [{**result, "readme": (HERE / result["problem"] / "README.md").read_text()}
+            for result in kept_results()]
     (HERE.parent / "REPORT.md").write_text(report.markdown(kept))
     (HERE.parent / "REPORT.html").write_text(report.html(kept, HERE))
 

@@ -3,6 +3,7 @@
 
 import math
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
+import problems  # noqa: E402
 from suite import report, trough  # noqa: E402
 from suite.case import Case  # noqa: E402
 from suite.deck import turned, with_lines  # noqa: E402
@@ -27,11 +29,45 @@ def test_verdicts():
     case.at_least("not a number", 1.0, math.nan, "bound")
     case.told("no verdict", 1.0, "nothing known")
     assert [row.holds for row in case.rows] == [True, False, True, False, False, False, None]
+    case.same("in words", "slides", "slides", "the same")
+    case.same("other words", "slides", "topples", "the same")
+    assert [row.holds for row in case.rows[7:]] == [True, False]
     rows = [row.as_dict() for row in case.rows]
-    page = report.markdown([{"problem": "x", "readme": "# X", "rows": rows, "figures": [],
-                             "runs": 1}])
-    assert "6 verdicts: 2 hold, 4 miss." in page, page
-    assert page.count("**misses**") == 4 and page.count("Why: not explained.") == 4, page
+    rows[1]["note"] = "for a reason"
+    result = {"problem": "x", "readme": "# X", "rows": rows, "figures": [], "runs": 1}
+    page = report.markdown([result])
+    assert "8 verdicts: 3 hold, 5 miss; 1 of them is known." in page, page
+    assert page.count("**MISSES**") == 4 and page.count("New: not explained.") == 4, page
+    assert page.count("**known miss**") == 1 and page.count("Known: for a reason") == 1, page
+
+
+def test_whose_rows():
+    def measured(name, numerics):
+        return {"problem": name, "readme": "# X", "rows": [], "figures": [], "runs": 1,
+                "program": {"version": "blocks 1", "commit": "c0ffee", "numerics": numerics,
+                            "day": "today"}}
+    page = report.markdown([measured("x", "aa"), measured("y", "aa")])
+    assert "programs of the same arithmetic" in page, page
+    assert "1 run of blocks 1, commit c0ffee, numerics aa, today" in page, page
+    page = report.markdown([measured("x", "aa"), measured("y", "bb")])
+    assert "**Rows of different programs** (numerics aa: x; numerics bb: y)" in page, page
+    assert "not recorded: x" in report.markdown([{**measured("x", ""), "program": None}])
+
+
+def test_known_misses():
+    with tempfile.TemporaryDirectory() as folder:
+        problems.HERE = Path(folder)
+        (problems.HERE / "x").mkdir()
+        (problems.HERE / "x" / "known_misses.json").write_text('{"way": "why"}')
+        rows = [{"quantity": "way", "holds": False, "note": ""},
+                {"quantity": "speed", "holds": False, "note": ""}]
+        problems.explain("x", rows)
+        assert [row["note"] for row in rows] == ["why", ""], rows
+        try:
+            problems.explain("x", rows[1:])
+        except AssertionError:
+            return
+        assert False, "a known miss that no row has"
 
 
 def test_turned_deck():
@@ -66,5 +102,5 @@ def test_fits():
     assert math.isnan(first_time(np.array([0, 1]), np.array([0, 0]), 1))
 
 
-for test in (test_verdicts, test_turned_deck, test_reach, test_fits):
+for test in (test_verdicts, test_whose_rows, test_known_misses, test_turned_deck, test_reach, test_fits):
     test()

@@ -9,6 +9,8 @@ from suite.numbers import bisect
 
 LENGTH = "medium"
 WIDTH, UNIT, STEP, DIP = 10.0, 25.0, 5.0, radians(30)
+PUBLISHED = (292.5, 825.7, 1556.0, 2826.7, 3922.1, 4594.8, 4837.0, 4637.4, 3978.0, 2825.5, 1413.3,
+             471.9)  # at 38.15 degrees, between columns 13 and 12 ... 2 and 1, kN/m
 HEIGHT = {n: 4.0 * n if n <= 10 else 40.0 - 6 * (n - 10) for n in range(1, 17)}
 
 
@@ -31,6 +33,41 @@ def equilibrium(phi):
     return force, mode
 
 
+def between(run, frame):
+    """Normal force of column n on column n - 1, of all n."""
+    contacts = run.contacts(frame)
+    pair = np.sort([contacts["CornerBlock"], contacts["EdgeBlock"]], axis=0)
+    return {n: contacts["NormalForce"][(pair[0] == n - 1) & (pair[1] == n)].sum()
+            for n in range(2, 14)}
+
+
+def at_no_rotation(run, turn, low, high):
+    """These forces led back to no rotation, by a line through those at turns from low to high."""
+    frames = np.nonzero((turn >= low) & (turn <= high))[0]
+    forces = [between(run, k) for k in frames]
+    return {n: np.polyfit(turn[frames], [one[n] for one in forces], 1)[1] for n in range(2, 14)}
+
+
+def observed(run):
+    """How each column gives way, when column 13 has turned by 0.02 rad."""
+    start = np.searchsorted(run.times, 8.0)
+    turn = np.abs(run.all("Angle") - run.all("Angle")[start])
+    now = np.argmax(turn[:, 12] > 0.02)
+    way = np.linalg.norm(run.all("Centroid")[now] - run.all("Centroid")[start], axis=1)
+
+    def mode(n):
+        if turn[now, n - 1] > 0.01:
+            return "topples"
+        return "slides" if way[n - 1] > 0.05 else "stands" if way[n - 1] < 0.005 else "creeps"
+    return {n: mode(n) for n in range(1, 17)}
+
+
+def classes(mode):
+    """Column by column, from the toe: s(lides), t(opples), stands as -."""
+    short = {"slides": "s", "topples": "t", "stands": "-", "creeps": "?"}
+    return " ".join(f"{short[mode[n]]}{n}" for n in range(1, 17))
+
+
 def check(case):
     deck = case.text("goodman_bray.deck")
 
@@ -45,38 +82,50 @@ def check(case):
     expected = bisect(lambda phi: equilibrium(phi)[0][1] > 0, 35, 42, 1e-4)
     case.equal("limit friction angle of the recursion, against the published one", 38.15, expected,
                0.01, "published to two digits", "degrees", absolute=True)
+    there = equilibrium(38.15)[0]
+    case.equal("forces of the recursion at 38.15 degrees, against the twelve published, largest error",
+               0, max(abs(there[n] - f) for n, f in zip(range(13, 1, -1), PUBLISHED)), 0.1,
+               "published to one digit", "kN/m", absolute=True)
     ours = bisect(fails, 37, 39, 0.02)
     case.equal("limit friction angle, bisection", expected, ours, 0.2,
                "limit equilibrium has each column at its limit at once; ours are on springs that "
                "settled before", "degrees", absolute=True)
-    def between(run, frame):
-        contacts = run.contacts(frame)
-        pair = np.sort([contacts["CornerBlock"], contacts["EdgeBlock"]], axis=0)
-        return {n: contacts["NormalForce"][(pair[0] == n - 1) & (pair[1] == n)].sum()
-                for n in range(2, 14)}
 
     force, mode = equilibrium(expected)
+    columns = range(2, 14)
     yields = run(ours - 0.02, PLOTS="PLOTS, 0.05")
-    turn = yields.of("Angle", 13)
-    settled = np.searchsorted(yields.times, 8.0)
-    normal = between(yields, np.argmax(turn - turn[settled] > 0.004))
-    for n in (13, 10, 7, 4, 2):
-        case.equal(f"force between columns {n} and {n - 1} as the slope gives way", force[n],
-                   normal[n], 0.05, "the columns move already, column 13 has turned by 0.004 rad",
-                   "kN/m")
+    turn = yields.of("Angle", 13) - yields.of("Angle", 13)[np.searchsorted(yields.times, 8.0)]
+    at_rest = at_no_rotation(yields, turn, 0.008, 0.020)
+    for n in reversed(columns):
+        case.equal(f"force between columns {n} and {n - 1}", force[n], at_rest[n], 0.01,
+                   "a line through forces while column 13 turns from 0.008 to 0.020 rad", "kN/m")
+    sooner = at_no_rotation(yields, turn, 0.004, 0.016)
+    case.at_most("largest change of these forces if the line is taken from 0.004 to 0.016 rad",
+                 0.02, max(abs(sooner[n] / at_rest[n] - 1) for n in columns),
+                 "the answer must not hang on the moment of comparison")
+    for moment in (0.001, 0.004, 0.016):
+        now = between(yields, np.argmax(turn > moment))
+        case.told(f"the same forces at the moment of {moment} rad, of the expected, column 13 to 2",
+                  " ".join(f"{now[n] / force[n]:.2f}" for n in reversed(columns)),
+                  "first friction comes into play everywhere, then the slope changes its shape")
     held = between(run(ours + 0.02), -1)
-    case.told("the same forces while it still holds, of the expected", " ".join(
-        f"{held[n] / force[n]:.2f}" for n in (13, 10, 7, 4, 2)),
+    case.told("the same forces while it still holds", " ".join(
+        f"{held[n] / force[n]:.2f}" for n in reversed(columns)),
         "not at the limit everywhere: they depend on how the columns settled")
-    failed = run(ours - 1)
-    turn = failed.of("Angle", 13)[-1], failed.of("Angle", 14)[-1]
-    case.at_least("1 degree below the limit: column 13 has turned by", 0.05, turn[0],
-                  f"the recursion says column 13 {mode[13]}", "rad")
-    case.at_most("1 degree below the limit: column 14 has turned by", 0.01, turn[1],
-                 f"the recursion says column 14 {mode[14]}", "rad")
-    numbers = list(range(2, 14))
+
+    failed = run(ours - 1, PLOTS="PLOTS, 0.1")
+    case.same("how the columns give way, 1 degree below the limit", classes(mode),
+              classes(observed(failed)), "when column 13 has turned by 0.02 rad")
     chart = Chart("Forces between columns at the limit", "column n", "force on column n - 1, kN/m")
-    chart.expected(numbers, [force[n] for n in numbers], "limit equilibrium")
-    chart.ours(numbers, [normal[n] for n in numbers], "ours, as the slope gives way")
+    chart.expected(columns, [force[n] for n in columns], "limit equilibrium")
+    chart.ours(columns, [at_rest[n] for n in columns], "ours, led back to no rotation")
     case.chart(chart)
-    case.picture(failed, "-t", "8,12,14,17", "--columns", 2, "--zoom", "-60,165,-25,65")
+    chart = Chart("Force between columns as the slope gives way", "rotation of column 13, rad",
+                  "force, of the expected")
+    frames = [k for k in np.nonzero((turn > 0.0005) & (turn < 0.03))[0]]
+    for n in (13, 10, 4):
+        chart.ours(turn[frames], [between(yields, k)[n] / force[n] for k in frames],
+                   f"columns {n} and {n - 1}", line=True)
+    chart.expected([0, 0.03], [1, 1], "limit equilibrium")
+    case.chart(chart)
+    case.picture(failed, "-t", "8,10,12,14", "--columns", 2, "--zoom", "-60,165,-25,65")

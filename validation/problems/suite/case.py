@@ -3,6 +3,7 @@
 import itertools
 import math
 import os
+import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
@@ -21,7 +22,7 @@ class Row:
     tolerance: str
     reason: str
     holds: bool | None  # None: nothing known to compare with
-    note: str = ""  # why it misses
+    note: str = ""  # why it misses, if that is known (known_misses.json)
 
     def as_dict(self):
         return asdict(self)
@@ -80,7 +81,7 @@ class Case:
         with ThreadPoolExecutor(2) as workers:
             return list(workers.map(lambda one: self.run(one[0], *one[1], text=one[2]), decks))
 
-    def equal(self, quantity, expected, ours, within, because, unit="", absolute=False, note=""):
+    def equal(self, quantity, expected, ours, within, because, unit="", absolute=False):
         """A row: |ours - expected| at most `within`, relative unless told absolute."""
         error = abs(ours - expected) if absolute else abs(ours - expected) / abs(expected)
         holds = bool(error <= within)  # not a number: a miss
@@ -88,17 +89,21 @@ class Case:
         self.rows.append(Row(quantity, number(expected, unit), number(ours, unit),
                              f"{small(error)} {told}".strip() if absolute else percent(error),
                              f"{small(within)} {told}".strip() if absolute else percent(within),
-                             because, holds, note))
+                             because, holds))
 
-    def at_most(self, quantity, bound, ours, because, unit="", note=""):
+    def at_most(self, quantity, bound, ours, because, unit=""):
         """A row: ours is at most the bound."""
         self.rows.append(Row(quantity, f"at most {number(bound, unit)}", number(ours, unit), "",
-                             "the bound", because, bool(ours <= bound), note))
+                             "the bound", because, bool(ours <= bound)))
 
-    def at_least(self, quantity, bound, ours, because, unit="", note=""):
+    def at_least(self, quantity, bound, ours, because, unit=""):
         """A row: ours is at least the bound."""
         self.rows.append(Row(quantity, f"at least {number(bound, unit)}", number(ours, unit), "",
-                             "the bound", because, bool(ours >= bound), note))
+                             "the bound", because, bool(ours >= bound)))
+
+    def same(self, quantity, expected, ours, because):
+        """A row: ours is what is expected, in words."""
+        self.rows.append(Row(quantity, expected, ours, "", "the same", because, ours == expected))
 
     def told(self, quantity, ours, because, unit=""):
         """A row without a verdict: measured, and nothing known to compare with."""
@@ -117,9 +122,11 @@ class Case:
         name = "blocks.png" if "blocks.png" not in self.charts else "blocks2.png"
         self.charts.append(name)
         if self.figures is not None:
-            subprocess.run([self.program, "plot", results.path, "-o", self.figures / name,
+            # by way of scratch: blocks plot keeps the picture that it replaces
+            subprocess.run([self.program, "plot", results.path, "-o", self.scratch / name,
                             "--units", "m,kg,s", *map(str, options)], check=True,
                            cwd=self.scratch, capture_output=True, text=True)
+            shutil.copy(self.scratch / name, self.figures / name)
 
 
 def percent(share):

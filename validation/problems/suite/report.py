@@ -4,18 +4,21 @@ import base64
 import re
 from html import escape
 
+from .program import told as told_program
+
 COLUMNS = ["quantity", "expected", "ours", "error", "tolerance", "reason of the tolerance",
            "verdict"]
 
 
 def verdict(row):
-    """holds, misses, or nothing where nothing is known to compare with."""
-    return {True: "holds", False: "misses", None: "-"}[row["holds"]]
+    """holds, misses, a miss that is known, or nothing where there is nothing to compare with."""
+    if row["holds"] is False and row["note"]:
+        return "known miss"
+    return {True: "holds", False: "MISSES", None: "-"}[row["holds"]]
 
 
 def cells(row):
-    told = row["reason"] + (f" Why it misses: {row['note']}" if row["note"] and
-                            row["holds"] is False else "")
+    told = row["reason"] + (f". Why it misses: {row['note']}" if row["note"] else "")
     return [row["quantity"], row["expected"], row["ours"], row["error"], row["tolerance"], told,
             verdict(row)]
 
@@ -27,38 +30,60 @@ def title(readme):
 def count(results):
     """A sentence: how many rows hold and miss."""
     rows = [row for result in results for row in result["rows"] if row["holds"] is not None]
-    missed = sum(not row["holds"] for row in rows)
-    told = f"{len(results)} problems, {len(rows)} verdicts: {len(rows) - missed} hold, "
-    return told + (f"{missed} miss." if missed else "none misses.")
+    missed = [row for row in rows if not row["holds"]]
+    known = sum(bool(row["note"]) for row in missed)
+    told = f"{len(results)} problems, {len(rows)} verdicts: {len(rows) - len(missed)} hold, "
+    if not missed:
+        return told + "none misses."
+    return told + f"{len(missed)} miss; {known} of them {'is' if known == 1 else 'are'} known."
 
 
 def misses(results):
     """What misses, and why: (problem, quantity, told)."""
     return [(title(result["readme"]), row["quantity"],
-             f"{row['ours']}, expected {row['expected']}. Why: {row['note'] or 'not explained.'}")
+             f"{row['ours']}, expected {row['expected']}. " +
+             (f"Known: {row['note']}" if row["note"] else "New: not explained."))
             for result in results for row in result["rows"] if row["holds"] is False]
+
+
+def measured_by(results):
+    """A sentence: the program of all rows, or that they are of several."""
+    by = {}
+    for result in results:
+        who = result.get("program")
+        by.setdefault(who["numerics"] if who else "", []).append(result)
+    if len(by) == 1 and "" not in by:
+        return ("All rows were measured by programs of the same arithmetic; the line of a problem "
+                "says by which.")
+    told = "; ".join(f"numerics {numerics or 'not recorded'}: " +
+                     ", ".join(result["problem"] for result in group)
+                     for numerics, group in by.items())
+    return f"**Rows of different programs** ({told}): `./go validate problems --long` measures all."
 
 
 HEAD = """Written by `./go validate problems`; do not edit. Each problem is a folder in
 `validation/problems` with its decks, its answer derived in words, and its check. No tolerance was
-widened to pass: a miss is shown as a miss and explained. Rows without a verdict are measurements
-with nothing known to compare them with."""
+widened to pass: a miss is shown as a miss and explained; known ones stand with their reasons in
+`known_misses.json` of their problem. Rows without a verdict are measurements with nothing known to
+compare them with, or with an answer that is not ours to reach, which the reason then says.
+Numerics is a fingerprint of what the program computes (`suite/program.py`): programs that share it
+agree to the last bit in five short runs."""
 
 
 def markdown(results):
     """The report as Markdown, figures by their paths."""
-    out = ["# Validation", "", HEAD, "", count(results), ""]
+    out = ["# Validation", "", HEAD, "", measured_by(results), "", count(results), ""]
     out += [f"- **{name}**: {quantity}: {told}" for name, quantity, told in misses(results)] + [""]
     for result in results:
         name = result["problem"]
         out += [f"## {title(result['readme'])}", "",
                 f"[{name}](problems/{name}/README.md), {result['runs']} "
-                f"run{'s' if result['runs'] > 1 else ''}", "",
+                f"run{'s' if result['runs'] > 1 else ''} of {told_program(result.get('program'))}", "",
                 "| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
         for row in result["rows"]:
             line = [text.replace("|", "\\|") for text in cells(row)]
             if row["holds"] is False:
-                line[-1] = "**misses**"
+                line[-1] = f"**{line[-1]}**"
             out.append("| " + " | ".join(line) + " |")
         out.append("")
         out += [f"![{name}](problems/{name}/{figure})" for figure in result["figures"]]
@@ -129,7 +154,7 @@ def html(results, folder):
     out = ['<!DOCTYPE html>', '<html lang="en"><head><meta charset="utf-8">',
            "<title>Validation of BLOCKS</title>", f"<style>{STYLE}</style></head><body>",
            "<h1>Validation of BLOCKS</h1>", f"<p>{words(HEAD)}</p>",
-           f"<p><b>{count(results)}</b></p>", "<ul>",
+           f"<p>{words(measured_by(results))}</p>", f"<p><b>{count(results)}</b></p>", "<ul>",
            *(f"<li><b>{words(name)}</b>: {words(quantity)}: {words(told)}</li>"
              for name, quantity, told in misses(results)), "</ul>", "<nav>"]
     for result in results:
@@ -140,11 +165,13 @@ def html(results, folder):
     for result in results:
         name, readme = result["problem"], result["readme"]
         out += [f'<h2 id="{name}">{words(title(readme))}</h2>',
-                prose(readme.partition("\n")[2]), "<table><tr>" +
+                prose(readme.partition("\n")[2]),
+                f"<p>{result['runs']} run{'s' if result['runs'] > 1 else ''} of "
+                f"{told_program(result.get('program'))}</p>", "<table><tr>" +
                 "".join(f"<th>{column}</th>" for column in COLUMNS) + "</tr>"]
         for row in result["rows"]:
             line = [words(text) for text in cells(row)]
-            kind = {"-": ""}.get(line[-1], line[-1])
+            kind = {True: "holds", False: "misses", None: ""}[row["holds"]]
             out.append("<tr>" + "".join(
                 f'<td class="{kind if k == 6 else "number" if 0 < k < 5 else ""}">{text}</td>'
                 for k, text in enumerate(line)) + "</tr>")
