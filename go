@@ -15,7 +15,9 @@ usage() {
                             PREFIX (/usr/local)
   ./go package              Debian packages in build/release/packages
   ./go validate [N]         N random layers (100000) made and judged, the certificate
-                            against brute force, the same bits from g++ and clang++
+                            against brute force, the same bits from g++ and clang++,
+                            and all problems with known answers; each, whatever the
+                            others say: the exit code is that of the first at fault
   ./go validate predicates [N]
                             the contact predicates on N inputs (10000000) against MPFR
   ./go validate reliability
@@ -25,7 +27,7 @@ usage() {
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
   ./go validate problems [NAME...]
                             problems with known answers: decks, checks, figures, one report,
-                            validation/REPORT.md and .html (--long: the report's examples too)
+                            validation/REPORT.md and .html; --kept: whose rows it has
   ./go study [N]            N frames (1000) of every scene of contact detection by the
                             rules of every run: no hang-up, no fall-through
   ./go bench [PART...]      times, against other codes on the same scenes (10 minutes;
@@ -135,12 +137,15 @@ case $command in
     layers=${1:-100000}
     echo "building ..." >&2
     build release blocks robustness certificate_study distribution_study predicates
-    "$programs/robustness" --layers "$layers" --report "$here/validation/robustness/REPORT"
-    "$programs/certificate_study" --report "$here/validation/robustness/CERTIFICATE"
-    "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
-    "$programs/predicates" --report "$here/validation/robustness/PREDICATES"
-    "$here/validation/robustness/compilers.sh" "$here/build/compilers"
-    problems ;;
+    code=0
+    part() { "$@" || { at=$?; echo "go: $1: exit code $at" >&2; [ $code != 0 ] || code=$at; }; }
+    part problems
+    part "$programs/robustness" --layers "$layers" --report "$here/validation/robustness/REPORT"
+    part "$programs/certificate_study" --report "$here/validation/robustness/CERTIFICATE"
+    part "$programs/distribution_study" --report "$here/validation/robustness/DISTRIBUTION"
+    part "$programs/predicates" --report "$here/validation/robustness/PREDICATES"
+    part "$here/validation/robustness/compilers.sh" "$here/build/compilers"
+    exit $code ;;
   study)
     echo "building ..." >&2
     build release blocks

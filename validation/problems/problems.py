@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Validation problems: problems.py PROGRAM [NAME...] [--quick | --long] [--report].
+"""Validation problems: problems.py PROGRAM [NAME...] [--quick] [--report] [--kept].
 
-Runs the check of each problem (all but the long ones; --long: these too; --quick: those that take
-about a second, and `blocks check` on all decks) and prints one line per row of its table. With
+Runs the check of each problem (or of those named; --quick: of those that take about a second, and
+`blocks check` on all decks) and prints one line per row of its table. With
 --report figures and results are written beside the problems, and REPORT.md and REPORT.html, from
 these results and the kept ones of the others, above them; rows carry the program that measured
 them. --kept: runs nothing, says which kept results are of another program.
@@ -34,7 +34,7 @@ ORDER = (HERE / "order.txt").read_text().split()
 
 
 def load(name):
-    """check.py of a problem: check(case), and LENGTH, "quick", "medium" or "long"."""
+    """check.py of a problem: check(case), and LENGTH, "quick" or "long"."""
     spec = importlib.util.spec_from_file_location(f"check_{name}", HERE / name / "check.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -95,7 +95,6 @@ def main():
     parser.add_argument("program", type=Path)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--quick", action="store_true")
-    parser.add_argument("--long", action="store_true")
     parser.add_argument("--report", action="store_true")
     parser.add_argument("--kept", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
@@ -105,9 +104,8 @@ def main():
         print(f"problems.py: error: no problem {', '.join(unknown)}; there are: "
               f"{', '.join(ORDER)}", file=sys.stderr)
         return 2
-    lengths = {"quick"} if asked.quick else {"quick", "medium", "long"} if asked.long \
-        else {"quick", "medium"}
-    names = asked.names or [name for name in ORDER if load(name).LENGTH in lengths]
+    names = asked.names or [name for name in ORDER
+                            if not asked.quick or load(name).LENGTH == "quick"]
     program = asked.program.resolve()
     if asked.kept:
         return 4 if tell_kept(programs.identity(program, SOURCE), kept_results()) else 0

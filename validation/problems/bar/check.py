@@ -7,7 +7,7 @@ from suite.chart import Chart
 from suite.deck import with_lines
 from suite.numbers import first_time, slope
 
-LENGTH = "medium"
+LENGTH = "long"
 C11, RHO, P = 1.2e10, 2500.0, 1e6
 
 

@@ -7,7 +7,7 @@ from suite.chart import Chart
 from suite.deck import with_lines
 from suite.numbers import bisect
 
-LENGTH = "medium"
+LENGTH = "long"
 WIDTH, UNIT, STEP, DIP = 10.0, 25.0, 5.0, radians(30)
 PUBLISHED = (292.5, 825.7, 1556.0, 2826.7, 3922.1, 4594.8, 4837.0, 4637.4, 3978.0, 2825.5, 1413.3,
              471.9)  # at 38.15 degrees, between columns 13 and 12 ... 2 and 1, kN/m

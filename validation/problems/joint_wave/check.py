@@ -5,7 +5,7 @@ from math import sqrt
 import numpy as np
 from suite.chart import Chart
 
-LENGTH = "medium"
+LENGTH = "long"
 K, MASS, RATIO = 1e8, 2000.0, 4.0  # contacts of a joint over those of the soft one
 
 

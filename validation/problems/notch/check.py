@@ -6,7 +6,7 @@ import numpy as np
 from suite.chart import Chart
 from suite.numbers import slope
 
-LENGTH = "medium"
+LENGTH = "long"
 K, MU, TH = 1e8, 0.3, radians(30)
 LOADING = 4 * K * sin(TH) * (sin(TH) + MU * cos(TH))
 STUCK = 4 * K
@@ -30,6 +30,8 @@ def check(case):
     down = (t > 4) & (u < turn - 0.05 * most) & (u > 0.1 * most)
     case.equal("unloading, slip", RETURN, 1e3 * slope(u[down], force[down]), 1e-3, because, "N/m")
     case.equal("largest displacement", most, u.max(), 1e-3, because, "mm")
+    case.told("the published crack: 36.28, 38.89, 34.42 GN/m", "not posed", "a part of its joint slips "
+              "and the rest never does; FRICTN is one number for all contacts")
     chart = Chart("A wedge in a notch under a load cycle", "displacement, mm", "force, kN")
     chart.expected([0, most, turn, 0], [0, 1e3, RETURN * turn / 1e6, 0])
     chart.ours(u[::40], force[::40] / 1e3)

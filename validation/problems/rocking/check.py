@@ -7,7 +7,7 @@ from suite.chart import Chart
 from suite.deck import polygon, rectangle, with_lines
 from suite.numbers import first_time
 
-LENGTH = "medium"
+LENGTH = "long"
 G = 9.81
 
 

@@ -5,7 +5,7 @@ from math import atan, degrees, radians, tan
 import numpy as np
 from suite.numbers import bisect
 
-LENGTH = "medium"
+LENGTH = "long"
 ALPHA, THRUST = 20.0, 2e5
 
 

@@ -101,6 +101,11 @@ class Case:
         self.rows.append(Row(quantity, f"at least {number(bound, unit)}", number(ours, unit), "",
                              "the bound", because, bool(ours >= bound)))
 
+    def compared(self, quantity, expected, ours, because, unit=""):
+        """A row with an error but no verdict: the expected is of a model that is not ours."""
+        self.rows.append(Row(quantity, number(expected, unit), number(ours, unit),
+                             percent(abs(ours / expected - 1)), "none", because, None))
+
     def same(self, quantity, expected, ours, because):
         """A row: ours is what is expected, in words."""
         self.rows.append(Row(quantity, expected, ours, "", "the same", because, ours == expected))

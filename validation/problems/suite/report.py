@@ -58,7 +58,7 @@ def measured_by(results):
     told = "; ".join(f"numerics {numerics or 'not recorded'}: " +
                      ", ".join(result["problem"] for result in group)
                      for numerics, group in by.items())
-    return f"**Rows of different programs** ({told}): `./go validate problems --long` measures all."
+    return f"**Rows of different programs** ({told}): `./go validate problems` measures all."
 
 
 HEAD = """Written by `./go validate problems`; do not edit. Each problem is a folder in

@@ -6,7 +6,7 @@ from suite.chart import Chart
 from suite.deck import with_lines
 from suite.numbers import bisect, order
 
-LENGTH = "medium"
+LENGTH = "long"
 G, WEIGHT, WIDTH = 10.0, 2000 * 250 * 10.0, 10.0
 LIMIT = degrees(atan(10 / 25))
 
