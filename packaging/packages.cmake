@@ -17,9 +17,9 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS python3-h5py)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, libblocks-dev")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Rock as an assembly of polygonal blocks, rigid or simply deformable, that move
- under gravity, pressure and impact, collide corner to edge, slide and rub. The
- geometry is exact: every layer of blocks is certified, every contact decided
- exactly, results are the same bits from run to run.")
+under gravity, pressure and impact, collide corner to edge, slide and rub. The
+geometry is exact: every layer of blocks is certified, every contact decided
+exactly, results are the same bits from run to run.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libblocks-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libcairo2-dev, libeigen3-dev, libfmt-d
 libgmp-dev, libhdf5-dev, libmpfr-dev, zlib1g-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "blocks, cmake")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library, for C++ programs that drive a model of blocks(1)
- step by step: one header, a static library, find_package(blocks), examples.")
+step by step: one header, a static library, find_package(blocks), examples.")
 
 # What Debian wants to find beside each package's files.
 configure_file(changelog.Debian.in changelog.Debian @ONLY)

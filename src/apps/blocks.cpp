@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -297,6 +298,17 @@ int dispatch(int argc, char** argv) {
   return blocks::apps::plot(plot_options);
 }
 
+/// The exit code of a command; a standard output that did not take all of it is a file
+/// that could not be written.
+int whole(int code) {
+  std::cout.flush();
+  const bool taken = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (code != blocks::run::done || (taken && std::cout))
+    return code;
+  fmt::print(stderr, "blocks: error: standard output: cannot be written\n");
+  return blocks::run::file_error;
+}
+
 int tell_no_memory() {
   fmt::print(stderr, "blocks: error: there is not enough memory for this problem\n");
   return blocks::run::internal_error;
@@ -334,7 +346,7 @@ int main(int argc, char** argv) {
     return blocks::run::usage_error;
   }
   try {
-    return dispatch(argc, argv);
+    return whole(dispatch(argc, argv));
   } catch (const blocks::output::FileError& error) {
     fmt::print(stderr, "blocks: error: {}\n", error.what());
     return blocks::run::file_error;

@@ -17,6 +17,7 @@
 #include "run/builder.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
+#include "run/motion_watch.hpp"
 #include "run/soundness.hpp"
 
 namespace blocks {
@@ -27,9 +28,16 @@ bool passes_time(const deck::Command& command) {
          std::holds_alternative<deck::Cycle>(command.card);
 }
 
-/// A command of the same place that asks for one step: what must hold before it is
-/// judged there.
-deck::Command one_step(const deck::Command& last) {
+/// A command that asks for one step, in the place of the last card that made blocks:
+/// what must hold before the caller's steps is judged there.
+deck::Command one_step(const std::vector<deck::Command>& cards) {
+  const auto makes_blocks = [](const deck::Command& command) {
+    return std::holds_alternative<deck::Create>(command.card) ||
+           std::holds_alternative<deck::Layer>(command.card) ||
+           std::holds_alternative<deck::Read9>(command.card);
+  };
+  const auto maker = std::find_if(cards.rbegin(), cards.rend(), makes_blocks);
+  const deck::Command& last = maker == cards.rend() ? cards.back() : *maker;
   return {last.where, last.name, deck::Cycle{{1, last.where}}};
 }
 
@@ -72,6 +80,8 @@ struct Simulation::State {
   std::map<std::string, output::ResultsWriter> results;  ///< by path
 
  private:
+  run::MotionWatch watch_;
+  void prepare(Model& on);
   void keep_warnings(const deck::Diagnostics& said);
   void obey(Model& on, const deck::Deck& deck, deck::Diagnostics& said, bool moving);
 };
@@ -99,7 +109,14 @@ void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
     keep_warnings(later);
   }
   if (model.blocks.size() > 0)
-    dynamics::prepare(model);
+    prepare(model);
+}
+
+/// Boxes the blocks; those outside the domain are told of.
+void Simulation::State::prepare(Model& on) {
+  dynamics::prepare(on);
+  for (std::string& told : watch_.after(on, {}))
+    warnings.push_back(std::move(told));
 }
 
 /// Applies the cards to a model; faults are thrown when the last card was read.
@@ -120,6 +137,7 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
       output::CheckpointInfo from;
       on = output::read_checkpoint(run::beside(folder, card->file.value), from);
       overlaps = from.progress.overlaps;
+      watch_ = run::MotionWatch(on, from.progress.fast_told);
     }
   const int judged = on.blocks.size();
   run::Builder builder(on, said, deck.commands,
@@ -139,14 +157,14 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
     if (!moving)
       continue;
     stop_at_faults();
-    dynamics::prepare(on);
+    prepare(on);
     if (const auto* motion = std::get_if<deck::Motion>(&command.card))
       step(run::steps_for(motion->dt.value, on.time_step.dt));
     else
       step(std::get<deck::Cycle>(command.card).ncycle.value);
   }
   if (in_place && !said.has_errors() && on.blocks.size() > judged)
-    builder.check_before_motion(one_step(deck.commands.back()), true);
+    builder.check_before_motion(one_step(deck.commands), true);
   stop_at_faults();
   if (const auto& certificate = builder.certificate())
     overlaps = certificate->overlaps;
@@ -156,6 +174,8 @@ void Simulation::State::step(long count) {
   const double half_depth = run::half_depth(model.blocks);
   for (long i = 1; i <= count; ++i) {
     const dynamics::Displacement moved = dynamics::advance(model, buffers);
+    for (std::string& told : watch_.after(model, moved))
+      warnings.push_back(std::move(told));
     if (moved.finite &&
         !(moved.strongest > model.settings.normal_stiffness * half_depth))
       continue;

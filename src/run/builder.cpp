@@ -111,7 +111,10 @@ struct Builder::Visitor {
     settings.normal_stiffness = card.stifn.value;
     settings.shear_stiffness = card.stifs.value;
   }
-  void operator()(const deck::Fraction& card) { settings.fraction = card.tfrac.value; }
+  void operator()(const deck::Fraction& card) {
+    settings.fraction = card.tfrac.value;
+    self.fraction_by_ = command;
+  }
   void operator()(const deck::Material& card) {
     settings.materials[static_cast<int>(card.mat.value)] = {card.e.value, card.g.value,
                                                             card.rho.value};
@@ -244,7 +247,10 @@ struct Builder::Visitor {
     blocks.velocity.col(b) = Vec2(vx, vy);
     blocks.spin[b] = spin;
   }
-  void operator()(const deck::Damping& card) { settings.damping = card.beta.value; }
+  void operator()(const deck::Damping& card) {
+    settings.damping = card.beta.value;
+    self.fraction_by_ = command;
+  }
   void operator()(const deck::Output& card) {
     model.output_blocks.clear();
     self.output_blocks_.clear();
@@ -348,9 +354,10 @@ void Builder::check_output_blocks() {
 void Builder::check_fraction(const Command& command) {
   const Settings& settings = model_.settings;
   const double safe = dynamics::safe_fraction(settings.damping);
+  const Command& to_blame = fraction_by_ ? *fraction_by_ : command;
   if (settings.fraction > safe && safe != fraction_told_)
     diagnostics_.warning(
-        command.where, command.name,
+        to_blame.where, to_blame.name,
         fmt::format(
             "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
             settings.fraction, settings.damping),

@@ -97,6 +97,7 @@ class Builder {
   int checked_blocks_;          ///< blocks already looked at before an earlier MOTION
   int moved_blocks_;            ///< blocks that time has passed for
   double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
+  std::optional<deck::Command> fraction_by_;  ///< last FRACTION or DAMPING card
   std::vector<std::pair<deck::Command, deck::Int>> output_blocks_;  ///< not yet checked
   std::optional<AssemblyCertificate> certificate_;
 };

@@ -31,8 +31,7 @@ long steps_for(double interval, double dt) {
 Executor::Executor(Model& model, RunFiles& files, Console& console,
                    const RunOptions& options)
     : model_(model), files_(files), console_(console), options_(options),
-      buffers_(threads_of(options)), audit_(options.audit_every),
-      exits_told_(model.exits.size()) {
+      buffers_(threads_of(options)), audit_(options.audit_every), watch_(model) {
   if (options.profile)
     buffers_.profile = &profile_;
 }
@@ -41,7 +40,7 @@ void Executor::resume(const output::Progress& progress) {
   progress_ = progress;
   begun_ = progress.steps_left > 0;
   half_depth_ = progress.half_depth;
-  fast_told_ = progress.fast_told;
+  watch_ = MotionWatch(model_, progress.fast_told);
   echoed_ = started_moving_ = true;
   std::istringstream lines(progress.warnings);
   for (std::string line; std::getline(lines, line);)
@@ -57,7 +56,7 @@ void Executor::set_card(long index) {
 output::Progress Executor::progress() const {
   output::Progress now = progress_;
   now.half_depth = half_depth_;
-  now.fast_told = fast_told_;
+  now.fast_told = watch_.fast_told();
   now.warnings.clear();
   for (const std::string& warning : warnings_)
     now.warnings += warning + '\n';
@@ -185,20 +184,8 @@ void Executor::output_if_due() {
 }
 
 void Executor::watch(const dynamics::Displacement& moved) {
-  if (moved.largest > model_.settings.contact_tolerance && !fast_told_) {
-    fast_told_ = true;
-    warn(fmt::format(
-        "block {} moved a corner by {:.3g} in one step at time {:g}, more than "
-        "ctol {:g}: contacts may be found late; lower FRACTION or raise ctol",
-        moved.block + 1, moved.largest, model_.time,
-        model_.settings.contact_tolerance));
-  }
-  for (; exits_told_ < model_.exits.size(); ++exits_told_) {
-    const DomainExit& exit = model_.exits[exits_told_];
-    warn(fmt::format(
-        "block {} left the domain at time {:g} and is fixed where it stands",
-        exit.block + 1, exit.time));
-  }
+  for (const std::string& message : watch_.after(model_, moved))
+    warn(message);
 }
 
 /// Tells what the audit of the step just made found. False: a decision was wrong, or

@@ -7,6 +7,7 @@
 #include "dynamics/step.hpp"
 #include "run/audit_watch.hpp"
 #include "run/console.hpp"
+#include "run/motion_watch.hpp"
 #include "run/run.hpp"
 #include "run/run_files.hpp"
 
@@ -85,10 +86,10 @@ class Executor {
   dynamics::Profile profile_;
   AuditWatch audit_;
   std::vector<std::string> warnings_;
-  std::size_t exits_told_ = 0;
+  MotionWatch watch_;
   output::Progress progress_;
   bool begun_ = false;  ///< the next card's first steps were made before
-  bool fast_told_ = false, echoed_ = false, started_moving_ = false;
+  bool echoed_ = false, started_moving_ = false;
   double share_from_ = 0.0, share_to_ = 1.0;
   double half_depth_ = 0.0;  ///< [L] half the least depth of any block (rule 9)
   long steps_made_ = 0;      ///< in this run of the program

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The documentation is a test: check_docs.py {links|versions|tutorial|commands|examples} SOURCE [PROGRAM]."""
+"""The documentation is a test: check_docs.py WHAT SOURCE [PROGRAM], WHAT being links, installed,
+versions, tutorial, commands or examples."""
 
 import json
 import os
@@ -40,9 +41,21 @@ def missing_paths(source, text):
 def check_links(source):
     """Every relative link points to a file, and its anchor to a heading there; files of
     the tree that are named in backticks exist."""
+    return dead_links(source) + [f"{page}: no file {path}" for page in pages(source)
+                                 for path in missing_paths(source, page.read_text())]
+
+
+def check_installed(source, program):
+    """The links between the pages that are installed, as they lie there."""
+    with tempfile.TemporaryDirectory() as prefix:
+        subprocess.run(["cmake", "--install", program.parents[1], "--prefix", prefix,
+                        "--component", "program"], check=True, capture_output=True)
+        return dead_links(Path(prefix, "share/doc/blocks"))
+
+
+def dead_links(source):
     count, faults = 0, []
     for page in pages(source):
-        faults += [f"{page}: no file {path}" for path in missing_paths(source, page.read_text())]
         for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
             if "://" in link:
                 continue
@@ -165,7 +178,7 @@ def check_commands(source, program):
 
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
+    check = {"links": check_links, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
     faults = check(Path(source), *map(Path, program[:check.__code__.co_argcount - 1]))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)

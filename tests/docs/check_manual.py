@@ -94,7 +94,17 @@ def check_completion(script, folder):
         assert offered(line) == sorted(expected), (line, offered(line))
 
 
+def check_lost_output():
+    """A page that could not be printed is no page."""
+    with open("/dev/full", "w") as full:
+        for words in (["manual", "deck"], ["cards", "--markdown"], ["--version"]):
+            done = subprocess.run([program, *words], stdout=full, stderr=subprocess.PIPE, text=True)
+            assert done.returncode == 5, (words, done.returncode)
+            assert done.stderr == "blocks: error: standard output: cannot be written\n", done.stderr
+
+
 def main():
+    check_lost_output()
     program_page, deck_page = blocks("manual", "program"), blocks("manual", "deck")
     check_formatting([program_page, deck_page])
     check_program_page(plain(program_page))

@@ -153,7 +153,6 @@ TEST(Simulation, TellsEveryFaultOfTheCards) {
   EXPECT_THROW(Simulation(preliminary()).step(), std::logic_error);
 }
 
-// What deserves a warning on the command line deserves it here.
 // What stops a run stops a step, and no number that is none comes in.
 TEST(Simulation, RefusesWhatNoRunGoesOnFrom) {
   Simulation thrown(preliminary() + rectangle(0, 0, 1, 1) +
@@ -180,10 +179,28 @@ TEST(Simulation, WritesEachOfSeveralResults) {
   }
 }
 
+// What deserves a warning on the command line deserves it here, with the card that is
+// to blame.
 TEST(Simulation, WarnsOfOverlap) {
   const Simulation simulation(stack + rectangle(0.5, 2.5, 1.5, 3.5));
   ASSERT_EQ(simulation.warnings().size(), 1u);
   EXPECT_THAT(simulation.warnings().front(), HasSubstr("blocks 4 and 5 overlap"));
+}
+
+TEST(Simulation, WarnsOfWhatMoves) {
+  Simulation thrown(preliminary() + rectangle(0, 0, 1, 1));
+  thrown.set_velocity(1, {1e4, 0.0});
+  thrown.step(100);
+  ASSERT_EQ(thrown.warnings().size(), 2u);
+  EXPECT_THAT(thrown.warnings()[0], HasSubstr("block 1 moved a corner by"));
+  EXPECT_THAT(thrown.warnings()[1], HasSubstr("block 1 left the domain at time"));
+  EXPECT_FALSE(thrown.is_free(1));
+}
+
+TEST(Simulation, BlamesTheCardThatSetsThePace) {
+  const Simulation simulation(stack + "DAMPING, 0.9\nPLOTS, 1\n");
+  ASSERT_EQ(simulation.warnings().size(), 1u);
+  EXPECT_THAT(simulation.warnings().front(), HasSubstr("warning: DAMPING: FRACTION"));
 }
 
 }  // namespace

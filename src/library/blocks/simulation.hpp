@@ -67,7 +67,9 @@ class Simulation {
   /// DeckError of theirs the model is as it was, unless time passed among them.
   void cards(const std::string& text);
 
-  /// What the cards were warned of, as printed: overlaps, a large FRACTION ...
+  /// What the cards were warned of, as printed: overlaps, a large FRACTION ...; and
+  /// the steps, once: blocks that left the domain and are fixed there, a corner that
+  /// moved by more than ctol in one step.
   const std::vector<std::string>& warnings() const;
 
   /// Makes `count` >= 0 steps of time_step(). Throws UnsoundRun; std::logic_error where

@@ -25,6 +25,7 @@ def scene(text, stiffness, way):
 
 def check(case):
     chart = Chart("A box on a floor of boxes", "time, s", "speed, m/s")
+    heights = Chart("Its height less that at the start, of W / (2 K)", "way, m", "height")
     for deck, angle, stiffness, way in SCENES:
         run = case.run(deck, text=turned(scene(case.text(deck + ".deck"), stiffness, way), angle))
         moving = run.times > 1.001
@@ -38,7 +39,10 @@ def check(case):
                    "joints", "m/s2")
         if angle == 0 and way > 0:
             chart.ours(t[::3], (v @ right)[::3], what)
-        hop = np.ptp(x @ np.array([-right[1], right[0]])) / (2000 * G / (2 * stiffness))
+        height = x @ np.array([-right[1], right[0]]) / (2000 * G / (2 * stiffness))
+        hop = np.ptp(height)
+        if way > 0 and angle == 0:
+            heights.ours((x - x[0]) @ right, height - height[0], what, line=True)
         if deck == "fixed":
             case.at_most(f"{what}: it rises or falls by, of its overlap W / (2 K)", 1, hop,
                          "no hop: springs on both sides of a joint are handed over")
@@ -48,3 +52,4 @@ def check(case):
                          "than when two do; twice that if suddenly")
     chart.expected([1, 2], [SPEED, SPEED - MU * G], "v0 - mu g t")
     case.chart(chart)
+    case.chart(heights)
