@@ -50,7 +50,13 @@ install_packages() {  # [more than packages.txt names]
   [ -z "$missing" ] && return
   echo "installing:$missing" >&2
   root=""
-  [ "$(id -u)" = 0 ] || root=sudo
+  if [ "$(id -u)" != 0 ]; then
+    root=sudo
+    command -v sudo >/dev/null || {
+      echo "go: error: neither root nor sudo; as root: apt-get install --no-install-recommends$missing" >&2
+      exit 1
+    }
+  fi
   log="$here/build/packages.log"
   mkdir -p "$here/build"
   # shellcheck disable=SC2086  # lists of words

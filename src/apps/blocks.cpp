@@ -305,7 +305,7 @@ int whole(int code) {
   const bool taken = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (code != blocks::run::done || (taken && std::cout))
     return code;
-  fmt::print(stderr, "blocks: error: standard output: cannot be written\n");
+  fmt::print(stderr, "blocks: error: cannot write standard output\n");
   return blocks::run::file_error;
 }
 
