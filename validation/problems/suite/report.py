@@ -173,7 +173,8 @@ def html(results, folder):
             line = [words(text) for text in cells(row)]
             kind = {True: "holds", False: "misses", None: ""}[row["holds"]]
             out.append("<tr>" + "".join(
-                f'<td class="{kind if k == 6 else "number" if 0 < k < 5 else ""}">{text}</td>'
+                f'<td class="{kind if k == 6 else "number" if 0 < k < 5 and len(text) < 30 else ""}">'
+                f"{text}</td>"
                 for k, text in enumerate(line)) + "</tr>")
         out.append("</table>")
         out += [picture(folder / name / figure) for figure in result["figures"]]
