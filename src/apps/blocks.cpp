@@ -12,6 +12,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "check_command.hpp"
 #include "command_pages.hpp"
@@ -26,6 +27,7 @@
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"
+#include "standard_streams.hpp"
 #include "study_command.hpp"
 #include "view_command.hpp"
 #include "why_command.hpp"
@@ -265,8 +267,11 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? blocks::run::done : blocks::run::usage_error;
   }
 
-  if (*run)
+  if (*run) {
+    // Who reads the table may leave (| head); the run goes on.
+    std::signal(SIGPIPE, SIG_IGN);
     return blocks::run::run_deck(options);
+  }
   if (*check)
     return blocks::apps::check(options, geometry_options);
   if (*reference)
@@ -298,19 +303,13 @@ int dispatch(int argc, char** argv) {
   return blocks::apps::plot(plot_options);
 }
 
-/// The exit code of a command; a standard output that did not take all of it is a file
-/// that could not be written.
-int whole(int code) {
-  std::cout.flush();
-  const bool taken = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (code != blocks::run::done || (taken && std::cout))
-    return code;
-  fmt::print(stderr, "blocks: error: cannot write standard output\n");
-  return blocks::run::file_error;
+/// Not fmt::print, which throws when standard error cannot be written.
+void tell(const char* kind, const char* what) {
+  std::fprintf(stderr, "blocks: %s: %s\n", kind, what);
 }
 
 int tell_no_memory() {
-  fmt::print(stderr, "blocks: error: there is not enough memory for this problem\n");
+  tell("error", "there is not enough memory for this problem");
   return blocks::run::internal_error;
 }
 
@@ -329,9 +328,11 @@ int tell_no_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using blocks::apps::end_standard_output;
+  blocks::apps::hold_standard_streams();
   if (const std::string fault = blocks::geometry::check_numeric_environment();
       !fault.empty()) {
-    fmt::print(stderr, "blocks: error: {}\n", fault);
+    tell("error", fault.c_str());
     return blocks::run::internal_error;
   }
   std::set_terminate(end_at_once);
@@ -342,18 +343,26 @@ int main(int argc, char** argv) {
   try {
     blocks::dynamics::lane_arithmetic();
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    tell("error", error.what());
     return blocks::run::usage_error;
   }
   try {
-    return whole(dispatch(argc, argv));
+    return end_standard_output(dispatch(argc, argv));
   } catch (const blocks::output::FileError& error) {
-    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    tell("error", error.what());
     return blocks::run::file_error;
   } catch (const std::bad_alloc&) {
     return tell_no_memory();
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) == 0 && std::ferror(stderr) == 0) {
+      tell("internal error", error.what());
+      return blocks::run::internal_error;
+    }
+    tell("error",
+         ("cannot write what is to be printed: " + error.code().message()).c_str());
+    return blocks::run::file_error;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "blocks: internal error: {}\n", error.what());
+    tell("internal error", error.what());
     return blocks::run::internal_error;
   }
 }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 namespace blocks::run {
 namespace {
@@ -15,6 +16,13 @@ std::string duration(double seconds) {
   if (s < 3600)
     return fmt::format("{} min {:02} s", s / 60, s % 60);
   return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
+}
+
+/// Prints what can be printed. A full disk behind a log must not end the run, as an
+/// exception of fmt::print would.
+template <class... Values>
+void say(std::FILE* stream, fmt::format_string<Values...> text, Values&&... values) {
+  std::fputs(fmt::format(text, std::forward<Values>(values)...).c_str(), stream);
 }
 
 }  // namespace
@@ -29,26 +37,26 @@ void Console::row(const Model& model) {
   last_step_ = model.steps;
   clear_progress();
   if (!header_shown_)
-    fmt::print("{:>10} {:>12} {:>12} {:>14} {:>14} {:>9} {:>9}\n", "step", "time", "dt",
-               "kinetic energy", "worst overlap", "contacts", "searches");
+    say(stdout, "{:>10} {:>12} {:>12} {:>14} {:>14} {:>9} {:>9}\n", "step", "time",
+        "dt", "kinetic energy", "worst overlap", "contacts", "searches");
   header_shown_ = true;
   const ModelTotals sum = totals(model);
-  fmt::print("{:>10} {:>12.6g} {:>12.5g} {:>14.6g} {:>14.6g} {:>9} {:>9}\n",
-             model.steps, model.time, model.time_step.dt, sum.kinetic_energy,
-             sum.worst_overlap, sum.active_contacts, model.search.updates);
+  say(stdout, "{:>10} {:>12.6g} {:>12.5g} {:>14.6g} {:>14.6g} {:>9} {:>9}\n",
+      model.steps, model.time, model.time_step.dt, sum.kinetic_energy,
+      sum.worst_overlap, sum.active_contacts, model.search.updates);
   std::fflush(stdout);
 }
 
 void Console::warn(const std::string& message) {
   clear_progress();
-  fmt::print(stderr, "warning: {}\n", message);
+  say(stderr, "warning: {}\n", message);
 }
 
 void Console::note(const std::string& message) {
   if (quiet_)
     return;
   clear_progress();
-  fmt::print(stderr, "{}\n", message);
+  say(stderr, "{}\n", message);
 }
 
 void Console::progress(const Model& model, double share) {
@@ -62,16 +70,15 @@ void Console::progress(const Model& model, double share) {
   const std::string remaining =
       share > 0.0 ? duration(spent * (1.0 - share) / share) + " left" : "";
   const ModelTotals sum = totals(model);
-  fmt::print(stderr,
-             "\r\033[K[{:#<{}}{:.<{}}] step {} t {:.4g} Ek {:.3g} contacts {} {}", "",
-             filled, "", width - filled, model.steps, model.time, sum.kinetic_energy,
-             sum.active_contacts, remaining);
+  say(stderr, "\r\033[K[{:#<{}}{:.<{}}] step {} t {:.4g} Ek {:.3g} contacts {} {}", "",
+      filled, "", width - filled, model.steps, model.time, sum.kinetic_energy,
+      sum.active_contacts, remaining);
   std::fflush(stderr);
 }
 
 void Console::clear_progress() {
   if (line_shown_)
-    fmt::print(stderr, "\r\033[K");
+    say(stderr, "\r\033[K");
   line_shown_ = false;
 }
 

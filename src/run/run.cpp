@@ -168,7 +168,7 @@ bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& execu
   bool sound = true;
   for (std::size_t i = before; i < said.all().size(); ++i) {
     const deck::Diagnostic& diagnostic = said.all()[i];
-    fmt::print(stderr, "{}", said.format(diagnostic));
+    std::fputs(said.format(diagnostic).c_str(), stderr);
     executor.remember(fmt::format("{}: {}", diagnostic.card, diagnostic.message));
     sound = sound && diagnostic.severity != deck::Severity::error;
   }

@@ -35,7 +35,7 @@ Outcome blocks(const std::string& arguments, const fs::path& folder,
   const TemporaryFolder scratch;
   scratch.write("in", input);
   const std::string command =
-      fmt::format("cd '{}' && '{}' {} <'{}' >'{}' 2>'{}'", folder.string(),
+      fmt::format("cd '{}' && {{ '{}' {}; }} <'{}' >'{}' 2>'{}'", folder.string(),
                   BLOCKS_PROGRAM, arguments, (scratch / "in").string(),
                   (scratch / "out").string(), (scratch / "err").string());
   const int status = std::system(command.c_str());

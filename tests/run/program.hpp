@@ -35,6 +35,7 @@ struct Outcome {
 };
 
 /// Runs `blocks arguments` with this current folder; input goes to standard input.
+/// Redirections and pipes among the arguments win.
 Outcome blocks(const std::string& arguments, const fs::path& folder,
                const std::string& input = {});
 
