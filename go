@@ -23,6 +23,8 @@ usage() {
   ./go validate reliability
                             what is promised of files and inputs, tested at length:
                             kills, full disks, failing memory, forged and mutated files
+  ./go validate bits        ten decks: the same bits from g++ and clang++ at -O0, -O2, -O3,
+                            1 to 8 threads, every instruction set (--quick: two builds)
   ./go validate soak [N]    the 850 blocks of subsidence for N steps (10000000)
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
   ./go validate problems [NAME...]
@@ -133,6 +135,14 @@ case $command in
       build release
       BLOCKS_THOROUGH=1 exec /usr/bin/python3 "$here/validation/reliability/report.py" \
         "$here/build/release" "$here/validation/reliability/REPORT"
+    fi
+    if [ "${1:-}" = bits ]; then
+      same_bits() { exec /usr/bin/python3 "$here/validation/reliability/same_bits.py" \
+        "$here/build/bits" "$@"; }
+      [ "${2:-}" = --quick ] || same_bits "$here/validation/reliability/SAME_BITS"
+      echo "building ..." >&2
+      build ci blocks
+      same_bits "$here/build/bits/QUICK" --quick --program "g++ -O3=$here/build/ci/src/blocks"
     fi
     if [ "${1:-}" = soak ]; then
       echo "building ..." >&2

@@ -1,0 +1,138 @@
+#!/usr/bin/python3
+"""The same bits from every compiler, level of optimisation, number of threads and
+instruction set: builds the program with each compiler at each level, runs ten decks and
+compares the hashes of their last states.
+
+BUILDS: a folder for the builds, used again. REPORT: the page without its ending.
+--program NAME=PATH: a program that is already there, too.
+--quick: one build only, that differs most from the usual one.
+"""
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+
+# Decks and the most steps of each: those of many blocks are what threads share.
+DECKS = {
+    "decks/bounce/bounce.deck": 20000,
+    "decks/sliding/sliding.deck": 20000,
+    "decks/toppling/toppling.deck": 20000,
+    "decks/stack/stack.deck": 5000,
+    "decks/wave/wave.deck": 2000,
+    "decks/every_card/every_card.deck": 2000,
+    "decks/crater/crater.deck": 1000,
+    "decks/subsidence/subsidence.deck": 1000,
+    "validation/problems/longwall/longwall.deck": 300,
+    "validation/rest/wall.deck": 500,
+}
+THREADS = [1, 2, 4, 8]
+SIMD = ["baseline", "avx2", "avx512"]
+BUILDS = [(compiler, level) for compiler in ("g++", "clang++")
+          for level in ("O0", "O2", "O3")]
+QUICK = [("clang++", "O0")]
+
+
+def fail(message):
+    print(f"blocks: error: {message}", file=sys.stderr)
+    sys.exit(5)
+
+
+def built(folder, compiler, level):
+    """The program of this compiler at this level."""
+    if shutil.which(compiler) is None:
+        fail(f"no {compiler} on this machine (packages.txt names it)")
+    build = folder / f"{compiler}-{level}"
+    build.mkdir(parents=True, exist_ok=True)
+    log = build / "build.log"
+    with log.open("w") as out:
+        for command in (
+                ["cmake", "-S", SOURCE, "-B", build, "-G", "Ninja",
+                 f"-DCMAKE_CXX_COMPILER={compiler}", "-DCMAKE_BUILD_TYPE=Release",
+                 f"-DCMAKE_CXX_FLAGS_RELEASE=-{level} -DNDEBUG", "-DBUILD_TESTING=OFF"],
+                ["cmake", "--build", build, "-j", str(os.cpu_count()), "--target",
+                 "blocks"]):
+            if subprocess.run(command, stdout=out, stderr=out, check=False).returncode:
+                fail(f"the build failed, see {log}")
+    return build / "src/blocks"
+
+
+def hash_of(program, deck, steps, threads=1, simd=None):
+    """Of the last state; None: this machine has no such instruction set."""
+    environment = dict(os.environ)
+    environment.pop("BLOCKS_SIMD", None)
+    if simd:
+        environment["BLOCKS_SIMD"] = simd
+    program = Path(program).resolve()
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run(
+            [program, "run", SOURCE / deck, "-q", "-o", "a", "-j", str(threads),
+             "--stop-after", str(steps)],
+            cwd=folder, env=environment, capture_output=True, text=True, check=False)
+        if run.returncode == 2 and simd:
+            return None
+        if run.returncode not in (0, 75):
+            fail(f"{deck} by {program} ended with {run.returncode}: {run.stderr}")
+        told = json.loads((Path(folder) / "a.summary.json").read_text())
+        return told["steps"], told["state_hash"]
+
+
+def variants(program, deck):
+    """Name and hash of each way to run the deck with one program."""
+    steps = DECKS[deck]
+    for threads in THREADS:
+        yield f"-j {threads}", hash_of(program, deck, steps, threads)
+    for simd in SIMD:
+        found = hash_of(program, deck, steps, simd=simd)
+        if found:
+            yield simd, found
+
+
+def main():
+    reader = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    reader.add_argument("builds", type=Path)
+    reader.add_argument("report")
+    reader.add_argument("--quick", action="store_true")
+    reader.add_argument("--program", action="append", default=[])
+    asked = reader.parse_args()
+    programs = dict(given.split("=", 1) for given in asked.program)
+    for compiler, level in QUICK if asked.quick else BUILDS:
+        print(f"building with {compiler} -{level} ...", flush=True)
+        programs[f"{compiler} -{level}"] = built(asked.builds.resolve(), compiler, level)
+    golden, differing, runs, ways = {}, [], 0, []
+    for deck in DECKS:
+        for name, program in programs.items():
+            for how, found in variants(program, deck):
+                runs += 1
+                if how not in ways:
+                    ways.append(how)
+                if golden.setdefault(deck, found) != found:
+                    differing.append(f"{deck}, {name} {how}: {found}")
+        print(f"{deck}: {golden[deck]}, {len(differing)} runs differ", flush=True)
+    version = subprocess.run([next(iter(programs.values())), "--version"], text=True,
+                             capture_output=True, check=True).stdout.strip()
+    lines = ["# The same bits", "",
+             "Written by `./go validate bits`; do not edit. The hash is of the last "
+             "state, every number to the bit.", "",
+             "| deck | steps | hash |", "|---|---|---|"]
+    lines += [f"| `{deck}` | {steps} | `{state}` |"
+              for deck, (steps, state) in golden.items()]
+    lines += ["", f"{version}: {runs} runs by {', '.join(programs)}; each with "
+              f"{', '.join(ways)}. "
+              + ("All have these hashes." if not differing else
+                 f"**{len(differing)} differ**:"), ""]
+    lines += [f"- {one}" for one in differing]
+    Path(asked.report + ".md").write_text("\n".join(lines).rstrip() + "\n")
+    print(lines[-2 if not differing else -1])
+    return 4 if differing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
