@@ -25,6 +25,8 @@ usage() {
                             kills, full disks, failing memory, forged and mutated files
   ./go validate bits        ten decks: the same bits from g++ and clang++ at -O0, -O2, -O3,
                             1 to 8 threads, every instruction set (--quick: two builds)
+  ./go validate fuzz [TARGET[=N]...]
+                            libFuzzer on every reader, 10,335,000 executions
   ./go validate soak [N]    the 850 blocks of subsidence for N steps (10000000)
   ./go validate rest [N]    a wall of 1,000 bricks at rest for N steps (1000000)
   ./go validate problems [NAME...]
@@ -136,6 +138,14 @@ case $command in
       BLOCKS_THOROUGH=1 exec /usr/bin/python3 "$here/validation/reliability/report.py" \
         "$here/build/release" "$here/validation/reliability/REPORT"
     fi
+    if [ "${1:-}" = fuzz ]; then
+      echo "building ..." >&2
+      build fuzz fuzz_seeds fuzz_mesh fuzz_deck fuzz_wkt fuzz_geojson fuzz_layer fuzz_run \
+        fuzz_checkpoint fuzz_results
+      shift
+      exec /usr/bin/python3 "$here/validation/reliability/fuzz.py" "$here/build/fuzz" \
+        "$here/validation/reliability/FUZZ" "$@"
+    fi
     if [ "${1:-}" = bits ]; then
       same_bits() { exec /usr/bin/python3 "$here/validation/reliability/same_bits.py" \
         "$here/build/bits" "$@"; }
@@ -179,7 +189,13 @@ case $command in
     fi
     build release bench
     exec "$here/build/release/validation/performance/bench" "$@" ;;
-  asan|tsan) build "$command"; cd "$here" && exec ctest --preset "$command" "$@" ;;
+  asan|tsan)
+    echo "building ..." >&2
+    preset=$command
+    [ "$command" = tsan ] || preset=fuzz  # one build for both
+    build "$preset"
+    exec /usr/bin/python3 "$here/validation/reliability/sanitizers.py" "$command" \
+      "$here/build/$preset" "$here/validation/reliability/SANITIZERS" "$@" ;;
   fuzz)
     case ${1:-} in
       deck|run) set -- "$1" "${2:-60}" bad fuzz/run; dictionary=-dict=$here/tests/fuzz/deck.dict ;;

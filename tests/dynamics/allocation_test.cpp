@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cstdlib>
 
+#include "sanitized.hpp"
 #include "scenes/scene.hpp"
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) &&                            \
-    !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(BLOCKS_SANITIZED)
 
 // Eigen asks malloc directly, so operator new would not see it.
 extern "C" void* __libc_malloc(std::size_t size);

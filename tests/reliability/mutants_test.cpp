@@ -12,6 +12,7 @@
 
 #include "reliability/deck_trial.hpp"
 #include "run/program.hpp"
+#include "sanitized.hpp"
 
 namespace blocks::testing {
 namespace {
@@ -126,7 +127,7 @@ TEST(Mutants, AreRefusedOrRun) {
   const std::size_t sound = decks_below("decks").size();  // they come first
   const std::string meshes =
       (fs::path(BLOCKS_SOURCE_DIR) / "decks/every_card").string();
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef BLOCKS_SANITIZED
   rlimit memory{};
   getrlimit(RLIMIT_AS, &memory);
   const rlimit small{rlim_t{4} << 30, memory.rlim_max};
@@ -148,7 +149,7 @@ TEST(Mutants, AreRefusedOrRun) {
     }
   }
   alarm(0);
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef BLOCKS_SANITIZED
   setrlimit(RLIMIT_AS, &memory);
 #endif
   RecordProperty("tried", std::to_string(mutants));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "run/program.hpp"
+#include "sanitized.hpp"
 
 namespace blocks::testing {
 namespace {
@@ -18,7 +19,7 @@ Outcome run_small(const TemporaryFolder& folder, const std::string& deck) {
   folder.write("a.deck", deck);
   rlimit before{};
   getrlimit(RLIMIT_AS, &before);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+#ifndef BLOCKS_SANITIZED
   const rlimit small{rlim_t{512} << 20, before.rlim_max};
   setrlimit(RLIMIT_AS, &small);
 #endif

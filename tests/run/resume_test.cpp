@@ -33,6 +33,8 @@ void run_in_parts(const TemporaryFolder& folder, const std::string& arguments,
   ASSERT_EQ(last.code, 0) << last.err;
 }
 
+bool thorough() { return std::getenv("BLOCKS_THOROUGH") != nullptr; }
+
 void expect_resumable(const fs::path& deck, const std::string& options, int splits) {
   const TemporaryFolder straight, parts;
   const std::string name = deck.stem().string();
@@ -55,15 +57,29 @@ void expect_resumable(const fs::path& deck, const std::string& options, int spli
 class ResumedDeck : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(ResumedDeck, IsTheStraightRun) {
-  const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
-  const int splits = all ? 5 : 2;
-  expect_resumable(GetParam(), "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001",
+  const int splits = thorough() ? 5 : 2;
+  const bool moves = slurp(GetParam()).find("MOTION") != std::string::npos;
+  expect_resumable(GetParam(),
+                   moves ? "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001"
+                         : "--set CYCLE.ncycle=300",
                    splits);
   RecordProperty("splits", std::to_string(splits));
 }
 
-INSTANTIATE_TEST_SUITE_P(Decks, ResumedDeck, ::testing::ValuesIn(decks_below("decks")),
-                         [](const auto& one) { return one.param.stem().string(); });
+/// The shipped decks; at length those of the problems with known answers too.
+std::vector<fs::path> decks_to_resume() {
+  std::vector<fs::path> decks = decks_below("decks");
+  for (const fs::path& deck : decks_below("validation"))
+    if (thorough())
+      decks.push_back(deck);
+  return decks;
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, ResumedDeck, ::testing::ValuesIn(decks_to_resume()),
+                         [](const auto& one) {
+                           return one.param.parent_path().stem().string() + "_" +
+                                  one.param.stem().string();
+                         });
 
 // Layers after a stop, loads, planes, DUMP, warnings and cards between the motions.
 TEST(Resumed, DeckWithCardsBetweenItsMotionsIsTheStraightRun) {

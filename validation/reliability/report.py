@@ -13,11 +13,14 @@ import sys
 import tempfile
 from pathlib import Path
 
+import version
+
 # promise, how it is tested, program, filter of its tests, property that is counted (none:
 # the tests themselves), what is counted
 TESTS = [
     ("a run stopped anywhere and resumed leaves the bits of the straight run",
-     "every deck of `decks/` stopped at random steps", "run/run_tests", "*ResumedDeck*",
+     "every deck of `decks/`, at length of `validation/` too, stopped at random steps",
+     "run/run_tests", "*ResumedDeck*",
      "splits", "stops"),
     ("so does a run killed at any moment, and its files can be read",
      "kill -9 at random moments, then resumed", "reliability/reliability_tests", "Killed.*",
@@ -116,7 +119,8 @@ def main():
     for promise, how, count, sound in rows + fuzzed:
         lines.append(f"| {promise} | {how} | {count} | {'holds' if sound else '**FAILS**'} |")
     failed = sum(not row[-1] for row in rows + fuzzed)
-    lines += ["", "Every promise holds." if failed == 0 else f"{failed} rows fail.", ""]
+    lines += ["", "Every promise holds. " if failed == 0 else f"{failed} rows fail. ", ""]
+    lines[-2] += version.sentence()
     report.write_text("\n".join(lines))
     print("\n".join(lines[5:]))
     return 4 if failed else 0

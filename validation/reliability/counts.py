@@ -1,0 +1,60 @@
+#!/usr/bin/python3
+"""The counts in docs/reliability.md, taken from the reports of the runs beside this file.
+counts.py: writes them; counts.py --check: exit 4 when they are others."""
+
+import re
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+PAGE = HERE.parents[1] / "docs/reliability.md"
+BEGIN, END = "<!-- counts: by counts.py, do not edit -->\n", "<!-- end of the counts -->\n"
+WHAT = [("FUZZ", "any bytes, by libFuzzer"), ("SANITIZERS", "every test under the sanitizers"),
+        ("SAME_BITS", "the same bits from every compiler"), ("SOAK", "850 blocks, on and on")]
+
+
+def table(text):
+    """Rows of the first table of a page, without head."""
+    return [line for line in text.splitlines() if line.startswith("|")][2:]
+
+
+def paragraphs(text):
+    """Plain paragraphs behind the table."""
+    return [part.replace("\n", " ") for part in text.strip().split("\n\n")
+            if not part.startswith(("|", "#", "-", "Written by"))]
+
+
+def counts():
+    report = (HERE / "REPORT.md").read_text()
+    lines = ["| promise | how it is tested | count | verdict |", "|---|---|---|---|",
+             *table(report), "", *paragraphs(report), ""]
+    for name, what in WHAT:
+        page = HERE / f"{name}.md"
+        if not page.exists():
+            continue
+        text = page.read_text()
+        told = " ".join(paragraphs(text))
+        if name == "SANITIZERS":
+            told = "; ".join(re.sub(r" *\| *", ", ", row.strip("| ")) for row in table(text))
+        lines.append(f"- {what[0].upper() + what[1:]}: {told} "
+                     f"([{name}.md](../validation/reliability/{name}.md))")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    text = PAGE.read_text()
+    before, rest = text.split(BEGIN)
+    after = rest.split(END)[1]
+    wanted = before + BEGIN + "\n" + counts() + "\n" + END + after
+    if sys.argv[1:] == ["--check"]:
+        if wanted != text:
+            print("docs/reliability.md holds other counts than the reports: run "
+                  "validation/reliability/counts.py", file=sys.stderr)
+            return 4
+        return 0
+    PAGE.write_text(wanted)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""Every test under a sanitizer, and the reports counted that any process wrote:
+sanitizers.py KIND BUILD REPORT [ctest options]. KIND: asan (address, undefined) or tsan.
+
+BUILD: a build of that kind. REPORT: the page without its ending; the row of the other kind
+stays as it is. A report of a child process is found even where its exit code is not looked
+at: sanitizers write to files.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import version
+
+KINDS = {"asan": "address and undefined behaviour", "tsan": "threads"}
+HEAD = ["# Every test under the sanitizers", "",
+        "Written by `./go asan` and `./go tsan`; do not edit. Reports are counted from all "
+        "processes, also those that a test starts.", "",
+        "| sanitizer | tests passed | of | not run | reports | minutes | run with |",
+        "|---|---|---|---|---|---|---|"]
+
+
+def environment(reports):
+    """Options of every sanitizer, behind those of the user."""
+    options = {"ASAN_OPTIONS": "verify_asan_link_order=0", "UBSAN_OPTIONS":
+               "print_stacktrace=1", "TSAN_OPTIONS": "", "LSAN_OPTIONS": ""}
+    result = dict(os.environ)
+    for name, value in options.items():
+        result[name] = ":".join(filter(None, [value, f"log_path={reports}/{name[:4]}",
+                                              result.get(name, "")]))
+    return result
+
+
+def main():
+    kind, build, page = sys.argv[1], sys.argv[2], Path(sys.argv[3] + ".md")
+    began = time.time()
+    with tempfile.TemporaryDirectory() as reports:
+        run = subprocess.run(["ctest", "--test-dir", build, "--output-on-failure",
+                              *sys.argv[4:]], env=environment(reports), text=True,
+                             stdout=subprocess.PIPE, check=False)
+        found = sorted(Path(reports).iterdir())
+        texts = [one.read_text(errors="replace") for one in found]
+    print(run.stdout[-20000:])
+    for text in texts[:10]:
+        print(text[:5000])
+    told = re.search(r"(\d+) tests failed out of (\d+)", run.stdout)
+    failed, of = map(int, told.groups()) if told else (0, 0)
+    left_out = len(re.findall(r"\(Disabled\)|\*\*\*Skipped", run.stdout))
+    rows = {line.split("`")[1]: line for line in
+            (page.read_text().splitlines() if page.exists() else [])
+            if line.startswith("| `")}
+    rows[kind] = (f"| `{kind}`: {KINDS[kind]} | {of - failed} | {of} | {left_out} | "
+                  f"{len(texts)} | {(time.time() - began) / 60:.0f} | "
+                  f"{version.sources()} |")
+    page.write_text("\n".join(HEAD + [rows[one] for one in KINDS if one in rows] + [""]))
+    return 4 if failed or texts or not of else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,39 @@
+#!/usr/bin/python3
+"""What a report was run with, in one sentence that stays true: version of the program,
+hashes of the sources by content (git rev-parse HEAD:src), day, processor."""
+
+import os
+import re
+import subprocess
+import time
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+
+
+def git(*words):
+    run = subprocess.run(["git", "-C", SOURCE, *words], capture_output=True, text=True,
+                         check=False)
+    return run.stdout.strip() if run.returncode == 0 else None
+
+
+def sources():
+    """blocks 1.0.0 (src 1a2b3c4, geometry 5d6e7f8); without hashes outside of git."""
+    version = re.search(r"project\(blocks VERSION ([\d.]+)",
+                        (SOURCE / "CMakeLists.txt").read_text())[1]
+    trees = [(folder, git("rev-parse", "--short=7", f"HEAD:{folder}"))
+             for folder in ("src", "geometry")]
+    if not all(tree for _, tree in trees):
+        return f"blocks {version}"
+    changed = git("status", "--porcelain", "--", "src", "geometry")
+    return (f"blocks {version} (" + ", ".join(f"{name} {tree}" for name, tree in trees)
+            + (", with changes)" if changed else ")"))
+
+
+def sentence():
+    return (f"Run with {sources()} on {time.strftime('%Y-%m-%d', time.gmtime())}, "
+            f"{os.cpu_count()} cores.")
+
+
+if __name__ == "__main__":
+    print("\n" + sentence())
