@@ -1,6 +1,7 @@
 #include "dynamics/contact_groups.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace blocks::dynamics {
@@ -35,6 +36,17 @@ void sort_by_corner(const Blocks& blocks, const Contacts& contacts,
 
 }  // namespace
 
+namespace {
+
+/// To 7 bits.
+double rounded_up(double length) {
+  int exponent = 0;
+  const double mantissa = std::frexp(length, &exponent);
+  return std::ldexp(std::ceil(std::ldexp(mantissa, 7)), exponent - 7);
+}
+
+}  // namespace
+
 void Swing::start(const Blocks& blocks, bool rigid_blocks) {
   rigid = rigid_blocks;
   for (std::vector<double>* column : {&longest, &sum, &way})
@@ -52,6 +64,9 @@ void Swing::start(const Blocks& blocks, bool rigid_blocks) {
       most_of_each = most_of_each.cwiseMax(1.0001 * blocks.arm.col(c).cwiseAbs());
     }
   }
+  // The same whenever groups are made, so that a run and its restart count the same
+  // travel, though arms that turn change by round-off.
+  std::transform(longest.begin(), longest.end(), longest.begin(), rounded_up);
 }
 
 double Swing::reshaped(int b, const Eigen::Vector4d& since) const {

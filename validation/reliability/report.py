@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Runs the tests of reliability and writes what they counted: report.py BUILD REPORT.
+"""Runs the tests of reliability and writes what they counted:
+report.py BUILD REPORT [WORD...]; with words only the rows that hold one, the others stay.
 
 BUILD: a build folder with the test programs; REPORT: the page without its ending.
 BLOCKS_THOROUGH in the environment makes the runs long; the page says how long they were.
@@ -78,6 +79,25 @@ def run_tests(program, wanted):
                 for test in suite["testsuite"]]
 
 
+def name_of(test):
+    """Of a row: the filter of its tests."""
+    return test[3].strip("*").rstrip(".")
+
+
+def asked_for(text):
+    return not sys.argv[3:] or any(word in text for word in sys.argv[3:])
+
+
+def earlier_rows(page):
+    """Name to row of the page as it is."""
+    rows = {}
+    for line in page.read_text().splitlines():
+        if line.startswith("| ") and "`" in line:
+            promise, how, count, verdict = (cell.strip() for cell in line.split("|")[1:-1])
+            rows[how.split("`")[-2]] = promise, how, count, verdict == "holds"
+    return rows
+
+
 def row_of_tests(build, test):
     promise, how, program, wanted, counted, unit = test
     tests = [one for one in run_tests(build / "tests" / program, wanted)
@@ -85,7 +105,7 @@ def row_of_tests(build, test):
     sound = tests and not any("failures" in one for one in tests)
     count = sum(int(one.get(counted, 0)) for one in tests) if counted else len(tests)
     sound = sound and count > 0
-    return promise, f"{how}: `{wanted.strip('*').rstrip('.')}`", f"{count:,} {unit}", sound
+    return promise, f"{how}: `{name_of(test)}`", f"{count:,} {unit}", sound
 
 
 def row_of_fuzz(build, source, target):
@@ -107,9 +127,12 @@ def row_of_fuzz(build, source, target):
 def main():
     build, report = Path(sys.argv[1]).resolve(), Path(sys.argv[2] + ".md")
     source = Path(__file__).resolve().parents[2]
-    rows = [row_of_tests(build, test) for test in TESTS]
+    earlier = earlier_rows(report) if sys.argv[3:] else {}
     subprocess.run([build / "tests/fuzz/fuzz_seeds", build / "tests/fuzz/seeds"], check=True)
-    fuzzed = [row_of_fuzz(build, source, target) for target in FUZZ]
+    rows = [row_of_tests(build, test) if asked_for(test[1] + test[3]) else
+            earlier[name_of(test)] for test in TESTS]
+    fuzzed = [row_of_fuzz(build, source, target) if asked_for("fuzz_" + target[0]) else
+              earlier["fuzz_" + target[0]] for target in FUZZ]
     fuzzed[0] = ("readers take any bytes, and cut any layer", *fuzzed[0][1:])
     long = "at length" if "BLOCKS_THOROUGH" in os.environ else "as short as in every build"
     lines = ["# What is promised of files and inputs, as tested", "",
