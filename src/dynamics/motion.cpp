@@ -198,7 +198,7 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
     const double way = 1.0000001 * (went + 2.0 * swung) + 0x1p-52 * swing.way[b];
     swing.way[b] += way;
     result.way = std::max(result.way, way + 0x1p-52 * swing.way[b]);
-    sum += moved;
+    sum += moved + transform.sum();  // NaN where a turn overflows, whose way does not
     if (moved > result.largest)
       result.largest = moved, result.block = b;
     if (!well_inside(centroid, swing.longest[b] * stretch + swing.sum[b], settings) &&

@@ -71,6 +71,18 @@ TEST(ExitCode, IsFourWhenTheRunIsUnsound) {
   EXPECT_EQ(summary(folder, "wild")["status"], "unsound");
 }
 
+// A spin whose square overflows turns by NaN. The corners were taken for having left
+// the domain, and the run went on without a word.
+TEST(ExitCode, IsFourWhenATurnOverflows) {
+  for (const char* kind : {"RIGID\n", ""}) {
+    const TemporaryFolder folder;
+    folder.write("spun.deck", preliminary(kind) + rectangle(0, 0, 1, 1) +
+                                  "SETVEL, 1, 0, 0, 0, -1.E308\nCYCLE, 9\n");
+    const Outcome run = blocks("run spun.deck", folder.path());
+    EXPECT_EQ(run.code, 4) << kind << run.err;
+  }
+}
+
 // A run stopped by the clock leaves a checkpoint from which it goes on.
 TEST(TimeLimit, StopsWithACheckpoint) {
   const TemporaryFolder folder;

@@ -3,8 +3,8 @@
 undefined-behaviour sanitizers: fuzz.py BUILD REPORT [TARGET[=EXECUTIONS]...].
 
 BUILD: of the fuzz preset. REPORT: the page without its ending; rows of targets that are
-not run stay as they are. Inputs found are kept in BUILD/../found/TARGET and are where the
-next run begins.
+not run stay as they are, and executions with the same sources add up. Inputs found are kept in
+BUILD/../found/TARGET and are where the next run begins.
 """
 
 import re
@@ -32,6 +32,10 @@ TARGETS = {
     "checkpoint": ("checkpoints, sealed anew", 5000, [], []),
     "results": ("results", 5000, [], []),
 }
+# What a reader is made of, where it is not the whole program.
+READER = {"mesh": ["src/deck", "geometry"], "deck": ["src/deck", "geometry"],
+          "wkt": ["src/deck", "src/exchange", "geometry"],
+          "geojson": ["src/deck", "src/exchange", "geometry"]}
 HEAD = ["# Fuzzing", "",
         "Written by `./go validate fuzz`; do not edit. libFuzzer, every execution under the "
         "address and undefined-behaviour sanitizers, with the checks of libstdc++ and "
@@ -69,6 +73,21 @@ def rows_of(page):
     return {line.split("`")[1]: line for line in lines if line.startswith("| `")}
 
 
+def row(name, made, kept, code, earlier):
+    """With the executions of an earlier row of the same sources."""
+    sources = version.sources(READER.get(name, ["src", "geometry"]))
+    clean = code == 0
+    if earlier and sources in earlier:
+        made += executions_of(earlier)
+        clean = clean and "**" not in earlier
+    return (f"| `{name}` | {TARGETS[name][0]} | {made:,} | {kept:,} | "
+            f"{'0' if clean else '**found**'} | {sources} |")
+
+
+def executions_of(line):
+    return int(line.split("|")[3].replace(",", ""))
+
+
 def main():
     build, page = Path(sys.argv[1]).resolve(), Path(sys.argv[2] + ".md")
     asked = dict((name.split("=") + [None])[:2] for name in sys.argv[3:]) \
@@ -85,10 +104,9 @@ def main():
         made, kept, code = fuzz(build, name, int(executions or TARGETS[name][1]))
         failed += code != 0
         rows = rows_of(page)
-        rows[name] = (f"| `{name}` | {TARGETS[name][0]} | {made:,} | {kept:,} | "
-                      f"{'0' if code == 0 else '**found**'} | {version.sources()} |")
-        counts = [int(row.split("|")[3].replace(",", "")) for row in rows.values()]
-        clean = not any("**" in row for row in rows.values())
+        rows[name] = row(name, made, kept, code, rows.get(name))
+        counts = [executions_of(line) for line in rows.values()]
+        clean = not any("**" in line for line in rows.values())
         page.write_text("\n".join(
             HEAD + [rows[one] for one in TARGETS if one in rows]
             + ["", f"{sum(counts):,} executions, "

@@ -17,15 +17,15 @@ def git(*words):
     return run.stdout.strip() if run.returncode == 0 else None
 
 
-def sources():
+def sources(folders=("src", "geometry")):
     """blocks 1.0.0 (src 1a2b3c4, geometry 5d6e7f8); without hashes outside of git."""
     version = re.search(r"project\(blocks VERSION ([\d.]+)",
                         (SOURCE / "CMakeLists.txt").read_text())[1]
     trees = [(folder, git("rev-parse", "--short=7", f"HEAD:{folder}"))
-             for folder in ("src", "geometry")]
+             for folder in folders]
     if not all(tree for _, tree in trees):
         return f"blocks {version}"
-    changed = git("status", "--porcelain", "--", "src", "geometry")
+    changed = git("status", "--porcelain", "--", *folders)
     return (f"blocks {version} (" + ", ".join(f"{name} {tree}" for name, tree in trees)
             + (", with changes)" if changed else ")"))
 
