@@ -142,7 +142,8 @@ def main():
         lines.append(f"| {promise} | {how} | {count} | {'holds' if sound else '**FAILS**'} |")
     failed = sum(not row[-1] for row in rows + fuzzed)
     lines += ["", "Every promise holds. " if failed == 0 else f"{failed} rows fail. ", ""]
-    lines[-2] += ("The rows run last: " if sys.argv[3:] else "") + version.sentence()
+    told = version.sentence()
+    lines[-2] += "Latest rows: " + told[0].lower() + told[1:] if sys.argv[3:] else told
     report.write_text("\n".join(lines))
     print("\n".join(lines[5:]))
     return 4 if failed else 0
