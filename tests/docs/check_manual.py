@@ -100,7 +100,7 @@ def check_lost_output():
         for words in (["manual", "deck"], ["cards", "--markdown"], ["--version"]):
             done = subprocess.run([program, *words], stdout=full, stderr=subprocess.PIPE, text=True)
             assert done.returncode == 5, (words, done.returncode)
-            assert done.stderr == "blocks: error: cannot write standard output\n", done.stderr
+            assert done.stderr.startswith("blocks: error: cannot write standard output"), done.stderr
 
 
 def main():

