@@ -215,17 +215,22 @@ bool ExactRules::admits_crossing(int corner, int edge, int beyond) const {
           crosses(corner, edge, after));
 }
 
-/// The edge and the block have a point in common: of a convex block, two shapes are
-/// apart when the line of a side of either lies between them.
+/// The edge and the block have a point in common. Convex: the block is not wholly
+/// behind the edge, and no side of it has both ends of the edge beyond it. Else: a side
+/// crosses or touches the edge, or an end of it is in the block.
 bool ExactRules::meets(int edge, int block) const {
   const int end = blocks_.next[edge];
   bool cut = false;
   for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
-    cut |= sign(area2(q, edge)) < 0;
-    if (blocks_.convex[block] && sign(area2(edge, q)) < 0 && sign(area2(end, q)) < 0)
+    const int from = sign(area2(q, edge)), to = sign(area2(blocks_.next[q], edge));
+    const int first = sign(area2(edge, q)), second = sign(area2(end, q));
+    if (blocks_.convex[block] && std::max(first, second) < 0)
       return false;
+    if (!blocks_.convex[block] && first * second <= 0 && from * to <= 0)
+      return true;
+    cut |= from < 0;
   }
-  return cut;
+  return blocks_.convex[block] ? cut : place_by_rays(edge, block).inside;
 }
 
 /// Another edge of the block is nearer to a corner inside.

@@ -48,17 +48,18 @@ double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
   return travel > 1e-9 * (p.distance + q.distance) ? travel : 0.0;
 }
 
-/// The edge keeps meeting a block (ContactDecision::meets).
+/// The edge keeps meeting a block (ContactDecision::meets); asked of convex ones.
 double meeting_travel(const Blocks& blocks, int edge, int block) {
   const auto inside = [&](int corner, int side) {
     const EdgeView view(blocks, corner, side);
     return sign_travel(view.overlap_product(), view.length, view.distance);
   };
+  if (!blocks.convex[block])
+    return 0.0;
   double cut = 0.0, apart = std::numeric_limits<double>::max();
   for (int q = blocks.first_corner[block]; q < blocks.first_corner[block + 1]; ++q) {
     cut = std::max(cut, -inside(q, edge));
-    if (blocks.convex[block])
-      apart = std::min(apart, std::max(inside(edge, q), inside(blocks.next[edge], q)));
+    apart = std::min(apart, std::max(inside(edge, q), inside(blocks.next[edge], q)));
   }
   return std::min(cut, apart);
 }

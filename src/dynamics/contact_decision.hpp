@@ -158,19 +158,26 @@ template <class Rules> class ContactDecision {
     return Rules::faces_edge(corner, at(blocks_.previous[c]), p1, p2) &&
            Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
   }
-  /// Whether the block and the edge have a point in common: neither the edge's line
-  /// nor, of a convex block, a side of it lies between them.
+  /// Whether the block and the edge have a point in common. Two convex shapes are apart
+  /// where the line of a side of either lies between them; an edge that has a point in
+  /// another block has an end in it or crosses a side of it.
   bool meets(int edge, int block) const {
     const Vec2 p1 = at(edge), p2 = end(edge);
+    const bool convex = blocks_.convex[block];
     bool cut = false;
     for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1];
          ++q) {
-      cut = cut || Rules::overlap_sign(at(q), p1, p2) < 0;
-      if (blocks_.convex[block] && Rules::overlap_sign(p1, at(q), end(q)) < 0 &&
-          Rules::overlap_sign(p2, at(q), end(q)) < 0)
+      const int out = Rules::overlap_sign(at(q), p1, p2);
+      const int first = Rules::overlap_sign(p1, at(q), end(q));
+      const int second = Rules::overlap_sign(p2, at(q), end(q));
+      if (convex && first < 0 && second < 0)
         return false;
+      if (!convex && first * second <= 0 &&
+          out * Rules::overlap_sign(end(q), p1, p2) <= 0)
+        return true;
+      cut = cut || out < 0;
     }
-    return cut;
+    return convex ? cut : holds(p1, block);
   }
   /// Whether another edge of the block is nearer to a corner inside.
   bool nearer_edge(int c, int edge) const {
