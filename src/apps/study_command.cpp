@@ -90,6 +90,9 @@ variants_meant(const std::vector<std::string>& given) {
 
 /// Before minutes of work: can the files be written?
 void check_files(const StudyOptions& options) {
+  for (const std::string& name : {options.csv, options.json, options.figure})
+    if (name == "-")
+      throw output::FileError("the terminal has the table; name a file, not '-'");
   output::check_outputs({options.csv, options.json, options.figure});
   const auto ending = std::filesystem::path(options.figure).extension();
   if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
@@ -298,8 +301,8 @@ int study_contacts(const StudyOptions& options) {
     if (!done.doubt.empty())
       fmt::print(stderr,
                  "blocks: warning: {}: the run of {}, of which every way is "
-                 "expected, {}\n  hint: blocks run and blocks view show it; hang-ups "
-                 "count against that run, so they say little here\n",
+                 "expected, {}\n  hint: hang-ups count against that run, so they say "
+                 "little here\n",
                  done.scene, done.expected, done.doubt);
     if (!done.refused.empty()) {
       fmt::print(stderr,

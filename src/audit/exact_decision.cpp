@@ -243,13 +243,24 @@ bool ExactRules::nearer_edge(int corner, int edge) const {
   return false;
 }
 
+/// An edge that is not the nearest of all has to meet the corner's block; one that is
+/// wholly inside comes out through the edges that are nearest to its corners.
+bool ExactRules::comes_through(int corner, int edge) const {
+  const int own = blocks_.corner_block[corner], block = blocks_.corner_block[edge];
+  bool touches = false, nearest_to_one = false;
+  for (int f = blocks_.first_corner[block]; f < blocks_.first_corner[block + 1]; ++f)
+    touches |= meets(f, own);
+  for (int q = blocks_.first_corner[own]; q < blocks_.first_corner[own + 1]; ++q)
+    nearest_to_one |= !nearer_edge(q, edge);
+  return !nearer_edge(corner, edge) || meets(edge, own) || (!touches && nearest_to_one);
+}
+
 bool ExactRules::admits(int corner, int edge) const {
   return within_depth(corner, edge) &&
          (blocks_.convex[blocks_.corner_block[edge]] ||
           (near_or_inside(corner, edge) && spans(corner, edge))) &&
          faces(corner, blocks_.previous[corner], edge) &&
-         faces(corner, blocks_.next[corner], edge) &&
-         (!nearer_edge(corner, edge) || meets(edge, blocks_.corner_block[corner]));
+         faces(corner, blocks_.next[corner], edge);
 }
 
 int ExactRules::compare_depth(int corner, int edge, int other) const {
@@ -274,14 +285,19 @@ ExactRules::Two ExactRules::nearest_edges(int corner, int block,
   Two found;
   if (!place.inside && place.beyond < 0 && blocks_.convex[block])
     return found;
-  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
-    if (place.inside ? !admits(corner, e) : !admits_crossing(corner, e, place.beyond))
-      continue;
-    if (found.nearest < 0 || comes_before(corner, e, found.nearest))
-      found.next = found.nearest, found.nearest = e;
-    else if (found.next < 0 || comes_before(corner, e, found.next))
+  std::vector<int> admitted;
+  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+    if (place.inside ? admits(corner, e) : admits_crossing(corner, e, place.beyond))
+      admitted.push_back(e);
+  for (const int e : admitted)
+    if ((!place.inside || comes_through(corner, e)) &&
+        (found.nearest < 0 || comes_before(corner, e, found.nearest)))
+      found.nearest = e;
+  for (const int e : admitted)
+    if (found.nearest >= 0 && e != found.nearest &&
+        !comes_before(corner, e, found.nearest) &&
+        (found.next < 0 || comes_before(corner, e, found.next)))
       found.next = e;
-  }
   return found;
 }
 
@@ -353,8 +369,7 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   story.between = blocks_.convex[block] ? between(corner, edge) : spans(corner, edge);
   story.facing_before = faces(corner, blocks_.previous[corner], edge);
   story.facing_after = faces(corner, blocks_.next[corner], edge);
-  story.comes_through =
-      !nearer_edge(corner, edge) || meets(edge, blocks_.corner_block[corner]);
+  story.comes_through = comes_through(corner, edge);
   story.admissible =
       where.inside ? admits(corner, edge) : admits_crossing(corner, edge, where.beyond);
   return story;
@@ -438,6 +453,16 @@ Answer ExactRules::reaches(int block, int corner, const Vec2& shift,
   return near ? Answer::either : odd ? Answer::yes : Answer::no;
 }
 
+/// The corner's own block is over the point, seen at three heights up to the surface.
+Answer ExactRules::reaches_over(int corner, const Vec2& shift, const Vec2& height,
+                                double error) const {
+  const int block = blocks_.corner_block[corner];
+  Answer over = Answer::no;
+  for (const double part : {0.05, 0.3, 0.75})
+    over = one_of(over, reaches(block, corner, shift + part * height, error));
+  return over;
+}
+
 /// Not too deep below the edge.
 Answer ExactRules::shallow(int corner, int edge) const {
   const double most = most_depth * rounded(along(edge)).norm();
@@ -461,8 +486,7 @@ Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
   const Vec2 height = shield.depth * Vec2(-surface.y(), surface.x());
   const Answer near = both(
       at_least_zero(most_way * f.norm() - shift.norm(), 2.0 * error / std::abs(slope)),
-      reaches(blocks_.corner_block[corner], corner, shift + height,
-              2.0 * error / std::abs(slope)));
+      reaches_over(corner, shift, height, 2.0 * error / std::abs(slope)));
   for (const int third : near_[corner]) {
     if (third == block || !blocks_.convex[third])
       continue;

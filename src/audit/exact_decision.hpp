@@ -100,6 +100,7 @@ class ExactRules {
   bool within_depth(int corner, int edge) const;
   bool meets(int edge, int block) const;
   bool nearer_edge(int corner, int edge) const;
+  bool comes_through(int corner, int edge) const;
   Place place(int corner, int block) const;
   Place place_by_rays(int corner, int block) const;
   Vec2 halfway(int edge, int q) const;
@@ -119,6 +120,8 @@ class ExactRules {
   Answer shallow(int corner, int edge) const;
   Answer goes_on(int third, int corner, const Vec2& shift, const Vec2& surface,
                  double depth, double error) const;
+  Answer reaches_over(int corner, const Vec2& shift, const Vec2& height,
+                      double error) const;
   Answer reaches(int block, int corner, const Vec2& shift, double error) const;
   Shield covered(int corner, int block, int nearest, int next) const;
   Shield partner_covered(int corner, const Two& edges) const;

@@ -80,8 +80,8 @@ template <class Rules> class ContactDecision {
   /// 9), and the corner is between the edge's ends (rule 10), which is asked of a
   /// convex block as a whole: the corner is inside all its edges, or outside of one
   /// that a side of its own block crosses (docs/departures.md). Where another edge of
-  /// the block is nearer the edge has to meet the corner's block, which has else not
-  /// come in through it. Blocks that are not convex: ReentrantBlock.
+  /// the block is nearer it has to meet the corner's block, which has else not come in
+  /// through it. Blocks that are not convex: ReentrantBlock.
   ///
   /// Where a third block shields the nearest edge the next nearest acts: near a closed
   /// joint a corner slides along the surface of both blocks and has not come through
@@ -190,11 +190,21 @@ template <class Rules> class ContactDecision {
         return true;
     return false;
   }
-  /// An edge that is not the nearest of all has to meet the corner's block.
+  /// An edge that is not the nearest of all has to meet the corner's block, or, where
+  /// that is wholly inside, to be the nearest for another of its corners.
   bool comes_through(int c, int edge) const {
-    if constexpr (Rules::far_edges_meet)
-      return !nearer_edge(c, edge) || meets(edge, blocks_.corner_block[c]);
-    return true;
+    if constexpr (!Rules::far_edges_meet)
+      return true;
+    const int own = blocks_.corner_block[c], block = blocks_.corner_block[edge];
+    if (!nearer_edge(c, edge) || meets(edge, own))
+      return true;
+    for (int f = blocks_.first_corner[block]; f < blocks_.first_corner[block + 1]; ++f)
+      if (meets(f, own))
+        return false;
+    for (int q = blocks_.first_corner[own]; q < blocks_.first_corner[own + 1]; ++q)
+      if (!nearer_edge(q, edge))
+        return true;
+    return false;
   }
   /// Rules 9, 10 and (20) for one record; of a block taken as a whole, the corner is
   /// known to be inside.
@@ -204,13 +214,12 @@ template <class Rules> class ContactDecision {
     if (reentrant(edge_block)) {
       const ReentrantBlock<Rules> block(blocks_, edge_block);
       return Rules::inside_edge(corner, p1, p2) && block.spans(corner, edge) &&
-             block.within_depth(corner, edge) && faces(c, edge) &&
-             comes_through(c, edge);
+             block.within_depth(corner, edge) && faces(c, edge);
     }
     return (as_a_whole(edge_block)
                 ? Rules::within_depth(corner, centroid, p1, p2)
                 : Rules::in_reach_of_edge(corner, centroid, p1, p2)) &&
-           faces(c, edge) && comes_through(c, edge);
+           faces(c, edge);
   }
 
   /// Whether an edge acts on a corner that is outside of the block, but only for a side
@@ -270,14 +279,16 @@ template <class Rules> class ContactDecision {
     const auto precedes = [&](int i, int other) {
       return other < 0 || nearer(c, depth_edge(i), depth_edge(other));
     };
-    for (int i = group.first; i < group.last; ++i) {
-      if (!may_act(c, contacts_.edge[i], block, out))
-        continue;
-      if (precedes(i, found.record))
-        found.next = found.record, found.record = i;
-      else if (precedes(i, found.next))
+    const auto may = [&](int i) { return may_act(c, contacts_.edge[i], block, out); };
+    const bool inside = out == none;
+    for (int i = group.first; i < group.last; ++i)
+      if (may(i) && precedes(i, found.record) &&
+          (!inside || comes_through(c, contacts_.edge[i])))
+        found.record = i;
+    for (int i = group.first; i < group.last && found.record >= 0; ++i)
+      if (i != found.record && may(i) && precedes(i, found.next) &&
+          !precedes(i, found.record))
         found.next = i;
-    }
     return found;
   }
 
@@ -306,6 +317,15 @@ template <class Rules> class ContactDecision {
     return true;
   }
 
+  /// Whether a block is over a point as deep as its corner: its face may lean by 20
+  /// degrees, its nose be sharp.
+  bool reaches_over(int block, const Vec2& point, const Vec2& to_surface) const {
+    for (const double part : {0.05, 0.3, 0.75})
+      if (reaches(block, point + part * to_surface))
+        return true;
+    return false;
+  }
+
   /// Whether a third block shields edge e from corner c: beyond it, along edge f of the
   /// same block, it goes on with a side of its own, and the corner's block over it.
   bool covered(int c, int e, int f) const {
@@ -319,8 +339,7 @@ template <class Rules> class ContactDecision {
     if (!(std::abs(way) <= shielded_way * (end(f) - at(f)).norm()))
       return false;
     const Vec2 there = at(c) + way * surface;
-    // at the height of the surface
-    if (!reaches(blocks_.corner_block[c], there + depth * outwards(surface)))
+    if (!reaches_over(blocks_.corner_block[c], there, depth * outwards(surface)))
       return false;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;

@@ -13,7 +13,8 @@ namespace blocks::run {
 double half_depth(const Blocks& blocks);
 
 /// Why the step just made is unsound, or "": some position is no longer a number, or a
-/// contact of a convex block is pressed in by more than half of what the block is deep.
+/// contact of a convex block is pressed in by more than half of what the block is deep,
+/// or a quarter of what the other measures across the edge.
 /// Springs of the list must be up to date if the strongest exceeds Kn times half_depth.
 std::string unsound(const Model& model, const dynamics::Displacement& moved,
                     double half_depth);

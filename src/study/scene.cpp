@@ -160,6 +160,23 @@ Scene plate() {
       b, [](long k, double dt) { return Vec2(3.0 * static_cast<double>(k) * dt, 0); });
 }
 
+Scene nose() {
+  Draft draft("nose",
+              "a block with a front of 40 degrees is pulled over a floor of boxes",
+              1600);
+  draft.stiffness(1e6);
+  draft.rub(0.0, 0.1);
+  for (int i = 0; i < 10; ++i)
+    draft.box(0.25 * i - 1.25, -1, 0.25, 1, true);
+  const double back = 0.3 / std::tan(40.0 * std::numbers::pi / 180.0);
+  const int b = draft.add({{-1, 0}, {-1, 0.3}, {-back, 0.3}, {0, 0}}, false);
+  draft.gravity(0.3, -g);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(0.15 * static_cast<double>(k) * static_cast<double>(k + 1) * dt * dt,
+                0);
+  });
+}
+
 Scene soft_floor() {
   constexpr double speed = 10.0, friction = 0.1;
   Draft draft("soft",
@@ -247,12 +264,20 @@ struct Named {
   std::string_view name;
   Scene (*make)();
 };
-constexpr std::array scenes = {
-    Named{"figure4b", figure4b}, Named{"diagonal", diagonal},    Named{"stack", stack},
-    Named{"wall", wall},         Named{"floor", floor_of_boxes}, Named{"wedge", wedge},
-    Named{"tee", tee},           Named{"shaft", shaft},          Named{"slab", slab},
-    Named{"soft", soft_floor},   Named{"needle", needle},        Named{"slot", slot},
-    Named{"plate", plate}};
+constexpr std::array scenes = {Named{"figure4b", figure4b},
+                               Named{"diagonal", diagonal},
+                               Named{"stack", stack},
+                               Named{"wall", wall},
+                               Named{"floor", floor_of_boxes},
+                               Named{"wedge", wedge},
+                               Named{"tee", tee},
+                               Named{"shaft", shaft},
+                               Named{"slab", slab},
+                               Named{"soft", soft_floor},
+                               Named{"needle", needle},
+                               Named{"slot", slot},
+                               Named{"plate", plate},
+                               Named{"nose", nose}};
 
 }  // namespace
 

