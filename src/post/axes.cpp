@@ -43,6 +43,22 @@ std::vector<double> nice_ticks(double lower, double upper, int count) {
   return ticks;
 }
 
+namespace {
+
+/// The number with the fewest digits from one tick to another, the lowest of equals.
+double roundest(double first, double last, double step) {
+  const double slack = 1e-6 * step;
+  for (double power = std::ceil(std::log10(std::max(std::abs(first), std::abs(last))));;
+       --power) {
+    const double unit = std::pow(10.0, power);
+    const double found = std::ceil((first - slack) / unit) * unit;
+    if (found <= last + slack || unit < step)
+      return found;
+  }
+}
+
+}  // namespace
+
 std::string TickLabels::titled(const std::string& name) const {
   if (power == 0)
     return name;
@@ -63,19 +79,22 @@ TickLabels label_ticks(double lower, double upper, int count) {
   const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
   double offset = 0.0;
   if (span > 0.0 && largest >= 1e5 * step) {
-    const double unit = std::pow(10.0, std::ceil(std::log10(span) - 1e-9));
-    offset = std::round(0.5 * (ticks.front() + ticks.back()) / unit) * unit;
+    offset = roundest(ticks.front(), ticks.back(), step);
     result.offset = fmt::format("{:+.15g}", offset);
   }
   if (offset == 0.0 && (largest >= 1e5 || largest < 1e-3) && largest > 0.0)
     result.power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
   const double counted = std::pow(10.0, -result.power);
+  std::string decimals = "{:g}";
+  if (offset != 0.0 && step < 0.9e-4)  // not -5e-05 beside -0.0001
+    decimals = fmt::format("{{:.{}f}}", -std::floor(std::log10(step) + 1e-9));
   for (const double tick : ticks) {
     const double rest = tick - offset;
     // exact but for the rounding of the tick, which is no part of a round number
     const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-9));
     const double round = offset == 0.0 ? rest : std::round(rest / power) * power;
-    result.labels.push_back(fmt::format("{:g}", round == 0.0 ? 0.0 : round * counted));
+    result.labels.push_back(
+        round == 0.0 ? "0" : fmt::format(fmt::runtime(decimals), round * counted));
   }
   return result;
 }

@@ -61,11 +61,16 @@ void ScaleSurvey::include(const Picture& picture) {
     const Quantity shown =
         quantity(options_.colour, picture.now, picture.first, picture.contacts);
     is_signed_ = shown.is_signed;
-    for (const double value : shown.values)
-      if (std::isfinite(value)) {
-        least_ = std::min(least_, value);
-        most_ = std::max(most_, value);
-      }
+    const auto include_values = [&](const Eigen::VectorXd& values) {
+      for (const double value : values)
+        if (std::isfinite(value)) {
+          least_ = std::min(least_, value);
+          most_ = std::max(most_, value);
+        }
+    };
+    include_values(shown.values);
+    if (options_.mirror)
+      include_values(in_mirror(options_.colour, shown.values, options_.mirror_x));
   }
   if (options_.forces) {
     const auto links = force_network(picture.contacts);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -91,14 +90,6 @@ std::vector<ProfilePlace> surface(const Frame& first) {
   return places;
 }
 
-/// Does it change its sign in a mirror that stands upright?
-bool is_odd(const std::string& name) {
-  static const std::set<std::string> odd = {
-      "dx",  "vx",  "fx",  "momentum_x", "rotation",        "spin", "moment", "s12",
-      "s21", "a12", "a21", "e12",        "angular_momentum"};
-  return odd.contains(name);
-}
-
 }  // namespace
 
 ProfileLine ProfileLine::parse(const std::string& text) {
@@ -158,13 +149,11 @@ std::vector<double> profile_values(const std::vector<ProfilePlace>& places,
                                    const Frame& first) {
   const Eigen::VectorXd all = kind.values(now, first);
   std::vector<double> values;
-  for (const ProfilePlace& place : places) {
-    const double value = all[place.block - 1];
-    values.push_back(!place.mirror       ? value
-                     : kind.name == "x"  ? 2.0 * *place.mirror - value
-                     : is_odd(kind.name) ? -value
-                                         : value);
-  }
+  for (const ProfilePlace& place : places)
+    values.push_back(
+        place.mirror
+            ? in_mirror(kind.name, all.segment(place.block - 1, 1), *place.mirror)[0]
+            : all[place.block - 1]);
   return values;
 }
 

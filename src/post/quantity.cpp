@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "post/model_quantity.hpp"
@@ -162,6 +163,22 @@ std::string block_quantity_names() {
     if (kind.rows)
       names += ", " + name;
   return names;
+}
+
+bool is_odd(const std::string& name) {
+  static const std::set<std::string> odd = {
+      "dx",  "vx",  "fx",  "momentum_x", "rotation",        "spin", "moment", "s12",
+      "s21", "a12", "a21", "e12",        "angular_momentum"};
+  const QuantityKind* kind = find_quantity(name);
+  return kind && odd.contains(kind->name);
+}
+
+Eigen::VectorXd in_mirror(const std::string& name, const Eigen::VectorXd& values,
+                          double plane) {
+  const QuantityKind* kind = find_quantity(name);
+  if (kind && kind->name == "x")
+    return 2.0 * plane - values.array();
+  return is_odd(name) ? Eigen::VectorXd(-values) : values;
 }
 
 Quantity quantity(const std::string& name, const Frame& now, const Frame& first,

@@ -44,6 +44,14 @@ std::string quantity_names();
 /// Those, and what contacts give to each block: the largest overlap, sums of forces.
 std::string block_quantity_names();
 
+/// Does it change its sign in a mirror that stands upright? By name or report name.
+bool is_odd(const std::string& name);
+
+/// Values (n) of the blocks' mirror images, the mirror standing at x = plane [L]: odd
+/// quantities change their sign, x goes to the other side.
+Eigen::VectorXd in_mirror(const std::string& name, const Eigen::VectorXd& values,
+                          double plane);
+
 /// displacement, dx and dy are against `first`. Throws std::runtime_error listing the
 /// names.
 Quantity quantity(const std::string& name, const Frame& now, const Frame& first,

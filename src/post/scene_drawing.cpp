@@ -20,8 +20,11 @@ class SceneDrawing {
                const FigureScales& scales, const FigureOptions& options)
       : pen_(pen), cairo_(pen.cairo()), axes_(axes), now_(picture.now),
         picture_(picture), scales_(scales), options_(options) {
-    if (options.colour != "material")
-      shown_ = quantity(options.colour, now_, picture.first, picture.contacts);
+    if (options.colour == "material")
+      return;
+    shown_ = quantity(options.colour, now_, picture.first, picture.contacts);
+    if (options.mirror)
+      in_mirror_ = in_mirror(options.colour, shown_.values, options.mirror_x);
   }
 
   void draw() {
@@ -85,7 +88,8 @@ class SceneDrawing {
   Colour fill_of(std::size_t b) const {
     if (options_.colour == "material")
       return colour_of_material(now_.material[b], options_);
-    const double value = shown_.values[static_cast<Eigen::Index>(b)];
+    const double value =
+        (mirrored_ ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
     return shade(shown_.is_signed,
                  (value - scales_.low) / (scales_.high - scales_.low));
   }
@@ -230,6 +234,7 @@ class SceneDrawing {
   const FigureScales& scales_;
   const FigureOptions& options_;
   Quantity shown_;
+  Eigen::VectorXd in_mirror_;  ///< the values of the other half
   bool mirrored_ = false;
 };
 

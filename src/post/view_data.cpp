@@ -316,7 +316,8 @@ class Packer {
       quantities.push_back({{"name", name},
                             {"label", kind.label},
                             {"unit", unit_text(kind.dimension, units)},
-                            {"signed", kind.is_signed}});
+                            {"signed", kind.is_signed},
+                            {"odd", is_odd(name)}});
     }
     Json sequential_map = Json::array(), diverging_map = Json::array(),
          intensity_map = Json::array(), materials = Json::object();

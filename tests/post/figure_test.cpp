@@ -69,6 +69,40 @@ TEST(Figure, PaintsBlocksInTheirMaterialsColour) {
   cairo_surface_destroy(image);
 }
 
+// The image of a block that goes right goes left.
+TEST(Figure, QuantitiesWithADirectionTurnRoundInTheMirror) {
+  const Folder folder;
+  const std::string path = folder.file("mirror.png");
+  Frame frame = two_squares();
+  frame.fixed = {0, 0};
+  FigureOptions options;
+  options.colour = "VELX";
+  options.mirror = true;
+  options.zoom = Eigen::Vector4d(-2, 2, -2, 2);
+  options.range = Eigen::Vector2d(-4, 4);
+  draw_frame(path, frame, frame, "a half model", options);
+  cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
+  ASSERT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
+  const int width = cairo_image_surface_get_width(image),
+            height = cairo_image_surface_get_height(image);
+  const auto count = [&](const Colour& wanted) {
+    int pixels = 0;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const unsigned char* at = cairo_image_surface_get_data(image) +
+                                  y * cairo_image_surface_get_stride(image) + 4 * x;
+        pixels += std::abs(at[2] - 255 * wanted.r) < 2 &&
+                  std::abs(at[1] - 255 * wanted.g) < 2 &&
+                  std::abs(at[0] - 255 * wanted.b) < 2;
+      }
+    return pixels;
+  };
+  const int right = count(diverging(7.0 / 8)), left = count(diverging(1.0 / 8));
+  EXPECT_GT(left, 10000);
+  EXPECT_NEAR(left, right, 0.02 * right);
+  cairo_surface_destroy(image);
+}
+
 // Far from the origin labels of six digits would all read alike.
 TEST(Ticks, AreToldApartFarFromTheOrigin) {
   const TickLabels far = label_ticks(1e9 - 1.1, 1e9 + 1.1, 5);
@@ -77,6 +111,11 @@ TEST(Ticks, AreToldApartFarFromTheOrigin) {
   const TickLabels below = label_ticks(-500003.05, -500002.35, 4);
   EXPECT_THAT(below.labels, ElementsAre("0", "0.2", "0.4", "0.6"));
   EXPECT_EQ(below.offset, "-500003");
+  const TickLabels national = label_ticks(500000, 500010, 5);  // not -10 ... 0
+  EXPECT_THAT(national.labels, ElementsAre("0", "2", "4", "6", "8", "10"));
+  EXPECT_EQ(national.offset, "+500000");
+  const TickLabels late = label_ticks(4e6 - 1.6e-4, 4e6, 4);  // not -5e-05
+  EXPECT_THAT(late.labels, ElementsAre("-0.00015", "-0.00010", "-0.00005", "0"));
   EXPECT_EQ(label_ticks(1000, 1100, 5).offset, "");
   const TickLabels energy = label_ticks(0.0, 1.8e6, 6);  // not 800000 beside 1e+06
   EXPECT_EQ(energy.titled("energy [J/m]"), "energy [10⁶ J/m]");

@@ -30,8 +30,9 @@ def history(program, results, curves):
 
 
 def same_number(shown, exact):
-    """Shown is the file's number to six digits, however it is written."""
-    return float(shown) == float(f"{exact:.6g}")
+    """Shown is the file's number to six digits or more, however it is written."""
+    places = max(6, len(shown.split("e")[0].lstrip("-0.").replace(".", "")))
+    return float(shown) == float(f"{exact:.{places}g}")
 
 
 def screen(page, x, y):
@@ -186,6 +187,49 @@ def check(program, deck, folder, followed, page, hands):
     print(f"{deck.stem}: {blocks} blocks picked, {len(rows) * len(QUANTITIES)} numbers as in the file")
 
 
+def check_far_from_the_origin(program, folder, page):
+    """In national coordinates numbers and history of a place are those of the file, to a hundred-thousandth of the
+    model; axis and colour bar count from a round number."""
+    deck = folder / "far.deck"
+    deck.write_text("""START, 4, 4
+FAR AWAY
+XLIMITS, 499990, 500030
+YLIMITS, 3999990, 4000030
+BOXES, 20, 20, 0.1
+STIFF, 1.E8, 1.E8
+FRACTION, 0.02
+MATERIAL, 1, 1.E10, 4.E9, 2500
+END
+CREATE, 4, 1, 1
+500000, 500000, 500010, 500010
+3999999, 4000000, 4000000, 3999999
+CREATE, 4, 1
+500001, 500001, 500002, 500002
+4000000, 4000001, 4000001, 4000000
+GRAVITY, 0, -10
+PLOTS, 0.01
+MOTION, 0.05
+""")
+    results, path = folder / "far.vtkhdf", folder / "far.html"
+    subprocess.run([program, "run", deck, "-q", "-o", folder / "far"], check=True, capture_output=True)
+    subprocess.run([program, "view", results, "-o", path], check=True, capture_output=True)
+    page.open(path)
+    page.wait("document.documentElement?.dataset.ready === 'yes'")
+    page.evaluate("choose(1); state.followed = 'y'; colour_by('y')")
+    page.drawn()
+    page.key("Home")
+    for row in history(program, results, ["x:2", "y:2"]):
+        seen = page.evaluate(SEEN)
+        for name in "xy":
+            assert abs(float(seen[name]) - row[f"{name}:2"]) <= 0.51e-5, (name, seen[name], row)
+        page.key("ArrowRight")
+    title = page.evaluate("$('chart_name').textContent")
+    assert re.match(r"y − 4000000(\.\d+)?( |$)", title), title
+    ticks = page.evaluate("[...document.querySelectorAll('#key .ticks span')].map((one) => one.textContent)")
+    assert len(ticks) == len(set(ticks)) > 2, ticks
+    page.picture(folder / "far.png")
+
+
 def main():
     program, source = Path(sys.argv[1]), Path(sys.argv[2])
     if browser.PROGRAM is None:
@@ -197,6 +241,7 @@ def main():
         try:
             check(program, source / "decks/stack/stack.deck", folder, 4, page, True)  # rigid
             check(program, source / "tests/post/strained.deck", folder, 2, page, False)  # deformable, spinning
+            check_far_from_the_origin(program, folder, page)
         finally:
             page.close()
 

@@ -32,10 +32,11 @@ function draw_draft(f, visible, halves) {
   }
   pixels.fill(0);
   const edges = typical_size() * state.view.scale > 7;
-  for (const [shade, group] of shades(f, visible)) {
-    const ground = pixel(shade), edge = edges ? pixel(darker(shade)) : ground;
-    for (const half of halves) for (const b of group) put_block(b, half, ground, edge);
-  }
+  for (const half of halves)
+    for (const [shade, group] of shades(f, visible, half)) {
+      const ground = pixel(shade), edge = edges ? pixel(darker(shade)) : ground;
+      for (const b of group) put_block(b, half, ground, edge);
+    }
 }
 
 /// Ends in page pixels.

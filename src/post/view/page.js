@@ -37,11 +37,26 @@ async function unpack() {
   data.first_corner = new Uint32Array(meta.blocks + 1);
   for (let b = 0; b < meta.blocks; ++b)
     data.first_corner[b + 1] = data.first_corner[b] + data.corners[b];
+  [data.told_x, data.told_y] = [data.x, data.y];
+  data.x = places("x", "dx", 0);
+  data.y = places("y", "dy", 1);
   data.forces = read_forces();
   data.size = new Float32Array(meta.blocks);  // of the arms, for picking and zoom
   for (let b = 0; b < meta.blocks; ++b)
     for (let c = data.first_corner[b]; c < data.first_corner[b + 1]; ++c)
       data.size[b] = Math.max(data.size[b], Math.hypot(data.arm[2 * c], data.arm[2 * c + 1]));
+}
+
+/// Six digits of a national coordinate are no place. The first one, told whole, and six digits
+/// of the way since then are, unless the way is longer than the coordinate. A block made after
+/// the first frame has no first place.
+function places(name, way, axis) {
+  const all = Float64Array.from(data[name]);
+  for (let i = 0; i < all.length; ++i) {
+    const moved = data[way][i], place = data.origin[2 * (i % meta.blocks) + axis] + moved;
+    if (place === place && Math.abs(moved) < Math.abs(all[i])) all[i] = place;
+  }
+  return all;
 }
 
 /// Two letters of 91 are 13 bits.
@@ -139,13 +154,23 @@ function read_forces() {
 const quantity = (name) => meta.quantities.find((q) => q.name === name);
 const value = (name, block, frame) => data[name][frame * meta.blocks + block];
 const exists = (block, frame) => block < meta.counts[frame];
-/// Six digits, as in the file; no zeros that say nothing.
-const digits = (number) => {
-  const size = Math.abs(number);
-  return size !== 0 && (size < 1e-3 || size >= 1e7)
-    ? number.toExponential(5).replace(/\.?0+e/, "e").replace("e+", "e")
-    : String(Number(number.toPrecision(6)));
+/// Six digits, as in the file (told), or more, down to the finest; no zeros that say nothing.
+const digits = (told, finest = Infinity, sharp = told) => {
+  const size = Math.abs(sharp), more = Math.floor(Math.log10(size)) - Math.round(Math.log10(finest)) + 1;
+  const many = size > 0 ? Math.max(6, Math.min(15, more)) : 6;
+  const number = many > 6 ? sharp : told;
+  return size !== 0 && (size < 1e-3 || size >= 10 ** Math.max(7, many))
+    ? number.toExponential(many - 1).replace(/\.?0+e/, "e").replace("e+", "e")
+    : String(Number(number.toPrecision(many)));
 };
+/// Places have the decimals that six digits of the model's extent have, wherever it lies.
+const is_place = (name) => name === "x" || name === "y";
+let finest_place = Infinity;
+function find_finest_place() {
+  const widths = ["x", "y"].map((name) => ranges[name][1] - ranges[name][0]);
+  const extent = data.size.reduce((most, size) => Math.max(most, size), Math.max(...widths));
+  if (extent > 0) finest_place = 10 ** (Math.floor(Math.log10(extent)) - 5);
+}
 const counted = (n, thing) => `${n} ${thing}${n === 1 ? "" : "s"}`;
 const with_unit = (text, unit) => unit ? `${text} [${unit}]` : text;
 
@@ -158,9 +183,11 @@ function find_ranges() {
         if (v < low) low = v;
         if (v > high) high = v;
       }
+    if (q.name === "x" && meta.mirror !== null)
+      [low, high] = [Math.min(low, 2 * meta.mirror - high), Math.max(high, 2 * meta.mirror - low)];
     if (!(low <= high)) low = high = 0;
     if (q.signed) { high = Math.max(Math.abs(low), Math.abs(high)); low = -high; }
-    else if (q.name !== "x" && q.name !== "y") low = Math.min(low, 0);
+    else if (!is_place(q.name)) low = Math.min(low, 0);
     if (!(high > low)) [low, high] = q.signed ? [-1, 1] : [low, low + 1];
     ranges[q.name] = [low, high];
   }
@@ -247,21 +274,24 @@ function in_parts(blocks, from, paint, most = 32) {
   }
 }
 
-/// Blocks by colour: one path for each shade.
-function shades(f, visible) {
-  const groups = new Map(), shade_of = shades_at(f);
+/// Blocks by colour, of one half: one path for each shade.
+function shades(f, visible, half) {
+  const groups = new Map(), shade_of = shades_at(f, half);
   for (const b of visible) {
     const shade = shade_of(b);
     groups.has(shade) ? groups.get(shade).push(b) : groups.set(shade, [b]);
   }
   return groups;
 }
-/// Colour of a block in that frame.
-function shades_at(f) {
+/// What has a direction turns round in the mirror.
+const in_mirror = (q, v) => q.name === "x" ? 2 * meta.mirror - v : q.odd ? -v : v;
+/// Colour of a block of that half in that frame.
+function shades_at(f, half) {
   if (state.colour === "material") return (b) => meta.materials[meta.material[b]];
   const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
   const [low, high] = ranges[q.name], factor = (map.length - 1) / (high - low);
-  return (b) => map[Math.round((value(q.name, b, f) - low) * factor)];
+  const shown = half === corners ? (v) => v : (v) => in_mirror(q, v);
+  return (b) => map[Math.round((shown(value(q.name, b, f)) - low) * factor)];
 }
 const is_dark = (shade) => [1, 3, 5].reduce((sum, i) => sum + parseInt(shade.slice(i, i + 2), 16), 0) < 306;
 
@@ -285,10 +315,11 @@ function draw_model() {
       put_line(x0, y0, x1, y1, pixel(force_shade(part)));
     pen.putImageData(picture, 0, 0);
   }
-  for (const [shade, group] of fine ? shades(f, visible) : []) {
-    pen.fillStyle = shade;
-    for (const half of halves) in_parts(group, half, () => pen.fill());
-  }
+  for (const half of fine ? halves : [])
+    for (const [shade, group] of shades(f, visible, half)) {
+      pen.fillStyle = shade;
+      in_parts(group, half, () => pen.fill());
+    }
   for (const half of halves) hatch_fixed(f, visible, half);
   const edge = Math.min(1, typical_size() * scale / 24);
   if (fine && edge > 0.2) {
@@ -319,7 +350,7 @@ function draw_plane() {
 }
 
 function hatch_fixed(f, visible, half) {
-  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]), shade_of = shades_at(f);
+  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]), shade_of = shades_at(f, half);
   const dark = (b) => is_dark(shade_of(b));
   hatch(fixed.filter((b) => !dark(b)), half, style("--edge"));
   hatch(fixed.filter(dark), half, "#fff");
@@ -454,11 +485,12 @@ function pick_at(x, y) {
 function nice_ticks(low, high, count) {
   const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw)), digit = raw / power;
   const step = power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10), ticks = [];
+  if (Math.max(Math.abs(low), Math.abs(high)) > 1e15 * step) return ticks;  // k + 1 would be k
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * (high - low); ++k)
     ticks.push(k * step);
   return ticks;
 }
-const tick_text = (t, step) => {
+const tick_text = (t) => {
   if (t === 0) return "0";
   const big = Math.abs(t) >= 1e6 || Math.abs(t) < 1e-4;
   return (big ? Number(t.toPrecision(4)).toExponential() : String(Number(t.toPrecision(6)))).replaceAll("-", "−");
@@ -479,13 +511,33 @@ function power_of(low, high) {
 }
 const titled = (label, unit, power) => with_unit(label, [power ? `10${superscript(power)}` : "", unit].filter(Boolean).join(" "));
 
-/// A bar of colours with its numbers.
+/// Round numbers of an axis with their texts, and the axis' name. Numbers that differ only in
+/// late digits are counted from a round one: y − 4000000 [m].
+function label_ticks(low, high, count, name, unit) {
+  const ticks = nice_ticks(low, high, count), step = ticks[1] - ticks[0];
+  let offset = 0;
+  if (Math.max(...ticks.map(Math.abs)) >= 1e5 * step) {
+    const slack = 1e-6 * step;
+    let unit = 10 ** Math.ceil(Math.log10(Math.max(...ticks.map(Math.abs))));
+    do offset = Math.ceil((ticks[0] - slack) / unit) * unit;  // the roundest there is
+    while (offset > ticks.at(-1) + slack && (unit /= 10) > 1e-3 * step);
+    offset = Number(offset.toPrecision(15));
+  }
+  // exact but for the rounding of the tick, which is no part of a round number
+  const rest = (t) => offset ? Math.round((t - offset) / step) * step : t;
+  const power = power_of(...(offset ? [rest(ticks[0]), rest(ticks.at(-1))] : [low, high]));
+  const from = offset ? ` ${offset < 0 ? "+" : "−"} ${Math.abs(offset)}` : "";
+  return {ticks: ticks.map((t) => [t, tick_text(rest(t) / 10 ** power)]), title: titled(name + from, unit, power)};
+}
+
+/// A bar of colours with its numbers; few on the low bar of a small screen (page.css).
+const small_screen = matchMedia("(max-width: 760px), (max-aspect-ratio: 9/10)");
 function key_bar(name, unit, map, low, high) {
-  const power = power_of(low, high), label = titled(name, unit, power);
+  const {ticks: all, title: label} = label_ticks(low, high, small_screen.matches ? 2 : 5, name, unit);
   const bar = made("div", "bar"), ticks = made("div", "ticks");
   bar.style.background = `linear-gradient(to top, ${map.join(", ")})`;
-  for (const t of nice_ticks(low, high, 5)) {
-    const text = made("span", "", tick_text(t / 10 ** power));
+  for (const [t, words] of all) {
+    const text = made("span", "", words);
     text.style.top = `${100 * (high - t) / (high - low)}%`;
     ticks.append(text);
   }
@@ -497,7 +549,7 @@ function key_bar(name, unit, map, low, high) {
 /// What the colours mean; of many materials only the numbers.
 let key_shown = "";
 function draw_key() {
-  const wanted = `${state.colour} ${state.forces}`;
+  const wanted = `${state.colour} ${state.forces} ${small_screen.matches}`;
   if (wanted === key_shown) return;
   key_shown = wanted;
   const by_material = state.colour === "material", materials = by_material ? Object.entries(meta.materials) : [];
@@ -534,6 +586,9 @@ function rows() {
     exists(state.block, g) ? value(q.name, state.block, g) : NaN)}));
 }
 
+const text_of = (name, number) => is_place(name)
+  ? digits(data[`told_${name}`][state.frame * meta.blocks + state.block], finest_place, number) : digits(number);
+
 let shown_block = null;
 function draw_numbers() {
   const list = rows(), body = $("numbers").tBodies[0], f = state.frame, b = state.block;
@@ -552,7 +607,7 @@ function draw_numbers() {
   const followed = list.find(({name}) => name === state.followed) ?? list[0];
   list.forEach(({name, all}, i) => {
     const row = body.rows[i];
-    row.cells[1].textContent = Number.isNaN(all[f]) ? "–" : digits(all[f]).replaceAll("-", "−");
+    row.cells[1].textContent = Number.isNaN(all[f]) ? "–" : text_of(name, all[f]).replaceAll("-", "−");
     row.setAttribute("aria-selected", name === followed.name);
   });
   $("block_name").textContent = b < 0 ? "Whole model" : `Block ${b + 1}`;
@@ -573,8 +628,8 @@ function draw_chart({label, unit, all}) {
   if (!(low <= high)) { low = 0; high = 1; }
   const margin = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
   low -= margin; high += margin;
-  const power = power_of(low, high);
-  $("chart_name").textContent = titled(label, unit, power);
+  const {ticks, title} = label_ticks(low, high, 4, label, unit);
+  $("chart_name").textContent = title;
   const t0 = meta.times[0], t1 = meta.times[frames - 1] > t0 ? meta.times[frames - 1] : t0 + 1;
   const px = (t) => left + (t - t0) / (t1 - t0) * (right - left);
   const py = (v) => bottom - (v - low) / (high - low) * (bottom - top);
@@ -582,13 +637,16 @@ function draw_chart({label, unit, all}) {
   p.lineWidth = 1;
   p.fillStyle = style("--muted");
   p.textAlign = "right"; p.textBaseline = "middle";
-  for (const v of nice_ticks(low, high, 4)) {
+  for (const [v, text] of ticks) {
     p.strokeStyle = style("--line");
     p.beginPath(); p.moveTo(left, py(v)); p.lineTo(right, py(v)); p.stroke();
-    p.fillText(tick_text(v / 10 ** power), left - 6, py(v));
+    p.fillText(text, left - 6, py(v));
   }
   p.textAlign = "center"; p.textBaseline = "top";
-  for (const t of nice_ticks(t0, t1, 4)) p.fillText(tick_text(t), px(t), bottom + 5);
+  for (const t of nice_ticks(t0, t1, 4)) {
+    const text = tick_text(t);
+    p.fillText(text, Math.min(px(t), w - 1 - p.measureText(text).width / 2), bottom + 5);
+  }
   p.fillText(with_unit("time", meta.time_unit), (left + right) / 2, bottom + 19);
   p.beginPath();
   let drawing = false;
@@ -795,6 +853,7 @@ async function begin() {
   for (const q of meta.quantities) option(q.name, with_unit(q.label, q.unit));
   await unpack();
   find_ranges();
+  find_finest_place();
   corners = new Float64Array(2 * data.first_corner[meta.blocks]);
   state.ready = true;
   $("message").textContent = "";
