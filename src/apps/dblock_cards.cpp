@@ -10,6 +10,7 @@
 
 #include "deck/free_field.hpp"
 #include "deck/suggest.hpp"
+#include "post/counted.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -109,12 +110,12 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
     values.push_back(value);
   }
   if (values.size() < card.least || values.size() > card.most) {
-    faults.error(
-        line.fields.front().where, name,
-        card.least == card.most
-            ? fmt::format("expected {} numbers, found {}", card.least, values.size())
-            : fmt::format("expected {} to {} numbers, found {}", card.least, card.most,
-                          values.size()));
+    faults.error(line.fields.front().where, name,
+                 card.least == card.most
+                     ? fmt::format("expected {}, found {}",
+                                   post::counted(card.least, "number"), values.size())
+                     : fmt::format("expected {} to {} numbers, found {}", card.least,
+                                   card.most, values.size()));
     sound = false;
   }
   return sound ? std::optional(values) : std::nullopt;

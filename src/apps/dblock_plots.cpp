@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 
 #include "dblock_cards.hpp"
 #include "post/counted.hpp"
@@ -37,6 +38,23 @@ void check_materials(const DblockCards& cards, const post::ResultsReader& result
                                fmt::join(present, ", ")));
 }
 
+/// An option and a card that say different things: one of them would do nothing.
+void check_options(const DblockCards& cards, const post::FigureOptions& figure) {
+  const auto refuse = [](bool both, const std::string& option,
+                         const std::string& card) {
+    if (both)
+      throw std::runtime_error(fmt::format(
+          "{} and the card {} exclude each other: leave one away", option, card));
+  };
+  refuse(figure.zoom && cards.zoom, "--zoom", "ZOOM");
+  refuse(figure.mirror && cards.flip, "--mirror", "FLIP");
+  for (const auto& [material, card] : cards.painted) {
+    refuse(figure.colour != "material", "--colour " + figure.colour, card.second);
+    refuse(figure.material_colours.contains(material),
+           fmt::format("--materials {}=...", material), card.second);
+  }
+}
+
 void print_corners(const post::Frame& frame) {
   fmt::print("time {:.9g}\n{:>8}{:>8}{:>18}{:>18}\n", frame.time, "block", "corner",
              "x", "y");
@@ -58,6 +76,7 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
   if (faults.has_errors())
     return run::deck_error;
 
+  check_options(cards, figure);
   constexpr double widths[] = {1200, 800, 640};  // FRAMESIZE
   figure.width = widths[cards.frame_size - 1];
   for (const auto& [material, colour] : cards.materials)

@@ -114,6 +114,8 @@ void check_combinations(const PlotOptions& options) {
   refuse(options.mirror && !std::isfinite(*options.mirror),
          "--mirror is the x of the plane that a half model ends at");
   const bool by_material = options.figure.colour == "material";
+  for (const double end : options.range)
+    refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(!options.range.empty() && by_material,
          "--range is that of --colour QUANTITY; materials have none");
   refuse(!options.materials.empty() && !by_material,
@@ -207,7 +209,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--range", options.range, "low high: of the colours")
       ->expected(2)
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_flag("--forces", figure.forces,
                    "contact forces: a line for each pair of touching blocks, as wide "
                    "as the force is large (of several times: full width is the middle "
@@ -225,7 +228,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                      "draw the other half too, mirrored about this x");
   command.add_option("--zoom", options.zoom, "xmin xmax ymin ymax")
       ->expected(4)
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_option("--units", options.units,
                      "units of length, mass and time, as in m,kg,s");
   auto* width = command.add_option("--width", figure.width, "pixels or points")

@@ -87,11 +87,11 @@ TickLabels label_ticks(double lower, double upper, int count) {
   const double counted = std::pow(10.0, -result.power);
   std::string decimals = "{:g}";
   if (offset != 0.0 && step < 0.9e-4)  // not -5e-05 beside -0.0001
-    decimals = fmt::format("{{:.{}f}}", -std::floor(std::log10(step) + 1e-9));
+    decimals = fmt::format("{{:.{}f}}", -std::floor(std::log10(step) + 1e-3));
   for (const double tick : ticks) {
     const double rest = tick - offset;
     // exact but for the rounding of the tick, which is no part of a round number
-    const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+    const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-3));
     const double round = offset == 0.0 ? rest : std::round(rest / power) * power;
     result.labels.push_back(
         round == 0.0 ? "0" : fmt::format(fmt::runtime(decimals), round * counted));

@@ -22,7 +22,7 @@ std::string block_rows(const Frame& now, const Frame& first) {
     fmt::format_to(out, "{},{},{},{},{}", now.time, now.step, now.number[k],
                    now.material[k], now.fixed[k]);
     for (const Eigen::VectorXd& values : columns)
-      fmt::format_to(out, ",{}", values[b]);
+      fmt::format_to(out, ",{}", values[b] + 0.0);
     text += '\n';
   }
   return text;
@@ -37,12 +37,13 @@ std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
   std::string text;
   for (int i = 0; i < contacts.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    fmt::format_to(
-        std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-        now.time, now.step, contacts.corner_block[k], contacts.corner[k],
-        contacts.edge_block[k], contacts.edge[k], contacts.point(0, i),
-        contacts.point(1, i), normal(0, i), normal(1, i), force(0, i), force(1, i),
-        contacts.normal_force[i], contacts.shear_force[i], contacts.overlap[i]);
+    fmt::format_to(std::back_inserter(text),
+                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", now.time, now.step,
+                   contacts.corner_block[k], contacts.corner[k], contacts.edge_block[k],
+                   contacts.edge[k], contacts.point(0, i), contacts.point(1, i),
+                   normal(0, i), normal(1, i), force(0, i), force(1, i),
+                   contacts.normal_force[i] + 0.0, contacts.shear_force[i] + 0.0,
+                   contacts.overlap[i] + 0.0);
   }
   return text;
 }

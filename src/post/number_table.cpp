@@ -51,7 +51,8 @@ std::string table_text(const NumberTable& table) {
   for (std::size_t i = 0; i < rows(table); ++i) {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
       const double value = table.columns[c].values[i];
-      text += right(std::isnan(value) ? "-" : fmt::format("{:.8g}", value), widths[c]);
+      text += right(std::isnan(value) ? "-" : fmt::format("{:.8g}", value + 0.0),
+                    widths[c]);
     }
     text += '\n';
   }
@@ -70,7 +71,8 @@ std::string csv_text(const std::vector<NumberTable>& runs) {
         text += quoted(run.file) + ',';
       for (std::size_t c = 0; c < run.columns.size(); ++c) {
         const double value = run.columns[c].values[i];
-        text += (c ? "," : "") + (std::isnan(value) ? "" : fmt::format("{}", value));
+        text +=
+            (c ? "," : "") + (std::isnan(value) ? "" : fmt::format("{}", value + 0.0));
       }
       text += '\n';
     }

@@ -41,6 +41,21 @@ TEST_F(Dblock, LimitsBeyondTheResultsAreTheirEnds) {
   EXPECT_THAT(plot("TMIN, 50").err, HasSubstr("no picture between TMIN and TMAX"));
 }
 
+// One of the two would do nothing.
+TEST_F(Dblock, CardsAndOptionsDoNotOverruleEachOther) {
+  folder_.write("cards.txt", "ZOOM, 0, 1, 0, 1\nFLIP\nRED, 1\n");
+  const auto said = [&](const std::string& options) {
+    const Outcome outcome =
+        blocks("plot " + options + " fall.vtkhdf --dblock cards.txt", folder_.path());
+    EXPECT_EQ(outcome.code, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(said("--zoom 0,1,0,1"), HasSubstr("--zoom and the card ZOOM exclude"));
+  EXPECT_THAT(said("--mirror 1"), HasSubstr("--mirror and the card FLIP exclude"));
+  EXPECT_THAT(said("--colour speed"), HasSubstr("--colour speed and the card RED"));
+  EXPECT_THAT(said("--materials 1=BLUE"), HasSubstr("--materials 1=... and the card"));
+}
+
 TEST_F(Dblock, PrintGivesTheCorners) {
   EXPECT_THAT(plot("print\nblocks\n").out,
               HasSubstr("       1       2                 0                 1\n"));
@@ -57,6 +72,7 @@ TEST_F(Dblock, FaultsAreReportedAtTheirPlaces) {
   EXPECT_THAT(plot("BLUE, 1\nRED, 77").err,
               HasSubstr("cards.txt:2:6: error: RED: there is no material 77; the "
                         "results have 1"));
+  EXPECT_THAT(plot("RED").err, HasSubstr("RED: expected 1 number, found 0"));
   EXPECT_THAT(plot("ZOOM, 50, 60, 50, 60").err, HasSubstr("no block in the zoom"));
   EXPECT_THAT(plot("BLOCKS\n\x01").err,
               HasSubstr("cards.txt:2:1: error: not a text file"));

@@ -227,6 +227,8 @@ MOTION, 0.05
     assert re.match(r"y − 4000000(\.\d+)?( |$)", title), title
     ticks = page.evaluate("[...document.querySelectorAll('#key .ticks span')].map((one) => one.textContent)")
     assert len(ticks) == len(set(ticks)) > 2, ticks
+    late = page.evaluate("label_ticks(4000000.49975, 4000000.5, 4, 'y', 'm').ticks.map((one) => one[1])")
+    assert late == ["−250", "−200", "−150", "−100", "−50", "0"], late
     page.picture(folder / "far.png")
 
 

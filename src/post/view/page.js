@@ -524,7 +524,8 @@ function label_ticks(low, high, count, name, unit) {
     offset = Number(offset.toPrecision(15));
   }
   // exact but for the rounding of the tick, which is no part of a round number
-  const rest = (t) => offset ? Math.round((t - offset) / step) * step : t;
+  const digit = 10 ** Math.floor(Math.log10(step) + 1e-3);
+  const rest = (t) => offset ? Math.round((t - offset) / digit) * digit : t;
   const power = power_of(...(offset ? [rest(ticks[0]), rest(ticks.at(-1))] : [low, high]));
   const from = offset ? ` ${offset < 0 ? "+" : "−"} ${Math.abs(offset)}` : "";
   return {ticks: ticks.map((t) => [t, tick_text(rest(t) / 10 ** power)]), title: titled(name + from, unit, power)};
