@@ -30,6 +30,18 @@ std::string with_unit(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
+/// What tells the run of a file from the others: nothing when it is alone, its name, or
+/// the path where two have the same name.
+std::string run_of(const std::string& file, const std::vector<std::string>& files) {
+  if (files.size() < 2)
+    return "";
+  const std::string own = fs::path(file).stem().string();
+  const auto same = std::count_if(files.begin(), files.end(), [&](const auto& other) {
+    return fs::path(other).stem().string() == own;
+  });
+  return ", " + (same > 1 ? fs::path(file).replace_extension().string() : own);
+}
+
 /// Numbers for the tables and lines for the figure.
 struct Answer {
   std::vector<NumberTable> runs;
@@ -82,8 +94,7 @@ Answer histories(const HistoryOptions& options,
       table.columns.push_back({series.curve.name(), series.label, unit, series.values});
       if (against && i == 0)
         continue;
-      const std::string run =
-          options.files.size() > 1 ? ", " + fs::path(file).stem().string() : "";
+      const std::string run = run_of(file, options.files);
       panel(answer.chart, with_unit(series.quantity, unit))
           .lines.push_back({series.label + run,
                             against ? history.series.front().values : history.time,
@@ -145,8 +156,7 @@ Answer profiles(const HistoryOptions& options,
         table.columns.push_back({kind->name + "@" + at, kind->label + " at time " + at,
                                  unit,
                                  post::profile_values(places, *kind, now, first)});
-        const std::string run =
-            options.files.size() > 1 ? ", " + fs::path(file).stem().string() : "";
+        const std::string run = run_of(file, options.files);
         panel(answer.chart, with_unit(kind->label, unit))
             .lines.push_back({fmt::format("t = {}{}{}", at, time_unit, run),
                               table.columns[0].values, table.columns.back().values});
@@ -247,6 +257,16 @@ int history(const HistoryOptions& options) {
          std::isfinite(options.to)))
       throw std::runtime_error("--against, --from and --to belong to a history; the "
                                "times of a --profile are given with --times");
+    if (std::isnan(options.from) || std::isnan(options.to))
+      throw std::runtime_error("--from and --to are times");
+    if ((options.csv || options.json) && !options.outputs.empty())
+      throw std::runtime_error("--csv and --json print here, -o writes a file: leave "
+                               "one away");
+    for (const std::string& path : options.outputs)
+      for (const std::string& file : options.files)
+        if (std::error_code none; fs::equivalent(path, file, none))
+          throw std::runtime_error("-o " + path + " would overwrite the results " +
+                                   file);
     if (options.mirror && (options.profile != "top" || !std::isfinite(*options.mirror)))
       throw std::runtime_error("--mirror belongs to --profile top: the x of the plane "
                                "that a half model ends at");

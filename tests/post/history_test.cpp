@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <sstream>
 
 #include "post/profile.hpp"
@@ -130,6 +131,10 @@ TEST(History, RefusalsNameWhatIsAvailable) {
     EXPECT_EQ(run.code, code) << arguments;
     EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
   };
+  refused("hit.vtkhdf --from nan", 2, "--from and --to are times");
+  refused("hit.vtkhdf --csv -o a.csv", 2, "leave one away");
+  std::filesystem::copy_file(folder / "hit.vtkhdf", folder / "hit.csv");
+  refused("hit.csv -o hit.csv", 2, "would overwrite the results hit.csv");
   refused("hit.vtkhdf -q heat", 2, "speed, displacement, rotation");
   refused("hit.vtkhdf -q speed", 2, "speed:9 is that of block 9");
   refused("hit.vtkhdf -q speed:3", 2, "blocks 1 to 2, no block 3");
