@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "exchange/block_record.hpp"
 #include "exchange/mesh_writer.hpp"
@@ -39,6 +41,13 @@ bool is_results(const std::string& path) {
   const auto extension = fs::path(path).extension();
   return extension == ".vtkhdf" || extension == ".h5" ||
          (fs::is_regular_file(path) && post::fault_of_head(path).empty());
+}
+
+/// A listing of a run, which no deck begins like.
+bool is_listing(const std::string& path) {
+  std::string head;
+  return fs::is_regular_file(path) && std::getline(std::ifstream(path), head) &&
+         head.starts_with("BLOCKS ") && head.ends_with("two-dimensional block motion");
 }
 
 Scene scene_of(const Model& model) {
@@ -198,6 +207,10 @@ int export_blocks(ExportOptions options) {
       return tell_fault(fault);
     }
   } else {
+    if (is_listing(input))
+      return refuse(run::file_error,
+                    input + " is a listing; export reads results and decks" +
+                        post::results_nearby(input));
     if (options.time)
       return refuse(run::usage_error, "--time is for results; a deck gives its blocks "
                                       "before the first step");

@@ -93,6 +93,10 @@ TEST_F(ExportTimes, RefusalsNameWhatIsAvailable) {
   const Outcome deck = blocks("export fall.deck -o a.pvd", folder_.path());
   EXPECT_EQ(deck.code, 2);
   EXPECT_THAT(deck.err, HasSubstr("first blocks run fall.deck"));
+  const Outcome listing = blocks("export fall.out", folder_.path());
+  EXPECT_EQ(listing.code, 5);
+  EXPECT_THAT(listing.err, HasSubstr("fall.out is a listing; export reads results and "
+                                     "decks\n  hint: results here: fall.vtkhdf"));
 }
 
 }  // namespace
