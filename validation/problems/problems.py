@@ -7,8 +7,8 @@ Runs the check of each problem (or of those named; --quick: of those that take a
 these results and the kept ones of the others, above them; rows carry the program that measured
 them. --kept: runs nothing, says which kept results are of another program.
 
-Exit code 4 if a row misses that is not in known_misses.json of its problem (with --kept: if a
-result is of another program), 1 if a deck does not run.
+Exit code 4 if a row misses that is not in known_misses.json of its problem, or by other values than
+these (with --kept: if a result is of another program), 1 if a deck does not run.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import json
 import subprocess
 import sys
 import tempfile
+import traceback
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -42,32 +43,46 @@ def load(name):
 
 
 def solve(name, program, write):
-    """Rows and figures of one problem; rows None if a deck did not run."""
+    """Rows and figures of one problem; rows None if a deck did not run, those so far in
+    "before". A check that does not come to its end, as its deck gives what it cannot evaluate,
+    misses: a row says so after those it has."""
     with tempfile.TemporaryDirectory() as scratch:
         case = Case(HERE / name, program, Path(scratch), HERE / name if write else None)
         try:
             load(name).check(case)
+            assert case.rows, f"{name} checks nothing"
         except RunFailed as fault:
-            return {"problem": name, "rows": None, "fault": str(fault)}
-    assert case.rows, f"{name} checks nothing"
+            return {"problem": name, "rows": None, "fault": str(fault),
+                    "before": [row.as_dict() for row in case.rows]}
+        except Exception as fault:  # one problem, whatever it is, does not cost the others
+            traceback.print_exc()
+            case.same("the check comes to its end", "yes", f"no: {type(fault).__name__}: {fault}",
+                      "a check evaluates every answer, the wrong ones too")
     rows = [row.as_dict() for row in case.rows]
-    explain(name, rows)
+    rows += [row.as_dict() for row in explain(name, rows)]
     return {"problem": name, "rows": rows, "figures": case.charts, "runs": case.runs}
 
 
 def explain(name, rows):
-    """Gives rows that miss, and are known to, the reason that stands in known_misses.json:
-    {quantity: why}. Known misses that no row has are a fault of that file."""
+    """Gives rows that miss, as they are known to, the reason that stands in known_misses.json:
+    {quantity: {"between": [least, most], "why": why}}. A miss beyond these values is a new one, and
+    so is a known miss that no row has: rows for these."""
     path = HERE / name / "known_misses.json"
     known = json.loads(path.read_text()) if path.exists() else {}
-    unknown = set(known) - {row["quantity"] for row in rows}
-    assert not unknown, f"{path}: no row is called {unknown}"
     for row in rows:
-        if row["quantity"] in known and row["holds"] is False:
-            row["note"] = known[row["quantity"]]
-        elif row["quantity"] in known:
+        if row["quantity"] not in known:
+            continue
+        least, most = known[row["quantity"]]["between"]
+        if row["holds"] is not False:
             print(f"{name}: {row['quantity']}: holds now; known_misses.json still has it",
                   flush=True)
+        elif row["value"] is not None and least <= row["value"] <= most:
+            row["note"] = known[row["quantity"]]["why"]
+        else:
+            row["reason"] += f". Known to miss, but between {least:g} and {most:g}"
+    absent = sorted(set(known) - {row["quantity"] for row in rows})
+    return [Row(quantity, "measured", "no such row", "", "the same",
+                "known_misses.json explains rows that there are", False) for quantity in absent]
 
 
 def check_decks(program):
@@ -82,8 +97,7 @@ def check_decks(program):
 def show(result):
     if result["rows"] is None:
         print(f"{result['problem']}: FAILED: {result['fault']}", flush=True)
-        return
-    for row in result["rows"]:
+    for row in result["before"] if result["rows"] is None else result["rows"]:
         expected = f", expected {row['expected']}" if row["expected"] else ""
         error = f", error {row['error']}" if row["error"] else ""
         print(f"{report.verdict(row):12} {result['problem']}: {row['quantity']}: "
@@ -154,8 +168,8 @@ def write_report(results, who):
     for result in results:
         if result["rows"] is None:  # or the report would go on saying what once held
             row = Row("every deck runs", "yes", "no", "", "", result["fault"], False)
-            result = {"problem": result["problem"], "rows": [row.as_dict()], "figures": [],
-                      "runs": 0}
+            result = {"problem": result["problem"], "rows": [*result["before"], row.as_dict()],
+                      "figures": [], "runs": 0}
         path = HERE / result["problem"] / "result.json"
         path.write_text(json.dumps({**result, "program": who}, indent=1) + "\n")
     kept = [{**result, "readme": (HERE / result["problem"] / "README.md").read_text()}

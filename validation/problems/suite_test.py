@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """The judge is judged: verdicts, fits and turned decks of suite/."""
 
+import contextlib
+import io
 import math
 import sys
 import tempfile
@@ -58,16 +60,30 @@ def test_known_misses():
     with tempfile.TemporaryDirectory() as folder:
         problems.HERE = Path(folder)
         (problems.HERE / "x").mkdir()
-        (problems.HERE / "x" / "known_misses.json").write_text('{"way": "why"}')
-        rows = [{"quantity": "way", "holds": False, "note": ""},
-                {"quantity": "speed", "holds": False, "note": ""}]
-        problems.explain("x", rows)
-        assert [row["note"] for row in rows] == ["why", ""], rows
-        try:
-            problems.explain("x", rows[1:])
-        except AssertionError:
-            return
-        assert False, "a known miss that no row has"
+        (problems.HERE / "x" / "known_misses.json").write_text(
+            '{"way": {"between": [3, 4], "why": "why"}}')
+        rows = [{"quantity": quantity, "holds": False, "note": "", "reason": "", "value": value}
+                for quantity, value in (("way", 3.5), ("speed", 3.5), ("way", 4.1), ("way", math.nan),
+                                        ("way", None))]
+        assert problems.explain("x", rows) == [], rows
+        assert [row["note"] for row in rows] == ["why", "", "", "", ""], rows
+        absent = problems.explain("x", rows[1:2])
+        assert [(row.quantity, row.holds) for row in absent] == [("way", False)], absent
+
+
+def test_wrong_answers_are_misses():
+    """A limit outside its bracket, and a check that its deck's answer breaks."""
+    assert math.isnan(bisect(lambda v: v < 3, 0, 2, 1e-6))
+    assert math.isnan(bisect(lambda v: v < -1, 0, 2, 1e-6))
+    with tempfile.TemporaryDirectory() as folder:
+        problems.HERE = Path(folder) / "a" / "b"
+        (problems.HERE / "x").mkdir(parents=True)
+        (problems.HERE / "x" / "check.py").write_text(
+            "def check(case):\n    case.told('before', 1.0, '')\n    return {}[4.25]\n")
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            rows = problems.solve("x", Path("none"), False)["rows"]
+    assert [row["holds"] for row in rows] == [None, False], rows
+    assert rows[1]["ours"] == "no: KeyError: 4.25" and "check.py" in said.getvalue(), rows
 
 
 def test_turned_deck():
@@ -102,5 +118,6 @@ def test_fits():
     assert math.isnan(first_time(np.array([0, 1]), np.array([0, 0]), 1))
 
 
-for test in (test_verdicts, test_whose_rows, test_known_misses, test_turned_deck, test_reach, test_fits):
+for test in (test_verdicts, test_whose_rows, test_known_misses, test_wrong_answers_are_misses,
+             test_turned_deck, test_reach, test_fits):
     test()

@@ -23,6 +23,7 @@ class Row:
     reason: str
     holds: bool | None  # None: nothing known to compare with
     note: str = ""  # why it misses, if that is known (known_misses.json)
+    value: float | None = None  # ours, as a number: what a known miss is held to
 
     def as_dict(self):
         return asdict(self)
@@ -38,6 +39,11 @@ def number(value, unit=""):
         return str(value)
     text = f"{value:.6g}"
     return f"{text} {unit}".strip()
+
+
+def finite(value):
+    """As JSON knows it: None if it is no number."""
+    return float(value) if math.isfinite(value) else None
 
 
 def small(value):
@@ -89,17 +95,17 @@ class Case:
         self.rows.append(Row(quantity, number(expected, unit), number(ours, unit),
                              f"{small(error)} {told}".strip() if absolute else percent(error),
                              f"{small(within)} {told}".strip() if absolute else percent(within),
-                             because, holds))
+                             because, holds, value=finite(ours)))
 
     def at_most(self, quantity, bound, ours, because, unit=""):
         """A row: ours is at most the bound."""
         self.rows.append(Row(quantity, f"at most {number(bound, unit)}", number(ours, unit), "",
-                             "the bound", because, bool(ours <= bound)))
+                             "the bound", because, bool(ours <= bound), value=finite(ours)))
 
     def at_least(self, quantity, bound, ours, because, unit=""):
         """A row: ours is at least the bound."""
         self.rows.append(Row(quantity, f"at least {number(bound, unit)}", number(ours, unit), "",
-                             "the bound", because, bool(ours >= bound)))
+                             "the bound", because, bool(ours >= bound), value=finite(ours)))
 
     def compared(self, quantity, expected, ours, because, unit=""):
         """A row with an error but no verdict: the expected is of a model that is not ours."""

@@ -14,8 +14,10 @@ def order(steps, errors):
 
 
 def bisect(fails, low, high, width):
-    """Where `fails` turns from true (at low) to false (at high), to +-width / 2."""
-    assert fails(low) and not fails(high), "the limit is not between these"
+    """Where `fails` turns from true (at low) to false (at high), to +-width / 2; not a number if
+    it does not turn between them: a limit that far off misses."""
+    if not fails(low) or fails(high):
+        return float("nan")
     while high - low > width:
         middle = 0.5 * (low + high)
         if fails(middle):
