@@ -161,6 +161,11 @@ case $command in
         --report "$here/validation/reliability/SOAK"
     fi
     layers=${1:-100000}
+    [ "$(number "$layers")" -gt 0 ] || {
+      echo "go: error: validate has no part '$layers': predicates, reliability, bits, fuzz, soak," \
+           "rest, problems, or a number of layers" >&2
+      exit 2
+    }
     echo "building ..." >&2
     build release blocks robustness certificate_study distribution_study predicates
     code=0
