@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <utility>
 #include <variant>
@@ -12,8 +13,8 @@
 #include "dynamics/contact_lanes.hpp"
 #include "dynamics/step.hpp"
 #include "geometry/numeric_environment.hpp"
+#include "library/results_in_use.hpp"
 #include "output/checkpoint.hpp"
-#include "output/results.hpp"
 #include "run/builder.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
@@ -77,7 +78,8 @@ struct Simulation::State {
   dynamics::SearchBuffers buffers;
   std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
   std::vector<std::string> warnings;
-  std::map<std::string, output::ResultsWriter> results;  ///< by path
+  long changes = 0;  ///< from outside: cards and velocities
+  std::map<std::filesystem::path, library::ResultsInUse> results;  ///< by file
 
  private:
   run::MotionWatch watch_;
@@ -96,6 +98,7 @@ void Simulation::State::keep_warnings(const deck::Diagnostics& said) {
 }
 
 void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
+  ++changes;
   // Once on a copy, in which nothing moves: every fault is found before anything is
   // done.
   Model trial = model;
@@ -326,16 +329,17 @@ void Simulation::set_velocity(int block, const Eigen::Vector2d& velocity, double
         fmt::format("the velocity of block {} is not a number", block));
   all.velocity.col(b) = velocity;
   all.spin[b] = spin;
+  ++state_->changes;
 }
 
 void Simulation::write_frame(const std::string& path) {
   State& state = *state_;
   const Settings& settings = state.model.settings;
   const auto [file, begun] = state.results.try_emplace(
-      path, path,
+      library::file_of(path), path,
       output::RunIdentity{state.name, state.text, settings.title, BLOCKS_VERSION,
                           settings.seed});
-  file->second.write(state.model);
+  file->second.write(state.model, state.changes);
 }
 
 void Simulation::write_checkpoint(const std::string& path) const {

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "output/check_outputs.hpp"
 #include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
 #include "output/possible.hpp"
@@ -140,6 +141,7 @@ void keep_previous(const std::string& path) {
 
 void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info) {
+  expect_replaceable(path);
   TemporaryFile temporary(path + ".tmp");
   naming("write", path, [&] {
     hdf5::Handle file = hdf5::create_file(temporary.path(), seal_size);

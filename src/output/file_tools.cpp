@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "output/check_outputs.hpp"
+
 namespace blocks::output {
 namespace {
 
@@ -31,6 +33,8 @@ void throw_errno(const char* verb, const std::string& path) {
 }
 
 void move_file(const std::string& from, const std::string& to) {
+  expect_replaceable(from);
+  expect_replaceable(to);
   if (std::rename(from.c_str(), to.c_str()) != 0)
     throw_errno("write", to);
 }

@@ -26,7 +26,8 @@ auto naming(const char* verb, const std::string& path, Action&& action) {
 /// "cannot write NAME: " and the words for errno.
 [[noreturn]] void throw_errno(const char* verb, const std::string& path);
 
-/// Moves a file, replacing its target. Throws FileError.
+/// Moves a file, replacing its target. Throws FileError, also when one of the two is a
+/// device, a fifo or a folder.
 void move_file(const std::string& from, const std::string& to);
 
 /// A file that does not have its name yet; removed unless it takes one.

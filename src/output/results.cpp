@@ -10,6 +10,7 @@
 #include <map>
 #include <random>
 
+#include "output/check_outputs.hpp"
 #include "output/file_tools.hpp"
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"
@@ -354,6 +355,7 @@ std::string RunIdentity::deck_name() const {
 ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity,
                              std::string aside)
     : file_(std::make_unique<File>()) {
+  expect_replaceable(path);
   File& to = *file_;
   to.path = path;
   to.written_as = path + ".tmp";
@@ -431,8 +433,8 @@ ResultsWriter::~ResultsWriter() {
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 
-void ResultsWriter::write(const Model& model) {
-  if (file_->frames > 0 && file_->last_step == model.steps)
+void ResultsWriter::write(const Model& model, bool changed) {
+  if (!changed && file_->frames > 0 && file_->last_step == model.steps)
     return;
   naming("write", file_->path, [&] { file_->append(model); });
 }

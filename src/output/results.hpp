@@ -45,8 +45,9 @@ class ResultsWriter {
   /// deck_name() of the run that wrote it; empty likewise.
   static std::string deck_of(const std::string& path);
 
-  /// Appends the state; does nothing if a frame of this step is already the last one.
-  void write(const Model& model);
+  /// Appends the state; does nothing if a frame of this step is already the last one,
+  /// unless the state has `changed` since.
+  void write(const Model& model, bool changed = false);
   long frames() const;
 
  private:

@@ -14,6 +14,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/figure_page.hpp"
 #include "post/page_file.hpp"
@@ -153,6 +154,7 @@ void draw_movie(const std::string& path, const ResultsReader& results,
             height = even(options.width / Pen::page * page.height());
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
                         cairo_surface_destroy);
+  output::expect_replaceable(path);
   const std::string draft = path + ".tmp";
   Encoder encoder(ffmpeg(draft, std::filesystem::path(path).extension() == ".gif",
                          width, height, rate));

@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 
 namespace blocks::post {
@@ -31,6 +32,7 @@ void write_page(const std::string& path, double width, double height,
   if (ending != ".png" && ending != ".svg" && ending != ".pdf")
     throw std::runtime_error(
         "the figure's name must end in .png, .svg or .pdf, found '" + path + "'");
+  output::expect_replaceable(path);
   const std::string draft = path + ".tmp";
   const auto pixels = [](double size) { return static_cast<int>(std::ceil(size)); };
   Surface surface(
@@ -64,6 +66,7 @@ void write_page(const std::string& path, double width, double height,
 }
 
 void take_name(const std::string& draft, const std::string& path) {
+  output::expect_replaceable(path);
   std::error_code ignored;
   if (std::filesystem::is_regular_file(path, ignored))
     std::filesystem::rename(path, path + ".bak", ignored);

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/page_file.hpp"
 
@@ -17,8 +18,9 @@ namespace {
 
 }  // namespace
 
-WholeFile::WholeFile(std::string path)
-    : path_(std::move(path)), out_(path_ + ".tmp", std::ios::binary) {
+WholeFile::WholeFile(std::string path) : path_(std::move(path)) {
+  output::expect_replaceable(path_);
+  out_.open(path_ + ".tmp", std::ios::binary);
   if (!out_)
     cannot_write(path_);
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "output/check_outputs.hpp"
 #include "output/file_tools.hpp"
 
 namespace blocks::run {
@@ -20,6 +21,13 @@ std::string free_ending(const std::string& results, const std::string& deck) {
   }
 }
 
+/// The name, if the files that replace older ones may do so: found before the run.
+const std::string& replaceable(const std::string& name) {
+  for (const char* ending : {".vtkhdf", ".ckpt.h5", ".summary.json"})
+    output::expect_replaceable(name + ending);
+  return name;
+}
+
 /// What is told of older results that belong to another deck.
 std::string foreign(const std::string& results, const std::string& deck,
                     const std::string& ending) {
@@ -34,7 +42,7 @@ std::string foreign(const std::string& results, const std::string& deck,
 }  // namespace
 
 RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
-    : name_(name), identity_(identity),
+    : name_(replaceable(name)), identity_(identity),
       aside_(free_ending(results_path(), identity.deck_name())),
       put_aside_(foreign(results_path(), identity.deck_name(), aside_)),
       results_(

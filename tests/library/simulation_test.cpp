@@ -179,6 +179,33 @@ TEST(Simulation, WritesEachOfSeveralResults) {
   }
 }
 
+// A block made between two calls at one time is in the second frame; a state is not
+// written twice, and a file has one writer whatever it is called.
+TEST(Simulation, FramesAreNeitherLostNorMixed) {
+  const TemporaryFolder folder;
+  Simulation driven(stack);
+  const std::string file = folder / "w.vtkhdf";
+  driven.write_frame(file);
+  driven.write_frame(file);
+  driven.cards(rectangle(0, 4, 1, 5));
+  driven.write_frame((folder.path() / "." / "w.vtkhdf").string());
+  EXPECT_FALSE(std::filesystem::exists(file + ".bak"));
+  const Outcome told = blocks("history w.vtkhdf -q y:5 --csv", folder.path());
+  EXPECT_EQ(std::count(told.out.begin(), told.out.end(), '\n'), 3) << told.out;
+  EXPECT_THAT(told.out, HasSubstr("4.5")) << told.out;
+
+  Simulation other(stack);
+  try {
+    other.write_frame(file);
+    ADD_FAILURE() << "two Simulations write one file";
+  } catch (const std::runtime_error& fault) {
+    EXPECT_THAT(fault.what(), HasSubstr("another Simulation writes its frames there"));
+  }
+  driven = Simulation(stack);
+  other.write_frame(file);
+  EXPECT_TRUE(std::filesystem::exists(file + ".bak"));
+}
+
 // What deserves a warning on the command line deserves it here, with the card that is
 // to blame.
 TEST(Simulation, WarnsOfOverlap) {

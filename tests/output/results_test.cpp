@@ -3,9 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
+#include "output/checkpoint.hpp"
+#include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
 #include "post/results_reader.hpp"
 #include "sample_model.hpp"
@@ -239,6 +244,21 @@ TEST(Results, KeepsAnOlderFileAsBak) {
 }
 
 // The state of a run that went wrong is what one wants to look at.
+// A device that is replaced by a file is lost for the whole machine; a fifo stands for
+// it here.
+TEST(Results, ReplaceNothingThatIsNoRegularFile) {
+  const TemporaryFolder folder;
+  const std::string fifo = folder / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  const std::string expected =
+      "cannot write " + fifo + ": it is no regular file, and would be replaced by one";
+  EXPECT_EQ(file_error([&] { ResultsWriter(fifo, identity); }), expected);
+  EXPECT_EQ(file_error([&] { write_checkpoint(fifo, Model{}, {}); }), expected);
+  EXPECT_EQ(file_error([&] { move_file(fifo, fifo + ".bak"); }), expected);
+  EXPECT_TRUE(std::filesystem::is_fifo(fifo));
+  EXPECT_FALSE(std::filesystem::exists(fifo + ".tmp"));
+}
+
 TEST(Results, KeepsWhatIsNotANumber) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();

@@ -5,15 +5,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "output/results.hpp"
 #include "post/axes.hpp"
 #include "post/colour_map.hpp"
+#include "post/page_file.hpp"
 #include "post/quantity.hpp"
+#include "post/whole_file.hpp"
 
 namespace blocks::post {
 namespace {
@@ -138,6 +142,15 @@ TEST(Figure, WritesVectorFormatsWholeOrNotAtAll) {
   EXPECT_THROW(
       draw_frame(folder.file("none/a.png"), two_squares(), two_squares(), "", {}),
       std::runtime_error);
+}
+
+TEST(Figure, LeavesAFifoWhereItIs) {
+  const Folder folder;
+  const std::string fifo = folder.file("p.svg");
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  EXPECT_THROW(write_page(fifo, 10, 10, [](cairo_t*) {}), output::FileError);
+  EXPECT_THROW(WholeFile{fifo}, output::FileError);
+  EXPECT_TRUE(std::filesystem::is_fifo(fifo));
 }
 
 TEST(Figure, RefusalsNameWhatIsAvailable) {

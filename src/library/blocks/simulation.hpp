@@ -110,10 +110,15 @@ class Simulation {
 
   /// Appends the state as a frame to the results `path` (.vtkhdf), for `blocks plot`,
   /// ParaView and h5py. The first call with a path begins the file; an existing one is
-  /// kept as `path`.bak. Throws std::runtime_error.
+  /// kept as `path`.bak. A state that already is the last frame is not written again;
+  /// after cards() or set_velocity() there may be two frames of one time. Throws
+  /// std::runtime_error: the file cannot be written, is a folder, device or fifo, or
+  /// belongs to another Simulation of this program that still lives.
   void write_frame(const std::string& path);
 
-  /// Writes the state for RESTART, here or by `blocks run`. Throws std::runtime_error.
+  /// Writes the state for RESTART, here or by `blocks run`; an
+  /// existing one is kept as `path`.prev. Throws std::runtime_error: it cannot be
+  /// written, or is a folder, device or fifo.
   void write_checkpoint(const std::string& path) const;
 
  private:

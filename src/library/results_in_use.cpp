@@ -1,0 +1,48 @@
+#include "library/results_in_use.hpp"
+
+#include <mutex>
+#include <set>
+
+namespace blocks::library {
+namespace {
+
+struct Claims {
+  std::mutex guard;
+  std::set<std::filesystem::path> files;
+};
+
+/// Of the whole program: two Simulations may write from two threads.
+Claims& claims() {
+  static Claims all;
+  return all;
+}
+
+}  // namespace
+
+std::filesystem::path file_of(const std::string& path) {
+  std::error_code unknown;  // then the name as it is
+  const auto given = std::filesystem::absolute(path, unknown);
+  const auto folder = std::filesystem::weakly_canonical(given.parent_path(), unknown);
+  return unknown ? std::filesystem::path(path) : folder / given.filename();
+}
+
+FileClaim::FileClaim(const std::string& path) : file_(file_of(path)) {
+  Claims& all = claims();
+  const std::lock_guard lock(all.guard);
+  if (!all.files.insert(file_).second)
+    throw output::FileError("cannot write " + path +
+                            ": another Simulation writes its frames there");
+}
+
+FileClaim::~FileClaim() {
+  Claims& all = claims();
+  const std::lock_guard lock(all.guard);
+  all.files.erase(file_);
+}
+
+void ResultsInUse::write(const Model& model, long changes) {
+  writer_.write(model, changes != written_changes_);
+  written_changes_ = changes;
+}
+
+}  // namespace blocks::library
