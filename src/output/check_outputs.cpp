@@ -33,15 +33,4 @@ void check_outputs(const std::vector<std::string>& paths) {
   }
 }
 
-void expect_replaceable(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status there = fs::status(path, ignored);
-  if (fs::is_directory(there))
-    throw FileError("cannot write " + path +
-                    ": it is a folder, a file's name is needed");
-  if (fs::exists(there) && !fs::is_regular_file(there))
-    throw FileError("cannot write " + path +
-                    ": it is no regular file, and would be replaced by one");
-}
-
 }  // namespace blocks::output

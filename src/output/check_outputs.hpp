@@ -11,9 +11,4 @@ namespace blocks::output {
 /// the same. Nothing is opened: a full disk shows later.
 void check_outputs(const std::vector<std::string>& paths);
 
-/// For files that take their name when they are whole: what stands there would be
-/// replaced or moved aside. Throws FileError when it is neither a regular file nor
-/// nothing: a folder, a device, a fifo.
-void expect_replaceable(const std::string& path);
-
 }  // namespace blocks::output

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "output/check_outputs.hpp"
 #include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
 #include "output/possible.hpp"

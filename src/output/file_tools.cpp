@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "output/check_outputs.hpp"
-
 namespace blocks::output {
 namespace {
 
@@ -30,6 +28,17 @@ bool sync(const std::string& path, int flags) {
 void throw_errno(const char* verb, const std::string& path) {
   throw FileError(fmt::format("cannot {} {}: {}", verb, path,
                               std::generic_category().message(errno)));
+}
+
+void expect_replaceable(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(there))
+    throw FileError("cannot write " + path +
+                    ": it is a folder, a file's name is needed");
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    throw FileError("cannot write " + path +
+                    ": it is no regular file, and would be replaced by one");
 }
 
 void move_file(const std::string& from, const std::string& to) {

@@ -26,6 +26,11 @@ auto naming(const char* verb, const std::string& path, Action&& action) {
 /// "cannot write NAME: " and the words for errno.
 [[noreturn]] void throw_errno(const char* verb, const std::string& path);
 
+/// For files that take their name when they are whole: what stands there would be
+/// replaced or moved aside. Throws FileError when it is neither a regular file nor
+/// nothing: a folder, a device, a fifo.
+void expect_replaceable(const std::string& path);
+
 /// Moves a file, replacing its target. Throws FileError, also when one of the two is a
 /// device, a fifo or a folder.
 void move_file(const std::string& from, const std::string& to);

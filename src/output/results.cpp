@@ -10,7 +10,6 @@
 #include <map>
 #include <random>
 
-#include "output/check_outputs.hpp"
 #include "output/file_tools.hpp"
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"

@@ -14,7 +14,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "output/check_outputs.hpp"
+#include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "post/figure_page.hpp"
 #include "post/page_file.hpp"

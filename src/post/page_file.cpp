@@ -11,7 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "output/check_outputs.hpp"
+#include "output/file_tools.hpp"
 #include "output/results.hpp"
 
 namespace blocks::post {

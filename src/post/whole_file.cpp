@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "output/check_outputs.hpp"
+#include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "post/page_file.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "output/check_outputs.hpp"
 #include "output/file_tools.hpp"
 
 namespace blocks::run {
