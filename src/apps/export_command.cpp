@@ -43,11 +43,21 @@ bool is_results(const std::string& path) {
          (fs::is_regular_file(path) && post::fault_of_head(path).empty());
 }
 
-/// A listing of a run, which no deck begins like.
-bool is_listing(const std::string& path) {
-  std::string head;
-  return fs::is_regular_file(path) && std::getline(std::ifstream(path), head) &&
-         head.starts_with("BLOCKS ") && head.ends_with("two-dimensional block motion");
+/// What a file is that is neither deck nor results: a listing of a run, or no text;
+/// empty: it may be a deck.
+std::string neither(const std::string& path) {
+  std::string head(4096, ' ');
+  std::ifstream file(path);
+  if (!fs::is_regular_file(path) || !file)
+    return {};
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  if (head.find('\0') != std::string::npos)
+    return "neither a deck nor results of BLOCKS";
+  head.resize(std::min(head.find('\n'), head.size()));
+  return head.starts_with("BLOCKS ") && head.ends_with("two-dimensional block motion")
+             ? "a listing"
+             : "";
 }
 
 Scene scene_of(const Model& model) {
@@ -207,10 +217,10 @@ int export_blocks(ExportOptions options) {
       return tell_fault(fault);
     }
   } else {
-    if (is_listing(input))
-      return refuse(run::file_error,
-                    input + " is a listing; export reads results and decks" +
-                        post::results_nearby(input));
+    if (const std::string what = neither(input); !what.empty())
+      return refuse(run::file_error, input + " is " + what +
+                                         "; export reads results and decks" +
+                                         post::results_nearby(input));
     if (options.time)
       return refuse(run::usage_error, "--time is for results; a deck gives its blocks "
                                       "before the first step");

@@ -97,6 +97,10 @@ TEST_F(ExportTimes, RefusalsNameWhatIsAvailable) {
   EXPECT_EQ(listing.code, 5);
   EXPECT_THAT(listing.err, HasSubstr("fall.out is a listing; export reads results and "
                                      "decks\n  hint: results here: fall.vtkhdf"));
+  folder_.write("fall.bin", std::string("\x7f\0\1", 3));
+  const Outcome foreign = blocks("export fall.bin", folder_.path());
+  EXPECT_EQ(foreign.code, 5);
+  EXPECT_THAT(foreign.err, HasSubstr("neither a deck nor results of BLOCKS"));
 }
 
 }  // namespace
