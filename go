@@ -24,7 +24,8 @@ usage() {
                             what is promised of files and inputs, tested at length:
                             kills, full disks, failing memory, forged and mutated files
   ./go validate bits        ten decks: the same bits from g++ and clang++ at -O0, -O2, -O3,
-                            1 to 8 threads, every instruction set (--quick: two builds)
+                            1 to 8 threads, every instruction set (--quick: two builds,
+                            a tenth of the steps, one and two threads)
   ./go validate fuzz [TARGET[=N]...]
                             libFuzzer on every reader, 10,335,000 executions
   ./go validate soak [N]    the 850 blocks of subsidence for N steps (10000000)
