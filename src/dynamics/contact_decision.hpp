@@ -90,21 +90,22 @@ template <class Rules> class ContactDecision {
   /// own block reaches as far. Of
   /// two corners in each other's blocks, one shielded is enough.
   int acting_record(const ContactGroup& group) const {
-    const Nearest found = nearest_edges(group);
-    if (found.record < 0)
+    const int c = contacts_.corner[group.first], out = place(c, group.edge_block);
+    const int nearest = nearest_record(group, out);
+    if (nearest < 0)
       return -1;
-    const int edge = contacts_.edge[found.record];
-    if (Rules::overlap_sign(at(contacts_.corner[group.first]), at(edge), end(edge)) <=
-        0)
+    const int edge = contacts_.edge[nearest];
+    if (Rules::overlap_sign(at(c), at(edge), end(edge)) <= 0)
       return -1;
     if constexpr (Rules::shield)
-      if (found.next >= 0 && notch_record(group, found.record) < 0) {
-        const int c = contacts_.corner[group.first], next = contacts_.edge[found.next];
+      if (const int i = next_record(group, out, nearest);
+          i >= 0 && notch_record(group, nearest) < 0) {
+        const int next = contacts_.edge[i];
         if (shallow(c, next) &&
             (covered(c, edge, next) || partner_covered(c, edge, next)))
-          return found.next;
+          return i;
       }
-    return found.record;
+    return nearest;
   }
 
   /// The record that acts as well, for the corner has to come out of a notch, or -1.
@@ -123,11 +124,6 @@ template <class Rules> class ContactDecision {
   }
 
  private:
-  /// The two admissible records with the least depths, -1: none.
-  struct Nearest {
-    int record = -1, next = -1;
-  };
-
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 end(int edge) const { return at(blocks_.next[edge]); }
   Vec2 unit_along(int edge) const { return (end(edge) - at(edge)).normalized(); }
@@ -258,37 +254,51 @@ template <class Rules> class ContactDecision {
     return Rules::compare_depth(at(c), at(edge), end(edge), at(other), end(other)) < 0;
   }
 
-  Nearest nearest_edges(const ContactGroup& group) const {
-    const int c = contacts_.corner[group.first], block = group.edge_block;
-    Nearest found;
-    int out = none;
+  /// outside_of for the blocks that are taken as a whole.
+  int place(int c, int block) const {
     if (as_a_whole(block))
-      out = outside_of(at(c), block);
-    else if (reentrant(block) && !ReentrantBlock<Rules>(blocks_, block).holds(at(c)))
-      out = several;
+      return outside_of(at(c), block);
+    const bool outside =
+        reentrant(block) && !ReentrantBlock<Rules>(blocks_, block).holds(at(c));
+    return outside ? several : none;
+  }
+
+  /// In a notch a corner is as deep as below the deeper of both edges.
+  int depth_edge(int c, int edge) const {
+    const int block = blocks_.corner_block[edge];
+    if (!reentrant(block))
+      return edge;
+    const int other = ReentrantBlock<Rules>(blocks_, block).across_notch(at(c), edge);
+    return other >= 0 && nearer(c, edge, other) ? other : edge;
+  }
+  /// The depth below record i is less than below the other, if there is one.
+  bool precedes(int i, int other) const {
+    const int c = contacts_.corner[i];
+    return other < 0 || nearer(c, depth_edge(c, contacts_.edge[i]),
+                               depth_edge(c, contacts_.edge[other]));
+  }
+
+  /// The record with the least depth that may act, -1: none. out: place.
+  int nearest_record(const ContactGroup& group, int out) const {
+    const int c = contacts_.corner[group.first], block = group.edge_block;
+    int found = -1;
     if (out == several && !reentrant(block))
       return found;
-    // in a notch a corner is as deep as below the deeper of both edges
-    const auto depth_edge = [&](int i) {
-      const int e = contacts_.edge[i];
-      if (!reentrant(block))
-        return e;
-      const int f = ReentrantBlock<Rules>(blocks_, block).across_notch(at(c), e);
-      return f >= 0 && nearer(c, e, f) ? f : e;
-    };
-    const auto precedes = [&](int i, int other) {
-      return other < 0 || nearer(c, depth_edge(i), depth_edge(other));
-    };
-    const auto may = [&](int i) { return may_act(c, contacts_.edge[i], block, out); };
-    const bool inside = out == none;
     for (int i = group.first; i < group.last; ++i)
-      if (may(i) && precedes(i, found.record) &&
-          (!inside || comes_through(c, contacts_.edge[i])))
-        found.record = i;
-    for (int i = group.first; i < group.last && found.record >= 0; ++i)
-      if (i != found.record && may(i) && precedes(i, found.next) &&
-          !precedes(i, found.record))
-        found.next = i;
+      if (may_act(c, contacts_.edge[i], block, out) && precedes(i, found) &&
+          (out != none || comes_through(c, contacts_.edge[i])))
+        found = i;
+    return found;
+  }
+
+  /// The record that follows the nearest by its depth, -1: none.
+  int next_record(const ContactGroup& group, int out, int nearest) const {
+    const int c = contacts_.corner[group.first];
+    int found = -1;
+    for (int i = group.first; i < group.last; ++i)
+      if (i != nearest && may_act(c, contacts_.edge[i], group.edge_block, out) &&
+          precedes(i, found) && !precedes(i, nearest))
+        found = i;
     return found;
   }
 

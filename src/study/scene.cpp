@@ -119,20 +119,34 @@ Scene wall() {
   return draft.rests(0.5);
 }
 
-Scene floor_of_boxes() {
-  constexpr double speed = 10.0, friction = 0.4;
-  Draft draft("floor", "a box slides over a floor of boxes and is braked by friction",
-              1060);
+/// A box of 1 m slides over so many fixed ones at 10 m/s.
+Scene braked(Draft draft, double friction, int boxes) {
+  constexpr double speed = 10.0;
   draft.rub(friction, 0.2);
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; i < boxes; ++i)
     draft.box(i - 1, -1, 1, 1, true);
   const int b = draft.box(0, 0, 1, 1);
   draft.velocity(b, speed, 0);
   draft.gravity(0, -g);
-  return draft.moves(b, [](long k, double dt) {
+  return draft.moves(b, [friction](long k, double dt) {
     const double t = static_cast<double>(k) * dt;
     return Vec2(speed * t - 0.5 * friction * g * t * t, 0);
   });
+}
+
+Scene floor_of_boxes() {
+  return braked(
+      {"floor", "a box slides over a floor of boxes and is braked by friction", 1060},
+      0.4, 10);
+}
+
+Scene soft_floor() {
+  Draft draft("soft",
+              "a box slides over a floor of boxes so soft that it sinks in by 1 % of "
+              "their width",
+              600);
+  draft.stiffness(1e6);
+  return braked(draft, 0.1, 20);
 }
 
 Scene slot() {
@@ -174,25 +188,6 @@ Scene nose() {
   return draft.moves(b, [](long k, double dt) {
     return Vec2(0.15 * static_cast<double>(k) * static_cast<double>(k + 1) * dt * dt,
                 0);
-  });
-}
-
-Scene soft_floor() {
-  constexpr double speed = 10.0, friction = 0.1;
-  Draft draft("soft",
-              "a box slides over a floor of boxes so soft that it sinks in by 1 % of "
-              "their width",
-              600);
-  draft.stiffness(1e6);
-  draft.rub(friction, 0.2);
-  for (int i = 0; i < 20; ++i)
-    draft.box(i - 1, -1, 1, 1, true);
-  const int b = draft.box(0, 0, 1, 1);
-  draft.velocity(b, speed, 0);
-  draft.gravity(0, -g);
-  return draft.moves(b, [](long k, double dt) {
-    const double t = static_cast<double>(k) * dt;
-    return Vec2(speed * t - 0.5 * friction * g * t * t, 0);
   });
 }
 
