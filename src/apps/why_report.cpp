@@ -105,19 +105,24 @@ Json edges(const WhyScene& scene, const audit::ExactRules& rules,
   return list;
 }
 
-Json shield(const Blocks& blocks, const audit::Decision& decision) {
-  if (!decision.shield.asked)
-    return nullptr;
-  Json answer = {{"shielded", word(decision.shield.answer)}};
-  if (decision.shield.third >= 0) {
-    const int corner = decision.shield.corner;
-    answer["by_block"] = decision.shield.third + 1;
-    answer["corner"] = {{"block", blocks.corner_block[corner] + 1},
-                        {"corner", number(blocks, corner)}};
-    answer["depth"] = decision.shield.depth;
-    answer["reach"] = decision.shield.reach;
+Json shield(const Blocks& blocks, const audit::Shield& shield) {
+  Json answer = {{"hidden", word(shield.answer)}};
+  if (shield.third >= 0) {
+    answer["by_block"] = shield.third + 1;
+    answer["corner"] = {{"block", blocks.corner_block[shield.corner] + 1},
+                        {"corner", number(blocks, shield.corner)}};
+    answer["depth"] = shield.depth;
+    answer["reach"] = shield.reach;
   }
   return answer;
+}
+
+/// What closed joints hide: the nearest edge, or the corner.
+Json joints(const Blocks& blocks, const audit::Decision& decision) {
+  if (decision.possible.empty() || decision.notch >= 0)
+    return nullptr;
+  return {{"side", shield(blocks, decision.side)},
+          {"corner", shield(blocks, decision.hidden)}};
 }
 
 }  // namespace
@@ -188,7 +193,7 @@ std::string json(const WhyReport& report, const WhyScene& scene,
                      {"acting_across_notch", edge_number(blocks, decision.notch)},
                      {"nearest", edge_number(blocks, decision.nearest)},
                      {"next", edge_number(blocks, decision.next)},
-                     {"shield", shield(blocks, decision)},
+                     {"joints", joints(blocks, decision)},
                      {"edges", edges(scene, rules, decision)}});
   }
   const Json all = {

@@ -72,7 +72,7 @@ class Auditor {
   }
 
   void compare(const Decision& decision) {
-    found_.hanging += decision.shield.answer == Answer::either;
+    found_.hanging += decision.possible.size() > 1;
     const auto at = acting_.find({decision.corner, decision.block});
     std::vector<int> edges;
     if (at != acting_.end()) {
@@ -80,8 +80,7 @@ class Auditor {
       acting_.erase(at);
     }
     found_.acting += static_cast<long>(edges.size());
-    const bool none = decision.acting < 0;
-    if (edges.empty() && !none)
+    if (edges.empty() && !decision.allows(-1))
       found_.wrong.push_back({decision.corner, decision.block, -1, decision.acting});
     if (edges.size() == 1 && decision.notch >= 0)
       found_.wrong.push_back({decision.corner, decision.block, -1, decision.notch});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "audit/neighbours.hpp"
 
@@ -14,9 +15,6 @@ int compare_over_roots(const Whole& a, const Whole& p, const Whole& b, const Who
     return sign(a) > sign(b) ? 1 : -1;
   return sign(a) * (a * a * q).compare(b * b * p);
 }
-
-Answer both(Answer a, Answer b) { return std::min(a, b); }
-Answer one_of(Answer a, Answer b) { return std::max(a, b); }
 
 }  // namespace
 
@@ -285,17 +283,22 @@ ExactRules::Two ExactRules::nearest_edges(int corner, int block,
   Two found;
   if (!place.inside && place.beyond < 0 && blocks_.convex[block])
     return found;
-  std::vector<int> admitted;
+  std::vector<int> admitted, first;
   for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
     if (place.inside ? admits(corner, e) : admits_crossing(corner, e, place.beyond))
       admitted.push_back(e);
   for (const int e : admitted)
-    if ((!place.inside || comes_through(corner, e)) &&
-        (found.nearest < 0 || comes_before(corner, e, found.nearest)))
+    if (!place.inside || comes_through(corner, e))
+      first.push_back(e);
+  // those that the corner's block meets come first
+  const auto met = [&](int e) { return meets(e, blocks_.corner_block[corner]); };
+  if (place.inside && std::any_of(first.begin(), first.end(), met))
+    std::erase_if(first, std::not_fn(met));
+  for (const int e : first)
+    if (found.nearest < 0 || comes_before(corner, e, found.nearest))
       found.nearest = e;
   for (const int e : admitted)
     if (found.nearest >= 0 && e != found.nearest &&
-        !comes_before(corner, e, found.nearest) &&
         (found.next < 0 || comes_before(corner, e, found.next)))
       found.next = e;
   return found;
@@ -311,25 +314,14 @@ Decision ExactRules::decide(int corner, int block) const {
   decision.nearest = edges.nearest, decision.next = edges.next;
   if (edges.nearest < 0 || sign(area2(corner, edges.nearest)) <= 0)
     return decision;
-  decision.acting = edges.nearest;
+  decision.possible = {decision.acting = edges.nearest};
   if (!blocks_.convex[block]) {
     const int other = across_notch(corner, edges.nearest);
     if (other >= 0 && admits(corner, other) && sign(area2(corner, other)) > 0)
       decision.notch = other;
   }
-  if (edges.next < 0 || decision.notch >= 0)
-    return decision;
-  decision.as_well = edges.next;
-  decision.shield = covered(corner, block, edges.nearest, edges.next);
-  if (decision.shield.answer != Answer::yes)
-    if (Shield partner = partner_covered(corner, edges);
-        both(partner.answer, shallow(corner, edges.next)) > decision.shield.answer) {
-      decision.shield = partner;
-      decision.shield.answer = both(partner.answer, shallow(corner, edges.next));
-    }
-  decision.shield.asked = true;
-  if (decision.shield.answer == Answer::yes)
-    std::swap(decision.acting, decision.as_well);
+  if (decision.notch < 0)
+    look_at_joints(decision);
   return decision;
 }
 
@@ -373,161 +365,6 @@ EdgeStory ExactRules::examine(int corner, int edge) const {
   story.admissible =
       where.inside ? admits(corner, edge) : admits_crossing(corner, edge, where.beyond);
   return story;
-}
-
-// The shield of a closed joint. The program asks it in doubles; here differences of
-// points are exact before they are rounded, and answers within the rounding of the
-// program's numbers are `either`.
-
-namespace {
-
-/// Whether a number is at least zero, if it may be wrong by this much.
-Answer at_least_zero(double number, double error) {
-  return std::abs(number) <= error ? Answer::either
-         : number > 0.0            ? Answer::yes
-                                   : Answer::no;
-}
-
-double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-constexpr double most_depth = 0.03, most_way = 0.06, least_slope = 0.25,
-                 least_cosine = 0.95;
-
-}  // namespace
-
-/// The difference of two points, [L].
-Vec2 ExactRules::rounded(const Point& difference) const {
-  return {lattice_.rounded(difference.x, 1), lattice_.rounded(difference.y, 1)};
-}
-
-/// [L] What doubles may lose in a point shifted from a corner. A coordinate is rounded
-/// to 2^-53 of itself, and so are the handful of products behind the shift.
-double ExactRules::roundoff(int corner, int edge) const {
-  const Vec2 c = blocks_.corner.col(corner);
-  const double size =
-      rounded(along(edge)).norm() + (c - Vec2(blocks_.corner.col(edge))).lpNorm<1>();
-  return 0x1p-48 * (c.lpNorm<1>() + size);
-}
-
-/// The point that lies `shift` from the corner is inside the third block, and below an
-/// edge that runs along the surface by half to twice the depth.
-Answer ExactRules::goes_on(int third, int corner, const Vec2& shift,
-                           const Vec2& surface, double depth, double error) const {
-  Answer inside = Answer::yes, found = Answer::no;
-  for (int q = blocks_.first_corner[third]; q < blocks_.first_corner[third + 1]; ++q) {
-    const Vec2 edge = rounded(along(q));
-    const double length = edge.norm();
-    const Vec2 from = rounded(corner_[corner] - corner_[q]) + shift;
-    const double below = cross_of(from, edge) / length;
-    const double loss = error + roundoff(corner, q);
-    inside = both(inside, at_least_zero(below, loss));
-    const Answer runs = at_least_zero(edge.dot(surface) / length - least_cosine, 1e-12);
-    const Answer as_deep = both(at_least_zero(below - 0.5 * depth, loss),
-                                at_least_zero(2.0 * depth - below, 2.0 * loss));
-    const Answer long_enough =
-        at_least_zero(most_way * length - shift.norm(), 2.0 * loss);
-    found = one_of(found, both(runs, both(as_deep, long_enough)));
-  }
-  return both(inside, found);
-}
-
-/// The point that lies `shift` from the corner is in the block. Not convex: a ray
-/// upwards leaves it once more than it enters; near an edge nothing is certain.
-Answer ExactRules::reaches(int block, int corner, const Vec2& shift,
-                           double error) const {
-  Answer inside = Answer::yes;
-  bool odd = false, near = false;
-  for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
-    const Vec2 edge = rounded(along(q));
-    const Vec2 from = rounded(corner_[corner] - corner_[q]) + shift;
-    const double loss = error + roundoff(corner, q);
-    const double below = cross_of(from, edge) / edge.norm();
-    inside = both(inside, at_least_zero(below, loss));
-    if ((from.x() < 0.0) != (from.x() < edge.x()))
-      odd ^= from.y() < edge.y() / edge.x() * from.x();
-    const double place = std::clamp(from.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    near |= (from - place * edge).norm() <= loss;
-  }
-  if (blocks_.convex[block])
-    return inside;
-  return near ? Answer::either : odd ? Answer::yes : Answer::no;
-}
-
-/// The corner's own block is over the point, seen at three heights up to the surface.
-Answer ExactRules::reaches_over(int corner, const Vec2& shift, const Vec2& height,
-                                double error) const {
-  const int block = blocks_.corner_block[corner];
-  Answer over = Answer::no;
-  for (const double part : {0.05, 0.3, 0.75})
-    over = one_of(over, reaches(block, corner, shift + part * height, error));
-  return over;
-}
-
-/// Not too deep below the edge.
-Answer ExactRules::shallow(int corner, int edge) const {
-  const double most = most_depth * rounded(along(edge)).norm();
-  return at_least_zero(most - overlap(corner, edge), roundoff(corner, edge));
-}
-
-Shield ExactRules::covered(int corner, int block, int nearest, int next) const {
-  Shield shield;
-  shield.corner = corner;
-  const Vec2 e = rounded(along(nearest)), f = rounded(along(next));
-  const Vec2 side = e.normalized(), surface = f.normalized();
-  const double error = roundoff(corner, nearest) + roundoff(corner, next);
-  shield.depth = overlap(corner, next);
-  shield.reach = most_depth * f.norm();
-  const double slope = cross_of(side, surface);
-  const Answer here = both(at_least_zero(shield.reach - shield.depth, error),
-                           at_least_zero(std::abs(slope) - least_slope, 1e-12));
-  if (here == Answer::no)
-    return shield;
-  const Vec2 shift = (overlap(corner, nearest) + shield.depth) / slope * surface;
-  const Vec2 height = shield.depth * Vec2(-surface.y(), surface.x());
-  const Answer near = both(
-      at_least_zero(most_way * f.norm() - shift.norm(), 2.0 * error / std::abs(slope)),
-      reaches_over(corner, shift, height, 2.0 * error / std::abs(slope)));
-  for (const int third : near_[corner]) {
-    if (third == block || !blocks_.convex[third])
-      continue;
-    const Answer answer =
-        both(both(here, near), goes_on(third, corner, shift, surface, shield.depth,
-                                       error / std::abs(slope)));
-    if (answer > shield.answer) {
-      shield.answer = answer;
-      shield.third = third;
-    }
-  }
-  return shield;
-}
-
-/// The same for the corner between the two edges, if it lies in this corner's block: of
-/// the two edges that meet in this corner, the one whose direction is more opposed to
-/// the nearest edge is the side, the other the surface.
-Shield ExactRules::partner_covered(int corner, const Two& edges) const {
-  const int e = edges.nearest, f = edges.next, own = blocks_.corner_block[corner];
-  const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
-  if (partner < 0 || !place(partner, own).inside)
-    return {};
-  const int before = blocks_.previous[corner], after = corner;
-  const Whole a = dot(along(e), along(after)), b = dot(along(e), along(before));
-  const Whole a2 = length2(after), b2 = length2(before);
-  const bool swap = compare_over_roots(a, a2, b, b2) < 0;
-  const double difference =
-      (lattice_.rounded(a, 2) / std::sqrt(lattice_.rounded(a2, 2)) -
-       lattice_.rounded(b, 2) / std::sqrt(lattice_.rounded(b2, 2))) /
-      std::sqrt(lattice_.rounded(length2(e), 2));
-  const Shield faced = swap ? covered(partner, own, after, before)
-                            : covered(partner, own, before, after);
-  if (std::abs(difference) > 0x1p-48)
-    return faced;
-  const Shield other = swap ? covered(partner, own, before, after)
-                            : covered(partner, own, after, before);
-  if (other.answer == faced.answer)
-    return faced;
-  Shield unsure = other.answer > faced.answer ? other : faced;
-  unsure.answer = Answer::either;
-  return unsure;
 }
 
 }  // namespace blocks::audit

@@ -3,6 +3,7 @@
 // code with geometry/contact_predicates.hpp, its filters, or the contact list.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "audit/whole_numbers.hpp"
@@ -31,14 +32,13 @@ struct EdgeStory {
   bool admissible = false;     ///< all that are asked
 };
 
-/// Why the next nearest edge acts in place of the nearest, or not.
+/// Whether a closed joint hides the nearest edge, or the corner from it (rule 7).
 struct Shield {
   Answer answer = Answer::no;
-  bool asked = false;
-  int corner = -1;     ///< the corner, or its partner: the one that is shielded
-  int third = -1;      ///< the block that shields it
-  double depth = 0.0;  ///< [L] of the shielded corner below its next nearest edge
-  double reach = 0.0;  ///< [L] the greatest depth at which it can be shielded here
+  int corner = -1;     ///< that lies below the surface: the corner, or the toe in it
+  int third = -1;      ///< the block in which the surface goes on
+  double depth = 0.0;  ///< [L] how deep below the surface that corner lies
+  double reach = 0.0;  ///< [L] how deep it may be
 };
 
 /// What is decided for a corner and the edges of one block. Edges are named by their
@@ -49,15 +49,17 @@ struct Decision {
   /// It is outside, but a side of its block crosses a side beside the nearest edge.
   bool crossing = false;
   int nearest = -1, next = -1;  ///< admissible edges with the least depths
-  Shield shield;
+  Shield side;    ///< whether the nearest edge is hidden, as the side of a joint
+  Shield hidden;  ///< whether the corner is hidden from it, as the corner of a joint
   int acting = -1;
-  int notch = -1;    ///< acts as well: the other edge of a notch
-  int as_well = -1;  ///< the other edge that may act when the shield says `either`
+  int notch = -1;             ///< acts as well: the other edge of a notch
+  std::vector<int> possible;  ///< what may act, by the rounding of the joints; or -1
 
   bool acts(int edge) const { return edge >= 0 && (edge == acting || edge == notch); }
+  /// Edge -1: that none acts.
   bool allows(int edge) const {
     return edge == acting || acts(edge) ||
-           (shield.answer == Answer::either && edge == as_well);
+           std::find(possible.begin(), possible.end(), edge) != possible.end();
   }
 };
 
@@ -91,6 +93,13 @@ class ExactRules {
     bool inside = false;
     int beyond = -1;
   };
+  /// From a corner along a surface to beyond a side of it.
+  struct Way {
+    int corner, block;    ///< the block of side and surface
+    Vec2 shift, along;    ///< [L] the way; unit vector of the surface
+    double depth, error;  ///< [L] of the corner below the surface; of the shift
+    Answer possible;      ///< steep enough, and not too far
+  };
   Point along(int edge) const;
   Whole length2(int edge) const;
   Whole area2(int corner, int edge) const;
@@ -115,16 +124,20 @@ class ExactRules {
   bool comes_before(int corner, int edge, int other) const;
   Two nearest_edges(int corner, int block, const Place& place) const;
 
+  // exact_joint.cpp
+  void look_at_joints(Decision& decision) const;
+  Shield hides_side(int corner, int edge, int surface) const;
+  Shield hides_corner(int corner, int edge) const;
+  Shield hidden(int corner, int edge, int side, int surface) const;
+  int toe_of(int edge, int surface) const;
+  Shield goes_on(const Way& way, Answer inside) const;
+  Answer has_surface(int block, const Way& way) const;
+  Answer reaches_over(const Way& way) const;
+  Answer reaches(int block, int corner, const Vec2& shift, double error) const;
+  Answer shallow(int corner, int edge) const;
+  Way way(int corner, int side, int surface, double gap) const;
   Vec2 rounded(const Point& difference) const;
   double roundoff(int corner, int edge) const;
-  Answer shallow(int corner, int edge) const;
-  Answer goes_on(int third, int corner, const Vec2& shift, const Vec2& surface,
-                 double depth, double error) const;
-  Answer reaches_over(int corner, const Vec2& shift, const Vec2& height,
-                      double error) const;
-  Answer reaches(int block, int corner, const Vec2& shift, double error) const;
-  Shield covered(int corner, int block, int nearest, int next) const;
-  Shield partner_covered(int corner, const Two& edges) const;
 
   const Blocks& blocks_;
   std::vector<std::vector<int>> near_;

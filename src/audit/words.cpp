@@ -37,28 +37,52 @@ std::string outside(const ExactRules& rules, int corner, int block) {
                      block + 1, -least, number(blocks, edge));
 }
 
-std::string on_shield(const ExactRules& rules, const Decision& decision) {
+std::string what(const Blocks& blocks, const Decision& decision, int edge) {
+  return edge < 0 ? "no contact"
+                  : fmt::format("edge {} of block {}", number(blocks, edge),
+                                decision.block + 1);
+}
+
+std::string joint_words(const Blocks& blocks, const Shield& shield,
+                        const std::string& whom) {
+  return fmt::format(
+      "{} (a closed joint: the surface goes on in block {}; {} is {:.6g} "
+      "below it, at most {:.6g})",
+      whom, shield.third + 1, name_of(blocks, shield.corner), shield.depth,
+      shield.reach);
+}
+
+/// What closed joints hide here; empty: nothing that matters.
+std::string on_joints(const ExactRules& rules, const Decision& decision) {
   const Blocks& blocks = rules.blocks();
-  const Shield& shield = decision.shield;
-  const std::string nearest = std::to_string(number(blocks, decision.nearest));
-  const std::string next = std::to_string(number(blocks, decision.next));
-  if (shield.answer == Answer::no)
-    return fmt::format(
-        "shield: no third block lies beside edge {} here, so the nearest "
-        "edge counts",
-        nearest);
-  const std::string whose = shield.corner == decision.corner
-                                ? "the corner"
-                                : name_of(blocks, shield.corner) + ", its partner,";
-  const std::string what = shield.third < 0 ? std::string("a third block")
-                                            : fmt::format("block {}", shield.third + 1);
-  if (shield.answer == Answer::either)
-    return fmt::format("shield: whether {} shields edge {} hangs by the rounding of "
-                       "doubles; edge {} is as right",
-                       what, nearest, number(blocks, decision.as_well));
-  return fmt::format("shield: {} lies beside {} and shields edge {} (a closed joint: "
-                     "{:.6g} deep, at most {:.6g}); the next nearest, edge {}, acts",
-                     what, whose, nearest, shield.depth, shield.reach, next);
+  if (decision.possible.size() > 1) {
+    std::string which;
+    for (const int edge : decision.possible)
+      which += (which.empty() ? "" : " or ") + what(blocks, decision, edge);
+    return "joint: hangs by the rounding of doubles: " + which +
+           ", one as right as the "
+           "other";
+  }
+  const std::string then = decision.acting < 0
+                               ? "no edge acts"
+                               : fmt::format("the next nearest, edge {}, "
+                                             "acts",
+                                             number(blocks, decision.acting));
+  const int nearest = number(blocks, decision.nearest);
+  if (decision.side.answer == Answer::yes)
+    return joint_words(
+               blocks, decision.side,
+               fmt::format("joint: edge {} is hidden from the corner", nearest)) +
+           "; " + then;
+  if (decision.hidden.answer == Answer::yes)
+    return joint_words(
+               blocks, decision.hidden,
+               fmt::format("joint: the corner is hidden from edge {}", nearest)) +
+           "; " + then;
+  return decision.next < 0
+             ? ""
+             : fmt::format("joint: none hides edge {} here, so the nearest edge counts",
+                           nearest);
 }
 
 std::string numbers(const Blocks& blocks, const EdgeStory& edge) {
@@ -117,7 +141,8 @@ std::string verdict(const ExactRules& rules, const Decision& decision,
     return fmt::format("refused: not the nearest, and block {} does not reach it",
                        blocks.corner_block[decision.corner] + 1);
   if (edge.edge == decision.nearest)
-    return edge.overlap_sign > 0 ? "nearest, but shielded" : "nearest, but no overlap";
+    return edge.overlap_sign > 0 ? "nearest, but hidden by a joint"
+                                 : "nearest, but no overlap";
   return fmt::format("admitted, but edge {} is nearer",
                      number(blocks, decision.nearest));
 }
@@ -140,8 +165,9 @@ std::vector<std::string> story(const ExactRules& rules, const Decision& decision
     lines.push_back(fmt::format("edge {}: {}: {}", number(blocks, e),
                                 numbers(blocks, edge), verdict(rules, decision, edge)));
   }
-  if (decision.shield.asked)
-    lines.push_back(on_shield(rules, decision));
+  if (const std::string joints = on_joints(rules, decision);
+      !decision.possible.empty() && !joints.empty())
+    lines.push_back(joints);
   return lines;
 }
 

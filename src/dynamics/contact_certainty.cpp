@@ -106,6 +106,26 @@ double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int 
   return lead_travel(p, q, lead);
 }
 
+/// No closed joint hides corner c from edge e (ClosedJoint::hides_corner), for this
+/// travel at least: the edge runs along the surface, or its block lies too deep.
+double seen_travel(const Blocks& blocks, int c, int e) {
+  double travel = std::numeric_limits<double>::max();
+  const EdgeView edge(blocks, c, e);
+  for (const int own : {c, blocks.previous[c]}) {
+    const EdgeView surface(blocks, e, own), other(blocks, blocks.next[e], own);
+    const double sine = std::abs(geometry::cross(edge.along, surface.along));
+    const double lengths = edge.length * surface.length;
+    const double flat =
+        sign_travel((0.99 * least_flank * lengths - sine) / (1.0 + least_flank),
+                    edge.length, surface.length);
+    const EdgeView& lower = other.depth() > surface.depth() ? other : surface;
+    const double lead = lower.depth() - 1.01 * shielded_depth * lower.length;
+    const double deep = flat < travel ? lead_travel(lower, lower, lead) : 0.0;
+    travel = std::min(travel, std::max(flat, deep));
+  }
+  return travel;
+}
+
 /// The corner stays on its side of an edge, up to the slack: positive when inside.
 double side_travel(const Blocks& blocks, int corner, int edge) {
   const EdgeView view(blocks, corner, edge);
@@ -241,12 +261,16 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
       travel = std::min(
           travel,
           std::max(nearest, meeting_travel(blocks, edge, blocks.corner_block[c])));
+  if (travel > 0.0)
+    travel = std::min(travel, seen_travel(blocks, c, edge));
   for (int j = group.first; j < group.last && travel > 0.0; ++j) {
     if (j == i)
       continue;
     double others = -admissible_travel(blocks, contacts, j, travel);
     if (others < travel)
-      others = std::max(others, deeper_travel(blocks, contacts, j, i));
+      others = std::max(others,
+                        std::min(deeper_travel(blocks, contacts, j, i),
+                                 meeting_travel(blocks, edge, blocks.corner_block[c])));
     travel = std::min(travel, others);
   }
   if (travel <= 0.0 || edge != sides.edge || sides.least >= travel)

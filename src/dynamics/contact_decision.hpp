@@ -3,8 +3,7 @@
 // the time loop has the exact ones inlined and `blocks study` can ask others.
 #pragma once
 
-#include <utility>
-
+#include "dynamics/closed_joint.hpp"
 #include "dynamics/contact_groups.hpp"
 #include "dynamics/crossing_sides.hpp"
 #include "dynamics/reentrant_block.hpp"
@@ -57,22 +56,12 @@ struct ExactRules {
   }
 };
 
-/// Of the shield, as parts of the length of the edge along which a corner slides: how
-/// deep it is below that edge at most, and how far from it the place where the third
-/// block is asked; sine of the least angle between the side and the surface; cosine of
-/// the greatest between the surfaces of two blocks, 18 degrees.
-inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
-inline constexpr double least_slope = 0.25, least_cosine = 0.95;
-
-/// How far from an edge of a block a corner can be shielded at most, [L].
-double shield_reach(const Blocks& blocks, int block);
-
 /// Decides the groups of one list.
 template <class Rules> class ContactDecision {
  public:
   ContactDecision(const Blocks& blocks, const Contacts& contacts,
                   const ContactGroups& groups)
-      : blocks_(blocks), contacts_(contacts), groups_(groups) {}
+      : blocks_(blocks), contacts_(contacts), place_(blocks), joint_(blocks, groups) {}
 
   /// The record of the group that acts, or -1: the admissible edge with the least
   /// depth, if the corner is inside it (rule 12). Admissible: (20) holds for both
@@ -81,14 +70,12 @@ template <class Rules> class ContactDecision {
   /// convex block as a whole: the corner is inside all its edges, or outside of one
   /// that a side of its own block crosses (docs/departures.md). Where another edge of
   /// the block is nearer it has to meet the corner's block, which has else not come in
-  /// through it. Blocks that are not convex: ReentrantBlock.
+  /// through it; of several, one that meets it comes first. Blocks that are not convex:
+  /// ReentrantBlock.
   ///
-  /// Where a third block shields the nearest edge the next nearest acts: near a closed
-  /// joint a corner slides along the surface of both blocks and has not come through
-  /// the joint. Beyond the nearest edge, along the next one, lies a third block, and
-  /// the corner would be about as deep below a side of it that runs the same way; its
-  /// own block reaches as far. Of
-  /// two corners in each other's blocks, one shielded is enough.
+  /// What closed joints hide does not act (ClosedJoint): the next nearest edge acts in
+  /// place of a hidden side, and in place of a flank that a hidden corner does not
+  /// touch, unless that slopes as well.
   int acting_record(const ContactGroup& group) const {
     const int c = contacts_.corner[group.first], out = place(c, group.edge_block);
     const int nearest = nearest_record(group, out);
@@ -97,14 +84,8 @@ template <class Rules> class ContactDecision {
     const int edge = contacts_.edge[nearest];
     if (Rules::overlap_sign(at(c), at(edge), end(edge)) <= 0)
       return -1;
-    if constexpr (Rules::shield)
-      if (const int i = next_record(group, out, nearest);
-          i >= 0 && notch_record(group, nearest) < 0) {
-        const int next = contacts_.edge[i];
-        if (shallow(c, next) &&
-            (covered(c, edge, next) || partner_covered(c, edge, next)))
-          return i;
-      }
+    if (Rules::shield && notch_record(group, nearest) < 0)
+      return seen_record(group, out, nearest);
     return nearest;
   }
 
@@ -124,28 +105,16 @@ template <class Rules> class ContactDecision {
   }
 
  private:
+  using Place = PlaceInBlock<Rules>;
+  static constexpr int none = Place::none, several = Place::several;
+
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 end(int edge) const { return at(blocks_.next[edge]); }
-  Vec2 unit_along(int edge) const { return (end(edge) - at(edge)).normalized(); }
   bool as_a_whole(int block) const {
     return Rules::whole_block && blocks_.convex[block];
   }
   bool reentrant(int block) const {
     return Rules::whole_block && !blocks_.convex[block];
-  }
-
-  /// Which edges of a convex block the point is outside of, up to the slack: the only
-  /// one, none or several.
-  static constexpr int none = -1, several = -2;
-  int outside_of(const Vec2& point, int block) const {
-    int out = none;
-    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
-      if (!Rules::inside_edge(point, at(e), end(e))) {
-        if (out != none)
-          return several;
-        out = e;
-      }
-    return out;
   }
 
   /// (20) for both tangents.
@@ -173,7 +142,7 @@ template <class Rules> class ContactDecision {
         return true;
       cut = cut || out < 0;
     }
-    return convex ? cut : holds(p1, block);
+    return convex ? cut : place_.holds(p1, block);
   }
   /// Whether another edge of the block is nearer to a corner inside.
   bool nearer_edge(int c, int edge) const {
@@ -250,6 +219,20 @@ template <class Rules> class ContactDecision {
            acts_beside_crossing(c, edge, blocks_.next[edge]);
   }
 
+  /// The record that acts where closed joints hide the nearest edge, or the corner: the
+  /// nearest, the next, or -1.
+  int seen_record(const ContactGroup& group, int out, int nearest) const {
+    const int c = contacts_.corner[nearest], edge = contacts_.edge[nearest];
+    const int i = next_record(group, out, nearest);
+    const int next = i < 0 ? -1 : contacts_.edge[i];
+    if (next >= 0 && joint_.hides_side(c, edge, next))
+      return i;
+    if (!joint_.hides_corner(c, edge))
+      return nearest;
+    return next >= 0 && joint_.shallow(c, next) && !joint_.hides_corner(c, next) ? i
+                                                                                 : -1;
+  }
+
   bool nearer(int c, int edge, int other) const {
     return Rules::compare_depth(at(c), at(edge), end(edge), at(other), end(other)) < 0;
   }
@@ -257,7 +240,7 @@ template <class Rules> class ContactDecision {
   /// outside_of for the blocks that are taken as a whole.
   int place(int c, int block) const {
     if (as_a_whole(block))
-      return outside_of(at(c), block);
+      return place_.outside_of(at(c), block);
     const bool outside =
         reentrant(block) && !ReentrantBlock<Rules>(blocks_, block).holds(at(c));
     return outside ? several : none;
@@ -278,121 +261,51 @@ template <class Rules> class ContactDecision {
                                depth_edge(c, contacts_.edge[other]));
   }
 
-  /// The record with the least depth that may act, -1: none. out: place.
+  /// The record with the least depth that may act, -1: none. out: place. Of several
+  /// one whose edge meets the corner's block comes first.
   int nearest_record(const ContactGroup& group, int out) const {
     const int c = contacts_.corner[group.first], block = group.edge_block;
-    int found = -1;
+    int found = -1, others = -1;
     if (out == several && !reentrant(block))
       return found;
+    const auto may = [&](int i) {
+      return may_act(c, contacts_.edge[i], block, out) &&
+             (out != none || comes_through(c, contacts_.edge[i]));
+    };
     for (int i = group.first; i < group.last; ++i)
-      if (may_act(c, contacts_.edge[i], block, out) && precedes(i, found) &&
-          (out != none || comes_through(c, contacts_.edge[i])))
-        found = i;
-    return found;
+      if (may(i)) {
+        ++others;
+        if (precedes(i, found))
+          found = i;
+      }
+    if (!Rules::far_edges_meet || out != none || others < 1 || has_met(c, found))
+      return found;
+    int met = -1;
+    for (int i = group.first; i < group.last; ++i)
+      if (i != found && may(i) && precedes(i, met) && has_met(c, i))
+        met = i;
+    return met < 0 ? found : met;
+  }
+  bool has_met(int c, int i) const {
+    return meets(contacts_.edge[i], blocks_.corner_block[c]);
   }
 
-  /// The record that follows the nearest by its depth, -1: none.
+  /// Of the other records that may act, met or not, that with the least depth, -1:
+  /// none.
   int next_record(const ContactGroup& group, int out, int nearest) const {
     const int c = contacts_.corner[group.first];
     int found = -1;
     for (int i = group.first; i < group.last; ++i)
       if (i != nearest && may_act(c, contacts_.edge[i], group.edge_block, out) &&
-          precedes(i, found) && !precedes(i, nearest))
+          precedes(i, found))
         found = i;
     return found;
   }
 
-  bool holds(const Vec2& point, int block) const {
-    return blocks_.convex[block] ? outside_of(point, block) == none
-                                 : ReentrantBlock<Rules>(blocks_, block).holds(point);
-  }
-
-  double depth_below(int c, int edge) const {
-    return geometry::cross(at(c) - at(edge), unit_along(edge));
-  }
-  /// Not too deep below the edge for a shield.
-  bool shallow(int c, int edge) const {
-    return depth_below(c, edge) <= shielded_depth * (end(edge) - at(edge)).norm();
-  }
-
-  static Vec2 outwards(const Vec2& along) { return {-along.y(), along.x()}; }
-
-  /// Whether a point is in a block, rounded.
-  bool reaches(int block, const Vec2& point) const {
-    if (!blocks_.convex[block])
-      return holds(point, block);
-    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
-      if (!(geometry::cross(point - at(e), end(e) - at(e)) >= 0.0))
-        return false;
-    return true;
-  }
-
-  /// Whether a block is over a point as deep as its corner: its face may lean by 20
-  /// degrees, its nose be sharp.
-  bool reaches_over(int block, const Vec2& point, const Vec2& to_surface) const {
-    for (const double part : {0.05, 0.3, 0.75})
-      if (reaches(block, point + part * to_surface))
-        return true;
-    return false;
-  }
-
-  /// Whether a third block shields edge e from corner c: beyond it, along edge f of the
-  /// same block, it goes on with a side of its own, and the corner's block over it.
-  bool covered(int c, int e, int f) const {
-    if (!shallow(c, f))
-      return false;
-    const Vec2 side = unit_along(e), surface = unit_along(f);
-    const double slope = geometry::cross(side, surface);  // along e's outward normal
-    if (std::abs(slope) < least_slope)
-      return false;
-    const double depth = depth_below(c, f), way = (depth_below(c, e) + depth) / slope;
-    if (!(std::abs(way) <= shielded_way * (end(f) - at(f)).norm()))
-      return false;
-    const Vec2 there = at(c) + way * surface;
-    if (!reaches_over(blocks_.corner_block[c], there, depth * outwards(surface)))
-      return false;
-    for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
-      const int third = groups_.all[groups_.by_corner[k]].edge_block;
-      if (third != blocks_.corner_block[e] && blocks_.convex[third] &&
-          goes_on(third, there, surface, depth, std::abs(way)))
-        return true;
-    }
-    return false;
-  }
-
-  /// Whether the point is inside a block, and about as deep below an edge of it that
-  /// runs along the surface; the way there is short enough for the block to be listed.
-  bool goes_on(int block, const Vec2& point, const Vec2& surface, double depth,
-               double way) const {
-    bool found = false;
-    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1];
-         ++e) {
-      const Vec2 edge = end(e) - at(e);
-      const double length = edge.norm();
-      const double below = geometry::cross(point - at(e), edge) / length;
-      if (!(below >= 0.0))
-        return false;
-      found |= edge.dot(surface) > least_cosine * length && below >= 0.5 * depth &&
-               below <= 2.0 * depth && way <= shielded_way * length;
-    }
-    return found;
-  }
-
-  /// `covered` for the corner between e and f, if it lies in the block of corner c.
-  bool partner_covered(int c, int e, int f) const {
-    const int partner = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
-    if (partner < 0 || !holds(at(partner), blocks_.corner_block[c]))
-      return false;
-    // of the two edges that meet in c the one that faces ours is the side
-    int side = blocks_.previous[c], surface = c;
-    if (unit_along(e).dot(unit_along(surface)) < unit_along(e).dot(unit_along(side)))
-      std::swap(side, surface);
-    return covered(partner, side, surface);
-  }
-
   const Blocks& blocks_;
   const Contacts& contacts_;
-  const ContactGroups& groups_;
+  const PlaceInBlock<Rules> place_;
+  const ClosedJoint<Rules> joint_;
 };
 
 /// ContactDecision<ExactRules>::acting_record, compiled once.

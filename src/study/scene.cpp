@@ -191,6 +191,22 @@ Scene nose() {
   });
 }
 
+Scene tip() {
+  constexpr double speed = 3.0;
+  Draft draft("tip", "a tip strikes a floor of boxes and glides over a joint", 600);
+  draft.stiffness(1e9);
+  for (int i = 0; i < 4; ++i)
+    draft.box(0.5 * i - 1, -1, 0.5, 1, true);
+  // its middle over the tip, so that it does not turn; at the joint when it is deepest
+  const double side = 0.4 * std::tan(std::numbers::pi / 6.0), start = -0.0045;
+  const int b =
+      draft.add({{start, 0.001}, {start - side, 0.401}, {start + side, 0.401}}, false);
+  draft.velocity(b, speed, -speed);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(speed * static_cast<double>(k) * dt, 0);
+  });
+}
+
 Scene needle() {
   constexpr double speed = 3.0, width = 0.02;
   const double c = std::cos(std::numbers::pi / 18.0),
@@ -272,7 +288,8 @@ constexpr std::array scenes = {Named{"figure4b", figure4b},
                                Named{"needle", needle},
                                Named{"slot", slot},
                                Named{"plate", plate},
-                               Named{"nose", nose}};
+                               Named{"nose", nose},
+                               Named{"tip", tip}};
 
 }  // namespace
 

@@ -63,7 +63,7 @@ TEST(Audit, SlidingOverJointsIsClean) {
       const int first = step.before.first_corner[box];
       for (const int corner : {first, first + 3})
         for (const int b : rules.near(corner))
-          shields += rules.decide(corner, b).shield.answer == audit::Answer::yes;
+          shields += rules.decide(corner, b).side.answer == audit::Answer::yes;
     }
   }
   EXPECT_GT(shields, 100);
@@ -123,7 +123,9 @@ TEST_F(Injected, MissedPairThatDoesNotTouchYet) {
   const Contacts& contacts = scene.model.contacts;
   const auto between = [&](int i) {
     const double d = rules.overlap(contacts.corner[i], contacts.edge[i]);
-    return !contacts.active[i] && d < -0.01 && d > -0.05 &&
+    const double along = rules.examine(contacts.corner[i], contacts.edge[i]).along;
+    return !contacts.active[i] && d < -1e-4 && d > -0.05 && along > 0.0 &&
+           along < 1.0 &&
            rules.decide(contacts.corner[i], contacts.edge_block[i]).acting < 0;
   };
   int found_any = 0;

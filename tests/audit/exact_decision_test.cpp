@@ -88,9 +88,9 @@ TEST(ExactDecision, AClosedJointIsShielded) {
     const auto decision = ExactRules(scene.model.blocks, 0.2).decide(corner, 0);
     EXPECT_EQ(decision.nearest, 2);  // the right side
     EXPECT_EQ(decision.next, 1);     // the top
-    EXPECT_EQ(decision.shield.answer, closed ? Answer::yes : Answer::no);
+    EXPECT_EQ(decision.side.answer, closed ? Answer::yes : Answer::no);
     EXPECT_EQ(decision.acting, closed ? 1 : 2);
-    EXPECT_EQ(decision.shield.third, closed ? 1 : -1);
+    EXPECT_EQ(decision.side.third, closed ? 1 : -1);
   }
 }
 

@@ -164,7 +164,7 @@ TEST(Variants, FailWhereTheyMust) {
         Known{"diagonal", "no-nearest", true}, Known{"floor", "report-exact", true},
         Known{"floor", "no-nearest", true}, Known{"floor", "no-shield", true},
         Known{"soft", "no-shield", true}, Known{"needle", "no-meeting", true},
-        Known{"slab", "keep", true}, Known{"wall", "no-20", false}}) {
+        Known{"slab", "keep", true}, Known{"stack", "no-20", false}}) {
     const Row row =
         run_study(make_scene(known.scene), choice_of({known.variant}, 6)).rows[0];
     EXPECT_GE(known.hangs ? row.hung : row.fell, 5) << known.scene << known.variant;

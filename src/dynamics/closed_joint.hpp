@@ -1,0 +1,183 @@
+// What a closed joint hides (docs/theory.md, rule 7): where the surface of a block goes
+// on in the block beside it, the side between them is no surface and the corner at its
+// end no corner. Decided in doubles; the audit knows by how much they may be wrong.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/contact_groups.hpp"
+#include "dynamics/place_in_block.hpp"
+#include "geometry/vec2.hpp"
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// As parts of the length of the surface: how deep below it a joint hides anything at
+/// most, and how far away the block beside the joint is asked.
+inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
+/// Sine of the least angle between a surface and a side of the joint; and of that
+/// between the surface and a flank, 1.1 degrees: a base lies flat on the joint's corners
+/// and feels them. Cosine of the greatest angle between the surfaces of two blocks, 18
+/// degrees.
+inline constexpr double least_slope = 0.25, least_flank = 0.02, least_cosine = 0.95;
+
+/// How far from an edge of a block a corner can be shielded at most, [L].
+double shield_reach(const Blocks& blocks, int block);
+
+/// Rules: as ExactRules.
+template <class Rules> class ClosedJoint {
+ public:
+  ClosedJoint(const Blocks& blocks, const ContactGroups& groups)
+      : blocks_(blocks), groups_(groups) {}
+
+  /// Not too deep below the edge for a joint to hide anything.
+  bool shallow(int c, int edge) const {
+    return depth_below(c, edge) <= shielded_depth * (end(edge) - at(edge)).norm();
+  }
+
+  /// Edge e is hidden from corner c, which slides along f, the surface: beyond e the
+  /// surface goes on in a third block, and the corner's own block lies over it.
+  bool hides_side(int c, int e, int f) const {
+    if (!shallow(c, f))
+      return false;
+    const double depth = depth_below(c, f);
+    for (const double part : {1.0, 0.25, 0.0625})
+      if (reaches_over(c, e, f, part * depth) && goes_on(c, e, f, part * depth, true))
+        return true;
+    return false;
+  }
+
+  /// Corner c is hidden from edge e, a flank that slopes to the surface of c's block:
+  /// beyond a side of c the surface goes on in a third block, and the toe below the
+  /// flank is in one of the two. Narrower than c overlaps, the joint is closed; else
+  /// the flank's block has to lie over it.
+  bool hides_corner(int c, int e) const {
+    const int before = blocks_.previous[c];
+    return hidden(c, e, before, c) || hidden(c, e, c, before);
+  }
+
+ private:
+  Vec2 at(int corner) const { return blocks_.corner.col(corner); }
+  Vec2 end(int edge) const { return at(blocks_.next[edge]); }
+  Vec2 unit_along(int edge) const { return (end(edge) - at(edge)).normalized(); }
+  static Vec2 outwards(const Vec2& along) { return {-along.y(), along.x()}; }
+  double depth_below(int c, int edge) const {
+    return geometry::cross(at(c) - at(edge), unit_along(edge));
+  }
+  bool holds(const Vec2& point, int block) const {
+    return PlaceInBlock<Rules>(blocks_).holds(point, block);
+  }
+
+  /// `hides_corner` for one way to read the two edges that meet in c.
+  bool hidden(int c, int e, int side, int surface) const {
+    if (std::abs(geometry::cross(unit_along(e), unit_along(surface))) < least_flank)
+      return false;
+    const int toe = toe_of(e, surface);
+    if (toe < 0 || !shallow(toe, surface))
+      return false;
+    const double depth = depth_below(toe, surface);
+    const double closed = std::min(depth, depth_below(c, e));
+    const bool inside = holds(at(toe), blocks_.corner_block[c]);
+    return depth > 0.0 && (goes_on(toe, side, surface, closed, inside) ||
+                           (inside && reaches_over(toe, side, surface, depth) &&
+                            goes_on(toe, side, surface, depth, true)));
+  }
+
+  /// From the end of edge e that lies deeper below the surface on, the first corner of
+  /// its block that faces the surface by (20); -1: none.
+  int toe_of(int e, int surface) const {
+    const int next = blocks_.next[e];
+    const bool forward = depth_below(next, surface) > depth_below(e, surface);
+    const Vec2 p1 = at(surface), p2 = end(surface);
+    int toe = forward ? next : e;
+    for (int left = blocks_.corners_of(blocks_.corner_block[e]); left > 0; --left) {
+      if (Rules::faces_edge(at(toe), at(blocks_.previous[toe]), p1, p2) &&
+          Rules::faces_edge(at(toe), at(blocks_.next[toe]), p1, p2))
+        return toe;
+      toe = forward ? blocks_.next[toe] : blocks_.previous[toe];
+    }
+    return -1;
+  }
+
+  /// From corner c along the surface to `gap` beyond the side, [L]; of no use where the
+  /// side does not slope to the surface or where that is too far.
+  struct Way {
+    Vec2 along;
+    double length;
+    bool possible;
+  };
+  Way way(int c, int side, int surface, double gap) const {
+    const Vec2 along = unit_along(surface);
+    const double slope = geometry::cross(unit_along(side), along);
+    const double length = (depth_below(c, side) + gap) / slope;
+    return {along, length,
+            std::abs(slope) >= least_slope &&
+                std::abs(length) <= shielded_way * (end(surface) - at(surface)).norm()};
+  }
+
+  /// Whether beyond the side the surface goes on in a third block that is listed for
+  /// corner c; it has to hold the corner unless the block itself does.
+  bool goes_on(int c, int side, int surface, double gap, bool inside) const {
+    const Way there = way(c, side, surface, gap);
+    if (!there.possible)
+      return false;
+    const Vec2 point = at(c) + there.length * there.along;
+    for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
+      const int third = groups_.all[groups_.by_corner[k]].edge_block;
+      if (third != blocks_.corner_block[side] && blocks_.convex[third] &&
+          has_surface(third, point, there.along, depth_below(c, surface),
+                      std::abs(there.length)) &&
+          (inside || holds(at(c), third)))
+        return true;
+    }
+    return false;
+  }
+
+  /// Whether the point is inside a block, and about as deep below an edge of it that
+  /// runs along the surface; the way there is short enough for the block to be listed.
+  bool has_surface(int block, const Vec2& point, const Vec2& surface, double depth,
+                   double way) const {
+    bool found = false;
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1];
+         ++e) {
+      const Vec2 edge = end(e) - at(e);
+      const double length = edge.norm();
+      const double below = geometry::cross(point - at(e), edge) / length;
+      if (!(below >= 0.0))
+        return false;
+      found |= edge.dot(surface) > least_cosine * length && below >= 0.5 * depth &&
+               below <= 2.0 * depth && way <= shielded_way * length;
+    }
+    return found;
+  }
+
+  /// Whether the block of corner c lies over the place beyond the side, seen at four
+  /// heights up to the surface: its face may lean, its nose be sharp.
+  bool reaches_over(int c, int side, int surface, double gap) const {
+    const Way there = way(c, side, surface, gap);
+    if (!there.possible)
+      return false;
+    const Vec2 point = at(c) + there.length * there.along;
+    const Vec2 to_surface = depth_below(c, surface) * outwards(there.along);
+    for (const double part : {0.05, 0.3, 0.75, 0.97})
+      if (reaches(blocks_.corner_block[c], point + part * to_surface))
+        return true;
+    return false;
+  }
+
+  /// Whether a point is in a block, rounded.
+  bool reaches(int block, const Vec2& point) const {
+    if (!blocks_.convex[block])
+      return holds(point, block);
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      if (!(geometry::cross(point - at(e), end(e) - at(e)) >= 0.0))
+        return false;
+    return true;
+  }
+
+  const Blocks& blocks_;
+  const ContactGroups& groups_;
+};
+
+}  // namespace blocks::dynamics
