@@ -73,6 +73,11 @@ class Auditor {
 
   void compare(const Decision& decision) {
     found_.hanging += decision.possible.size() > 1;
+    if (decision.hidden.answer != Answer::no) {
+      double& depth =
+          by_joint_[std::minmax(blocks_.corner_block[decision.corner], decision.block)];
+      depth = std::max(depth, decision.hidden.depth);
+    }
     const auto at = acting_.find({decision.corner, decision.block});
     std::vector<int> edges;
     if (at != acting_.end()) {
@@ -133,8 +138,13 @@ class Auditor {
       if (!blocks_.is_free(a) && !blocks_.is_free(b))
         continue;
       const Held& by = held[{a, b}];
-      const ExcessOverlap excess{
-          a, b, overlap.depth, by.depth, by.pressed, overlap.area, overlap.place};
+      const ExcessOverlap excess{a,
+                                 b,
+                                 overlap.depth,
+                                 std::max(by.depth, by_joint_[{a, b}]),
+                                 by.pressed,
+                                 overlap.area,
+                                 overlap.place};
       if (excess.excess() > found_.worst.excess())
         found_.worst = excess;
       if (excess.excess() > slack(a, b))
@@ -176,6 +186,7 @@ class Auditor {
   double promise_;
   ExactRules rules_;
   std::set<Pair> listed_;                    ///< corner, edge
+  std::map<Pair, double> by_joint_;          ///< blocks: how deep a toe is in a joint
   std::map<Pair, std::vector<int>> acting_;  ///< corner, block: edges not seen yet
   std::vector<geometry::BlockOverlap> overlaps_;
   Findings found_;

@@ -26,7 +26,7 @@ struct WrongDecision {
 struct ExcessOverlap {
   int first = 0, second = 0;  ///< first < second
   double depth = 0.0;         ///< [L] shortest shift that separates the two
-  double explained = 0.0;     ///< [L] deepest acting contact between them
+  double explained = 0.0;     ///< [L] deepest acting contact, or toe at a joint
   double pressed = 0.0;       ///< [L] of its springs, FN / Kn, the largest
   double area = 0.0;          ///< [L^2] of the overlap
   Vec2 place = Vec2::Zero();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "dynamics/contact_decision.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -41,11 +42,15 @@ inline double facing_travel(const Blocks& blocks, int c, int neighbour,
   return sign_travel(value / (1.0 + sine), edge.length, length);
 }
 
-/// A lead of the depth below one edge over that below another is not lost.
+/// A lead that falls by at most twice `growth` for each length of travel is not lost.
+double lead_travel(double lead, double growth, double distances) {
+  const double travel = 0.4 * lead / growth;
+  return travel > 1e-9 * distances ? travel : 0.0;
+}
+/// The same of the depth below one edge over that below another.
 double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
-  const double growth = 2.0 * (1.0 + p.distance / p.length + q.distance / q.length);
-  const double travel = 0.8 * lead / growth;
-  return travel > 1e-9 * (p.distance + q.distance) ? travel : 0.0;
+  return lead_travel(lead, 1.0 + p.distance / p.length + q.distance / q.length,
+                     p.distance + q.distance);
 }
 
 /// The edge keeps meeting a block (ContactDecision::meets); asked of convex ones.
@@ -62,6 +67,28 @@ double meeting_travel(const Blocks& blocks, int edge, int block) {
     apart = std::min(apart, std::max(inside(edge, q), inside(blocks.next[edge], q)));
   }
   return std::min(cut, apart);
+}
+
+/// The edge meets the block of corner c as long as c is inside of it: a side of that
+/// block that ends in c crosses the edge, or all of them are asked, for `enough`.
+double meeting_inside_travel(const Blocks& blocks, int c, int edge, double enough) {
+  const auto inside = [&](int corner, int side) {
+    const EdgeView view(blocks, corner, side);
+    return sign_travel(view.overlap_product(), view.length, view.distance);
+  };
+  double travel = 0.0;
+  for (const auto& [side, far] :
+       {std::pair(c, blocks.next[c]), {blocks.previous[c], blocks.previous[c]}}) {
+    const double out = -inside(far, edge);
+    if (out <= travel)
+      continue;
+    const double first = inside(edge, side), second = inside(blocks.next[edge], side);
+    if ((first < 0.0) != (second < 0.0))
+      travel = std::max(travel, std::min({out, std::abs(first), std::abs(second)}));
+  }
+  return travel >= enough
+             ? travel
+             : std::max(travel, meeting_travel(blocks, edge, blocks.corner_block[c]));
 }
 
 /// Edge e stays the nearest of its block.
@@ -106,22 +133,47 @@ double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int 
   return lead_travel(p, q, lead);
 }
 
+/// The lower end of an edge stays the toe of its block (ClosedJoint::toe_of), and too
+/// far from the side for a joint there.
+double far_travel(const Blocks& blocks, int toe, int side, int surface) {
+  const EdgeView from_side(blocks, toe, side), from_surface(blocks, toe, surface);
+  const double reach = (shielded_way + shielded_depth) * from_surface.length;
+  const double lead = std::abs(from_side.depth()) - 1.01 * reach;
+  double travel = lead_travel(lead, 1.0 + 2.0 * from_side.distance / from_side.length,
+                              from_side.distance);
+  for (const int neighbour : {blocks.previous[toe], blocks.next[toe]})
+    if (travel > 0.0)
+      travel = std::min(travel, facing_travel(blocks, toe, neighbour, from_surface));
+  return travel;
+}
+
 /// No closed joint hides corner c from edge e (ClosedJoint::hides_corner), for this
-/// travel at least: the edge runs along the surface, or its block lies too deep.
-double seen_travel(const Blocks& blocks, int c, int e) {
-  double travel = std::numeric_limits<double>::max();
-  const EdgeView edge(blocks, c, e);
-  for (const int own : {c, blocks.previous[c]}) {
-    const EdgeView surface(blocks, e, own), other(blocks, blocks.next[e], own);
-    const double sine = std::abs(geometry::cross(edge.along, surface.along));
-    const double lengths = edge.length * surface.length;
-    const double flat =
-        sign_travel((0.99 * least_flank * lengths - sine) / (1.0 + least_flank),
-                    edge.length, surface.length);
-    const EdgeView& lower = other.depth() > surface.depth() ? other : surface;
-    const double lead = lower.depth() - 1.01 * shielded_depth * lower.length;
-    const double deep = flat < travel ? lead_travel(lower, lower, lead) : 0.0;
-    travel = std::min(travel, std::max(flat, deep));
+/// travel at least: the edge runs along the surface, or the toe of its block lies too
+/// deep, or too far from the joint. Worth no more than `enough`.
+double seen_travel(const Blocks& blocks, int c, int e, double enough) {
+  const int first = e, second = blocks.next[e], before = blocks.previous[c];
+  const Vec2 flank = blocks.corner.col(second) - blocks.corner.col(first);
+  const double flank_length = flank.norm();
+  double travel = enough;
+  for (const auto& [side, surface] : {std::pair(before, c), {c, before}}) {
+    const Vec2 along =
+        blocks.corner.col(blocks.next[surface]) - blocks.corner.col(surface);
+    const double length = along.norm();
+    const double flat = 0.99 * least_flank * flank_length * length -
+                        std::abs(geometry::cross(flank, along));
+    double seen = sign_travel(flat / (1.0 + least_flank), flank_length, length);
+    if (seen < travel) {
+      const EdgeView p(blocks, first, surface), q(blocks, second, surface);
+      const bool forward = q.overlap_product() > p.overlap_product();
+      const EdgeView& lower = forward ? q : p;
+      seen = std::max(seen,
+                      lead_travel(lower.depth() - 1.01 * shielded_depth * length,
+                                  1.0 + 2.0 * lower.distance / length, lower.distance));
+      if (seen < travel)
+        seen =
+            std::max(seen, far_travel(blocks, forward ? second : first, side, surface));
+    }
+    travel = std::min(travel, seen);
   }
   return travel;
 }
@@ -259,20 +311,19 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
   if (travel > 0.0)
     if (const double nearest = nearest_travel(blocks, c, edge); nearest < travel)
       travel = std::min(
-          travel,
-          std::max(nearest, meeting_travel(blocks, edge, blocks.corner_block[c])));
-  if (travel > 0.0)
-    travel = std::min(travel, seen_travel(blocks, c, edge));
+          travel, std::max(nearest, meeting_inside_travel(blocks, c, edge, travel)));
   for (int j = group.first; j < group.last && travel > 0.0; ++j) {
     if (j == i)
       continue;
     double others = -admissible_travel(blocks, contacts, j, travel);
     if (others < travel)
-      others = std::max(others,
-                        std::min(deeper_travel(blocks, contacts, j, i),
-                                 meeting_travel(blocks, edge, blocks.corner_block[c])));
+      if (const double deeper = deeper_travel(blocks, contacts, j, i); deeper > others)
+        others = std::max(
+            others, std::min(deeper, meeting_inside_travel(blocks, c, edge, travel)));
     travel = std::min(travel, others);
   }
+  if (travel > 0.0)
+    travel = seen_travel(blocks, c, edge, travel);
   if (travel <= 0.0 || edge != sides.edge || sides.least >= travel)
     return travel;
   // outside of this edge only, it could be a crossing
