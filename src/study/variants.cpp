@@ -83,7 +83,7 @@ constexpr Use kept_list = [] {
 const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
       as_run("default", "the step of every run: exact, slack 1e-6, (20), meeting, "
-                        "nearest edge, shield, hand-over"),
+                        "nearest edge, closed joints, hand-over"),
       // arithmetic
       variant<Plain<PrintedArea>, ours>(
           "printed",
@@ -106,7 +106,7 @@ const std::vector<Variant>& all_variants() {
       variant<Exact, no_meeting>(
           "no-meeting", "default, but far edges also act on blocks that do not "
                         "reach them"),
-      variant<Exact, no_shield>("no-shield", "default without the shield"),
+      variant<Exact, no_shield>("no-shield", "default without what closed joints hide"),
       variant<Exact, no_hand_over>("no-hand-over", "default without hand-over"),
       // 1982
       variant<PlainSigns<PrintedArea, Ends::inclusive>, report_rules>(
@@ -117,7 +117,7 @@ const std::vector<Variant>& all_variants() {
           "keep", "report-exact, and a pair once listed stays for ever"),
       // other codes: other corners instead of (20)
       variant<Exact, shaped>("chamfer",
-                             "no-20 without shield; corners cut by 1 % of a side",
+                             "no-20, no joints; corners cut by 1 % of a side",
                              Corners::chamfered),
       variant<Exact, shaped>("rounded", "the same; corners rounded over 1 % of a side",
                              Corners::rounded),
