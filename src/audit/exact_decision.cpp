@@ -114,23 +114,30 @@ ExactRules::Place ExactRules::place(int corner, int block) const {
   return place;
 }
 
-/// Inside: a ray straight up leaves the block once more than it enters, or an edge is
-/// as near as the slack.
+/// Inside: by a ray, or an edge is as near as the slack.
 ExactRules::Place ExactRules::place_by_rays(int corner, int block) const {
-  const Point& c = corner_[corner];
-  int crossings = 0;
   for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
-    const Point &p = corner_[e], &q = corner_[blocks_.next[e]];
     const Whole slack = slack_.numerator * length2(e);
     if (near_or_inside(corner, e) && between(corner, e) &&
         sign(slack - (area2(corner, e) << slack_.shift)) >= 0)
       return {true, -1};
+  }
+  return {rays_say_inside(corner, block), -1};
+}
+
+/// A ray straight up leaves the block once more than it enters; of points that are not
+/// on its outline.
+bool ExactRules::rays_say_inside(int corner, int block) const {
+  const Point& c = corner_[corner];
+  int crossings = 0;
+  for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
+    const Point &p = corner_[e], &q = corner_[blocks_.next[e]];
     if ((p.x > c.x) != (q.x > c.x))
       // the edge is above: to the right is inside of a clockwise block
       crossings +=
           (q.x > p.x) ? (sign(area2(corner, e)) > 0) : -(sign(area2(corner, e)) < 0);
   }
-  return {crossings != 0, -1};
+  return crossings != 0;
 }
 
 bool ExactRules::turns_inwards(int corner) const {
@@ -228,7 +235,7 @@ bool ExactRules::meets(int edge, int block) const {
       return true;
     cut |= from < 0;
   }
-  return blocks_.convex[block] ? cut : place_by_rays(edge, block).inside;
+  return blocks_.convex[block] ? cut : rays_say_inside(edge, block);
 }
 
 /// Another edge of the block is nearer to a corner inside.
@@ -290,13 +297,21 @@ ExactRules::Two ExactRules::nearest_edges(int corner, int block,
   for (const int e : admitted)
     if (!place.inside || comes_through(corner, e))
       first.push_back(e);
-  // those that the corner's block meets come first
+  const auto nearest_of_first = [&] {
+    int nearest = -1;
+    for (const int e : first)
+      if (nearest < 0 || comes_before(corner, e, nearest))
+        nearest = e;
+    return nearest;
+  };
+  found.nearest = nearest_of_first();
+  // inside of several, those that the corner's block meets come first
   const auto met = [&](int e) { return meets(e, blocks_.corner_block[corner]); };
-  if (place.inside && std::any_of(first.begin(), first.end(), met))
+  if (place.inside && found.nearest >= 0 && sign(area2(corner, found.nearest)) > 0 &&
+      std::any_of(first.begin(), first.end(), met)) {
     std::erase_if(first, std::not_fn(met));
-  for (const int e : first)
-    if (found.nearest < 0 || comes_before(corner, e, found.nearest))
-      found.nearest = e;
+    found.nearest = nearest_of_first();
+  }
   for (const int e : admitted)
     if (found.nearest >= 0 && e != found.nearest &&
         (found.next < 0 || comes_before(corner, e, found.next)))

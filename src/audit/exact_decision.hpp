@@ -112,6 +112,7 @@ class ExactRules {
   bool comes_through(int corner, int edge) const;
   Place place(int corner, int block) const;
   Place place_by_rays(int corner, int block) const;
+  bool rays_say_inside(int corner, int block) const;
   Vec2 halfway(int edge, int q) const;
   bool turns_inwards(int corner) const;
   int past(int corner, int edge) const;

@@ -194,25 +194,27 @@ Answer ExactRules::reaches_over(const Way& way) const {
 }
 
 /// The point that lies `shift` from the corner is in the block. Not convex: a ray
-/// upwards leaves it once more than it enters; near an edge nothing is certain.
+/// upwards leaves it once more than it enters, or an edge is as near as the slack.
 Answer ExactRules::reaches(int block, int corner, const Vec2& shift,
                            double error) const {
-  Answer inside = Answer::yes;
-  bool odd = false, near = false;
+  constexpr double slack = 1e-6;
+  Answer inside = Answer::yes, near = Answer::no;
+  bool odd = false;
   for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
     const Vec2 edge = rounded(along(q));
     const Vec2 from = rounded(corner_[corner] - corner_[q]) + shift;
-    const double loss = error + roundoff(corner, q);
-    const double below = cross_of(from, edge) / edge.norm();
+    const double length = edge.norm(), loss = error + roundoff(corner, q);
+    const double below = cross_of(from, edge) / length, at = from.dot(edge) / length;
     inside = both(inside, at_least_zero(below, loss));
     if ((from.x() < 0.0) != (from.x() < edge.x()))
       odd ^= from.y() < edge.y() / edge.x() * from.x();
-    const double place = std::clamp(from.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    near |= (from - place * edge).norm() <= loss;
+    near = one_of(near, both(at_least_zero(slack * length - std::abs(below), loss),
+                             both(at_least_zero(at + slack * length, loss),
+                                  at_least_zero((1.0 + slack) * length - at, loss))));
   }
   if (blocks_.convex[block])
     return inside;
-  return near ? Answer::either : exactly(odd);
+  return one_of(near, exactly(odd));
 }
 
 /// Not too deep below the edge.

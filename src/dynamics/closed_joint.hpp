@@ -17,9 +17,9 @@ namespace blocks::dynamics {
 /// most, and how far away the block beside the joint is asked.
 inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
 /// Sine of the least angle between a surface and a side of the joint; and of that
-/// between the surface and a flank, 1.1 degrees: a base lies flat on the joint's corners
-/// and feels them. Cosine of the greatest angle between the surfaces of two blocks, 18
-/// degrees.
+/// between the surface and a flank, 1.1 degrees: a base lies flat on the joint's
+/// corners and feels them. Cosine of the greatest angle between the surfaces of two
+/// blocks, 18 degrees.
 inline constexpr double least_slope = 0.25, least_flank = 0.02, least_cosine = 0.95;
 
 /// How far from an edge of a block a corner can be shielded at most, [L].

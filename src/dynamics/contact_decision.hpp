@@ -79,10 +79,7 @@ template <class Rules> class ContactDecision {
   int acting_record(const ContactGroup& group) const {
     const int c = contacts_.corner[group.first], out = place(c, group.edge_block);
     const int nearest = nearest_record(group, out);
-    if (nearest < 0)
-      return -1;
-    const int edge = contacts_.edge[nearest];
-    if (Rules::overlap_sign(at(c), at(edge), end(edge)) <= 0)
+    if (nearest < 0 || !inside(nearest))
       return -1;
     if (Rules::shield && notch_record(group, nearest) < 0)
       return seen_record(group, out, nearest);
@@ -142,7 +139,7 @@ template <class Rules> class ContactDecision {
         return true;
       cut = cut || out < 0;
     }
-    return convex ? cut : place_.holds(p1, block);
+    return convex ? cut : ReentrantBlock<Rules>(blocks_, block).contains(p1);
   }
   /// Whether another edge of the block is nearer to a corner inside.
   bool nearer_edge(int c, int edge) const {
@@ -261,8 +258,8 @@ template <class Rules> class ContactDecision {
                                depth_edge(c, contacts_.edge[other]));
   }
 
-  /// The record with the least depth that may act, -1: none. out: place. Of several
-  /// one whose edge meets the corner's block comes first.
+  /// The record with the least depth that may act, -1: none. out: place. Inside
+  /// of several, one whose edge meets the corner's block comes first.
   int nearest_record(const ContactGroup& group, int out) const {
     const int c = contacts_.corner[group.first], block = group.edge_block;
     int found = -1, others = -1;
@@ -278,13 +275,19 @@ template <class Rules> class ContactDecision {
         if (precedes(i, found))
           found = i;
       }
-    if (!Rules::far_edges_meet || out != none || others < 1 || has_met(c, found))
+    if (!Rules::far_edges_meet || out != none || others < 1 || !inside(found) ||
+        has_met(c, found))
       return found;
     int met = -1;
     for (int i = group.first; i < group.last; ++i)
       if (i != found && may(i) && precedes(i, met) && has_met(c, i))
         met = i;
     return met < 0 ? found : met;
+  }
+  /// A > 0 for the record.
+  bool inside(int i) const {
+    const int edge = contacts_.edge[i];
+    return Rules::overlap_sign(at(contacts_.corner[i]), at(edge), end(edge)) > 0;
   }
   bool has_met(int c, int i) const {
     return meets(contacts_.edge[i], blocks_.corner_block[c]);

@@ -15,11 +15,17 @@ template <class Rules> class ReentrantBlock {
 
   /// Whether the block holds the point, or an edge is as near to it as the slack.
   bool holds(const Vec2& c) const {
+    for (int e = first(); e < last(); ++e)
+      if (on_edge(c, at(e), end(e)))
+        return true;
+    return contains(c);
+  }
+
+  /// Whether the point is in the block or on its outline, without slack.
+  bool contains(const Vec2& c) const {
     bool odd = false;
     for (int e = first(); e < last(); ++e) {
       const Vec2 p1 = at(e), p2 = end(e);
-      if (on_edge(c, p1, p2))
-        return true;
       // the ray from c towards +x: edges from y <= c.y to y > c.y, or back
       if ((p1.y() <= c.y()) == (p2.y() <= c.y()))
         continue;
