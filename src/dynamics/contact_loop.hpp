@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dynamics/contact_certainty.hpp"
@@ -24,16 +25,6 @@ inline Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
   const double spin = blocks.spin[b];
   return {blocks.velocity(0, b) + rate[0] * arm.x() + (rate[1] - spin) * arm.y(),
           blocks.velocity(1, b) + (rate[2] + spin) * arm.x() + rate[3] * arm.y()};
-}
-
-/// Record i of group g acts no more: its forces are gone, its spring may find an heir.
-inline void release(Contacts& contacts, std::vector<LostForce>& lost, int g, int i) {
-  if (contacts.normal_elastic[i] > 0.0)
-    lost.push_back({g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
-  contacts.active[i] = 0;
-  contacts.normal_elastic[i] = contacts.shear_elastic[i] = 0.0;
-  contacts.normal_force[i] = contacts.shear_force[i] = 0.0;
-  contacts.overlap[i] = 0.0;
 }
 
 /// Counts what this thread leaves to exact arithmetic during its life.
@@ -57,8 +48,8 @@ class ExactCalls {
 /// Which record of group g acts, or which two of a notch, and for how long that is
 /// known from where the blocks stand.
 template <class Rules>
-void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g,
-            ContactGroups::Share& share) {
+void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
+            int g, ContactGroups::Share& share) {
   ContactGroup& group = groups.all[g];
   int other = -1;  // of a notch
   group.certain = {};
@@ -72,33 +63,36 @@ void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int
     other = decision.notch_record(group, group.acting);
   }
   const int one = group.live_record();
-  const auto to_release = [&](int i) {
-    return contacts.active[i] && i != one && i != other;
-  };
-  bool none = true;
-  for (int i = group.first; i < group.last; ++i)
-    none &= !to_release(i);
-  if (none && !group.reentrant && groups.keep_lane(g))
+  if (!group.reentrant && groups.keep_lane(g))
     return;
-  for (int h = g; h <= g + group.reentrant; ++h)
-    if (groups.lane_of[h] >= 0)
-      groups.store_lane(contacts, groups.lane_of[h]);
-  for (int i = group.first; i < group.last; ++i)
-    if (to_release(i))
-      release(contacts, share.lost, g, i);
-  if (group.reentrant) {
+  if (group.reentrant)
     groups.all[g + 1].acting = other;
-    share.lanes_complete &= groups.set_lane(blocks, contacts, g + 1);
+  std::array<HeldSpring, 2> held;
+  for (int k = 0; k <= group.reentrant; ++k)
+    if (const int lane = groups.lane_of[g + k]; lane >= 0)
+      held[k] = groups.held(lane);
+  const auto spring_of = [&](int i) {
+    return i < 0                 ? HeldSpring{}
+           : held[0].record == i ? held[0]
+           : held[1].record == i ? held[1]
+                                 : HeldSpring{};
+  };
+  for (int k = 0; k <= group.reentrant; ++k) {
+    const int i = groups.all[g + k].live_record();
+    share.lanes_complete &= groups.set_lane(blocks, contacts, g + k, i, spring_of(i));
   }
-  share.lanes_complete &= groups.set_lane(blocks, contacts, g);
+  // who acts no more: its forces are gone, its spring may find an heir
+  for (const HeldSpring& spring : held)
+    if (spring.record != one && spring.record != other && spring.normal > 0.0)
+      share.lost.push_back({g, spring.record, spring.normal, spring.shear});
 }
 
 /// Decides the groups of a pair for which the blocks have moved too far, `moved` from
 /// the pose of the pair. Where a certainty is looked for anew, all of the pair's count
 /// from the present pose.
 template <class Rules>
-void renew_pair(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int p,
-                double moved, ContactGroups::Share& share) {
+void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
+                int p, double moved, ContactGroups::Share& share) {
   ContactPair& pair = groups.pairs[p];
   // the other way round a NaN would let a decision stand
   const auto stands = [&](const ContactGroup& group) {
@@ -126,8 +120,9 @@ void renew_pair(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
 /// Decides the groups whose blocks have moved too far since they were last decided, of
 /// the rounds of pairs first .. last - 1.
 template <class Rules>
-void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                     int first, int last, ContactGroups::Share& share) {
+void renew_decisions(const Blocks& blocks, const Contacts& contacts,
+                     ContactGroups& groups, int first, int last,
+                     ContactGroups::Share& share) {
   const Swing& swing = groups.swing;
   const int pairs = static_cast<int>(groups.pairs.size());
   for (int round = first; round < last; ++round) {
@@ -196,7 +191,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   {
     const Profile::Timer timer(profile, Profile::decisions);
     if (!groups.loaded)
-      groups.load(blocks, contacts);
+      groups.load(blocks, contacts, settings);
     workers.each(rounds, pairs_per_thread / pairs_of_round,
                  [&](int part, int first, int last) {
                    const detail::ExactCalls calls(profile, groups.shares[part]);
@@ -204,8 +199,11 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
                                                   groups.shares[part]);
                  });
     groups.join_shares();
-    if (!groups.lanes_complete)
-      groups.list_lanes(blocks, contacts);
+    if (!groups.lanes_complete) {
+      groups.store(contacts);
+      groups.make_lanes(blocks.size(), contacts);
+      groups.load(blocks, contacts, settings);
+    }
   }
   const Profile::Timer timer(profile, Profile::forces);
   const LaneArithmetic& arithmetic = lane_arithmetic();

@@ -18,7 +18,6 @@ void prepare(Model& model) {
     model.time_step = choose_time_step(model);
   }
   model.started = true;
-  set_contact_damping(model);
 }
 
 Displacement step(Model& model, SearchBuffers& buffers) {
@@ -48,6 +47,8 @@ Displacement advance(Model& model, SearchBuffers& buffers) {
     const Profile::Timer timer(buffers.profile, Profile::search);
     group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups, false,
                    buffers.workers->threads());
+    // no more than one of each group acts: no step asks for memory
+    model.contacts.acting.reserve(buffers.groups.all.size());
     buffers.grouped_update = model.search.updates;
   }
 
