@@ -45,19 +45,38 @@ class ExactCalls {
   unsigned long long before_;
 };
 
+/// A certainty that would not outlive so many steps costs more than the decisions that
+/// it spares; for so many decisions no other is tried.
+inline constexpr int least_life = 3, decisions_between = 64;
+
+/// How far two blocks move against each other in a step as they go now, [L]: to first
+/// order what relative_motion grows by.
+inline double motion_of_step(const Blocks& blocks, const Swing& swing,
+                             const ContactPair& pair, double dt) {
+  const auto arms = [&](int b) {
+    return swing.longest[b] *
+           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
+  };
+  const Vec2 apart = blocks.velocity.col(pair.low) - blocks.velocity.col(pair.high);
+  return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
+}
+
 /// Which record of group g acts, or which two of a notch, and for how long that is
 /// known from where the blocks stand.
 template <class Rules>
 void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
-            int g, ContactGroups::Share& share) {
+            int g, double motion, ContactGroups::Share& share) {
   ContactGroup& group = groups.all[g];
   int other = -1;  // of a notch
   group.certain = {};
-  if (Rules::keeps_decisions && group.hopeless == 0)
+  if (Rules::keeps_decisions && group.hopeless == 0) {
     group.certain = certainty(blocks, contacts, group);
+    if (!(group.certain.travel > least_life * motion))
+      group.certain = {};
+  }
   if (!(group.certain.travel > 0.0)) {
-    group.hopeless =
-        static_cast<std::uint8_t>(group.hopeless == 0 ? 16 : group.hopeless - 1);
+    group.hopeless = static_cast<std::uint8_t>(
+        group.hopeless == 0 ? decisions_between : group.hopeless - 1);
     const ContactDecision<Rules> decision(blocks, contacts, groups);
     group.acting = decision.acting_record(group);
     other = decision.notch_record(group, group.acting);
@@ -92,8 +111,9 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
 /// from the present pose.
 template <class Rules>
 void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
-                int p, double moved, ContactGroups::Share& share) {
+                int p, double moved, double dt, ContactGroups::Share& share) {
   ContactPair& pair = groups.pairs[p];
+  const double motion = motion_of_step(blocks, groups.swing, pair, dt);
   // the other way round a NaN would let a decision stand
   const auto stands = [&](const ContactGroup& group) {
     return Rules::keeps_decisions && group.certain.travel - moved > 0.0;
@@ -108,7 +128,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     if (group.of_notch)  // with the one before
       continue;
     if (!stands(group))
-      decide<Rules>(blocks, contacts, groups, g, share);
+      decide<Rules>(blocks, contacts, groups, g, motion, share);
     else if (anew)
       group.certain.travel -= moved;
     pair.certain = std::min(pair.certain, group.certain.travel);
@@ -121,7 +141,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
 /// the rounds of pairs first .. last - 1.
 template <class Rules>
 void renew_decisions(const Blocks& blocks, const Contacts& contacts,
-                     ContactGroups& groups, int first, int last,
+                     ContactGroups& groups, double dt, int first, int last,
                      ContactGroups::Share& share) {
   const Swing& swing = groups.swing;
   const int pairs = static_cast<int>(groups.pairs.size());
@@ -137,7 +157,7 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
         const double& certain = groups.pairs[p].certain;
         double moved = groups.relative_motion(blocks, p);
         if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
-          renew_pair<Rules>(blocks, contacts, groups, p, moved, share);
+          renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
           moved = groups.relative_motion(blocks, p);
         }
         watch.limit = way + (certain - moved);
@@ -195,8 +215,8 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     workers.each(rounds, pairs_per_thread / pairs_of_round,
                  [&](int part, int first, int last) {
                    const detail::ExactCalls calls(profile, groups.shares[part]);
-                   detail::renew_decisions<Rules>(blocks, contacts, groups, first, last,
-                                                  groups.shares[part]);
+                   detail::renew_decisions<Rules>(blocks, contacts, groups, dt, first,
+                                                  last, groups.shares[part]);
                  });
     groups.join_shares();
     if (!groups.lanes_complete) {
