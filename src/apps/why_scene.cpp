@@ -82,10 +82,11 @@ WhyScene from_checkpoint(const std::string& path) {
   scene.listed = model.search.current;
   scene.reach = 2.0 * model.settings.contact_tolerance;
   const Contacts& list = model.contacts;
-  for (int i = 0; i < list.size(); ++i)
+  for (int i = 0; i < list.size(); ++i) {
+    const ActingContact forces = list.at(i);
     scene.contacts.push_back({list.corner[i], list.edge[i], list.active[i] != 0,
-                              list.normal_force[i], list.shear_force[i],
-                              list.overlap[i]});
+                              forces.normal_force, forces.shear_force, forces.overlap});
+  }
   return scene;
 }
 

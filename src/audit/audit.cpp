@@ -130,8 +130,8 @@ class Auditor {
           held[std::minmax(contacts_.corner_block[i], contacts_.edge_block[i])];
       pair.depth =
           std::max(pair.depth, rules_.overlap(contacts_.corner[i], contacts_.edge[i]));
-      pair.pressed = std::max(pair.pressed,
-                              contacts_.normal_elastic[i] / settings_.normal_stiffness);
+      pair.pressed = std::max(pair.pressed, contacts_.at(i).normal_elastic /
+                                                settings_.normal_stiffness);
     }
     for (const auto& overlap : overlaps_) {
       const int a = overlap.first, b = overlap.second;
@@ -169,7 +169,7 @@ class Auditor {
         continue;
       const bool meet = overlapping.contains(std::minmax(a, b));
       const DeepContact contact{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
-                                contacts_.normal_elastic[i] /
+                                contacts_.at(i).normal_elastic /
                                     settings_.normal_stiffness};
       if (contact.excess() > found_.deepest.excess())
         found_.deepest = contact;

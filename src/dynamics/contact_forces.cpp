@@ -5,7 +5,7 @@
 
 #include "dynamics/applied_force.hpp"
 #include "dynamics/contact_loop.hpp"
-#include "dynamics/contact_search.hpp"
+#include "dynamics/dashpot.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "dynamics/dashpot.hpp"
+
 namespace blocks::dynamics {
 namespace {
 
@@ -124,9 +126,10 @@ bool ContactGroups::keep_lane(int g) {
   return true;
 }
 
-bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int g) {
+bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int g,
+                             int i, const HeldSpring& spring) {
   const ContactGroup& known = all[g];
-  const int lane = lane_of[g], i = known.live_record();
+  const int lane = lane_of[g];
   if (lane < 0)
     return i < 0;
   const int e = contacts.edge[std::max(i, known.first)];
@@ -141,11 +144,17 @@ bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int
   places.corner_block[k] = known.corner_block;
   places.edge_block[k] = known.edge_block;
   places.rule[k] = rule_of(known);
-  springs.damping[k] = i < 0 ? 0.0 : contacts.damping[i];
-  springs.normal_elastic[k] = i < 0 ? 0.0 : contacts.normal_elastic[i];
-  springs.shear_elastic[k] = i < 0 ? 0.0 : contacts.shear_elastic[i];
-  places.touch[k] = i >= 0 && contacts.active[i] ? in_touch : apart;
+  places.touch[k] = spring.record >= 0 ? in_touch : apart;
+  springs.normal_elastic[k] = spring.normal;
+  springs.shear_elastic[k] = spring.shear;
   return true;
+}
+
+HeldSpring ContactGroups::held(int lane) const {
+  if (record[lane] < 0 || lanes.at(lane, &LanePlaces::touch) == apart)
+    return {};
+  return {record[lane], lanes.at(lane, &LaneSprings::normal_elastic),
+          lanes.at(lane, &LaneSprings::shear_elastic)};
 }
 
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {
@@ -187,30 +196,59 @@ void ContactGroups::forget_decisions() {
     each.certain.travel = 0.0, each.hopeless = 1;
 }
 
-void ContactGroups::store_lane(Contacts& contacts, int lane) const {
-  const int i = record[lane];
-  if (i < 0)
-    return;
-  const int set = lane / lane_count, k = lane % lane_count;
-  const LaneSprings& springs = lanes.springs[set];
-  const LaneReadings& readings = lanes.readings[set];
-  contacts.active[i] = lanes.places[set].touch[k] != apart;
-  contacts.normal_elastic[i] = springs.normal_elastic[k];
-  contacts.shear_elastic[i] = springs.shear_elastic[k];
-  contacts.normal_force[i] = readings.normal_force[k];
-  contacts.shear_force[i] = readings.shear_force[k];
-  contacts.overlap[i] = readings.overlap[k];
-}
-
-void ContactGroups::load(const Blocks& blocks, const Contacts& contacts) {
-  for (int lane = 0; lane < lanes.size(); ++lane)
-    set_lane(blocks, contacts, group[lane]);
+void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
+                         const Settings& settings) {
+  const int count = lanes.size();
+  for (int lane = 0; lane < count; ++lane) {
+    const ContactGroup& known = all[group[lane]];
+    set_lane(blocks, contacts, group[lane], known.live_record(), {});
+    lanes.at(lane, &LaneSprings::damping) =
+        contact_damping(settings, blocks, known.corner_block, known.edge_block);
+  }
+  int lane = 0;
+  for (const ActingContact& contact : contacts.acting) {
+    const int i = contact.record;
+    while (all[group[lane]].last <= i)
+      ++lane;
+    // a notch has two lanes; nothing is decided yet in those of a new list
+    const int last = lane + all[group[lane]].reentrant;
+    const auto wanted = [&](int number) {
+      const auto begin = record.begin() + lane, end = record.begin() + last + 1;
+      const auto found = std::find(begin, end, number);
+      return found == end ? -1 : static_cast<int>(found - record.begin());
+    };
+    int own = wanted(i);
+    if (own < 0)
+      own = wanted(-1);
+    if (own >= 0)
+      set_lane(blocks, contacts, group[own], i,
+               {i, contact.normal_elastic, contact.shear_elastic});
+    else if (contact.normal_elastic > 0.0)
+      lost.push_back({group[lane], i, contact.normal_elastic, contact.shear_elastic});
+  }
   loaded = true;
 }
 
 void ContactGroups::store(Contacts& contacts) {
-  for (int lane = 0; loaded && lane < lanes.size(); ++lane)
-    store_lane(contacts, lane);
+  if (!loaded)
+    return;
+  for (const ActingContact& before : contacts.acting)
+    contacts.active[before.record] = 0;
+  contacts.acting.clear();
+  for (int lane = 0; lane < lanes.size(); ++lane) {
+    const HeldSpring spring = held(lane);
+    if (spring.record < 0)
+      continue;
+    contacts.active[spring.record] = 1;
+    contacts.acting.push_back({spring.record, spring.normal, spring.shear,
+                               lanes.at(lane, &LaneReadings::normal_force),
+                               lanes.at(lane, &LaneReadings::shear_force),
+                               lanes.at(lane, &LaneReadings::overlap)});
+    // the two lanes of a notch hold records of the same range
+    if (auto last = contacts.acting.end() - 1;
+        last != contacts.acting.begin() && last->record < (last - 1)->record)
+      std::iter_swap(last, last - 1);
+  }
   loaded = false;
 }
 
@@ -223,21 +261,24 @@ void ContactGroups::join_shares() {
   }
 }
 
-void ContactGroups::list_lanes(const Blocks& blocks, Contacts& contacts) {
-  store(contacts);
+void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   group.clear();
   const int count = static_cast<int>(all.size());
-  for (int g = 0; g < count; ++g) {
+  const auto wants = [&](int g) {
     // who had a lane keeps it: it may want it again
-    if (lane_of[g] < 0 && all[g].live_record() < 0 && !acted(contacts, all[g]))
+    return lane_of[g] >= 0 || all[g].live_record() >= 0 || acted(contacts, all[g]);
+  };
+  for (int g = 0; g < count; ++g) {
+    // of a notch both or none: a spring may pass from one to the other
+    const int first = g - all[g].of_notch;
+    if (!wants(first) && !(all[first].reentrant && wants(first + 1)))
       continue;
     lane_of[g] = static_cast<int>(group.size());
     group.push_back(g);
   }
   lanes.resize(static_cast<int>(group.size()));
   record.assign(group.size(), -1);
-  sort_by_block(blocks.size(), *this);
-  load(blocks, contacts);
+  sort_by_block(blocks, *this);
   lanes_complete = true;
 }
 
@@ -265,8 +306,6 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   find_pairs(groups);
   sort_by_corner(blocks, contacts, groups);
   groups.lane_of.assign(groups.all.size(), -1);
-  groups.low_lanes.assign(blocks.size() + 1, 0);
-  groups.high_lanes.assign(blocks.size() + 1, 0);
   groups.watch.clear();
   for (const ContactPair& pair : groups.pairs)
     groups.watch.push_back({0.0, pair.low, pair.high});
@@ -274,10 +313,9 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                        0.0);
   const std::size_t most = groups.all.size();
   groups.lanes.reserve(static_cast<int>(most));
-  groups.lanes.resize(0);
   for (std::vector<int>* row : {&groups.group, &groups.record, &groups.high_lane})
     row->clear(), row->reserve(most);
-  groups.lanes_complete = groups.loaded = false;
+  groups.loaded = false;
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());
   groups.shares.resize(threads);
@@ -288,6 +326,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.swing.start(blocks, rigid);
   groups.poses.assign(groups.pairs.size(), {});
   groups.shapes.assign(rigid ? 0 : groups.pairs.size(), {});
+  groups.make_lanes(blocks.size(), contacts);
 }
 
 }  // namespace blocks::dynamics

@@ -86,6 +86,12 @@ struct PairWatch {
 /// (Swing) is less.
 inline constexpr int pairs_of_round = 8;
 
+/// The spring of a lane that acts.
+struct HeldSpring {
+  int record = -1;                   ///< -1: it does not act
+  double normal = 0.0, shear = 0.0;  ///< [F] FN, FS
+};
+
 /// Elastic force that a record held when it ceased to act.
 struct LostForce {
   int group, record;
@@ -116,7 +122,7 @@ struct ContactGroups {
       first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
 
   // What acts, or is a candidate to, one to a lane, in the order of the groups. Between
-  // load() and store() the springs are here and not in the list.
+  // load() and store() the list does not know what acts.
   ContactLanes lanes;
   std::vector<int> record;     ///< (lanes) -1: none any more
   std::vector<int> group;      ///< (lanes) index into `all`
@@ -127,7 +133,7 @@ struct ContactGroups {
       high_lane;  ///< lanes of which it is the higher one, block after block
   std::vector<int> high_lanes;  ///< (blocks + 1) where a block's begin in high_lane
   bool lanes_complete = false;  ///< no group lacks a lane
-  bool loaded = false;          ///< the lanes hold what the list does not know yet
+  bool loaded = false;          ///< the lanes hold what the list does not know
 
   std::vector<LostForce> lost;  ///< in this step
   Swing swing;                  ///< of the blocks since the groups were made
@@ -162,21 +168,22 @@ struct ContactGroups {
   /// more, [L]: two of one block by its arms alone. A distance: from one pose to a
   /// third never farther than by way of a second.
   double relative_motion(const Blocks& blocks, int pair) const;
-  /// Springs from the list to the lanes.
-  void load(const Blocks& blocks, const Contacts& contacts);
-  /// Springs, forces and overlaps from the lanes, or from one, to the list.
+  /// Springs from the list to the lanes, and the dashpots.
+  void load(const Blocks& blocks, const Contacts& contacts, const Settings& settings);
+  /// Springs, forces and overlaps from the lanes to the list.
   void store(Contacts& contacts);
-  void store_lane(Contacts& contacts, int lane) const;
-  /// Puts what is decided of a group, and its spring, into its lane. False: it has
-  /// none.
-  bool set_lane(const Blocks& blocks, const Contacts& contacts, int g);
+  HeldSpring held(int lane) const;
+  /// Puts record i of group g, or none (-1), and its spring into the lane of the group.
+  /// False: it has none.
+  bool set_lane(const Blocks& blocks, const Contacts& contacts, int g, int i,
+                const HeldSpring& spring);
   /// The same where its lane holds that very record, or none, already: what is in it
   /// stays. False: it does not.
   bool keep_lane(int g);
   /// Makes one of what the threads found.
   void join_shares();
-  /// Lists the lanes anew: a group that had none wants one.
-  void list_lanes(const Blocks& blocks, Contacts& contacts);
+  /// A lane for each group that has one, acts or may act.
+  void make_lanes(int blocks, const Contacts& contacts);
 };
 
 /// Splits the list into its groups and pairs, all to be decided. each_alone: one record

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dynamics/contact_certainty.hpp"
@@ -26,16 +27,6 @@ inline Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
           blocks.velocity(1, b) + (rate[2] + spin) * arm.x() + rate[3] * arm.y()};
 }
 
-/// Record i of group g acts no more: its forces are gone, its spring may find an heir.
-inline void release(Contacts& contacts, std::vector<LostForce>& lost, int g, int i) {
-  if (contacts.normal_elastic[i] > 0.0)
-    lost.push_back({g, i, contacts.normal_elastic[i], contacts.shear_elastic[i]});
-  contacts.active[i] = 0;
-  contacts.normal_elastic[i] = contacts.shear_elastic[i] = 0.0;
-  contacts.normal_force[i] = contacts.shear_force[i] = 0.0;
-  contacts.overlap[i] = 0.0;
-}
-
 /// Counts what this thread leaves to exact arithmetic during its life.
 class ExactCalls {
  public:
@@ -54,52 +45,75 @@ class ExactCalls {
   unsigned long long before_;
 };
 
+/// A certainty that would not outlive so many steps costs more than the decisions that
+/// it spares; for so many decisions no other is tried.
+inline constexpr int least_life = 3, decisions_between = 64;
+
+/// How far two blocks move against each other in a step as they go now, [L]: to first
+/// order what relative_motion grows by.
+inline double motion_of_step(const Blocks& blocks, const Swing& swing,
+                             const ContactPair& pair, double dt) {
+  const auto arms = [&](int b) {
+    return swing.longest[b] *
+           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
+  };
+  const Vec2 apart = blocks.velocity.col(pair.low) - blocks.velocity.col(pair.high);
+  return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
+}
+
 /// Which record of group g acts, or which two of a notch, and for how long that is
 /// known from where the blocks stand.
 template <class Rules>
-void decide(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int g,
-            ContactGroups::Share& share) {
+void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
+            int g, double motion, ContactGroups::Share& share) {
   ContactGroup& group = groups.all[g];
   int other = -1;  // of a notch
   group.certain = {};
-  if (Rules::keeps_decisions && group.hopeless == 0)
+  if (Rules::keeps_decisions && group.hopeless == 0) {
     group.certain = certainty(blocks, contacts, group);
+    if (!(group.certain.travel > least_life * motion))
+      group.certain = {};
+  }
   if (!(group.certain.travel > 0.0)) {
-    group.hopeless =
-        static_cast<std::uint8_t>(group.hopeless == 0 ? 16 : group.hopeless - 1);
+    group.hopeless = static_cast<std::uint8_t>(
+        group.hopeless == 0 ? decisions_between : group.hopeless - 1);
     const ContactDecision<Rules> decision(blocks, contacts, groups);
     group.acting = decision.acting_record(group);
     other = decision.notch_record(group, group.acting);
   }
   const int one = group.live_record();
-  const auto to_release = [&](int i) {
-    return contacts.active[i] && i != one && i != other;
-  };
-  bool none = true;
-  for (int i = group.first; i < group.last; ++i)
-    none &= !to_release(i);
-  if (none && !group.reentrant && groups.keep_lane(g))
+  if (!group.reentrant && groups.keep_lane(g))
     return;
-  for (int h = g; h <= g + group.reentrant; ++h)
-    if (groups.lane_of[h] >= 0)
-      groups.store_lane(contacts, groups.lane_of[h]);
-  for (int i = group.first; i < group.last; ++i)
-    if (to_release(i))
-      release(contacts, share.lost, g, i);
-  if (group.reentrant) {
+  if (group.reentrant)
     groups.all[g + 1].acting = other;
-    share.lanes_complete &= groups.set_lane(blocks, contacts, g + 1);
+  std::array<HeldSpring, 2> held;
+  for (int k = 0; k <= group.reentrant; ++k)
+    if (const int lane = groups.lane_of[g + k]; lane >= 0)
+      held[k] = groups.held(lane);
+  const auto spring_of = [&](int i) {
+    return i < 0                 ? HeldSpring{}
+           : held[0].record == i ? held[0]
+           : held[1].record == i ? held[1]
+                                 : HeldSpring{};
+  };
+  for (int k = 0; k <= group.reentrant; ++k) {
+    const int i = groups.all[g + k].live_record();
+    share.lanes_complete &= groups.set_lane(blocks, contacts, g + k, i, spring_of(i));
   }
-  share.lanes_complete &= groups.set_lane(blocks, contacts, g);
+  // who acts no more: its forces are gone, its spring may find an heir
+  for (const HeldSpring& spring : held)
+    if (spring.record != one && spring.record != other && spring.normal > 0.0)
+      share.lost.push_back({g, spring.record, spring.normal, spring.shear});
 }
 
 /// Decides the groups of a pair for which the blocks have moved too far, `moved` from
 /// the pose of the pair. Where a certainty is looked for anew, all of the pair's count
 /// from the present pose.
 template <class Rules>
-void renew_pair(const Blocks& blocks, Contacts& contacts, ContactGroups& groups, int p,
-                double moved, ContactGroups::Share& share) {
+void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
+                int p, double moved, double dt, ContactGroups::Share& share) {
   ContactPair& pair = groups.pairs[p];
+  const double motion = motion_of_step(blocks, groups.swing, pair, dt);
   // the other way round a NaN would let a decision stand
   const auto stands = [&](const ContactGroup& group) {
     return Rules::keeps_decisions && group.certain.travel - moved > 0.0;
@@ -114,7 +128,7 @@ void renew_pair(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
     if (group.of_notch)  // with the one before
       continue;
     if (!stands(group))
-      decide<Rules>(blocks, contacts, groups, g, share);
+      decide<Rules>(blocks, contacts, groups, g, motion, share);
     else if (anew)
       group.certain.travel -= moved;
     pair.certain = std::min(pair.certain, group.certain.travel);
@@ -126,8 +140,9 @@ void renew_pair(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
 /// Decides the groups whose blocks have moved too far since they were last decided, of
 /// the rounds of pairs first .. last - 1.
 template <class Rules>
-void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& groups,
-                     int first, int last, ContactGroups::Share& share) {
+void renew_decisions(const Blocks& blocks, const Contacts& contacts,
+                     ContactGroups& groups, double dt, int first, int last,
+                     ContactGroups::Share& share) {
   const Swing& swing = groups.swing;
   const int pairs = static_cast<int>(groups.pairs.size());
   for (int round = first; round < last; ++round) {
@@ -142,7 +157,7 @@ void renew_decisions(const Blocks& blocks, Contacts& contacts, ContactGroups& gr
         const double& certain = groups.pairs[p].certain;
         double moved = groups.relative_motion(blocks, p);
         if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
-          renew_pair<Rules>(blocks, contacts, groups, p, moved, share);
+          renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
           moved = groups.relative_motion(blocks, p);
         }
         watch.limit = way + (certain - moved);
@@ -196,16 +211,19 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   {
     const Profile::Timer timer(profile, Profile::decisions);
     if (!groups.loaded)
-      groups.load(blocks, contacts);
+      groups.load(blocks, contacts, settings);
     workers.each(rounds, pairs_per_thread / pairs_of_round,
                  [&](int part, int first, int last) {
                    const detail::ExactCalls calls(profile, groups.shares[part]);
-                   detail::renew_decisions<Rules>(blocks, contacts, groups, first, last,
-                                                  groups.shares[part]);
+                   detail::renew_decisions<Rules>(blocks, contacts, groups, dt, first,
+                                                  last, groups.shares[part]);
                  });
     groups.join_shares();
-    if (!groups.lanes_complete)
-      groups.list_lanes(blocks, contacts);
+    if (!groups.lanes_complete) {
+      groups.store(contacts);
+      groups.make_lanes(blocks.size(), contacts);
+      groups.load(blocks, contacts, settings);
+    }
   }
   const Profile::Timer timer(profile, Profile::forces);
   const LaneArithmetic& arithmetic = lane_arithmetic();

@@ -1,6 +1,7 @@
 #include "dynamics/contact_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -13,11 +14,9 @@ namespace {
 /// The edges of block b that could act on corner c.
 void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
   const Vec2 corner = blocks.corner.col(c);
-  const int other = blocks.corner_block[c], first = blocks.first_corner[b];
+  const int first = blocks.first_corner[b];
   const int count = static_cast<int>(buffers.reach.size());
-  const auto add = [&](int e) {
-    buffers.found.push_back({std::min(b, other), std::max(b, other), c, first + e});
-  };
+  const auto add = [&](int e) { buffers.found.push_back({c, first + e}); };
   int outside = 0, side = 0;
   const std::size_t before = buffers.found.size();
   for (int e = 0; e < count; ++e) {
@@ -67,63 +66,21 @@ void find_near_corners(const Model& model, SearchBuffers& buffers) {
   }
 }
 
-SearchBuffers::Record record(const Contacts& contacts, int i) {
-  const int a = contacts.corner_block[i], b = contacts.edge_block[i];
-  return {std::min(a, b), std::max(a, b), contacts.corner[i], contacts.edge[i]};
-}
-
-/// Orders the records: by the lower block in one go, then those of each.
-void sort_found(int blocks, SearchBuffers& buffers) {
-  std::vector<int> first(blocks + 1, 0);
-  for (const SearchBuffers::Record& r : buffers.found)
-    ++first[r.low + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<SearchBuffers::Record> sorted(buffers.found.size());
-  for (const SearchBuffers::Record& r : buffers.found)
-    sorted[first[r.low]++] = r;
-  auto begin = sorted.begin();
-  for (int b = 0; b < blocks; ++b) {  // each first was moved on to its end
-    const auto end = sorted.begin() + first[b];
-    std::sort(begin, end);
-    begin = end;
-  }
-  buffers.found.swap(sorted);
+/// The order of lists: pair of blocks, lower number first, corner, edge.
+using Place = std::array<int, 4>;
+Place place(const Blocks& blocks, int corner, int edge) {
+  const auto [low, high] =
+      std::minmax(blocks.corner_block[corner], blocks.corner_block[edge]);
+  return {low, high, corner, edge};
 }
 
 /// What acts, out of a list that is not needed any more.
 void keep_acting(Contacts& contacts, std::vector<SearchBuffers::Kept>& kept) {
   kept.clear();
-  for (int i = 0; i < contacts.size(); ++i)
-    if (contacts.active[i])
-      kept.push_back({record(contacts, i), contacts.normal_elastic[i],
-                      contacts.shear_elastic[i], contacts.normal_force[i],
-                      contacts.shear_force[i], contacts.overlap[i]});
+  for (const ActingContact& contact : contacts.acting)
+    kept.push_back(
+        {{contacts.corner[contact.record], contacts.edge[contact.record]}, contact});
   contacts.resize(0);
-}
-
-/// Makes the records found the list, with the state of those that act: the others have
-/// none.
-void fill_list(const Blocks& blocks, Contacts& contacts, const SearchBuffers& buffers) {
-  contacts.resize(static_cast<int>(buffers.found.size()));
-  auto kept = buffers.kept.begin();
-  for (int i = 0; i < contacts.size(); ++i) {
-    const SearchBuffers::Record& r = buffers.found[i];
-    contacts.corner[i] = r.corner;
-    contacts.edge[i] = r.edge;
-    contacts.corner_block[i] = blocks.corner_block[r.corner];
-    contacts.edge_block[i] = blocks.corner_block[r.edge];
-    while (kept != buffers.kept.end() && kept->record < r)
-      ++kept;
-    const bool acts = kept != buffers.kept.end() && kept->record == r;
-    contacts.active[i] = acts;
-    if (!acts)
-      continue;
-    contacts.normal_elastic[i] = kept->normal_elastic;
-    contacts.shear_elastic[i] = kept->shear_elastic;
-    contacts.normal_force[i] = kept->normal_force;
-    contacts.shear_force[i] = kept->shear_force;
-    contacts.overlap[i] = kept->overlap;
-  }
 }
 
 /// Memory that only a search needs: some stays, for to ask for it at every search of a
@@ -132,6 +89,58 @@ template <class Item> void give_back(std::vector<Item>& items) {
   items.clear();
   if (items.capacity() * sizeof(Item) > 1 << 25)
     items.shrink_to_fit();
+}
+
+/// Makes the records found the list, in its order: by the lower block in one go, then
+/// those of each.
+void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
+  const auto low = [&](const SearchBuffers::Record& r) {
+    return std::min(blocks.corner_block[r.corner], blocks.corner_block[r.edge]);
+  };
+  std::vector<int> last(blocks.size() + 1, 0);
+  for (const SearchBuffers::Record& r : buffers.found)
+    ++last[low(r) + 1];
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  contacts.corner.resize(buffers.found.size());
+  contacts.edge.resize(buffers.found.size());
+  for (const SearchBuffers::Record& r : buffers.found) {
+    const int i = last[low(r)]++;
+    contacts.corner[i] = r.corner, contacts.edge[i] = r.edge;
+  }
+  const int size = static_cast<int>(buffers.found.size());
+  give_back(buffers.found);
+  contacts.resize(size);
+  std::vector<Place> places;
+  for (int b = 0, i = 0; b < blocks.size(); ++b) {
+    places.clear();
+    for (int k = i; k < last[b]; ++k)
+      places.push_back(place(blocks, contacts.corner[k], contacts.edge[k]));
+    std::sort(places.begin(), places.end());
+    for (const auto& [of_low, of_high, corner, edge] : places) {
+      contacts.corner[i] = corner, contacts.edge[i] = edge;
+      contacts.corner_block[i] = blocks.corner_block[corner];
+      contacts.edge_block[i] = blocks.corner_block[edge];
+      ++i;
+    }
+  }
+}
+
+/// The state of those that acted in the list before; the others have none.
+void take_over(const Blocks& blocks, Contacts& contacts,
+               std::vector<SearchBuffers::Kept>& kept) {
+  int i = 0;
+  for (SearchBuffers::Kept& before : kept) {
+    const Place wanted = place(blocks, before.place.corner, before.place.edge);
+    while (i < contacts.size() &&
+           place(blocks, contacts.corner[i], contacts.edge[i]) < wanted)
+      ++i;
+    if (i == contacts.size() || contacts.corner[i] != before.place.corner ||
+        contacts.edge[i] != before.place.edge)
+      continue;
+    contacts.active[i] = 1;
+    before.state.record = i;
+    contacts.acting.push_back(before.state);
+  }
 }
 
 void update_plane_contacts(Model& model, SearchBuffers& buffers) {
@@ -168,23 +177,6 @@ void update_plane_contacts(Model& model, SearchBuffers& buffers) {
 
 }  // namespace
 
-double damping_against_fixed(const Settings& settings, double mass) {
-  return settings.damping * 2.0 * std::sqrt(settings.normal_stiffness * mass);
-}
-
-void set_contact_damping(Model& model) {
-  const Blocks& blocks = model.blocks;
-  Contacts& contacts = model.contacts;
-  for (int i = 0; i < contacts.size(); ++i) {
-    const int a = contacts.corner_block[i], b = contacts.edge_block[i];
-    const double ma = blocks.mass[a], mb = blocks.mass[b];
-    const double mass = !blocks.is_free(a)   ? mb
-                        : !blocks.is_free(b) ? ma
-                                             : ma * mb / (ma + mb);
-    contacts.damping[i] = damping_against_fixed(model.settings, mass);
-  }
-}
-
 void update_contacts(Model& model, SearchBuffers& buffers) {
   buffers.found.clear();
   buffers.grid.fill(model);
@@ -194,12 +186,10 @@ void update_contacts(Model& model, SearchBuffers& buffers) {
 
 void adopt_list(Model& model, SearchBuffers& buffers) {
   keep_acting(model.contacts, buffers.kept);
-  sort_found(model.blocks.size(), buffers);
-  fill_list(model.blocks, model.contacts, buffers);
-  give_back(buffers.found);
+  order_list(model.blocks, model.contacts, buffers);
+  take_over(model.blocks, model.contacts, buffers.kept);
   give_back(buffers.kept);
   update_plane_contacts(model, buffers);
-  set_contact_damping(model);
   model.search.current = true;
   model.search.travel = 0.0;
   ++model.search.updates;

@@ -61,7 +61,6 @@ struct SearchBuffers {
   std::unique_ptr<Workers> workers;
   Profile* profile = nullptr;  ///< of the run, if it is wanted
   struct Record {
-    int low, high;     ///< pair of blocks, lower number first
     int corner, edge;  ///< corner, first corner of the edge
     auto operator<=>(const Record&) const = default;
   };
@@ -73,8 +72,8 @@ struct SearchBuffers {
   std::vector<Displacement> moved;  ///< (threads) in this step
   /// What a record that acts takes to the next list.
   struct Kept {
-    Record record;
-    double normal_elastic, shear_elastic, normal_force, shear_force, overlap;
+    Record place;
+    ActingContact state;
   };
   std::vector<Kept> kept;
   PlaneContacts next_planes;
@@ -90,12 +89,5 @@ void update_contacts(Model& model, SearchBuffers& buffers);
 /// Makes the records in buffers.found the list: the end of update_contacts, for whoever
 /// looks for them in another way (src/study). No record twice.
 void adopt_list(Model& model, SearchBuffers& buffers);
-
-/// Sets the dashpot constant C of (18) of every record: damping 2 sqrt(Kn m1 m2/(m1 +
-/// m2)), a fixed block having infinite mass (rule 8).
-void set_contact_damping(Model& model);
-
-/// C of (18) of a corner against a plane or a fixed block: 2 b sqrt(m Kn).
-double damping_against_fixed(const Settings& settings, double mass);
 
 }  // namespace blocks::dynamics

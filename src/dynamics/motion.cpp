@@ -26,7 +26,8 @@ void rotate_symmetric(Eigen::Ref<Eigen::Vector4d> s, const Eigen::Matrix2d& r) {
 }  // namespace
 
 void Displacement::include(const Displacement& others) {
-  if (others.largest > largest)
+  // the same block in whatever order parts come
+  if (others.largest > largest || (others.largest == largest && others.block < block))
     largest = others.largest, block = others.block;
   way = std::max(way, others.way);
   finite = finite && others.finite;

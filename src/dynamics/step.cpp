@@ -8,6 +8,13 @@
 #include "dynamics/time_step.hpp"
 
 namespace blocks::dynamics {
+namespace {
+
+/// Forces to corners for so many blocks in turn: what one call reads is still in the
+/// cache for the next.
+constexpr int blocks_at_once = 64;
+
+}  // namespace
 
 void prepare(Model& model) {
   fix_outside_domain(model);
@@ -18,7 +25,6 @@ void prepare(Model& model) {
     model.time_step = choose_time_step(model);
   }
   model.started = true;
-  set_contact_damping(model);
 }
 
 Displacement step(Model& model, SearchBuffers& buffers) {
@@ -48,6 +54,8 @@ Displacement advance(Model& model, SearchBuffers& buffers) {
     const Profile::Timer timer(buffers.profile, Profile::search);
     group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups, false,
                    buffers.workers->threads());
+    // no more than one of each group acts: no step asks for memory
+    model.contacts.acting.reserve(buffers.groups.all.size());
     buffers.grouped_update = model.search.updates;
   }
 
@@ -83,16 +91,18 @@ Displacement move(Model& model, SearchBuffers& buffers,
   buffers.moved.assign(buffers.workers->threads(), {});
   buffers.workers->each(
       blocks.size(), blocks_per_thread, [&](int part, int first, int last) {
-        const BlockRange range{first, last};
-        sum_contact_forces(blocks, buffers.groups, range);
-        update_velocities(blocks, range, settings.gravity, dt);
-        if (!settings.rigid) {
-          finish_applied_stress(blocks, buffers.groups, range);
-          update_strain_rates(blocks, range, dt);
-          update_stress(blocks, range, settings, dt);
+        for (; first < last; first += blocks_at_once) {
+          const BlockRange range{first, std::min(last, first + blocks_at_once)};
+          sum_contact_forces(blocks, buffers.groups, range);
+          update_velocities(blocks, range, settings.gravity, dt);
+          if (!settings.rigid) {
+            finish_applied_stress(blocks, buffers.groups, range);
+            update_strain_rates(blocks, range, dt);
+            update_stress(blocks, range, settings, dt);
+          }
+          buffers.moved[part].include(
+              move_blocks(blocks, range, buffers.groups.swing, settings, dt));
         }
-        buffers.moved[part] =
-            move_blocks(blocks, range, buffers.groups.swing, settings, dt);
       });
   Displacement moved;
   for (const Displacement& part : buffers.moved)

@@ -26,41 +26,67 @@ Number wait_for(const std::atomic<Number>& number, const Done& done) {
   }
 }
 
+constexpr std::uint32_t pieces_of_share = 4;
+
 }  // namespace
 
-Workers::Workers(int threads) {
-  for (int part = 1; part < threads; ++part)
-    others_.emplace_back([this, part] { serve(part); });
+Workers::Workers(int threads)
+    : shares_(
+          std::make_unique<Share[]>(static_cast<std::size_t>(std::max(1, threads)))) {
+  for (int thread = 1; thread < threads; ++thread)
+    others_.emplace_back([this, thread] { serve(thread); });
 }
 
 Workers::~Workers() {
   over_ = true;
-  ++round_;
-  round_.notify_all();
+  ++number_;
+  number_.notify_all();
   for (std::thread& other : others_)
     other.join();
 }
 
-void Workers::start(const Task& task) {
+void Workers::run(const Task& task) {
   task_ = task;
-  busy_.store(static_cast<int>(others_.size()), std::memory_order_relaxed);
-  round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
+  const std::uint32_t number = number_.load(std::memory_order_relaxed) + 1;
+  undone_.store(task.shares * static_cast<int>(pieces_of_share),
+                std::memory_order_relaxed);
+  for (int share = 0; share < task.shares; ++share)
+    shares_[share].next.store(std::uint64_t{number} << 32, std::memory_order_release);
+  number_.store(number, std::memory_order_release);
+  number_.notify_all();
+  take_pieces(0, number);
+  wait_for(undone_, [](int left) { return left == 0; });
 }
 
-void Workers::finish() {
-  wait_for(busy_, [](int left) { return left == 0; });
+void Workers::take_pieces(int thread, std::uint32_t number) {
+  const int all = threads();
+  for (int k = 0; k < all; ++k) {  // its own share first
+    const int share = (thread + k) % all;
+    std::atomic<std::uint64_t>& next = shares_[share].next;
+    std::uint64_t at = next.load(std::memory_order_acquire);
+    while (at >> 32 == number && static_cast<std::uint32_t>(at) < pieces_of_share) {
+      if (!next.compare_exchange_weak(at, at + 1, std::memory_order_acq_rel,
+                                      std::memory_order_acquire))
+        continue;
+      // until this piece is done there is no other task
+      const long piece = static_cast<long>(pieces_of_share) * share +
+                         static_cast<long>(static_cast<std::uint32_t>(at));
+      const long pieces = static_cast<long>(pieces_of_share) * task_.shares;
+      task_.call(task_.work, thread, static_cast<int>(task_.count * piece / pieces),
+                 static_cast<int>(task_.count * (piece + 1) / pieces));
+      if (undone_.fetch_sub(1, std::memory_order_acq_rel) == 1)
+        undone_.notify_one();
+      at = next.load(std::memory_order_acquire);
+    }
+  }
 }
 
-void Workers::serve(int part) {
-  for (unsigned seen = 0;;) {
-    seen = wait_for(round_, [&](unsigned now) { return now != seen; });
+void Workers::serve(int thread) {
+  for (std::uint32_t seen = 0;;) {
+    seen = wait_for(number_, [&](std::uint32_t now) { return now != seen; });
     if (over_)
       return;
-    if (part < task_.parts)
-      task_.call(task_.work, part, task_.parts, task_.count);
-    if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1)
-      busy_.notify_one();
+    take_pieces(thread, seen);
   }
 }
 

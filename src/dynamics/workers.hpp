@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -23,41 +25,43 @@ class Workers {
 
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
-  /// Splits 0 .. count - 1 into as many ranges as there are threads, or fewer so that
-  /// none but the last is shorter than `least`, and calls work(part, first, last) for
-  /// each at the same time. Returns when all are done. `work` must not throw, and not
-  /// call each(). Allocates nothing.
+  /// Splits 0 .. count - 1 into ranges, a few for each thread but for no more threads
+  /// than have `least` items, and calls work(thread, first, last) for each, at the same
+  /// time, any number of times for a thread. Who is done takes what another has not
+  /// begun, so that nobody waits for a thread without a core. Returns when all are
+  /// done. `work` must not throw, and not call each(). Allocates nothing.
   template <class Work> void each(int count, int least, const Work& work) {
-    const int parts = std::max(1, std::min(threads(), count / std::max(1, least)));
-    if (parts == 1) {
+    const int shares = std::max(1, std::min(threads(), count / std::max(1, least)));
+    if (shares == 1) {
       work(0, 0, count);
       return;
     }
-    const auto call = [](const void* what, int part, int all, int n) {
-      const auto at = [&](int p) {
-        return static_cast<int>(static_cast<long>(n) * p / all);
-      };
-      (*static_cast<const Work*>(what))(part, at(part), at(part + 1));
+    const auto call = [](const void* what, int thread, int first, int last) {
+      (*static_cast<const Work*>(what))(thread, first, last);
     };
-    start({call, &work, parts, count});
-    call(&work, 0, parts, count);
-    finish();
+    run({call, &work, shares, count});
   }
 
  private:
   struct Task {
     void (*call)(const void*, int, int, int) = nullptr;
     const void* work = nullptr;
-    int parts = 0, count = 0;
+    int shares = 0, count = 0;
   };
-  void start(const Task& task);
-  void finish();
-  void serve(int part);
+  /// What is left of the share of one thread: number of the task, and of the piece that
+  /// comes next.
+  struct alignas(64) Share {
+    std::atomic<std::uint64_t> next = 0;
+  };
+  void run(const Task& task);
+  void take_pieces(int thread, std::uint32_t number);
+  void serve(int thread);
 
-  Task task_;
-  std::atomic<unsigned> round_ = 0;  ///< tasks given so far
-  std::atomic<int> busy_ = 0;        ///< parts of the present task not done
+  Task task_;                              ///< read only by who has taken a piece of it
+  std::atomic<std::uint32_t> number_ = 0;  ///< of the present task, from 1
+  std::atomic<int> undone_ = 0;            ///< pieces of it
   std::atomic<bool> over_ = false;
+  std::unique_ptr<Share[]> shares_;  ///< (threads)
   std::vector<std::thread> others_;
 };
 

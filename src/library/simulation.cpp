@@ -282,13 +282,12 @@ std::vector<ContactForce> Simulation::contacts() const {
   };
   std::vector<ContactForce> acting;
   const Contacts& list = model.contacts;
-  for (int i = 0; i < list.size(); ++i) {
-    const int c = list.corner[i], e = list.edge[i];
-    if (list.active[i])
-      acting.push_back({list.corner_block[i] + 1, number(c), list.edge_block[i] + 1,
-                        number(e), all.corner.col(c),
-                        left_of(all.corner.col(e), all.corner.col(all.next[e])),
-                        list.normal_force[i], list.shear_force[i], list.overlap[i]});
+  for (const ActingContact& contact : list.acting) {
+    const int i = contact.record, c = list.corner[i], e = list.edge[i];
+    acting.push_back({list.corner_block[i] + 1, number(c), list.edge_block[i] + 1,
+                      number(e), all.corner.col(c),
+                      left_of(all.corner.col(e), all.corner.col(all.next[e])),
+                      contact.normal_force, contact.shear_force, contact.overlap});
   }
   const PlaneContacts& on_planes = model.plane_contacts;
   for (int i = 0; i < on_planes.size(); ++i) {

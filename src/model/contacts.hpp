@@ -6,23 +6,32 @@
 
 namespace blocks {
 
+/// What a record that acts has besides its place: 4 of 5 records of a list do not.
+struct ActingContact {
+  int record = 0;               ///< index in the list
+  double normal_elastic = 0.0;  ///< [F] FN, spring only, >= 0
+  double shear_elastic = 0.0;   ///< [F] FS, spring only
+  double normal_force = 0.0;    ///< [F] with the dashpot, >= 0, last step
+  double shear_force = 0.0;     ///< [F] with the dashpot, last step
+  double overlap = 0.0;         ///< [L] depth >= 0
+  bool operator==(const ActingContact&) const = default;
+};
+
 /// Records (corner, edge), ordered by pair of blocks (lower number first), then corner,
 /// then edge, so that sums over the list do not depend on how it was found. k records.
 struct Contacts {
-  std::vector<int> corner;        ///< (k) corner that may penetrate, NPC
-  std::vector<int> edge;          ///< (k) first corner of the edge, NPE
-  std::vector<int> corner_block;  ///< (k) NBC
-  std::vector<int> edge_block;    ///< (k)
-  std::vector<char> active;       ///< (k) acted in the last step
-  Eigen::ArrayXd normal_elastic;  ///< [F] (k) FN, spring only, >= 0
-  Eigen::ArrayXd shear_elastic;   ///< [F] (k) FS, spring only
-  Eigen::ArrayXd normal_force;    ///< [F] (k) with the dashpot, >= 0, last step
-  Eigen::ArrayXd shear_force;     ///< [F] (k) with the dashpot, last step
-  Eigen::ArrayXd overlap;         ///< [L] (k) depth of an active contact, else 0
-  Eigen::ArrayXd damping;  ///< [F T/L] (k) C of (18); follows from masses and BETA
+  std::vector<int> corner;            ///< (k) corner that may penetrate, NPC
+  std::vector<int> edge;              ///< (k) first corner of the edge, NPE
+  std::vector<int> corner_block;      ///< (k) NBC
+  std::vector<int> edge_block;        ///< (k)
+  std::vector<char> active;           ///< (k) acted in the last step
+  std::vector<ActingContact> acting;  ///< of the active ones, in the order of the list
 
   int size() const { return static_cast<int>(corner.size()); }
+  /// So many records; none acts.
   void resize(int k);
+  /// Forces and overlap of record i: all 0 where it does not act.
+  ActingContact at(int i) const;
 };
 
 /// Records (plane, corner), ordered by plane, then corner. Frictionless (SPLANE, rule

@@ -18,15 +18,16 @@ ModelTotals totals(const Model& model) {
     sum.fastest = std::max(sum.fastest, v.norm());
   }
   sum.listed_contacts = model.contacts.size() + model.plane_contacts.size();
-  const auto count = [&](const auto& contacts) {
-    for (int i = 0; i < contacts.size(); ++i)
-      if (contacts.active[static_cast<std::size_t>(i)]) {
-        ++sum.active_contacts;
-        sum.worst_overlap = std::max(sum.worst_overlap, contacts.overlap[i]);
-      }
+  const auto count = [&](double overlap) {
+    ++sum.active_contacts;
+    sum.worst_overlap = std::max(sum.worst_overlap, overlap);
   };
-  count(model.contacts);
-  count(model.plane_contacts);
+  for (const ActingContact& contact : model.contacts.acting)
+    count(contact.overlap);
+  const PlaneContacts& on_planes = model.plane_contacts;
+  for (int i = 0; i < on_planes.size(); ++i)
+    if (on_planes.active[static_cast<std::size_t>(i)])
+      count(on_planes.overlap[i]);
   return sum;
 }
 

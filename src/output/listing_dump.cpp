@@ -87,12 +87,13 @@ std::string contacts_dump(const Model& model) {
   };
   for (int i = 0; i < list.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
+    const ActingContact contact = list.at(i);
     text += whole(list.corner_block[k] + 1) +
             within(list.corner[k], list.corner_block[k]) +
             whole(list.edge_block[k] + 1) + within(list.edge[k], list.edge_block[k]) +
-            over_whole(list.active[k] ? "yes" : "no") + number(list.normal_elastic[i]) +
-            number(list.shear_elastic[i]) + number(list.normal_force[i]) +
-            number(list.shear_force[i]) + number(list.overlap[i]) + "\n";
+            over_whole(list.active[k] ? "yes" : "no") + number(contact.normal_elastic) +
+            number(contact.shear_elastic) + number(contact.normal_force) +
+            number(contact.shear_force) + number(contact.overlap) + "\n";
   }
   return text;
 }

@@ -61,11 +61,16 @@ class SavingArchive {
   }
   template <Number T>
   void operator()(const std::string& name, const std::vector<T>& values) {
+    // in pieces: no second list of contacts beside the first
+    hdf5::Column column = make<Stored<T>>(name, values.size(), 0);
     std::vector<Stored<T>> stored;
-    stored.reserve(values.size());
-    for (const T value : values)
-      stored.push_back(to_stored(value));
-    put(name, stored.data(), stored.size(), 0);
+    for (std::size_t first = 0; first < values.size(); first += stored.size()) {
+      stored.clear();
+      for (std::size_t i = first; i < std::min(values.size(), first + rows_at_once);
+           ++i)
+        stored.push_back(to_stored(values[i]));
+      column.put(first, stored.data(), stored.size());
+    }
   }
   /// One row of the dataset for each column of the matrix: a block, a corner, a
   /// contact.
@@ -110,11 +115,15 @@ class SavingArchive {
     }
   };
 
+  static constexpr std::size_t rows_at_once = 65536;
+  template <class T>
+  hdf5::Column make(const std::string& name, hsize_t rows, hsize_t width) {
+    const hsize_t chunk = std::clamp<hsize_t>(rows, 1, rows_at_once);
+    return {group_, name, hdf5::type_of<T>(), width, chunk, true};
+  }
   template <class T>
   void put(const std::string& name, const T* values, hsize_t rows, hsize_t width) {
-    const hsize_t chunk = std::clamp<hsize_t>(rows, 1, 65536);
-    hdf5::Column column(group_, name, hdf5::type_of<T>(), width, chunk, true);
-    column.put(0, values, rows);
+    make<T>(name, rows, width).put(0, values, rows);
   }
   void put(const std::string& name, const Columns& columns) {
     for (const auto& [member, column] : columns.all)

@@ -85,19 +85,22 @@ template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
 }
 
 template <class C, class Archive> void visit_contacts(C& contacts, Archive& ar) {
-  auto& [corner, edge, corner_block, edge_block, active, normal_elastic, shear_elastic,
-         normal_force, shear_force, overlap, damping] = contacts;
+  auto& [corner, edge, corner_block, edge_block, active, acting] = contacts;
   ar("contacts/corner", corner);
   ar("contacts/edge", edge);
   ar("contacts/corner_block", corner_block);
   ar("contacts/edge_block", edge_block);
   ar("contacts/active", active);
-  ar("contacts/normal_elastic", normal_elastic);
-  ar("contacts/shear_elastic", shear_elastic);
-  ar("contacts/normal_force", normal_force);
-  ar("contacts/shear_force", shear_force);
-  ar("contacts/overlap", overlap);
-  ar("contacts/damping", damping);
+  ar.records("contacts/acting", acting, [](auto& column, auto& contact) {
+    auto& [record, normal_elastic, shear_elastic, normal_force, shear_force, overlap] =
+        contact;
+    column("record", record);
+    column("normal_elastic", normal_elastic);
+    column("shear_elastic", shear_elastic);
+    column("normal_force", normal_force);
+    column("shear_force", shear_force);
+    column("overlap", overlap);
+  });
 }
 
 template <class C, class Archive> void visit_plane_contacts(C& contacts, Archive& ar) {

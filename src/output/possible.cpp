@@ -195,14 +195,24 @@ void expect_contacts(const Contacts& c, const Blocks& b) {
     if (!(place(i - 1) < place(i)))
       impossible(fmt::format("contact {} is out of order", i + 1));
   expect_all("contacts/active", c.active, rows, yes_or_no);
-  for (const auto& [name, column] :
-       {std::pair{"contacts/normal_elastic", &c.normal_elastic},
-        {"contacts/normal_force", &c.normal_force},
-        {"contacts/overlap", &c.overlap},
-        {"contacts/damping", &c.damping}})
-    expect_all(name, *column, rows, not_negative);
-  expect_all("contacts/shear_elastic", c.shear_elastic, rows, finite);
-  expect_all("contacts/shear_force", c.shear_force, rows, finite);
+  auto next = c.acting.begin();
+  for (int i = 0; i < c.size(); ++i) {
+    if (c.active[i] == 0)
+      continue;
+    if (next == c.acting.end() || next->record != i)
+      impossible(fmt::format("contact {} acts without its forces", i + 1));
+    for (const auto& [name, value, range] :
+         {std::tuple{"normal_elastic", next->normal_elastic, &not_negative},
+          {"normal_force", next->normal_force, &not_negative},
+          {"overlap", next->overlap, &not_negative},
+          {"shear_elastic", next->shear_elastic, &finite},
+          {"shear_force", next->shear_force, &finite}})
+      if (!holds(*range, value))
+        expect(fmt::format("contact {}: {}", i + 1, name), value, *range);
+    ++next;
+  }
+  if (next != c.acting.end())
+    impossible(fmt::format("contact {} has forces and does not act", next->record + 1));
 }
 
 void expect_plane_contacts(const PlaneContacts& c, const Model& model) {

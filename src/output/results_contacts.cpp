@@ -1,9 +1,11 @@
 #include "output/results_contacts.hpp"
 
+#include <algorithm>
+
 namespace blocks::output {
 namespace {
 
-/// The active contacts of one state, column by column.
+/// Active contacts of one state, column by column.
 struct Rows {
   std::vector<int> corner_block, corner, edge_block, edge;
   std::vector<double> point, normal, normal_force, shear_force, overlap;
@@ -25,21 +27,26 @@ Vec2 left_of(const Vec2& from, const Vec2& to) {
   return {-t.y(), t.x()};
 }
 
-Rows active_contacts(const Model& model) {
+Rows between_blocks(const Model& model, std::size_t first, std::size_t last) {
   const Blocks& blocks = model.blocks;
   Rows rows;
   const Contacts& list = model.contacts;
-  for (int i = 0; i < list.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (!list.active[k])
-      continue;
+  for (std::size_t a = first; a < last; ++a) {
+    const ActingContact& contact = list.acting[a];
+    const auto k = static_cast<std::size_t>(contact.record);
     const int e = list.edge[k], b = list.edge_block[k];
     rows.add(blocks, list.corner[k],
              left_of(blocks.corner.col(e), blocks.corner.col(blocks.next[e])),
-             list.normal_force[i], list.shear_force[i], list.overlap[i]);
+             contact.normal_force, contact.shear_force, contact.overlap);
     rows.edge_block.push_back(b + 1);
     rows.edge.push_back(e - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
   }
+  return rows;
+}
+
+Rows against_planes(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  Rows rows;
   const PlaneContacts& on_planes = model.plane_contacts;
   for (int i = 0; i < on_planes.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -56,6 +63,8 @@ Rows active_contacts(const Model& model) {
 }
 
 constexpr hsize_t contacts_per_chunk = 1024, frames_per_chunk = 256;
+/// Rows that are put together before they are written.
+constexpr std::size_t contacts_at_once = 65536;
 
 }  // namespace
 
@@ -73,22 +82,30 @@ ContactColumns::ContactColumns(const Make& make)
       counts_(make("Counts", H5T_NATIVE_INT64, 0, frames_per_chunk)) {}
 
 void ContactColumns::put(long frame, const Model& model) {
-  const Rows rows = active_contacts(model);
-  const hsize_t first = rows_, count = rows.corner.size();
-  corner_block_.put(first, rows.corner_block.data(), count);
-  corner_.put(first, rows.corner.data(), count);
-  edge_block_.put(first, rows.edge_block.data(), count);
-  edge_.put(first, rows.edge.data(), count);
-  point_.put(first, rows.point.data(), count);
-  normal_.put(first, rows.normal.data(), count);
-  normal_force_.put(first, rows.normal_force.data(), count);
-  shear_force_.put(first, rows.shear_force.data(), count);
-  overlap_.put(first, rows.overlap.data(), count);
+  const hsize_t first = rows_;
+  hsize_t next = first;
+  const auto add = [&](const Rows& rows) {
+    const hsize_t added = rows.corner.size();
+    corner_block_.put(next, rows.corner_block.data(), added);
+    corner_.put(next, rows.corner.data(), added);
+    edge_block_.put(next, rows.edge_block.data(), added);
+    edge_.put(next, rows.edge.data(), added);
+    point_.put(next, rows.point.data(), added);
+    normal_.put(next, rows.normal.data(), added);
+    normal_force_.put(next, rows.normal_force.data(), added);
+    shear_force_.put(next, rows.shear_force.data(), added);
+    overlap_.put(next, rows.overlap.data(), added);
+    next += added;
+  };
+  const std::size_t acting = model.contacts.acting.size();
+  for (std::size_t done = 0; done < acting; done += contacts_at_once)
+    add(between_blocks(model, done, std::min(acting, done + contacts_at_once)));
+  add(against_planes(model));
   const auto offset = static_cast<std::int64_t>(first);
-  const auto size = static_cast<std::int64_t>(count);
+  const auto size = static_cast<std::int64_t>(next - first);
   offsets_.put(static_cast<hsize_t>(frame), &offset, 1);
   counts_.put(static_cast<hsize_t>(frame), &size, 1);
-  rows_ = first + count;
+  rows_ = next;
 }
 
 void ContactColumns::truncate(long frames) {

@@ -50,12 +50,11 @@ std::string unsound(const Model& model, const dynamics::Displacement& moved,
     return "";
   const Contacts& contacts = model.contacts;
   const Blocks& blocks = model.blocks;
-  for (int i = 0; i < contacts.size(); ++i) {
-    if (!contacts.active[i])
-      continue;
+  for (const ActingContact& contact : contacts.acting) {
+    const int i = contact.record;
     const int edge = contacts.edge[i], block = contacts.edge_block[i];
     const int other = contacts.corner_block[i];
-    const double pressed = contacts.normal_elastic[i] / stiffness;
+    const double pressed = contact.normal_elastic / stiffness;
     const double behind = depth_of_middle(blocks, edge, block);
     const double above = 0.5 * extent_across(blocks, edge, other);
     const bool to_behind = blocks.convex[block] && pressed > 0.5 * behind;

@@ -27,17 +27,14 @@ void find_near(Model& model, SearchBuffers& buffers, bool keep) {
       const int other = blocks.corner_block[c];
       if (other != b && (blocks.is_free(b) || blocks.is_free(other)) &&
           distance_to_segment(blocks.corner.col(c), p1, p2) <= reach)
-        buffers.found.push_back({std::min(b, other), std::max(b, other), c, e});
+        buffers.found.push_back({c, e});
     });
   }
   if (!keep)
     return;
   const Contacts& old = model.contacts;
-  for (int i = 0; i < old.size(); ++i) {
-    const int a = old.corner_block[i], b = old.edge_block[i];
-    buffers.found.push_back(
-        {std::min(a, b), std::max(a, b), old.corner[i], old.edge[i]});
-  }
+  for (int i = 0; i < old.size(); ++i)
+    buffers.found.push_back({old.corner[i], old.edge[i]});
   std::sort(buffers.found.begin(), buffers.found.end());
   buffers.found.erase(std::unique(buffers.found.begin(), buffers.found.end()),
                       buffers.found.end());

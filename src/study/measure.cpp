@@ -24,9 +24,10 @@ double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
     energy -= blocks.mass[b] *
               s.gravity.dot(Vec2(blocks.centroid.col(b)) - Vec2(start.col(b)) -
                             0.5 * model.time_step.dt * Vec2(blocks.velocity.col(b)));
-  const Contacts& contacts = model.contacts;
-  energy += 0.5 * contacts.normal_elastic.square().sum() / s.normal_stiffness +
-            0.5 * contacts.shear_elastic.square().sum() / s.shear_stiffness;
+  for (const ActingContact& contact : model.contacts.acting)
+    energy +=
+        0.5 * contact.normal_elastic * contact.normal_elastic / s.normal_stiffness +
+        0.5 * contact.shear_elastic * contact.shear_elastic / s.shear_stiffness;
   return energy +
          0.5 * model.plane_contacts.normal_elastic.square().sum() / s.normal_stiffness;
 }

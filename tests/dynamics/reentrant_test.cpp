@@ -19,9 +19,7 @@ Scene quiet_scene(const Frame& frame) {
   return scene;
 }
 
-double deepest(const Model& model) {
-  return model.contacts.size() == 0 ? 0.0 : model.contacts.overlap.maxCoeff();
-}
+double deepest(const Model& model) { return totals(model).worst_overlap; }
 
 // The centroid of an L lies in front of its inner sides, that of a U in its hollow: by
 // the depth of the centroid they would stop nothing.

@@ -207,6 +207,12 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
               std::swap(m.contacts.corner[0], m.contacts.corner[1]);
             }),
             "contact 2 is out of order");
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.active[1] = 1; }),
+            "contact 2 acts without its forces");
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.acting.push_back({1}); }),
+            "contact 2 has forces and does not act");
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.acting[0].overlap = -1; }),
+            "contact 1: overlap is -1, expected a number from 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.next[3] = 1; }),
             "corner 4 of block 1 is out of its place");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.material[0] = 9; }),

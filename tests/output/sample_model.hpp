@@ -61,10 +61,7 @@ inline Model two_blocks() {
     list.edge_block[k] = 0;
     list.active[k] = i == 0;
   }
-  list.normal_elastic[0] = 0.5;
-  list.normal_force[0] = 0.75;
-  list.shear_force[0] = -0.125;
-  list.overlap[0] = 0.0625;
+  list.acting = {{0, 0.5, 0.0, 0.75, -0.125, 0.0625}};
   model.plane_contacts.resize(1);
   model.plane_contacts.plane[0] = 0;
   model.plane_contacts.corner[0] = 0;

@@ -79,6 +79,8 @@ TEST(View, WritesOnePageAndKeepsTheOlder) {
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
+ActingContact touching(int record) { return {record, 0.0, 0.0, 1e5, 2e4, 0.0}; }
+
 /// Whatever is drawn at random has six digits in every frame and no pattern:
 /// velocities, spins, forces, stresses. Places go on as the velocities say; contacts
 /// last.
@@ -110,12 +112,17 @@ void jolt(Model& model, std::mt19937_64& random) {
   shake(blocks.moment, 1e5);
   shake(blocks.stress, 1e7);
   Contacts& list = model.contacts;
+  std::vector<ActingContact> acting;
   for (int i = 0; i < list.size(); ++i) {
+    ActingContact contact = list.active[i] ? list.at(i) : touching(i);
     if (any(random) > 0.8)
       list.active[i] = !list.active[i];
-    list.normal_force[i] *= 1 + 0.3 * any(random);
-    list.overlap[i] = 1e-3 * (1 + any(random));
+    contact.normal_force *= 1 + 0.3 * any(random);
+    contact.overlap = 1e-3 * (1 + any(random));
+    if (list.active[i])
+      acting.push_back(contact);
   }
+  list.acting = acting;
 }
 
 // 850 blocks x 100 frames in full motion, deformable: the requirement is 5 MB.
@@ -128,13 +135,12 @@ TEST(View, AHundredFramesOfMotionStayBelowFiveMegabytes) {
       samples::add_box(model, 2 * (b % 34), 2 * (b / 34), 1.9, 1.9);
     Contacts& list = model.contacts;
     list.resize(3400);
-    list.normal_force.setConstant(1e5);
-    list.shear_force.setConstant(2e4);
     for (int i = 0; i < list.size(); ++i) {
       const int b = i / 4, other = b == 0 ? 1 : b - 1;
       list.corner[i] = i, list.corner_block[i] = b;
       list.edge[i] = 4 * other + i % 4, list.edge_block[i] = other;
       list.active[i] = 1;
+      list.acting.push_back(touching(i));
     }
     std::mt19937_64 random(850);
     output::ResultsWriter results(path, {});

@@ -63,15 +63,16 @@ void lose_records(const TemporaryFolder& folder) {
     rest.corner_block[kept] = all.corner_block[i];
     rest.edge_block[kept] = all.edge_block[i];
     rest.active[kept] = all.active[i];
-    rest.normal_elastic[kept++] = all.normal_elastic[i];
+    if (all.active[i]) {
+      rest.acting.push_back(all.at(i));
+      rest.acting.back().record = kept;
+    }
+    ++kept;
   }
   ASSERT_LT(kept, all.size());
   for (auto* column : {&rest.corner, &rest.edge, &rest.corner_block, &rest.edge_block})
     column->resize(kept);
   rest.active.resize(kept);
-  for (auto* column : {&rest.normal_elastic, &rest.shear_elastic, &rest.normal_force,
-                       &rest.shear_force, &rest.overlap, &rest.damping})
-    column->conservativeResize(kept);
   all = rest;
   output::write_checkpoint(path, model, info);
 }

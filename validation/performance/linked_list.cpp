@@ -78,8 +78,8 @@ LinkedListCode::LinkedListCode(const Model& start, Checks checks)
           record.edge == start.contacts.edge[i] - from.first_corner[b] &&
           record.corner == start.contacts.corner[i] - from.first_corner[other]) {
         record.active = start.contacts.active[i] != 0;
-        record.fn = start.contacts.normal_elastic[i];
-        record.fs = start.contacts.shear_elastic[i];
+        record.fn = start.contacts.at(i).normal_elastic;
+        record.fs = start.contacts.at(i).shear_elastic;
       }
     }
   }
