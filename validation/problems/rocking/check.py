@@ -103,7 +103,7 @@ def impacts(case):
         off = np.abs(ours - kept(b))
         chart.ours(STIFF, off, f"b/h = {b}")
         case.equal(f"spin after / before the impact, b/h = {b}, K 1e10", kept(b), ours[2], 3e-4,
-                   "1e-4 at K 1e10 by the third row of each column, and frames of 2 ms")
+                   "1e-4 of it is the stiffness, which goes with 1/K; frames of 2 ms")
         if b < 0.5:
             case.equal(f"b/h = {b}: order of convergence in 1/K", 1, order(1 / np.array(STIFF), off),
                        0.06, "three stiffnesses; the next order is small")
