@@ -78,6 +78,12 @@ build() {  # preset [target...]
   install_packages
   log="$here/build/$preset.log"
   mkdir -p "$here/build"
+  # the first time it takes long: say where one can see it at work
+  if [ ! -e "$here/build/$preset/.ninja_log" ]; then
+    echo "building for the first time, some minutes (tail -f $log) ..." >&2
+  elif [ "$command" != run ] && [ "$command" != blocks ]; then
+    echo "building ..." >&2
+  fi
   if ! { (cd "$here" && cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"}) >"$log" 2>&1; }; then
     tail -n 60 "$log" >&2
     echo "the build failed; the whole log: $log" >&2
@@ -93,7 +99,6 @@ command=${1:-help}
 [ $# -gt 0 ] && shift
 case $command in
   run|blocks)
-    [ -x "$here/build/release/src/blocks" ] || echo "building (a few minutes, once) ..." >&2
     build release blocks
     if [ "$command" = run ]; then set -- run "$@"; fi
     exec "$here/build/release/src/blocks" "$@" ;;
@@ -104,7 +109,6 @@ case $command in
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   package)
     install_packages dpkg-dev file
-    echo "building ..." >&2
     build release blocks blocks_library manual package_logs
     (cd "$here/build/release" && cpack >"$here/build/package.log" 2>&1) \
       || { cat "$here/build/package.log" >&2; exit 1; }
@@ -114,33 +118,28 @@ case $command in
     problems() { /usr/bin/python3 "$here/validation/problems/problems.py" \
       "$here/build/release/src/blocks" --report "$@"; }
     if [ "${1:-}" = problems ]; then
-      echo "building ..." >&2
       build release blocks
       shift
       problems "$@"; exit
     fi
     if [ "${1:-}" = predicates ]; then
-      echo "building ..." >&2
       build release predicates
       # fewer inputs leave the report as it is
       [ "$(number "${2:-10000000}")" -ge 10000000 ] || exec "$programs/predicates" --inputs "$2"
       exec "$programs/predicates" --inputs "${2:-10000000}" --report "$here/validation/robustness/PREDICATES"
     fi
     if [ "${1:-}" = rest ]; then
-      echo "building ..." >&2
       build release rest
       # fewer steps leave the report as it is
       [ "$(number "${2:-1000000}")" -ge 1000000 ] || exec "$here/build/release/validation/rest/rest" --steps "$2"
       exec "$here/build/release/validation/rest/rest" --steps "${2:-1000000}" --report "$here/validation/rest/REST"
     fi
     if [ "${1:-}" = reliability ]; then
-      echo "building ..." >&2
       build release
       BLOCKS_THOROUGH=1 exec /usr/bin/python3 "$here/validation/reliability/report.py" \
         "$here/build/release" "$here/validation/reliability/REPORT"
     fi
     if [ "${1:-}" = fuzz ]; then
-      echo "building ..." >&2
       build fuzz fuzz_seeds fuzz_mesh fuzz_deck fuzz_wkt fuzz_geojson fuzz_layer fuzz_run \
         fuzz_checkpoint fuzz_results
       shift
@@ -151,12 +150,10 @@ case $command in
       same_bits() { exec /usr/bin/python3 "$here/validation/reliability/same_bits.py" \
         "$here/build/bits" "$@"; }
       [ "${2:-}" = --quick ] || same_bits "$here/validation/reliability/SAME_BITS"
-      echo "building ..." >&2
       build ci blocks
       same_bits "$here/build/bits/QUICK" --quick --program "g++ -O3=$here/build/ci/src/blocks"
     fi
     if [ "${1:-}" = soak ]; then
-      echo "building ..." >&2
       build release soak
       exec "$here/build/release/validation/reliability/soak" --steps "${2:-10000000}" \
         --report "$here/validation/reliability/SOAK"
@@ -167,7 +164,6 @@ case $command in
            "rest, problems, or a number of layers" >&2
       exit 2
     }
-    echo "building ..." >&2
     build release blocks robustness certificate_study distribution_study predicates
     code=0
     part() { "$@" || { at=$?; echo "go: $1: exit code $at" >&2; [ $code != 0 ] || code=$at; }; }
@@ -179,7 +175,6 @@ case $command in
     part "$here/validation/robustness/compilers.sh" "$here/build/compilers"
     exit $code ;;
   study)
-    echo "building ..." >&2
     build release blocks
     frames=${1:-1000}
     # fewer frames leave the table as it is
@@ -187,7 +182,6 @@ case $command in
     exec "$here/build/release/src/blocks" study contacts all --variants default \
       --frames "$frames" -j "$(nproc)" --gate $table ;;
   bench)
-    echo "building ..." >&2
     if [ "${1:-}" = exactness ]; then
       build release bench_exactness
       shift
@@ -196,7 +190,6 @@ case $command in
     build release bench
     exec "$here/build/release/validation/performance/bench" "$@" ;;
   asan|tsan)
-    echo "building ..." >&2
     preset=$command
     [ "$command" = tsan ] || preset=fuzz  # one build for both
     build "$preset"
@@ -211,7 +204,6 @@ case $command in
       *) echo "go: error: fuzz needs a name: deck, run, mesh, geojson, wkt, layer, results," \
            "checkpoint" >&2; exit 2 ;;
     esac
-    echo "building ..." >&2
     build fuzz "fuzz_$1" fuzz_seeds
     found=$here/build/found; name=$1; seconds=$2
     shift 2

@@ -33,6 +33,6 @@ inside 'apt-get install -y -qq --no-install-recommends g++ cmake ninja-build \
   cd /try/consumer
   cmake -G Ninja -B build -DCMAKE_BUILD_TYPE=Release >/packages/log 2>&1 &&
     cmake --build build >>/packages/log 2>&1 || { cat /packages/log; exit 1; }
-  build/layer | tail -n 1; build/servo | tail -n 1
+  build/layer | tail -n 1; build/servo | tail -n 2
   apt-get -o Dpkg::Use-Pty=0 purge -y -qq blocks >/dev/null && ! command -v blocks'
 echo "both packages are sound"

@@ -1,7 +1,7 @@
 // A plate is pressed onto a wall of bricks by a servo: it moves as fast as the force on
 // it differs from the one that is wanted, until the two are equal. The plate is of a
 // heavy material, so that it moves as it is told, and FORCE holds its weight.
-//   servo [force in N] [results.vtkhdf]
+//   servo [force in N] [results.vtkhdf]      exit code 1: the force was not reached
 #include <blocks/simulation.hpp>
 
 #include <algorithm>
@@ -46,8 +46,18 @@ DAMPING, 0.3
 
 constexpr int floor_block = 1, plate = 12;
 constexpr double fastest = 0.05;  // m/s
+constexpr double close = 1e-3;    // of a force, to what is wanted
 
-void run(double wanted, const std::string& results) {
+/// Tells a force [N] and the one that should be; whether they are close.
+bool compare(const char* what, double force, double expected) {
+  const double off = force / expected - 1.0;
+  std::printf("%s %.1f N, expected %.1f N: off by %+.3f %%\n", what, force, expected,
+              100.0 * off);
+  return std::abs(off) <= close;
+}
+
+/// Whether the force was reached.
+bool run(double wanted, const std::string& results) {
   blocks::Simulation wall(cards);
   const double stiffness = 6.0 * 1e8;  // of its contacts with three bricks, N/m
   const double gain = 0.005 / (stiffness * wall.time_step());  // m/s per N
@@ -71,15 +81,22 @@ void run(double wanted, const std::string& results) {
   double bricks = 0.0;
   for (int block = floor_block + 1; block < plate; ++block)
     bricks += 9.81 * wall.mass(block);
-  std::printf("wanted %.1f N; with the bricks' weight the floor carries %.1f N\n",
-              wanted, wanted + bricks);
+  const bool pressed = compare("on the plate", wall.contact_force(plate).y(), wanted);
+  const bool carried =
+      compare("on the floor", -wall.contact_force(floor_block).y(), wanted + bricks);
+  return pressed && carried;
 }
 
 }  // namespace
 
 int main(int count, char** words) {
+  const double wanted = count > 1 ? std::atof(words[1]) : 1e6;
+  if (!(wanted > 0.0)) {
+    std::fprintf(stderr, "usage: servo [force in N] [results.vtkhdf]\n");
+    return 2;
+  }
   try {
-    run(count > 1 ? std::atof(words[1]) : 1e6, count > 2 ? words[2] : "");
+    return run(wanted, count > 2 ? words[2] : "") ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

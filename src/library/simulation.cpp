@@ -70,6 +70,8 @@ struct Simulation::State {
   /// All cards act; DeckError with all their faults.
   void act(const deck::Deck& deck, deck::Diagnostics& said);
   void step(long count);
+  /// Throws UnsoundRun where an earlier step did.
+  void must_be_sound() const;
   /// Index of a block from its number.
   int index(int block) const;
 
@@ -78,7 +80,8 @@ struct Simulation::State {
   dynamics::SearchBuffers buffers;
   std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
   std::vector<std::string> warnings;
-  long changes = 0;  ///< from outside: cards and velocities
+  std::string unsound;  ///< why a step was, or ""
+  long changes = 0;   ///< from outside: cards and velocities
   std::map<std::filesystem::path, library::ResultsInUse> results;  ///< by file
 
  private:
@@ -183,11 +186,16 @@ void Simulation::State::step(long count) {
         !(moved.strongest > model.settings.normal_stiffness * half_depth))
       continue;
     dynamics::catch_up(model, buffers);
-    if (const std::string fault = run::unsound(model, moved, half_depth);
-        !fault.empty())
-      throw UnsoundRun(fault);
+    unsound = run::unsound(model, moved, half_depth);
+    if (!unsound.empty())
+      throw UnsoundRun(unsound);
   }
   dynamics::catch_up(model, buffers);
+}
+
+void Simulation::State::must_be_sound() const {
+  if (!unsound.empty())
+    throw UnsoundRun("nothing goes on from an unsound run: " + unsound);
 }
 
 int Simulation::State::index(int block) const {
@@ -213,6 +221,7 @@ Simulation Simulation::from_file(const std::string& path, int threads) {
 }
 
 void Simulation::cards(const std::string& text) {
+  state_->must_be_sound();
   deck::Diagnostics said(state_->name, text);
   state_->act(deck::parse_further(state_->name, text, said), said);
 }
@@ -226,6 +235,7 @@ void Simulation::step(long count) {
     throw std::invalid_argument(fmt::format("{} steps cannot be made", count));
   if (blocks() == 0)
     throw std::logic_error("there are no blocks to move");
+  state_->must_be_sound();
   state_->step(count);
 }
 
@@ -326,6 +336,7 @@ void Simulation::set_velocity(int block, const Eigen::Vector2d& velocity, double
   if (!velocity.allFinite() || !std::isfinite(spin))
     throw std::invalid_argument(
         fmt::format("the velocity of block {} is not a number", block));
+  state_->must_be_sound();
   all.velocity.col(b) = velocity;
   all.spin[b] = spin;
   ++state_->changes;
@@ -342,6 +353,7 @@ void Simulation::write_frame(const std::string& path) {
 }
 
 void Simulation::write_checkpoint(const std::string& path) const {
+  state_->must_be_sound();
   // Without the deck's text: this is no place in a deck that a run could go on from.
   output::CheckpointInfo info;
   info.deck_file = state_->name;

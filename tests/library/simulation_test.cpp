@@ -160,6 +160,21 @@ TEST(Simulation, RefusesWhatNoRunGoesOnFrom) {
   thrown.set_velocity(1, {400.0, 0.0});
   EXPECT_THROW(thrown.step(10000), UnsoundRun);
   EXPECT_THROW(thrown.set_velocity(2, {std::nan(""), 1.0}), std::invalid_argument);
+  const TemporaryFolder folder;
+  const long made = thrown.steps();
+  EXPECT_THROW(thrown.step(), UnsoundRun);
+  EXPECT_THROW(thrown.step(0), UnsoundRun);
+  EXPECT_THROW(thrown.cards("CYCLE, 1\n"), UnsoundRun);
+  EXPECT_THROW(thrown.set_velocity(1, {0.0, 0.0}), UnsoundRun);
+  EXPECT_THROW(thrown.write_checkpoint(folder / "bad.ckpt.h5"), UnsoundRun);
+  EXPECT_EQ(thrown.steps(), made);
+  try {
+    thrown.step();
+  } catch (const UnsoundRun& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("nothing goes on from an unsound run: at time"));
+  }
+  thrown.write_frame(folder / "last.vtkhdf");  // to look at
   EXPECT_THROW(Simulation(stack, 0), std::invalid_argument);
   EXPECT_THROW(Simulation(stack, 100000), std::invalid_argument);
 }

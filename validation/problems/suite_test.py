@@ -97,6 +97,21 @@ def test_turned_deck():
     assert numbers[0][0] <= 8 and numbers[0][1] >= 12, lines
     assert with_lines(text, CREATE="FIX, 1").count("FIX") == 1
 
+    def line(card):
+        return [float(word) for word in turned(text + card, 90, (10, 20)).splitlines()[6].split(",")[1:]]
+    assert np.allclose(line("FORCE, 1, 2, 3., .5"), [1, -3, 2, 0.5])
+    assert np.allclose(line("FORCE, 1, 2.D0"), [1, 0, 2])
+    assert np.allclose(line("SETVELM, 1, 2, 3, 4"), [1, -3, 2, 4])
+    assert np.allclose(line("LAYER, -3, 1, 0, 0, 0, 1, 3, 1, 3, 0"), [-3, 1, 10, 20, 9, 20, 9, 23, 10, 23])
+    assert np.allclose(line("SPLANE, 0, 0, 1, 2"), [10, 20, 8, 21])
+    for card in ("READ9, mine.msh", "LAYER, -3, 1, 0, 0, 0, 1,\n3, 1, 3, 0", "WIND, 1, 0"):
+        try:
+            turned(text + card, 90)
+        except ValueError as fault:
+            assert card.split(",")[0] in str(fault), fault
+        else:
+            raise AssertionError(f"{card} was taken as it stands")
+
 
 def test_reach():
     x = np.array([0.0, 2.7, 5.4, 8.1, 12.0])

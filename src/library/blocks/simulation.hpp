@@ -17,7 +17,9 @@ class DeckError : public std::runtime_error {
 };
 
 /// Some position is no longer a number, or a contact is pressed in by more than half of
-/// what a block is deep: lower FRACTION, or raise STIFF.
+/// what a block is deep: lower FRACTION, or raise STIFF. From then on the Simulation
+/// can be read and its state written as a frame; whatever would go on from that state
+/// (step, cards, set_velocity, write_checkpoint) throws UnsoundRun again.
 class UnsoundRun : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -116,9 +118,9 @@ class Simulation {
   /// belongs to another Simulation of this program that still lives.
   void write_frame(const std::string& path);
 
-  /// Writes the state for RESTART, here or by `blocks run`; an
-  /// existing one is kept as `path`.prev. Throws std::runtime_error: it cannot be
-  /// written, or is a folder, device or fifo.
+  /// Writes the state for RESTART, here or by `blocks run`; an existing one is kept as
+  /// `path`.prev. Throws std::runtime_error: it cannot be written, or is a folder,
+  /// device or fifo; UnsoundRun where a step did.
   void write_checkpoint(const std::string& path) const;
 
  private:

@@ -2,8 +2,8 @@
 
 import numpy as np
 from suite.chart import Chart
-from suite.deck import turned
-from suite.numbers import slope
+from suite.deck import turned, with_lines
+from suite.numbers import order, slope
 
 LENGTH = "long"
 MU, G, SPEED = 0.4, 10.0, 10.0
@@ -13,14 +13,45 @@ SCENES = (("fixed", 0, 1e7, 1), ("fixed", 33, 1e7, 1), ("fixed", 0, 1e7, -1),
           ("free", 33, 1e8, 1), ("free", 33, 1e8, -1), ("free", 0, 1e7, 1), ("free", 0, 1e7, -1))
 
 
-def scene(text, stiffness, way):
-    """The deck with this stiffness; to the left the box starts 10 m farther to the right."""
+def scene(text, stiffness, way, beside=0.0):
+    """The deck with this stiffness; to the left the box starts 10 m farther to the right. It starts
+    flush with a joint, or that far beside it."""
     text = text.replace("1.E7", f"{stiffness:g}")
-    if way > 0:
-        return text
     assert "0, 0, 1, 1\n0, 1, 1, 0" in text and "SETVEL, 1, 0, 10, 0, 0" in text
-    return text.replace("0, 0, 1, 1\n0, 1, 1, 0", "10, 10, 11, 11\n0, 1, 1, 0").replace(
-        "SETVEL, 1, 0, 10, 0, 0", "SETVEL, 1, 0, -10, 0, 0")
+    left = beside + (0 if way > 0 else 10)
+    return text.replace("0, 0, 1, 1\n0, 1, 1, 0", f"{left}, {left}, {left + 1}, {left + 1}\n0, 1, 1, 0").replace(
+        "SETVEL, 1, 0, 10, 0, 0", f"SETVEL, 1, 0, {10 * way}, 0, 0")
+
+
+def losses(case, stiffness, beside, fraction=0.02):
+    """What the box has lost of its speed 0.02 s after its start, beyond mu g t, in frames turned by
+    six angles and both ways [m/s]."""
+    frames = [(7 + 60.37 * k, way) for k in range(6) for way in (1, -1)]
+    decks = [turned(with_lines(scene(case.text("free.deck"), stiffness, way, beside), PLOTS="PLOTS, 0.02",
+                               FRACTION=f"FRACTION, {fraction}").replace("MOTION, 1\nSTOP", "MOTION, 0.1\nSTOP"),
+                    angle) for angle, way in frames]
+    lost = []
+    for run, (angle, way) in zip(case.run_all([("free.deck", (), deck) for deck in decks]), frames):
+        at = np.searchsorted(run.times, 1.0195)
+        right = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+        speed = run.of("Velocity", 1)[at, :2] @ right * way
+        lost.append(SPEED - MU * G * (run.times[at] - 1) - speed)
+    return np.array(lost)
+
+
+def starts(case):
+    """Rows: a box that starts flush with a joint, and one that starts beside it."""
+    for stiffness in (1e8, 1e9):
+        for beside, where in ((0.3, "0.3 m beside a joint"), (0.0, "flush with a joint")):
+            lost = losses(case, stiffness, beside)
+            case.at_most(f"free boxes, K {stiffness:g}, begun {where}, six frames and both ways: runs that "
+                         "lose 0.05 m/s or more at the start", 0, int((lost >= 0.05).sum()),
+                         "friction takes 0.08 m/s, and nothing else does")
+    fractions = (0.01, 0.005, 0.0025)
+    largest = [losses(case, 1e8, 0.0, f).max() for f in fractions]
+    case.equal("begun flush, K 1e+08: order in FRACTION of the largest loss", 1, order(fractions, largest),
+               0.1, f"{', '.join(f'{v:.3f}' for v in largest)} m/s at FRACTION 0.01, 0.005, 0.0025: what "
+               "one step does goes with dt")
 
 
 def check(case):
@@ -54,6 +85,7 @@ def check(case):
                      "largest of all", 2, max(some),
                      "box and floor give by up to W / (2 K) more when one box carries all than when "
                      "two do; twice that if suddenly")
+    starts(case)
     chart.expected([1, 2], [SPEED, SPEED - MU * G], "v0 - mu g t")
     case.chart(chart)
     case.chart(heights)

@@ -1,19 +1,22 @@
-"""Time to the first impact and loss of spin in it."""
+"""Times between impacts and loss of spin in them, against rigid-body theory for any angle."""
 
-from math import acosh, atan, cos, hypot, sin, sqrt
+from math import acos, acosh, atan, cos, hypot, sin, sqrt
 
 import numpy as np
 from suite.chart import Chart
 from suite.deck import polygon, rectangle, with_lines
-from suite.numbers import first_time
+from suite.numbers import first_time, order
 
 LENGTH = "long"
 G = 9.81
+STIFF = (1e8, 1e9, 1e10)
+DEAD = 4.0  # DAMPING of an impact that does not rebound
 
 
-def rock(case, b, stiffness=1e9, damping=0.9, time=1.2, fraction=0.01):
-    """Times and angles of a column of half sizes b and 1."""
-    start = atan(b) / 2
+def rock(case, b, stiffness=1e9, damping=DEAD, time=1.2, fraction=0.00125, tilt=0.5):
+    """A column of half sizes b and 1, let go at this part of its angle of stability: the run, and
+    the angles."""
+    start = tilt * atan(b)
     c, s = cos(start), sin(start)
     text = case.text("rocking.deck")
     first, last = text.index("CREATE"), text.index("GRAVITY")
@@ -26,54 +29,98 @@ def rock(case, b, stiffness=1e9, damping=0.9, time=1.2, fraction=0.01):
 
 
 def quarter(b, start):
-    """Time from th0 to 0 about the corner, by the middle rule in x: th = th0 (1 - x^2)."""
+    """Exact time between this angle, at rest, and 0, by the middle rule in x: th = start (1 - x^2)."""
     a, p2 = atan(b), 0.75 * G / hypot(b, 1)
     x = (np.arange(100000) + 0.5) / 100000
     spin = np.sqrt(2 * p2 * (np.cos(a - start) - np.cos(a - start * (1 - x * x))))
     return np.mean(2 * start * x / spin)
 
 
+def kept(b):
+    """Exact spin after / before an impact that neither slips nor rebounds."""
+    return 1 - 1.5 * sin(atan(b)) ** 2
+
+
 def ratio(b, angle):
+    """The same, measured: by the greatest angles before and after it."""
     a = atan(b)
     return sqrt((cos(a + angle.min()) - cos(a)) / (cos(a - angle[0]) - cos(a)))
 
 
-def check(case):
+def times(case):
+    """Rows and figures of the times; the run of the slender column."""
     a = atan(0.2)
-    p = sqrt(0.75 * G / hypot(0.2, 1))
-    run, angle = rock(case, 0.2)
+    run, angle = rock(case, 0.2, 1e10, time=1.5)
     first = first_time(run.times, -angle, 0.0)
-    case.equal("four times the time to the first impact, finite angles", 4 * quarter(0.2, a / 2),
-               4 * first, 1e-3, "the column sinks on its corner by 2e-5 m at the start", "s")
-    linear = 4 / p * acosh(2)
-    case.equal("the same, small angles", linear, 4 * first, 2e-3,
-               f"finite angles make it {4 * quarter(0.2, a / 2) / linear - 1:.2%} longer", "s")
-    for b in (0.1, 0.2, 0.25, 0.5):
-        case.equal(f"spin after / before the impact, b/h = {b}", 1 - 1.5 * sin(atan(b)) ** 2,
-                   ratio(b, rock(case, b, time=1.4)[1]), 0.01,
-                   "an impact on springs takes time, and rebounds a little")
+    later = run.times > first + 0.2
+    second = first_time(run.times[later], angle[later], 0.0)
+    case.equal("four times the time to the first impact, exact", 4 * quarter(0.2, a / 2), 4 * first,
+               2e-4, "frames of 2 ms, straight between them; the column sinks on its corner", "s")
+    case.compared("the same, Housner's small angles", 4 / sqrt(0.75 * G / hypot(0.2, 1)) * acosh(2),
+                  4 * first, "finite angles make it longer", "s")
+    after = a - acos(cos(a) + kept(0.2) ** 2 * (cos(a / 2) - cos(a)))
+    case.equal("from the first impact to the second, exact", 2 * quarter(0.2, after), second - first,
+               1e-3, "as above; and it leaves with what the impact leaves it", "s")
     chart = Chart("Rocking of a column, b/h = 0.2", "time, s", "angle, degrees")
+    p = sqrt(0.75 * G / hypot(0.2, 1))
     t = np.linspace(0, first, 60)
     chart.expected(t, np.degrees(a - a / 2 * np.cosh(p * t)), "Housner, small angles")
-    speed = (1 - 1.5 * sin(a) ** 2) * p * a / 2 * sqrt(3)  # spin before: p (a/2) sinh(acosh 2)
+    speed = kept(0.2) * p * a / 2 * sqrt(3)  # spin before: p (a/2) sinh(acosh 2)
     t = np.linspace(first, run.times[-1], 60)
-    after = a - a * np.cosh(p * (t - first)) + speed / p * np.sinh(p * (t - first))
-    chart.expected(t, -np.degrees(after), "")
+    swung = a - a * np.cosh(p * (t - first)) + speed / p * np.sinh(p * (t - first))
+    chart.expected(t[swung > 0], -np.degrees(swung[swung > 0]), "")
     chart.ours(run.times[::12], np.degrees(angle[::12]))
     case.chart(chart)
-    stiff = (1e7, 1e8, 1e9)
-    errors = [abs(ratio(0.2, rock(case, 0.2, k)[1]) - (1 - 1.5 * sin(a) ** 2)) for k in stiff]
-    case.at_most("error of the ratio, stiffness 1e9 over 1e7", 0.2, errors[2] / errors[0],
-                 "it has to fall with stiffness")
-    exact = ratio(0.2, angle)
-    coarse = ratio(0.2, rock(case, 0.2, fraction=0.016)[1])
-    fine = ratio(0.2, rock(case, 0.2, fraction=0.005)[1])
-    case.equal("ratio at FRACTION 0.016, 0.01 and 0.005: spread", 0,
-               max(coarse, exact, fine) - min(coarse, exact, fine), 1e-3,
-               "the time step is not what limits the accuracy", absolute=True)
-    chart = Chart("Spin ratio, b/h = 0.2", "stiffness, N/m per m", "error of the ratio", log="xy")
-    chart.ours(stiff, errors, "DAMPING 0.9")
-    chart.ours(stiff, [abs(ratio(0.2, rock(case, 0.2, k, 0.5)[1]) - (1 - 1.5 * sin(a) ** 2))
-                       for k in stiff], "DAMPING 0.5")
+    slender = run
+
+    tilts, ours = np.array([0.1, 0.25, 0.5, 0.75, 0.9]), []
+    for tilt in tilts:
+        run, angle = rock(case, 0.5, 1e10, time=2.0, tilt=tilt)
+        ours.append(4 * first_time(run.times, -angle, 0.0))
+        if tilt in (0.25, 0.9):
+            case.equal(f"stocky, b/h = 0.5, let go at {tilt} of its angle of stability: four times the "
+                       "time to the first impact, exact", 4 * quarter(0.5, tilt * atan(0.5)), ours[-1],
+                       5e-4, "frames of 2 ms, straight between them", "s")
+    chart = Chart("Time to the first impact over Housner's of small angles, b/h = 0.5",
+                  "angle at the start, of that of stability", "ratio")
+
+    def small(tilt):
+        return 4 / sqrt(0.75 * G / hypot(0.5, 1)) * np.arccosh(1 / (1 - tilt))
+
+    every = np.linspace(0.05, 0.95, 60)
+    chart.expected(every, [4 * quarter(0.5, k * atan(0.5)) / small(k) for k in every], "exact")
+    chart.ours(tilts, ours / small(tilts))
     case.chart(chart)
-    case.picture(run, "-t", "0,0.3,0.49,0.9", "--columns", 4, "--zoom", "-1.2,1.4,-0.3,2.3")
+    return slender
+
+
+def impacts(case):
+    """Rows and figure of the loss of spin."""
+    chart = Chart("Spin after / before the impact: distance from 1 - 1.5 sin^2 a",
+                  "stiffness, N/m per m", "distance", log="xy")
+    for b in (0.1, 0.2, 0.25, 0.5):
+        ours = np.array([ratio(b, rock(case, b, k)[1]) for k in STIFF])
+        off = np.abs(ours - kept(b))
+        chart.ours(STIFF, off, f"b/h = {b}")
+        case.equal(f"spin after / before the impact, b/h = {b}, K 1e10", kept(b), ours[2], 3e-4,
+                   "1e-4 of it is the stiffness, which goes with 1/K; frames of 2 ms")
+        if b < 0.5:
+            case.equal(f"b/h = {b}: order of convergence in 1/K", 1, order(1 / np.array(STIFF), off),
+                       0.06, "three stiffnesses; the next order is small")
+            case.equal(f"b/h = {b}: the ratio, K to infinity", kept(b), ours[2] + (ours[2] - ours[1]) / 9,
+                       1e-4, "Richardson, of order 1, from K 1e9 and 1e10")
+    case.chart(chart)
+    first = np.array([ratio(0.2, rock(case, 0.2, fraction=f)[1]) for f in (0.005, 0.0025, 0.00125)])
+    case.equal("b/h = 0.2, K 1e9: ratio at FRACTION 0.005, 0.0025 and 0.00125: spread", 0,
+               np.ptp(first), 1e-4, "a dashpot this strong wants small steps; stiffness costs 5e-4 here",
+               absolute=True)
+    for damping in (0.5, 0.9, 2.0):
+        case.compared(f"b/h = 0.5, DAMPING {damping}, K 1e10: spin after / before", kept(0.5),
+                      ratio(0.5, rock(case, 0.5, 1e10, damping)[1]),
+                      "it rebounds: another impact than the one of the answer")
+
+
+def check(case):
+    slender = times(case)
+    impacts(case)
+    case.picture(slender, "-t", "0,0.3,0.49,0.9", "--columns", 4, "--zoom", "-1.2,1.4,-0.3,2.3")

@@ -24,9 +24,16 @@ def with_lines(text, **lines):
     return text
 
 
+# cards that say the same in every frame
+FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "BOXES", "FUNCTION",
+             "FIX", "FRICTN", "DAMPING", "MERGE", "ORIENT", "PRESSBC", "OUTPUT", "PLOTS", "DUMP",
+             "MOTION", "CYCLE", "STOP"}
+
+
 def turned(text, degrees, shift=(0.0, 0.0)):
-    """The deck in a frame turned anticlockwise and then shifted: CREATE, CLOOP, SETVEL,
-    GRAVITY, SPLANE; the domain grows around it."""
+    """The deck in a frame turned anticlockwise and then shifted: corners of CREATE and LAYER,
+    CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE; the domain grows around it. ValueError for a card that it
+    cannot turn (READ9, RESTART), or one that goes on on the next line."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
 
     def turn(x, y, by=(0.0, 0.0)):
@@ -35,6 +42,20 @@ def turned(text, degrees, shift=(0.0, 0.0)):
     def words(line):
         return [word.strip() for word in re.split(r"[$!]", line)[0].split(",")]
 
+    def real(card, field):
+        word = card[field] if field < len(card) else ""
+        return float(word.upper().replace("D", "E")) if word else 0.0
+
+    def with_pairs(card, first, pairs, by=(0.0, 0.0)):
+        """The card with the pairs from that field on turned."""
+        card = card + [""] * (first - len(card))
+        new = [v for k in range(pairs)
+               for v in turn(real(card, first + 2 * k), real(card, first + 2 * k + 1), by)]
+        return ", ".join([*card[:first], *(f"{v:.15g}" for v in new), *card[first + 2 * pairs:]])
+
+    # field of the first pair, how many pairs, whether they are points
+    pairs = {"CLOOP": (2, 1, False), "GRAVITY": (1, 1, False), "SETVEL": (3, 1, False),
+             "SETVELM": (2, 1, False), "FORCE": (2, 1, False), "SPLANE": (1, 2, True), "LAYER": (3, 4, True)}
     lines, out, limits = text.splitlines(), [], []
     at = 0
     while at < len(lines):
@@ -44,25 +65,27 @@ def turned(text, degrees, shift=(0.0, 0.0)):
         at += 1
         if name == "CREATE":
             xs, ys = ([float(word) for word in words(lines[at + k])] for k in (0, 1))
+            if not len(xs) == len(ys) == int(card[1]):
+                raise ValueError(f"CREATE goes on on a third line: {line}")
             at += 2
             points = [turn(x, y, shift) for x, y in zip(xs, ys)]
             fixed = len(card) > 3 and card[3] not in ("", "0")
             out.append(polygon(points, fixed, int(card[2])).rstrip())
-        elif name in ("CLOOP", "GRAVITY"):
-            x, y = turn(*(float(word) for word in card[-2:]))
-            out.append(", ".join([*card[:-2], f"{x:.15g}", f"{y:.15g}"]))
-        elif name == "SETVEL":
-            x, y = turn(float(card[3]), float(card[4]))
-            out.append(", ".join([*card[:3], f"{x:.15g}", f"{y:.15g}", *card[5:]]))
-        elif name == "SPLANE":
-            ends = [float(word) for word in card[1:]]
-            both = (*turn(*ends[:2], shift), *turn(*ends[2:], shift))
-            out.append(", ".join(["SPLANE", *(f"{v:.15g}" for v in both)]))
+        elif name in pairs:
+            first, count, points = pairs[name]
+            if points and len(card) < first + 2 * count:
+                raise ValueError(f"{name} goes on on the next line: {line}")
+            out.append(with_pairs(card, first, count, shift if points else (0.0, 0.0)))
         elif name in ("XLIMITS", "YLIMITS"):
             limits += [float(word) for word in card[1:]]
             out.append(name)
-        else:
+        elif name in FRAMELESS or not name or re.match(r"[-+.\d]", name):
             out.append(line)
+            if name == "START":  # its title
+                out.append(lines[at])
+                at += 1
+        else:
+            raise ValueError(f"no frame is known for {name}: {line}")
     reach = math.hypot(max(map(abs, limits[:2])), max(map(abs, limits[2:])))
     for name, middle in (("XLIMITS", shift[0]), ("YLIMITS", shift[1])):
         out[out.index(name)] = f"{name}, {middle - reach:.15g}, {middle + reach:.15g}"

@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+"""What the pages of the decks say is so: check_deck_pages.py SOURCE PROGRAM.
+
+The commands of each page run, and numbers that it quotes are measured again: they hold within one
+unit of their last digit, whole numbers exactly. What rubble does (crater, subsidence) and how hard
+a block lands is not held to a number."""
+
+import math
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+SOURCE, PROGRAM = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+sys.path.insert(0, str(SOURCE / "validation/problems"))
+
+from suite.numbers import first_time, slope  # noqa: E402
+from suite.results import Results  # noqa: E402
+
+NUMBER = r"(-?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?)"
+
+
+def blocks(folder, *words):
+    done = subprocess.run([PROGRAM, *map(str, words)], cwd=folder, text=True, capture_output=True)
+    assert done.returncode == 0, f"blocks {' '.join(map(str, words))}: {done.returncode}\n{done.stderr}"
+
+
+def run(folder, name, *options):
+    """Results of the deck; options as of `blocks run`."""
+    stem = folder / f"{name}_again"
+    blocks(folder, "run", "-q", "-j", 1, SOURCE / f"decks/{name}/{name}.deck", "-o", stem, *options)
+    return Results(stem, 0)
+
+
+def bounce(results, _):
+    z = 0.2 * math.sqrt(2)
+    yield r"= # *\n\nof its speed", math.exp(-z * (math.pi - 2 * math.asin(z)) / math.sqrt(1 - z * z))
+    for block in (2, 3, 4):
+        y, v = results.of("Centroid", block)[:, 1], results.of("Velocity", block)[:, 1]
+        down = math.sqrt(v[0] ** 2 + 2 * 9.81 * (y[0] - 0.5))
+        flight = np.flatnonzero((v > 0) & (y > 0.51))[0]  # after the first bounce
+        up = math.sqrt(v[flight] ** 2 + 2 * 9.81 * (y[flight] - 0.5))
+        yield rf"{down:.3f} -> # m/s", up
+        yield rf"{down:.3f} -> \S+ m/s \(#\)", up / down
+    yield r"overlap is\s#\sm = M g / \(2 Kn\)", results.summary["worst_overlap"]["end"]
+
+
+def sliding(results, _):
+    late = results.times > 0.29
+    for block in (2, 3):
+        speed = np.hypot(*results.of("Velocity", block)[late, :2].T)
+        yield r"4 s: # for both boxes", slope(results.times[late], speed)
+    yield r"worst overlap is # m", results.summary["worst_overlap"]["ever"]
+
+
+def stack(results, _):
+    page = (SOURCE / "decks/stack/README.md").read_text()
+    bricks = results.all("Centroid")[:, :, 1]
+    aligned = [b for b in range(1, 13) if math.isclose(results.all("Centroid")[0, b, 0], 1.5)]
+    assert len(aligned) == 6 and page.count("measured, mm") == 1
+    for k, b in enumerate(sorted(aligned, key=lambda b: bricks[0, b])):
+        yield r"measured, mm" + r" \| \S+" * k + r" \| #", 1e3 * (bricks[0, b] - bricks[-1, b])
+    yield r"Measured: # mm, the worst overlap at the end", 1e3 * results.summary["worst_overlap"]["end"]
+    yield r"leans by up to # *\ndegrees", math.degrees(np.abs(results.all("Angle")[-1]).max())
+
+
+def toppling(results, _):
+    turned = [abs(math.degrees(results.of("Angle", block)[-1])) for block in (2, 3)]
+    yield r"first has turned by # degrees", turned[0]
+    yield r"second has turned *\nby # degrees", turned[1]
+    flat = first_time(results.times, np.abs(np.degrees(results.of("Angle", 3))), 89.5)
+    yield r"since # s", flat
+    assert results.summary["worst_overlap"]["ever"] < 0.05, "2 cm by the page, as it lands"
+
+
+def wave(results, folder):
+    fine = run(folder, "wave", "--set", "PLOTS.dtplot=5e-5")
+    pressure = -fine.all("Stress")[:, :, 0]
+    at = range(6, 37)
+    times = [first_time(fine.times, pressure[:, b - 1], 0.5e6) for b in at]
+    speed = slope(times, np.array(at, float))
+    yield r"gives # m/s. Measured", math.sqrt(1 / (1 / 1.2e10 + 1 / (4 * 2e11)) / 2500)
+    yield r"dtplot=5e-5`\): # m/s", speed
+    yield r"overshoots to # MPa", pressure[:, 5:36].max() / 1e6
+    yield r"Worst overlap: # m", results.summary["worst_overlap"]["ever"]
+
+
+def every_card(results, _):
+    yield r"\n# steps", results.summary["steps"]
+    yield r"steps to t = # s", results.summary["time"]
+
+
+def crater(results, _):
+    yield r"\(# steps", results.summary["steps"]
+    yield r"of # blocks have", results.blocks
+    risen = (results.all("Centroid")[-1] - results.all("Centroid")[0])[:, 1] > 0.5
+    assert 10 <= risen.sum() <= 60, f"{risen.sum()} blocks have risen: no crater"
+
+
+def subsidence(results, _):
+    yield r"# blocks\.", results.blocks
+    yield r"\(# steps", math.ceil(6 / results.dt - 1e-9)
+
+
+def unlike(name, page, form, value):
+    """What is wrong with the number at # of the form, or nothing."""
+    found = re.search(form.replace("#", NUMBER), page)
+    if not found:
+        return [f"{name}: the page does not say {form}"]
+    text = found[1].replace(",", "")
+    digits = re.fullmatch(r"-?\d+(?:\.(\d+))?(?:e(-?\d+))?", text)
+    unit = 10.0 ** (int(digits[2] or 0) - len(digits[1] or ""))
+    off = abs(float(text) - value)
+    if off <= (1.01 * unit if unit < 1 else 0.5):
+        return []
+    return [f"{name}: the page says {found[1]}, the run {value:.6g}: {form}"]
+
+
+def check(name, folder):
+    page = (SOURCE / f"decks/{name}/README.md").read_text()
+    if name == "subsidence":  # its dt, and so its steps, are known at once
+        results = run(folder, name, "--set", "MOTION.dt=0.001")
+    else:
+        results = run(folder, name)
+        (folder / f"{name}.vtkhdf").hardlink_to(folder / f"{name}_again.vtkhdf")
+        for line in re.findall(r"^    \./go blocks (plot .*)$", page, re.M):
+            blocks(folder, *shlex.split(line))
+    faults = [fault for form, value in globals()[name](results, folder)
+              for fault in unlike(name, page, form, value)]
+    return faults
+
+
+def main():
+    names = sorted(path.parent.name for path in SOURCE.glob("decks/*/README.md"))
+    assert len(names) >= 8, names
+    faults = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name in names:
+            faults += check(name, Path(folder))
+    print("\n".join(faults))
+    sys.exit(1 if faults else 0)
+
+
+main()
