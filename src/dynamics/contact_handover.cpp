@@ -69,8 +69,9 @@ class Heir {
     if (lane < 0)
       return;
     const double own = lanes_.at(lane, &LaneSprings::normal_elastic);
-    const double both = std::min(std::sqrt(lost_.normal * lost_.normal + own * own),
-                                 stiffness_ * overlap(lane));
+    const double handed = std::max(0.0, cosine(lane)) * lost_.normal;
+    const double both =
+        std::min(std::sqrt(handed * handed + own * own), stiffness_ * overlap(lane));
     if (both - own > gain_)
       heir_ = lane, normal_ = both, gain_ = both - own;
   }

@@ -158,7 +158,7 @@ TEST(Variants, FailWhereTheyMust) {
   struct Known {
     const char *scene, *variant;
     bool hangs;  ///< else falls through
-    long frames = 6;
+    int frames = 6;
   };
   for (const Known& known :
        {Known{"figure4b", "bare", true},  // section 3.3
