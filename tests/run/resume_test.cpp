@@ -166,8 +166,9 @@ TEST(Resumed, AfterKillIsTheStraightRun) {
               left_by_run(straight.path(), "killed"), "killed");
 }
 
-// Ctrl-C and SIGTERM: the step is finished, a checkpoint written, 130 returned.
-TEST(Resumed, AfterASignalIsTheStraightRun) {
+// Ctrl-C, SIGTERM (130) and a time limit (75): the step is finished, a checkpoint
+// written.
+TEST(Resumed, AfterASignalOrATimeLimitIsTheStraightRun) {
   const TemporaryFolder straight, parts;
   const std::string deck =
       layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 20000\n";
@@ -180,6 +181,11 @@ TEST(Resumed, AfterASignalIsTheStraightRun) {
   EXPECT_EQ(killed("run signal.deck --restart signal.ckpt.h5 --checkpoint-every 0.001",
                    "signal.ckpt.h5.prev", 0.0, SIGTERM, parts.path()),
             130);
+  EXPECT_EQ(
+      blocks("run signal.deck --restart signal.ckpt.h5 --time-limit 0.02", parts.path())
+          .code,
+      75);
+  EXPECT_EQ(summary(parts, "signal")["status"], "time limit");
   ASSERT_EQ(blocks("run signal.deck --restart signal.ckpt.h5", parts.path()).code, 0);
   expect_same(left_by_run(parts.path(), "signal"),
               left_by_run(straight.path(), "signal"), "signals");
