@@ -64,11 +64,14 @@ class ResumedDeck : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(ResumedDeck, IsTheStraightRun) {
   const int splits = thorough() ? 5 : 2;
-  const bool moves = slurp(GetParam()).find("MOTION") != std::string::npos;
+  const std::string deck = slurp(GetParam());
+  const bool moves = deck.find("MOTION") != std::string::npos;
+  const bool large = deck.find("LAYER") != std::string::npos;
   const std::size_t stops =
       expect_resumable(GetParam(),
-                       moves ? "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001"
-                             : "--set CYCLE.ncycle=300",
+                       !moves  ? "--set CYCLE.ncycle=300"
+                       : large ? "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001"
+                               : "--set MOTION.dt=0.02 --set PLOTS.dtplot=0.005",
                        splits);
   RecordProperty("splits", std::to_string(stops));
 }
