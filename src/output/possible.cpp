@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -119,7 +120,7 @@ void expect_corners(const Blocks& b) {
     impossible(fmt::format("blocks/first_corner has {} rows, expected {} from 0",
                            b.first_corner.size(), n + 1));
   for (std::size_t i = 0; i < n; ++i)
-    if (b.first_corner[i] > b.first_corner[i + 1] - 3)
+    if (long{b.first_corner[i + 1]} - b.first_corner[i] < 3)
       impossible(
           fmt::format("blocks/first_corner: block {} has less than 3 corners", i + 1));
   const auto m = static_cast<std::size_t>(b.corners());
@@ -287,7 +288,7 @@ void expect_time(const Model& model) {
   const TimeStep& step = model.time_step;
   expect("time_step/dt", step.dt, not_negative);
   if (step.block < -1 || step.block >= model.blocks.size())
-    impossible(fmt::format("time_step/block names number {}", step.block + 1));
+    impossible(fmt::format("time_step/block names number {}", step.block + 1L));
   if (step.blocks < 0 || step.blocks > model.blocks.size())
     impossible(fmt::format("time_step/blocks is {}", step.blocks));
   if (model.steps > 0 && !(step.dt > 0.0))
@@ -314,7 +315,8 @@ void expect_info(const CheckpointInfo& info, int blocks) {
                                     {"progress/steps_left", at.steps_left},
                                     {"progress/frames", at.frames},
                                     {"progress/listing_bytes", at.listing_bytes},
-                                    {"progress/tabled_step", at.tabled_step + 1}})
+                                    {"progress/tabled_step",  // -1: no table yet
+                                     std::min(at.tabled_step, -1L) + 1}})
     expect(std::string("run/") + name, static_cast<double>(count), not_negative);
   if (at.frames > info.results_frames || at.listing_bytes > info.listing_bytes)
     impossible("run/progress lies behind the end of its results or listing");
