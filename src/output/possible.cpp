@@ -25,6 +25,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr Range finite{-largest, largest, "a finite number"};
 constexpr Range not_negative{0.0, largest, "a number from 0"};
+/// That can be counted on.
+constexpr Range count_from_0{0.0, 0x1p53, "a number from 0 to 9007199254740992"};
 constexpr Range positive{0.0, largest, "a number above 0", true};
 constexpr Range yes_or_no{0.0, 1.0, "0 or 1"};
 
@@ -279,8 +281,8 @@ void expect_records(const Model& model) {
 }
 
 void expect_time(const Model& model) {
-  expect("steps", static_cast<double>(model.steps), not_negative);
-  expect("step_origin", static_cast<double>(model.step_origin), not_negative);
+  expect("steps", static_cast<double>(model.steps), count_from_0);
+  expect("step_origin", static_cast<double>(model.step_origin), count_from_0);
   if (model.step_origin > model.steps)
     impossible("step_origin lies after steps");
   expect("time", model.time, not_negative);
@@ -298,7 +300,7 @@ void expect_time(const Model& model) {
   if (!(std::abs(model.time - time) <= 1e-9 * time))
     impossible(fmt::format("time is {}, its steps make {}", model.time, time));
   expect("search/travel", model.search.travel, not_negative);
-  expect("search/updates", static_cast<double>(model.search.updates), not_negative);
+  expect("search/updates", static_cast<double>(model.search.updates), count_from_0);
   expect("worst_overlap", model.worst_overlap, not_negative);
   for (const auto& [name, clock] :
        {std::pair{"output", &model.output}, {"plots", &model.plots}}) {
@@ -317,7 +319,7 @@ void expect_info(const CheckpointInfo& info, int blocks) {
                                     {"progress/listing_bytes", at.listing_bytes},
                                     {"progress/tabled_step",  // -1: no table yet
                                      std::min(at.tabled_step, -1L) + 1}})
-    expect(std::string("run/") + name, static_cast<double>(count), not_negative);
+    expect(std::string("run/") + name, static_cast<double>(count), count_from_0);
   if (at.frames > info.results_frames || at.listing_bytes > info.listing_bytes)
     impossible("run/progress lies behind the end of its results or listing");
   // Infinite where no block is convex.
