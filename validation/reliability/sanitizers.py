@@ -17,6 +17,7 @@ from pathlib import Path
 
 import version
 
+LEAKS = Path(__file__).resolve().parent / "leaks.supp"
 KINDS = {"asan": "address and undefined behaviour", "tsan": "threads"}
 HEAD = ["# Every test under the sanitizers", "",
         "Written by `./go asan` and `./go tsan`; do not edit. Reports are counted from all "
@@ -28,7 +29,8 @@ HEAD = ["# Every test under the sanitizers", "",
 def environment(reports):
     """Options of every sanitizer, behind those of the user."""
     options = {"ASAN_OPTIONS": "verify_asan_link_order=0", "UBSAN_OPTIONS":
-               "print_stacktrace=1", "TSAN_OPTIONS": "", "LSAN_OPTIONS": ""}
+               "print_stacktrace=1", "TSAN_OPTIONS": "",
+               "LSAN_OPTIONS": f"print_suppressions=0:suppressions={LEAKS}"}
     result = dict(os.environ)
     for name, value in options.items():
         result[name] = ":".join(filter(None, [value, f"log_path={reports}/{name[:4]}",
