@@ -68,7 +68,7 @@ void ExactRules::look_at_joints(Decision& decision) const {
 Shield ExactRules::hides_side(int corner, int edge, int surface) const {
   Shield found;
   const Answer not_deep = shallow(corner, surface);
-  for (const double part : {1.0, 0.25, 0.0625}) {
+  for (const double part : {1.0, 0x1p-2, 0x1p-4, 0x1p-8, 0x1p-12}) {
     const Way there = way(corner, edge, surface, part * overlap(corner, surface));
     Shield here = goes_on(there, Answer::yes);
     here.answer = both(both(not_deep, reaches_over(there)), here.answer);
@@ -182,12 +182,12 @@ Answer ExactRules::has_surface(int block, const Way& way) const {
   return both(inside, found);
 }
 
-/// The corner's own block is over the end of the way, seen at four heights up to the
+/// The corner's own block is over the end of the way, seen at some heights up to the
 /// surface.
 Answer ExactRules::reaches_over(const Way& way) const {
   const Vec2 height = way.depth * Vec2(-way.along.y(), way.along.x());
   Answer over = Answer::no;
-  for (const double part : {0.05, 0.3, 0.75, 0.97})
+  for (const double part : {0.05, 0.3, 0.75, 0.97, 0.996, 0.9998})
     over = one_of(over, reaches(blocks_.corner_block[way.corner], way.corner,
                                 way.shift + part * height, way.error));
   return over;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "dynamics/contact_groups.hpp"
@@ -21,6 +22,12 @@ inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
 /// corners and feels them. Cosine of the greatest angle between the surfaces of two
 /// blocks, 18 degrees.
 inline constexpr double least_slope = 0.25, least_flank = 0.02, least_cosine = 0.95;
+
+/// How far beyond a side the surface is looked for, and how far up to the surface the
+/// corner's block, as parts of the depth. The last of both see a flank that crosses the
+/// joint just below the surface.
+inline constexpr std::array joint_gaps = {1.0, 0x1p-2, 0x1p-4, 0x1p-8, 0x1p-12};
+inline constexpr std::array joint_heights = {0.05, 0.3, 0.75, 0.97, 0.996, 0.9998};
 
 /// How far from an edge of a block a corner can be shielded at most, [L].
 double shield_reach(const Blocks& blocks, int block);
@@ -42,7 +49,7 @@ template <class Rules> class ClosedJoint {
     if (!shallow(c, f))
       return false;
     const double depth = depth_below(c, f);
-    for (const double part : {1.0, 0.25, 0.0625})
+    for (const double part : joint_gaps)
       if (reaches_over(c, e, f, part * depth) && goes_on(c, e, f, part * depth, true))
         return true;
     return false;
@@ -152,7 +159,7 @@ template <class Rules> class ClosedJoint {
     return found;
   }
 
-  /// Whether the block of corner c lies over the place beyond the side, seen at four
+  /// Whether the block of corner c lies over the place beyond the side, seen at some
   /// heights up to the surface: its face may lean, its nose be sharp.
   bool reaches_over(int c, int side, int surface, double gap) const {
     const Way there = way(c, side, surface, gap);
@@ -160,7 +167,7 @@ template <class Rules> class ClosedJoint {
       return false;
     const Vec2 point = at(c) + there.length * there.along;
     const Vec2 to_surface = depth_below(c, surface) * outwards(there.along);
-    for (const double part : {0.05, 0.3, 0.75, 0.97})
+    for (const double part : joint_heights)
       if (reaches(blocks_.corner_block[c], point + part * to_surface))
         return true;
     return false;

@@ -1,5 +1,6 @@
 #include "output/file_in_hand.hpp"
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -16,6 +17,12 @@ void tell(std::string_view text) {
     _exit(exit_code);
 }
 
+/// SIGVTALRM after so much time of the processor; 0: never.
+void limit_processor_time(int seconds) {
+  const itimerval once{{0, 0}, {seconds, 0}};
+  setitimer(ITIMER_VIRTUAL, &once, nullptr);
+}
+
 }  // namespace
 
 FileInHand::FileInHand(const char* verb, const std::string& path) noexcept
@@ -23,7 +30,11 @@ FileInHand::FileInHand(const char* verb, const std::string& path) noexcept
   in_hand = this;
 }
 
-FileInHand::~FileInHand() { in_hand = outer_; }
+FileInHand::~FileInHand() {
+  in_hand = outer_;
+  if (timed_)
+    limit_processor_time(0);
+}
 
 /// Allocates nothing: the memory may be what was damaged.
 void file_crash(int signal) {
@@ -38,6 +49,12 @@ void file_crash(int signal) {
   tell(in_hand->path_);
   tell(": it is damaged, HDF5 failed in it\n");
   _exit(exit_code);
+}
+
+void FileInHand::must_end_within(int seconds) noexcept {
+  timed_ = true;
+  std::signal(SIGVTALRM, file_crash);
+  limit_processor_time(seconds);
 }
 
 void tell_crashes_of_files(int code) {

@@ -13,6 +13,9 @@ class FileInHand {
   /// verb: "read"; path must outlive this.
   FileInHand(const char* verb, const std::string& path) noexcept;
   ~FileInHand();
+  /// HDF5 may go on for ever closing a damaged file that was open for writing: after
+  /// these seconds of processor time that is told like a crash.
+  void must_end_within(int seconds) noexcept;
   FileInHand(const FileInHand&) = delete;
   FileInHand& operator=(const FileInHand&) = delete;
 
@@ -20,6 +23,7 @@ class FileInHand {
   const FileInHand* outer_;
   const char* verb_;
   const std::string& path_;
+  bool timed_ = false;
   friend void file_crash(int);
 };
 

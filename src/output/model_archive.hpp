@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <variant>
@@ -184,7 +183,7 @@ class LoadingArchive {
       matrix.resize(rows);
     else
       matrix.resize(Derived::RowsAtCompileTime, rows);
-    std::memcpy(matrix.data(), values.data(), values.size() * sizeof(double));
+    std::copy(values.begin(), values.end(), matrix.data());
   }
   template <class Record, class Visit>
   void records(const std::string& name, std::vector<Record>& list, Visit&& visit) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -24,6 +25,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr Range finite{-largest, largest, "a finite number"};
 constexpr Range not_negative{0.0, largest, "a number from 0"};
+/// That can be counted on.
+constexpr Range count_from_0{0.0, 0x1p53, "a number from 0 to 9007199254740992"};
 constexpr Range positive{0.0, largest, "a number above 0", true};
 constexpr Range yes_or_no{0.0, 1.0, "0 or 1"};
 
@@ -119,7 +122,7 @@ void expect_corners(const Blocks& b) {
     impossible(fmt::format("blocks/first_corner has {} rows, expected {} from 0",
                            b.first_corner.size(), n + 1));
   for (std::size_t i = 0; i < n; ++i)
-    if (b.first_corner[i] > b.first_corner[i + 1] - 3)
+    if (long{b.first_corner[i + 1]} - b.first_corner[i] < 3)
       impossible(
           fmt::format("blocks/first_corner: block {} has less than 3 corners", i + 1));
   const auto m = static_cast<std::size_t>(b.corners());
@@ -278,8 +281,8 @@ void expect_records(const Model& model) {
 }
 
 void expect_time(const Model& model) {
-  expect("steps", static_cast<double>(model.steps), not_negative);
-  expect("step_origin", static_cast<double>(model.step_origin), not_negative);
+  expect("steps", static_cast<double>(model.steps), count_from_0);
+  expect("step_origin", static_cast<double>(model.step_origin), count_from_0);
   if (model.step_origin > model.steps)
     impossible("step_origin lies after steps");
   expect("time", model.time, not_negative);
@@ -287,7 +290,7 @@ void expect_time(const Model& model) {
   const TimeStep& step = model.time_step;
   expect("time_step/dt", step.dt, not_negative);
   if (step.block < -1 || step.block >= model.blocks.size())
-    impossible(fmt::format("time_step/block names number {}", step.block + 1));
+    impossible(fmt::format("time_step/block names number {}", step.block + 1L));
   if (step.blocks < 0 || step.blocks > model.blocks.size())
     impossible(fmt::format("time_step/blocks is {}", step.blocks));
   if (model.steps > 0 && !(step.dt > 0.0))
@@ -297,7 +300,7 @@ void expect_time(const Model& model) {
   if (!(std::abs(model.time - time) <= 1e-9 * time))
     impossible(fmt::format("time is {}, its steps make {}", model.time, time));
   expect("search/travel", model.search.travel, not_negative);
-  expect("search/updates", static_cast<double>(model.search.updates), not_negative);
+  expect("search/updates", static_cast<double>(model.search.updates), count_from_0);
   expect("worst_overlap", model.worst_overlap, not_negative);
   for (const auto& [name, clock] :
        {std::pair{"output", &model.output}, {"plots", &model.plots}}) {
@@ -314,8 +317,9 @@ void expect_info(const CheckpointInfo& info, int blocks) {
                                     {"progress/steps_left", at.steps_left},
                                     {"progress/frames", at.frames},
                                     {"progress/listing_bytes", at.listing_bytes},
-                                    {"progress/tabled_step", at.tabled_step + 1}})
-    expect(std::string("run/") + name, static_cast<double>(count), not_negative);
+                                    {"progress/tabled_step",  // -1: no table yet
+                                     std::min(at.tabled_step, -1L) + 1}})
+    expect(std::string("run/") + name, static_cast<double>(count), count_from_0);
   if (at.frames > info.results_frames || at.listing_bytes > info.listing_bytes)
     impossible("run/progress lies behind the end of its results or listing");
   // Infinite where no block is convex.

@@ -401,24 +401,29 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
 ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
-  const FileInHand in_hand("continue", path);  // until what failed is closed again
+  FileInHand in_hand("continue", path);  // until what failed is closed again
   auto file = std::make_unique<File>();
   file->path = path;
-  naming("continue", path, [&] {
-    file->mark = ChangeMark::find(path);
-    file->mark.begin();
-    file->file = hdf5::open_file(path, true);
-    if (!hdf5::exists(file->file.get(), "VTKHDF") ||
-        !hdf5::exists(file->file.get(), "BLOCKS"))
-      throw hdf5::Failure("it is not a results file of BLOCKS");
-    file->vtk = hdf5::open_group(file->file.get(), "VTKHDF");
-    file->own = hdf5::open_group(file->file.get(), "BLOCKS");
-    file->steps = hdf5::open_group(file->vtk.get(), "Steps");
-    if (hdf5::read_attribute(file->own.get(), "format") > format)
-      throw hdf5::Failure("a newer version of BLOCKS wrote it");
-    file->keep(frames);
-    file->mark.end();
-  });
+  try {
+    naming("continue", path, [&] {
+      file->mark = ChangeMark::find(path);
+      file->mark.begin();
+      file->file = hdf5::open_file(path, true);
+      if (!hdf5::exists(file->file.get(), "VTKHDF") ||
+          !hdf5::exists(file->file.get(), "BLOCKS"))
+        throw hdf5::Failure("it is not a results file of BLOCKS");
+      file->vtk = hdf5::open_group(file->file.get(), "VTKHDF");
+      file->own = hdf5::open_group(file->file.get(), "BLOCKS");
+      file->steps = hdf5::open_group(file->vtk.get(), "Steps");
+      if (hdf5::read_attribute(file->own.get(), "format") > format)
+        throw hdf5::Failure("a newer version of BLOCKS wrote it");
+      file->keep(frames);
+      file->mark.end();
+    });
+  } catch (const FileError&) {
+    in_hand.must_end_within(2);
+    throw;
+  }
   return ResultsWriter(std::move(file));
 }
 

@@ -183,6 +183,8 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
 }
 
 Eigen::Matrix2Xd FrameContacts::force() const {
+  if (normal.cols() == 0)  // a row of nothing has no address
+    return Eigen::Matrix2Xd(2, 0);
   Eigen::Matrix2Xd along(2, normal.cols());  // the edge, its normal on the left
   along.row(0) = normal.row(1);
   along.row(1) = -normal.row(0);

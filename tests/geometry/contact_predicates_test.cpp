@@ -76,7 +76,8 @@ TEST(ContactPredicates, DecideExactTiesOfPythagoreanWalls) {
   Random random;
   int on_line = 0, equally_deep = 0, as_deep_as_centroid = 0;
   for (int n = 0; n < 8000; ++n) {
-    const auto [a, b] = pythagorean[static_cast<std::size_t>(n) % 4];
+    const auto [cosine, sine] = pythagorean[static_cast<std::size_t>(n) % 4];
+    const double a = cosine, b = sine;  // for the lambda of clang 14
     const double scale = std::ldexp(1, random.whole(-40, 40));
     const Vec2 shift(random.whole(-1000, 1000), random.whole(-1000, 1000));
     Case k = wall(random);

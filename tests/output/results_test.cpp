@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "output/checkpoint.hpp"
+#include "output/file_in_hand.hpp"
 #include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
 #include "post/results_reader.hpp"
@@ -282,6 +283,21 @@ TEST(Results, ErrorsNameTheFileAndTheReason) {
   EXPECT_THAT(error(), HasSubstr(path));
   hdf5::create_file(path).close();
   EXPECT_THAT(error(), HasSubstr("not a results file"));
+}
+
+// HDF5 1.10 never ended closing a file with a wrong number of rows in its chunks, which
+// could not be continued (a mutant of fuzz_results).
+TEST(Results, AFileThatHdf5DoesNotEndClosingIsTold) {
+  const auto close = [] {
+    const std::string path = "a.vtkhdf";
+    FileInHand in_hand("continue", path);
+    in_hand.must_end_within(1);
+    for (volatile bool open = true; open;) {
+    }
+  };
+  EXPECT_EXIT(close(), testing::ExitedWithCode(5),
+              "^blocks: error: cannot continue a.vtkhdf: it is damaged, HDF5 failed in "
+              "it\n$");
 }
 
 }  // namespace

@@ -36,12 +36,16 @@ void run_in_parts(const TemporaryFolder& folder, const std::string& arguments,
 
 bool thorough() { return std::getenv("BLOCKS_THOROUGH") != nullptr; }
 
-void expect_resumable(const fs::path& deck, const std::string& options, int splits) {
+/// Returns at how many steps it was stopped.
+std::size_t expect_resumable(const fs::path& deck, const std::string& options,
+                             int splits) {
   const TemporaryFolder straight, parts;
   const std::string name = deck.stem().string();
   const std::string arguments = "'" + deck.string() + "' -q " + options;
   const Outcome run = blocks("run " + arguments, straight.path());
-  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.code, 0) << run.err;
+  if (run.code != 0)
+    return 0;
   const long steps = summary(straight, name)["steps"];
   std::mt19937 random(static_cast<unsigned>(std::hash<std::string>()(name)));
   std::set<long> stops;
@@ -53,26 +57,34 @@ void expect_resumable(const fs::path& deck, const std::string& options, int spli
   run_in_parts(parts, arguments, stops, name);
   expect_same(left_by_run(parts.path(), name), left_by_run(straight.path(), name), how);
   EXPECT_FALSE(parts.holds(name + ".out.bak")) << how;
+  return stops.size();
 }
 
 class ResumedDeck : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(ResumedDeck, IsTheStraightRun) {
   const int splits = thorough() ? 5 : 2;
-  const bool moves = slurp(GetParam()).find("MOTION") != std::string::npos;
-  expect_resumable(GetParam(),
-                   moves ? "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001"
-                         : "--set CYCLE.ncycle=300",
-                   splits);
-  RecordProperty("splits", std::to_string(splits));
+  const std::string deck = slurp(GetParam());
+  const bool moves = deck.find("MOTION") != std::string::npos;
+  const bool large = deck.find("LAYER") != std::string::npos;
+  const std::size_t stops =
+      expect_resumable(GetParam(),
+                       !moves  ? "--set CYCLE.ncycle=300"
+                       : large ? "--set MOTION.dt=0.004 --set PLOTS.dtplot=0.001"
+                               : "--set MOTION.dt=0.02 --set PLOTS.dtplot=0.005",
+                       splits);
+  RecordProperty("splits", std::to_string(stops));
 }
 
-/// The shipped decks; at length those of the problems with known answers too.
+/// The shipped decks; at length those of the problems with known answers and of other
+/// tests too.
 std::vector<fs::path> decks_to_resume() {
   std::vector<fs::path> decks = decks_below("decks");
-  for (const fs::path& deck : decks_below("validation"))
-    if (thorough())
-      decks.push_back(deck);
+  if (thorough())
+    for (const char* folder : {"validation", "tests/post"}) {
+      const std::vector<fs::path> more = decks_below(folder);
+      decks.insert(decks.end(), more.begin(), more.end());
+    }
   return decks;
 }
 
@@ -93,9 +105,9 @@ TEST(Resumed, DeckWithCardsBetweenItsMotionsIsTheStraightRun) {
   expect_resumable(folder / "between.deck", "--seed 5 --set STIFF.stifn=1.E8", 5);
 }
 
-// Arms that turn change their lengths by round-off, and how far a step moves anything is
-// judged by the lengths at the latest search, or at the restart: the travel, by which
-// searches are timed, differed in its last bits.
+// Arms that turn change their lengths by round-off, and how far a step moves anything
+// is judged by the lengths at the latest search, or at the restart: the travel, by
+// which searches are timed, differed in its last bits.
 TEST(Resumed, SpinningBlockIsTheStraightRun) {
   const TemporaryFolder folder;
   folder.write("spinning.deck", preliminary() + rectangle(0, 0, 1.3, 0.7) +
@@ -157,8 +169,9 @@ TEST(Resumed, AfterKillIsTheStraightRun) {
               left_by_run(straight.path(), "killed"), "killed");
 }
 
-// Ctrl-C and SIGTERM: the step is finished, a checkpoint written, 130 returned.
-TEST(Resumed, AfterASignalIsTheStraightRun) {
+// Ctrl-C, SIGTERM (130) and a time limit (75): the step is finished, a checkpoint
+// written.
+TEST(Resumed, AfterASignalOrATimeLimitIsTheStraightRun) {
   const TemporaryFolder straight, parts;
   const std::string deck =
       layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 20000\n";
@@ -171,6 +184,11 @@ TEST(Resumed, AfterASignalIsTheStraightRun) {
   EXPECT_EQ(killed("run signal.deck --restart signal.ckpt.h5 --checkpoint-every 0.001",
                    "signal.ckpt.h5.prev", 0.0, SIGTERM, parts.path()),
             130);
+  EXPECT_EQ(
+      blocks("run signal.deck --restart signal.ckpt.h5 --time-limit 0.02", parts.path())
+          .code,
+      75);
+  EXPECT_EQ(summary(parts, "signal")["status"], "time limit");
   ASSERT_EQ(blocks("run signal.deck --restart signal.ckpt.h5", parts.path()).code, 0);
   expect_same(left_by_run(parts.path(), "signal"),
               left_by_run(straight.path(), "signal"), "signals");

@@ -20,7 +20,8 @@ import version
 # the tests themselves), what is counted
 TESTS = [
     ("a run stopped anywhere and resumed leaves the bits of the straight run",
-     "every deck of `decks/`, at length of `validation/` too, stopped at random steps",
+     "every deck of `decks/`, at length of `validation/` and `tests/` too, stopped at "
+     "random steps",
      "run/run_tests", "*ResumedDeck*",
      "splits", "stops"),
     ("so does a run killed at any moment, and its files can be read",

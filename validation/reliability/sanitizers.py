@@ -17,6 +17,7 @@ from pathlib import Path
 
 import version
 
+LEAKS = Path(__file__).resolve().parent / "leaks.supp"
 KINDS = {"asan": "address and undefined behaviour", "tsan": "threads"}
 HEAD = ["# Every test under the sanitizers", "",
         "Written by `./go asan` and `./go tsan`; do not edit. Reports are counted from all "
@@ -28,7 +29,8 @@ HEAD = ["# Every test under the sanitizers", "",
 def environment(reports):
     """Options of every sanitizer, behind those of the user."""
     options = {"ASAN_OPTIONS": "verify_asan_link_order=0", "UBSAN_OPTIONS":
-               "print_stacktrace=1", "TSAN_OPTIONS": "", "LSAN_OPTIONS": ""}
+               "print_stacktrace=1", "TSAN_OPTIONS": "",
+               "LSAN_OPTIONS": f"print_suppressions=0:suppressions={LEAKS}"}
     result = dict(os.environ)
     for name, value in options.items():
         result[name] = ":".join(filter(None, [value, f"log_path={reports}/{name[:4]}",
@@ -36,26 +38,35 @@ def environment(reports):
     return result
 
 
+def told_by(command, environment):
+    """What the command prints, shown while it runs."""
+    with subprocess.Popen(command, env=environment, text=True, errors="replace",
+                          stdout=subprocess.PIPE) as run:
+        lines = []
+        for line in run.stdout:
+            print(line, end="", flush=True)
+            lines.append(line)
+    return "".join(lines)
+
+
 def main():
     kind, build, page = sys.argv[1], sys.argv[2], Path(sys.argv[3] + ".md")
     began = time.time()
     with tempfile.TemporaryDirectory() as reports:
-        run = subprocess.run(["ctest", "--test-dir", build, "--output-on-failure",
-                              *sys.argv[4:]], env=environment(reports), text=True,
-                             stdout=subprocess.PIPE, check=False)
+        told = told_by(["ctest", "--test-dir", build, "--output-on-failure",
+                        "-j", str(os.cpu_count()), *sys.argv[4:]], environment(reports))
         found = sorted(Path(reports).iterdir())
         texts = [one.read_text(errors="replace") for one in found]
-    print(run.stdout[-20000:])
     for text in texts[:10]:
         print(text[:5000])
-    told = re.search(r"(\d+) tests failed out of (\d+)", run.stdout)
-    failed, of = map(int, told.groups()) if told else (0, 0)
-    left_out = len(re.findall(r"\(Disabled\)|\*\*\*Skipped", run.stdout))
+    summary = re.search(r"(\d+) tests failed out of (\d+)", told)
+    failed, of = map(int, summary.groups()) if summary else (0, 0)
+    left_out = len(re.findall(r"\(Disabled\)|\*\*\*Skipped", told))
     rows = {line.split("`")[1]: line for line in
             (page.read_text().splitlines() if page.exists() else [])
             if line.startswith("| `")}
-    rows[kind] = (f"| `{kind}`: {KINDS[kind]} | {of - failed} | {of} | {left_out} | "
-                  f"{len(texts)} | {(time.time() - began) / 60:.0f} | "
+    rows[kind] = (f"| `{kind}`: {KINDS[kind]} | {of - failed - left_out} | {of} | "
+                  f"{left_out} | {len(texts)} | {(time.time() - began) / 60:.0f} | "
                   f"{version.sources()} |")
     page.write_text("\n".join(HEAD + [rows[one] for one in KINDS if one in rows] + [""]))
     return 4 if failed or texts or not of else 0
