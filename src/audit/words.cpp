@@ -143,11 +143,12 @@ std::string verdict(const ExactRules& rules, const Decision& decision,
   if (edge.edge == decision.nearest)
     return edge.overlap_sign > 0 ? "nearest, but hidden by a joint"
                                  : "nearest, but no overlap";
-  return fmt::format(
-      rules.overlap(decision.corner, decision.nearest) > edge.overlap
-          ? "admitted, but block {1} does not reach it: edge {0} comes first"
-          : "admitted, but edge {0} is nearer",
-      number(blocks, decision.nearest), blocks.corner_block[decision.corner] + 1);
+  if (rules.overlap(decision.corner, decision.nearest) > edge.overlap)
+    return fmt::format("admitted, but block {} does not reach it, and edge {} it does",
+                       blocks.corner_block[decision.corner] + 1,
+                       number(blocks, decision.nearest));
+  return fmt::format("admitted, but edge {} is nearer",
+                     number(blocks, decision.nearest));
 }
 
 std::vector<std::string> story(const ExactRules& rules, const Decision& decision) {
