@@ -64,15 +64,32 @@ void ExactRules::look_at_joints(Decision& decision) const {
 }
 
 /// The side is hidden from the corner: beyond it, along the surface, a third block goes
-/// on, and the corner's block lies over it.
+/// on, and the corner's block lies over it, or holds the vertex of side and surface.
 Shield ExactRules::hides_side(int corner, int edge, int surface) const {
   Shield found;
   const Answer not_deep = shallow(corner, surface);
-  for (const double part : {1.0, 0x1p-2, 0x1p-4, 0x1p-8, 0x1p-12}) {
+  for (const double part : {1.0, 0.25, 0.0625}) {
     const Way there = way(corner, edge, surface, part * overlap(corner, surface));
     Shield here = goes_on(there, Answer::yes);
     here.answer = both(both(not_deep, reaches_over(there)), here.answer);
     if (here.answer > found.answer || found.corner < 0)
+      found = here;
+  }
+  const int vertex = blocks_.next[edge] == surface   ? surface
+                     : blocks_.next[surface] == edge ? edge
+                                                     : -1;
+  const int own = blocks_.corner_block[corner];
+  if (vertex >= 0 && blocks_.convex[own]) {
+    double closed = overlap(corner, surface), error = roundoff(corner, surface);
+    for (int q = blocks_.first_corner[own]; q < blocks_.first_corner[own + 1]; ++q) {
+      closed = std::min(closed, overlap(vertex, q));
+      error = std::max(error, roundoff(vertex, q));
+    }
+    Way there = way(corner, edge, surface, closed);
+    there.error += error;
+    Shield here = goes_on(there, Answer::yes);
+    here.answer = both(both(not_deep, at_least_zero(closed, error)), here.answer);
+    if (here.answer > found.answer)
       found = here;
   }
   found.depth = overlap(corner, surface);
@@ -187,7 +204,7 @@ Answer ExactRules::has_surface(int block, const Way& way) const {
 Answer ExactRules::reaches_over(const Way& way) const {
   const Vec2 height = way.depth * Vec2(-way.along.y(), way.along.x());
   Answer over = Answer::no;
-  for (const double part : {0.05, 0.3, 0.75, 0.97, 0.996, 0.9998})
+  for (const double part : {0.05, 0.3, 0.75, 0.97})
     over = one_of(over, reaches(blocks_.corner_block[way.corner], way.corner,
                                 way.shift + part * height, way.error));
   return over;

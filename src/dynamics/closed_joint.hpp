@@ -24,10 +24,9 @@ inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
 inline constexpr double least_slope = 0.25, least_flank = 0.02, least_cosine = 0.95;
 
 /// How far beyond a side the surface is looked for, and how far up to the surface the
-/// corner's block, as parts of the depth. The last of both see a flank that crosses the
-/// joint just below the surface.
-inline constexpr std::array joint_gaps = {1.0, 0x1p-2, 0x1p-4, 0x1p-8, 0x1p-12};
-inline constexpr std::array joint_heights = {0.05, 0.3, 0.75, 0.97, 0.996, 0.9998};
+/// corner's block, as parts of the depth.
+inline constexpr std::array joint_gaps = {1.0, 0.25, 0.0625};
+inline constexpr std::array joint_heights = {0.05, 0.3, 0.75, 0.97};
 
 /// How far from an edge of a block a corner can be shielded at most, [L].
 double shield_reach(const Blocks& blocks, int block);
@@ -44,7 +43,8 @@ template <class Rules> class ClosedJoint {
   }
 
   /// Edge e is hidden from corner c, which slides along f, the surface: beyond e the
-  /// surface goes on in a third block, and the corner's own block lies over it.
+  /// surface goes on in a third block, and the corner's own block lies over it, or
+  /// holds the vertex of e and f, deeper than the joint is wide.
   bool hides_side(int c, int e, int f) const {
     if (!shallow(c, f))
       return false;
@@ -52,7 +52,10 @@ template <class Rules> class ClosedJoint {
     for (const double part : joint_gaps)
       if (reaches_over(c, e, f, part * depth) && goes_on(c, e, f, part * depth, true))
         return true;
-    return false;
+    const int vertex = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
+    const double closed =
+        vertex < 0 ? 0.0 : std::min(depth, inside_by(vertex, blocks_.corner_block[c]));
+    return closed > 0.0 && goes_on(c, e, f, closed, true);
   }
 
   /// Corner c is hidden from edge e, a flank that slopes to the surface of c's block:
@@ -74,6 +77,16 @@ template <class Rules> class ClosedJoint {
   }
   bool holds(const Vec2& point, int block) const {
     return PlaceInBlock<Rules>(blocks_).holds(point, block);
+  }
+
+  /// How deep a corner is in a convex block; of others nothing is said, 0.
+  double inside_by(int corner, int block) const {
+    if (!blocks_.convex[block])
+      return 0.0;
+    double least = depth_below(corner, blocks_.first_corner[block]);
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      least = std::min(least, depth_below(corner, e));
+    return least;
   }
 
   /// `hides_corner` for one way to read the two edges that meet in c.
