@@ -57,6 +57,12 @@ bool ExactRules::near_or_inside(int corner, int edge) const {
               slack_.numerator * length2(edge)) >= 0;
 }
 
+/// d <= eps L.
+bool ExactRules::near_or_outside(int corner, int edge) const {
+  return sign((area2(corner, edge) << slack_.shift) -
+              slack_.numerator * length2(edge)) <= 0;
+}
+
 /// -eps L^2 <= s L <= (1 + eps) L^2.
 bool ExactRules::between(int corner, int edge) const {
   const Whole s = dot(corner_[corner] - corner_[edge], along(edge));
@@ -220,20 +226,23 @@ bool ExactRules::admits_crossing(int corner, int edge, int beyond) const {
           crosses(corner, edge, after));
 }
 
-/// The edge and the block have a point in common. Convex: the block is not wholly
-/// behind the edge, and no side of it has both ends of the edge beyond it. Else: a side
-/// crosses or touches the edge, or an end of it is in the block.
+/// The edge and the block have a point in common. Convex, up to the slack: the block is
+/// not wholly behind the edge, and no side of it has both ends of the edge beyond it.
+/// Else: a side crosses or touches the edge, or an end of it is in the block.
 bool ExactRules::meets(int edge, int block) const {
   const int end = blocks_.next[edge];
   bool cut = false;
   for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
+    if (blocks_.convex[block]) {
+      if (!near_or_inside(edge, q) && !near_or_inside(end, q))
+        return false;
+      cut |= near_or_outside(q, edge);
+      continue;
+    }
     const int from = sign(area2(q, edge)), to = sign(area2(blocks_.next[q], edge));
     const int first = sign(area2(edge, q)), second = sign(area2(end, q));
-    if (blocks_.convex[block] && std::max(first, second) < 0)
-      return false;
-    if (!blocks_.convex[block] && first * second <= 0 && from * to <= 0)
+    if (first * second <= 0 && from * to <= 0)
       return true;
-    cut |= from < 0;
   }
   return blocks_.convex[block] ? cut : rays_say_inside(edge, block);
 }

@@ -104,6 +104,7 @@ class ExactRules {
   Whole length2(int edge) const;
   Whole area2(int corner, int edge) const;
   bool near_or_inside(int corner, int edge) const;
+  bool near_or_outside(int corner, int edge) const;
   bool between(int corner, int edge) const;
   bool faces(int corner, int neighbour, int edge) const;
   bool within_depth(int corner, int edge) const;

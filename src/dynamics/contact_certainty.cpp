@@ -57,13 +57,19 @@ double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
 double meeting_travel(const Blocks& blocks, int edge, int block) {
   const auto inside = [&](int corner, int side) {
     const EdgeView view(blocks, corner, side);
-    return sign_travel(view.overlap_product(), view.length, view.distance);
+    return sign_travel(view.overlap_product() + view.slack(), view.length,
+                       view.distance);
+  };
+  const auto outside = [&](int corner, int side) {
+    const EdgeView view(blocks, corner, side);
+    return sign_travel(view.slack() - view.overlap_product(), view.length,
+                       view.distance);
   };
   if (!blocks.convex[block])
     return 0.0;
   double cut = 0.0, apart = std::numeric_limits<double>::max();
   for (int q = blocks.first_corner[block]; q < blocks.first_corner[block + 1]; ++q) {
-    cut = std::max(cut, -inside(q, edge));
+    cut = std::max(cut, outside(q, edge));
     apart = std::min(apart, std::max(inside(edge, q), inside(blocks.next[edge], q)));
   }
   return std::min(cut, apart);

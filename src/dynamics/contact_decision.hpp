@@ -121,25 +121,34 @@ template <class Rules> class ContactDecision {
            Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
   }
   /// Whether the block and the edge have a point in common. Two convex shapes are apart
-  /// where the line of a side of either lies between them; an edge that has a point in
+  /// where the line of a side of either lies between them, up to the slack: where two
+  /// bricks touch end to end, round-off does not decide. An edge that has a point in
   /// another block has an end in it or crosses a side of it.
   bool meets(int edge, int block) const {
+    return blocks_.convex[block] ? meets_convex(edge, block)
+                                 : meets_reentrant(edge, block);
+  }
+  bool meets_convex(int edge, int block) const {
     const Vec2 p1 = at(edge), p2 = end(edge);
-    const bool convex = blocks_.convex[block];
     bool cut = false;
     for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1];
          ++q) {
-      const int out = Rules::overlap_sign(at(q), p1, p2);
-      const int first = Rules::overlap_sign(p1, at(q), end(q));
-      const int second = Rules::overlap_sign(p2, at(q), end(q));
-      if (convex && first < 0 && second < 0)
+      if (!Rules::inside_edge(p1, at(q), end(q)) &&
+          !Rules::inside_edge(p2, at(q), end(q)))
         return false;
-      if (!convex && first * second <= 0 &&
-          out * Rules::overlap_sign(end(q), p1, p2) <= 0)
-        return true;
-      cut = cut || out < 0;
+      cut = cut || Rules::inside_edge(at(q), p2, p1);
     }
-    return convex ? cut : ReentrantBlock<Rules>(blocks_, block).contains(p1);
+    return cut;
+  }
+  bool meets_reentrant(int edge, int block) const {
+    const Vec2 p1 = at(edge), p2 = end(edge);
+    for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q)
+      if (Rules::overlap_sign(p1, at(q), end(q)) *
+                  Rules::overlap_sign(p2, at(q), end(q)) <=
+              0 &&
+          Rules::overlap_sign(at(q), p1, p2) * Rules::overlap_sign(end(q), p1, p2) <= 0)
+        return true;
+    return ReentrantBlock<Rules>(blocks_, block).contains(p1);
   }
   /// Whether another edge of the block is nearer to a corner inside.
   bool nearer_edge(int c, int edge) const {
