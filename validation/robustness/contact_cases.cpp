@@ -64,8 +64,9 @@ ContactCase pythagorean_brick(std::uint64_t number) {
     const double scale = std::ldexp(1, draw.whole(-40, 40));
     const Vec2 shift(draw.whole(-1000, 1000), draw.whole(-1000, 1000));
     ContactCase k = brick(draw);
-    k.transform(
-        [&](const Vec2& v) -> Vec2 { return scale * (turned(v, a, b) + shift); });
+    k.transform([&, a = a, b = b](const Vec2& v) -> Vec2 {
+      return scale * (turned(v, a, b) + shift);
+    });
     if (draw.whole(0, 7) == 0)
       k.c = k.centroid + (k.p2 - k.p1);
     return k;
