@@ -301,7 +301,7 @@ double idle_travel(const Blocks& blocks, const Contacts& contacts,
                              no_crossing_beside(blocks, c, sides.edge, -sides.least)));
   }
   double travel = EdgeView(blocks, contacts.corner[group.first], sides.edge).length;
-  for (int i = group.first; i < group.last && travel > 0.0; ++i)
+  for (int i = group.first; i < group.last() && travel > 0.0; ++i)
     travel = std::min(travel, -admissible_travel(blocks, contacts, i, travel));
   return std::max(travel, 0.0);
 }
@@ -318,7 +318,7 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
     if (const double nearest = nearest_travel(blocks, c, edge); nearest < travel)
       travel = std::min(
           travel, std::max(nearest, meeting_inside_travel(blocks, c, edge, travel)));
-  for (int j = group.first; j < group.last && travel > 0.0; ++j) {
+  for (int j = group.first; j < group.last() && travel > 0.0; ++j) {
     if (j == i)
       continue;
     double others = -admissible_travel(blocks, contacts, j, travel);
@@ -347,7 +347,7 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
   // far off: not worth a closer look
   if (best.travel > 0.02 * EdgeView(blocks, c, contacts.edge[group.first]).length)
     return best;
-  for (int i = group.first; i < group.last; ++i) {
+  for (int i = group.first; i < group.last(); ++i) {
     const double travel = candidate_travel(blocks, contacts, group, sides, i);
     if (travel > best.travel)
       best = {i, travel};

@@ -95,7 +95,7 @@ template <class Rules> class ContactDecision {
                           .across_notch(at(c), contacts_.edge[acting]);
     if (other < 0 || Rules::overlap_sign(at(c), at(other), end(other)) <= 0)
       return -1;
-    for (int i = group.first; i < group.last; ++i)
+    for (int i = group.first; i < group.last(); ++i)
       if (contacts_.edge[i] == other && admissible(c, other, group.edge_block))
         return i;
     return -1;
@@ -278,7 +278,7 @@ template <class Rules> class ContactDecision {
       return may_act(c, contacts_.edge[i], block, out) &&
              (out != none || comes_through(c, contacts_.edge[i]));
     };
-    for (int i = group.first; i < group.last; ++i)
+    for (int i = group.first; i < group.last(); ++i)
       if (may(i)) {
         ++others;
         if (precedes(i, found))
@@ -288,7 +288,7 @@ template <class Rules> class ContactDecision {
         has_met(c, found))
       return found;
     int met = -1;
-    for (int i = group.first; i < group.last; ++i)
+    for (int i = group.first; i < group.last(); ++i)
       if (i != found && may(i) && precedes(i, met) && has_met(c, i))
         met = i;
     return met < 0 ? found : met;
@@ -307,7 +307,7 @@ template <class Rules> class ContactDecision {
   int next_record(const ContactGroup& group, int out, int nearest) const {
     const int c = contacts_.corner[group.first];
     int found = -1;
-    for (int i = group.first; i < group.last; ++i)
+    for (int i = group.first; i < group.last(); ++i)
       if (i != nearest && may_act(c, contacts_.edge[i], group.edge_block, out) &&
           precedes(i, found))
         found = i;

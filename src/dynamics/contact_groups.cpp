@@ -3,22 +3,72 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "dynamics/dashpot.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
-void find_pairs(ContactGroups& groups) {
-  groups.pairs.clear();
+/// The blocks of a record, the lower number first.
+std::pair<int, int> pair_of(const Contacts& contacts, int record) {
+  return std::minmax({contacts.corner_block[record], contacts.edge_block[record]});
+}
+
+/// How often two neighbours of 0 .. count - 1 differ, and one more.
+template <class Differ> std::size_t stretches(int count, const Differ& differ) {
+  std::size_t found = count > 0;
+  for (int i = 1; i < count; ++i)
+    found += differ(i - 1, i);
+  return found;
+}
+
+void find_pairs(const Contacts& contacts, ContactGroups& groups) {
   const int count = static_cast<int>(groups.all.size());
+  const auto pair = [&](int g) { return pair_of(contacts, groups.all[g].first); };
+  groups.pairs.clear();
+  groups.pairs.reserve(
+      stretches(count, [&](int g, int h) { return pair(g) != pair(h); }));
   for (int g = 0; g < count; ++g) {
-    const ContactGroup& group = groups.all[g];
-    const auto [low, high] = std::minmax(group.corner_block, group.edge_block);
+    const auto [low, high] = pair(g);
     if (groups.pairs.empty() || groups.pairs.back().low != low ||
         groups.pairs.back().high != high)
       groups.pairs.push_back({low, high, g, g, 0.0});
     groups.pairs.back().last = g + 1;
+  }
+}
+
+/// each_alone: one record to a group.
+void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone,
+                 ContactGroups& groups) {
+  const int size = contacts.size();
+  const auto other_group = [&](int i, int j) {
+    return each_alone || contacts.corner[i] != contacts.corner[j] ||
+           contacts.edge_block[i] != contacts.edge_block[j];
+  };
+  const auto notched = [&](int i) {
+    return !each_alone && !blocks.convex[contacts.edge_block[i]];
+  };
+  groups.all.clear();
+  std::size_t count = stretches(size, other_group);
+  for (int i = 0; i < size; ++i)
+    count += notched(i) && (i == 0 || other_group(i - 1, i));
+  groups.all.reserve(count);
+  for (int first = 0, last; first < size; first = last) {
+    last = first + 1;
+    while (last < size && !other_group(first, last) &&
+           last - first < static_cast<int>(ContactGroup::most_records))
+      ++last;
+    ContactGroup group;
+    group.first = first;
+    group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
+    group.edge_block = contacts.edge_block[first];
+    group.reentrant = notched(first);
+    groups.all.push_back(group);
+    if (group.reentrant) {
+      group.reentrant = 0, group.of_notch = 1;
+      groups.all.push_back(group);
+    }
   }
 }
 
@@ -82,24 +132,20 @@ namespace {
 
 /// How it is known whether the group's contact acts.
 double rule_of(const ContactGroup& group) {
-  return group.live_record() < 0      ? idle
-         : group.certain.travel > 0.0 ? by_sign
-                                      : decided;
+  return group.record < 0 ? idle : group.certain() ? by_sign : decided;
 }
 
 /// Whether the list says that a record of the group acts.
 bool acted(const Contacts& contacts, const ContactGroup& group) {
   return std::any_of(contacts.active.begin() + group.first,
-                     contacts.active.begin() + group.last, [](char a) { return a; });
+                     contacts.active.begin() + group.last(), [](char a) { return a; });
 }
 
 /// Which lanes act on each block. The list is ordered by the lower block of each pair.
-void sort_by_block(int blocks, ContactGroups& groups) {
+void sort_by_block(int blocks, const Contacts& contacts, ContactGroups& groups) {
   const auto each = [&](const auto& tell) {
-    for (int lane = 0; lane < groups.lanes.size(); ++lane) {
-      const ContactGroup& group = groups.all[groups.group[lane]];
-      tell(lane, std::minmax(group.corner_block, group.edge_block));
-    }
+    for (int lane = 0; lane < groups.lanes.size(); ++lane)
+      tell(lane, pair_of(contacts, groups.all[groups.group[lane]].first));
   };
   std::vector<int>&low = groups.low_lanes, &high = groups.high_lanes;
   low.assign(blocks + 1, 0);
@@ -120,7 +166,7 @@ void sort_by_block(int blocks, ContactGroups& groups) {
 
 bool ContactGroups::keep_lane(int g) {
   const int lane = lane_of[g];
-  if (lane < 0 || record[lane] != all[g].live_record())
+  if (lane < 0 || record[lane] != all[g].record)
     return false;
   lanes.at(lane, &LanePlaces::rule) = rule_of(all[g]);
   return true;
@@ -141,7 +187,7 @@ bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int
   places.corner[k] = contacts.corner[known.first];
   places.edge[k] = e;
   places.edge_end[k] = blocks.next[e];
-  places.corner_block[k] = known.corner_block;
+  places.corner_block[k] = contacts.corner_block[known.first];
   places.edge_block[k] = known.edge_block;
   places.rule[k] = rule_of(known);
   places.touch[k] = spring.record >= 0 ? in_touch : apart;
@@ -193,7 +239,7 @@ void ContactGroups::forget_decisions() {
     each.limit = 0.0;
   std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
-    each.certain.travel = 0.0, each.hopeless = 1;
+    each.travel = 0.0, each.hopeless = 1;
 }
 
 void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
@@ -201,14 +247,14 @@ void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
   const int count = lanes.size();
   for (int lane = 0; lane < count; ++lane) {
     const ContactGroup& known = all[group[lane]];
-    set_lane(blocks, contacts, group[lane], known.live_record(), {});
-    lanes.at(lane, &LaneSprings::damping) =
-        contact_damping(settings, blocks, known.corner_block, known.edge_block);
+    set_lane(blocks, contacts, group[lane], known.record, {});
+    lanes.at(lane, &LaneSprings::damping) = contact_damping(
+        settings, blocks, contacts.corner_block[known.first], known.edge_block);
   }
   int lane = 0;
   for (const ActingContact& contact : contacts.acting) {
     const int i = contact.record;
-    while (all[group[lane]].last <= i)
+    while (all[group[lane]].last() <= i)
       ++lane;
     // a notch has two lanes; nothing is decided yet in those of a new list
     const int last = lane + all[group[lane]].reentrant;
@@ -266,7 +312,7 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   const int count = static_cast<int>(all.size());
   const auto wants = [&](int g) {
     // who had a lane keeps it: it may want it again
-    return lane_of[g] >= 0 || all[g].live_record() >= 0 || acted(contacts, all[g]);
+    return lane_of[g] >= 0 || all[g].record >= 0 || acted(contacts, all[g]);
   };
   for (int g = 0; g < count; ++g) {
     // of a notch both or none: a spring may pass from one to the other
@@ -278,32 +324,14 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   }
   lanes.resize(static_cast<int>(group.size()));
   record.assign(group.size(), -1);
-  sort_by_block(blocks, *this);
+  sort_by_block(blocks, contacts, *this);
   lanes_complete = true;
 }
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone, int threads) {
-  groups.all.clear();
-  const int size = contacts.size();
-  for (int first = 0, last; first < size; first = last) {
-    last = first + 1;
-    while (!each_alone && last < size &&
-           contacts.corner[last] == contacts.corner[first] &&
-           contacts.edge_block[last] == contacts.edge_block[first])
-      ++last;
-    ContactGroup group;
-    group.first = first, group.last = last;
-    group.corner_block = contacts.corner_block[first];
-    group.edge_block = contacts.edge_block[first];
-    group.reentrant = !each_alone && !blocks.convex[group.edge_block];
-    groups.all.push_back(group);
-    if (group.reentrant) {
-      group.reentrant = false, group.of_notch = true;
-      groups.all.push_back(group);
-    }
-  }
-  find_pairs(groups);
+  find_groups(blocks, contacts, each_alone, groups);
+  find_pairs(contacts, groups);
   sort_by_corner(blocks, contacts, groups);
   groups.lane_of.assign(groups.all.size(), -1);
   groups.watch.clear();

@@ -43,20 +43,24 @@ struct Certainty {
   double travel = 0.0;
 };
 
-/// Records first .. last - 1 of the contact list.
+/// Records first .. last() - 1 of the contact list: one corner, edges of one block.
+/// Many: 24 bytes.
 struct ContactGroup {
-  int first = 0, last = 0;
-  int corner_block = 0, edge_block = 0;
+  static constexpr std::uint32_t most_records = (1U << 23) - 1;
+  int first = 0;
+  std::uint32_t count : 23 = 0;    ///< records
+  std::uint32_t hopeless : 7 = 0;  ///< decisions left for which none is certain
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
-  bool reentrant = false, of_notch = false;
-  std::uint8_t hopeless = 0;  ///< decisions left for which certainty is not even tried
-  int acting = -1;            ///< the record that acts, -1: none, as last decided
-  Certainty certain;          ///< travel: from the pose of its pair
+  std::uint32_t reentrant : 1 = 0, of_notch : 1 = 0;
+  int edge_block = 0;
+  int record = -1;  ///< that acts, -1: none; while certain: that is the candidate to
+  double travel = 0.0;  ///< [L] of its certainty, from the pose of its pair
 
-  /// The record that acts or is the candidate to, -1: none.
-  int live_record() const { return certain.travel > 0.0 ? certain.candidate : acting; }
+  int last() const { return first + static_cast<int>(count); }
+  bool certain() const { return travel > 0.0; }
 };
+static_assert(sizeof(ContactGroup) == 24);
 
 /// The groups of two blocks, which stand side by side.
 struct ContactPair {

@@ -8,19 +8,13 @@
 namespace blocks::dynamics {
 namespace {
 
-bool same_pair(const ContactGroup& g, const ContactGroup& h) {
-  return (g.corner_block == h.corner_block && g.edge_block == h.edge_block) ||
-         (g.corner_block == h.edge_block && g.edge_block == h.corner_block);
-}
-
 /// Looks for the record that can take most of one lost force.
 class Heir {
  public:
   Heir(const Blocks& blocks, const Contacts& contacts, const ContactGroups& groups,
        const LostForce& lost, double stiffness)
-      : blocks_(blocks), groups_(groups), lanes_(groups.lanes), lost_(lost),
-        stiffness_(stiffness), from_(groups.all[lost.group]),
-        corner_(contacts.corner[lost.record]) {
+      : blocks_(blocks), contacts_(contacts), groups_(groups), lanes_(groups.lanes),
+        lost_(lost), stiffness_(stiffness), corner_(contacts.corner[lost.record]) {
     const int edge = contacts.edge[lost.record];
     along_ = unit_along(edge, blocks.next[edge]);
   }
@@ -37,7 +31,7 @@ class Heir {
     const int count = static_cast<int>(groups_.all.size());
     for (const int way : {-1, 1})
       for (int g = lost_.group + way;
-           g >= 0 && g < count && same_pair(groups_.all[g], from_); g += way)
+           g >= 0 && g < count && same_pair(groups_.all[g].first); g += way)
         if (const int lane = groups_.acting(g); lane >= 0 && cosine(lane) > 0.95)
           consider(g);
   }
@@ -53,7 +47,15 @@ class Heir {
   double cosine(int lane) const {
     const double c = along_.dot(unit_along(lanes_.at(lane, &LanePlaces::edge),
                                            lanes_.at(lane, &LanePlaces::edge_end)));
-    return lanes_.at(lane, &LanePlaces::corner_block) == from_.corner_block ? c : -c;
+    return lanes_.at(lane, &LanePlaces::corner_block) == blocks_.corner_block[corner_]
+               ? c
+               : -c;
+  }
+  bool same_pair(int record) const {
+    const int a = contacts_.corner_block[record], b = contacts_.edge_block[record];
+    const int from_a = contacts_.corner_block[lost_.record];
+    const int from_b = contacts_.edge_block[lost_.record];
+    return (a == from_a && b == from_b) || (a == from_b && b == from_a);
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 unit_along(int p1, int p2) const { return (at(p2) - at(p1)).normalized(); }
@@ -77,11 +79,11 @@ class Heir {
   }
 
   const Blocks& blocks_;
+  const Contacts& contacts_;
   const ContactGroups& groups_;
   const ContactLanes& lanes_;
   const LostForce& lost_;
   double stiffness_;
-  const ContactGroup& from_;
   int corner_;
   Vec2 along_;
   int heir_ = -1;

@@ -47,7 +47,8 @@ class ExactCalls {
 
 /// A certainty that would not outlive so many steps costs more than the decisions that
 /// it spares; for so many decisions no other is tried.
-inline constexpr int least_life = 3, decisions_between = 64;
+inline constexpr int least_life = 3;
+inline constexpr unsigned decisions_between = 64;
 
 /// How far two blocks move against each other in a step as they go now, [L]: to first
 /// order what relative_motion grows by.
@@ -68,24 +69,24 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
             int g, double motion, ContactGroups::Share& share) {
   ContactGroup& group = groups.all[g];
   int other = -1;  // of a notch
-  group.certain = {};
+  group.travel = 0.0;
   if (Rules::keeps_decisions && group.hopeless == 0) {
-    group.certain = certainty(blocks, contacts, group);
-    if (!(group.certain.travel > least_life * motion))
-      group.certain = {};
+    const Certainty known = certainty(blocks, contacts, group);
+    if (known.travel > least_life * motion)
+      group.record = known.candidate, group.travel = known.travel;
   }
-  if (!(group.certain.travel > 0.0)) {
-    group.hopeless = static_cast<std::uint8_t>(
-        group.hopeless == 0 ? decisions_between : group.hopeless - 1);
+  if (!group.certain()) {
+    group.hopeless =
+        (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) & 127U;
     const ContactDecision<Rules> decision(blocks, contacts, groups);
-    group.acting = decision.acting_record(group);
-    other = decision.notch_record(group, group.acting);
+    group.record = decision.acting_record(group);
+    other = decision.notch_record(group, group.record);
   }
-  const int one = group.live_record();
+  const int one = group.record;
   if (!group.reentrant && groups.keep_lane(g))
     return;
   if (group.reentrant)
-    groups.all[g + 1].acting = other;
+    groups.all[g + 1].record = other;
   std::array<HeldSpring, 2> held;
   for (int k = 0; k <= group.reentrant; ++k)
     if (const int lane = groups.lane_of[g + k]; lane >= 0)
@@ -97,7 +98,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
                                  : HeldSpring{};
   };
   for (int k = 0; k <= group.reentrant; ++k) {
-    const int i = groups.all[g + k].live_record();
+    const int i = groups.all[g + k].record;
     share.lanes_complete &= groups.set_lane(blocks, contacts, g + k, i, spring_of(i));
   }
   // who acts no more: its forces are gone, its spring may find an heir
@@ -116,7 +117,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
   const double motion = motion_of_step(blocks, groups.swing, pair, dt);
   // the other way round a NaN would let a decision stand
   const auto stands = [&](const ContactGroup& group) {
-    return Rules::keeps_decisions && group.certain.travel - moved > 0.0;
+    return Rules::keeps_decisions && group.travel - moved > 0.0;
   };
   bool anew = false;
   for (int g = pair.first; g < pair.last; ++g)
@@ -130,8 +131,8 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     if (!stands(group))
       decide<Rules>(blocks, contacts, groups, g, motion, share);
     else if (anew)
-      group.certain.travel -= moved;
-    pair.certain = std::min(pair.certain, group.certain.travel);
+      group.travel -= moved;
+    pair.certain = std::min(pair.certain, group.travel);
   }
   if (anew)
     groups.take_pose(blocks, p);

@@ -87,7 +87,7 @@ void keep_acting(Contacts& contacts, std::vector<SearchBuffers::Kept>& kept) {
 /// small model is slower.
 template <class Item> void give_back(std::vector<Item>& items) {
   items.clear();
-  if (items.capacity() * sizeof(Item) > 1 << 25)
+  if (items.capacity() * sizeof(Item) > 1 << 22)
     items.shrink_to_fit();
 }
 

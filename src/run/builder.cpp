@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "deck/card_table.hpp"
 #include "deck/mesh_readers.hpp"
@@ -302,8 +303,8 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   checked_blocks_ = moved_blocks_ = blocks.size();
 }
 
-void Builder::begin_to_move(const std::optional<AssemblyCertificate>& certificate) {
-  certificate_ = certificate;
+void Builder::begin_to_move(std::optional<AssemblyCertificate> certificate) {
+  certificate_ = std::move(certificate);
   planes_.clear();
   fraction_told_ = dynamics::safe_fraction(model_.settings.damping);
   checked_blocks_ = moved_blocks_ = model_.blocks.size();
@@ -317,7 +318,7 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
   AssemblyCertificate told;
   told.blocks = told.moved = model_.blocks.size();
   told.overlaps = overlaps;
-  begin_to_move(told);
+  begin_to_move(std::move(told));
 }
 
 void Builder::error_no_block(const Command& command, const deck::Int& number) {

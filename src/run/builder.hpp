@@ -56,7 +56,7 @@ class Builder {
 
   /// Instead of it before the first MOTION or CYCLE, when another builder has checked
   /// the same cards. certificate: what that one found.
-  void begin_to_move(const std::optional<AssemblyCertificate>& certificate);
+  void begin_to_move(std::optional<AssemblyCertificate> certificate);
 
   /// The next card is cards[next]: those before it made the model, whose blocks overlap
   /// as told.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
@@ -247,7 +248,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       if (executor.begun()) {
         // It was judged when it began.
       } else if (motion == 0.0) {
-        builder.begin_to_move(job.certificate);
+        builder.begin_to_move(std::move(job.certificate));
       } else if (!sound_in_place(builder, said, command, executor, files)) {
         outcome = Outcome::unsound_deck;
         break;

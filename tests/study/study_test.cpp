@@ -127,7 +127,7 @@ TEST(DefaultVariant, IsWhatRunsDo) {
       variant.find(studied, b);
       variant.step(studied, b);
       for (const dynamics::ContactGroup& group : b.groups.all)
-        kept += group.certain.travel > 0.0;
+        kept += group.certain();
     }
     EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
     EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;
