@@ -2,6 +2,7 @@
 // meet (the blocks of one layer are certified when it is cut). Knows nothing of cards.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct AssemblyCertificate {
   /// Slits wider than rounding makes them.
   std::size_t gaps() const { return joints.slits.size() - rounding_slits; }
 };
+
+/// One certificate for all who tell of it; nothing: there are no blocks.
+using SharedCertificate = std::shared_ptr<const AssemblyCertificate>;
 
 /// Exact decision for every pair, n log n. moved: as in the certificate; before: the
 /// last certificate of these blocks, whose overlaps stay overlaps as long as they last.

@@ -65,7 +65,7 @@ Json gaps(const AssemblyCertificate& proof) {
 }
 
 /// Null for a model without blocks.
-Json certificate(const std::optional<AssemblyCertificate>& proof) {
+Json certificate(const SharedCertificate& proof) {
   if (!proof)
     return nullptr;
   double largest = 0.0;

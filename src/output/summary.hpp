@@ -18,8 +18,8 @@ struct RunReport {
   double wall_seconds = 0.0;
   std::string status = "done";  ///< done, unsound, interrupted
   long frames = 0;
-  std::optional<AssemblyCertificate> certificate = {};  ///< nothing: no blocks
-  std::optional<AuditTotals> audit = {};                ///< nothing: not asked for
+  SharedCertificate certificate = {};
+  std::optional<AuditTotals> audit = {};  ///< nothing: not asked for
 };
 
 /// FNV-1a over the bits of all positions and velocities: two equal runs, two equal

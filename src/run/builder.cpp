@@ -303,7 +303,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   checked_blocks_ = moved_blocks_ = blocks.size();
 }
 
-void Builder::begin_to_move(std::optional<AssemblyCertificate> certificate) {
+void Builder::begin_to_move(SharedCertificate certificate) {
   certificate_ = std::move(certificate);
   planes_.clear();
   fraction_told_ = dynamics::safe_fraction(model_.settings.damping);
@@ -318,7 +318,7 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
   AssemblyCertificate told;
   told.blocks = told.moved = model_.blocks.size();
   told.overlaps = overlaps;
-  begin_to_move(std::move(told));
+  begin_to_move(std::make_shared<const AssemblyCertificate>(std::move(told)));
 }
 
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
@@ -406,7 +406,8 @@ void Builder::check_overlaps(const Command& command) {
     return;
   AssemblyCertificate before;
   before.overlaps = certificate_ ? certificate_->overlaps : options_.overlaps;
-  certificate_ = certify_assembly(model_.blocks, moved_blocks_, before);
+  certificate_ = std::make_shared<const AssemblyCertificate>(
+      certify_assembly(model_.blocks, moved_blocks_, before));
   std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;
   std::erase_if(pairs,
                 [this](const auto& pair) { return pair.second < checked_blocks_; });

@@ -56,7 +56,7 @@ class Builder {
 
   /// Instead of it before the first MOTION or CYCLE, when another builder has checked
   /// the same cards. certificate: what that one found.
-  void begin_to_move(std::optional<AssemblyCertificate> certificate);
+  void begin_to_move(SharedCertificate certificate);
 
   /// The next card is cards[next]: those before it made the model, whose blocks overlap
   /// as told.
@@ -76,7 +76,7 @@ class Builder {
 
   /// What the blocks proved to be when the latest were made; nothing before time
   /// passes.
-  const std::optional<AssemblyCertificate>& certificate() const { return certificate_; }
+  const SharedCertificate& certificate() const { return certificate_; }
 
  private:
   struct Visitor;
@@ -99,7 +99,7 @@ class Builder {
   double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
   std::optional<deck::Command> fraction_by_;  ///< last FRACTION or DAMPING card
   std::vector<std::pair<deck::Command, deck::Int>> output_blocks_;  ///< not yet checked
-  std::optional<AssemblyCertificate> certificate_;
+  SharedCertificate certificate_;
 };
 
 }  // namespace blocks::run

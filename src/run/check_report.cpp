@@ -9,7 +9,7 @@
 namespace blocks::run {
 
 std::string check_report(const std::string& file, const Model& model,
-                         const std::optional<AssemblyCertificate>& certificate) {
+                         const SharedCertificate& certificate) {
   const Blocks& blocks = model.blocks;
   const auto fixed = std::count_if(blocks.fixity.begin(), blocks.fixity.end(),
                                    [](Fixity f) { return f != Fixity::free; });

@@ -1,7 +1,6 @@
 // What `blocks check` says of a deck without faults.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "model/assembly_certificate.hpp"
@@ -12,6 +11,6 @@ namespace blocks::run {
 /// Blocks, layers with their certificates, merges, whether blocks overlap and the time
 /// step, a line each.
 std::string check_report(const std::string& file, const Model& model,
-                         const std::optional<AssemblyCertificate>& certificate);
+                         const SharedCertificate& certificate);
 
 }  // namespace blocks::run

@@ -74,10 +74,10 @@ struct Job {
   deck::Diagnostics diagnostics;
   deck::Deck deck;
   std::string name;
-  std::optional<AssemblyCertificate> certificate;  ///< of all blocks, by the check
-  output::CheckpointInfo from;                     ///< once loaded
-  bool resumes = false;         ///< this very deck goes on where it was stopped
-  ExitCode fault = deck_error;  ///< what a failed check exits with
+  SharedCertificate certificate;  ///< of all blocks, by the check
+  output::CheckpointInfo from;    ///< once loaded
+  bool resumes = false;           ///< this very deck goes on where it was stopped
+  ExitCode fault = deck_error;    ///< what a failed check exits with
 };
 
 /// Whether the place where the checkpoint's run stopped is one of this deck: a card
@@ -248,7 +248,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       if (executor.begun()) {
         // It was judged when it began.
       } else if (motion == 0.0) {
-        builder.begin_to_move(std::move(job.certificate));
+        builder.begin_to_move(job.certificate);
       } else if (!sound_in_place(builder, said, command, executor, files)) {
         outcome = Outcome::unsound_deck;
         break;
@@ -381,7 +381,8 @@ int check_deck(const RunOptions& options) {
     if (certificate && certificate->blocks < checked.model.blocks.size()) {
       fmt::print("blocks made after a MOTION or CYCLE are judged where the deck puts "
                  "them, as if nothing had moved\n");
-      certificate = certify_assembly(checked.model.blocks);
+      certificate = std::make_shared<const AssemblyCertificate>(
+          certify_assembly(checked.model.blocks));
     }
     fmt::print("{}", check_report(checked.file, checked.model, certificate));
     for (const std::string& note : checked.notes)

@@ -51,7 +51,7 @@ struct CheckedDeck {
   ExitCode code = done;  ///< of a deck with faults: theirs, and nothing below counts
   std::string file;      ///< as shown in messages
   Model model;
-  std::optional<AssemblyCertificate> certificate;  ///< nothing: no blocks
+  SharedCertificate certificate;
   std::vector<std::string> notes;  ///< of mesh files and shared corners, a line each
 };
 
