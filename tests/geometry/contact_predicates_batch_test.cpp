@@ -51,7 +51,7 @@ struct Batch {
   explicit Batch(Random& random) {
     for (std::size_t i = 0; i < batch_lanes; ++i) {
       Case k = any_kind(random);
-      while (k.p1 == k.p2 || k.q1 == k.q2)
+      while (!k.proper())
         k = any_kind(random);
       cases[i] = k;
       c.set(i, k.c), p1.set(i, k.p1), p2.set(i, k.p2), q1.set(i, k.q1);

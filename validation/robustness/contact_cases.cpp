@@ -25,13 +25,6 @@ void turn_and_move(ContactCase& k, double angle, const Vec2& origin) {
 constexpr std::array<std::pair<int, int>, 6> pythagorean{
     {{4, 3}, {12, 5}, {21, 20}, {15, 8}, {56, 33}, {72, 65}}};
 
-bool proper(const ContactCase& k) {
-  bool finite = true;
-  for (const Vec2* v : {&k.c, &k.p1, &k.p2, &k.q1, &k.q2, &k.centroid, &k.neighbour})
-    finite = finite && v->allFinite();
-  return finite && k.p1 != k.p2 && k.q1 != k.q2;
-}
-
 /// The first proper case that `draw_case` makes.
 template <class DrawCase>
 ContactCase first_proper(std::uint64_t family, std::uint64_t number,
@@ -40,7 +33,7 @@ ContactCase first_proper(std::uint64_t family, std::uint64_t number,
   ContactCase k;
   do
     k = draw_case(draw);
-  while (!proper(k));
+  while (!k.proper());
   return k;
 }
 

@@ -21,6 +21,13 @@ struct ContactCase {
     for (Vec2* v : {&c, &p1, &p2, &q1, &q2, &centroid, &neighbour})
       *v = map(*v);
   }
+  /// Finite, with edges longer than zero, as predicates ask for.
+  bool proper() const {
+    bool finite = true;
+    for (const Vec2* v : {&c, &p1, &p2, &q1, &q2, &centroid, &neighbour})
+      finite = finite && v->allFinite();
+    return finite && p1 != p2 && q1 != q2;
+  }
 };
 
 /// Splitmix64 from a number of its own for each case.
