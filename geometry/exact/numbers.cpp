@@ -66,8 +66,14 @@ double round_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
   }
 }
 
+// MPFR keeps pi, and numbers, for each thread: with the thread they go.
+struct MpfrCache {
+  ~MpfrCache() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+
 // The tangent to so many bits, and the double nearest to the true one if they suffice.
 std::optional<double> tangent_to(mpfr_prec_t bits, const Rational& degrees) {
+  static thread_local const MpfrCache cache;
   mpfr_t angle;
   mpfr_t pi;
   mpfr_inits2(bits, angle, pi, static_cast<mpfr_ptr>(nullptr));

@@ -9,11 +9,16 @@
 namespace blocks::robustness {
 namespace {
 
-thread_local mpfr_prec_t bits = 0;
+/// What MPFR keeps for each thread goes with it.
+struct ThreadBits {
+  mpfr_prec_t bits = 0;
+  ~ThreadBits() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+thread_local ThreadBits of_thread;
 
 class Number {
  public:
-  Number() { mpfr_init2(value_, bits); }
+  Number() { mpfr_init2(value_, of_thread.bits); }
   explicit Number(double x) : Number() { mpfr_set_d(value_, x, MPFR_RNDN); }
   Number(const Number& other) : Number() { mpfr_set(value_, other.value_, MPFR_RNDN); }
   Number& operator=(const Number&) = delete;
@@ -74,10 +79,10 @@ bool faces(const Number& sine, const Number& q) {
   const Number sin10 = Number::sin10();
   const Number excess = sin10 * sin10 * q - sine * sine;
   // relative errors of a few 2^-bits, of terms below 2 q
-  const Number error = Number::power_of_two(8 - static_cast<long>(bits)) * q;
+  const Number error = Number::power_of_two(8 - static_cast<long>(of_thread.bits)) * q;
   if ((excess.size() - error).sign() > 0)
     return excess.sign() > 0;
-  bits *= 2;
+  of_thread.bits *= 2;
   return faces(sine, q);  // their own bits hold them exactly
 }
 
@@ -108,7 +113,7 @@ bool try_to_judge(const ContactCase& k, ContactTruth& truth) {
 ContactTruth judge(const ContactCase& k) {
   ContactTruth truth;
   for (mpfr_prec_t enough = 512;; enough *= 2) {
-    bits = enough;
+    of_thread.bits = enough;
     if (try_to_judge(k, truth))
       return truth;
   }
