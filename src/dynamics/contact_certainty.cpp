@@ -139,8 +139,8 @@ double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int 
   return lead_travel(p, q, lead);
 }
 
-/// The lower end of an edge stays the toe of its block (ClosedJoint::toe_of), and too
-/// far from the side for a joint there.
+/// The lower end of an edge stays, as long as it is the lower one, the toe of its block
+/// (ClosedJoint::toe_of), and too far from the side for a joint there.
 double far_travel(const Blocks& blocks, int toe, int side, int surface) {
   const EdgeView from_side(blocks, toe, side), from_surface(blocks, toe, surface);
   const double reach = (shielded_way + shielded_depth) * from_surface.length;
@@ -175,9 +175,12 @@ double seen_travel(const Blocks& blocks, int c, int e, double enough) {
       seen = std::max(seen,
                       lead_travel(lower.depth() - 1.01 * shielded_depth * length,
                                   1.0 + 2.0 * lower.distance / length, lower.distance));
-      if (seen < travel)
-        seen =
-            std::max(seen, far_travel(blocks, forward ? second : first, side, surface));
+      if (seen < travel) {
+        const double stays_lower = lead_travel(p, q, std::abs(q.depth() - p.depth()));
+        seen = std::max(
+            seen, std::min(stays_lower, far_travel(blocks, forward ? second : first,
+                                                   side, surface)));
+      }
     }
     travel = std::min(travel, seen);
   }
