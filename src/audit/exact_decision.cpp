@@ -226,25 +226,36 @@ bool ExactRules::admits_crossing(int corner, int edge, int beyond) const {
           crosses(corner, edge, after));
 }
 
-/// The edge and the block have a point in common. Convex, up to the slack: the block is
-/// not wholly behind the edge, and no side of it has both ends of the edge beyond it.
-/// Else: a side crosses or touches the edge, or an end of it is in the block.
+/// The edge and the block have a point in common. Convex: the block is not wholly
+/// behind the edge, and no side of it has both ends of the edge beyond it. Else: a side
+/// crosses or touches the edge, or an end of it is in the block.
 bool ExactRules::meets(int edge, int block) const {
   const int end = blocks_.next[edge];
   bool cut = false;
   for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
-    if (blocks_.convex[block]) {
-      if (!near_or_inside(edge, q) && !near_or_inside(end, q))
-        return false;
-      cut |= near_or_outside(q, edge);
-      continue;
-    }
     const int from = sign(area2(q, edge)), to = sign(area2(blocks_.next[q], edge));
     const int first = sign(area2(edge, q)), second = sign(area2(end, q));
-    if (first * second <= 0 && from * to <= 0)
+    if (blocks_.convex[block] && std::max(first, second) < 0)
+      return false;
+    if (!blocks_.convex[block] && first * second <= 0 && from * to <= 0)
       return true;
+    cut |= from < 0;
   }
   return blocks_.convex[block] ? cut : rays_say_inside(edge, block);
+}
+
+/// The same, up to the slack where the block is convex.
+bool ExactRules::nearly_meets(int edge, int block) const {
+  if (!blocks_.convex[block])
+    return meets(edge, block);
+  const int end = blocks_.next[edge];
+  bool cut = false;
+  for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1]; ++q) {
+    if (!near_or_inside(edge, q) && !near_or_inside(end, q))
+      return false;
+    cut |= near_or_outside(q, edge);
+  }
+  return cut;
 }
 
 /// Another edge of the block is nearer to a corner inside.
@@ -263,10 +274,11 @@ bool ExactRules::comes_through(int corner, int edge) const {
   const int own = blocks_.corner_block[corner], block = blocks_.corner_block[edge];
   bool touches = false, nearest_to_one = false;
   for (int f = blocks_.first_corner[block]; f < blocks_.first_corner[block + 1]; ++f)
-    touches |= meets(f, own);
+    touches |= nearly_meets(f, own);
   for (int q = blocks_.first_corner[own]; q < blocks_.first_corner[own + 1]; ++q)
     nearest_to_one |= !nearer_edge(q, edge);
-  return !nearer_edge(corner, edge) || meets(edge, own) || (!touches && nearest_to_one);
+  return !nearer_edge(corner, edge) || nearly_meets(edge, own) ||
+         (!touches && nearest_to_one);
 }
 
 bool ExactRules::admits(int corner, int edge) const {

@@ -109,6 +109,7 @@ class ExactRules {
   bool faces(int corner, int neighbour, int edge) const;
   bool within_depth(int corner, int edge) const;
   bool meets(int edge, int block) const;
+  bool nearly_meets(int edge, int block) const;
   bool nearer_edge(int corner, int edge) const;
   bool comes_through(int corner, int edge) const;
   Place place(int corner, int block) const;

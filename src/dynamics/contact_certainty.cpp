@@ -53,20 +53,21 @@ double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
                      p.distance + q.distance);
 }
 
-/// The edge keeps meeting a block (ContactDecision::meets); asked of convex ones.
-double meeting_travel(const Blocks& blocks, int edge, int block) {
+/// The edge keeps meeting a block (ContactDecision::meets), or nearly; asked of convex
+/// ones.
+double meeting_travel(const Blocks& blocks, int edge, int block, bool nearly) {
+  if (!blocks.convex[block])
+    return 0.0;
   const auto inside = [&](int corner, int side) {
     const EdgeView view(blocks, corner, side);
-    return sign_travel(view.overlap_product() + view.slack(), view.length,
-                       view.distance);
+    return sign_travel(view.overlap_product() + (nearly ? view.slack() : 0.0),
+                       view.length, view.distance);
   };
   const auto outside = [&](int corner, int side) {
     const EdgeView view(blocks, corner, side);
-    return sign_travel(view.slack() - view.overlap_product(), view.length,
-                       view.distance);
+    return sign_travel((nearly ? view.slack() : 0.0) - view.overlap_product(),
+                       view.length, view.distance);
   };
-  if (!blocks.convex[block])
-    return 0.0;
   double cut = 0.0, apart = std::numeric_limits<double>::max();
   for (int q = blocks.first_corner[block]; q < blocks.first_corner[block + 1]; ++q) {
     cut = std::max(cut, outside(q, edge));
@@ -75,9 +76,11 @@ double meeting_travel(const Blocks& blocks, int edge, int block) {
   return std::min(cut, apart);
 }
 
-/// The edge meets the block of corner c as long as c is inside of it: a side of that
-/// block that ends in c crosses the edge, or all of them are asked, for `enough`.
-double meeting_inside_travel(const Blocks& blocks, int c, int edge, double enough) {
+/// The edge meets the block of corner c, or nearly, as long as c is inside of it: a
+/// side of that block that ends in c crosses the edge, or all of them are asked, for
+/// `enough`.
+double meeting_inside_travel(const Blocks& blocks, int c, int edge, bool nearly,
+                             double enough) {
   const auto inside = [&](int corner, int side) {
     const EdgeView view(blocks, corner, side);
     return sign_travel(view.overlap_product(), view.length, view.distance);
@@ -94,7 +97,8 @@ double meeting_inside_travel(const Blocks& blocks, int c, int edge, double enoug
   }
   return travel >= enough
              ? travel
-             : std::max(travel, meeting_travel(blocks, edge, blocks.corner_block[c]));
+             : std::max(travel,
+                        meeting_travel(blocks, edge, blocks.corner_block[c], nearly));
 }
 
 /// Edge e stays the nearest of its block.
@@ -319,8 +323,8 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
     travel = std::min(travel, admissible_travel(blocks, contacts, i, 0.0));
   if (travel > 0.0)
     if (const double nearest = nearest_travel(blocks, c, edge); nearest < travel)
-      travel = std::min(
-          travel, std::max(nearest, meeting_inside_travel(blocks, c, edge, travel)));
+      travel = std::min(travel, std::max(nearest, meeting_inside_travel(blocks, c, edge,
+                                                                        true, travel)));
   for (int j = group.first; j < group.last() && travel > 0.0; ++j) {
     if (j == i)
       continue;
@@ -328,7 +332,8 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
     if (others < travel)
       if (const double deeper = deeper_travel(blocks, contacts, j, i); deeper > others)
         others = std::max(
-            others, std::min(deeper, meeting_inside_travel(blocks, c, edge, travel)));
+            others,
+            std::min(deeper, meeting_inside_travel(blocks, c, edge, false, travel)));
     travel = std::min(travel, others);
   }
   if (travel > 0.0)

@@ -121,22 +121,30 @@ template <class Rules> class ContactDecision {
            Rules::faces_edge(corner, at(blocks_.next[c]), p1, p2);
   }
   /// Whether the block and the edge have a point in common. Two convex shapes are apart
-  /// where the line of a side of either lies between them, up to the slack: where two
-  /// bricks touch end to end, round-off does not decide. An edge that has a point in
+  /// where the line of a side of either lies between them; an edge that has a point in
   /// another block has an end in it or crosses a side of it.
   bool meets(int edge, int block) const {
-    return blocks_.convex[block] ? meets_convex(edge, block)
+    return blocks_.convex[block] ? meets_convex<false>(edge, block)
                                  : meets_reentrant(edge, block);
   }
-  bool meets_convex(int edge, int block) const {
+  /// The same up to the slack, of convex blocks: where bricks touch end to end,
+  /// round-off does not decide.
+  bool nearly_meets(int edge, int block) const {
+    return blocks_.convex[block] ? meets_convex<true>(edge, block)
+                                 : meets_reentrant(edge, block);
+  }
+  template <bool nearly> bool meets_convex(int edge, int block) const {
     const Vec2 p1 = at(edge), p2 = end(edge);
+    const auto beyond = [](const Vec2& c, const Vec2& q1, const Vec2& q2) {
+      return nearly ? !Rules::inside_edge(c, q1, q2)
+                    : Rules::overlap_sign(c, q1, q2) < 0;
+    };
     bool cut = false;
     for (int q = blocks_.first_corner[block]; q < blocks_.first_corner[block + 1];
          ++q) {
-      if (!Rules::inside_edge(p1, at(q), end(q)) &&
-          !Rules::inside_edge(p2, at(q), end(q)))
+      if (beyond(p1, at(q), end(q)) && beyond(p2, at(q), end(q)))
         return false;
-      cut = cut || Rules::inside_edge(at(q), p2, p1);
+      cut = cut || (nearly ? Rules::inside_edge(at(q), p2, p1) : beyond(at(q), p1, p2));
     }
     return cut;
   }
@@ -167,10 +175,10 @@ template <class Rules> class ContactDecision {
     if constexpr (!Rules::far_edges_meet)
       return true;
     const int own = blocks_.corner_block[c], block = blocks_.corner_block[edge];
-    if (!nearer_edge(c, edge) || meets(edge, own))
+    if (!nearer_edge(c, edge) || nearly_meets(edge, own))
       return true;
     for (int f = blocks_.first_corner[block]; f < blocks_.first_corner[block + 1]; ++f)
-      if (meets(f, own))
+      if (nearly_meets(f, own))
         return false;
     for (int q = blocks_.first_corner[own]; q < blocks_.first_corner[own + 1]; ++q)
       if (!nearer_edge(q, edge))

@@ -310,9 +310,17 @@ void ContactGroups::join_shares() {
 void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   group.clear();
   const int count = static_cast<int>(all.size());
+  // not at first, for most of those who are near in a wall at rest never act
+  const double soon = times_made > 1 ? 2.0 * (swing.travel - made_at) : 0.0;
+  ++times_made;
+  made_at = swing.travel;
+  const auto may_act_soon = [&](const ContactGroup& one) {
+    return one.certain() ? one.travel < soon : soon > 0.0 && one.hopeless > 0;
+  };
   const auto wants = [&](int g) {
     // who had a lane keeps it: it may want it again
-    return lane_of[g] >= 0 || all[g].record >= 0 || acted(contacts, all[g]);
+    return lane_of[g] >= 0 || all[g].record >= 0 || acted(contacts, all[g]) ||
+           may_act_soon(all[g]);
   };
   for (int g = 0; g < count; ++g) {
     // of a notch both or none: a spring may pass from one to the other
@@ -343,6 +351,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.lanes.reserve(static_cast<int>(most));
   for (std::vector<int>* row : {&groups.group, &groups.record, &groups.high_lane})
     row->clear(), row->reserve(most);
+  groups.times_made = 0;
   groups.loaded = false;
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());

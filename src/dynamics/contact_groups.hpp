@@ -137,6 +137,8 @@ struct ContactGroups {
       high_lane;  ///< lanes of which it is the higher one, block after block
   std::vector<int> high_lanes;  ///< (blocks + 1) where a block's begin in high_lane
   bool lanes_complete = false;  ///< no group lacks a lane
+  int times_made = 0;           ///< lanes, of this list
+  double made_at = 0.0;         ///< [L] the travel (Swing) when they were made last
   bool loaded = false;          ///< the lanes hold what the list does not know
 
   std::vector<LostForce> lost;  ///< in this step
@@ -186,7 +188,8 @@ struct ContactGroups {
   bool keep_lane(int g);
   /// Makes one of what the threads found.
   void join_shares();
-  /// A lane for each group that has one, acts or may act.
+  /// A lane for each group that has one, acts or may act; from the third time on also
+  /// for those that may act as soon again as lanes have run out.
   void make_lanes(int blocks, const Contacts& contacts);
 };
 

@@ -46,24 +46,6 @@ TEST(RunAudit, CraterIsCleanWhileBlocksFly) {
   EXPECT_EQ(audit["excess_pairs"], 0);
 }
 
-// A bar lies flush beside a joint and turns: first one, then the other end of its side
-// is the lower one, and only that stands in the joint.
-TEST(RunAudit, ABarThatTurnsAtAJointChangesItsToe) {
-  for (const char* const spin : {"5", "10"}) {
-    const TemporaryFolder folder;
-    run_text(folder, "bar",
-             "START, 12, 4\nBAR\nXLIMITS, -60, 60\nYLIMITS, -60, 60\n"
-             "BOXES, 40, 40, 0.05\nSTIFF, 1.E6, 1.E6\nFRACTION, 0.01\n"
-             "MATERIAL, 1, 1.E9, 4.E8, 2000\nRIGID\nEND\n" +
-                 rectangle(0, 0.05, 1, 1.05, true) +
-                 rectangle(0, -0.95, 1, 0.05, true) + rectangle(-0.1, 0, 0, 0.5) +
-                 "SETVEL, 3, , " + std::to_string(0.1 * std::stod(spin)) + ", 0, " +
-                 spin + "\nDAMPING, 0.1\nMOTION, 0.006\nSTOP\n",
-             "--audit=1");
-    EXPECT_EQ(summary(folder, "bar")["audit"]["wrong_decisions"], 0) << spin;
-  }
-}
-
 /// A state in which the list has lost the records of the square's first corner.
 void lose_records(const TemporaryFolder& folder) {
   const std::string path = (folder / "squares.ckpt.h5").string();

@@ -1,0 +1,55 @@
+// Toes at joints of a floor or a wall of blocks, as in one of one piece.
+#include <gtest/gtest.h>
+
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+/// The first cards, for springs of so many N/m.
+std::string cards(const std::string& stiffness, const std::string& fraction) {
+  return "START, 20, 4\nTOE\nXLIMITS, -60, 60\nYLIMITS, -60, 60\nBOXES, 40, 40, 0.05\n"
+         "STIFF, " +
+         stiffness + ", " + stiffness + "\nFRACTION, " + fraction +
+         "\nMATERIAL, 1, 1.E9, 4.E8, 2000\nRIGID\nEND\n";
+}
+
+// A smooth triangle leans against a smooth wall with its toe exactly at a joint, by
+// overlaps below and above the slack: it slips. In the first step, when nothing
+// overlaps yet, the joint may take some per cent.
+TEST(ClosedJoint, APropSlips) {
+  const std::string wall_and_prop =
+      rectangle(0.3, 0.2, 1, 1, true) +
+      "CREATE, 3, 1\n0, -0.02, 0.3\n0, 0.3, 0.5\nGRAVITY, 0, -10\nFRICTN, 0\n"
+      "DAMPING, 0.3\nMOTION, 0.4\nSTOP\n";
+  for (const char* const stiffness : {"1.E7", "1.E8", "1.E9"}) {
+    const TemporaryFolder folder;
+    run_text(folder, "joints",
+             cards(stiffness, "0.02") + rectangle(-2, -1, 0, 0, true) +
+                 rectangle(0, -1, 2, 0, true) + wall_and_prop);
+    run_text(folder, "one",
+             cards(stiffness, "0.02") + rectangle(-2, -1, 2, 0, true) + wall_and_prop);
+    const double energy = summary(folder, "one")["kinetic_energy"];
+    EXPECT_GT(energy, 10.0);
+    EXPECT_NEAR(summary(folder, "joints")["kinetic_energy"], energy, 0.1 * energy)
+        << stiffness;
+  }
+}
+
+// A bar lies flush beside a joint and turns: first one, then the other end of its side
+// is the lower one, and only that stands in the joint.
+TEST(ClosedJoint, ABarThatTurnsChangesItsToe) {
+  for (const char* const spin : {"5", "10"}) {
+    const TemporaryFolder folder;
+    run_text(folder, "bar",
+             cards("1.E6", "0.01") + rectangle(0, 0.05, 1, 1.05, true) +
+                 rectangle(0, -0.95, 1, 0.05, true) + rectangle(-0.1, 0, 0, 0.5) +
+                 "SETVEL, 3, , " + std::to_string(0.1 * std::stod(spin)) + ", 0, " +
+                 spin + "\nDAMPING, 0.1\nMOTION, 0.006\nSTOP\n",
+             "--audit=1");
+    EXPECT_EQ(summary(folder, "bar")["audit"]["wrong_decisions"], 0) << spin;
+  }
+}
+
+}  // namespace
+}  // namespace blocks::testing
