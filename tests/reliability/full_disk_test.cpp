@@ -125,7 +125,10 @@ TEST(Folder, ThatIsMissingOrAFileIsNamed) {
 TEST(Folder, ThatIsReadOnlyIsNamed) {
   const TemporaryFolder folder;
   folder.write("a.deck", deck);
-  const std::string name = geteuid() == 0 ? "/sys/a" : "a";
+  const bool root = geteuid() == 0;
+  if (root && !fs::exists("/sys/kernel"))
+    GTEST_SKIP() << "no folder here that is read only for root too";
+  const std::string name = root ? "/sys/a" : "a";
   fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
   const Outcome run = blocks("run a.deck -q -o " + name, folder.path());
   fs::permissions(folder.path(), fs::perms::owner_all);
