@@ -35,7 +35,7 @@ usage() {
                             validation/REPORT.md and .html; --kept: whose rows it has
   ./go study [N]            N frames (1000) of every scene of contact detection by the
                             rules of every run: no hang-up, no fall-through
-  ./go bench [PART...]      times, against other codes on the same scenes (10 minutes;
+  ./go bench [PART...]      times, against other codes on the same scenes (3 minutes;
                             --quick: one): wall, pile, decks, search, predicates,
                             generation; writes bench.md, .json, .png beside you
   ./go bench exactness      whole runs with exact predicates against plain doubles
