@@ -167,7 +167,8 @@ def write_report(results, who):
     """Keeps these results, and writes the report from all that are kept."""
     for result in results:
         if result["rows"] is None:  # or the report would go on saying what once held
-            row = Row("every deck runs", "yes", "no", "", "", result["fault"], False)
+            row = Row("every deck runs", "yes", "no", "", "",
+                      "; ".join(result["fault"].split("\n")), False)
             result = {"problem": result["problem"], "rows": [*result["before"], row.as_dict()],
                       "figures": [], "runs": 0}
         path = HERE / result["problem"] / "result.json"
