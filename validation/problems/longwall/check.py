@@ -33,14 +33,10 @@ def check(case):
     for (ks, published), run in zip(PUBLISHED.items(), runs):
         t, w = deflection(run)
         ours.append(caving(t, w))
-        case.compared(f"ks = {ks} GPa/m: deflection where caving begins", published, ours[-1],
-                      "no verdict: a continuum with cohesion is no answer for beds of blocks "
-                      "without; its size and its trend are what can agree", "m")
+        case.equal(f"ks = {ks} GPa/m: deflection where caving begins", published, ours[-1],
+                   0.1, "two digits, read from a figure", "m")
         shown = w < 3.2
         chart.ours(t[shown], w[shown], f"ks = {ks} GPa/m", line=True)
-    case.at_most("largest of the three, of the continuum's, or its inverse", 2.0,
-                 max(max(a / b, b / a) for a, b in zip(ours, PUBLISHED.values())),
-                 "agreement in size: within a factor of two")
     case.at_most("deflection for ks = 10 GPa/m over that for 1 GPa/m", 1.0, ours[1] / ours[0],
                  "stiffer bedding deflects less; continuum 0.40")
     case.at_most("deflection for ks = 100 GPa/m over that for 1 GPa/m", 1.0, ours[2] / ours[0],
