@@ -53,15 +53,21 @@ double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
                      p.distance + q.distance);
 }
 
+/// The corner stays on its side of an edge, up to the slack or not: positive when
+/// inside.
+double side_travel(const Blocks& blocks, int corner, int edge, bool slack = true) {
+  const EdgeView view(blocks, corner, edge);
+  return sign_travel(view.overlap_product() + (slack ? view.slack() : 0.0), view.length,
+                     view.distance);
+}
+
 /// The edge keeps meeting a block (ContactDecision::meets), or nearly; asked of convex
 /// ones.
 double meeting_travel(const Blocks& blocks, int edge, int block, bool nearly) {
   if (!blocks.convex[block])
     return 0.0;
   const auto inside = [&](int corner, int side) {
-    const EdgeView view(blocks, corner, side);
-    return sign_travel(view.overlap_product() + (nearly ? view.slack() : 0.0),
-                       view.length, view.distance);
+    return side_travel(blocks, corner, side, nearly);
   };
   const auto outside = [&](int corner, int side) {
     const EdgeView view(blocks, corner, side);
@@ -82,8 +88,7 @@ double meeting_travel(const Blocks& blocks, int edge, int block, bool nearly) {
 double meeting_inside_travel(const Blocks& blocks, int c, int edge, bool nearly,
                              double enough) {
   const auto inside = [&](int corner, int side) {
-    const EdgeView view(blocks, corner, side);
-    return sign_travel(view.overlap_product(), view.length, view.distance);
+    return side_travel(blocks, corner, side, false);
   };
   double travel = 0.0;
   for (const auto& [side, far] :
@@ -189,12 +194,6 @@ double seen_travel(const Blocks& blocks, int c, int e, double enough) {
     travel = std::min(travel, seen);
   }
   return travel;
-}
-
-/// The corner stays on its side of an edge, up to the slack: positive when inside.
-double side_travel(const Blocks& blocks, int corner, int edge) {
-  const EdgeView view(blocks, corner, edge);
-  return sign_travel(view.overlap_product() + view.slack(), view.length, view.distance);
 }
 
 /// The corner stays beyond an end of the edge: positive when between.

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <utility>
 
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
