@@ -146,12 +146,21 @@ template <class Rules> class ClosedJoint {
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;
       if (third != blocks_.corner_block[side] && blocks_.convex[third] &&
+          near(point, third) &&
           has_surface(third, point, there.along, depth_below(c, surface),
                       std::abs(there.length)) &&
           (inside || holds(at(c), third)))
         return true;
     }
     return false;
+  }
+
+  /// False only of points that are farther from the centroid than any corner: those of
+  /// a rigid block stay where they were when the groups were made.
+  bool near(const Vec2& point, int block) const {
+    const double reach = groups_.swing.longest[block];
+    return !groups_.swing.rigid ||
+           (point - blocks_.centroid.col(block)).squaredNorm() <= 1.1 * reach * reach;
   }
 
   /// Whether the point is inside a block, and about as deep below an edge of it that
@@ -162,10 +171,10 @@ template <class Rules> class ClosedJoint {
     for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1];
          ++e) {
       const Vec2 edge = end(e) - at(e);
-      const double length = edge.norm();
-      const double below = geometry::cross(point - at(e), edge) / length;
-      if (!(below >= 0.0))
+      const double product = geometry::cross(point - at(e), edge);
+      if (!(product >= 0.0))
         return false;
+      const double length = edge.norm(), below = product / length;
       found |= edge.dot(surface) > least_cosine * length && below >= 0.5 * depth &&
                below <= 2.0 * depth && way <= shielded_way * length;
     }

@@ -54,16 +54,47 @@ double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
 }
 
 /// The corner stays on its side of an edge, up to the slack or not: positive when
-/// inside.
+/// inside. Asked most often: without roots, for lengths may be taken for longer.
 double side_travel(const Blocks& blocks, int corner, int edge, bool slack = true) {
-  const EdgeView view(blocks, corner, edge);
-  return sign_travel(view.overlap_product() + (slack ? view.slack() : 0.0), view.length,
-                     view.distance);
+  const Vec2 p1 = blocks.corner.col(edge);
+  const Vec2 along = blocks.corner.col(blocks.next[edge]) - p1;
+  const Vec2 from_first = blocks.corner.col(corner) - p1;
+  const double product = geometry::cross(from_first, along) +
+                         (slack ? geometry::contact_slack * along.squaredNorm() : 0.0);
+  return sign_travel(product, along.lpNorm<1>(), from_first.lpNorm<1>());
 }
 
-/// The edge keeps meeting a block (ContactDecision::meets), or nearly; asked of convex
-/// ones.
-double meeting_travel(const Blocks& blocks, int edge, int block, bool nearly) {
+/// Corner c is inside an edge p1 -> p2 of unit vector t and, up to the slack, inside
+/// the edge g beside it at the nearer end, p2 say: c = p2 - a t + b g with b > 0, and
+/// a >= 0 up to the slack. A side of c's block ends in c, its outward normal is n. If
+/// n.g > 0 and a is less than the length L of the edge, the edge does not lie wholly
+/// outside of that side: n.(p2 - c) = a n.t - b n.g > 0 only for n.t > 0, and then
+/// n.(p1 - c) = (a - L) n.t - b n.g < 0. With a < 0 it does not by more than the slack
+/// of g times |n.t| / sin(t, g): not more than that of the side, if that is so much
+/// longer. Travel for which all this is sure: each vector keeps nine tenths of its
+/// length, and its direction to a fifth of sin(t, g).
+double not_beyond_travel(const Blocks& blocks, int c, int edge, int side) {
+  const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
+  const int end = blocks.next[edge];
+  const Vec2 along = at(end) - at(edge), own = at(blocks.next[side]) - at(side);
+  const bool at_end =
+      (at(c) - at(end)).squaredNorm() < (at(c) - at(edge)).squaredNorm();
+  const Vec2 vertex = at(at_end ? end : edge);
+  const Vec2 beside = at(at_end ? blocks.next[end] : blocks.previous[edge]) - vertex;
+  const double length = along.norm(), own_length = own.norm(), other = beside.norm();
+  const double sine = std::abs(geometry::cross(along, beside)) / (length * other);
+  const double along_normal = std::abs(geometry::cross(along, own)) / length;
+  const bool sure = geometry::cross(own, beside) > 0.25 * own_length * other &&
+                    along_normal * other < 0.3 * sine * own_length * own_length &&
+                    (at(c) - vertex).norm() < 0.5 * sine * length;
+  return sure ? 0.1 * sine * std::min(1.0, own_length / other) *
+                    std::min({length, own_length, other})
+              : 0.0;
+}
+
+/// The edge keeps meeting a block (ContactDecision::meets), or nearly, for as long as
+/// its corner c is inside the edge; asked of convex ones.
+double meeting_travel(const Blocks& blocks, int c, int edge, int block, bool nearly) {
   if (!blocks.convex[block])
     return 0.0;
   const auto inside = [&](int corner, int side) {
@@ -77,7 +108,10 @@ double meeting_travel(const Blocks& blocks, int edge, int block, bool nearly) {
   double cut = 0.0, apart = std::numeric_limits<double>::max();
   for (int q = blocks.first_corner[block]; q < blocks.first_corner[block + 1]; ++q) {
     cut = std::max(cut, outside(q, edge));
-    apart = std::min(apart, std::max(inside(edge, q), inside(blocks.next[edge], q)));
+    double not_beyond = std::max(inside(edge, q), inside(blocks.next[edge], q));
+    if (nearly && (q == c || blocks.next[q] == c))
+      not_beyond = std::max(not_beyond, not_beyond_travel(blocks, c, edge, q));
+    apart = std::min(apart, not_beyond);
   }
   return std::min(cut, apart);
 }
@@ -102,8 +136,8 @@ double meeting_inside_travel(const Blocks& blocks, int c, int edge, bool nearly,
   }
   return travel >= enough
              ? travel
-             : std::max(travel,
-                        meeting_travel(blocks, edge, blocks.corner_block[c], nearly));
+             : std::max(travel, meeting_travel(blocks, c, edge, blocks.corner_block[c],
+                                               nearly));
 }
 
 /// Edge e stays the nearest of its block.
@@ -278,10 +312,18 @@ double travel_before_outline(const Blocks& blocks, int corner, int block) {
 /// side_travel of the edge that the corner is farthest out of, or least far inside, and
 /// of the next.
 struct Sides {
+  static constexpr double forever = std::numeric_limits<double>::max();
   int edge = -1;
-  double least = std::numeric_limits<double>::max();
-  double next = std::numeric_limits<double>::max();
+  double least = forever, next = forever;
+  bool asks = false;  ///< whether the edge comes through, or some side crosses
 
+  /// As long as the corner stays there in the block.
+  Sides(int place, bool with_questions) : edge(place), asks(with_questions) {
+    if (place != PlaceInBlock<ExactRules>::none)
+      least = -forever;
+    if (place == PlaceInBlock<ExactRules>::several)
+      next = -forever;
+  }
   Sides(const Blocks& blocks, int corner, int block) {
     for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
       const double travel = side_travel(blocks, corner, e);
@@ -293,6 +335,15 @@ struct Sides {
   }
 };
 
+/// Edge e stays the nearest of its block, or keeps meeting that of corner c, for as
+/// long as c is inside of it (ContactDecision::comes_through).
+double through_travel(const Blocks& blocks, int c, int e, double enough) {
+  const double nearest = nearest_travel(blocks, c, e);
+  return nearest >= enough
+             ? nearest
+             : std::max(nearest, meeting_inside_travel(blocks, c, e, true, enough));
+}
+
 /// No record acts: the corner stays outside of two edges, or of one that no side
 /// crosses; or it is inside, and all stay inadmissible.
 double idle_travel(const Blocks& blocks, const Contacts& contacts,
@@ -302,11 +353,14 @@ double idle_travel(const Blocks& blocks, const Contacts& contacts,
     if (-sides.least <= outside)
       return outside;
     const int c = contacts.corner[group.first];
-    return std::max(outside,
-                    std::min(-sides.least,
-                             no_crossing_beside(blocks, c, sides.edge, -sides.least)));
+    return std::max(
+        outside,
+        sides.asks ? -sides.least
+                   : std::min(-sides.least,
+                              no_crossing_beside(blocks, c, sides.edge, -sides.least)));
   }
-  double travel = EdgeView(blocks, contacts.corner[group.first], sides.edge).length;
+  const int first = group.first;
+  double travel = EdgeView(blocks, contacts.corner[first], contacts.edge[first]).length;
   for (int i = group.first; i < group.last() && travel > 0.0; ++i)
     travel = std::min(travel, -admissible_travel(blocks, contacts, i, travel));
   return std::max(travel, 0.0);
@@ -320,10 +374,8 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
   double travel = edge == sides.edge ? sides.next : sides.least;
   if (travel > 0.0)
     travel = std::min(travel, admissible_travel(blocks, contacts, i, 0.0));
-  if (travel > 0.0)
-    if (const double nearest = nearest_travel(blocks, c, edge); nearest < travel)
-      travel = std::min(travel, std::max(nearest, meeting_inside_travel(blocks, c, edge,
-                                                                        true, travel)));
+  if (travel > 0.0 && !sides.asks)
+    travel = std::min(travel, through_travel(blocks, c, edge, travel));
   for (int j = group.first; j < group.last() && travel > 0.0; ++j) {
     if (j == i)
       continue;
@@ -337,19 +389,17 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
   }
   if (travel > 0.0)
     travel = seen_travel(blocks, c, edge, travel);
-  if (travel <= 0.0 || edge != sides.edge || sides.least >= travel)
+  if (travel <= 0.0 || edge != sides.edge || sides.least >= travel || sides.asks)
     return travel;
   // outside of this edge only, it could be a crossing
   return std::min(travel,
                   std::max(sides.least, no_crossing_beside(blocks, c, edge, travel)));
 }
 
-Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
-                             const ContactGroup& group) {
-  const int block = group.edge_block, c = contacts.corner[group.first];
-  if (!blocks.convex[block])
-    return {-1, travel_before_outline(blocks, c, block)};
-  const Sides sides(blocks, c, block);
+/// The candidate that is certain for longest, or that there is none. Of a convex block.
+Certainty best_candidate(const Blocks& blocks, const Contacts& contacts,
+                         const ContactGroup& group, const Sides& sides) {
+  const int c = contacts.corner[group.first];
   Certainty best{-1, idle_travel(blocks, contacts, group, sides)};
   // far off: not worth a closer look
   if (best.travel > 0.02 * EdgeView(blocks, c, contacts.edge[group.first]).length)
@@ -362,13 +412,55 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
   return best;
 }
 
+Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
+                             const ContactGroup& group, double enough) {
+  const int block = group.edge_block, c = contacts.corner[group.first];
+  if (!blocks.convex[block])
+    return {-1, travel_before_outline(blocks, c, block)};
+  const Certainty anywhere =
+      best_candidate(blocks, contacts, group, Sides(blocks, c, block));
+  if (anywhere.travel > enough)
+    return anywhere;
+  const int place =
+      PlaceInBlock<ExactRules>(blocks).outside_of(blocks.corner.col(c), block);
+  Certainty best = anywhere;
+  for (const bool asks : {false, true}) {
+    Certainty there = best_candidate(blocks, contacts, group, Sides(place, asks));
+    there.travel = std::min(there.travel, 2.0 * enough);
+    if (there.travel <= 2.0 * best.travel)
+      continue;
+    best = there, best.place = place, best.asks = asks;
+    if (best.travel > enough)
+      break;
+  }
+  return best;
+}
+
 }  // namespace
 
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
-                    const ContactGroup& group) {
-  Certainty known = certainty_of_rules(blocks, contacts, group);
+                    const ContactGroup& group, double enough) {
+  Certainty known = certainty_of_rules(blocks, contacts, group, enough);
   known.travel -= roundoff(blocks, contacts.corner[group.first], group.edge_block);
   return known.travel > 0.0 ? known : Certainty{};
+}
+
+double condition_travel(const Blocks& blocks, const Contacts& contacts,
+                        const ContactGroup& group) {
+  using Place = PlaceInBlock<ExactRules>;
+  const int c = contacts.corner[group.first], place = group.place;
+  const Sides sides(blocks, c, group.edge_block);
+  double travel = place == Place::none ? sides.least : -sides.next;
+  if (place >= 0)
+    travel = place == sides.edge ? std::min(-sides.least, sides.next) : 0.0;
+  if (group.asks && travel > 0.0 && place != Place::several) {
+    if (place >= 0)
+      travel = std::min(travel, no_crossing_beside(blocks, c, place, travel));
+    else if (group.record >= 0)
+      travel = std::min(travel,
+                        through_travel(blocks, c, contacts.edge[group.record], travel));
+  }
+  return std::max(0.0, travel - roundoff(blocks, c, group.edge_block));
 }
 
 }  // namespace blocks::dynamics

@@ -22,8 +22,19 @@ namespace blocks::dynamics {
 ///   the corner is inside its edge, in the slack, or beyond (where no side may cross).
 /// - Without a candidate all stay inadmissible; or the corner stays outside of two
 ///   edges, or of one that no side crosses (crossing_sides.hpp).
+/// - A corner that is about to come in or to go out, such as one beside the end of an
+///   edge, has little travel left. It gets more on the condition that it stays where it
+///   is in the block, for a few questions take less time than a decision.
 /// - Corners are stored rounded: what that may add to the motion is taken off.
+///
+/// enough [L]: a certainty for more than that has no condition; one that has is for
+/// twice as much at most.
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
-                    const ContactGroup& group);
+                    const ContactGroup& group, double enough);
+
+/// For how long the condition of a group certainly holds (ContactDecision::stands); 0:
+/// that is open.
+double condition_travel(const Blocks& blocks, const Contacts& contacts,
+                        const ContactGroup& group);
 
 }  // namespace blocks::dynamics

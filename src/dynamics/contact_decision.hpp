@@ -86,6 +86,20 @@ template <class Rules> class ContactDecision {
     return nearest;
   }
 
+  /// Whether the condition of a certain group holds (Certainty).
+  bool stands(const ContactGroup& group) const {
+    const int c = contacts_.corner[group.first];
+    const int out = place_.outside_of(at(c), group.edge_block);
+    if (out != group.place)
+      return false;
+    if (!group.asks || out == several)
+      return true;
+    if (out == none)
+      return group.record < 0 || comes_through(c, contacts_.edge[group.record]);
+    return !acts_beside_crossing(c, blocks_.previous[out], out) &&
+           !acts_beside_crossing(c, blocks_.next[out], out);
+  }
+
   /// The record that acts as well, for the corner has to come out of a notch, or -1.
   int notch_record(const ContactGroup& group, int acting) const {
     if (acting < 0 || !reentrant(group.edge_block))

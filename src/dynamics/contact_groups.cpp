@@ -99,6 +99,13 @@ double rounded_up(double length) {
 
 }  // namespace
 
+void ContactGroup::set(const Certainty& known) {
+  record = known.candidate;
+  travel = unasked = rounded_down(known.travel);
+  place = known.place;
+  asks = known.asks;
+}
+
 void Swing::start(const Blocks& blocks, bool rigid_blocks) {
   rigid = rigid_blocks;
   for (std::vector<double>* column : {&longest, &sum, &way})
@@ -239,7 +246,7 @@ void ContactGroups::forget_decisions() {
     each.limit = 0.0;
   std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
-    each.travel = 0.0, each.hopeless = 1;
+    each.travel = 0.0F, each.hopeless = 1;
 }
 
 void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,

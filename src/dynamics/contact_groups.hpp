@@ -39,28 +39,44 @@ struct Swing {
 /// `candidate` acts if its corner is inside its edge (19), and no other one; -1: none
 /// acts. 0: nothing is known.
 struct Certainty {
+  static constexpr int anywhere = -3;
   int candidate = -1;
   double travel = 0.0;
+  /// Only while the corner is there in the block (PlaceInBlock::outside_of), and, asks,
+  /// while the edge comes through or no side crosses (ContactDecision::stands).
+  int place = anywhere;
+  bool asks = false;
 };
 
 /// Records first .. last() - 1 of the contact list: one corner, edges of one block.
-/// Many: 24 bytes.
+/// Many: 28 bytes.
 struct ContactGroup {
-  static constexpr std::uint32_t most_records = (1U << 23) - 1;
+  static constexpr std::uint32_t most_records = (1U << 22) - 1;
   int first = 0;
-  std::uint32_t count : 23 = 0;    ///< records
+  std::uint32_t count : 22 = 0;    ///< records
   std::uint32_t hopeless : 7 = 0;  ///< decisions left for which none is certain
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
   std::uint32_t reentrant : 1 = 0, of_notch : 1 = 0;
+  std::uint32_t asks : 1 = 0;  ///< of its certainty
   int edge_block = 0;
   int record = -1;  ///< that acts, -1: none; while certain: that is the candidate to
-  double travel = 0.0;  ///< [L] of its certainty, from the pose of its pair
+  int place = Certainty::anywhere;  ///< of its certainty
+  float travel = 0.0F;              ///< [L] of its certainty, from the pose of its pair
+  float unasked = 0.0F;  ///< [L] the same, until what it stands on has to be asked
 
   int last() const { return first + static_cast<int>(count); }
-  bool certain() const { return travel > 0.0; }
+  bool certain() const { return travel > 0.0F; }
+  /// Certain on a condition.
+  bool conditional() const { return place != Certainty::anywhere; }
+  void set(const Certainty& known);
 };
-static_assert(sizeof(ContactGroup) == 24);
+static_assert(sizeof(ContactGroup) == 28);
+
+/// A travel that is kept: a float that is no longer.
+inline float rounded_down(double travel) {
+  return static_cast<float>(travel - 0x1p-23 * std::abs(travel));
+}
 
 /// The groups of two blocks, which stand side by side.
 struct ContactPair {

@@ -49,6 +49,8 @@ class ExactCalls {
 /// it spares; for so many decisions no other is tried.
 inline constexpr int least_life = 3;
 inline constexpr unsigned decisions_between = 64;
+/// One that outlives so many is not put on a condition to live longer.
+inline constexpr int long_life = 32;
 
 /// How far two blocks move against each other in a step as they go now, [L]: to first
 /// order what relative_motion grows by.
@@ -62,23 +64,38 @@ inline double motion_of_step(const Blocks& blocks, const Swing& swing,
   return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
 }
 
+/// Whether the condition of a certain group holds. If it does, it need not be asked
+/// again before the blocks have moved against each other by more than `unasked`; moved:
+/// how far they have. Only where the bounds do not tell it is asked exactly.
+template <class Rules>
+bool condition_holds(const Blocks& blocks, const Contacts& contacts,
+                     const ContactDecision<Rules>& decision, ContactGroup& group,
+                     double moved) {
+  const double travel = condition_travel(blocks, contacts, group);
+  group.unasked = rounded_down(moved + travel);
+  return travel > 0.0 || decision.stands(group);
+}
+
 /// Which record of group g acts, or which two of a notch, and for how long that is
 /// known from where the blocks stand.
 template <class Rules>
 void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
             int g, double motion, ContactGroups::Share& share) {
+  const ContactDecision<Rules> decision(blocks, contacts, groups);
   ContactGroup& group = groups.all[g];
   int other = -1;  // of a notch
-  group.travel = 0.0;
+  group.travel = 0.0F;
   if (Rules::keeps_decisions && group.hopeless == 0) {
-    const Certainty known = certainty(blocks, contacts, group);
+    const Certainty known = certainty(blocks, contacts, group, long_life * motion);
     if (known.travel > least_life * motion)
-      group.record = known.candidate, group.travel = known.travel;
+      group.set(known);
+    if (group.certain() && group.conditional() &&
+        !condition_holds(blocks, contacts, decision, group, 0.0))
+      group.travel = 0.0F;
   }
   if (!group.certain()) {
     group.hopeless =
         (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) & 127U;
-    const ContactDecision<Rules> decision(blocks, contacts, groups);
     group.record = decision.acting_record(group);
     other = decision.notch_record(group, group.record);
   }
@@ -115,24 +132,38 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
                 int p, double moved, double dt, ContactGroups::Share& share) {
   ContactPair& pair = groups.pairs[p];
   const double motion = motion_of_step(blocks, groups.swing, pair, dt);
-  // the other way round a NaN would let a decision stand
-  const auto stands = [&](const ContactGroup& group) {
-    return Rules::keeps_decisions && group.travel - moved > 0.0;
-  };
+  const ContactDecision<Rules> decision(blocks, contacts, groups);
   bool anew = false;
-  for (int g = pair.first; g < pair.last; ++g)
-    anew |= !groups.all[g].of_notch && !stands(groups.all[g]) &&
-            groups.all[g].hopeless == 0;
+  // the other way round a NaN would let a decision stand
+  const auto stands = [&](ContactGroup& group) {
+    if (!Rules::keeps_decisions || !(group.travel - moved > 0.0))
+      return false;
+    if (!group.conditional() || group.unasked - moved > 0.0)
+      return true;
+    anew = true;
+    return condition_holds(blocks, contacts, decision, group, moved);
+  };
+  for (int g = pair.first; g < pair.last; ++g) {
+    ContactGroup& group = groups.all[g];
+    if (group.of_notch || stands(group))
+      continue;
+    group.travel = 0.0F;
+    anew |= group.hopeless == 0;
+  }
   pair.certain = std::numeric_limits<double>::max();
   for (int g = pair.first; g < pair.last; ++g) {
     ContactGroup& group = groups.all[g];
     if (group.of_notch)  // with the one before
       continue;
-    if (!stands(group))
+    if (!group.certain()) {
       decide<Rules>(blocks, contacts, groups, g, motion, share);
-    else if (anew)
-      group.travel -= moved;
-    pair.certain = std::min(pair.certain, group.travel);
+    } else if (anew) {
+      group.travel = rounded_down(group.travel - moved);
+      group.unasked = rounded_down(group.unasked - moved);
+    }
+    pair.certain =
+        std::min<double>({pair.certain, group.travel,
+                          group.conditional() ? group.unasked : group.travel});
   }
   if (anew)
     groups.take_pose(blocks, p);

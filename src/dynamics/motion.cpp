@@ -162,14 +162,15 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
     const Vec2 shift = dt * blocks.velocity.col(b);
     const Vec2 centroid = blocks.centroid.col(b) + shift;
     const double turn = dt * blocks.spin[b];
-    Eigen::Matrix2d transform = cayley_rotation(turn);
+    const Eigen::Matrix2d rotation = cayley_rotation(turn);
+    Eigen::Matrix2d transform = rotation;
     if (!settings.rigid) {
-      rotate_symmetric(blocks.stress.col(b), transform);
+      rotate_symmetric(blocks.stress.col(b), rotation);
       auto rate = blocks.strain_rate.col(b);
-      transform = transform * (Eigen::Matrix2d() << 1.0 + dt * rate[0], dt * rate[1],
-                               dt * rate[2], 1.0 + dt * rate[3])
-                                  .finished();
-      rotate_symmetric(rate, cayley_rotation(turn));
+      transform = rotation * (Eigen::Matrix2d() << 1.0 + dt * rate[0], dt * rate[1],
+                              dt * rate[2], 1.0 + dt * rate[3])
+                                 .finished();
+      rotate_symmetric(rate, rotation);
     }
     blocks.centroid.col(b) = centroid;
     blocks.angle[b] += turn;

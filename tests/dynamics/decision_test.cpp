@@ -118,11 +118,13 @@ int if_inside(const Blocks& blocks, const Contacts& contacts, int i) {
              : -1;
 }
 
-// The bound itself: any motion smaller than it leaves the acting edge as it was.
+// The bounds themselves: any motion smaller than that of a certainty leaves the acting
+// edge as it was, if its condition holds, and one smaller than that of the condition
+// leaves the condition as it was.
 TEST(CertainTravel, IsSound) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  int judged = 0, acting = 0, needles = 0;
+  int judged = 0, acting = 0, needles = 0, conditional = 0, conditions_kept = 0;
   for (int trial = 0; trial < 8000; ++trial) {
     Scene scene;
     scene.add(random_polygon(random, {0, 0}, 1.0));
@@ -149,10 +151,29 @@ TEST(CertainTravel, IsSound) {
     const Contacts& contacts = scene.model.contacts;
     dynamics::group_contacts(scene.model.blocks, contacts, true, buffers.groups);
     for (dynamics::ContactGroup group : buffers.groups.all) {
-      const auto [candidate, travel] =
-          dynamics::certainty(scene.model.blocks, contacts, group);
-      if (travel <= 0.0 || group.of_notch)
+      // without a condition, and for longer with one
+      const double enough = trial % 2 ? 0.0 : 0.2;
+      const dynamics::Certainty known =
+          dynamics::certainty(scene.model.blocks, contacts, group, enough);
+      if (known.travel <= 0.0 || group.of_notch)
         continue;
+      const auto [candidate, travel, place, asks] = known;
+      group.set(known);
+      const auto holds = [&](const Blocks& blocks) {
+        return !group.conditional() || dynamics::ContactDecision<dynamics::ExactRules>(
+                                           blocks, contacts, buffers.groups)
+                                           .stands(group);
+      };
+      const double same =
+          group.conditional()
+              ? dynamics::condition_travel(scene.model.blocks, contacts, group)
+              : 0.0;
+      if (same > 0.0) {
+        ASSERT_TRUE(holds(scene.model.blocks)) << trial;
+      } else if (!holds(scene.model.blocks)) {
+        continue;
+      }
+      conditional += group.conditional();
       ++judged;
       const int now =
           dynamics::acting_record(scene.model.blocks, contacts, buffers.groups, group);
@@ -173,8 +194,15 @@ TEST(CertainTravel, IsSound) {
         nudged(1.0, u);
         if (u == 0.0)
           continue;
-        const Blocks moved = nudged(0.99 * travel / u, u);  // just below the bound
+        const double unit = u;
+        if (same > 0.0) {
+          ASSERT_TRUE(holds(nudged(0.99 * same / unit, u))) << trial;
+          ++conditions_kept;
+        }
+        const Blocks moved = nudged(0.99 * travel / unit, u);  // just below the bound
         ASSERT_LT(u, travel);
+        if (!holds(moved))
+          continue;
         ASSERT_EQ(dynamics::acting_record(moved, contacts, buffers.groups, group),
                   if_inside(moved, contacts, candidate))
             << "trial " << trial << " travel " << travel;
@@ -184,6 +212,8 @@ TEST(CertainTravel, IsSound) {
   EXPECT_GT(judged, 10000);
   EXPECT_GT(acting, 500);
   EXPECT_GT(needles, 50);
+  EXPECT_GT(conditional, 1000);
+  EXPECT_GT(conditions_kept, 10000);
 }
 
 // Neighbours along a slanted joint, the right one a little lower and pressed in: its

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <limits>
 
@@ -292,7 +293,8 @@ TEST(Results, AFileThatHdf5DoesNotEndClosingIsTold) {
     const std::string path = "a.vtkhdf";
     FileInHand in_hand("continue", path);
     in_hand.must_end_within(1);
-    for (volatile bool open = true; open;) {
+    // never ends; the thread sanitizer lets signals through at calls only
+    while (std::time(nullptr) != 0) {
     }
   };
   EXPECT_EXIT(close(), testing::ExitedWithCode(5),
