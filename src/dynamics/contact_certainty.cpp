@@ -423,10 +423,11 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
     return anywhere;
   const int place =
       PlaceInBlock<ExactRules>(blocks).outside_of(blocks.corner.col(c), block);
+  const double most = 8.0 * enough;
   Certainty best = anywhere;
   for (const bool asks : {false, true}) {
     Certainty there = best_candidate(blocks, contacts, group, Sides(place, asks));
-    there.travel = std::min(there.travel, 2.0 * enough);
+    there.travel = std::min(there.travel, most);
     if (there.travel <= 2.0 * best.travel)
       continue;
     best = there, best.place = place, best.asks = asks;

@@ -28,7 +28,7 @@ namespace blocks::dynamics {
 /// - Corners are stored rounded: what that may add to the motion is taken off.
 ///
 /// enough [L]: a certainty for more than that has no condition; one that has is for
-/// twice as much at most.
+/// eight times as much at most.
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
                     const ContactGroup& group, double enough);
 

@@ -152,7 +152,7 @@ TEST(CertainTravel, IsSound) {
     dynamics::group_contacts(scene.model.blocks, contacts, true, buffers.groups);
     for (dynamics::ContactGroup group : buffers.groups.all) {
       // without a condition, and for longer with one
-      const double enough = trial % 2 ? 0.0 : 0.2;
+      const double enough = trial % 2 ? 0.0 : 0.05;
       const dynamics::Certainty known =
           dynamics::certainty(scene.model.blocks, contacts, group, enough);
       if (known.travel <= 0.0 || group.of_notch)
