@@ -6,152 +6,12 @@
 #include <utility>
 
 #include "dynamics/contact_decision.hpp"
+#include "dynamics/edge_travel.hpp"
+#include "dynamics/meeting_travel.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
 namespace {
-
-/// A corner seen from an edge.
-struct EdgeView {
-  Vec2 along, from_first;   ///< [L] the edge; first corner of the edge to the corner
-  double length, distance;  ///< [L] of the two
-
-  EdgeView(const Blocks& blocks, int c, int edge)
-      : along(blocks.corner.col(blocks.next[edge]) - blocks.corner.col(edge)),
-        from_first(blocks.corner.col(c) - blocks.corner.col(edge)),
-        length(along.norm()), distance(from_first.norm()) {}
-  double overlap_product() const { return geometry::cross(from_first, along); }
-  double depth() const { return overlap_product() / length; }  ///< [L]
-  double slack() const { return geometry::contact_slack * length * length; }
-};
-
-/// Relative motion during which a product of two differences of lengths r and s keeps
-/// its sign; has that sign. Zero where round-off could matter.
-inline double sign_travel(double product, double r, double s) {
-  const double sum = r + s, travel = product / (1.5 * sum);
-  return std::abs(travel) > 1e-9 * sum ? travel : 0.0;
-}
-
-/// Of (20) for one of the corner's own edges.
-inline double facing_travel(const Blocks& blocks, int c, int neighbour,
-                            const EdgeView& edge) {
-  constexpr double sine = 0.17364817766693036;  // sin 10 degrees
-  const Vec2 own = blocks.corner.col(neighbour) - blocks.corner.col(c);
-  const double length = own.norm();
-  const double value = geometry::cross(edge.along, own) + sine * edge.length * length;
-  return sign_travel(value / (1.0 + sine), edge.length, length);
-}
-
-/// A lead that falls by at most twice `growth` for each length of travel is not lost.
-double lead_travel(double lead, double growth, double distances) {
-  const double travel = 0.4 * lead / growth;
-  return travel > 1e-9 * distances ? travel : 0.0;
-}
-/// The same of the depth below one edge over that below another.
-double lead_travel(const EdgeView& p, const EdgeView& q, double lead) {
-  return lead_travel(lead, 1.0 + p.distance / p.length + q.distance / q.length,
-                     p.distance + q.distance);
-}
-
-/// The corner stays on its side of an edge, up to the slack or not: positive when
-/// inside. Asked most often: without roots, for lengths may be taken for longer.
-double side_travel(const Blocks& blocks, int corner, int edge, bool slack = true) {
-  const Vec2 p1 = blocks.corner.col(edge);
-  const Vec2 along = blocks.corner.col(blocks.next[edge]) - p1;
-  const Vec2 from_first = blocks.corner.col(corner) - p1;
-  const double product = geometry::cross(from_first, along) +
-                         (slack ? geometry::contact_slack * along.squaredNorm() : 0.0);
-  return sign_travel(product, along.lpNorm<1>(), from_first.lpNorm<1>());
-}
-
-/// Corner c is inside an edge p1 -> p2 of unit vector t and, up to the slack, inside
-/// the edge g beside it at the nearer end, p2 say: c = p2 - a t + b g with b > 0, and
-/// a >= 0 up to the slack. A side of c's block ends in c, its outward normal is n. If
-/// n.g > 0 and a is less than the length L of the edge, the edge does not lie wholly
-/// outside of that side: n.(p2 - c) = a n.t - b n.g > 0 only for n.t > 0, and then
-/// n.(p1 - c) = (a - L) n.t - b n.g < 0. With a < 0 it does not by more than the slack
-/// of g times |n.t| / sin(t, g): not more than that of the side, if that is so much
-/// longer. Travel for which all this is sure: each vector keeps nine tenths of its
-/// length, and its direction to a fifth of sin(t, g).
-double not_beyond_travel(const Blocks& blocks, int c, int edge, int side) {
-  const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
-  const int end = blocks.next[edge];
-  const Vec2 along = at(end) - at(edge), own = at(blocks.next[side]) - at(side);
-  const bool at_end =
-      (at(c) - at(end)).squaredNorm() < (at(c) - at(edge)).squaredNorm();
-  const Vec2 vertex = at(at_end ? end : edge);
-  const Vec2 beside = at(at_end ? blocks.next[end] : blocks.previous[edge]) - vertex;
-  const double length = along.norm(), own_length = own.norm(), other = beside.norm();
-  const double sine = std::abs(geometry::cross(along, beside)) / (length * other);
-  const double along_normal = std::abs(geometry::cross(along, own)) / length;
-  const bool sure = geometry::cross(own, beside) > 0.25 * own_length * other &&
-                    along_normal * other < 0.3 * sine * own_length * own_length &&
-                    (at(c) - vertex).norm() < 0.5 * sine * length;
-  return sure ? 0.1 * sine * std::min(1.0, own_length / other) *
-                    std::min({length, own_length, other})
-              : 0.0;
-}
-
-/// The edge keeps meeting a block (ContactDecision::meets), or nearly, for as long as
-/// its corner c is inside the edge; asked of convex ones.
-double meeting_travel(const Blocks& blocks, int c, int edge, int block, bool nearly) {
-  if (!blocks.convex[block])
-    return 0.0;
-  const auto inside = [&](int corner, int side) {
-    return side_travel(blocks, corner, side, nearly);
-  };
-  const auto outside = [&](int corner, int side) {
-    const EdgeView view(blocks, corner, side);
-    return sign_travel((nearly ? view.slack() : 0.0) - view.overlap_product(),
-                       view.length, view.distance);
-  };
-  double cut = 0.0, apart = std::numeric_limits<double>::max();
-  for (int q = blocks.first_corner[block]; q < blocks.first_corner[block + 1]; ++q) {
-    cut = std::max(cut, outside(q, edge));
-    double not_beyond = std::max(inside(edge, q), inside(blocks.next[edge], q));
-    if (nearly && (q == c || blocks.next[q] == c))
-      not_beyond = std::max(not_beyond, not_beyond_travel(blocks, c, edge, q));
-    apart = std::min(apart, not_beyond);
-  }
-  return std::min(cut, apart);
-}
-
-/// The edge meets the block of corner c, or nearly, as long as c is inside of it: a
-/// side of that block that ends in c crosses the edge, or all of them are asked, for
-/// `enough`.
-double meeting_inside_travel(const Blocks& blocks, int c, int edge, bool nearly,
-                             double enough) {
-  const auto inside = [&](int corner, int side) {
-    return side_travel(blocks, corner, side, false);
-  };
-  double travel = 0.0;
-  for (const auto& [side, far] :
-       {std::pair(c, blocks.next[c]), {blocks.previous[c], blocks.previous[c]}}) {
-    const double out = -inside(far, edge);
-    if (out <= travel)
-      continue;
-    const double first = inside(edge, side), second = inside(blocks.next[edge], side);
-    if ((first < 0.0) != (second < 0.0))
-      travel = std::max(travel, std::min({out, std::abs(first), std::abs(second)}));
-  }
-  return travel >= enough
-             ? travel
-             : std::max(travel, meeting_travel(blocks, c, edge, blocks.corner_block[c],
-                                               nearly));
-}
-
-/// Edge e stays the nearest of its block.
-double nearest_travel(const Blocks& blocks, int c, int e) {
-  const EdgeView q(blocks, c, e);
-  const int block = blocks.corner_block[e];
-  double travel = std::numeric_limits<double>::max();
-  for (int f = blocks.first_corner[block]; f < blocks.first_corner[block + 1]; ++f)
-    if (f != e) {
-      const EdgeView p(blocks, c, f);
-      travel = std::min(travel, lead_travel(p, q, p.depth() - q.depth()));
-    }
-  return travel;
-}
 
 /// Positive: the record stays admissible for this travel. Negative: it stays
 /// inadmissible, for the sake of an inequality that fails by more than `enough`, or of
@@ -228,16 +88,6 @@ double seen_travel(const Blocks& blocks, int c, int e, double enough) {
     travel = std::min(travel, seen);
   }
   return travel;
-}
-
-/// The corner stays beyond an end of the edge: positive when between.
-double between_travel(const Blocks& blocks, int c, int edge) {
-  const EdgeView view(blocks, c, edge);
-  const Vec2 to_second = view.along - view.from_first;
-  return std::min(sign_travel(view.from_first.dot(view.along) + view.slack(),
-                              view.length, view.distance),
-                  sign_travel(to_second.dot(view.along) + view.slack(), view.length,
-                              to_second.norm()));
 }
 
 /// The edge beside `side`, of which alone the corner is outside, certainly does not act
@@ -334,15 +184,6 @@ struct Sides {
     }
   }
 };
-
-/// Edge e stays the nearest of its block, or keeps meeting that of corner c, for as
-/// long as c is inside of it (ContactDecision::comes_through).
-double through_travel(const Blocks& blocks, int c, int e, double enough) {
-  const double nearest = nearest_travel(blocks, c, e);
-  return nearest >= enough
-             ? nearest
-             : std::max(nearest, meeting_inside_travel(blocks, c, e, true, enough));
-}
 
 /// No record acts: the corner stays outside of two edges, or of one that no side
 /// crosses; or it is inside, and all stay inadmissible.
