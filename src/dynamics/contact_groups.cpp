@@ -322,7 +322,7 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   ++times_made;
   made_at = swing.travel;
   const auto may_act_soon = [&](const ContactGroup& one) {
-    return one.certain() ? one.travel < soon : soon > 0.0 && one.hopeless > 0;
+    return one.certain() ? one.lasts() < soon : soon > 0.0 && one.hopeless > 0;
   };
   const auto wants = [&](int g) {
     // who had a lane keeps it: it may want it again

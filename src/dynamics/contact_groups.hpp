@@ -2,6 +2,7 @@
 // (rule 12), the pairs of blocks they belong to, and for how long decisions stand.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -69,6 +70,8 @@ struct ContactGroup {
   bool certain() const { return travel > 0.0F; }
   /// Certain on a condition.
   bool conditional() const { return place != Certainty::anywhere; }
+  /// Until it has to be looked at, [L]: 0 where it is not certain.
+  double lasts() const { return conditional() ? std::min(travel, unasked) : travel; }
   void set(const Certainty& known);
 };
 static_assert(sizeof(ContactGroup) == 28);

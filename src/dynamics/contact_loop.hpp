@@ -161,9 +161,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       group.travel = rounded_down(group.travel - moved);
       group.unasked = rounded_down(group.unasked - moved);
     }
-    pair.certain =
-        std::min<double>({pair.certain, group.travel,
-                          group.conditional() ? group.unasked : group.travel});
+    pair.certain = std::min(pair.certain, group.lasts());
   }
   if (anew)
     groups.take_pose(blocks, p);
