@@ -50,13 +50,13 @@ CLI::Validator seed_number() {
             const bool digits =
                 !text.empty() && text.size() <= 16 &&
                 text.find_first_not_of("0123456789") == std::string::npos;
-            if (!digits || std::stoull(text) > 9007199254740992ULL)
-              return "expected a whole number from 0 to 9007199254740992, found '" +
+            if (!digits || std::stoull(text) > 9007199254740991ULL)
+              return "expected a whole number from 0 to 9007199254740991, found '" +
                      text + "'";
             text = std::to_string(std::stoull(text));  // 010 is ten
             return std::string();
           },
-          "0 TO 2^53"};
+          "0 TO 2^53-1"};
 }
 
 /// CLI::PositiveNumber lets NaN pass.
@@ -186,7 +186,7 @@ int dispatch(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a deck");
   add_deck_options(*run, options, sets);
   run->add_option("-o,--output", options.output,
-                  "output NAME (default: the deck's stem, here)");
+                  "output NAME, or FOLDER/ (default: the deck's stem, here)");
   run->add_option("--time-limit", options.time_limit,
                   "stop after so many seconds, exit 75")
       ->check(positive_number());

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -109,6 +110,9 @@ std::string Elements::found() const {
 namespace {
 
 std::string read_all(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_character_file(path, ignored))  // may have no end
+    fail({path}, "cannot read the mesh file: it is a device");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in)

@@ -69,6 +69,9 @@ void verify_seal(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     refuse(path, "it is a folder");
+  if (std::filesystem::exists(path, ignored) &&
+      !std::filesystem::is_regular_file(path, ignored))
+    refuse(path, "it is no regular file");  // a pipe would be waited for
   std::ifstream file(path, std::ios::binary);
   if (!file)
     refuse(path, std::generic_category().message(errno));

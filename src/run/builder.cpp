@@ -254,13 +254,12 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Output& card) {
     model.output_blocks.clear();
-    self.output_blocks_.clear();
     constexpr long most = std::numeric_limits<int>::max();
     for (const deck::Int& number : card.blocks) {
       model.output_blocks.push_back(
           static_cast<int>(std::clamp(number.value, 1L, most)) - 1);
-      self.output_blocks_.emplace_back(command, number);  // it may come later
     }
+    self.output_ = command;  // blocks may come later
     model.output = {card.dtout.value, model.time + card.dtout.value};
   }
   void operator()(const deck::Plots& card) {
@@ -346,10 +345,12 @@ void Builder::check_without_motion(const Command& last) {
 }
 
 void Builder::check_output_blocks() {
-  for (const auto& [command, number] : output_blocks_)
+  if (!output_)
+    return;
+  for (const deck::Int& number : std::get<deck::Output>(output_->card).blocks)
     if (number.value < 1 || number.value > model_.blocks.size())
-      error_no_block(command, number);
-  output_blocks_.clear();
+      error_no_block(*output_, number);
+  output_.reset();
 }
 
 void Builder::check_fraction(const Command& command) {

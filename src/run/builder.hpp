@@ -98,7 +98,7 @@ class Builder {
   int moved_blocks_;            ///< blocks that time has passed for
   double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
   std::optional<deck::Command> fraction_by_;  ///< last FRACTION or DAMPING card
-  std::vector<std::pair<deck::Command, deck::Int>> output_blocks_;  ///< not yet checked
+  std::optional<deck::Command> output_;       ///< whose blocks are not yet checked
   SharedCertificate certificate_;
 };
 

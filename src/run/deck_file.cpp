@@ -23,9 +23,11 @@ std::string read_deck(const std::string& path) {
 }
 
 std::string output_name(const std::string& deck, const std::string& given) {
-  if (!given.empty())
-    return given;
-  return deck == "-" ? "blocks" : std::filesystem::path(deck).stem().string();
+  const std::string stem =
+      deck == "-" ? "blocks" : std::filesystem::path(deck).stem().string();
+  if (given.ends_with('/'))  // a folder
+    return given + stem;
+  return given.empty() ? stem : given;
 }
 
 std::string deck_folder(const std::string& deck) {

@@ -211,10 +211,12 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       break;
     }
   }
+  const output::RunIdentity identity = job.identity(model);
   RunFiles files =
-      job.resumes       ? RunFiles::resumed(job.name, job.identity(model), job.from)
-      : job.continues() ? RunFiles::behind(job.name, job.identity(model), job.from)
-                        : RunFiles(job.name, job.identity(model));
+      job.resumes ? RunFiles::resumed(job.name, identity, job.from, job.checkpoint())
+      : job.continues()
+          ? RunFiles::behind(job.name, identity, job.from, job.checkpoint())
+          : RunFiles(job.name, identity);
   if (!files.put_aside().empty())
     console.warn(files.put_aside());
   Executor executor(model, files, console, job.options);

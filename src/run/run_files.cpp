@@ -27,6 +27,30 @@ const std::string& replaceable(const std::string& name) {
   return name;
 }
 
+[[noreturn]] void refuse_to_continue(const std::string& path,
+                                     const std::string& reason) {
+  throw output::FileError(
+      fmt::format("cannot continue {}: {}; -o NAME begins new files", path, reason));
+}
+
+/// The listing holds what was written before the checkpoint.
+void expect_listing(const std::string& path, long bytes) {
+  std::error_code missing;
+  const auto size = std::filesystem::file_size(path, missing);
+  if (missing)
+    refuse_to_continue(path, "it is not there");
+  if (size < static_cast<std::uintmax_t>(bytes))
+    refuse_to_continue(
+        path, fmt::format("it has {} bytes, not the {} that came before", size, bytes));
+}
+
+/// The listing without what was written after the checkpoint.
+std::string cut(const std::string& path, long bytes) {
+  std::error_code ignored;  // what is wrong shows when the listing is opened
+  std::filesystem::resize_file(path, static_cast<std::uintmax_t>(bytes), ignored);
+  return path;
+}
+
 /// What is told of older results that belong to another deck.
 std::string foreign(const std::string& results, const std::string& deck,
                     const std::string& ending) {
@@ -62,44 +86,49 @@ std::string RunFiles::step_aside(const std::string& path) {
 }
 
 RunFiles RunFiles::behind(const std::string& name, const output::RunIdentity& identity,
-                          const output::CheckpointInfo& from) {
-  if (!continues(name, from, from.listing_bytes))
+                          const output::CheckpointInfo& from,
+                          const std::string& checkpoint) {
+  if (!continues(name, from, from.listing_bytes, checkpoint))
     return {name, identity};
-  RunFiles files(name, identity, from.results_frames);
+  RunFiles files(name, identity, from.results_frames, from.listing_bytes);
   files.listing_.deck_echo(identity);
   return files;
 }
 
 RunFiles RunFiles::resumed(const std::string& name, const output::RunIdentity& identity,
-                           const output::CheckpointInfo& from) {
-  if (!continues(name, from, from.progress.listing_bytes))
+                           const output::CheckpointInfo& from,
+                           const std::string& checkpoint) {
+  if (!continues(name, from, from.progress.listing_bytes, checkpoint))
     return {name, identity};
-  RunFiles files(name, identity, from.progress.frames);
+  RunFiles files(name, identity, from.progress.frames, from.progress.listing_bytes);
   files.tabled_step_ = from.progress.tabled_step;
   return files;
 }
 
-/// Whether results and listing beside us are those of the checkpoint; the listing is
-/// then cut to the length it had.
+/// Whether results and listing beside us are those of the checkpoint's run, and whole.
 bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& from,
-                         long listing_bytes) {
-  const std::string results = name + ".vtkhdf", listing = name + ".out";
-  if (from.results != results || from.results_run.empty() ||
-      output::ResultsWriter::run_id_of(results) != from.results_run)
-    return false;           // those beside us, if any, belong to another run
-  std::error_code ignored;  // what is wrong shows when the listing is opened
-  const auto kept = static_cast<std::uintmax_t>(listing_bytes);
-  if (std::filesystem::file_size(listing, ignored) > kept)
-    std::filesystem::resize_file(listing, kept, ignored);
-  return true;
+                         long listing_bytes, const std::string& checkpoint) {
+  const std::string results = name + ".vtkhdf";
+  if (!from.results_run.empty() &&
+      output::ResultsWriter::run_id_of(results) == from.results_run) {
+    expect_listing(name + ".out", listing_bytes);
+    return true;
+  }
+  std::error_code ignored;
+  for (const char* ending : {".ckpt.h5", ".ckpt.h5.prev"})
+    if (std::filesystem::equivalent(checkpoint, name + ending, ignored))
+      refuse_to_continue(results, std::filesystem::exists(results, ignored)
+                                      ? "it is not of the run that wrote the checkpoint"
+                                      : "it is not there");
+  return false;  // those beside us, if any, belong to another run
 }
 
 RunFiles::RunFiles(std::string name, const output::RunIdentity& identity,
-                   long kept_frames)
+                   long kept_frames, long kept_bytes)
     : name_(std::move(name)), identity_(identity),
       results_(std::make_unique<output::ResultsWriter>(
           output::ResultsWriter::reopen(results_path(), kept_frames))),
-      listing_(name_ + ".out", true) {}
+      listing_(cut(name_ + ".out", kept_bytes), true) {}
 
 void RunFiles::table(const Model& model) {
   if (model.steps == tabled_step_)

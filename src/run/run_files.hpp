@@ -19,13 +19,17 @@ class RunFiles {
   /// output::FileError.
   RunFiles(const std::string& name, const output::RunIdentity& identity);
   /// Continues NAME.out and NAME.vtkhdf behind a checkpoint, whatever was written later
-  /// cut off; new files where those beside us belong to another run.
+  /// cut off; new files where those beside us belong to another run. Throws FileError,
+  /// and changes nothing, where they lack what was written before, or where NAME is
+  /// that of the checkpoint and they are not there.
   static RunFiles behind(const std::string& name, const output::RunIdentity& identity,
-                         const output::CheckpointInfo& from);
+                         const output::CheckpointInfo& from,
+                         const std::string& checkpoint);
   /// The same for the deck that was stopped there: what its end added is cut off too,
   /// as if it had never stopped.
   static RunFiles resumed(const std::string& name, const output::RunIdentity& identity,
-                          const output::CheckpointInfo& from);
+                          const output::CheckpointInfo& from,
+                          const std::string& checkpoint);
 
   void input_echo(const Model& model) { listing_.input_echo(model); }
   void dump(const Model& model) { listing_.dump(model); }
@@ -47,10 +51,11 @@ class RunFiles {
   std::string results_path() const { return name_ + ".vtkhdf"; }
 
  private:
-  RunFiles(std::string name, const output::RunIdentity& identity, long kept_frames);
+  RunFiles(std::string name, const output::RunIdentity& identity, long kept_frames,
+           long kept_bytes);
   std::string step_aside(const std::string& path);
   static bool continues(const std::string& name, const output::CheckpointInfo& from,
-                        long listing_bytes);
+                        long listing_bytes, const std::string& checkpoint);
   output::Progress here(output::Progress progress);
   void checkpoint_at(const Model& model, const output::Progress& progress);
 

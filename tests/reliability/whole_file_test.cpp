@@ -92,6 +92,15 @@ TEST(WholeFile, OfOneLongLineIsRefusedInFewWords) {
                  "a.deck:15:18: error: GRAVITY: surplus");
 }
 
+// As many as a line has room for.
+TEST(WholeFile, OfManyBlocksInTheTableNeedsLittle) {
+  const TemporaryFolder folder;
+  std::string ones = "OUTPUT, 1";
+  for (int i = 0; i < 300000; ++i)
+    ones += ", 1";
+  EXPECT_EQ(run_small(folder, with("GRAVITY", ones + "\nGRAVITY")).code, 0);
+}
+
 // Before the memory is asked for.
 TEST(WholeFile, ThatAsksForMoreThanThereIsIsRefused) {
   const auto blocks_of = [](const std::string& card) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <random>
 #include <set>
 
@@ -32,6 +34,14 @@ void run_in_parts(const TemporaryFolder& folder, const std::string& arguments,
   }
   const Outcome last = blocks("run " + arguments + restart, folder.path());
   ASSERT_EQ(last.code, 0) << last.err;
+}
+
+/// Every file of a folder by its name.
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    files[entry.path().filename().string()] = slurp(entry.path());
+  return files;
 }
 
 bool thorough() { return std::getenv("BLOCKS_THOROUGH") != nullptr; }
@@ -219,6 +229,69 @@ TEST(Resumed, ForeignDeckIsRefused) {
               HasSubstr("its seed is "));
   EXPECT_FALSE(folder.holds("two.out"));
   EXPECT_EQ(slurp(folder / "one.out"), listing) << "a refusal touches nothing";
+}
+
+// Where a run goes on in its own files they must be whole, else it does not begin and
+// touches nothing; under another name it begins new ones.
+TEST(Resumed, OwnFilesMustHoldWhatCameBefore) {
+  const TemporaryFolder folder;
+  folder.write("own.deck", preliminary() + rectangle(0, 0, 1, 1) +
+                               "PLOTS, 1e-9\nOUTPUT, 1e-9, 1\nCYCLE, 20\n");
+  const std::string listing = (folder / "own.out").string(),
+                    results = (folder / "own.vtkhdf").string();
+  const auto damage = [&](const std::string& path, std::uintmax_t bytes) {
+    return [path, bytes] {
+      bytes == 0 ? static_cast<void>(fs::remove(path)) : fs::resize_file(path, bytes);
+    };
+  };
+  const auto no_frames = [&] {  // another run's, of the same deck
+    const TemporaryFolder other;
+    fs::copy_file(folder / "own.deck", other / "own.deck");
+    ASSERT_EQ(blocks("run own.deck", other.path()).code, 0);
+    fs::copy_file(other / "own.vtkhdf", results, fs::copy_options::overwrite_existing);
+  };
+  struct Case {
+    std::function<void()> spoil;
+    std::string reason;
+  };
+  for (const auto& [spoil, reason] :
+       {Case{damage(listing, 0), "own.out: it is not there; -o NAME begins new files"},
+        Case{damage(listing, 900), "own.out: it has 900 bytes, not the "},
+        Case{damage(results, 0), "own.vtkhdf: it is not there; -o NAME begins"},
+        Case{damage(results, 3000), "own.vtkhdf: "},
+        Case{no_frames,
+             "own.vtkhdf: it is not of the run that wrote the checkpoint"}}) {
+    ASSERT_EQ(blocks("run own.deck --stop-after 9", folder.path()).code, 75);
+    spoil();
+    const auto before = contents(folder.path());
+    const Outcome refused = blocks("run own.deck --restart own.ckpt.h5", folder.path());
+    EXPECT_EQ(refused.code, 5) << reason;
+    EXPECT_THAT(refused.err, HasSubstr("blocks: error: cannot continue " + reason));
+    EXPECT_EQ(contents(folder.path()), before) << reason;
+    EXPECT_EQ(blocks("run own.deck --restart own.ckpt.h5 -o other", folder.path()).code,
+              0);
+  }
+}
+
+// The same files by another name of their folder.
+TEST(Resumed, FromWithinItsFolderIsTheStraightRun) {
+  const TemporaryFolder straight, parts;
+  for (const TemporaryFolder* folder : {&straight, &parts}) {
+    folder->write("way.deck",
+                  preliminary() + rectangle(0, 0, 1, 1) + "PLOTS, 1e-9\nCYCLE, 20\n");
+    fs::create_directory(*folder / "sub");
+  }
+  ASSERT_EQ(blocks("run way.deck -o sub/", straight.path()).code, 0);
+  ASSERT_EQ(blocks("run way.deck -o sub/ --stop-after 9", parts.path()).code, 75);
+  ASSERT_EQ(
+      blocks("run ../way.deck --restart ./way.ckpt.h5 --stop-after 4", parts / "sub")
+          .code,
+      75);
+  ASSERT_EQ(blocks("run way.deck -o sub/ --restart sub/way.ckpt.h5", parts.path()).code,
+            0);
+  expect_same(left_by_run(parts / "sub", "way"), left_by_run(straight / "sub", "way"),
+              "sub");
+  EXPECT_FALSE(fs::exists(parts / "sub/way.vtkhdf.bak"));
 }
 
 }  // namespace

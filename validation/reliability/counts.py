@@ -27,7 +27,7 @@ def paragraphs(text):
 def sanitizer(row):
     kind, passed, of, left_out, reports, minutes, who = re.split(r" *\| *", row.strip("| "))
     return (f"{kind}: {reports} reports; {passed} of {of} tests passed, {left_out} not run; "
-            f"{minutes} minutes; {who}.")
+            f"{minutes} minutes; {who}")
 
 
 def counts():
@@ -41,7 +41,7 @@ def counts():
         text = page.read_text()
         told = " ".join(paragraphs(text))
         if name == "SANITIZERS":
-            told = "; ".join(sanitizer(row) for row in table(text))
+            told = ". ".join(sanitizer(row) for row in table(text)) + "."
         lines.append(f"- {what[0].upper() + what[1:]}: {told} "
                      f"([{name}.md](../validation/reliability/{name}.md))")
     return "\n".join(lines) + "\n"
