@@ -1,5 +1,6 @@
 #include "deck/card_builder.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 
@@ -55,6 +56,16 @@ Maybe splane(const Fields& f, Diagnostics& diagnostics) {
       f[1].number.value() == f[3].number.value()) {
     diagnostics.error(f[2].where, "SPLANE", "the two points are the same",
                       "the plane runs through two different points");
+    return {};
+  }
+  const double dx = f[2].as_real().value - f[0].as_real().value;
+  const double dy = f[3].as_real().value - f[1].as_real().value;
+  const double square = dx * dx + dy * dy;
+  if (!std::isnormal(square)) {
+    diagnostics.error(f[2].where, "SPLANE",
+                      square > 1.0 ? "the two points are too far apart"
+                                   : "the two points are too close to each other",
+                      "their distance may be from 1.5e-154 to 1.3e154");
     return {};
   }
   return Splane{f[0].as_real(), f[1].as_real(), f[2].as_real(), f[3].as_real()};

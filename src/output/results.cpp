@@ -351,6 +351,11 @@ std::string RunIdentity::deck_name() const {
                      title);
 }
 
+bool RunIdentity::same_deck(const RunIdentity& other) const {
+  return deck_name() == other.deck_name() && deck_text == other.deck_text &&
+         overrides == other.overrides && seed == other.seed;
+}
+
 ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity,
                              std::string aside)
     : file_(std::make_unique<File>()) {
@@ -387,6 +392,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     hdf5::write_text(to.own.get(), "version", identity.version);
     hdf5::write_text(to.own.get(), "deck_file", identity.deck_file);
     hdf5::write_text(to.own.get(), "deck_text", identity.deck_text);
+    hdf5::write_text(to.own.get(), "overrides", identity.overrides);
     to.publish(0);
     to.mark.end();
   };
@@ -460,14 +466,20 @@ std::string ResultsWriter::run_id_of(const std::string& path) {
   }
 }
 
-std::string ResultsWriter::deck_of(const std::string& path) {
+std::optional<RunIdentity> ResultsWriter::identity_of(const std::string& path) {
   const FileInHand in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
+    const hdf5::Handle own = hdf5::open_group(file.get(), "BLOCKS");
     RunIdentity identity;
-    identity.deck_file = hdf5::read_text(file.get(), "BLOCKS/deck_file");
-    identity.title = hdf5::read_text(file.get(), "BLOCKS/title");
-    return identity.deck_name();
+    identity.deck_file = hdf5::read_text(own.get(), "deck_file");
+    identity.deck_text = hdf5::read_text(own.get(), "deck_text");
+    identity.title = hdf5::read_text(own.get(), "title");
+    identity.seed =
+        static_cast<unsigned long long>(hdf5::read_attribute(own.get(), "seed"));
+    if (hdf5::exists(own.get(), "overrides"))  // not in those of earlier versions
+      identity.overrides = hdf5::read_text(own.get(), "overrides");
+    return identity;
   } catch (const hdf5::Failure&) {
     return {};
   }

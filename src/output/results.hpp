@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,8 @@ struct RunIdentity {
 
   /// The deck as a person knows it: name of its file, title.
   std::string deck_name() const;
+  /// The same deck, letter for letter, with the same options and seed.
+  bool same_deck(const RunIdentity& other) const;
 };
 
 /// Appends frames; readable by others at any moment.
@@ -42,8 +45,8 @@ class ResultsWriter {
   std::string run_id() const;
   /// That of a file; empty when it cannot be read or is none of ours.
   static std::string run_id_of(const std::string& path);
-  /// deck_name() of the run that wrote it; empty likewise.
-  static std::string deck_of(const std::string& path);
+  /// Of the run that wrote a file; nothing when it cannot be read or is none of ours.
+  static std::optional<RunIdentity> identity_of(const std::string& path);
 
   /// Appends the state; does nothing if a frame of this step is already the last one,
   /// unless the state has `changed` since.

@@ -12,6 +12,7 @@
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "run/build_blocks.hpp"
+#include "run/contact_room.hpp"
 #include "run/deck_outlines.hpp"
 
 namespace blocks::run {
@@ -107,6 +108,7 @@ struct Builder::Visitor {
     settings.boxes_x = static_cast<int>(card.iboxes.value);
     settings.boxes_y = static_cast<int>(card.jboxes.value);
     settings.contact_tolerance = card.ctol.value;
+    self.tolerance_ = card.ctol.where;
   }
   void operator()(const deck::Stiff& card) {
     settings.normal_stiffness = card.stifn.value;
@@ -290,6 +292,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
     return;
   check_planes();
   check_overlaps(command);
+  check_room(command);
   if (!model_.settings.rigid && blocks.size() > checked_blocks_) {
     const TimeStep chosen = dynamics::choose_time_step(model_);
     if (chosen.elastic)
@@ -300,6 +303,21 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
           "deformable blocks need dt < l sqrt(rho / C11); half of that is taken");
   }
   checked_blocks_ = moved_blocks_ = blocks.size();
+}
+
+void Builder::check_room(const Command& command) {
+  const double ctol = model_.settings.contact_tolerance;
+  const double pairs = likely_pairs(model_.blocks, 2.0 * ctol),
+               most = pairs_in_memory();
+  if (pairs > most)
+    diagnostics_.error(
+        tolerance_.value_or(command.where), tolerance_ ? "BOXES" : command.name,
+        fmt::format("with ctol = {:g} some {:.2g} pairs of blocks are near each other",
+                    ctol, pairs),
+        fmt::format(
+            "the memory of this machine holds the contacts of some {:.2g}; ctol "
+            "is a small part of a block",
+            most));
 }
 
 void Builder::begin_to_move(SharedCertificate certificate) {
@@ -391,6 +409,15 @@ void Builder::check_planes() {
   for (const Command& command : planes_) {
     const auto& card = std::get<deck::Splane>(command.card);
     const Vec2 a(card.x1.value, card.y1.value), b(card.x2.value, card.y2.value);
+    const double rounding =
+        0x1p-52 * std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+    if (rounding > 1e-3 * model_.settings.contact_tolerance)
+      diagnostics_.error(
+          command.where, command.name,
+          fmt::format(
+              "the points are too far away: overlaps would be rounded to {:.2g}",
+              rounding),
+          "give two points of the plane near the blocks");
     bool all_behind = true;
     for (int c = 0; c < blocks.corners() && all_behind; ++c)
       all_behind = geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;

@@ -82,6 +82,7 @@ class Builder {
   struct Visitor;
   void error_no_block(const deck::Command& command, const deck::Int& number);
   void check_planes();
+  void check_room(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
   void check_fraction(const deck::Command& command);
   void check_steps(const deck::Command& command);
@@ -99,6 +100,8 @@ class Builder {
   double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
   std::optional<deck::Command> fraction_by_;  ///< last FRACTION or DAMPING card
   std::optional<deck::Command> output_;       ///< whose blocks are not yet checked
+  std::optional<deck::SourceLocation>
+      tolerance_;  ///< of the BOXES card, if there is one
   SharedCertificate certificate_;
 };
 

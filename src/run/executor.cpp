@@ -79,12 +79,12 @@ void Executor::echo() {
   echoed_ = true;
 }
 
-void Executor::finish() {
+std::string Executor::finish() {
   echo();
-  if (audit_.totals().every > 0) {
-    files_.message(audit_.closing());
-    console_.note(audit_.closing());
-  }
+  if (audit_.totals().every == 0)
+    return {};
+  console_.note(audit_.closing());
+  return audit_.closing();
 }
 
 void Executor::dump() {

@@ -125,7 +125,9 @@ Model Job::load() {
 /// before its first step; false when there were errors.
 /// notes: what the mesh files held, and of shared corners.
 bool check(Job& job, Model& model, std::vector<std::string>& notes) {
-  if (job.loads() && !job.diagnostics.has_errors()) {
+  if (job.loads() && job.diagnostics.has_errors())
+    return false;  // what its cards mean depends on a checkpoint that is not read
+  if (job.loads()) {
     try {
       model = job.load();
     } catch (const output::FileError& fault) {
@@ -272,7 +274,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       !sound_in_place(builder, said, job.deck.commands.back(), executor, files))
     outcome = Outcome::unsound_deck;
   console.clear_progress();
-  executor.finish();
+  const std::string last_words = executor.finish();
 
   output::RunReport report;
   report.warnings = executor.warnings();
@@ -293,7 +295,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     progress.card = static_cast<long>(job.deck.commands.size());
   {
     const Profile::Timer timer(executor.profile(), Profile::output);
-    files.close(model, report, progress);
+    files.close(model, report, progress, last_words);
   }
   console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
                            report.status, model.steps, model.time, report.wall_seconds,

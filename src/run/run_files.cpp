@@ -9,20 +9,35 @@
 namespace blocks::run {
 namespace {
 
-/// The first ending under which no files of another deck are kept.
-std::string free_ending(const std::string& results, const std::string& deck) {
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+/// The first ending under which nothing is kept that would be missed: files of another
+/// deck, or of a run that was closed (they have a summary) where that of the name was
+/// not.
+std::string free_ending(const std::string& name, const output::RunIdentity& identity) {
   for (int number = 1;; ++number) {
     std::string ending = number == 1 ? ".bak" : fmt::format(".bak{}", number);
-    std::error_code ignored;
-    if (!std::filesystem::exists(results + ending, ignored) ||
-        output::ResultsWriter::deck_of(results + ending) == deck)
+    const std::string results = name + ".vtkhdf" + ending;
+    const std::string summary = name + ".summary.json";
+    if (exists(summary + ending) && !exists(summary))
+      continue;
+    if (!exists(results)) {
+      if (!exists(summary + ending) && !exists(name + ".ckpt.h5" + ending))
+        return ending;
+      continue;  // whose they are is not known
+    }
+    if (const auto deck = output::ResultsWriter::identity_of(results);
+        deck && deck->same_deck(identity))
       return ending;
   }
 }
 
 /// The name, if the files that replace older ones may do so: found before the run.
 const std::string& replaceable(const std::string& name) {
-  for (const char* ending : {".vtkhdf", ".ckpt.h5", ".summary.json"})
+  for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
     output::expect_replaceable(name + ending);
   return name;
 }
@@ -51,25 +66,29 @@ std::string cut(const std::string& path, long bytes) {
   return path;
 }
 
-/// What is told of older results that belong to another deck.
-std::string foreign(const std::string& results, const std::string& deck,
+/// What is told of older results that belong to another deck, or to this one as it was
+/// before.
+std::string foreign(const std::string& results, const output::RunIdentity& identity,
                     const std::string& ending) {
-  const std::string other = output::ResultsWriter::deck_of(results);
-  if (other.empty() || other == deck)
+  const auto other = output::ResultsWriter::identity_of(results);
+  if (!other || other->same_deck(identity))
     return {};
-  return fmt::format("{} held results of another deck, {}: its files are kept with the "
-                     "ending {}",
-                     results, other, ending);
+  const bool changed = other->deck_name() == identity.deck_name();
+  return fmt::format("{} held results of {}: its files are kept with the ending {}",
+                     results,
+                     changed ? "this deck before it, its options or its seed changed"
+                             : "another deck, " + other->deck_name(),
+                     ending);
 }
 
 }  // namespace
 
 RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
     : name_(replaceable(name)), identity_(identity),
-      aside_(free_ending(results_path(), identity.deck_name())),
-      put_aside_(foreign(results_path(), identity.deck_name(), aside_)),
-      results_(
-          std::make_unique<output::ResultsWriter>(results_path(), identity, aside_)),
+      older_(free_ending(name, identity)),
+      put_aside_(foreign(results_path(), identity, older_.ending)),
+      results_(std::make_unique<output::ResultsWriter>(results_path(), identity,
+                                                       older_.ending)),
       listing_(step_aside(name + ".out"), false) {
   for (const std::string& path :
        {checkpoint_path(), checkpoint_path() + ".prev", summary_path()})
@@ -80,9 +99,22 @@ RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
 /// Keeps an older file under its new ending.
 std::string RunFiles::step_aside(const std::string& path) {
   std::error_code ignored;  // what is wrong shows when the new file is opened
-  if (std::filesystem::is_regular_file(path, ignored))
-    output::move_file(path, path + aside_);
+  if (std::filesystem::is_regular_file(path, ignored)) {
+    output::move_file(path, path + older_.ending);
+    older_.paths.push_back(path);
+  }
   return path;
+}
+
+RunFiles::Older::~Older() {
+  std::error_code ignored;  // it failed already
+  for (const std::string& path : paths)
+    std::filesystem::rename(path + ending, path, ignored);
+}
+
+void RunFiles::frame(const Model& model) {
+  results_->write(model);
+  older_.paths.clear();
 }
 
 RunFiles RunFiles::behind(const std::string& name, const output::RunIdentity& identity,
@@ -117,7 +149,7 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
   std::error_code ignored;
   for (const char* ending : {".ckpt.h5", ".ckpt.h5.prev"})
     if (std::filesystem::equivalent(checkpoint, name + ending, ignored))
-      refuse_to_continue(results, std::filesystem::exists(results, ignored)
+      refuse_to_continue(results, exists(results)
                                       ? "it is not of the run that wrote the checkpoint"
                                       : "it is not there");
   return false;  // those beside us, if any, belong to another run
@@ -157,10 +189,12 @@ void RunFiles::checkpoint_at(const Model& model, const output::Progress& progres
 }
 
 void RunFiles::close(const Model& model, output::RunReport report,
-                     const output::Progress& progress) {
+                     const output::Progress& progress, const std::string& last_words) {
   const output::Progress stopped = here(progress);
   frame(model);
   table(model);
+  if (!last_words.empty())
+    message(last_words);
   listing_.closing(model);
   if (report.status != "unsound")  // the last good one stays
     checkpoint_at(model, stopped);

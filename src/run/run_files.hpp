@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "output/checkpoint.hpp"
@@ -34,14 +35,15 @@ class RunFiles {
   void input_echo(const Model& model) { listing_.input_echo(model); }
   void dump(const Model& model) { listing_.dump(model); }
   void message(const std::string& line) { listing_.message(line); }
-  void frame(const Model& model) { results_->write(model); }
+  void frame(const Model& model);
   void table(const Model& model);
   void checkpoint(const Model& model, const output::Progress& progress) {
     checkpoint_at(model, here(progress));
   }
-  /// Last frame, closing table, checkpoint, summary.
+  /// Last frame, closing table, checkpoint, summary. last_words: a line above the
+  /// table, none: empty. A run that goes on from there begins before all of that.
   void close(const Model& model, output::RunReport report,
-             const output::Progress& progress);
+             const output::Progress& progress, const std::string& last_words);
 
   /// What was put aside, in words, if it belongs to another deck; else empty.
   const std::string& put_aside() const { return put_aside_; }
@@ -61,7 +63,16 @@ class RunFiles {
 
   std::string name_;
   output::RunIdentity identity_;
-  std::string aside_;  ///< ending of the older files
+  /// Files that have stepped aside. They come back where no frame is written: until
+  /// then the older results keep their name, too.
+  struct Older {
+    std::string ending;
+    std::vector<std::string> paths;
+    explicit Older(std::string of_theirs = {}) : ending(std::move(of_theirs)) {}
+    Older(Older&&) = default;
+    ~Older();
+  };
+  Older older_;
   std::string put_aside_;
   std::unique_ptr<output::ResultsWriter> results_;
   output::Listing listing_;

@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   try {
     output::ResultsWriter::run_id_of(file.path());
-    output::ResultsWriter::deck_of(file.path());
+    output::ResultsWriter::identity_of(file.path());
     output::ResultsWriter::reopen(file.path(), 1);
   } catch (const output::FileError&) {
   }

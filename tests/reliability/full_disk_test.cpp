@@ -35,7 +35,7 @@ void expect_earlier(const TemporaryFolder& folder, const Files& earlier,
                     const std::string& when) {
   for (const auto& [name, bytes] : earlier) {
     bool kept = false;
-    for (const char* ending : {"", ".bak", ".prev"})
+    for (const char* ending : {"", ".bak", ".bak2", ".prev"})
       kept = kept ||
              (folder.holds(name + ending) && slurp(folder / (name + ending)) == bytes);
     EXPECT_TRUE(kept) << name << ", " << when;
@@ -74,6 +74,8 @@ TEST(FullDisk, IsAnErrorThatLosesNothing) {
                                       "space left on device\n"))
         << when;
     expect_earlier(folder, earlier, when);
+    EXPECT_EQ(run_on_full_disk(folder, 1 + at * 7 % changes).code, 5);
+    expect_earlier(folder, earlier, when + ", tried again");
     for (const char* name : {"a.vtkhdf.tmp", "a.ckpt.h5.tmp", "a.summary.json.tmp"})
       EXPECT_FALSE(folder.holds(name)) << name << ", " << when;
     if (folder.holds("a.vtkhdf")) {
@@ -117,7 +119,9 @@ TEST(Folder, ThatIsMissingOrAFileIsNamed) {
             "blocks: error: cannot write a.deck/a.vtkhdf: Not a directory\n");
   EXPECT_EQ(slurp(folder / "a.deck"), deck);
   fs::create_directory(folder / "b.out");
-  EXPECT_EQ(fault("b"), "blocks: error: cannot write b.out: Is a directory\n");
+  EXPECT_EQ(
+      fault("b"),
+      "blocks: error: cannot write b.out: it is a folder, a file's name is needed\n");
   EXPECT_FALSE(folder.holds("b.vtkhdf") || folder.holds("b.vtkhdf.tmp"));
 }
 
