@@ -94,6 +94,11 @@ ChangeMark::ChangeMark(const std::string& path, bool is_new)
     std::this_thread::sleep_for(1ms);
 }
 
+bool is_being_written(const std::string& path) {
+  const OpenedFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  return file && ::flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 ChangeMark ChangeMark::make(const std::string& path) { return {path, true}; }
 ChangeMark ChangeMark::find(const std::string& path) { return {path, false}; }
 

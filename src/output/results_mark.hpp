@@ -64,6 +64,10 @@ class ChangeMark {
   std::uint64_t number_ = 0;
 };
 
+/// Whether a writer holds the file, which a run does to its end. Where there are no
+/// locks: false.
+bool is_being_written(const std::string& path);
+
 /// The reader's side.
 class ChangeWatch {
  public:

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "output/results.hpp"
 #include "post/colour_map.hpp"
 #include "post/quantity.hpp"
 #include "post/view_numbers.hpp"
@@ -250,13 +251,19 @@ class Packer {
       const int block = contacts.corner_block[k] - 1;
       if (block < 0 || block >= static_cast<int>(blocks_))
         continue;
+      const auto first = first_corner_.begin() + block;
+      if (contacts.corner[k] < 1 || contacts.corner[k] > first[1] - first[0])
+        throw output::FileError(fmt::format(
+            "cannot read {}: it is damaged: a contact is at corner {} of "
+            "block {}, which has {}",
+            results_.path(), contacts.corner[k], block + 1, first[1] - first[0]));
       const Eigen::Vector2d n = contacts.normal.col(i), t(n.y(), -n.x());
       const Eigen::Vector2d f =
           n * contacts.normal_force[i] - t * contacts.shear_force[i];
       const double turn = std::atan2(f.y(), f.x()) / (2 * std::numbers::pi);
-      arrows.push_back(
-          {first_corner_[static_cast<std::size_t>(block)] + contacts.corner[k] - 1,
-           static_cast<unsigned char>(std::lround(256 * (turn + 1)) % 256), f.norm()});
+      arrows.push_back({*first + contacts.corner[k] - 1,
+                        static_cast<unsigned char>(std::lround(256 * (turn + 1)) % 256),
+                        f.norm()});
       largest_ = std::max(largest_, arrows.back().size);
     }
     std::stable_sort(arrows.begin(), arrows.end(), [](const Arrow& a, const Arrow& b) {

@@ -1,27 +1,19 @@
 #include "run/build_blocks.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-
 #include <cmath>
-
 #include <limits>
 
 #include "deck/mesh_readers.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "geometry/layer.hpp"
+#include "run/contact_room.hpp"
 
 namespace blocks::run {
 
 using geometry::QuadShape;
-
-namespace {
-
-long physical_memory() { return sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE); }
-
-}  // namespace
 
 double BlockBuilder::density(long material, deck::SourceLocation where) {
   const auto& materials = model_.settings.materials;
@@ -40,17 +32,17 @@ double BlockBuilder::density(long material, deck::SourceLocation where) {
 }
 
 bool BlockBuilder::fits(long more, deck::SourceLocation where) {
-  constexpr long most = 20'000'000;  // some 12 GB of state
-  constexpr long bytes_of_block = 600;
+  constexpr long most = 20'000'000;         // some 12 GB of state
+  constexpr double bytes_of_block = 600.0;  // of one that touches no other
+  const auto room_in_memory = static_cast<long>(physical_memory() / bytes_of_block);
   if (more > most) {
     error(where, fmt::format("{} blocks at once", more),
           fmt::format("one card may make {} blocks at most", most));
     return false;
   }
-  if (more > physical_memory() / bytes_of_block) {
+  if (more > room_in_memory) {
     error(where, fmt::format("{} blocks at once", more),
-          fmt::format("the memory of this machine holds some {}",
-                      physical_memory() / bytes_of_block));
+          fmt::format("the memory of this machine holds some {}", room_in_memory));
     return false;
   }
   const long room = model_.settings.max_blocks - model_.blocks.size();

@@ -13,6 +13,7 @@
 #include "geometry/contact_predicates.hpp"
 #include "run/build_blocks.hpp"
 #include "run/contact_room.hpp"
+#include "run/deck_file.hpp"
 #include "run/deck_outlines.hpp"
 
 namespace blocks::run {
@@ -160,12 +161,8 @@ struct Builder::Visitor {
   // Problem definition data, A.2
   void operator()(const deck::Create& card) { builder().create(card); }
   void operator()(const deck::Read9& card) {
-    const std::string name = card.file.given ? card.file.value : self.options_.tape9;
-    // A name on the card is meant from the deck's folder, an option from where we are.
-    const auto path = card.file.given
-                          ? std::filesystem::path(self.options_.folder) / name
-                          : std::filesystem::path(name);
-    if (std::string found = builder().read_mesh(card, path.string()); !found.empty())
+    const std::string path = mesh_path(card, self.options_.folder, self.options_.tape9);
+    if (std::string found = builder().read_mesh(card, path); !found.empty())
       self.notes_.push_back(std::move(found));
   }
   void operator()(const deck::Layer& card) { builder().layer(card); }
@@ -306,18 +303,19 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
 }
 
 void Builder::check_room(const Command& command) {
-  const double ctol = model_.settings.contact_tolerance;
-  const double pairs = likely_pairs(model_.blocks, 2.0 * ctol),
-               most = pairs_in_memory();
-  if (pairs > most)
-    diagnostics_.error(
-        tolerance_.value_or(command.where), tolerance_ ? "BOXES" : command.name,
-        fmt::format("with ctol = {:g} some {:.2g} pairs of blocks are near each other",
-                    ctol, pairs),
-        fmt::format(
-            "the memory of this machine holds the contacts of some {:.2g}; ctol "
-            "is a small part of a block",
-            most));
+  const double ctol = model_.settings.contact_tolerance, memory = physical_memory();
+  const LikelyList list = likely_list(model_.blocks, 2.0 * ctol);
+  if (list.bytes <= memory)
+    return;
+  constexpr double gigabyte = 1e9;
+  diagnostics_.error(
+      tolerance_.value_or(command.where), tolerance_ ? "BOXES" : command.name,
+      fmt::format("with ctol = {:g} some {:.2g} pairs of blocks are near each other",
+                  ctol, list.pairs),
+      fmt::format(
+          "their contacts take about {:.2g} GB, this machine has {:.2g}; ctol is "
+          "a small part of a block",
+          list.bytes / gigabyte, memory / gigabyte));
 }
 
 void Builder::begin_to_move(SharedCertificate certificate) {

@@ -6,11 +6,15 @@
 
 namespace blocks::run {
 
-/// How many pairs of blocks have boxes that overlap when they are extended by the
-/// margin [L] >= 0: those a list holds. Counted for some of the blocks, up to 64.
-double likely_pairs(const Blocks& blocks, double margin);
+/// What a list holds of blocks whose boxes overlap when they are extended by the margin
+/// [L] >= 0: from a count for some of the blocks, up to 64.
+struct LikelyList {
+  double pairs = 0.0;  ///< of blocks
+  double bytes = 0.0;
+};
+LikelyList likely_list(const Blocks& blocks, double margin);
 
-/// That many fit into the memory of this machine.
-double pairs_in_memory();
+/// Bytes of this machine's memory.
+double physical_memory();
 
 }  // namespace blocks::run

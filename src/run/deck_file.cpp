@@ -1,12 +1,17 @@
 #include "run/deck_file.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <variant>
 
+#include "output/file_tools.hpp"
 #include "output/results.hpp"
 
 namespace blocks::run {
@@ -28,6 +33,36 @@ std::string output_name(const std::string& deck, const std::string& given) {
   if (given.ends_with('/'))  // a folder
     return given + stem;
   return given.empty() ? stem : given;
+}
+
+std::string mesh_path(const deck::Read9& card, const std::string& folder,
+                      const std::string& tape9) {
+  return card.file.given ? beside(folder, card.file.value) : tape9;
+}
+
+std::string mesh_sums(const deck::Deck& deck, const std::string& folder,
+                      const std::string& tape9) {
+  std::string lines;
+  for (const deck::Command& command : deck.commands)
+    if (const auto* card = std::get_if<deck::Read9>(&command.card)) {
+      const std::string path = mesh_path(*card, folder, tape9);
+      std::error_code ignored;
+      if (!std::filesystem::is_regular_file(path, ignored))
+        continue;  // what is wrong is told where it is read
+      std::ifstream in(path, std::ios::binary);
+      const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+      output::Fnv1a sum;
+      sum.add(bytes.data(), bytes.size());
+      lines += fmt::format("READ9 in line {}: a mesh of fnv1a {}\n", command.where.line,
+                           sum.text());
+    }
+  return lines;
+}
+
+long first_difference(std::string_view one, std::string_view other) {
+  const auto [here, there] =
+      std::mismatch(one.begin(), one.end(), other.begin(), other.end());
+  return 1 + std::count(one.begin(), here, '\n');
 }
 
 std::string deck_folder(const std::string& deck) {

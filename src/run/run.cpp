@@ -54,9 +54,13 @@ struct Job {
       lines += fmt::format("{}.{}={}\n", set.card, set.field, set.value);
     return lines;
   }
+  std::string meshes() const {
+    return mesh_sums(deck, deck_folder(options.deck), options.tape9);
+  }
   output::RunIdentity identity(const Model& model) const {
-    return {diagnostics.file(),  text,       model.settings.title, BLOCKS_VERSION,
-            model.settings.seed, overrides()};
+    return {diagnostics.file(),   text,
+            model.settings.title, BLOCKS_VERSION,
+            model.settings.seed,  overrides() + meshes()};
   }
 
   /// Loads the checkpoint of a RESTART deck, or of this very deck stopped before.
@@ -103,13 +107,22 @@ Model Job::load() {
     throw output::FileError(
         fmt::format("cannot continue {} from {}: {}", options.deck, path, reason));
   };
+  const std::filesystem::path own(diagnostics.file()), its(from.deck_file);
+  if (!resumes && !continues() && own.filename() == its.filename())
+    refuse(fmt::format("the deck has changed since, or is another of that name: they "
+                       "differ first in line {}",
+                       first_difference(from.deck_text, text)));
   if (!resumes && !continues())
     refuse(fmt::format("the checkpoint belongs to another deck, {} '{}'; give that "
                        "deck, or one that begins with RESTART",
                        from.deck_file, model.settings.title));
   if (!resumes)
     return model;
-  if (from.overrides != overrides())
+  const std::string sets = overrides();
+  if (from.overrides != sets + meshes() && from.overrides.starts_with(sets) &&
+      from.overrides.substr(sets.size()).starts_with("READ9 "))
+    refuse("a mesh that READ9 reads is not the one it was");
+  if (from.overrides != sets + meshes())
     refuse(from.overrides.empty()
                ? "it was written without --set options"
                : "it was written with other --set options, one a line:\n" +

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "output/file_tools.hpp"
+#include "output/results_mark.hpp"
 
 namespace blocks::run {
 namespace {
@@ -35,8 +36,18 @@ std::string free_ending(const std::string& name, const output::RunIdentity& iden
   }
 }
 
+/// No other run is at work under the name.
+void expect_idle(const std::string& name) {
+  const std::string results = name + ".vtkhdf";
+  if (output::is_being_written(results) || output::is_being_written(results + ".tmp"))
+    throw output::FileError(fmt::format(
+        "cannot write {}: another run is writing it; -o NAME begins other files",
+        results));
+}
+
 /// The name, if the files that replace older ones may do so: found before the run.
 const std::string& replaceable(const std::string& name) {
+  expect_idle(name);
   for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
     output::expect_replaceable(name + ending);
   return name;
@@ -143,6 +154,7 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
   const std::string results = name + ".vtkhdf";
   if (!from.results_run.empty() &&
       output::ResultsWriter::run_id_of(results) == from.results_run) {
+    expect_idle(name);
     expect_listing(name + ".out", listing_bytes);
     return true;
   }

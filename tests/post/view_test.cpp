@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "output/hdf5_handle.hpp"
 #include "output/sample_model.hpp"
 #include "post/view_data.hpp"
 #include "post/view_numbers.hpp"
@@ -165,6 +167,31 @@ TEST(View, TitleIsOnlyText) {
   const std::string page = slurp(folder / "fall.html");
   EXPECT_THAT(page, HasSubstr("\\u003c/script>"));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
+}
+
+// One value that no run writes.
+TEST(View, AContactAtNoCornerIsRefused) {
+  const TemporaryFolder folder;
+  run_text(folder, "two",
+           preliminary() + rectangle(0, 0, 1, 1, true) + rectangle(0, 1, 1, 2) +
+               "GRAVITY, 0, -10\nCYCLE, 40\n");
+  {
+    using output::hdf5::check, output::hdf5::Handle;
+    const Handle file = output::hdf5::open_file((folder / "two.vtkhdf").string(), true);
+    const Handle corner(H5Dopen2(file.get(), "BLOCKS/contacts/Corner", H5P_DEFAULT),
+                        H5Dclose);
+    const Handle space(H5Dget_space(corner.get()), H5Sclose);
+    const auto count =
+        static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space.get())));
+    ASSERT_GT(count, 0U);
+    const std::vector<int> wrong(count, 2000000000);
+    check(H5Dwrite(corner.get(), H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                   wrong.data()));
+  }
+  const Outcome run = blocks("view two.vtkhdf", folder.path());
+  EXPECT_EQ(run.code, 5);
+  EXPECT_THAT(run.err, HasSubstr("cannot read two.vtkhdf: it is damaged: a contact is "
+                                 "at corner 2000000000 of block "));
 }
 
 TEST(View, RefusalsNameTheFile) {

@@ -165,5 +165,29 @@ TEST(OlderFiles, OfAnotherDeckAreKeptAndTold) {
     EXPECT_TRUE(slurp(folder / (name + ".bak2")) == bytes) << name;
 }
 
+// Nor do versions of one deck, by its text or by options.
+TEST(OlderFiles, OfTheDeckAsItWasAreKeptAndTold) {
+  const TemporaryFolder folder;
+  std::vector<Files> versions;
+  for (const char* cycles : {"CYCLE, 30", "CYCLE, 31", "CYCLE, 32"}) {
+    std::string text = deck;
+    text.replace(text.find("CYCLE, 30"), 9, cycles);
+    folder.write("a.deck", text);
+    const Outcome run = blocks("run a.deck -q", folder.path());
+    EXPECT_EQ(run.code, 0);
+    versions.push_back(files_of_run(folder));
+    EXPECT_EQ(run.err.empty(), versions.size() == 1);
+  }
+  EXPECT_EQ(blocks("run a.deck -q --set CYCLE.ncycle=9", folder.path()).err,
+            "warning: a.vtkhdf held results of this deck before it, its options or its "
+            "seed changed: its files are kept with the ending .bak3\n");
+  for (std::size_t i = 0; i < versions.size(); ++i)
+    for (const auto& [name, bytes] : versions[i])
+      EXPECT_TRUE(slurp(folder / (name + (i == 0   ? ".bak"
+                                          : i == 1 ? ".bak2"
+                                                   : ".bak3"))) == bytes)
+          << name << i;
+}
+
 }  // namespace
 }  // namespace blocks::testing

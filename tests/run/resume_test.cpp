@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <functional>
 #include <map>
 #include <random>
 #include <set>
+#include <thread>
 
 #include "run/program.hpp"
 #include "run/stored.hpp"
@@ -228,6 +230,11 @@ TEST(Resumed, ForeignDeckIsRefused) {
   EXPECT_THAT(refusal("one.deck --restart one.ckpt.h5 --seed 5"),
               HasSubstr("its seed is "));
   EXPECT_FALSE(folder.holds("two.out"));
+  folder.write("one.deck", deck + "$ a remark\n");
+  EXPECT_EQ(refusal("one.deck --restart one.ckpt.h5"),
+            "blocks: error: cannot continue one.deck from one.ckpt.h5: the deck has "
+            "changed since, or is another of that name: they differ first in line " +
+                std::to_string(1 + std::count(deck.begin(), deck.end(), '\n')) + "\n");
   EXPECT_EQ(slurp(folder / "one.out"), listing) << "a refusal touches nothing";
 }
 
@@ -271,6 +278,52 @@ TEST(Resumed, OwnFilesMustHoldWhatCameBefore) {
     EXPECT_EQ(blocks("run own.deck --restart own.ckpt.h5 -o other", folder.path()).code,
               0);
   }
+}
+
+// While a run is at work nobody else writes its files.
+TEST(Resumed, WhileAnotherRunWritesIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("long.deck",
+               preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 9\nCYCLE, 2000000000\n");
+  folder.write("other.deck", preliminary() + rectangle(0, 0, 1, 2) + "CYCLE, 9\n");
+  ASSERT_EQ(blocks("run long.deck -q --stop-after 5", folder.path()).code, 75);
+  Outcome second, third;
+  std::thread others([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    second = blocks("run long.deck -q --restart long.ckpt.h5", folder.path());
+    third = blocks("run other.deck -q -o long", folder.path());
+  });
+  EXPECT_EQ(
+      blocks("run long.deck -q --restart long.ckpt.h5 --time-limit 2", folder.path())
+          .code,
+      75);
+  others.join();
+  for (const Outcome& run : {second, third}) {
+    EXPECT_EQ(run.code, 5);
+    EXPECT_EQ(run.err,
+              "blocks: error: cannot write long.vtkhdf: another run is writing "
+              "it; -o NAME begins other files\n");
+  }
+}
+
+// A mesh that is read behind the stop is the one it was.
+TEST(Resumed, WithAnotherMeshIsRefused) {
+  const TemporaryFolder folder;
+  const auto mesh = [&](const std::string& width) {
+    folder.write("m.mesh",
+                 "BLOCKS 1\n4, 1\n5 0\n5 1\n" + width + " 1\n" + width + " 0\n");
+  };
+  mesh("6");
+  folder.write("mesh.deck", preliminary() + rectangle(0, 0, 1, 1) +
+                                "CYCLE, 10\nREAD9, m.mesh\nCYCLE, 10\n");
+  ASSERT_EQ(blocks("run mesh.deck -q --stop-after 5", folder.path()).code, 75);
+  mesh("7");
+  const Outcome refused =
+      blocks("run mesh.deck -q --restart mesh.ckpt.h5", folder.path());
+  EXPECT_EQ(refused.code, 5);
+  EXPECT_THAT(refused.err, HasSubstr("a mesh that READ9 reads is not the one it was"));
+  mesh("6");
+  EXPECT_EQ(blocks("run mesh.deck -q --restart mesh.ckpt.h5", folder.path()).code, 0);
 }
 
 // The same files by another name of their folder.
