@@ -305,7 +305,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
 void Builder::check_room(const Command& command) {
   const double ctol = model_.settings.contact_tolerance, memory = physical_memory();
   const LikelyList list = likely_list(model_.blocks, 2.0 * ctol);
-  if (list.bytes <= memory)
+  if (list.bytes <= 0.8 * memory)  // the rest of the run needs some, too
     return;
   constexpr double gigabyte = 1e9;
   diagnostics_.error(
