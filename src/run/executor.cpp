@@ -79,12 +79,10 @@ void Executor::echo() {
   echoed_ = true;
 }
 
-std::string Executor::finish() {
+void Executor::finish() {
   echo();
-  if (audit_.totals().every == 0)
-    return {};
-  console_.note(audit_.closing());
-  return audit_.closing();
+  if (audit_.totals().every > 0)
+    console_.note(audit_.closing());
 }
 
 void Executor::dump() {

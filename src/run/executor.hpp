@@ -43,7 +43,7 @@ class Executor {
   /// DUMP.
   void dump();
   /// A deck in which no time passed is echoed all the same.
-  std::string finish();  ///< what the audit found, none: empty
+  void finish();
   /// Of the run, if it is wanted, else null.
   dynamics::Profile* profile() { return buffers_.profile; }
   /// --profile: where the time went.

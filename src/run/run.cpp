@@ -287,7 +287,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       !sound_in_place(builder, said, job.deck.commands.back(), executor, files))
     outcome = Outcome::unsound_deck;
   console.clear_progress();
-  const std::string last_words = executor.finish();
+  executor.finish();
 
   output::RunReport report;
   report.warnings = executor.warnings();
@@ -308,7 +308,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     progress.card = static_cast<long>(job.deck.commands.size());
   {
     const Profile::Timer timer(executor.profile(), Profile::output);
-    files.close(model, report, progress, last_words);
+    files.close(model, report, progress);
   }
   console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
                            report.status, model.steps, model.time, report.wall_seconds,

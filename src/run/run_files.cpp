@@ -201,12 +201,10 @@ void RunFiles::checkpoint_at(const Model& model, const output::Progress& progres
 }
 
 void RunFiles::close(const Model& model, output::RunReport report,
-                     const output::Progress& progress, const std::string& last_words) {
+                     const output::Progress& progress) {
   const output::Progress stopped = here(progress);
   frame(model);
   table(model);
-  if (!last_words.empty())
-    message(last_words);
   listing_.closing(model);
   if (report.status != "unsound")  // the last good one stays
     checkpoint_at(model, stopped);

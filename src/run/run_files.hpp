@@ -40,10 +40,10 @@ class RunFiles {
   void checkpoint(const Model& model, const output::Progress& progress) {
     checkpoint_at(model, here(progress));
   }
-  /// Last frame, closing table, checkpoint, summary. last_words: a line above the
-  /// table, none: empty. A run that goes on from there begins before all of that.
+  /// Last frame, closing table, checkpoint, summary. A run that goes on from there
+  /// begins before all of that.
   void close(const Model& model, output::RunReport report,
-             const output::Progress& progress, const std::string& last_words);
+             const output::Progress& progress);
 
   /// What was put aside, in words, if it belongs to another deck; else empty.
   const std::string& put_aside() const { return put_aside_; }

@@ -30,7 +30,16 @@ TEST(RunAudit, ChangesNoBit) {
   EXPECT_EQ(audit["acting"], 2 * (audit["moments"].get<long>() - 1));
   EXPECT_EQ(audit["wrong_decisions"], 0);
   EXPECT_EQ(audit["missed_pairs"], 0);
-  EXPECT_THAT(slurp(folder / "audited.out"), HasSubstr("audit every 50 steps: "));
+  // a run that is stopped and goes on leaves the same listing
+  folder.write("resumed.deck", pair_of_squares + "MOTION, 0.4\nSTOP\n");
+  ASSERT_EQ(blocks("run resumed.deck --audit=50 --stop-after 77", folder.path()).code,
+            75);
+  run_text(folder, "resumed", pair_of_squares + "MOTION, 0.4\nSTOP\n",
+           "--audit=50 --restart resumed.ckpt.h5");
+  std::string listing = slurp(folder / "resumed.out");
+  for (std::size_t at = 0; (at = listing.find("resumed", at)) != std::string::npos;)
+    listing.replace(at, 7, "audited");
+  EXPECT_EQ(listing, slurp(folder / "audited.out"));
 }
 
 // Blocks in flight and rubble, as a shipped deck makes them.
