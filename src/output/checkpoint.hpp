@@ -30,7 +30,7 @@ struct Progress {
 struct CheckpointInfo {
   std::string deck_file;  ///< deck that wrote it
   std::string deck_text;
-  std::string overrides;    ///< --set options of that run, a line each
+  std::string overrides;    ///< --set options and sums of meshes, a line each
   std::string results;      ///< results file that belongs to it
   std::string results_run;  ///< run_id of that file
   long results_frames = 0;  ///< its frames at this moment

@@ -20,7 +20,7 @@ class FileError : public std::runtime_error {
 struct RunIdentity {
   std::string deck_file, deck_text, title, version;
   unsigned long long seed = 0;
-  std::string overrides = {};  ///< --set options, a line each
+  std::string overrides = {};  ///< --set options and sums of meshes, a line each
 
   /// The deck as a person knows it: name of its file, title.
   std::string deck_name() const;

@@ -30,6 +30,7 @@ struct Job {
       : options(given), text(read_deck(given.deck)),
         diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
         deck(deck::parse(given.deck, text, diagnostics, given.overrides)),
+        meshes(mesh_sums(deck, deck_folder(given.deck), given.tape9)),
         name(output_name(given.deck, given.output)) {}
 
   BuildOptions build_options() const {
@@ -54,13 +55,10 @@ struct Job {
       lines += fmt::format("{}.{}={}\n", set.card, set.field, set.value);
     return lines;
   }
-  std::string meshes() const {
-    return mesh_sums(deck, deck_folder(options.deck), options.tape9);
-  }
   output::RunIdentity identity(const Model& model) const {
     return {diagnostics.file(),   text,
             model.settings.title, BLOCKS_VERSION,
-            model.settings.seed,  overrides() + meshes()};
+            model.settings.seed,  overrides() + meshes};
   }
 
   /// Loads the checkpoint of a RESTART deck, or of this very deck stopped before.
@@ -76,6 +74,7 @@ struct Job {
   std::string text;
   deck::Diagnostics diagnostics;
   deck::Deck deck;
+  std::string meshes;  ///< their sums, which a restart compares
   std::string name;
   SharedCertificate certificate;  ///< of all blocks, by the check
   output::CheckpointInfo from;    ///< once loaded
@@ -119,10 +118,10 @@ Model Job::load() {
   if (!resumes)
     return model;
   const std::string sets = overrides();
-  if (from.overrides != sets + meshes() && from.overrides.starts_with(sets) &&
+  if (from.overrides != sets + meshes && from.overrides.starts_with(sets) &&
       from.overrides.substr(sets.size()).starts_with("READ9 "))
     refuse("a mesh that READ9 reads is not the one it was");
-  if (from.overrides != sets + meshes())
+  if (from.overrides != sets + meshes)
     refuse(from.overrides.empty()
                ? "it was written without --set options"
                : "it was written with other --set options, one a line:\n" +
