@@ -312,10 +312,9 @@ void Builder::check_room(const Command& command) {
       tolerance_.value_or(command.where), tolerance_ ? "BOXES" : command.name,
       fmt::format("with ctol = {:g} some {:.2g} pairs of blocks are near each other",
                   ctol, list.pairs),
-      fmt::format(
-          "their contacts take about {:.2g} GB, this machine has {:.2g}; ctol is "
-          "a small part of a block",
-          list.bytes / gigabyte, memory / gigabyte));
+      fmt::format("their contacts take about {:.2g} GB, this machine has {:.2g} for "
+                  "all of the run; ctol is a small part of a block",
+                  list.bytes / gigabyte, memory / gigabyte));
 }
 
 void Builder::begin_to_move(SharedCertificate certificate) {
