@@ -12,9 +12,9 @@ namespace blocks::dynamics {
 
 Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
                            ContactGroups& groups, const Settings& settings, double dt,
-                           Workers& workers, Profile* profile) {
+                           bool readings, Workers& workers, Profile* profile) {
   return evaluate_contacts_by<ExactRules>(blocks, contacts, groups, settings, dt,
-                                          workers, profile);
+                                          readings, workers, profile);
 }
 
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

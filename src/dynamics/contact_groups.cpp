@@ -1,6 +1,7 @@
 #include "dynamics/contact_groups.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -33,7 +34,7 @@ void find_pairs(const Contacts& contacts, ContactGroups& groups) {
     const auto [low, high] = pair(g);
     if (groups.pairs.empty() || groups.pairs.back().low != low ||
         groups.pairs.back().high != high)
-      groups.pairs.push_back({low, high, g, g, 0.0});
+      groups.pairs.push_back({.low = low, .high = high, .first = g, .last = g});
     groups.pairs.back().last = g + 1;
   }
 }
@@ -138,7 +139,7 @@ double Swing::reshaped(int b, const Eigen::Vector4d& since) const {
 namespace {
 
 /// How it is known whether the group's contact acts.
-double rule_of(const ContactGroup& group) {
+signed char rule_of(const ContactGroup& group) {
   return group.record < 0 ? idle : group.certain() ? by_sign : decided;
 }
 
@@ -148,54 +149,32 @@ bool acted(const Contacts& contacts, const ContactGroup& group) {
                      contacts.active.begin() + group.last(), [](char a) { return a; });
 }
 
-/// Which lanes act on each block. The list is ordered by the lower block of each pair.
-void sort_by_block(int blocks, const Contacts& contacts, ContactGroups& groups) {
-  const auto each = [&](const auto& tell) {
-    for (int lane = 0; lane < groups.lanes.size(); ++lane)
-      tell(lane, pair_of(contacts, groups.all[groups.group[lane]].first));
-  };
-  std::vector<int>&low = groups.low_lanes, &high = groups.high_lanes;
-  low.assign(blocks + 1, 0);
-  high.assign(blocks + 1, 0);
-  each([&](int, const auto& pair) { ++low[pair.first + 1], ++high[pair.second + 1]; });
-  std::partial_sum(low.begin(), low.end(), low.begin());
-  std::partial_sum(high.begin(), high.end(), high.begin());
-  groups.high_lane.resize(groups.lanes.size());
-  each([&](int lane, const auto& pair) {
-    groups.high_lane[high[pair.second]++] = lane;
-  });
-  // each was moved on to where the next begins
-  std::move_backward(high.begin(), high.end() - 1, high.end());
-  high[0] = 0;
-}
-
 }  // namespace
 
-bool ContactGroups::keep_lane(int g) {
-  const int lane = lane_of[g];
-  if (lane < 0 || record[lane] != all[g].record)
+bool ContactGroups::keep_seat(int g) {
+  const int seat = seat_of[g];
+  if (seat < 0 || record[seat] != all[g].record)
     return false;
-  lanes.at(lane, &LanePlaces::rule) = rule_of(all[g]);
+  lanes.at(seat, &SlotPlaces::rule) = rule_of(all[g]);
   return true;
 }
 
-bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int g,
+bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int g,
                              int i, const HeldSpring& spring) {
   const ContactGroup& known = all[g];
-  const int lane = lane_of[g];
-  if (lane < 0)
+  const int seat = seat_of[g];
+  if (seat < 0)
     return i < 0;
   const int e = contacts.edge[std::max(i, known.first)];
-  record[lane] = i;
-  group[lane] = g;
-  const int set = lane / lane_count, k = lane % lane_count;
-  LanePlaces& places = lanes.places[set];
-  LaneSprings& springs = lanes.springs[set];
+  record[seat] = i;
+  group[seat] = g;
+  const int slot = seat / lane_count, k = seat % lane_count;
+  SlotPlaces& places = lanes.places[slot];
+  SlotSprings& springs = lanes.springs[slot];
   places.corner[k] = contacts.corner[known.first];
   places.edge[k] = e;
   places.edge_end[k] = blocks.next[e];
-  places.corner_block[k] = contacts.corner_block[known.first];
-  places.edge_block[k] = known.edge_block;
+  places.flip[k] = known.edge_block < contacts.corner_block[known.first] ? 1 : 0;
   places.rule[k] = rule_of(known);
   places.touch[k] = spring.record >= 0 ? in_touch : apart;
   springs.normal_elastic[k] = spring.normal;
@@ -203,11 +182,11 @@ bool ContactGroups::set_lane(const Blocks& blocks, const Contacts& contacts, int
   return true;
 }
 
-HeldSpring ContactGroups::held(int lane) const {
-  if (record[lane] < 0 || lanes.at(lane, &LanePlaces::touch) == apart)
+HeldSpring ContactGroups::held(int seat) const {
+  if (record[seat] < 0 || lanes.at(seat, &SlotPlaces::touch) == apart)
     return {};
-  return {record[lane], lanes.at(lane, &LaneSprings::normal_elastic),
-          lanes.at(lane, &LaneSprings::shear_elastic)};
+  return {record[seat], lanes.at(seat, &SlotSprings::normal_elastic),
+          lanes.at(seat, &SlotSprings::shear_elastic)};
 }
 
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {
@@ -251,33 +230,35 @@ void ContactGroups::forget_decisions() {
 
 void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
                          const Settings& settings) {
-  const int count = lanes.size();
-  for (int lane = 0; lane < count; ++lane) {
-    const ContactGroup& known = all[group[lane]];
-    set_lane(blocks, contacts, group[lane], known.record, {});
-    lanes.at(lane, &LaneSprings::damping) = contact_damping(
-        settings, blocks, contacts.corner_block[known.first], known.edge_block);
+  for (int set = 0; set < lanes.sets(); ++set) {
+    LanePairs& two = lanes.pairs[set];
+    for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
+      two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
   }
-  int lane = 0;
+  const int count = static_cast<int>(all.size());
+  for (int g = 0; g < count; ++g)
+    if (seat_of[g] >= 0)
+      set_seat(blocks, contacts, g, all[g].record, {});
+  int g = 0;
   for (const ActingContact& contact : contacts.acting) {
     const int i = contact.record;
-    while (all[group[lane]].last() <= i)
-      ++lane;
-    // a notch has two lanes; nothing is decided yet in those of a new list
-    const int last = lane + all[group[lane]].reentrant;
+    while (all[g].last() <= i)
+      ++g;
+    // a notch has two seats; nothing is decided yet in those of a new list
     const auto wanted = [&](int number) {
-      const auto begin = record.begin() + lane, end = record.begin() + last + 1;
-      const auto found = std::find(begin, end, number);
-      return found == end ? -1 : static_cast<int>(found - record.begin());
+      for (int of = g; of <= g + static_cast<int>(all[g].reentrant); ++of)
+        if (record[seat_of[of]] == number)
+          return of;
+      return -1;
     };
     int own = wanted(i);
     if (own < 0)
       own = wanted(-1);
     if (own >= 0)
-      set_lane(blocks, contacts, group[own], i,
+      set_seat(blocks, contacts, own, i,
                {i, contact.normal_elastic, contact.shear_elastic});
     else if (contact.normal_elastic > 0.0)
-      lost.push_back({group[lane], i, contact.normal_elastic, contact.shear_elastic});
+      lost.push_back({g, i, contact.normal_elastic, contact.shear_elastic});
   }
   loaded = true;
 }
@@ -288,16 +269,22 @@ void ContactGroups::store(Contacts& contacts) {
   for (const ActingContact& before : contacts.acting)
     contacts.active[before.record] = 0;
   contacts.acting.clear();
-  for (int lane = 0; lane < lanes.size(); ++lane) {
-    const HeldSpring spring = held(lane);
+  for (const int seat : seat_of) {
+    if (seat < 0)
+      continue;
+    const HeldSpring spring = held(seat);
     if (spring.record < 0)
       continue;
     contacts.active[spring.record] = 1;
-    contacts.acting.push_back({spring.record, spring.normal, spring.shear,
-                               lanes.at(lane, &LaneReadings::normal_force),
-                               lanes.at(lane, &LaneReadings::shear_force),
-                               lanes.at(lane, &LaneReadings::overlap)});
-    // the two lanes of a notch hold records of the same range
+    ActingContact& contact = contacts.acting.emplace_back();
+    contact.record = spring.record;
+    contact.normal_elastic = spring.normal, contact.shear_elastic = spring.shear;
+    if (readings) {
+      contact.normal_force = lanes.at(seat, &SlotReadings::normal_force);
+      contact.shear_force = lanes.at(seat, &SlotReadings::shear_force);
+      contact.overlap = lanes.at(seat, &SlotReadings::overlap);
+    }
+    // the two seats of a notch hold records of the same range
     if (auto last = contacts.acting.end() - 1;
         last != contacts.acting.begin() && last->record < (last - 1)->record)
       std::iter_swap(last, last - 1);
@@ -308,15 +295,13 @@ void ContactGroups::store(Contacts& contacts) {
 void ContactGroups::join_shares() {
   for (Share& share : shares) {
     lost.insert(lost.end(), share.lost.begin(), share.lost.end());
-    lanes_complete = lanes_complete && share.lanes_complete;
+    seats_complete = seats_complete && share.seats_complete;
     share.lost.clear();
-    share.lanes_complete = true;
+    share.seats_complete = true;
   }
 }
 
 void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
-  group.clear();
-  const int count = static_cast<int>(all.size());
   // not at first, for most of those who are near in a wall at rest never act
   const double soon = times_made > 1 ? 2.0 * (swing.travel - made_at) : 0.0;
   ++times_made;
@@ -324,40 +309,105 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   const auto may_act_soon = [&](const ContactGroup& one) {
     return one.certain() ? one.lasts() < soon : soon > 0.0 && one.hopeless > 0;
   };
-  const auto wants = [&](int g) {
-    // who had a lane keeps it: it may want it again
-    return lane_of[g] >= 0 || all[g].record >= 0 || acted(contacts, all[g]) ||
-           may_act_soon(all[g]);
-  };
-  for (int g = 0; g < count; ++g) {
+  // who had a seat keeps it: it may want it again
+  for (int g = 0; const ContactGroup& one : all) {
+    const bool wants =
+        seat_of[g] >= 0 || one.record >= 0 || acted(contacts, one) || may_act_soon(one);
+    seat_of[g] = wants ? 0 : -1;
     // of a notch both or none: a spring may pass from one to the other
-    const int first = g - all[g].of_notch;
-    if (!wants(first) && !(all[first].reentrant && wants(first + 1)))
-      continue;
-    lane_of[g] = static_cast<int>(group.size());
-    group.push_back(g);
+    if (one.of_notch && seat_of[g] != seat_of[g - 1])
+      seat_of[g] = seat_of[g - 1] = 0;
+    ++g;
   }
-  lanes.resize(static_cast<int>(group.size()));
-  record.assign(group.size(), -1);
-  sort_by_block(blocks, contacts, *this);
-  lanes_complete = true;
+  lanes.clear();
+  const int count = static_cast<int>(pairs.size());
+  for (int first = 0; first < count; first += pairs_of_window)
+    seat_window(first, std::min(count, first + pairs_of_window));
+  const auto each = [&](const auto& tell) {
+    for (const ContactPair& pair : pairs)
+      if (pair.lane >= 0)
+        tell(pair);
+  };
+  lows.sort(blocks, [&](const auto& tell) {
+    each([&](const ContactPair& pair) { tell(pair.low, pair.lane); });
+  });
+  highs.sort(blocks, [&](const auto& tell) {
+    each([&](const ContactPair& pair) { tell(pair.high, pair.lane); });
+  });
+  seats_complete = true;
 }
+
+void ContactGroups::seat_window(int first, int last) {
+  struct Wish {
+    int contacts, pair;
+  };
+  std::array<Wish, pairs_of_window> wishes;
+  int count = 0;
+  for (int p = first; p < last; ++p) {
+    const auto begin = seat_of.begin() + pairs[p].first;
+    const auto wants = std::count(begin, seat_of.begin() + pairs[p].last, 0);
+    pairs[p].lane = -1;
+    if (wants > 0)
+      wishes[count++] = {static_cast<int>(wants), p};
+  }
+  std::sort(wishes.begin(), wishes.begin() + count, [](const Wish& l, const Wish& r) {
+    return l.contacts != r.contacts ? l.contacts > r.contacts : l.pair < r.pair;
+  });
+  for (int i = 0; i < count; ++i) {
+    ContactPair& pair = pairs[wishes[i].pair];
+    const int k = i % lane_count;
+    if (k == 0)
+      lanes.add_set(wishes[i].contacts);
+    const int set = lanes.sets() - 1;
+    group.resize(lanes.slots() * lane_count, -1);
+    record.resize(group.size(), -1);
+    lanes.pairs[set].low[k] = pair.low, lanes.pairs[set].high[k] = pair.high;
+    pair.lane = set * lane_count + k;
+    int seat = lanes.pairs[set].first_slot * lane_count + k;
+    for (int g = pair.first; g < pair.last; ++g)
+      if (seat_of[g] >= 0)
+        seat_of[g] = std::exchange(seat, seat + lane_count);
+  }
+}
+
+namespace {
+
+/// Memory for the case that all groups act.
+void reserve_lanes(ContactGroups& groups) {
+  int sets = 0, slots = 0;
+  const int count = static_cast<int>(groups.pairs.size());
+  for (int first = 0; first < count; first += pairs_of_window) {
+    const int last = std::min(count, first + pairs_of_window);
+    int sum = 0, most = 0;
+    for (int p = first; p < last; ++p) {
+      const int own = groups.pairs[p].last - groups.pairs[p].first;
+      sum += own, most = std::max(most, own);
+    }
+    // by size: no set but the first has more slots than each pair of that before
+    sets += (last - first + lane_count - 1) / lane_count;
+    slots += sum / lane_count + most;
+  }
+  groups.lanes.reserve(sets, slots);
+  for (std::vector<int>* row : {&groups.group, &groups.record})
+    row->reserve(static_cast<std::size_t>(slots) * lane_count);
+  for (LanesOfBlocks* of : {&groups.lows, &groups.highs})
+    of->lane.reserve(groups.pairs.size());
+}
+
+}  // namespace
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone, int threads) {
   find_groups(blocks, contacts, each_alone, groups);
   find_pairs(contacts, groups);
   sort_by_corner(blocks, contacts, groups);
-  groups.lane_of.assign(groups.all.size(), -1);
+  groups.seat_of.assign(groups.all.size(), -1);
   groups.watch.clear();
   for (const ContactPair& pair : groups.pairs)
     groups.watch.push_back({0.0, pair.low, pair.high});
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
-  const std::size_t most = groups.all.size();
-  groups.lanes.reserve(static_cast<int>(most));
-  for (std::vector<int>* row : {&groups.group, &groups.record, &groups.high_lane})
-    row->clear(), row->reserve(most);
+  reserve_lanes(groups);
   groups.times_made = 0;
   groups.loaded = false;
   groups.lost.clear();

@@ -85,6 +85,7 @@ inline float rounded_down(double travel) {
 struct ContactPair {
   int low = 0, high = 0;    ///< the two blocks
   int first = 0, last = 0;  ///< groups
+  int lane = -1;            ///< of its contacts that have seats (ContactLanes)
   double certain = 0.0;     ///< [L] until the first of its groups has to be decided
 };
 
@@ -105,11 +106,15 @@ struct PairWatch {
   int low = 0, high = 0;
 };
 
+/// Pairs with as many contacts share a set of lanes where they are of so many in the
+/// list: the blocks of a set are near each other in the memory.
+inline constexpr int pairs_of_window = 256;
+
 /// So many pairs have one limit together: none of their watches is due while the travel
 /// (Swing) is less.
 inline constexpr int pairs_of_round = 8;
 
-/// The spring of a lane that acts.
+/// The spring of a seat whose contact acts.
 struct HeldSpring {
   int record = -1;                   ///< -1: it does not act
   double normal = 0.0, shear = 0.0;  ///< [F] FN, FS
@@ -131,6 +136,27 @@ struct Extremes {
   }
 };
 
+/// Which lanes act on each block, block after block, in the order of the list.
+struct LanesOfBlocks {
+  std::vector<int> first;  ///< (blocks + 1) where those of a block begin
+  std::vector<int> lane;
+
+  /// Makes them of the `count` pairs of which each(tell) tells block and lane, in
+  /// order; asked twice.
+  template <class Each> void sort(int blocks, const Each& each) {
+    first.assign(blocks + 1, 0);
+    int count = 0;
+    each([&](int block, int) { ++first[block + 1], ++count; });
+    for (int b = 0; b < blocks; ++b)
+      first[b + 1] += first[b];
+    lane.resize(count);
+    each([&](int block, int of) { lane[first[block]++] = of; });
+    // each was moved on to where the next begins
+    std::move_backward(first.begin(), first.end() - 1, first.end());
+    first[0] = 0;
+  }
+};
+
 /// The groups of a list, and what passes between them. Working state between searches:
 /// not part of the model, and without influence on results.
 struct ContactGroups {
@@ -144,28 +170,25 @@ struct ContactGroups {
   std::vector<int>
       first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
 
-  // What acts, or is a candidate to, one to a lane, in the order of the groups. Between
-  // load() and store() the list does not know what acts.
+  // What acts, or is a candidate to, has a seat (ContactLanes), those of a pair in the
+  // order of the list. Between load() and store() the list does not know what acts.
   ContactLanes lanes;
-  std::vector<int> record;     ///< (lanes) -1: none any more
-  std::vector<int> group;      ///< (lanes) index into `all`
-  std::vector<int> lane_of;    ///< (groups) -1: none
-  std::vector<int> low_lanes;  ///< (blocks + 1) where those of which a block is the
-                               ///< lower one begin; they stand side by side
-  std::vector<int>
-      high_lane;  ///< lanes of which it is the higher one, block after block
-  std::vector<int> high_lanes;  ///< (blocks + 1) where a block's begin in high_lane
-  bool lanes_complete = false;  ///< no group lacks a lane
+  std::vector<int> seat_of;     ///< (groups) -1: none
+  std::vector<int> group;       ///< (seats) index into `all`, -1: empty
+  std::vector<int> record;      ///< (seats) -1: none any more
+  LanesOfBlocks lows, highs;    ///< lanes of which a block is the lower, the higher one
+  bool seats_complete = false;  ///< no group lacks a seat
   int times_made = 0;           ///< lanes, of this list
   double made_at = 0.0;         ///< [L] the travel (Swing) when they were made last
   bool loaded = false;          ///< the lanes hold what the list does not know
+  bool readings = false;        ///< and forces and overlaps of the last step
 
   std::vector<LostForce> lost;  ///< in this step
   Swing swing;                  ///< of the blocks since the groups were made
   /// What one thread finds.
   struct Share {
     std::vector<LostForce> lost;
-    bool lanes_complete = true;
+    bool seats_complete = true;
     Extremes extremes;
     unsigned long long exact_calls = 0;
   };
@@ -173,18 +196,18 @@ struct ContactGroups {
 
   /// All decisions have to be renewed.
   void forget_decisions();
-  /// Calls tell(lane, low) for each lane that acts on block b, in the order of the
+  /// Calls tell(lane, is_low) for each lane that acts on block b, in the order of the
   /// list.
   template <class Tell> void each_lane_of(int b, const Tell& tell) const {
-    for (int k = high_lanes[b]; k < high_lanes[b + 1]; ++k)
-      tell(high_lane[k], false);
-    for (int lane = low_lanes[b]; lane < low_lanes[b + 1]; ++lane)
-      tell(lane, true);
+    for (int k = highs.first[b]; k < highs.first[b + 1]; ++k)
+      tell(static_cast<unsigned>(highs.lane[k]), false);
+    for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
+      tell(static_cast<unsigned>(lows.lane[k]), true);
   }
-  /// The lane of the group's contact that acts in this step, or -1.
+  /// The seat of the group's contact that acts in this step, or -1.
   int acting(int g) const {
-    const int lane = lane_of[g];
-    return lane >= 0 && lanes.at(lane, &LanePlaces::touch) != apart ? lane : -1;
+    const int seat = seat_of[g];
+    return seat >= 0 && lanes.at(seat, &SlotPlaces::touch) != apart ? seat : -1;
   }
   /// Certainty of a pair counts from here on.
   void take_pose(const Blocks& blocks, int pair);
@@ -195,21 +218,26 @@ struct ContactGroups {
   double relative_motion(const Blocks& blocks, int pair) const;
   /// Springs from the list to the lanes, and the dashpots.
   void load(const Blocks& blocks, const Contacts& contacts, const Settings& settings);
-  /// Springs, forces and overlaps from the lanes to the list.
+  /// Springs, forces and overlaps from the lanes to the list. Without readings of the
+  /// last step forces and overlaps are 0.
   void store(Contacts& contacts);
-  HeldSpring held(int lane) const;
-  /// Puts record i of group g, or none (-1), and its spring into the lane of the group.
+  HeldSpring held(int seat) const;
+  /// Puts record i of group g, or none (-1), and its spring into the seat of the group.
   /// False: it has none.
-  bool set_lane(const Blocks& blocks, const Contacts& contacts, int g, int i,
+  bool set_seat(const Blocks& blocks, const Contacts& contacts, int g, int i,
                 const HeldSpring& spring);
-  /// The same where its lane holds that very record, or none, already: what is in it
+  /// The same where its seat holds that very record, or none, already: what is in it
   /// stays. False: it does not.
-  bool keep_lane(int g);
+  bool keep_seat(int g);
   /// Makes one of what the threads found.
   void join_shares();
-  /// A lane for each group that has one, acts or may act; from the third time on also
-  /// for those that may act as soon again as lanes have run out.
+  /// A seat for each group that has one, acts or may act; from the third time on also
+  /// for those that may act as soon again as seats have run out.
   void make_lanes(int blocks, const Contacts& contacts);
+
+ private:
+  /// For those of pairs first .. last - 1 whose seat_of is not -1.
+  void seat_window(int first, int last);
 };
 
 /// Splits the list into its groups and pairs, all to be decided. each_alone: one record

@@ -32,22 +32,23 @@ class Heir {
     for (const int way : {-1, 1})
       for (int g = lost_.group + way;
            g >= 0 && g < count && same_pair(groups_.all[g].first); g += way)
-        if (const int lane = groups_.acting(g); lane >= 0 && cosine(lane) > 0.95)
+        if (const int seat = groups_.acting(g); seat >= 0 && cosine(seat) > 0.95)
           consider(g);
   }
 
-  /// Its lane, or -1.
-  int lane() const { return heir_; }
+  /// Its seat, or -1.
+  int seat() const { return heir_; }
   double normal() const { return normal_; }
   double shear() const { return cosine(heir_) * lost_.shear; }
 
  private:
-  /// Of the angle between the old edge and the lane's; the edges of two blocks run in
+  /// Of the angle between the old edge and the seat's; the edges of two blocks run in
   /// opposite senses.
-  double cosine(int lane) const {
-    const double c = along_.dot(unit_along(lanes_.at(lane, &LanePlaces::edge),
-                                           lanes_.at(lane, &LanePlaces::edge_end)));
-    return lanes_.at(lane, &LanePlaces::corner_block) == blocks_.corner_block[corner_]
+  double cosine(int seat) const {
+    const double c = along_.dot(unit_along(lanes_.at(seat, &SlotPlaces::edge),
+                                           lanes_.at(seat, &SlotPlaces::edge_end)));
+    return blocks_.corner_block[lanes_.at(seat, &SlotPlaces::corner)] ==
+                   blocks_.corner_block[corner_]
                ? c
                : -c;
   }
@@ -59,23 +60,23 @@ class Heir {
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 unit_along(int p1, int p2) const { return (at(p2) - at(p1)).normalized(); }
-  double overlap(int lane) const {
-    const int p1 = lanes_.at(lane, &LanePlaces::edge),
-              p2 = lanes_.at(lane, &LanePlaces::edge_end);
+  double overlap(int seat) const {
+    const int p1 = lanes_.at(seat, &SlotPlaces::edge),
+              p2 = lanes_.at(seat, &SlotPlaces::edge_end);
     return std::max(0.0,
-                    geometry::cross(at(lanes_.at(lane, &LanePlaces::corner)) - at(p1),
+                    geometry::cross(at(lanes_.at(seat, &SlotPlaces::corner)) - at(p1),
                                     unit_along(p1, p2)));
   }
   void consider(int g) {
-    const int lane = groups_.acting(g);
-    if (lane < 0)
+    const int seat = groups_.acting(g);
+    if (seat < 0)
       return;
-    const double own = lanes_.at(lane, &LaneSprings::normal_elastic);
-    const double handed = std::max(0.0, cosine(lane)) * lost_.normal;
+    const double own = lanes_.at(seat, &SlotSprings::normal_elastic);
+    const double handed = std::max(0.0, cosine(seat)) * lost_.normal;
     const double both =
-        std::min(std::sqrt(handed * handed + own * own), stiffness_ * overlap(lane));
+        std::min(std::sqrt(handed * handed + own * own), stiffness_ * overlap(seat));
     if (both - own > gain_)
-      heir_ = lane, normal_ = both, gain_ = both - own;
+      heir_ = seat, normal_ = both, gain_ = both - own;
   }
 
   const Blocks& blocks_;
@@ -102,13 +103,13 @@ void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& gr
     Heir heir(blocks, contacts, groups, lost, normal_stiffness);
     heir.look_at_corner();
     heir.look_at_pair();
-    const int lane = heir.lane();
-    if (lane < 0)
+    const int seat = heir.seat();
+    if (seat < 0)
       continue;
-    lanes.at(lane, &LanePlaces::touch) = starting;  // anew, with what it was handed
-    lanes.at(lane, &LaneSprings::normal_elastic) = heir.normal();
-    if (lanes.at(lane, &LaneSprings::shear_elastic) == 0.0)
-      lanes.at(lane, &LaneSprings::shear_elastic) = heir.shear();
+    lanes.at(seat, &SlotPlaces::touch) = starting;  // anew, with what it was handed
+    lanes.at(seat, &SlotSprings::normal_elastic) = heir.normal();
+    if (lanes.at(seat, &SlotSprings::shear_elastic) == 0.0)
+      lanes.at(seat, &SlotSprings::shear_elastic) = heir.shear();
   }
   groups.lost.clear();
 }

@@ -7,37 +7,43 @@
 
 namespace blocks::dynamics {
 
-void ContactLanes::reserve(int lanes) {
-  const int room = (lanes + lane_count - 1) / lane_count;
-  if (room <= room_)
-    return;
-  const auto make = [room]<class Part>(std::unique_ptr<Part[]>& own, Part*& part) {
+void ContactLanes::reserve(int sets, int slots) {
+  const auto make = []<class Part>(int room, std::unique_ptr<Part[]>& own,
+                                   Part*& part) {
     own.reset();  // not beside the new ones
     own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(room));
     part = own.get();
   };
-  size_ = room_ = 0;
-  make(own_places_, places);
-  make(own_springs_, springs);
-  make(own_forces_, forces);
-  make(own_readings_, readings);
-  room_ = room;
+  if (sets > room_for_sets_) {
+    make(sets, own_pairs_, pairs);
+    make(sets, own_forces_, forces);
+    make(sets, own_stresses_, stresses);
+    room_for_sets_ = sets;
+  }
+  if (slots > room_for_slots_) {
+    make(slots, own_places_, places);
+    make(slots, own_springs_, springs);
+    make(slots, own_readings_, readings);
+    room_for_slots_ = slots;
+  }
 }
 
-void ContactLanes::resize(int size) {
-  reserve(size);
-  size_ = size;
-  std::fill_n(places, sets(), LanePlaces{});
-  std::fill_n(springs, sets(), LaneSprings{});
-  std::fill_n(forces, sets(), LaneForces{});
-  std::fill_n(readings, sets(), LaneReadings{});
+int ContactLanes::add_set(int slots) {
+  pairs[sets_] = LanePairs{};
+  pairs[sets_].first_slot = slots_;
+  pairs[sets_].slots = slots;
+  forces[sets_] = PairForces{};
+  std::fill_n(places + slots_, slots, SlotPlaces{});
+  std::fill_n(springs + slots_, slots, SlotSprings{});
+  slots_ += slots;
+  return sets_++;
 }
 
 #define BLOCKS_DECLARE_LANES(name)                                                     \
   namespace name {                                                                     \
   void find_touching(const LaneSets&, const BlockRows&, int, int);                     \
-  LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, int,    \
-                   int);                                                               \
+  LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, bool,   \
+                   int, int);                                                          \
   constexpr LaneArithmetic arithmetic = {#name, find_touching, act};                   \
   }
 BLOCKS_DECLARE_LANES(baseline)

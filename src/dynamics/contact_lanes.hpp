@@ -1,6 +1,6 @@
-// The contacts that may act, one to a SIMD lane: where they stand, and plain arithmetic
-// on them, compiled for each instruction set that the processor may have. No fused
-// multiply-add, no reassociation: every set gives the same bits
+// Pairs of blocks whose contacts may act, one pair to a SIMD lane: where they stand,
+// and plain arithmetic on them, compiled for each instruction set that the processor
+// may have. No fused multiply-add, no reassociation: every set gives the same bits
 // (tests/dynamics/contact_lanes_test.cpp).
 #pragma once
 
@@ -15,84 +15,98 @@ namespace blocks::dynamics {
 /// Lanes are handled in sets of so many: one register of AVX-512, two of AVX2.
 inline constexpr int lane_count = 8;
 
-/// How it is known whether the contact in a lane acts.
-inline constexpr double idle = 0.0,  ///< it does not
-    by_sign = 1.0,                   ///< if the corner is inside the edge, (19)
-    decided = 2.0;                   ///< it does
+/// How it is known whether a contact acts.
+inline constexpr signed char idle = 0,  ///< it does not
+    by_sign = 1,                        ///< if the corner is inside the edge, (19)
+    decided = 2;                        ///< it does
 /// Whether it does in this step.
-inline constexpr double apart = 0.0, in_touch = 1.0,
-                        starting =
-                            2.0;  ///< it did not in the step before, or took over
+inline constexpr signed char apart = 0, in_touch = 1,
+                             starting =
+                                 2;  ///< it did not in the step before, or took over
 
-/// A property of the contacts of a set.
+/// A number of each lane of a set.
 template <class Number> using LaneRow = Number[lane_count];
 
-/// What contacts are. Side a is the corner's block, side b the edge's.
-struct alignas(64) LanePlaces {
-  LaneRow<double> rule;                 ///< idle, by_sign, decided
-  LaneRow<double> touch;                ///< apart, in_touch, starting
+/// The pairs of a set: in each lane two blocks, low and high by number.
+struct alignas(64) LanePairs {
+  LaneRow<int> low, high;
+  LaneRow<double> damping;  ///< [F T/L] C of (18), one for all contacts of a pair
+  int first_slot, slots;    ///< the contacts of the set
+  int look;                 ///< 1: a sign is in doubt, or a spring has lost its contact
+};
+/// A slot: one contact of each pair of a set.
+struct alignas(64) SlotPlaces {
   LaneRow<int> corner, edge, edge_end;  ///< corners of the model
-  LaneRow<int> corner_block, edge_block;
-  int look;  ///< 1: a sign is in doubt, or a spring has lost its contact
+  LaneRow<signed char> rule, touch,
+      flip;  ///< flip: 1 the edge is the low block's, or 0
 };
 /// What is kept from step to step.
-struct alignas(64) LaneSprings {
+struct alignas(64) SlotSprings {
   LaneRow<double> normal_elastic, shear_elastic;  ///< [F]
-  LaneRow<double> damping;                        ///< [F T/L] C of (18)
 };
-/// What blocks feel in a step; low and high are the two by number.
-struct alignas(64) LaneForces {
-  LaneRow<double> fx, fy;                   ///< [F] on the low block, 0 where apart
+/// What the contacts of a pair do to its blocks in a step.
+struct alignas(64) PairForces {
+  LaneRow<double> fx, fy;                   ///< [F] on the low block
   LaneRow<double> moment_low, moment_high;  ///< [F L]
 };
+/// Sums of f_i x_j, arms from the two centroids, [F L]: 11, 12, 21, 22 of both blocks.
+struct alignas(64) PairStresses {
+  LaneRow<double> low[4], high[4];
+};
 /// What else a step finds, for whoever reads the model.
-struct alignas(64) LaneReadings {
-  LaneRow<double> low_x, low_y, high_x, high_y;  ///< [L] arms from the two centroids
-  LaneRow<double> overlap;                       ///< [L] >= 0
-  LaneRow<double> normal_force, shear_force;     ///< [F] 0 where apart
+struct alignas(64) SlotReadings {
+  LaneRow<double> overlap;                    ///< [L] >= 0
+  LaneRow<double> normal_force, shear_force;  ///< [F] 0 where apart
 };
 
-/// All sets. What one computation needs stands side by side in the memory.
+/// All sets and slots. What one computation needs stands side by side in the memory.
 struct LaneSets {
-  LanePlaces* places = nullptr;
-  LaneSprings* springs = nullptr;
-  LaneForces* forces = nullptr;
-  LaneReadings* readings = nullptr;
+  LanePairs* pairs = nullptr;
+  PairForces* forces = nullptr;
+  PairStresses* stresses = nullptr;
+  SlotPlaces* places = nullptr;
+  SlotSprings* springs = nullptr;
+  SlotReadings* readings = nullptr;
 };
 
-/// The sets and their memory.
+/// The sets and their memory. Pair k of a set has the lane 8 set + k, its contact in a
+/// slot the seat 8 slot + k.
 class ContactLanes : public LaneSets {
  public:
-  int size() const { return size_; }
-  int sets() const { return (size_ + lane_count - 1) / lane_count; }
-  /// Memory for so many lanes, which is not touched before it is used.
-  void reserve(int lanes);
-  /// So many lanes of those, all idle.
-  void resize(int size);
+  int sets() const { return sets_; }
+  int slots() const { return slots_; }
+  /// Memory for so many, which is not touched before it is used.
+  void reserve(int sets, int slots);
+  /// None.
+  void clear() { sets_ = slots_ = 0; }
+  /// One set more, with so many slots: all of them idle. Its number.
+  int add_set(int slots);
 
-  /// A number of one lane: at(lane, &LaneReadings::overlap).
+  /// A number of one lane or seat: at(seat, &SlotPlaces::corner).
   template <class Part, class Number>
-  Number& at(int lane, LaneRow<Number> Part::*row) const {
-    return (part(static_cast<Part*>(nullptr))[lane / lane_count].*
-            row)[lane % lane_count];
+  Number& at(int i, LaneRow<Number> Part::*row) const {
+    return (part(static_cast<Part*>(nullptr))[i / lane_count].*row)[i % lane_count];
   }
 
  private:
-  LanePlaces* part(LanePlaces*) const { return places; }
-  LaneSprings* part(LaneSprings*) const { return springs; }
-  LaneForces* part(LaneForces*) const { return forces; }
-  LaneReadings* part(LaneReadings*) const { return readings; }
+  LanePairs* part(LanePairs*) const { return pairs; }
+  PairForces* part(PairForces*) const { return forces; }
+  SlotPlaces* part(SlotPlaces*) const { return places; }
+  SlotSprings* part(SlotSprings*) const { return springs; }
+  SlotReadings* part(SlotReadings*) const { return readings; }
 
-  int size_ = 0, room_ = 0;  ///< lanes; sets
-  std::unique_ptr<LanePlaces[]> own_places_;
-  std::unique_ptr<LaneSprings[]> own_springs_;
-  std::unique_ptr<LaneForces[]> own_forces_;
-  std::unique_ptr<LaneReadings[]> own_readings_;
+  int sets_ = 0, slots_ = 0, room_for_sets_ = 0, room_for_slots_ = 0;
+  std::unique_ptr<LanePairs[]> own_pairs_;
+  std::unique_ptr<PairForces[]> own_forces_;
+  std::unique_ptr<PairStresses[]> own_stresses_;
+  std::unique_ptr<SlotPlaces[]> own_places_;
+  std::unique_ptr<SlotSprings[]> own_springs_;
+  std::unique_ptr<SlotReadings[]> own_readings_;
 };
 
 /// What is read of the blocks.
 struct BlockRows {
-  const double *corner, *arm, *centroid, *velocity, *spin, *strain_rate;
+  const double *corner, *centroid, *velocity, *spin, *strain_rate;
 };
 
 /// The largest overlap and elastic normal force.
@@ -105,9 +119,9 @@ struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
   /// Which contacts touch: `touch` and `look`.
   void (*find_touching)(const LaneSets&, const BlockRows&, int first, int last);
-  /// a.-d. of rule 7.
+  /// a.-e. of rule 7. readings: also SlotReadings, and PairStresses of rigid blocks.
   LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
-                      int first, int last);
+                      bool readings, int first, int last);
 };
 
 /// All that this processor can run; the first is the baseline.

@@ -63,16 +63,22 @@ BLOCKS_INLINE Point gather_point(const double* matrix, const int* index, int r =
   }
 }
 
-template <std::size_t... lane>
-BLOCKS_INLINE bool any(Mask mask, std::index_sequence<lane...>) {
-  return (mask[lane] | ...) != 0;
+typedef signed char Marks __attribute__((vector_size(width)));
+BLOCKS_INLINE Marks load(const signed char* row, int first) {
+  Marks marks;
+  __builtin_memcpy(&marks, row + first, width);
+  return marks;
 }
-typedef int Integers __attribute__((vector_size(width * sizeof(int))));
-BLOCKS_INLINE Mask all_less(const int* a, const int* b) {
-  const Integers less =
-      *reinterpret_cast<const Integers*>(a) < *reinterpret_cast<const Integers*>(b);
-  return __builtin_convertvector(less, Mask);
+BLOCKS_INLINE void store(signed char* row, int first, Marks marks) {
+  __builtin_memcpy(row + first, &marks, width);
 }
+BLOCKS_INLINE Mask mask_of(Marks yes) { return __builtin_convertvector(yes, Mask); }
+BLOCKS_INLINE bool any(Marks marks) {
+  unsigned long long word = 0;
+  __builtin_memcpy(&word, &marks, width);
+  return word != 0;
+}
+BLOCKS_INLINE Marks marks_of(Mask yes) { return __builtin_convertvector(yes, Marks); }
 BLOCKS_INLINE Set absolute(Set x) { return x < 0.0 ? -x : x; }
 BLOCKS_INLINE Set root(Set x) {
   for (int k = 0; k < width; ++k)
@@ -83,111 +89,157 @@ BLOCKS_INLINE Set root(Set x) {
 /// Corners against edges: 2A of (19), and filter::overlap of
 /// geometry/contact_predicates.hpp.
 struct Sides {
-  Set xc, yc, ex, ey, value, bound;
+  Set xc, yc, ex, ey, plus, minus, value;
 
-  BLOCKS_INLINE Sides(const LanePlaces& l, const BlockRows& blocks, int i) {
-    const Point c = gather_point<2>(blocks.corner, l.corner + i);
-    const Point p1 = gather_point<2>(blocks.corner, l.edge + i);
-    const Point p2 = gather_point<2>(blocks.corner, l.edge_end + i);
+  BLOCKS_INLINE Sides(const SlotPlaces& slot, const BlockRows& blocks, int i) {
+    const Point c = gather_point<2>(blocks.corner, slot.corner + i);
+    const Point p1 = gather_point<2>(blocks.corner, slot.edge + i);
+    const Point p2 = gather_point<2>(blocks.corner, slot.edge_end + i);
     xc = c.x, yc = c.y;
     ex = p2.x - p1.x, ey = p2.y - p1.y;
-    const Set plus = (xc - p1.x) * ey, minus = (yc - p1.y) * ex;
+    plus = (xc - p1.x) * ey, minus = (yc - p1.y) * ex;
     value = plus - minus;
-    bound = 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
+  }
+  BLOCKS_INLINE Set bound() const {
+    return 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
   }
 };
 
-/// A sign in doubt is taken to touch, until it is looked at.
-BLOCKS_INLINE void find_touching_set(LanePlaces& l, const BlockRows& blocks, int i) {
-  const Sides sides(l, blocks, i);
-  const Set rule = load(l.rule, i), before = load(l.touch, i);
-  const Mask asked = rule == by_sign, outside = sides.value < -sides.bound;
-  const Mask clear = outside | (sides.value > sides.bound);
-  const Set if_inside = before > 0.0 ? all_of(in_touch) : all_of(starting);
-  const Set if_asked = outside ? all_of(apart) : if_inside;
-  const Set if_not = rule == decided ? if_inside : all_of(apart);
-  const Set touch = asked ? if_asked : if_not;
-  store(l.touch, i, touch);
-  const Mask lost = (touch == apart) & (before > 0.0);
-  if (any((asked & ~clear) | lost, std::make_index_sequence<width>()))
-    l.look = 1;
+/// A sign in doubt is taken to touch, until it is looked at. Whose sign is in doubt, or
+/// who does not touch any more.
+BLOCKS_INLINE Marks find_touching_slot(SlotPlaces& slot, const BlockRows& blocks,
+                                       int i) {
+  const Sides sides(slot, blocks, i);
+  const Set bound = sides.bound();
+  const Mask outside = sides.value < -bound;
+  const Mask clear = outside | (sides.value > bound);
+  const Marks rule = load(slot.rule, i), before = load(slot.touch, i);
+  const Marks asked = rule == by_sign;
+  const Marks acts = (rule == decided) | (asked & ~marks_of(outside));
+  const Marks touch =
+      acts & ((before != apart) ? in_touch + Marks{} : starting + Marks{});
+  store(slot.touch, i, touch);
+  const Marks lost = (touch == apart) & (before != apart);
+  return (asked & ~marks_of(clear)) | lost;
 }
 
-template <bool rigid>
+/// Two blocks of each lane: where they are, and how the high one sees the low one move.
+template <bool rigid> struct Pairs {
+  Set low_x, low_y, high_x, high_y;  ///< centroids
+  Set vx, vy;                        ///< relative velocity at the low one
+  Set g11, g12, g21, g22;  ///< how it changes with the place; rigid: g21 = -g12 only
+
+  BLOCKS_INLINE Pairs(const LanePairs& pairs, const BlockRows& blocks, int i) {
+    const int *const a = pairs.low + i, *const b = pairs.high + i;
+    const Point low = gather_point<2>(blocks.centroid, a);
+    const Point high = gather_point<2>(blocks.centroid, b);
+    const Point va = gather_point<2>(blocks.velocity, a);
+    const Point vb = gather_point<2>(blocks.velocity, b);
+    const Set spin_a = gather(blocks.spin, a), spin_b = gather(blocks.spin, b);
+    low_x = low.x, low_y = low.y, high_x = high.x, high_y = high.y;
+    const Set x = low.x - high.x, y = low.y - high.y;
+    vx = va.x - (vb.x - spin_b * y), vy = va.y - (vb.y + spin_b * x);
+    g21 = spin_a - spin_b, g12 = -g21;
+    if constexpr (!rigid) {
+      const double* const rate = blocks.strain_rate;
+      const Point a1 = gather_point<4>(rate, a, 0), a2 = gather_point<4>(rate, a, 2);
+      const Point b1 = gather_point<4>(rate, b, 0), b2 = gather_point<4>(rate, b, 2);
+      vx -= b1.x * x + b1.y * y, vy -= b2.x * x + b2.y * y;
+      g11 = a1.x - b1.x, g12 += a1.y - b1.y;
+      g21 += a2.x - b2.x, g22 = a2.y - b2.y;
+    }
+  }
+  /// Relative velocity (14) at an arm from the low block's centroid.
+  BLOCKS_INLINE Point velocity(Set x, Set y) const {
+    if constexpr (rigid)
+      return {vx + g12 * y, vy + g21 * x};
+    else
+      return {vx + (g11 * x + g12 * y), vy + (g21 * x + g22 * y)};
+  }
+};
+
+template <bool rigid, bool readings>
 BLOCKS_INLINE void act_set(const LaneSets& sets, int set, const BlockRows& blocks,
                            const ContactLaw& law, int i, Set& deepest, Set& strongest) {
-  // a. frame of the edge, overlap: its sign is decided exactly; rounded, a tiny depth
-  // may come out below zero
-  const LanePlaces& l = sets.places[set];
-  LaneSprings& springs = sets.springs[set];
-  LaneForces& forces = sets.forces[set];
-  LaneReadings& readings = sets.readings[set];
-  const Sides sides(l, blocks, i);
-  const Set none = all_of(0.0);
-  const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
-  const Set depth = sides.value * per_length, overlap = depth > 0.0 ? depth : none;
-  const Set tx = sides.ex * per_length, ty = sides.ey * per_length, nx = -ty, ny = tx;
+  constexpr bool stresses = readings || !rigid;
+  const LanePairs& pairs = sets.pairs[set];
+  const Pairs<rigid> two(pairs, blocks, i);
+  const Set none = all_of(0.0), damping = load(pairs.damping, i);
+  Set sum_x = none, sum_y = none, moment_low = none, moment_high = none;
+  Set low[4] = {}, high[4] = {};
+  for (int s = pairs.first_slot; s < pairs.first_slot + pairs.slots; ++s) {
+    // a. frame of the edge, overlap: its sign is decided exactly; rounded, a tiny depth
+    // may come out below zero
+    const SlotPlaces& slot = sets.places[s];
+    SlotSprings& springs = sets.springs[s];
+    const Sides sides(slot, blocks, i);
+    const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
+    const Set depth = sides.value * per_length, overlap = depth > 0.0 ? depth : none;
+    // tangent and normal, turned where the force on the low block is that on the edge
+    const Set turned = mask_of(load(slot.flip, i) != 0) ? -per_length : per_length;
+    const Set tx = sides.ex * turned, ty = sides.ey * turned, nx = -ty, ny = tx;
+    const Set x = sides.xc - two.low_x, y = sides.yc - two.low_y;
+    const auto [vx, vy] = two.velocity(x, y);
 
-  // relative velocity of the two material points (14)
-  const int *const a = l.corner_block + i, *const b = l.edge_block + i;
-  const auto [ax, ay] = gather_point<2>(blocks.arm, l.corner + i);
-  const Point centroid = gather_point<2>(blocks.centroid, b);
-  const Set bx = sides.xc - centroid.x, by = sides.yc - centroid.y;
-  const Set spin_a = gather(blocks.spin, a), spin_b = gather(blocks.spin, b);
-  Point va = gather_point<2>(blocks.velocity, a);
-  Point vb = gather_point<2>(blocks.velocity, b);
-  va.x -= spin_a * ay, va.y += spin_a * ax;
-  vb.x -= spin_b * by, vb.y += spin_b * bx;
-  if constexpr (!rigid) {
-    const double* const rate = blocks.strain_rate;
-    const Point a1 = gather_point<4>(rate, a, 0), a2 = gather_point<4>(rate, a, 2);
-    const Point b1 = gather_point<4>(rate, b, 0), b2 = gather_point<4>(rate, b, 2);
-    va.x += a1.x * ax + a1.y * ay, va.y += a2.x * ax + a2.y * ay;
-    vb.x += b1.x * bx + b1.y * by, vb.y += b2.x * bx + b2.y * by;
+    // b.-d.
+    const Marks touch = load(slot.touch, i);
+    const Mask acts = mask_of(touch != apart);
+    const Marks starts = touch == starting;
+    Set normal_elastic = load(springs.normal_elastic, i);
+    Set shear_elastic = load(springs.shear_elastic, i);
+    Set normal, shear;
+    const Set closing = -(vx * nx + vy * ny), sliding = vx * tx + vy * ty;
+    if (any(starts))
+      apply(law, normal_elastic, shear_elastic, closing, sliding, overlap, damping,
+            mask_of(starts) ? all_of(1.0) : none, normal, shear);
+    else
+      apply<false>(law, normal_elastic, shear_elastic, closing, sliding, overlap,
+                   damping, none, normal, shear);
+    normal_elastic = acts ? normal_elastic : none;
+    store(springs.normal_elastic, i, normal_elastic);
+    store(springs.shear_elastic, i, acts ? shear_elastic : none);
+    const Set reached = acts ? overlap : none;
+    deepest = reached > deepest ? reached : deepest;
+    strongest = normal_elastic > strongest ? normal_elastic : strongest;
+
+    // e. equal and opposite at one point
+    const Set fx = acts ? normal * nx - shear * tx : none;
+    const Set fy = acts ? normal * ny - shear * ty : none;
+    const Set high_x = sides.xc - two.high_x, high_y = sides.yc - two.high_y;
+    sum_x += fx, sum_y += fy;
+    moment_low += x * fy - y * fx, moment_high += high_y * fx - high_x * fy;
+    if constexpr (stresses) {
+      low[0] += fx * x, high[0] -= fx * high_x;
+      low[1] += fx * y, high[1] -= fx * high_y;
+      low[2] += fy * x, high[2] -= fy * high_x;
+      low[3] += fy * y, high[3] -= fy * high_y;
+    }
+    if constexpr (readings) {
+      SlotReadings& read = sets.readings[s];
+      store(read.overlap, i, reached);
+      store(read.normal_force, i, acts ? normal : none);
+      store(read.shear_force, i, acts ? shear : none);
+    }
   }
-  const Set vx = va.x - vb.x, vy = va.y - vb.y;
-
-  // b.-d.
-  const Set touch = load(l.touch, i);
-  const Mask acts = touch > 0.0;
-  Set normal_elastic = load(springs.normal_elastic, i);
-  Set shear_elastic = load(springs.shear_elastic, i);
-  Set normal, shear;
-  apply(law, normal_elastic, shear_elastic, -(vx * nx + vy * ny), vx * tx + vy * ty,
-        overlap, load(springs.damping, i), touch - 1.0, normal, shear);
-  normal_elastic = acts ? normal_elastic : none;
-  normal = acts ? normal : none;
-  shear = acts ? shear : none;
-  store(springs.normal_elastic, i, normal_elastic);
-  store(springs.shear_elastic, i, acts ? shear_elastic : none);
-  const Set reached = acts ? overlap : none;
-  deepest = reached > deepest ? reached : deepest;
-  strongest = normal_elastic > strongest ? normal_elastic : strongest;
-
-  // e. equal and opposite at one point
-  const Set fx = normal * nx - shear * tx, fy = normal * ny - shear * ty;
-  const Set moment_a = ax * fy - ay * fx, moment_b = by * fx - bx * fy;
-  const Mask low = all_less(a, b);
-  store(forces.fx, i, low ? fx : -fx);
-  store(forces.fy, i, low ? fy : -fy);
-  store(forces.moment_low, i, low ? moment_a : moment_b);
-  store(forces.moment_high, i, low ? moment_b : moment_a);
-  store(readings.low_x, i, low ? ax : bx);
-  store(readings.low_y, i, low ? ay : by);
-  store(readings.high_x, i, low ? bx : ax);
-  store(readings.high_y, i, low ? by : ay);
-  store(readings.overlap, i, reached);
-  store(readings.normal_force, i, normal);
-  store(readings.shear_force, i, shear);
+  PairForces& forces = sets.forces[set];
+  store(forces.fx, i, sum_x);
+  store(forces.fy, i, sum_y);
+  store(forces.moment_low, i, moment_low);
+  store(forces.moment_high, i, moment_high);
+  if constexpr (stresses) {
+    PairStresses& sums = sets.stresses[set];
+    for (int k = 0; k < 4; ++k)
+      store(sums.low[k], i, low[k]), store(sums.high[k], i, high[k]);
+  }
 }
 
-template <bool rigid>
+template <bool rigid, bool readings>
 LaneExtremes act_sets(const LaneSets& sets, const BlockRows& blocks,
                       const ContactLaw& law, int first, int last) {
   Set deepest = all_of(0.0), strongest = all_of(0.0);
   for (int set = first; set < last; ++set)
     for (int i = 0; i < lane_count; i += width)
-      act_set<rigid>(sets, set, blocks, law, i, deepest, strongest);
+      act_set<rigid, readings>(sets, set, blocks, law, i, deepest, strongest);
   LaneExtremes extremes = {0.0, 0.0};
   for (int k = 0; k < width; ++k) {
     extremes.overlap = deepest[k] > extremes.overlap ? deepest[k] : extremes.overlap;
@@ -200,16 +252,21 @@ LaneExtremes act_sets(const LaneSets& sets, const BlockRows& blocks,
 
 void find_touching(const LaneSets& sets, const BlockRows& blocks, int first, int last) {
   for (int set = first; set < last; ++set) {
-    sets.places[set].look = 0;
-    for (int i = 0; i < lane_count; i += width)
-      find_touching_set(sets.places[set], blocks, i);
+    LanePairs& pairs = sets.pairs[set];
+    Marks look = {};
+    for (int s = pairs.first_slot; s < pairs.first_slot + pairs.slots; ++s)
+      for (int i = 0; i < lane_count; i += width)
+        look |= find_touching_slot(sets.places[s], blocks, i);
+    pairs.look = any(look);
   }
 }
 
 LaneExtremes act(const LaneSets& sets, const BlockRows& blocks, const ContactLaw& law,
-                 bool rigid, int first, int last) {
-  return rigid ? act_sets<true>(sets, blocks, law, first, last)
-               : act_sets<false>(sets, blocks, law, first, last);
+                 bool rigid, bool readings, int first, int last) {
+  const auto all = rigid      ? readings ? act_sets<true, true> : act_sets<true, false>
+                        : readings ? act_sets<false, true>
+                              : act_sets<false, false>;
+  return all(sets, blocks, law, first, last);
 }
 
 }  // namespace blocks::dynamics::BLOCKS_LANES

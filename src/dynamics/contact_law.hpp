@@ -18,10 +18,10 @@ struct ContactLaw {
 /// closing, sliding: relative velocity of the corner against the edge, inwards and
 /// along the edge [L/T]; overlap: depth [L] > 0; damping: C of (18) [F T/L]; starting:
 /// 1 if the contact did not act in the step before, or was handed a force in this one,
-/// else 0. Numbers of one contact, or of the lanes of a set (contact_lanes.hpp): no
-/// branches; inlined wherever it is used, so that no instruction set leaks into
-/// another's code.
-template <class Number>
+/// else 0; may_start: false where it is known to be 0. Numbers of one contact, or of
+/// the lanes of a set (contact_lanes.hpp): no branches; inlined wherever it is used, so
+/// that no instruction set leaks into another's code.
+template <bool may_start = true, class Number>
 [[gnu::always_inline]] inline void apply(const ContactLaw& law, Number& normal_elastic,
                                          Number& shear_elastic, const Number& closing,
                                          const Number& sliding, const Number& overlap,
@@ -31,13 +31,19 @@ template <class Number>
   // b. On its first step a contact has closed by the overlap, not by a whole step; with
   // what it was handed it is no stronger than its overlap explains.
   const Number advance = closing * law.dt;
-  const Number part = overlap / advance, most = law.normal_stiffness * overlap;
-  const Number first_share = advance > overlap ? part : whole;
-  const Number share = starting > 0.0 ? first_share : whole;
+  Number share = whole;
+  if constexpr (may_start) {
+    const Number part = overlap / advance;
+    const Number first_share = advance > overlap ? part : whole;
+    share = starting > 0.0 ? first_share : whole;
+  }
   const Number spring = normal_elastic + share * law.normal_stiffness * advance;
-  const Number pressed = spring > 0.0 ? spring : none;
-  const Number capped = pressed < most ? pressed : most;
-  normal_elastic = starting > 0.0 ? capped : pressed;
+  normal_elastic = spring > 0.0 ? spring : none;
+  if constexpr (may_start) {
+    const Number most = law.normal_stiffness * overlap;
+    const Number capped = normal_elastic < most ? normal_elastic : most;
+    normal_elastic = starting > 0.0 ? capped : normal_elastic;
+  }
 
   // c. No tension. The dashpot is added, never stored.
   const Number damped = normal_elastic + damping * closing;

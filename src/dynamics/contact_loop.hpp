@@ -100,14 +100,14 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
     other = decision.notch_record(group, group.record);
   }
   const int one = group.record;
-  if (!group.reentrant && groups.keep_lane(g))
+  if (!group.reentrant && groups.keep_seat(g))
     return;
   if (group.reentrant)
     groups.all[g + 1].record = other;
   std::array<HeldSpring, 2> held;
   for (int k = 0; k <= group.reentrant; ++k)
-    if (const int lane = groups.lane_of[g + k]; lane >= 0)
-      held[k] = groups.held(lane);
+    if (const int seat = groups.seat_of[g + k]; seat >= 0)
+      held[k] = groups.held(seat);
   const auto spring_of = [&](int i) {
     return i < 0                 ? HeldSpring{}
            : held[0].record == i ? held[0]
@@ -116,7 +116,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
   };
   for (int k = 0; k <= group.reentrant; ++k) {
     const int i = groups.all[g + k].record;
-    share.lanes_complete &= groups.set_lane(blocks, contacts, g + k, i, spring_of(i));
+    share.seats_complete &= groups.set_seat(blocks, contacts, g + k, i, spring_of(i));
   }
   // who acts no more: its forces are gone, its spring may find an heir
   for (const HeldSpring& spring : held)
@@ -204,28 +204,31 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
 template <class Rules>
 void settle(const Blocks& blocks, ContactGroups& groups, int set,
             std::vector<LostForce>& lost) {
-  LanePlaces& lanes = groups.lanes.places[set];
-  LaneSprings& springs = groups.lanes.springs[set];
+  const LanePairs& pairs = groups.lanes.pairs[set];
   const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
-  for (int k = 0; k < lane_count; ++k) {
-    if (lanes.rule[k] == by_sign && lanes.touch[k] != apart &&
-        Rules::overlap_sign(at(lanes.corner[k]), at(lanes.edge[k]),
-                            at(lanes.edge_end[k])) <= 0)
-      lanes.touch[k] = apart;
-    if (lanes.touch[k] != apart)
-      continue;
-    if (springs.normal_elastic[k] > 0.0) {
-      const int lane = set * lane_count + k;
-      lost.push_back({groups.group[lane], groups.record[lane],
-                      springs.normal_elastic[k], springs.shear_elastic[k]});
+  for (int slot = pairs.first_slot; slot < pairs.first_slot + pairs.slots; ++slot) {
+    SlotPlaces& places = groups.lanes.places[slot];
+    SlotSprings& springs = groups.lanes.springs[slot];
+    for (int k = 0; k < lane_count; ++k) {
+      if (places.rule[k] == by_sign && places.touch[k] != apart &&
+          Rules::overlap_sign(at(places.corner[k]), at(places.edge[k]),
+                              at(places.edge_end[k])) <= 0)
+        places.touch[k] = apart;
+      if (places.touch[k] != apart)
+        continue;
+      if (springs.normal_elastic[k] > 0.0) {
+        const int seat = slot * lane_count + k;
+        lost.push_back({groups.group[seat], groups.record[seat],
+                        springs.normal_elastic[k], springs.shear_elastic[k]});
+      }
+      springs.normal_elastic[k] = springs.shear_elastic[k] = 0.0;
     }
-    springs.normal_elastic[k] = springs.shear_elastic[k] = 0.0;
   }
 }
 
 inline BlockRows rows_of(const Blocks& blocks) {
-  return {blocks.corner.data(),   blocks.arm.data(),  blocks.centroid.data(),
-          blocks.velocity.data(), blocks.spin.data(), blocks.strain_rate.data()};
+  return {blocks.corner.data(), blocks.centroid.data(), blocks.velocity.data(),
+          blocks.spin.data(), blocks.strain_rate.data()};
 }
 
 }  // namespace detail
@@ -234,7 +237,8 @@ inline BlockRows rows_of(const Blocks& blocks) {
 template <class Rules>
 Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
                               ContactGroups& groups, const Settings& settings,
-                              double dt, Workers& workers, Profile* profile = nullptr) {
+                              double dt, bool readings, Workers& workers,
+                              Profile* profile = nullptr) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   const int rounds = static_cast<int>(groups.rounds.size());
@@ -249,7 +253,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
                                                   last, groups.shares[part]);
                  });
     groups.join_shares();
-    if (!groups.lanes_complete) {
+    if (!groups.seats_complete) {
       groups.store(contacts);
       groups.make_lanes(blocks.size(), contacts);
       groups.load(blocks, contacts, settings);
@@ -263,7 +267,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     const detail::ExactCalls calls(profile, groups.shares[part]);
     arithmetic.find_touching(groups.lanes, rows, first, last);
     for (int set = first; set < last; ++set)
-      if (groups.lanes.places[set].look)
+      if (groups.lanes.pairs[set].look)
         detail::settle<Rules>(blocks, groups, set, groups.shares[part].lost);
   });
   groups.join_shares();
@@ -272,9 +276,10 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   groups.lost.clear();
   workers.each(sets, sets_per_thread, [&](int part, int first, int last) {
     const LaneExtremes most =
-        arithmetic.act(groups.lanes, rows, law, settings.rigid, first, last);
+        arithmetic.act(groups.lanes, rows, law, settings.rigid, readings, first, last);
     groups.shares[part].extremes.include(most.overlap, most.spring);
   });
+  groups.readings = readings;
   Extremes extremes;
   for (ContactGroups::Share& share : groups.shares) {
     extremes.include(share.extremes.overlap, share.extremes.spring);

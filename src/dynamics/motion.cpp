@@ -35,12 +35,10 @@ void Displacement::include(const Displacement& others) {
 }
 
 void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range) {
-  const LaneForces* const forces = groups.lanes.forces;
   for (int b = range.first; b < range.last; ++b) {
     double x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
-    groups.each_lane_of(b, [&](int i, bool low) {
-      const auto lane = static_cast<unsigned>(i);
-      const LaneForces& of = forces[lane / lane_count];
+    groups.each_lane_of(b, [&](unsigned lane, bool low) {
+      const PairForces& of = groups.lanes.forces[lane / lane_count];
       const unsigned k = lane % lane_count;
       if (low)
         x += of.fx[k], y += of.fy[k], moment += of.moment_low[k];
@@ -54,24 +52,14 @@ void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange 
 
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
                            BlockRange range) {
-  const ContactLanes& lanes = groups.lanes;
   for (int b = range.first; b < range.last; ++b) {
-    double* const applied = &blocks.applied(0, b);
-    double xx = applied[0], xy = applied[1], yx = applied[2], yy = applied[3];
-    groups.each_lane_of(b, [&](int i, bool low) {
-      const auto lane = static_cast<unsigned>(i);
-      const unsigned set = lane / lane_count, k = lane % lane_count;
-      const LaneForces& forces = lanes.forces[set];
-      const LaneReadings& arms = lanes.readings[set];
-      const double x = low ? arms.low_x[k] : arms.high_x[k];
-      const double y = low ? arms.low_y[k] : arms.high_y[k];
-      const double fx = low ? forces.fx[k] : -forces.fx[k];
-      const double fy = low ? forces.fy[k] : -forces.fy[k];
-      xx += fx * x, xy += fx * y, yx += fy * x, yy += fy * y;
+    Eigen::Vector4d sum = blocks.applied.col(b);
+    groups.each_lane_of(b, [&](unsigned lane, bool low) {
+      const PairStresses& of = groups.lanes.stresses[lane / lane_count];
+      for (int i = 0; i < 4; ++i)
+        sum[i] += (low ? of.low : of.high)[i][lane % lane_count];
     });
-    const double area = blocks.area[b];
-    applied[0] = xx / area, applied[1] = xy / area;
-    applied[2] = yx / area, applied[3] = yy / area;
+    blocks.applied.col(b) = sum / blocks.area[b];
   }
 }
 

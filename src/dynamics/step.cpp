@@ -27,8 +27,13 @@ void prepare(Model& model) {
   model.started = true;
 }
 
+double time_after_step(const Model& model) {
+  const auto steps = static_cast<double>(model.steps + 1 - model.step_origin);
+  return model.time_origin + steps * model.time_step.dt;
+}
+
 Displacement step(Model& model, SearchBuffers& buffers) {
-  const Displacement moved = advance(model, buffers);
+  const Displacement moved = advance(model, buffers, true);
   catch_up(model, buffers);
   return moved;
 }
@@ -37,11 +42,15 @@ void catch_up(Model& model, SearchBuffers& buffers) {
   if (!buffers.groups.loaded)
     return;
   buffers.groups.store(model.contacts);
-  if (model.settings.rigid)
+  if (!model.settings.rigid)
+    return;
+  if (buffers.groups.readings)
     finish_applied_stress(model.blocks, buffers.groups, all_of(model.blocks));
+  else
+    model.blocks.applied.setZero();
 }
 
-Displacement advance(Model& model, SearchBuffers& buffers) {
+Displacement advance(Model& model, SearchBuffers& buffers, bool readings) {
   Blocks& blocks = model.blocks;
 
   // 1. potential contacts
@@ -61,9 +70,9 @@ Displacement advance(Model& model, SearchBuffers& buffers) {
 
   // 2. contact forces
   clear_forces(blocks);
-  const Extremes touching =
-      evaluate_contacts(blocks, model.contacts, buffers.groups, model.settings,
-                        model.time_step.dt, *buffers.workers, buffers.profile);
+  const Extremes touching = evaluate_contacts(
+      blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
+      readings, *buffers.workers, buffers.profile);
   return move(model, buffers, touching);
 }
 
@@ -113,9 +122,8 @@ Displacement move(Model& model, SearchBuffers& buffers,
   moved.strongest = std::max(blocks_touching.spring, planes_touching.spring);
   model.worst_overlap =
       std::max({model.worst_overlap, blocks_touching.overlap, planes_touching.overlap});
+  model.time = time_after_step(model);
   ++model.steps;
-  model.time =
-      model.time_origin + static_cast<double>(model.steps - model.step_origin) * dt;
 
   // 6. domain, accumulated travel
   if (moved.left_domain)

@@ -13,14 +13,18 @@ namespace blocks::dynamics {
 /// steps.
 void prepare(Model& model);
 
+/// The model's time after one step more.
+double time_after_step(const Model& model);
+
 /// Advances the model by one step of model.time_step.dt. No input or output.
 /// Returns what moved; not finite: the state is lost and the run must stop.
 Displacement step(Model& model, SearchBuffers& buffers);
 
-/// The same, but the list of contacts and the applied stress of rigid blocks stay
-/// behind until catch_up(), which must come before anything else reads or changes the
-/// model.
-Displacement advance(Model& model, SearchBuffers& buffers);
+/// The same, but the list of contacts stays behind until catch_up(), which must come
+/// before anything else reads or changes the model; without `readings` forces and
+/// overlaps of contacts and the applied stress of rigid blocks are not found in this
+/// step, and are 0 then.
+Displacement advance(Model& model, SearchBuffers& buffers, bool readings);
 void catch_up(Model& model, SearchBuffers& buffers);
 
 /// The two ends of a step, for whoever finds the contact forces in another way

@@ -127,9 +127,13 @@ Outcome Executor::march(long steps) {
   const long rows = 10, row_every = std::max(1L, (steps + rows - 1) / rows);
   for (long i = 1; i <= steps; ++i) {
     const bool audited = audit_.due(model_);
+    const bool row = i % row_every == 0 || i == steps;
+    const bool moment = i % 64 == 0 || i == steps || interrupt_requested() ||
+                        steps_made_ + 1 == options_.stop_after;
     if (audited)
       audit_.before(up_to_date());
-    const dynamics::Displacement moved = dynamics::advance(model_, buffers_);
+    const bool read = audited || row || moment || output_due();
+    const dynamics::Displacement moved = dynamics::advance(model_, buffers_, read);
     if (!moved.finite ||
         moved.strongest > model_.settings.normal_stiffness * half_depth_) {
       if (const std::string fault = unsound(up_to_date(), moved, half_depth_);
@@ -141,8 +145,9 @@ Outcome Executor::march(long steps) {
     if (audited && !passes_audit())
       return Outcome::unsound;
     watch(moved);
-    output_if_due();
-    if (i % row_every == 0 || i == steps)
+    if (read)
+      output_if_due();
+    if (row)
       console_.row(up_to_date());
     ++steps_made_;
     progress_.steps_left = steps - i;
@@ -150,7 +155,7 @@ Outcome Executor::march(long steps) {
       ++progress_.card;
       begun_ = false;
     }
-    if (i % 64 == 0 || interrupt_requested() || steps_made_ == options_.stop_after) {
+    if (moment) {
       console_.progress(up_to_date(), share_from_ + (share_to_ - share_from_) *
                                                         static_cast<double>(i) /
                                                         static_cast<double>(steps));
@@ -163,17 +168,33 @@ Outcome Executor::march(long steps) {
   return Outcome::finished;
 }
 
+namespace {
+
+/// Half a step of grace, so that round-off in the sums of dt loses no output.
+bool is_due(const OutputClock& clock, double time, double dt) {
+  return clock.interval > 0.0 && time + 0.5 * dt >= clock.due;
+}
+void wind(OutputClock& clock, double time, double dt) {
+  const double now = time + 0.5 * dt;
+  const double missed = std::floor((now - clock.due) / clock.interval);
+  const double next = clock.due + (missed + 1.0) * clock.interval;
+  clock.due = std::isfinite(next) ? next : now;  // an interval far below dt
+}
+
+}  // namespace
+
+bool Executor::output_due() const {
+  const double then = dynamics::time_after_step(model_), dt = model_.time_step.dt;
+  return is_due(model_.plots, then, dt) || is_due(model_.output, then, dt);
+}
+
 void Executor::output_if_due() {
   const dynamics::Profile::Timer timer(buffers_.profile, dynamics::Profile::output);
-  // Half a step of grace, so that round-off in the sums of dt loses no output.
-  const double now = model_.time + 0.5 * model_.time_step.dt;
   const auto due = [&](OutputClock& clock) {
-    if (!(clock.interval > 0.0) || now < clock.due)
-      return false;
-    const double missed = std::floor((now - clock.due) / clock.interval);
-    const double next = clock.due + (missed + 1.0) * clock.interval;
-    clock.due = std::isfinite(next) ? next : now;  // an interval far below dt
-    return true;
+    const bool is = is_due(clock, model_.time, model_.time_step.dt);
+    if (is)
+      wind(clock, model_.time, model_.time_step.dt);
+    return is;
   };
   if (due(model_.plots))
     files_.frame(up_to_date());

@@ -72,6 +72,8 @@ class Executor {
   const Model& up_to_date();  ///< after steps that left parts of it behind
   /// What is left of a card begun before; `all` of one that begins.
   long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
+  /// By the step that comes.
+  bool output_due() const;
   void output_if_due();
   void watch(const dynamics::Displacement& moved);
   void warn(const std::string& message);

@@ -11,7 +11,7 @@ dynamics::Displacement step(Model& model, dynamics::SearchBuffers& buffers) {
   dynamics::clear_forces(model.blocks);
   const dynamics::Extremes touching = dynamics::evaluate_contacts_by<Rules>(
       model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
-      *buffers.workers);
+      true, *buffers.workers);
   const dynamics::Displacement moved = dynamics::move(model, buffers, touching);
   dynamics::catch_up(model, buffers);
   return moved;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <numeric>
 #include <random>
 
 namespace blocks::dynamics {
@@ -27,11 +29,12 @@ class Numbers {
 
 /// Contacts of no shape in particular between blocks of no shape in particular.
 struct Scene {
-  static constexpr int sets = 5, size = sets * lane_count - 3, blocks = 7, corners = 30;
-  std::vector<double> corner, arm, centroid, velocity, spin, rate;
+  static constexpr int blocks = 7, corners = 30;
+  static constexpr int slots_of_set[] = {1, 4, 3, 2, 1};
+  std::vector<double> corner, centroid, velocity, spin, rate;
   BlockRows rows;
-  std::vector<double> springs;
-  std::vector<int> places;
+  std::vector<double> damping, springs;
+  std::vector<int> pairs, places;
 
   explicit Scene(Numbers& numbers) {
     const auto fill = [&](std::vector<double>& row, int count) {
@@ -39,54 +42,82 @@ struct Scene {
         row.push_back(numbers.any());
       return row.data();
     };
-    rows = {fill(corner, 2 * corners),  fill(arm, 2 * corners),
-            fill(centroid, 2 * blocks), fill(velocity, 2 * blocks),
-            fill(spin, blocks),         fill(rate, 4 * blocks)};
-    fill(springs, 3 * size);
-    for (int i = 0; i < size; ++i)
-      for (const int count : {corners, corners, corners, blocks, blocks, 3, 3})
+    rows = {fill(corner, 2 * corners), fill(centroid, 2 * blocks),
+            fill(velocity, 2 * blocks), fill(spin, blocks), fill(rate, 4 * blocks)};
+    const int sets = static_cast<int>(std::size(slots_of_set));
+    const int slots = std::accumulate(slots_of_set, slots_of_set + sets, 0);
+    fill(damping, sets * lane_count);
+    fill(springs, 2 * slots * lane_count);
+    for (int i = 0; i < 2 * sets * lane_count; ++i)
+      pairs.push_back(numbers.below(blocks));
+    for (int i = 0; i < slots * lane_count; ++i)
+      for (const int count : {corners, corners, corners, 3, 3, 2})
         places.push_back(numbers.below(count));
   }
 
   void put(ContactLanes& lanes) const {
-    lanes.resize(size);
-    for (int i = 0; i < size; ++i) {
-      const int* const p = &places[7 * i];
-      lanes.at(i, &LanePlaces::corner) = p[0], lanes.at(i, &LanePlaces::edge) = p[1],
-                  lanes.at(i, &LanePlaces::edge_end) = p[2];
-      lanes.at(i, &LanePlaces::corner_block) = p[3],
-                  lanes.at(i, &LanePlaces::edge_block) = p[4];
-      lanes.at(i, &LanePlaces::rule) = p[5], lanes.at(i, &LanePlaces::touch) = p[6];
-      lanes.at(i, &LaneSprings::normal_elastic) = std::abs(springs[3 * i]);
-      lanes.at(i, &LaneSprings::shear_elastic) = springs[3 * i + 1];
-      lanes.at(i, &LaneSprings::damping) = std::abs(springs[3 * i + 2]);
+    lanes.reserve(5, 11);
+    for (const int slots : slots_of_set)
+      lanes.add_set(slots);
+    for (int i = 0; i < lanes.sets() * lane_count; ++i) {
+      lanes.at(i, &LanePairs::low) = pairs[2 * i];
+      lanes.at(i, &LanePairs::high) = pairs[2 * i + 1];
+      lanes.at(i, &LanePairs::damping) = std::abs(damping[i]);
+    }
+    for (int i = 0; i < lanes.slots() * lane_count; ++i) {
+      const int* const p = &places[6 * i];
+      lanes.at(i, &SlotPlaces::corner) = p[0], lanes.at(i, &SlotPlaces::edge) = p[1],
+                  lanes.at(i, &SlotPlaces::edge_end) = p[2];
+      const auto mark = [](int number) { return static_cast<signed char>(number); };
+      lanes.at(i, &SlotPlaces::rule) = mark(p[3]);
+      lanes.at(i, &SlotPlaces::touch) = mark(p[4]);
+      lanes.at(i, &SlotPlaces::flip) = mark(p[5]);
+      lanes.at(i, &SlotSprings::normal_elastic) = std::abs(springs[2 * i]);
+      lanes.at(i, &SlotSprings::shear_elastic) = springs[2 * i + 1];
     }
   }
 };
 
-/// The bits of all that the lanes hold.
-std::vector<std::uint64_t> bits(const ContactLanes& lanes, LaneExtremes extremes) {
+/// The bits of all that the lanes hold; a NaN is a NaN, for its sign is not defined.
+std::vector<std::uint64_t> bits(const ContactLanes& lanes, LaneExtremes extremes,
+                                bool stresses, bool readings) {
   std::vector<std::uint64_t> found;
-  for (int set = 0; set < lanes.sets(); ++set)
-    found.push_back(lanes.places[set].look);
   const auto add = [&](const double& x) {
     std::uint64_t word;
     std::memcpy(&word, &x, sizeof word);
-    found.push_back(std::isnan(x) ? 1 : word);  // of NaN the sign is not defined
+    found.push_back(std::isnan(x) ? 1 : word);
   };
-  for (int i = 0; i < Scene::size; ++i) {
-    const auto add_rows = [&](auto... row) { (add(lanes.at(i, row)), ...); };
-    add_rows(&LanePlaces::touch, &LaneSprings::normal_elastic,
-             &LaneSprings::shear_elastic, &LaneForces::fx, &LaneForces::fy,
-             &LaneForces::moment_low, &LaneForces::moment_high, &LaneReadings::low_x,
-             &LaneReadings::low_y, &LaneReadings::high_x, &LaneReadings::high_y,
-             &LaneReadings::overlap, &LaneReadings::normal_force,
-             &LaneReadings::shear_force);
+  const auto add_row = [&](const auto& row) {
+    for (const auto& x : row)
+      add(x);
+  };
+  for (int set = 0; set < lanes.sets(); ++set) {
+    found.push_back(lanes.pairs[set].look);
+    const PairForces& of = lanes.forces[set];
+    for (const auto* row : {&of.fx, &of.fy, &of.moment_low, &of.moment_high})
+      add_row(*row);
+    for (int i = 0; stresses && i < 4; ++i)
+      add_row(lanes.stresses[set].low[i]), add_row(lanes.stresses[set].high[i]);
+  }
+  for (int slot = 0; slot < lanes.slots(); ++slot) {
+    add_row(lanes.places[slot].touch);
+    add_row(lanes.springs[slot].normal_elastic);
+    add_row(lanes.springs[slot].shear_elastic);
+    if (!readings)
+      continue;
+    const SlotReadings& of = lanes.readings[slot];
+    for (const auto* row : {&of.overlap, &of.normal_force, &of.shear_force})
+      add_row(*row);
   }
   add(extremes.overlap);
   add(extremes.spring);
   return found;
 }
+
+struct Case {
+  bool rigid, readings;
+};
+constexpr Case cases[] = {{true, false}, {true, true}, {false, false}, {false, true}};
 
 TEST(ContactLanes, EveryInstructionSetGivesTheSameBits) {
   Numbers numbers;
@@ -95,18 +126,41 @@ TEST(ContactLanes, EveryInstructionSetGivesTheSameBits) {
     const Scene scene(numbers);
     const ContactLaw law{numbers.positive(), numbers.positive(), numbers.positive(),
                          numbers.positive()};
-    for (const bool rigid : {true, false}) {
+    for (const auto& [rigid, readings] : cases) {
       std::vector<std::uint64_t> expected;
       for (const LaneArithmetic& arithmetic : all_lane_arithmetic()) {
         ContactLanes lanes;
         scene.put(lanes);
         arithmetic.find_touching(lanes, scene.rows, 0, lanes.sets());
         const LaneExtremes extremes =
-            arithmetic.act(lanes, scene.rows, law, rigid, 0, lanes.sets());
+            arithmetic.act(lanes, scene.rows, law, rigid, readings, 0, lanes.sets());
+        const auto found = bits(lanes, extremes, !rigid || readings, readings);
         if (expected.empty())
-          expected = bits(lanes, extremes);
-        ASSERT_EQ(bits(lanes, extremes), expected) << arithmetic.name;
+          expected = found;
+        ASSERT_EQ(found, expected) << arithmetic.name;
       }
+    }
+  }
+}
+
+// What is found for readers only changes nothing.
+TEST(ContactLanes, ReadingsDoNotChangeAStep) {
+  Numbers numbers;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Scene scene(numbers);
+    const ContactLaw law{numbers.positive(), numbers.positive(), numbers.positive(),
+                         numbers.positive()};
+    for (const bool rigid : {true, false}) {
+      std::vector<std::uint64_t> found[2];
+      for (const bool readings : {false, true}) {
+        ContactLanes lanes;
+        scene.put(lanes);
+        lane_arithmetic().find_touching(lanes, scene.rows, 0, lanes.sets());
+        const LaneExtremes extremes = lane_arithmetic().act(
+            lanes, scene.rows, law, rigid, readings, 0, lanes.sets());
+        found[readings] = bits(lanes, extremes, !rigid, false);
+      }
+      ASSERT_EQ(found[0], found[1]);
     }
   }
 }

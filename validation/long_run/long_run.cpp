@@ -31,7 +31,9 @@ int make_steps(Model& model, long steps, const Study& study, Watch& watch,
   say(study.columns + "\n" + study.ruler + "\n", report);
   for (long i = 1; i <= steps; ++i) {
     const bool told = i * rows / steps != (i - 1) * rows / steps;
-    const auto made = (told ? dynamics::step : dynamics::advance)(model, buffers);
+    const auto made = dynamics::advance(model, buffers, told);
+    if (told)
+      dynamics::catch_up(model, buffers);
     if (!made.finite) {
       say(text("\n**Step %ld: not a number.**\n", i), report);
       return run::unsound_run;

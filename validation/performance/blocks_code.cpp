@@ -20,7 +20,7 @@ BlocksCode::BlocksCode(Model start, std::string name, int threads)
 
 void BlocksCode::run(long steps) {
   for (long i = 0; i < steps; ++i)
-    if (!dynamics::advance(model_, buffers_).finite)
+    if (!dynamics::advance(model_, buffers_, i + 1 == steps).finite)
       throw std::runtime_error(name_ + ": a corner is no longer a number");
   dynamics::catch_up(model_, buffers_);
 }
