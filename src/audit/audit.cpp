@@ -22,8 +22,8 @@ class Auditor {
     for (int i = 0; i < contacts_.size(); ++i) {
       listed_.insert({contacts_.corner[i], contacts_.edge[i]});
       if (contacts_.active[i])
-        acting_[{contacts_.corner[i], contacts_.edge_block[i]}].push_back(
-            contacts_.edge[i]);
+        acting_[{contacts_.corner[i], blocks_.corner_block[contacts_.edge[i]]}]
+            .push_back(contacts_.edge[i]);
     }
   }
 
@@ -48,6 +48,12 @@ class Auditor {
  private:
   bool fixed(int corner, int block) const {
     return !blocks_.is_free(blocks_.corner_block[corner]) && !blocks_.is_free(block);
+  }
+
+  /// The blocks of a record, the lower number first.
+  Pair blocks_of(int i) const {
+    return std::minmax({blocks_.corner_block[contacts_.corner[i]],
+                        blocks_.corner_block[contacts_.edge[i]]});
   }
 
   void look_for_missed(const Decision& decision) {
@@ -126,8 +132,7 @@ class Auditor {
     for (int i = 0; i < contacts_.size(); ++i) {
       if (!contacts_.active[i])
         continue;
-      Held& pair =
-          held[std::minmax(contacts_.corner_block[i], contacts_.edge_block[i])];
+      Held& pair = held[blocks_of(i)];
       pair.depth =
           std::max(pair.depth, rules_.overlap(contacts_.corner[i], contacts_.edge[i]));
       pair.pressed = std::max(pair.pressed, contacts_.at(i).normal_elastic /
@@ -163,11 +168,11 @@ class Auditor {
       if (!contacts_.active[i])
         continue;
       const int c = contacts_.corner[i], e = contacts_.edge[i];
-      const int a = contacts_.corner_block[i], b = contacts_.edge_block[i];
+      const int a = blocks_.corner_block[c], b = blocks_.corner_block[e];
       const double deep = rules_.overlap(c, e), tolerance = slack(a, b);
       if (deep <= tolerance)
         continue;
-      const bool meet = overlapping.contains(std::minmax(a, b));
+      const bool meet = overlapping.contains(blocks_of(i));
       const DeepContact contact{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
                                 contacts_.at(i).normal_elastic /
                                     settings_.normal_stiffness};

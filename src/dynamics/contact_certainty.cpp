@@ -19,7 +19,7 @@ namespace {
 double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i,
                          double enough) {
   const int c = contacts.corner[i];
-  const int block = contacts.edge_block[i];
+  const int block = blocks.corner_block[contacts.edge[i]];
   const EdgeView edge(blocks, c, contacts.edge[i]);
   double travel = facing_travel(blocks, c, blocks.previous[c], edge);
   if (travel < -enough)

@@ -11,11 +11,6 @@
 namespace blocks::dynamics {
 namespace {
 
-/// The blocks of a record, the lower number first.
-std::pair<int, int> pair_of(const Contacts& contacts, int record) {
-  return std::minmax({contacts.corner_block[record], contacts.edge_block[record]});
-}
-
 /// How often two neighbours of 0 .. count - 1 differ, and one more.
 template <class Differ> std::size_t stretches(int count, const Differ& differ) {
   std::size_t found = count > 0;
@@ -24,9 +19,11 @@ template <class Differ> std::size_t stretches(int count, const Differ& differ) {
   return found;
 }
 
-void find_pairs(const Contacts& contacts, ContactGroups& groups) {
+void find_pairs(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups) {
   const int count = static_cast<int>(groups.all.size());
-  const auto pair = [&](int g) { return pair_of(contacts, groups.all[g].first); };
+  const auto pair = [&](int g) {
+    return pair_of(blocks, contacts, groups.all[g].first);
+  };
   groups.pairs.clear();
   groups.pairs.reserve(
       stretches(count, [&](int g, int h) { return pair(g) != pair(h); }));
@@ -43,12 +40,13 @@ void find_pairs(const Contacts& contacts, ContactGroups& groups) {
 void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone,
                  ContactGroups& groups) {
   const int size = contacts.size();
+  const auto edge_block = [&](int i) { return blocks.corner_block[contacts.edge[i]]; };
   const auto other_group = [&](int i, int j) {
     return each_alone || contacts.corner[i] != contacts.corner[j] ||
-           contacts.edge_block[i] != contacts.edge_block[j];
+           edge_block(i) != edge_block(j);
   };
   const auto notched = [&](int i) {
-    return !each_alone && !blocks.convex[contacts.edge_block[i]];
+    return !each_alone && !blocks.convex[edge_block(i)];
   };
   groups.all.clear();
   std::size_t count = stretches(size, other_group);
@@ -63,7 +61,7 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
     ContactGroup group;
     group.first = first;
     group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
-    group.edge_block = contacts.edge_block[first];
+    group.edge_block = edge_block(first);
     group.reentrant = notched(first);
     groups.all.push_back(group);
     if (group.reentrant) {
@@ -174,7 +172,8 @@ bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int
   places.corner[k] = contacts.corner[known.first];
   places.edge[k] = e;
   places.edge_end[k] = blocks.next[e];
-  places.flip[k] = known.edge_block < contacts.corner_block[known.first] ? 1 : 0;
+  places.flip[k] =
+      known.edge_block < blocks.corner_block[contacts.corner[known.first]] ? 1 : 0;
   places.rule[k] = rule_of(known);
   places.touch[k] = spring.record >= 0 ? in_touch : apart;
   springs.normal_elastic[k] = spring.normal;
@@ -399,7 +398,7 @@ void reserve_lanes(ContactGroups& groups) {
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone, int threads) {
   find_groups(blocks, contacts, each_alone, groups);
-  find_pairs(contacts, groups);
+  find_pairs(blocks, contacts, groups);
   sort_by_corner(blocks, contacts, groups);
   groups.seat_of.assign(groups.all.size(), -1);
   groups.watch.clear();

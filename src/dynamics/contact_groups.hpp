@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "dynamics/contact_lanes.hpp"
@@ -75,6 +76,14 @@ struct ContactGroup {
   void set(const Certainty& known);
 };
 static_assert(sizeof(ContactGroup) == 28);
+
+/// The blocks of a record, the lower number first.
+inline std::pair<int, int> pair_of(const Blocks& blocks, const Contacts& contacts,
+                                   int record) {
+  const int a = blocks.corner_block[contacts.corner[record]];
+  const int b = blocks.corner_block[contacts.edge[record]];
+  return {std::min(a, b), std::max(a, b)};
+}
 
 /// A travel that is kept: a float that is no longer.
 inline float rounded_down(double travel) {

@@ -53,10 +53,8 @@ class Heir {
                : -c;
   }
   bool same_pair(int record) const {
-    const int a = contacts_.corner_block[record], b = contacts_.edge_block[record];
-    const int from_a = contacts_.corner_block[lost_.record];
-    const int from_b = contacts_.edge_block[lost_.record];
-    return (a == from_a && b == from_b) || (a == from_b && b == from_a);
+    return pair_of(blocks_, contacts_, record) ==
+           pair_of(blocks_, contacts_, lost_.record);
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 unit_along(int p1, int p2) const { return (at(p2) - at(p1)).normalized(); }

@@ -118,8 +118,6 @@ void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers
     std::sort(places.begin(), places.end());
     for (const auto& [of_low, of_high, corner, edge] : places) {
       contacts.corner[i] = corner, contacts.edge[i] = edge;
-      contacts.corner_block[i] = blocks.corner_block[corner];
-      contacts.edge_block[i] = blocks.corner_block[edge];
       ++i;
     }
   }

@@ -81,7 +81,7 @@ struct Simulation::State {
   std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
   std::vector<std::string> warnings;
   std::string unsound;  ///< why a step was, or ""
-  long changes = 0;   ///< from outside: cards and velocities
+  long changes = 0;     ///< from outside: cards and velocities
   std::map<std::filesystem::path, library::ResultsInUse> results;  ///< by file
 
  private:
@@ -294,7 +294,7 @@ std::vector<ContactForce> Simulation::contacts() const {
   const Contacts& list = model.contacts;
   for (const ActingContact& contact : list.acting) {
     const int i = contact.record, c = list.corner[i], e = list.edge[i];
-    acting.push_back({list.corner_block[i] + 1, number(c), list.edge_block[i] + 1,
+    acting.push_back({all.corner_block[c] + 1, number(c), all.corner_block[e] + 1,
                       number(e), all.corner.col(c),
                       left_of(all.corner.col(e), all.corner.col(all.next[e])),
                       contact.normal_force, contact.shear_force, contact.overlap});

@@ -6,7 +6,7 @@ namespace blocks {
 
 void Contacts::resize(int k) {
   const auto n = static_cast<std::size_t>(k);
-  for (auto* column : {&corner, &edge, &corner_block, &edge_block})
+  for (auto* column : {&corner, &edge})
     column->resize(n);
   active.assign(n, 0);
   acting.clear();

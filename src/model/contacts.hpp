@@ -22,8 +22,6 @@ struct ActingContact {
 struct Contacts {
   std::vector<int> corner;            ///< (k) corner that may penetrate, NPC
   std::vector<int> edge;              ///< (k) first corner of the edge, NPE
-  std::vector<int> corner_block;      ///< (k) NBC
-  std::vector<int> edge_block;        ///< (k)
   std::vector<char> active;           ///< (k) acted in the last step
   std::vector<ActingContact> acting;  ///< of the active ones, in the order of the list
 

@@ -82,15 +82,15 @@ std::string contacts_dump(const Model& model) {
                      over_whole("edge") + over_whole("active") + over_number("FN") +
                      over_number("FS") + over_number("normal force") +
                      over_number("shear force") + over_number("overlap") + "\n";
-  const auto within = [&](int c, int b) {
-    return whole(c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
+  const auto named = [&](int c) {  // block, corner within it
+    const int b = blocks.corner_block[static_cast<std::size_t>(c)];
+    return whole(b + 1) +
+           whole(c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
   };
   for (int i = 0; i < list.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const ActingContact contact = list.at(i);
-    text += whole(list.corner_block[k] + 1) +
-            within(list.corner[k], list.corner_block[k]) +
-            whole(list.edge_block[k] + 1) + within(list.edge[k], list.edge_block[k]) +
+    text += named(list.corner[k]) + named(list.edge[k]) +
             over_whole(list.active[k] ? "yes" : "no") + number(contact.normal_elastic) +
             number(contact.shear_elastic) + number(contact.normal_force) +
             number(contact.shear_force) + number(contact.overlap) + "\n";

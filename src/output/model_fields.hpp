@@ -85,11 +85,9 @@ template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
 }
 
 template <class C, class Archive> void visit_contacts(C& contacts, Archive& ar) {
-  auto& [corner, edge, corner_block, edge_block, active, acting] = contacts;
+  auto& [corner, edge, active, acting] = contacts;
   ar("contacts/corner", corner);
   ar("contacts/edge", edge);
-  ar("contacts/corner_block", corner_block);
-  ar("contacts/edge_block", edge_block);
   ar("contacts/active", active);
   ar.records("contacts/acting", acting, [](auto& column, auto& contact) {
     auto& [record, normal_elastic, shear_elastic, normal_force, shear_force, overlap] =

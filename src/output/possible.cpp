@@ -181,19 +181,14 @@ void expect_contacts(const Contacts& c, const Blocks& b) {
   const auto rows = static_cast<Eigen::Index>(k);
   expect_indices("contacts/corner", c.corner, k, b.corners());
   expect_indices("contacts/edge", c.edge, k, b.corners());
-  expect_indices("contacts/corner_block", c.corner_block, k, b.size());
-  expect_indices("contacts/edge_block", c.edge_block, k, b.size());
-  for (std::size_t i = 0; i < k; ++i)
-    if (b.corner_block[c.corner[i]] != c.corner_block[i] ||
-        b.corner_block[c.edge[i]] != c.edge_block[i] ||
-        c.corner_block[i] == c.edge_block[i])
-      impossible(
-          fmt::format("contact {} names corner and edge of other blocks", i + 1));
   const auto place = [&](std::size_t i) {
-    return std::tuple(std::min(c.corner_block[i], c.edge_block[i]),
-                      std::max(c.corner_block[i], c.edge_block[i]), c.corner[i],
-                      c.edge[i]);
+    const auto [low, high] =
+        std::minmax(b.corner_block[c.corner[i]], b.corner_block[c.edge[i]]);
+    return std::tuple(low, high, c.corner[i], c.edge[i]);
   };
+  for (std::size_t i = 0; i < k; ++i)
+    if (std::get<0>(place(i)) == std::get<1>(place(i)))
+      impossible(fmt::format("contact {} is of one block alone", i + 1));
   for (std::size_t i = 1; i < k; ++i)
     if (!(place(i - 1) < place(i)))
       impossible(fmt::format("contact {} is out of order", i + 1));

@@ -34,7 +34,7 @@ Rows between_blocks(const Model& model, std::size_t first, std::size_t last) {
   for (std::size_t a = first; a < last; ++a) {
     const ActingContact& contact = list.acting[a];
     const auto k = static_cast<std::size_t>(contact.record);
-    const int e = list.edge[k], b = list.edge_block[k];
+    const int e = list.edge[k], b = blocks.corner_block[e];
     rows.add(blocks, list.corner[k],
              left_of(blocks.corner.col(e), blocks.corner.col(blocks.next[e])),
              contact.normal_force, contact.shear_force, contact.overlap);

@@ -52,8 +52,8 @@ std::string unsound(const Model& model, const dynamics::Displacement& moved,
   const Blocks& blocks = model.blocks;
   for (const ActingContact& contact : contacts.acting) {
     const int i = contact.record;
-    const int edge = contacts.edge[i], block = contacts.edge_block[i];
-    const int other = contacts.corner_block[i];
+    const int edge = contacts.edge[i], block = blocks.corner_block[edge];
+    const int other = blocks.corner_block[contacts.corner[i]];
     const double pressed = contact.normal_elastic / stiffness;
     const double behind = depth_of_middle(blocks, edge, block);
     const double above = 0.5 * extent_across(blocks, edge, other);

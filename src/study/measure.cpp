@@ -69,9 +69,9 @@ bool is_checkpoint(long k, long steps, long looks) {
 
 /// (pair, corner, edge): the order of lists.
 using Key = std::tuple<int, int, int, int>;
-Key key(const Contacts& contacts, int i) {
-  const int a = contacts.corner_block[i], b = contacts.edge_block[i];
-  return {std::min(a, b), std::max(a, b), contacts.corner[i], contacts.edge[i]};
+Key key(const Blocks& blocks, const Contacts& contacts, int i) {
+  const auto [low, high] = dynamics::pair_of(blocks, contacts, i);
+  return {low, high, contacts.corner[i], contacts.edge[i]};
 }
 
 /// The default rules on a list of their own, at the positions of another run. The list
@@ -100,7 +100,7 @@ class ExactJudge {
       const int i = decision.acting_record(group);
       for (const int record : {i, decision.notch_record(group, i)})
         if (record >= 0)
-          acting_.push_back(key(shadow_.contacts, record));
+          acting_.push_back(key(shadow_.blocks, shadow_.contacts, record));
     }
     std::sort(acting_.begin(), acting_.end());
   }
@@ -113,7 +113,7 @@ class ExactJudge {
       if (!contacts.active[i])
         continue;
       ++acted;
-      const Key k = key(contacts, i);
+      const Key k = key(shadow_.blocks, contacts, i);
       while (exact != acting_.end() && *exact < k)
         ++exact;
       right += exact != acting_.end() && *exact == k;

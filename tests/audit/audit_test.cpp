@@ -91,8 +91,6 @@ class Injected : public ::testing::Test {
       if (i == record)
         continue;
       rest.corner[k] = all.corner[i], rest.edge[k] = all.edge[i];
-      rest.corner_block[k] = all.corner_block[i];
-      rest.edge_block[k] = all.edge_block[i];
       rest.active[k++] = all.active[i];
     }
     scene.model.contacts = rest;
@@ -121,12 +119,14 @@ TEST_F(Injected, MissedPairThatDoesNotTouchYet) {
   const AuditedStep step(scene);
   const audit::ExactRules rules(step.before, 0.0);
   const Contacts& contacts = scene.model.contacts;
+  const auto edge_block = [&](int i) {
+    return step.before.corner_block[contacts.edge[i]];
+  };
   const auto between = [&](int i) {
     const double d = rules.overlap(contacts.corner[i], contacts.edge[i]);
     const double along = rules.examine(contacts.corner[i], contacts.edge[i]).along;
     return !contacts.active[i] && d < -1e-4 && d > -0.05 && along > 0.0 &&
-           along < 1.0 &&
-           rules.decide(contacts.corner[i], contacts.edge_block[i]).acting < 0;
+           along < 1.0 && rules.decide(contacts.corner[i], edge_block(i)).acting < 0;
   };
   int found_any = 0;
   for (int i = contacts.size() - 1; i >= 0 && found_any == 0; --i)
@@ -151,7 +151,8 @@ TEST_F(Injected, ContactThatShouldNotAct) {
   const audit::ExactRules rules(step.before, 0.1);
   const Contacts& contacts = scene.model.contacts;
   int i = 0;
-  while (rules.decide(contacts.corner[i], contacts.edge_block[i]).acting >= 0)
+  const auto edge_block = [&] { return step.before.corner_block[contacts.edge[i]]; };
+  while (rules.decide(contacts.corner[i], edge_block()).acting >= 0)
     ++i;
   scene.model.contacts.active[i] = 1;
   const Findings found = step.audit(scene);
@@ -192,8 +193,6 @@ TEST(Audit, ContactDeeperThanItsBlocksOverlap) {
       while (contacts.active[i])
         ++i;
       contacts.corner[i] = corner, contacts.edge[i] = edge;
-      contacts.corner_block[i] = scene.model.blocks.corner_block[corner];
-      contacts.edge_block[i] = scene.model.blocks.corner_block[edge];
       contacts.active[i] = 1;
       const Findings found = step.audit(scene);
       contacts = whole;

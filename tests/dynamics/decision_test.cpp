@@ -182,7 +182,8 @@ TEST(CertainTravel, IsSound) {
       needles += now >= 0 && trial % 8 == 1;
       for (int k = 0; k < 16; ++k) {
         const Nudge one = random_nudge(random), other = random_nudge(random);
-        const int a = contacts.corner_block[group.first], b = group.edge_block;
+        const int a = scene.model.blocks.corner_block[contacts.corner[group.first]];
+        const int b = group.edge_block;
         const auto nudged = [&](double size, double& u) {
           Blocks blocks = scene.model.blocks;
           const double arms =

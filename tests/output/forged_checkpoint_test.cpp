@@ -202,7 +202,7 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts.edge[1] = 99; }),
             "contacts/edge names number 100 of 8");
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts.edge[1] = 5; }),
-            "contact 2 names corner and edge of other blocks");
+            "contact 2 is of one block alone");
   EXPECT_EQ(message([](Model& m, auto&) {
               std::swap(m.contacts.corner[0], m.contacts.corner[1]);
             }),

@@ -57,8 +57,6 @@ inline Model two_blocks() {
     const auto k = static_cast<std::size_t>(i);
     list.corner[k] = i == 0 ? 4 : 7;
     list.edge[k] = 1;
-    list.corner_block[k] = 1;
-    list.edge_block[k] = 0;
     list.active[k] = i == 0;
   }
   list.acting = {{0, 0.5, 0.0, 0.75, -0.125, 0.0625}};

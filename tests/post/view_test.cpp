@@ -139,8 +139,7 @@ TEST(View, AHundredFramesOfMotionStayBelowFiveMegabytes) {
     list.resize(3400);
     for (int i = 0; i < list.size(); ++i) {
       const int b = i / 4, other = b == 0 ? 1 : b - 1;
-      list.corner[i] = i, list.corner_block[i] = b;
-      list.edge[i] = 4 * other + i % 4, list.edge_block[i] = other;
+      list.corner[i] = i, list.edge[i] = 4 * other + i % 4;
       list.active[i] = 1;
       list.acting.push_back(touching(i));
     }

@@ -57,7 +57,6 @@ Model state(int i) {
   for (int k = 0; k < 199; ++k) {
     const auto n = static_cast<std::size_t>(k);
     list.corner[n] = 4 * k + 4, list.edge[n] = 4 * k + 2;
-    list.corner_block[n] = k + 1, list.edge_block[n] = k;
     list.active[n] = 1;
     list.acting.push_back({k, 0.0, 0.0, i + 1.0, 0.0, 0.0});
   }

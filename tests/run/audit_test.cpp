@@ -69,8 +69,6 @@ void lose_records(const TemporaryFolder& folder) {
     if (all.corner[i] == 4)
       continue;
     rest.corner[kept] = all.corner[i], rest.edge[kept] = all.edge[i];
-    rest.corner_block[kept] = all.corner_block[i];
-    rest.edge_block[kept] = all.edge_block[i];
     rest.active[kept] = all.active[i];
     if (all.active[i]) {
       rest.acting.push_back(all.at(i));
@@ -79,7 +77,7 @@ void lose_records(const TemporaryFolder& folder) {
     ++kept;
   }
   ASSERT_LT(kept, all.size());
-  for (auto* column : {&rest.corner, &rest.edge, &rest.corner_block, &rest.edge_block})
+  for (auto* column : {&rest.corner, &rest.edge})
     column->resize(kept);
   rest.active.resize(kept);
   all = rest;

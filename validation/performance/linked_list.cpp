@@ -70,7 +70,8 @@ LinkedListCode::LinkedListCode(const Model& start, Checks checks)
   }
   find_contacts();
   for (int i = 0; i < start.contacts.size(); ++i) {
-    const int b = start.contacts.edge_block[i], other = start.contacts.corner_block[i];
+    const int b = from.corner_block[start.contacts.edge[i]];
+    const int other = from.corner_block[start.contacts.corner[i]];
     for (int address = blocks_[b].contact; address != none;
          address = contacts_[address].link) {
       Contact& record = contacts_[address];
