@@ -89,7 +89,7 @@ BLOCKS_INLINE Set root(Set x) {
 /// Corners against edges: 2A of (19), and filter::overlap of
 /// geometry/contact_predicates.hpp.
 struct Sides {
-  Set xc, yc, ex, ey, plus, minus, value;
+  Set xc, yc, ex, ey, cx, cy, plus, minus, value;
 
   BLOCKS_INLINE Sides(const SlotPlaces& slot, const BlockRows& blocks, int i) {
     const Point c = gather_point<2>(blocks.corner, slot.corner + i);
@@ -97,11 +97,17 @@ struct Sides {
     const Point p2 = gather_point<2>(blocks.corner, slot.edge_end + i);
     xc = c.x, yc = c.y;
     ex = p2.x - p1.x, ey = p2.y - p1.y;
-    plus = (xc - p1.x) * ey, minus = (yc - p1.y) * ex;
+    cx = xc - p1.x, cy = yc - p1.y;
+    plus = cx * ey, minus = cy * ex;
     value = plus - minus;
   }
   BLOCKS_INLINE Set bound() const {
     return 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
+  }
+  /// 2A is 0, for a factor of either product is: of bricks that touch as they were
+  /// made.
+  BLOCKS_INLINE Mask tie() const {
+    return ((cx == 0.0) | (ey == 0.0)) & ((cy == 0.0) | (ex == 0.0));
   }
 };
 
@@ -111,16 +117,19 @@ BLOCKS_INLINE Marks find_touching_slot(SlotPlaces& slot, const BlockRows& blocks
                                        int i) {
   const Sides sides(slot, blocks, i);
   const Set bound = sides.bound();
-  const Mask outside = sides.value < -bound;
-  const Mask clear = outside | (sides.value > bound);
   const Marks rule = load(slot.rule, i), before = load(slot.touch, i);
   const Marks asked = rule == by_sign;
-  const Marks acts = (rule == decided) | (asked & ~marks_of(outside));
+  Marks inside = ~marks_of(sides.value < -bound);
+  Marks open = asked & inside & ~marks_of(sides.value > bound);
+  if (any(open)) {
+    const Marks tie = marks_of(sides.tie());
+    inside &= ~tie, open &= ~tie;
+  }
+  const Marks acts = (rule == decided) | (asked & inside);
   const Marks touch =
       acts & ((before != apart) ? in_touch + Marks{} : starting + Marks{});
   store(slot.touch, i, touch);
-  const Marks lost = (touch == apart) & (before != apart);
-  return (asked & ~marks_of(clear)) | lost;
+  return open | ((touch == apart) & (before != apart));
 }
 
 /// Two blocks of each lane: where they are, and how the high one sees the low one move.

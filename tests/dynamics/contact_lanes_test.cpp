@@ -9,8 +9,12 @@
 #include <numeric>
 #include <random>
 
+#include "geometry/contact_predicates.hpp"
+
 namespace blocks::dynamics {
 namespace {
+
+using geometry::Vec2;
 
 /// Numbers of every size, of both signs, and zeros.
 class Numbers {
@@ -141,6 +145,46 @@ TEST(ContactLanes, EveryInstructionSetGivesTheSameBits) {
       }
     }
   }
+}
+
+// What find_touching leaves closed is exact: whole coordinates make many ties, steps of
+// a unit in the last place many that are nearly such.
+TEST(ContactLanes, WhatTouchesIsDecidedExactly) {
+  std::mt19937_64 random(5);
+  const auto below = [&](int count) { return static_cast<int>(random() % count); };
+  long ties = 0, open = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<double> corner(2 * Scene::corners);
+    for (double& x : corner) {
+      x = below(4) - 1;
+      for (int k = trial % 4; k > 0; --k)
+        x = std::nextafter(x, below(3) - 1);
+      x = trial % 5 == 0 ? std::ldexp(x, -540) : x;
+    }
+    const BlockRows rows{corner.data(), nullptr, nullptr, nullptr, nullptr};
+    const auto at = [&](int c) { return Vec2(corner[2 * c], corner[2 * c + 1]); };
+    ContactLanes lanes;
+    lanes.reserve(1, 1);
+    lanes.add_set(1);
+    SlotPlaces& slot = lanes.places[0];
+    for (int k = 0; k < lane_count; ++k) {
+      slot.corner[k] = below(Scene::corners), slot.edge[k] = below(Scene::corners);
+      slot.edge_end[k] = below(Scene::corners);
+      slot.rule[k] = by_sign;
+    }
+    lane_arithmetic().find_touching(lanes, rows, 0, 1);
+    for (int k = 0; k < lane_count; ++k) {
+      const int sign = geometry::exact::overlap_sign(
+          at(slot.corner[k]), at(slot.edge[k]), at(slot.edge_end[k]));
+      if (slot.touch[k] == apart || lanes.pairs[0].look == 0) {
+        ASSERT_EQ(slot.touch[k] != apart, sign > 0) << trial;
+      }
+      ties += slot.touch[k] == apart && sign == 0;
+      open += slot.touch[k] != apart && sign <= 0;
+    }
+  }
+  EXPECT_GT(ties, 2000);
+  EXPECT_GT(open, 100);
 }
 
 // What is found for readers only changes nothing.
