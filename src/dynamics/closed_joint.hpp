@@ -48,14 +48,15 @@ template <class Rules> class ClosedJoint {
   bool hides_side(int c, int e, int f) const {
     if (!shallow(c, f))
       return false;
-    const double depth = depth_below(c, f);
+    const Slide slide(*this, c, e, f);
+    const double depth = slide.depth;
     for (const double part : joint_gaps)
-      if (reaches_over(c, e, f, part * depth) && goes_on(c, e, f, part * depth, true))
+      if (reaches_over(slide, part * depth) && goes_on(slide, part * depth, true))
         return true;
     const int vertex = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
     const double closed =
         vertex < 0 ? 0.0 : std::min(depth, inside_by(vertex, blocks_.corner_block[c]));
-    return closed > 0.0 && goes_on(c, e, f, closed, true);
+    return closed > 0.0 && goes_on(slide, closed, true);
   }
 
   /// Corner c is hidden from edge e, a flank that slopes to the surface of c's block:
@@ -96,12 +97,14 @@ template <class Rules> class ClosedJoint {
     const int toe = toe_of(e, surface);
     if (toe < 0 || !shallow(toe, surface))
       return false;
-    const double depth = depth_below(toe, surface);
+    const Slide slide(*this, toe, side, surface);
+    const double depth = slide.depth;
+    if (!(depth > 0.0))
+      return false;
     const double closed = std::min(depth, depth_below(c, e));
     const bool inside = holds(at(toe), blocks_.corner_block[c]);
-    return depth > 0.0 && (goes_on(toe, side, surface, closed, inside) ||
-                           (inside && reaches_over(toe, side, surface, depth) &&
-                            goes_on(toe, side, surface, depth, true)));
+    return goes_on(slide, closed, inside) ||
+           (inside && reaches_over(slide, depth) && goes_on(slide, depth, true));
   }
 
   /// From the end of edge e that lies deeper below the surface on, the first corner of
@@ -120,35 +123,42 @@ template <class Rules> class ClosedJoint {
     return -1;
   }
 
-  /// From corner c along the surface to `gap` beyond the side, [L]; of no use where the
-  /// side does not slope to the surface or where that is too far.
-  struct Way {
-    Vec2 along;
-    double length;
-    bool possible;
+  /// Corner c below a surface that a side ends.
+  struct Slide {
+    int c, side, surface;
+    Vec2 along;     ///< the surface, unit vector
+    double depth;   ///< [L] of c below the surface
+    double beyond;  ///< [L] of c below the side
+    double slope;   ///< sine of the angle from the side to the surface
+    double most;    ///< [L] a longer way along the surface is of no use
+
+    Slide(const ClosedJoint& joint, int corner, int side_edge, int surface_edge)
+        : c(corner), side(side_edge), surface(surface_edge),
+          along(joint.unit_along(surface)), depth(joint.depth_below(c, surface)),
+          beyond(joint.depth_below(c, side)),
+          slope(geometry::cross(joint.unit_along(side), along)),
+          most(shielded_way * (joint.end(surface) - joint.at(surface)).norm()) {}
+
+    /// From the corner along the surface to `gap` beyond the side, [L].
+    double way(double gap) const { return (beyond + gap) / slope; }
+    /// Not where the side does not slope to the surface or where that is too far.
+    bool possible(double way) const {
+      return std::abs(slope) >= least_slope && std::abs(way) <= most;
+    }
   };
-  Way way(int c, int side, int surface, double gap) const {
-    const Vec2 along = unit_along(surface);
-    const double slope = geometry::cross(unit_along(side), along);
-    const double length = (depth_below(c, side) + gap) / slope;
-    return {along, length,
-            std::abs(slope) >= least_slope &&
-                std::abs(length) <= shielded_way * (end(surface) - at(surface)).norm()};
-  }
 
   /// Whether beyond the side the surface goes on in a third block that is listed for
   /// corner c; it has to hold the corner unless the block itself does.
-  bool goes_on(int c, int side, int surface, double gap, bool inside) const {
-    const Way there = way(c, side, surface, gap);
-    if (!there.possible)
+  bool goes_on(const Slide& slide, double gap, bool inside) const {
+    const double way = slide.way(gap);
+    if (!slide.possible(way))
       return false;
-    const Vec2 point = at(c) + there.length * there.along;
+    const int c = slide.c, own = blocks_.corner_block[slide.side];
+    const Vec2 point = at(c) + way * slide.along;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
       const int third = groups_.all[groups_.by_corner[k]].edge_block;
-      if (third != blocks_.corner_block[side] && blocks_.convex[third] &&
-          near(point, third) &&
-          has_surface(third, point, there.along, depth_below(c, surface),
-                      std::abs(there.length)) &&
+      if (third != own && blocks_.convex[third] && near(point, third) &&
+          has_surface(third, point, slide.along, slide.depth, std::abs(way)) &&
           (inside || holds(at(c), third)))
         return true;
     }
@@ -174,8 +184,11 @@ template <class Rules> class ClosedJoint {
       const double product = geometry::cross(point - at(e), edge);
       if (!(product >= 0.0))
         return false;
+      const double parallel = edge.dot(surface);
+      if (!(parallel > 0.0))
+        continue;
       const double length = edge.norm(), below = product / length;
-      found |= edge.dot(surface) > least_cosine * length && below >= 0.5 * depth &&
+      found |= parallel > least_cosine * length && below >= 0.5 * depth &&
                below <= 2.0 * depth && way <= shielded_way * length;
     }
     return found;
@@ -183,14 +196,14 @@ template <class Rules> class ClosedJoint {
 
   /// Whether the block of corner c lies over the place beyond the side, seen at some
   /// heights up to the surface: its face may lean, its nose be sharp.
-  bool reaches_over(int c, int side, int surface, double gap) const {
-    const Way there = way(c, side, surface, gap);
-    if (!there.possible)
+  bool reaches_over(const Slide& slide, double gap) const {
+    const double way = slide.way(gap);
+    if (!slide.possible(way))
       return false;
-    const Vec2 point = at(c) + there.length * there.along;
-    const Vec2 to_surface = depth_below(c, surface) * outwards(there.along);
+    const Vec2 point = at(slide.c) + way * slide.along;
+    const Vec2 to_surface = slide.depth * outwards(slide.along);
     for (const double part : joint_heights)
-      if (reaches(blocks_.corner_block[c], point + part * to_surface))
+      if (reaches(blocks_.corner_block[slide.c], point + part * to_surface))
         return true;
     return false;
   }

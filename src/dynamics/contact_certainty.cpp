@@ -160,11 +160,11 @@ double travel_before_outline(const Blocks& blocks, int corner, int block) {
 }
 
 /// side_travel of the edge that the corner is farthest out of, or least far inside, and
-/// of the next.
+/// of the next two.
 struct Sides {
   static constexpr double forever = std::numeric_limits<double>::max();
-  int edge = -1;
-  double least = forever, next = forever;
+  int edge = -1, next_edge = -1;
+  double least = forever, next = forever, third = forever;
   bool asks = false;  ///< whether the edge comes through, or some side crosses
 
   /// As long as the corner stays there in the block.
@@ -177,10 +177,14 @@ struct Sides {
   Sides(const Blocks& blocks, int corner, int block) {
     for (int e = blocks.first_corner[block]; e < blocks.first_corner[block + 1]; ++e) {
       const double travel = side_travel(blocks, corner, e);
-      if (travel < least)
-        next = least, least = travel, edge = e;
-      else
-        next = std::min(next, travel);
+      if (travel < least) {
+        third = next, next = least, next_edge = edge;
+        least = travel, edge = e;
+      } else if (travel < next) {
+        third = next, next = travel, next_edge = e;
+      } else {
+        third = std::min(third, travel);
+      }
     }
   }
 };
@@ -260,7 +264,7 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
     return {-1, travel_before_outline(blocks, c, block)};
   const Certainty anywhere =
       best_candidate(blocks, contacts, group, Sides(blocks, c, block));
-  if (anywhere.travel > enough)
+  if (anywhere.travel > enough || blocks.corners_of(block) > ContactGroup::most_edges)
     return anywhere;
   const int place =
       PlaceInBlock<ExactRules>(blocks).outside_of(blocks.corner.col(c), block);
@@ -271,7 +275,8 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
     there.travel = std::min(there.travel, most);
     if (there.travel <= 2.0 * best.travel)
       continue;
-    best = there, best.place = place, best.asks = asks;
+    best = there, best.asks = asks;
+    best.place = place < 0 ? place : place - blocks.first_corner[block];
     if (best.travel > enough)
       break;
   }
@@ -287,22 +292,44 @@ Certainty certainty(const Blocks& blocks, const Contacts& contacts,
   return known.travel > 0.0 ? known : Certainty{};
 }
 
-double condition_travel(const Blocks& blocks, const Contacts& contacts,
-                        const ContactGroup& group) {
+ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
+                                 const ContactGroup& group, double enough) {
   using Place = PlaceInBlock<ExactRules>;
-  const int c = contacts.corner[group.first], place = group.place;
+  const int c = contacts.corner[group.first];
+  const int first = blocks.first_corner[group.edge_block];
+  const int place = group.place < 0 ? int{group.place} : first + group.place;
   const Sides sides(blocks, c, group.edge_block);
-  double travel = place == Place::none ? sides.least : -sides.next;
-  if (place >= 0)
-    travel = place == sides.edge ? std::min(-sides.least, sides.next) : 0.0;
-  if (group.asks && travel > 0.0 && place != Place::several) {
+  // how far the corner is from passing each of the two edges, and the others
+  std::array<double, 2> margin = {0.0, 0.0};
+  double others = 0.0;
+  if (place == Place::none)
+    margin = {sides.least, sides.next}, others = sides.third;
+  else if (place == Place::several)
+    others = margin[0] = margin[1] = -sides.next;
+  else if (place == sides.edge)  // inside of all others
+    margin = {-sides.least, sides.next}, others = sides.third;
+  ConditionTravel found;
+  found.travel = std::min({margin[0], margin[1], others});
+  found.rest = others;
+  const std::array edges = {sides.edge - first, sides.next_edge - first};
+  for (const int i : {0, 1})
+    if (margin[i] <= enough && place != Place::several)
+      found.edges[i] = edges[i];
+    else
+      found.rest = std::min(found.rest, margin[i]);
+  if (group.asks && found.rest > 0.0 && place != Place::several) {
     if (place >= 0)
-      travel = std::min(travel, no_crossing_beside(blocks, c, place, travel));
+      found.rest =
+          std::min(found.rest, no_crossing_beside(blocks, c, place, found.rest));
     else if (group.record >= 0)
-      travel = std::min(travel,
-                        through_travel(blocks, c, contacts.edge[group.record], travel));
+      found.rest =
+          std::min(found.rest,
+                   through_travel(blocks, c, contacts.edge[group.record], found.rest));
   }
-  return std::max(0.0, travel - roundoff(blocks, c, group.edge_block));
+  const double rounded = roundoff(blocks, c, group.edge_block);
+  found.rest = std::max(0.0, found.rest - rounded);
+  found.travel = std::clamp(found.travel - rounded, 0.0, found.rest);
+  return found;
 }
 
 }  // namespace blocks::dynamics

@@ -1,6 +1,8 @@
 // For how long the decision which edge acts on a corner stands.
 #pragma once
 
+#include <array>
+
 #include "dynamics/contact_groups.hpp"
 #include "model/model.hpp"
 
@@ -32,9 +34,16 @@ namespace blocks::dynamics {
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
                     const ContactGroup& group, double enough);
 
-/// For how long the condition of a group certainly holds (ContactDecision::stands); 0:
-/// that is open.
-double condition_travel(const Blocks& blocks, const Contacts& contacts,
-                        const ContactGroup& group);
+/// For how long the condition of a group certainly holds (ContactDecision::stands).
+struct ConditionTravel {
+  double travel = 0.0;  ///< [L] it does; 0: whether it does now is open
+  /// Of the group's block, numbered within it: those which the corner may pass first;
+  /// -1: none.
+  std::array<int, 2> edges = {-1, -1};
+  double rest = 0.0;  ///< [L] it does as long as the corner stays on its side of them
+};
+/// enough [L]: edges that the corner cannot pass within this travel are not named.
+ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
+                                 const ContactGroup& group, double enough = 0.0);
 
 }  // namespace blocks::dynamics

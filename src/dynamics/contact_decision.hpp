@@ -90,7 +90,8 @@ template <class Rules> class ContactDecision {
   bool stands(const ContactGroup& group) const {
     const int c = contacts_.corner[group.first];
     const int out = place_.outside_of(at(c), group.edge_block);
-    if (out != group.place)
+    const int first = blocks_.first_corner[group.edge_block];
+    if ((out < 0 ? out : out - first) != group.place)
       return false;
     if (!group.asks || out == several)
       return true;
@@ -98,6 +99,17 @@ template <class Rules> class ContactDecision {
       return group.record < 0 || comes_through(c, contacts_.edge[group.record]);
     return !acts_beside_crossing(c, blocks_.previous[out], out) &&
            !acts_beside_crossing(c, blocks_.next[out], out);
+  }
+
+  /// Whether the corner is still on its side of the edges that are watched.
+  bool stays(const ContactGroup& group) const {
+    const Vec2 corner = at(contacts_.corner[group.first]);
+    const int first = blocks_.first_corner[group.edge_block];
+    for (const std::int8_t edge : group.watched)
+      if (edge >= 0 && Rules::inside_edge(corner, at(first + edge),
+                                          end(first + edge)) == (group.place == edge))
+        return false;
+    return true;
   }
 
   /// The record that acts as well, for the corner has to come out of a notch, or -1.

@@ -101,7 +101,7 @@ double rounded_up(double length) {
 void ContactGroup::set(const Certainty& known) {
   record = known.candidate;
   travel = unasked = rounded_down(known.travel);
-  place = known.place;
+  place = static_cast<std::int8_t>(known.place);
   asks = known.asks;
 }
 
@@ -219,7 +219,8 @@ double ContactGroups::relative_motion(const Blocks& blocks, int pair) const {
 
 void ContactGroups::forget_decisions() {
   for (ContactPair& pair : pairs)
-    pair.certain = 0.0;
+    pair.certain = 0.0, pair.prompt = 0;
+  std::fill(prompt.begin(), prompt.end(), std::uint8_t{0});
   for (PairWatch& each : watch)
     each.limit = 0.0;
   std::fill(rounds.begin(), rounds.end(), 0.0);
@@ -406,6 +407,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
     groups.watch.push_back({0.0, pair.low, pair.high});
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
+  groups.prompt.assign(groups.rounds.size(), 0);
   reserve_lanes(groups);
   groups.times_made = 0;
   groups.loaded = false;

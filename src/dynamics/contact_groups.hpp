@@ -44,7 +44,8 @@ struct Certainty {
   static constexpr int anywhere = -3;
   int candidate = -1;
   double travel = 0.0;
-  /// Only while the corner is there in the block (PlaceInBlock::outside_of), and, asks,
+  /// Only while the corner is there in the block (PlaceInBlock::outside_of; edges are
+  /// numbered within the block), and, asks,
   /// while the edge comes through or no side crosses (ContactDecision::stands).
   int place = anywhere;
   bool asks = false;
@@ -54,6 +55,7 @@ struct Certainty {
 /// Many: 28 bytes.
 struct ContactGroup {
   static constexpr std::uint32_t most_records = (1U << 22) - 1;
+  static constexpr int most_edges = 128;  ///< of a block, for a condition
   int first = 0;
   std::uint32_t count : 22 = 0;    ///< records
   std::uint32_t hopeless : 7 = 0;  ///< decisions left for which none is certain
@@ -63,8 +65,10 @@ struct ContactGroup {
   std::uint32_t asks : 1 = 0;  ///< of its certainty
   int edge_block = 0;
   int record = -1;  ///< that acts, -1: none; while certain: that is the candidate to
-  int place = Certainty::anywhere;  ///< of its certainty
-  float travel = 0.0F;              ///< [L] of its certainty, from the pose of its pair
+  std::int8_t place = Certainty::anywhere;  ///< of its certainty
+  /// Edges that are watched where it is prompt, numbered within the block; -1: none.
+  std::int8_t watched[2] = {-1, -1};
+  float travel = 0.0F;   ///< [L] of its certainty, from the pose of its pair
   float unasked = 0.0F;  ///< [L] the same, until what it stands on has to be asked
 
   int last() const { return first + static_cast<int>(count); }
@@ -92,10 +96,12 @@ inline float rounded_down(double travel) {
 
 /// The groups of two blocks, which stand side by side.
 struct ContactPair {
-  int low = 0, high = 0;    ///< the two blocks
-  int first = 0, last = 0;  ///< groups
-  int lane = -1;            ///< of its contacts that have seats (ContactLanes)
-  double certain = 0.0;     ///< [L] until the first of its groups has to be decided
+  int low = 0, high = 0;     ///< the two blocks
+  int first = 0, last = 0;   ///< groups
+  int lane = -1;             ///< of its contacts that have seats (ContactLanes)
+  std::uint32_t prompt = 0;  ///< bit k: an edge of group first + k is asked in
+                             ///< each step
+  double certain = 0.0;      ///< [L] until the first of its groups has to be decided
 };
 
 /// How the two blocks of a pair stood to each other when certainty began to count.
@@ -175,7 +181,9 @@ struct ContactGroups {
   std::vector<PairShapes> shapes;  ///< (pairs) deformable blocks only
   std::vector<PairWatch> watch;    ///< (pairs)
   std::vector<double> rounds;      ///< [L] (pairs / pairs_of_round, rounded up)
-  std::vector<int> by_corner;      ///< indices into `all`, corner after corner
+  /// (rounds) bit k: groups of the round's pair k are prompt
+  std::vector<std::uint8_t> prompt;
+  std::vector<int> by_corner;  ///< indices into `all`, corner after corner
   std::vector<int>
       first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "dynamics/contact_certainty.hpp"
 #include "dynamics/contact_decision.hpp"
@@ -64,23 +66,47 @@ inline double motion_of_step(const Blocks& blocks, const Swing& swing,
   return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
 }
 
-/// Whether the condition of a certain group holds. If it does, it need not be asked
-/// again before the blocks have moved against each other by more than `unasked`; moved:
-/// how far they have. Only where the bounds do not tell it is asked exactly.
+/// Of group g in `prompt`; 0: the pair has too many groups.
+inline std::uint32_t bit_of(const ContactPair& pair, int g) {
+  const int k = g - pair.first;
+  return k < 32 ? std::uint32_t{1} << k : 0U;
+}
+
+/// A condition that bounds keep for fewer steps, for the corner may pass an edge or
+/// two, is prompt: these are asked exactly in each step, which takes less time than
+/// bounds.
+inline constexpr int prompt_life = 32;
+
+/// Whether the condition of certain group g of the pair holds; moved: how far the
+/// blocks have moved from the pair's pose. If it does, it need not be asked again
+/// before they have moved by more than `unasked`, but for edges that are watched. Only
+/// where the bounds do not tell it is asked exactly.
 template <class Rules>
 bool condition_holds(const Blocks& blocks, const Contacts& contacts,
-                     const ContactDecision<Rules>& decision, ContactGroup& group,
-                     double moved) {
-  const double travel = condition_travel(blocks, contacts, group);
-  group.unasked = rounded_down(moved + travel);
-  return travel > 0.0 || decision.stands(group);
+                     const ContactDecision<Rules>& decision, ContactGroups& groups,
+                     ContactPair& pair, int g, double moved, double motion) {
+  ContactGroup& group = groups.all[g];
+  const double enough = prompt_life * motion;
+  const ConditionTravel found = condition_travel(blocks, contacts, group, enough);
+  pair.prompt &= ~bit_of(pair, g);
+  group.unasked = rounded_down(moved + found.travel);
+  if (!(found.travel > 0.0) && !decision.stands(group))
+    return false;
+  if (found.travel < enough && found.rest > 4.0 * found.travel &&
+      bit_of(pair, g) != 0) {
+    pair.prompt |= bit_of(pair, g);
+    for (const int i : {0, 1})
+      group.watched[i] = static_cast<std::int8_t>(found.edges[i]);
+    group.unasked = rounded_down(moved + found.rest);
+  }
+  return true;
 }
 
 /// Which record of group g acts, or which two of a notch, and for how long that is
 /// known from where the blocks stand.
 template <class Rules>
 void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
-            int g, double motion, ContactGroups::Share& share) {
+            ContactPair& pair, int g, double motion, ContactGroups::Share& share) {
   const ContactDecision<Rules> decision(blocks, contacts, groups);
   ContactGroup& group = groups.all[g];
   int other = -1;  // of a notch
@@ -90,7 +116,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
     if (known.travel > least_life * motion)
       group.set(known);
     if (group.certain() && group.conditional() &&
-        !condition_holds(blocks, contacts, decision, group, 0.0))
+        !condition_holds(blocks, contacts, decision, groups, pair, g, 0.0, motion))
       group.travel = 0.0F;
   }
   if (!group.certain()) {
@@ -135,19 +161,21 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
   const ContactDecision<Rules> decision(blocks, contacts, groups);
   bool anew = false;
   // the other way round a NaN would let a decision stand
-  const auto stands = [&](ContactGroup& group) {
+  const auto stands = [&](int g) {
+    ContactGroup& group = groups.all[g];
     if (!Rules::keeps_decisions || !(group.travel - moved > 0.0))
       return false;
     if (!group.conditional() || group.unasked - moved > 0.0)
       return true;
     anew = true;
-    return condition_holds(blocks, contacts, decision, group, moved);
+    return condition_holds(blocks, contacts, decision, groups, pair, g, moved, motion);
   };
   for (int g = pair.first; g < pair.last; ++g) {
     ContactGroup& group = groups.all[g];
-    if (group.of_notch || stands(group))
+    if (group.of_notch || stands(g))
       continue;
     group.travel = 0.0F;
+    pair.prompt &= ~bit_of(pair, g);
     anew |= group.hopeless == 0;
   }
   pair.certain = std::numeric_limits<double>::max();
@@ -156,7 +184,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     if (group.of_notch)  // with the one before
       continue;
     if (!group.certain()) {
-      decide<Rules>(blocks, contacts, groups, g, motion, share);
+      decide<Rules>(blocks, contacts, groups, pair, g, motion, share);
     } else if (anew) {
       group.travel = rounded_down(group.travel - moved);
       group.unasked = rounded_down(group.unasked - moved);
@@ -165,6 +193,28 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
   }
   if (anew)
     groups.take_pose(blocks, p);
+}
+
+/// Asks the prompt groups of a round. Whose corner has passed an edge is not certain
+/// any more, and its pair is due. Whether there is one.
+template <class Rules>
+bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
+                int round) {
+  const ContactDecision<Rules> decision(blocks, contacts, groups);
+  bool due = false;
+  for (unsigned left = groups.prompt[round]; left != 0; left &= left - 1) {
+    const int p = round * pairs_of_round + std::countr_zero(left);
+    ContactPair& pair = groups.pairs[p];
+    for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
+      ContactGroup& group = groups.all[pair.first + std::countr_zero(bits)];
+      if (decision.stays(group))
+        continue;
+      group.travel = 0.0F;
+      pair.certain = groups.watch[p].limit = 0.0;
+      due = true;
+    }
+  }
+  return due;
 }
 
 /// Decides the groups whose blocks have moved too far since they were last decided, of
@@ -176,8 +226,11 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
   const Swing& swing = groups.swing;
   const int pairs = static_cast<int>(groups.pairs.size());
   for (int round = first; round < last; ++round) {
-    if (Rules::keeps_decisions && swing.travel < groups.rounds[round])
+    const bool due =
+        groups.prompt[round] != 0 && ask_prompt<Rules>(blocks, contacts, groups, round);
+    if (Rules::keeps_decisions && !due && swing.travel < groups.rounds[round])
       continue;
+    unsigned prompt = 0;
     double left_of_round = std::numeric_limits<double>::max();
     for (int p = round * pairs_of_round;
          p < std::min(pairs, (round + 1) * pairs_of_round); ++p) {
@@ -193,7 +246,9 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
         watch.limit = way + (certain - moved);
       }
       left_of_round = std::min(left_of_round, watch.limit - way);
+      prompt |= (groups.pairs[p].prompt != 0 ? 1U : 0U) << (p % pairs_of_round);
     }
+    groups.prompt[round] = static_cast<std::uint8_t>(prompt);
     // each of the two blocks goes as far as the travel tells
     groups.rounds[round] = swing.travel + 0.5 * left_of_round;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -125,6 +126,7 @@ TEST(CertainTravel, IsSound) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int judged = 0, acting = 0, needles = 0, conditional = 0, conditions_kept = 0;
+  std::array<int, 2> watched = {};  ///< edges that corners have passed, and not
   for (int trial = 0; trial < 8000; ++trial) {
     Scene scene;
     scene.add(random_polygon(random, {0, 0}, 1.0));
@@ -164,10 +166,18 @@ TEST(CertainTravel, IsSound) {
                                            blocks, contacts, buffers.groups)
                                            .stands(group);
       };
-      const double same =
+      const double far = trial % 3 ? 1.0 : 0.0;  // for longer where an edge is watched
+      const auto [same, edges, rest] =
           group.conditional()
-              ? dynamics::condition_travel(scene.model.blocks, contacts, group)
-              : 0.0;
+              ? dynamics::condition_travel(scene.model.blocks, contacts, group, far)
+              : dynamics::ConditionTravel{};
+      for (const int i : {0, 1})
+        group.watched[i] = static_cast<std::int8_t>(edges[i]);
+      const auto stays = [&](const Blocks& blocks) {
+        return dynamics::ContactDecision<dynamics::ExactRules>(blocks, contacts,
+                                                               buffers.groups)
+            .stays(group);
+      };
       if (same > 0.0) {
         ASSERT_TRUE(holds(scene.model.blocks)) << trial;
       } else if (!holds(scene.model.blocks)) {
@@ -200,6 +210,11 @@ TEST(CertainTravel, IsSound) {
           ASSERT_TRUE(holds(nudged(0.99 * same / unit, u))) << trial;
           ++conditions_kept;
         }
+        if (rest > same) {
+          const Blocks beside = nudged(0.99 * rest / unit, u);
+          ASSERT_EQ(holds(beside), stays(beside)) << trial;
+          ++watched[stays(beside)];
+        }
         const Blocks moved = nudged(0.99 * travel / unit, u);  // just below the bound
         ASSERT_LT(u, travel);
         if (!holds(moved))
@@ -215,6 +230,8 @@ TEST(CertainTravel, IsSound) {
   EXPECT_GT(needles, 50);
   EXPECT_GT(conditional, 1000);
   EXPECT_GT(conditions_kept, 10000);
+  EXPECT_GT(watched[0], 1000);
+  EXPECT_GT(watched[1], 10000);
 }
 
 // Neighbours along a slanted joint, the right one a little lower and pressed in: its
