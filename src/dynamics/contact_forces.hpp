@@ -19,6 +19,12 @@ Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
                            ContactGroups& groups, const Settings& settings, double dt,
                            bool readings, Workers& workers, Profile* profile = nullptr);
 
+/// The readings of the step whose forces were just found without; what moves the blocks
+/// stays. The shear force of a contact that slides back may lack its dashpot, or have
+/// it.
+void read_contacts(const Blocks& blocks, ContactGroups& groups,
+                   const Settings& settings);
+
 /// Forces from symmetry planes, added to their blocks: frictionless, infinite mass, no
 /// tension (rule 21).
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

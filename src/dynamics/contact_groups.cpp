@@ -306,19 +306,22 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   const double soon = times_made > 1 ? 2.0 * (swing.travel - made_at) : 0.0;
   ++times_made;
   made_at = swing.travel;
-  const auto may_act_soon = [&](const ContactGroup& one) {
+  const auto may_act_soon = [&](const ContactPair& pair, int g) {
+    if ((pair.prompt & pair.bit(g)) != 0)
+      return soon > 0.0;
+    const ContactGroup& one = all[g];
     return one.certain() ? one.lasts() < soon : soon > 0.0 && one.hopeless > 0;
   };
-  // who had a seat keeps it: it may want it again
-  for (int g = 0; const ContactGroup& one : all) {
-    const bool wants =
-        seat_of[g] >= 0 || one.record >= 0 || acted(contacts, one) || may_act_soon(one);
-    seat_of[g] = wants ? 0 : -1;
-    // of a notch both or none: a spring may pass from one to the other
-    if (one.of_notch && seat_of[g] != seat_of[g - 1])
-      seat_of[g] = seat_of[g - 1] = 0;
-    ++g;
-  }
+  for (const ContactPair& pair : pairs)
+    for (int g = pair.first; g < pair.last; ++g) {
+      // who had a seat keeps it: it may want it again
+      const bool wants = seat_of[g] >= 0 || all[g].record >= 0 ||
+                         acted(contacts, all[g]) || may_act_soon(pair, g);
+      seat_of[g] = wants ? 0 : -1;
+      // of a notch both or none: a spring may pass from one to the other
+      if (all[g].of_notch && seat_of[g] != seat_of[g - 1])
+        seat_of[g] = seat_of[g - 1] = 0;
+    }
   lanes.clear();
   const int count = static_cast<int>(pairs.size());
   for (int first = 0; first < count; first += pairs_of_window)

@@ -25,6 +25,7 @@ struct Swing {
   // deformable blocks only
   Eigen::Matrix4Xd shape;  ///< (4, n) by columns: arms over those at the start
   Eigen::Matrix2Xd reach;  ///< [L] (2, n) no arm had larger components at the start
+  // all blocks
   /// (n) [L] Way of the centroid and twice that of the arms, rounded up: the ways of
   /// two blocks together grow by no less than their motion (relative_motion).
   std::vector<double> way;
@@ -102,6 +103,11 @@ struct ContactPair {
   std::uint32_t prompt = 0;  ///< bit k: an edge of group first + k is asked in
                              ///< each step
   double certain = 0.0;      ///< [L] until the first of its groups has to be decided
+
+  /// Of group g in `prompt`; 0: the pair has too many groups.
+  std::uint32_t bit(int g) const {
+    return g - first < 32 ? std::uint32_t{1} << (g - first) : 0U;
+  }
 };
 
 /// How the two blocks of a pair stood to each other when certainty began to count.

@@ -66,12 +66,6 @@ inline double motion_of_step(const Blocks& blocks, const Swing& swing,
   return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
 }
 
-/// Of group g in `prompt`; 0: the pair has too many groups.
-inline std::uint32_t bit_of(const ContactPair& pair, int g) {
-  const int k = g - pair.first;
-  return k < 32 ? std::uint32_t{1} << k : 0U;
-}
-
 /// A condition that bounds keep for fewer steps, for the corner may pass an edge or
 /// two, is prompt: these are asked exactly in each step, which takes less time than
 /// bounds.
@@ -86,15 +80,14 @@ bool condition_holds(const Blocks& blocks, const Contacts& contacts,
                      const ContactDecision<Rules>& decision, ContactGroups& groups,
                      ContactPair& pair, int g, double moved, double motion) {
   ContactGroup& group = groups.all[g];
-  const double enough = prompt_life * motion;
+  const double enough = std::min(prompt_life * motion, 0.125 * (group.travel - moved));
   const ConditionTravel found = condition_travel(blocks, contacts, group, enough);
-  pair.prompt &= ~bit_of(pair, g);
+  pair.prompt &= ~pair.bit(g);
   group.unasked = rounded_down(moved + found.travel);
   if (!(found.travel > 0.0) && !decision.stands(group))
     return false;
-  if (found.travel < enough && found.rest > 4.0 * found.travel &&
-      bit_of(pair, g) != 0) {
-    pair.prompt |= bit_of(pair, g);
+  if (found.travel < enough && found.rest > 4.0 * found.travel && pair.bit(g) != 0) {
+    pair.prompt |= pair.bit(g);
     for (const int i : {0, 1})
       group.watched[i] = static_cast<std::int8_t>(found.edges[i]);
     group.unasked = rounded_down(moved + found.rest);
@@ -175,7 +168,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     if (group.of_notch || stands(g))
       continue;
     group.travel = 0.0F;
-    pair.prompt &= ~bit_of(pair, g);
+    pair.prompt &= ~pair.bit(g);
     anew |= group.hopeless == 0;
   }
   pair.certain = std::numeric_limits<double>::max();

@@ -50,7 +50,8 @@ void catch_up(Model& model, SearchBuffers& buffers) {
     model.blocks.applied.setZero();
 }
 
-Displacement advance(Model& model, SearchBuffers& buffers, bool readings) {
+Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
+                     double alarm) {
   Blocks& blocks = model.blocks;
 
   // 1. potential contacts
@@ -73,6 +74,8 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings) {
   const Extremes touching = evaluate_contacts(
       blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
       readings, *buffers.workers, buffers.profile);
+  if (!readings && !(touching.spring <= alarm))
+    read_contacts(blocks, buffers.groups, model.settings);
   return move(model, buffers, touching);
 }
 

@@ -1,6 +1,8 @@
 // One time step: the numbered list of calls of docs/architecture.md.
 #pragma once
 
+#include <limits>
+
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_search.hpp"
 #include "dynamics/motion.hpp"
@@ -23,8 +25,9 @@ Displacement step(Model& model, SearchBuffers& buffers);
 /// The same, but the list of contacts stays behind until catch_up(), which must come
 /// before anything else reads or changes the model; without `readings` forces and
 /// overlaps of contacts and the applied stress of rigid blocks are not found in this
-/// step, and are 0 then.
-Displacement advance(Model& model, SearchBuffers& buffers, bool readings);
+/// step, and are 0 then, unless a contact is pressed by more than `alarm`, [F].
+Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
+                     double alarm = std::numeric_limits<double>::infinity());
 void catch_up(Model& model, SearchBuffers& buffers);
 
 /// The two ends of a step, for whoever finds the contact forces in another way

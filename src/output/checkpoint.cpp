@@ -18,7 +18,7 @@
 namespace blocks::output {
 namespace {
 
-constexpr int format = 6;
+constexpr int format = checkpoint_format;
 constexpr std::size_t seal_size = 512;
 constexpr const char* magic = "BLOCKS checkpoint\n";
 

@@ -39,6 +39,9 @@ struct CheckpointInfo {
   Progress progress;
 };
 
+/// Of the files that are written and read.
+inline constexpr int checkpoint_format = 6;
+
 /// Writes to a temporary name beside `path`, syncs, renames. Throws FileError.
 void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info);

@@ -128,14 +128,15 @@ Outcome Executor::march(long steps) {
   for (long i = 1; i <= steps; ++i) {
     const bool audited = audit_.due(model_);
     const bool row = i % row_every == 0 || i == steps;
-    const bool moment = i % 64 == 0 || i == steps || interrupt_requested() ||
-                        steps_made_ + 1 == options_.stop_after;
+    const bool moment =
+        i % 64 == 0 || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
     if (audited)
       audit_.before(up_to_date());
     const bool read = audited || row || moment || output_due();
-    const dynamics::Displacement moved = dynamics::advance(model_, buffers_, read);
-    if (!moved.finite ||
-        moved.strongest > model_.settings.normal_stiffness * half_depth_) {
+    const double limit = model_.settings.normal_stiffness * half_depth_;
+    const dynamics::Displacement moved =
+        dynamics::advance(model_, buffers_, read, limit);
+    if (!moved.finite || moved.strongest > limit) {
       if (const std::string fault = unsound(up_to_date(), moved, half_depth_);
           !fault.empty()) {
         warn(fault);
@@ -155,7 +156,7 @@ Outcome Executor::march(long steps) {
       ++progress_.card;
       begun_ = false;
     }
-    if (moment) {
+    if (moment || (read && interrupt_requested())) {
       console_.progress(up_to_date(), share_from_ + (share_to_ - share_from_) *
                                                         static_cast<double>(i) /
                                                         static_cast<double>(steps));

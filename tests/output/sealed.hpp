@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "output/checkpoint.hpp"
 #include "output/file_tools.hpp"
 
 namespace blocks::samples {
@@ -14,8 +15,9 @@ inline std::string sealed(std::string bytes) {
   bytes.resize(std::max(bytes.size(), seal_size));
   output::Fnv1a hash;
   hash.add(bytes.data() + seal_size, bytes.size() - seal_size);
-  std::string seal = fmt::format("BLOCKS checkpoint\nformat 5\nbytes {}\nfnv1a {}\n",
-                                 bytes.size() - seal_size, hash.text());
+  std::string seal =
+      fmt::format("BLOCKS checkpoint\nformat {}\nbytes {}\nfnv1a {}\n",
+                  output::checkpoint_format, bytes.size() - seal_size, hash.text());
   seal.resize(seal_size, '\0');
   return bytes.replace(0, seal_size, seal);
 }

@@ -71,6 +71,36 @@ TEST(ExitCode, IsFourWhenTheRunIsUnsound) {
   EXPECT_EQ(summary(folder, "wild")["status"], "unsound");
 }
 
+// The listing ends with the overlaps of the step that went wrong, as that of an audited
+// run does.
+TEST(Unsound, LastMomentHasItsForces) {
+  const TemporaryFolder folder;
+  const auto listing = [&](const std::string& options) {
+    EXPECT_EQ(blocks("run shot.deck -o shot " + options, folder.path()).code, 4);
+    return slurp(folder / "shot.out");
+  };
+  for (const std::string rigid : {"RIGID\n", ""}) {
+    folder.write("shot.deck",
+                 "START, 20, 4\nA SHOT\nXLIMITS, -12, 12\nYLIMITS, -12, 18\n"
+                 "BOXES, 13, 10, 0.1\nSTIFF, 1.E6, 1.E6\nFRACTION, 0.02\n"
+                 "MATERIAL, 1, 1.E9, 4.E8, 2000\n" +
+                     rigid + "END\n" + rectangle(1, 0, 2, 1) +
+                     rectangle(1.3, 1.05, 1.7, 1.45) +
+                     "SETVEL, 2, 0, 0, -25, 0\nDAMPING, 0.2\nMOTION, 3\n");
+    const std::string plain = listing("");
+    EXPECT_EQ(plain, listing("--audit=1"));
+    const std::string words = "worst overlap";
+    EXPECT_GT(std::stod(plain.substr(plain.rfind(words) + words.size())), 0.05);
+  }
+}
+
+// What is done is done, however late it is.
+TEST(TimeLimit, DoesNotStopARunThatIsOver) {
+  const TemporaryFolder folder;
+  folder.write("short.deck", falling + "CYCLE, 40\n");
+  EXPECT_EQ(blocks("run short.deck --time-limit 0.0001", folder.path()).code, 0);
+}
+
 // A spin whose square overflows turns by NaN. The corners were taken for having left
 // the domain, and the run went on without a word.
 TEST(ExitCode, IsFourWhenATurnOverflows) {

@@ -21,10 +21,13 @@ class BlocksCode : public Contestant {
   /// Throws std::runtime_error when a corner is no longer a number.
   void run(long steps) override;
 
-  const Model& model() const { return model_; }
+  const Model& model();
+  /// The next step begins with a search.
+  bool searches() const { return !model_.search.current; }
 
  private:
   Model model_;
+  long made_ = 0;  ///< steps
   dynamics::SearchBuffers buffers_;
   std::string name_;
   int free_;

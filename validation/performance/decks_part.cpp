@@ -74,7 +74,7 @@ StepRun run_steps(const std::string& deck, long steps) {
   StepRun run;
   long searches = 0;
   for (long i = 0; i < steps; ++i) {
-    const bool searching = !code.model().search.current;
+    const bool searching = code.searches();
     searches += searching ? 1 : 0;
     (searching ? run.searching : run.all) += seconds_of_run(code, 1);
   }
