@@ -7,6 +7,7 @@
 
 #include "audit/common_depth.hpp"
 #include "geometry/overlap.hpp"
+#include "model/contact_blocks.hpp"
 
 namespace blocks::audit {
 namespace {
@@ -48,12 +49,6 @@ class Auditor {
  private:
   bool fixed(int corner, int block) const {
     return !blocks_.is_free(blocks_.corner_block[corner]) && !blocks_.is_free(block);
-  }
-
-  /// The blocks of a record, the lower number first.
-  Pair blocks_of(int i) const {
-    return std::minmax({blocks_.corner_block[contacts_.corner[i]],
-                        blocks_.corner_block[contacts_.edge[i]]});
   }
 
   void look_for_missed(const Decision& decision) {
@@ -132,7 +127,7 @@ class Auditor {
     for (int i = 0; i < contacts_.size(); ++i) {
       if (!contacts_.active[i])
         continue;
-      Held& pair = held[blocks_of(i)];
+      Held& pair = held[pair_of(blocks_, contacts_, i)];
       pair.depth =
           std::max(pair.depth, rules_.overlap(contacts_.corner[i], contacts_.edge[i]));
       pair.pressed = std::max(pair.pressed, contacts_.at(i).normal_elastic /
@@ -172,7 +167,7 @@ class Auditor {
       const double deep = rules_.overlap(c, e), tolerance = slack(a, b);
       if (deep <= tolerance)
         continue;
-      const bool meet = overlapping.contains(blocks_of(i));
+      const bool meet = overlapping.contains(pair_of(blocks_, contacts_, i));
       const DeepContact contact{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
                                 contacts_.at(i).normal_elastic /
                                     settings_.normal_stiffness};

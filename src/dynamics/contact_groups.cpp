@@ -149,6 +149,21 @@ bool acted(const Contacts& contacts, const ContactGroup& group) {
 
 }  // namespace
 
+void LanesOfBlocks::sort(int blocks, const std::vector<ContactPair>& pairs,
+                         int ContactPair::*side) {
+  first.assign(blocks + 1, 0);
+  for (const ContactPair& pair : pairs)
+    first[pair.*side + 1] += pair.lane >= 0;
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  lane.resize(first.back());
+  for (const ContactPair& pair : pairs)
+    if (pair.lane >= 0)
+      lane[first[pair.*side]++] = pair.lane;
+  // each was moved on to where the next begins
+  std::move_backward(first.begin(), first.end() - 1, first.end());
+  first[0] = 0;
+}
+
 bool ContactGroups::keep_seat(int g) {
   const int seat = seat_of[g];
   if (seat < 0 || record[seat] != all[g].record)
@@ -326,17 +341,8 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
   const int count = static_cast<int>(pairs.size());
   for (int first = 0; first < count; first += pairs_of_window)
     seat_window(first, std::min(count, first + pairs_of_window));
-  const auto each = [&](const auto& tell) {
-    for (const ContactPair& pair : pairs)
-      if (pair.lane >= 0)
-        tell(pair);
-  };
-  lows.sort(blocks, [&](const auto& tell) {
-    each([&](const ContactPair& pair) { tell(pair.low, pair.lane); });
-  });
-  highs.sort(blocks, [&](const auto& tell) {
-    each([&](const ContactPair& pair) { tell(pair.high, pair.lane); });
-  });
+  lows.sort(blocks, pairs, &ContactPair::low);
+  highs.sort(blocks, pairs, &ContactPair::high);
   seats_complete = true;
 }
 

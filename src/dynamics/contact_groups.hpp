@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "dynamics/contact_lanes.hpp"
+#include "model/contact_blocks.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
@@ -82,14 +82,6 @@ struct ContactGroup {
 };
 static_assert(sizeof(ContactGroup) == 28);
 
-/// The blocks of a record, the lower number first.
-inline std::pair<int, int> pair_of(const Blocks& blocks, const Contacts& contacts,
-                                   int record) {
-  const int a = blocks.corner_block[contacts.corner[record]];
-  const int b = blocks.corner_block[contacts.edge[record]];
-  return {std::min(a, b), std::max(a, b)};
-}
-
 /// A travel that is kept: a float that is no longer.
 inline float rounded_down(double travel) {
   return static_cast<float>(travel - 0x1p-23 * std::abs(travel));
@@ -162,20 +154,8 @@ struct LanesOfBlocks {
   std::vector<int> first;  ///< (blocks + 1) where those of a block begin
   std::vector<int> lane;
 
-  /// Makes them of the `count` pairs of which each(tell) tells block and lane, in
-  /// order; asked twice.
-  template <class Each> void sort(int blocks, const Each& each) {
-    first.assign(blocks + 1, 0);
-    int count = 0;
-    each([&](int block, int) { ++first[block + 1], ++count; });
-    for (int b = 0; b < blocks; ++b)
-      first[b + 1] += first[b];
-    lane.resize(count);
-    each([&](int block, int of) { lane[first[block]++] = of; });
-    // each was moved on to where the next begins
-    std::move_backward(first.begin(), first.end() - 1, first.end());
-    first[0] = 0;
-  }
+  /// Makes them of the pairs that have lanes; side: &ContactPair::low or high.
+  void sort(int blocks, const std::vector<ContactPair>& pairs, int ContactPair::*side);
 };
 
 /// The groups of a list, and what passes between them. Working state between searches:

@@ -90,7 +90,6 @@ class ContactLanes : public LaneSets {
 
  private:
   LanePairs* part(LanePairs*) const { return pairs; }
-  PairForces* part(PairForces*) const { return forces; }
   SlotPlaces* part(SlotPlaces*) const { return places; }
   SlotSprings* part(SlotSprings*) const { return springs; }
   SlotReadings* part(SlotReadings*) const { return readings; }

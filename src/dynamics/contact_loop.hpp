@@ -80,7 +80,7 @@ bool condition_holds(const Blocks& blocks, const Contacts& contacts,
                      const ContactDecision<Rules>& decision, ContactGroups& groups,
                      ContactPair& pair, int g, double moved, double motion) {
   ContactGroup& group = groups.all[g];
-  const double enough = std::min(prompt_life * motion, 0.125 * (group.travel - moved));
+  const double enough = prompt_life * motion;
   const ConditionTravel found = condition_travel(blocks, contacts, group, enough);
   pair.prompt &= ~pair.bit(g);
   group.unasked = rounded_down(moved + found.travel);

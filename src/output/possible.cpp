@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "model/contact_blocks.hpp"
 #include "output/hdf5_handle.hpp"
 
 namespace blocks::output {
@@ -182,8 +183,7 @@ void expect_contacts(const Contacts& c, const Blocks& b) {
   expect_indices("contacts/corner", c.corner, k, b.corners());
   expect_indices("contacts/edge", c.edge, k, b.corners());
   const auto place = [&](std::size_t i) {
-    const auto [low, high] =
-        std::minmax(b.corner_block[c.corner[i]], b.corner_block[c.edge[i]]);
+    const auto [low, high] = pair_of(b, c, static_cast<int>(i));
     return std::tuple(low, high, c.corner[i], c.edge[i]);
   };
   for (std::size_t i = 0; i < k; ++i)

@@ -10,6 +10,7 @@
 
 #include "dynamics/step.hpp"
 #include "geometry/overlap.hpp"
+#include "model/contact_blocks.hpp"
 
 namespace blocks::study {
 namespace {
@@ -70,7 +71,7 @@ bool is_checkpoint(long k, long steps, long looks) {
 /// (pair, corner, edge): the order of lists.
 using Key = std::tuple<int, int, int, int>;
 Key key(const Blocks& blocks, const Contacts& contacts, int i) {
-  const auto [low, high] = dynamics::pair_of(blocks, contacts, i);
+  const auto [low, high] = pair_of(blocks, contacts, i);
   return {low, high, contacts.corner[i], contacts.edge[i]};
 }
 
