@@ -422,6 +422,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.loaded = false;
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());
+  groups.heirs.reserve(groups.all.size());
   groups.shares.resize(threads);
   for (ContactGroups::Share& share : groups.shares) {
     share.lost.clear();

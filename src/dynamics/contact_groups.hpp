@@ -187,6 +187,7 @@ struct ContactGroups {
   bool readings = false;        ///< and forces and overlaps of the last step
 
   std::vector<LostForce> lost;  ///< in this step
+  std::vector<int> heirs;       ///< sets whose contacts were handed some of it
   Swing swing;                  ///< of the blocks since the groups were made
   /// What one thread finds.
   struct Share {

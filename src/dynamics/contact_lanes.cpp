@@ -23,6 +23,7 @@ void ContactLanes::reserve(int sets, int slots) {
   if (slots > room_for_slots_) {
     make(slots, own_places_, places);
     make(slots, own_springs_, springs);
+    make(slots, own_advanced_, advanced);
     make(slots, own_readings_, readings);
     room_for_slots_ = slots;
   }
@@ -39,12 +40,21 @@ int ContactLanes::add_set(int slots) {
   return sets_++;
 }
 
+int ContactLanes::set_of(int slot) const {
+  const auto after =
+      std::upper_bound(pairs, pairs + sets_, slot, [](int of, const LanePairs& set) {
+        return of < set.first_slot;
+      });
+  return static_cast<int>(after - pairs) - 1;
+}
+
 #define BLOCKS_DECLARE_LANES(name)                                                     \
   namespace name {                                                                     \
-  void find_touching(const LaneSets&, const BlockRows&, int, int);                     \
+  LaneExtremes touch_and_act(const LaneSets&, const BlockRows&, const ContactLaw&,     \
+                             bool, bool, int, int);                                    \
   LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, bool,   \
                    int, int);                                                          \
-  constexpr LaneArithmetic arithmetic = {#name, find_touching, act};                   \
+  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act};                   \
   }
 BLOCKS_DECLARE_LANES(baseline)
 #ifdef BLOCKS_X86_LANES

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dynamics/contact_law.hpp"
@@ -65,7 +66,8 @@ struct LaneSets {
   PairForces* forces = nullptr;
   PairStresses* stresses = nullptr;
   SlotPlaces* places = nullptr;
-  SlotSprings* springs = nullptr;
+  SlotSprings* springs = nullptr;   ///< at the start of the step
+  SlotSprings* advanced = nullptr;  ///< at its end
   SlotReadings* readings = nullptr;
 };
 
@@ -81,6 +83,11 @@ class ContactLanes : public LaneSets {
   void clear() { sets_ = slots_ = 0; }
   /// One set more, with so many slots: all of them idle. Its number.
   int add_set(int slots);
+
+  /// The set of a slot.
+  int set_of(int slot) const;
+  /// What the springs have become is what the next step starts with.
+  void advance_springs() { std::swap(springs, advanced); }
 
   /// A number of one lane or seat: at(seat, &SlotPlaces::corner).
   template <class Part, class Number>
@@ -99,7 +106,7 @@ class ContactLanes : public LaneSets {
   std::unique_ptr<PairForces[]> own_forces_;
   std::unique_ptr<PairStresses[]> own_stresses_;
   std::unique_ptr<SlotPlaces[]> own_places_;
-  std::unique_ptr<SlotSprings[]> own_springs_;
+  std::unique_ptr<SlotSprings[]> own_springs_, own_advanced_;
   std::unique_ptr<SlotReadings[]> own_readings_;
 };
 
@@ -116,11 +123,15 @@ struct LaneExtremes {
 /// The two computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
-  /// Which contacts touch: `touch` and `look`.
-  void (*find_touching)(const LaneSets&, const BlockRows&, int first, int last);
-  /// a.-e. of rule 7. readings: also SlotReadings, and PairStresses of rigid blocks.
-  LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
-                      bool readings, int first, int last);
+  using Step = LaneExtremes (*)(const LaneSets&, const BlockRows&, const ContactLaw&,
+                                bool rigid, bool readings, int first, int last);
+  /// Which contacts touch, `touch` and `look`, and what they do. A sign in doubt is
+  /// taken to touch: sets with `look` have to be settled and to act again; they are not
+  /// among the extremes.
+  Step touch_and_act;
+  /// What those do that touch: a.-e. of rule 7. readings: also SlotReadings, and
+  /// PairStresses of rigid blocks.
+  Step act;
 };
 
 /// All that this processor can run; the first is the baseline.

@@ -311,22 +311,31 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   const LaneArithmetic& arithmetic = lane_arithmetic();
   const BlockRows rows = detail::rows_of(blocks);
   const int sets = groups.lanes.sets();
+  const auto include = [&](int part, const LaneExtremes& most) {
+    groups.shares[part].extremes.include(most.overlap, most.spring);
+  };
+  const auto act = [&](int part, int set) {
+    include(part, arithmetic.act(groups.lanes, rows, law, settings.rigid, readings, set,
+                                 set + 1));
+  };
   workers.each(sets, sets_per_thread, [&](int part, int first, int last) {
     const detail::ExactCalls calls(profile, groups.shares[part]);
-    arithmetic.find_touching(groups.lanes, rows, first, last);
+    include(part, arithmetic.touch_and_act(groups.lanes, rows, law, settings.rigid,
+                                           readings, first, last));
     for (int set = first; set < last; ++set)
-      if (groups.lanes.pairs[set].look)
+      if (groups.lanes.pairs[set].look) {
         detail::settle<Rules>(blocks, groups, set, groups.shares[part].lost);
+        act(part, set);
+      }
   });
   groups.join_shares();
-  if constexpr (Rules::hands_over)
+  if constexpr (Rules::hands_over) {
     hand_over(blocks, contacts, groups, settings.normal_stiffness);
+    for (const int set : groups.heirs)
+      act(0, set);
+  }
   groups.lost.clear();
-  workers.each(sets, sets_per_thread, [&](int part, int first, int last) {
-    const LaneExtremes most =
-        arithmetic.act(groups.lanes, rows, law, settings.rigid, readings, first, last);
-    groups.shares[part].extremes.include(most.overlap, most.spring);
-  });
+  groups.lanes.advance_springs();
   groups.readings = readings;
   Extremes extremes;
   for (ContactGroups::Share& share : groups.shares) {
