@@ -68,7 +68,9 @@ struct LaneSets {
   SlotPlaces* places = nullptr;
   SlotSprings* springs = nullptr;   ///< at the start of the step
   SlotSprings* advanced = nullptr;  ///< at its end
+  // those of the sets that are read, from these on
   SlotReadings* readings = nullptr;
+  int first_reading = 0, first_stress = 0;
 };
 
 /// The sets and their memory. Pair k of a set has the lane 8 set + k, its contact in a
@@ -77,13 +79,21 @@ class ContactLanes : public LaneSets {
  public:
   int sets() const { return sets_; }
   int slots() const { return slots_; }
-  /// Memory for so many, which is not touched before it is used.
-  void reserve(int sets, int slots);
+  /// What is reserved.
+  struct Room {
+    int sets = 0, slots = 0;
+    int read_sets = 0, read_slots = 0;  ///< read at once
+  };
+  /// Memory for so many, which is not touched before it is used. Stresses of rigid
+  /// blocks are for readers only.
+  void reserve(const Room& room, bool rigid);
   /// None.
   void clear() { sets_ = slots_ = 0; }
   /// One set more, with so many slots: all of them idle. Its number.
   int add_set(int slots);
 
+  /// Readings begin at this set; stresses of rigid blocks too.
+  void read_from(int set, bool rigid);
   /// The set of a slot.
   int set_of(int slot) const;
   /// What the springs have become is what the next step starts with.
@@ -99,9 +109,10 @@ class ContactLanes : public LaneSets {
   LanePairs* part(LanePairs*) const { return pairs; }
   SlotPlaces* part(SlotPlaces*) const { return places; }
   SlotSprings* part(SlotSprings*) const { return springs; }
-  SlotReadings* part(SlotReadings*) const { return readings; }
 
-  int sets_ = 0, slots_ = 0, room_for_sets_ = 0, room_for_slots_ = 0;
+  int sets_ = 0, slots_ = 0;
+  Room room_;
+  int room_for_stresses_ = 0;
   std::unique_ptr<LanePairs[]> own_pairs_;
   std::unique_ptr<PairForces[]> own_forces_;
   std::unique_ptr<PairStresses[]> own_stresses_;
@@ -123,15 +134,15 @@ struct LaneExtremes {
 /// The two computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
-  using Step = LaneExtremes (*)(const LaneSets&, const BlockRows&, const ContactLaw&,
-                                bool rigid, bool readings, int first, int last);
   /// Which contacts touch, `touch` and `look`, and what they do. A sign in doubt is
   /// taken to touch: sets with `look` have to be settled and to act again; they are not
   /// among the extremes.
-  Step touch_and_act;
+  LaneExtremes (*touch_and_act)(const LaneSets&, const BlockRows&, const ContactLaw&,
+                                bool rigid, int first, int last);
   /// What those do that touch: a.-e. of rule 7. readings: also SlotReadings, and
   /// PairStresses of rigid blocks.
-  Step act;
+  LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
+                      bool readings, int first, int last);
 };
 
 /// All that this processor can run; the first is the baseline.

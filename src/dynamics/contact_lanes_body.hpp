@@ -236,7 +236,7 @@ BLOCKS_INLINE Most act_set(const LaneSets& sets, int set, const BlockRows& block
       low[3] += fy * y, high[3] -= fy * high_y;
     }
     if constexpr (readings) {
-      SlotReadings& read = sets.readings[s];
+      SlotReadings& read = sets.readings[s - sets.first_reading];
       store(read.overlap, i, reached);
       store(read.normal_force, i, acts ? normal : none);
       store(read.shear_force, i, acts ? shear : none);
@@ -248,7 +248,7 @@ BLOCKS_INLINE Most act_set(const LaneSets& sets, int set, const BlockRows& block
   store(forces.moment_low, i, moment_low);
   store(forces.moment_high, i, moment_high);
   if constexpr (stresses) {
-    PairStresses& sums = sets.stresses[set];
+    PairStresses& sums = sets.stresses[set - sets.first_stress];
     for (int k = 0; k < 4; ++k)
       store(sums.low[k], i, low[k]), store(sums.high[k], i, high[k]);
   }
@@ -280,28 +280,21 @@ LaneExtremes act_sets(const LaneSets& sets, const BlockRows& blocks,
   return extremes;
 }
 
-template <bool find>
-LaneExtremes act_by_kind(const LaneSets& sets, const BlockRows& blocks,
-                         const ContactLaw& law, bool rigid, bool readings, int first,
-                         int last) {
-  const auto all =
-      rigid      ? readings ? act_sets<find, true, true> : act_sets<find, true, false>
-           : readings ? act_sets<find, false, true>
-                 : act_sets<find, false, false>;
-  return all(sets, blocks, law, first, last);
-}
-
 }  // namespace
 
 LaneExtremes touch_and_act(const LaneSets& sets, const BlockRows& blocks,
-                           const ContactLaw& law, bool rigid, bool readings, int first,
-                           int last) {
-  return act_by_kind<true>(sets, blocks, law, rigid, readings, first, last);
+                           const ContactLaw& law, bool rigid, int first, int last) {
+  const auto all = rigid ? act_sets<true, true, false> : act_sets<true, false, false>;
+  return all(sets, blocks, law, first, last);
 }
 
 LaneExtremes act(const LaneSets& sets, const BlockRows& blocks, const ContactLaw& law,
                  bool rigid, bool readings, int first, int last) {
-  return act_by_kind<false>(sets, blocks, law, rigid, readings, first, last);
+  const auto all =
+      rigid      ? readings ? act_sets<false, true, true> : act_sets<false, true, false>
+           : readings ? act_sets<false, false, true>
+                 : act_sets<false, false, false>;
+  return all(sets, blocks, law, first, last);
 }
 
 }  // namespace blocks::dynamics::BLOCKS_LANES

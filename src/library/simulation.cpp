@@ -179,7 +179,8 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
 void Simulation::State::step(long count) {
   const double half_depth = run::half_depth(model.blocks);
   for (long i = 1; i <= count; ++i) {
-    const dynamics::Displacement moved = dynamics::advance(model, buffers, true);
+    const dynamics::Displacement moved = dynamics::advance(
+        model, buffers, i == count, model.settings.normal_stiffness * half_depth);
     for (std::string& told : watch_.after(model, moved))
       warnings.push_back(std::move(told));
     if (moved.finite &&
