@@ -99,20 +99,24 @@ void empty_list(Contacts& contacts, std::vector<SearchBuffers::Record>& acted) {
 /// those of its block begin, and the one found there goes on. Returns where the records
 /// of each block begin, and where those of the last one end.
 std::vector<int> sort_by_lower(const Blocks& blocks, Contacts& contacts) {
-  const auto low = [&](int i) {
-    return std::min(blocks.corner_block[contacts.corner[i]],
-                    blocks.corner_block[contacts.edge[i]]);
+  const auto low = [&](int corner, int edge) {
+    return std::min(blocks.corner_block[corner], blocks.corner_block[edge]);
   };
   std::vector<int> first(blocks.size() + 1, 0);
   for (int i = 0; i < contacts.size(); ++i)
-    ++first[low(i) + 1];
+    ++first[low(contacts.corner[i], contacts.edge[i]) + 1];
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<int> next(first.begin(), first.end() - 1);
   for (int b = 0; b < blocks.size(); ++b)
     while (next[b] < first[b + 1]) {
-      const int i = next[b], to = next[low(i)]++;
-      std::swap(contacts.corner[i], contacts.corner[to]);
-      std::swap(contacts.edge[i], contacts.edge[to]);
+      int corner = contacts.corner[next[b]], edge = contacts.edge[next[b]];
+      for (int of = low(corner, edge); of != b; of = low(corner, edge)) {
+        const int to = next[of]++;
+        std::swap(corner, contacts.corner[to]);
+        std::swap(edge, contacts.edge[to]);
+      }
+      contacts.corner[next[b]] = corner, contacts.edge[next[b]] = edge;
+      ++next[b];
     }
   return first;
 }
