@@ -205,11 +205,8 @@ HeldSpring ContactGroups::held(int seat) const {
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {
   const int low = pairs[pair].low, high = pairs[pair].high;
   poses[pair] = {blocks.centroid(0, low) - blocks.centroid(0, high),
-                 blocks.centroid(1, low) - blocks.centroid(1, high),
-                 blocks.angle[low],
-                 blocks.angle[high],
-                 swing.sum[low],
-                 swing.sum[high]};
+                 blocks.centroid(1, low) - blocks.centroid(1, high), blocks.angle[low],
+                 blocks.angle[high], swing.sum[low] + swing.sum[high]};
   if (!swing.rigid)
     shapes[pair] = {swing.shape.col(low), swing.shape.col(high)};
 }
@@ -219,24 +216,30 @@ double ContactGroups::relative_motion(const Blocks& blocks, int pair) const {
   const PairPose& pose = poses[pair];
   const double x = blocks.centroid(0, low) - blocks.centroid(0, high) - pose.x;
   const double y = blocks.centroid(1, low) - blocks.centroid(1, high) - pose.y;
-  double arm_low = swing.sum[low] - pose.sum_low;
-  double arm_high = swing.sum[high] - pose.sum_high;
+  double arm_low = 0.0, arm_high = 0.0;
   if (swing.rigid) {
-    arm_low += swing.longest[low] * std::abs(blocks.angle[low] - pose.angle_low);
-    arm_high += swing.longest[high] * std::abs(blocks.angle[high] - pose.angle_high);
+    arm_low = swing.longest[low] * std::abs(blocks.angle[low] - pose.angle_low);
+    arm_high = swing.longest[high] * std::abs(blocks.angle[high] - pose.angle_high);
   } else {
-    arm_low += swing.reshaped(low, shapes[pair].low);
-    arm_high += swing.reshaped(high, shapes[pair].high);
+    arm_low = swing.reshaped(low, shapes[pair].low);
+    arm_high = swing.reshaped(high, shapes[pair].high);
   }
-  return std::sqrt(x * x + y * y) + 2.0 * (arm_low > arm_high ? arm_low : arm_high);
+  const double rounded = swing.sum[low] + swing.sum[high] - pose.sum;
+  return std::sqrt(x * x + y * y) +
+         2.0 * ((arm_low > arm_high ? arm_low : arm_high) + rounded);
+}
+
+void ContactGroups::give_back() {
+  constexpr std::size_t many = 1 << 16;
+  if (all.size() > many)
+    *this = {};
 }
 
 void ContactGroups::forget_decisions() {
   for (ContactPair& pair : pairs)
     pair.certain = 0.0, pair.prompt = 0;
   std::fill(prompt.begin(), prompt.end(), std::uint8_t{0});
-  for (PairWatch& each : watch)
-    each.limit = 0.0;
+  std::fill(limits.begin(), limits.end(), 0.0);
   std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
     each.travel = 0.0F, each.hopeless = 1;
@@ -429,9 +432,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   find_pairs(blocks, contacts, groups);
   sort_by_corner(blocks, contacts, groups);
   groups.seat_of.assign(groups.all.size(), -1);
-  groups.watch.clear();
-  for (const ContactPair& pair : groups.pairs)
-    groups.watch.push_back({0.0, pair.low, pair.high});
+  groups.limits.assign(groups.pairs.size(), 0.0);
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
   groups.prompt.assign(groups.rounds.size(), 0);

@@ -106,25 +106,18 @@ struct ContactPair {
 struct PairPose {
   double x = 0.0, y = 0.0;                   ///< [L] between the centroids
   double angle_low = 0.0, angle_high = 0.0;  ///< rad
-  double sum_low = 0.0, sum_high = 0.0;      ///< [L] of the swing
+  double sum = 0.0;                          ///< [L] of both blocks' swing
 };
 struct PairShapes {
   Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();
-};
-
-/// No decision of a pair has to be renewed while the ways of its two blocks (Swing)
-/// add up to less than `limit`: a quick look before relative_motion.
-struct PairWatch {
-  double limit = 0.0;  ///< [L]
-  int low = 0, high = 0;
 };
 
 /// Pairs with as many contacts share a set of lanes where they are of so many in the
 /// list: the blocks of a set are near each other in the memory.
 inline constexpr int pairs_of_window = 256;
 
-/// So many pairs have one limit together: none of their watches is due while the travel
-/// (Swing) is less.
+/// So many pairs have one limit together: none of their limits is reached while the
+/// travel (Swing) is less.
 inline constexpr int pairs_of_round = 8;
 
 /// The spring of a seat whose contact acts.
@@ -165,8 +158,10 @@ struct ContactGroups {
   std::vector<ContactPair> pairs;
   std::vector<PairPose> poses;     ///< (pairs)
   std::vector<PairShapes> shapes;  ///< (pairs) deformable blocks only
-  std::vector<PairWatch> watch;    ///< (pairs)
-  std::vector<double> rounds;      ///< [L] (pairs / pairs_of_round, rounded up)
+  /// [L] (pairs) No decision of a pair has to be renewed while the ways of its two
+  /// blocks (Swing) add up to less: a quick look before relative_motion.
+  std::vector<double> limits;
+  std::vector<double> rounds;  ///< [L] (pairs / pairs_of_round, rounded up)
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
   std::vector<int> by_corner;  ///< indices into `all`, corner after corner
@@ -198,6 +193,8 @@ struct ContactGroups {
   };
   std::vector<Share> shares;  ///< (threads)
 
+  /// Forgets all, and gives the memory of many back, for a list that is to be made.
+  void give_back();
   /// All decisions have to be renewed.
   void forget_decisions();
   /// Calls tell(lane, is_low) for each lane that acts on block b, in the order of the

@@ -203,7 +203,7 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       if (decision.stays(group))
         continue;
       group.travel = 0.0F;
-      pair.certain = groups.watch[p].limit = 0.0;
+      pair.certain = groups.limits[p] = 0.0;
       due = true;
     }
   }
@@ -227,19 +227,19 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
     double left_of_round = std::numeric_limits<double>::max();
     for (int p = round * pairs_of_round;
          p < std::min(pairs, (round + 1) * pairs_of_round); ++p) {
-      PairWatch& watch = groups.watch[p];
-      const double way = swing.way[watch.low] + swing.way[watch.high];
-      if (!Rules::keeps_decisions || !(way < watch.limit)) {
-        const double& certain = groups.pairs[p].certain;
+      const ContactPair& pair = groups.pairs[p];
+      double& limit = groups.limits[p];
+      const double way = swing.way[pair.low] + swing.way[pair.high];
+      if (!Rules::keeps_decisions || !(way < limit)) {
         double moved = groups.relative_motion(blocks, p);
-        if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
+        if (!Rules::keeps_decisions || !(pair.certain - moved > 0.0)) {
           renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
           moved = groups.relative_motion(blocks, p);
         }
-        watch.limit = way + (certain - moved);
+        limit = way + (pair.certain - moved);
       }
-      left_of_round = std::min(left_of_round, watch.limit - way);
-      prompt |= (groups.pairs[p].prompt != 0 ? 1U : 0U) << (p % pairs_of_round);
+      left_of_round = std::min(left_of_round, limit - way);
+      prompt |= (pair.prompt != 0 ? 1U : 0U) << (p % pairs_of_round);
     }
     groups.prompt[round] = static_cast<std::uint8_t>(prompt);
     // each of the two blocks goes as far as the travel tells

@@ -42,23 +42,13 @@ void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
   buffers.found.resize(kept);
 }
 
-/// Puts the records found at the end of the list.
-void append(Contacts& contacts, const std::vector<SearchBuffers::Record>& found) {
-  for (const SearchBuffers::Record& record : found) {
-    contacts.corner.push_back(record.corner);
-    contacts.edge.push_back(record.edge);
-  }
-}
-
-/// Lists the corners near each block, block after block.
-void find_near_corners(Model& model, SearchBuffers& buffers) {
+void find_near_corners(const Model& model, SearchBuffers& buffers) {
   const Blocks& blocks = model.blocks;
   for (int b = 0; b < blocks.size(); ++b) {
     const double travel =
         2.0 * model.settings.contact_tolerance + shield_reach(blocks, b);
     const int first = blocks.first_corner[b], count = blocks.corners_of(b);
     buffers.reach.clear();
-    buffers.found.clear();
     for (int e = first; e < first + count; ++e)
       buffers.reach.emplace_back(blocks, b, e, travel);
     const auto corners = blocks.corner.middleCols(first, count);
@@ -74,7 +64,6 @@ void find_near_corners(Model& model, SearchBuffers& buffers) {
         return;
       add_records(blocks, b, c, buffers);
     });
-    append(model.contacts, buffers.found);
   }
 }
 
@@ -95,44 +84,30 @@ void empty_list(Contacts& contacts, std::vector<SearchBuffers::Record>& acted) {
   contacts.edge.clear();
 }
 
-/// Sorts the list by the lower block of its records, in place: each record goes where
-/// those of its block begin, and the one found there goes on. Returns where the records
-/// of each block begin, and where those of the last one end.
-std::vector<int> sort_by_lower(const Blocks& blocks, Contacts& contacts) {
-  const auto low = [&](int corner, int edge) {
-    return std::min(blocks.corner_block[corner], blocks.corner_block[edge]);
+/// Makes the records found the list, in its order: by the lower block in one go, then
+/// those of each. None acts.
+void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
+  const auto low = [&](const SearchBuffers::Record& r) {
+    return std::min(blocks.corner_block[r.corner], blocks.corner_block[r.edge]);
   };
-  std::vector<int> first(blocks.size() + 1, 0);
-  for (int i = 0; i < contacts.size(); ++i)
-    ++first[low(contacts.corner[i], contacts.edge[i]) + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<int> next(first.begin(), first.end() - 1);
-  for (int b = 0; b < blocks.size(); ++b)
-    while (next[b] < first[b + 1]) {
-      int corner = contacts.corner[next[b]], edge = contacts.edge[next[b]];
-      for (int of = low(corner, edge); of != b; of = low(corner, edge)) {
-        const int to = next[of]++;
-        std::swap(corner, contacts.corner[to]);
-        std::swap(edge, contacts.edge[to]);
-      }
-      contacts.corner[next[b]] = corner, contacts.edge[next[b]] = edge;
-      ++next[b];
-    }
-  return first;
-}
-
-/// Puts the records of the list in its order: by the lower block in one go, then those
-/// of each. None acts.
-void order_list(const Blocks& blocks, Contacts& contacts) {
-  const std::vector<int> first = sort_by_lower(blocks, contacts);
+  std::vector<int> last(blocks.size() + 1, 0);
+  for (const SearchBuffers::Record& r : buffers.found)
+    ++last[low(r) + 1];
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  contacts.corner.resize(buffers.found.size());
+  contacts.edge.resize(buffers.found.size());
+  for (const SearchBuffers::Record& r : buffers.found) {
+    const int i = last[low(r)]++;
+    contacts.corner[i] = r.corner, contacts.edge[i] = r.edge;
+  }
+  give_back(buffers.found);
   contacts.active.assign(contacts.corner.size(), 0);
   std::vector<Place> places;
-  for (int b = 0; b < blocks.size(); ++b) {
+  for (int b = 0, i = 0; b < blocks.size(); ++b) {
     places.clear();
-    for (int i = first[b]; i < first[b + 1]; ++i)
-      places.push_back(place(blocks, contacts.corner[i], contacts.edge[i]));
+    for (int k = i; k < last[b]; ++k)
+      places.push_back(place(blocks, contacts.corner[k], contacts.edge[k]));
     std::sort(places.begin(), places.end());
-    int i = first[b];
     for (const auto& [of_low, of_high, corner, edge] : places) {
       contacts.corner[i] = corner, contacts.edge[i] = edge;
       ++i;
@@ -195,31 +170,25 @@ void update_plane_contacts(Model& model, SearchBuffers& buffers) {
   std::swap(model.plane_contacts, next);
 }
 
-/// Orders the list that was found and hands over what acted in the one before.
-void finish_list(Model& model, SearchBuffers& buffers) {
+}  // namespace
+
+void update_contacts(Model& model, SearchBuffers& buffers) {
+  buffers.found.clear();
+  buffers.grid.fill(model);
+  find_near_corners(model, buffers);
   buffers.grid.give_back();
-  order_list(model.blocks, model.contacts);
+  adopt_list(model, buffers);
+}
+
+void adopt_list(Model& model, SearchBuffers& buffers) {
+  empty_list(model.contacts, buffers.acted);
+  order_list(model.blocks, model.contacts, buffers);
   take_over(model.blocks, model.contacts, buffers.acted);
   give_back(buffers.acted);
   update_plane_contacts(model, buffers);
   model.search.current = true;
   model.search.travel = 0.0;
   ++model.search.updates;
-}
-
-}  // namespace
-
-void update_contacts(Model& model, SearchBuffers& buffers) {
-  empty_list(model.contacts, buffers.acted);
-  buffers.grid.fill(model);
-  find_near_corners(model, buffers);
-  finish_list(model, buffers);
-}
-
-void adopt_list(Model& model, SearchBuffers& buffers) {
-  empty_list(model.contacts, buffers.acted);
-  append(model.contacts, buffers.found);
-  finish_list(model, buffers);
 }
 
 }  // namespace blocks::dynamics

@@ -65,8 +65,8 @@ struct SearchBuffers {
     auto operator<=>(const Record&) const = default;
   };
   CellGrid grid;
-  std::vector<Reach> reach;   ///< of the edges of one block
-  std::vector<Record> found;  ///< near one block
+  std::vector<Reach> reach;  ///< of the edges of one block
+  std::vector<Record> found;
   std::vector<Record> acted;  ///< places of what acted in the list before, in its order
   ContactGroups groups;       ///< of the present list
   long grouped_update = -1;   ///< NUPDAT when the groups were made

@@ -60,6 +60,7 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
   if (!model.search.current) {
     const Profile::Timer timer(buffers.profile, Profile::search);
     buffers.groups.store(model.contacts);
+    buffers.groups.give_back();
     update_contacts(model, buffers);
   }
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart

@@ -175,8 +175,7 @@ TEST(ContactLanes, WhatTouchesIsDecidedExactly) {
       slot.edge_end[k] = below(Scene::corners);
       slot.rule[k] = by_sign;
     }
-    lane_arithmetic().touch_and_act(lanes, rows, {1.0, 1.0, 1.0, 1.0}, true, false, 0,
-                                    1);
+    lane_arithmetic().touch_and_act(lanes, rows, {1.0, 1.0, 1.0, 1.0}, true, 0, 1);
     for (int k = 0; k < lane_count; ++k) {
       const int sign = geometry::exact::overlap_sign(
           at(slot.corner[k]), at(slot.edge[k]), at(slot.edge_end[k]));
