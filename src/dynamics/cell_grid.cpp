@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "dynamics/give_back.hpp"
+
 namespace blocks::dynamics {
 
 void CellGrid::fill(const Model& model) {
@@ -41,6 +43,11 @@ void CellGrid::fill(const Model& model) {
   for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell)
     first_[cell] = first_[cell + 1];
   first_.back() = corners;
+}
+
+void CellGrid::give_back() {
+  for (std::vector<int>* column : {&first_, &corners_, &cell_})
+    dynamics::give_back(*column);
 }
 
 }  // namespace blocks::dynamics

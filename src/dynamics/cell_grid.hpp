@@ -14,6 +14,9 @@ class CellGrid {
   /// Sorts all corners into cells, about four to each where they are spread evenly.
   void fill(const Model& model);
 
+  /// Forgets the corners, until they are sorted again.
+  void give_back();
+
   /// Calls visit(corner) for every corner in the cells touched by the rectangle.
   template <class Visit>
   void visit(const Vec2& lower, const Vec2& upper, Visit visit) const {

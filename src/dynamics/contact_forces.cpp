@@ -12,25 +12,9 @@ namespace blocks::dynamics {
 
 Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
                            ContactGroups& groups, const Settings& settings, double dt,
-                           bool readings, Workers& workers, Profile* profile) {
+                           Workers& workers, Profile* profile) {
   return evaluate_contacts_by<ExactRules>(blocks, contacts, groups, settings, dt,
-                                          readings, workers, profile);
-}
-
-void read_contacts(const Blocks& blocks, ContactGroups& groups,
-                   const Settings& settings) {
-  // in no time no spring advances
-  const ContactLaw still{settings.normal_stiffness, settings.shear_stiffness,
-                         settings.friction, 0.0};
-  const ContactLanes& lanes = groups.lanes;
-  const std::vector<PairForces> forces(lanes.forces, lanes.forces + lanes.sets());
-  const std::vector<PairStresses> stresses(
-      lanes.stresses, lanes.stresses + (settings.rigid ? 0 : lanes.sets()));
-  lane_arithmetic().act(lanes, detail::rows_of(blocks), still, settings.rigid, true, 0,
-                        lanes.sets());
-  std::copy(forces.begin(), forces.end(), lanes.forces);
-  std::copy(stresses.begin(), stresses.end(), lanes.stresses);
-  groups.readings = true;
+                                          workers, profile);
 }
 
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

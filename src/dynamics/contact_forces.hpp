@@ -12,18 +12,10 @@ namespace blocks::dynamics {
 
 /// Decides which potential contacts act (rules 9-12) and advances their springs (rule
 /// 7). Reads corners, velocities and the blocks' swing; writes the groups' decisions
-/// and lanes, from which sum_contact_forces takes what blocks feel. readings: also what
-/// only readers of the model want, forces and overlaps of contacts and the applied
-/// stress of rigid blocks.
+/// and lanes, from which sum_contact_forces takes what blocks feel.
 Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
                            ContactGroups& groups, const Settings& settings, double dt,
-                           bool readings, Workers& workers, Profile* profile = nullptr);
-
-/// The readings of the step whose forces were just found without; what moves the blocks
-/// stays. The shear force of a contact that slides back may lack its dashpot, or have
-/// it.
-void read_contacts(const Blocks& blocks, ContactGroups& groups,
-                   const Settings& settings);
+                           Workers& workers, Profile* profile = nullptr);
 
 /// Forces from symmetry planes, added to their blocks: frictionless, infinite mass, no
 /// tension (rule 21).

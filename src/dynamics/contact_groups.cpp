@@ -180,7 +180,6 @@ bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int
     return i < 0;
   const int e = contacts.edge[std::max(i, known.first)];
   record[seat] = i;
-  group[seat] = g;
   const int slot = seat / lane_count, k = seat % lane_count;
   SlotPlaces& places = lanes.places[slot];
   SlotSprings& springs = lanes.springs[slot];
@@ -276,35 +275,53 @@ void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
       lost.push_back({g, i, contact.normal_elastic, contact.shear_elastic});
   }
   loaded = true;
+  stored = read = false;
 }
 
-void ContactGroups::store(Contacts& contacts) {
-  if (!loaded)
-    return;
+void ContactGroups::begin_store(Contacts& contacts) {
   for (const ActingContact& before : contacts.acting)
     contacts.active[before.record] = 0;
   contacts.acting.clear();
-  for (const int seat : seat_of) {
-    if (seat < 0)
-      continue;
-    const HeldSpring spring = held(seat);
-    if (spring.record < 0)
-      continue;
-    contacts.active[spring.record] = 1;
-    ActingContact& contact = contacts.acting.emplace_back();
-    contact.record = spring.record;
-    contact.normal_elastic = spring.normal, contact.shear_elastic = spring.shear;
-    if (readings) {
-      contact.normal_force = lanes.at(seat, &SlotReadings::normal_force);
-      contact.shear_force = lanes.at(seat, &SlotReadings::shear_force);
-      contact.overlap = lanes.at(seat, &SlotReadings::overlap);
-    }
-    // the two seats of a notch hold records of the same range
-    if (auto last = contacts.acting.end() - 1;
-        last != contacts.acting.begin() && last->record < (last - 1)->record)
-      std::iter_swap(last, last - 1);
+}
+
+void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
+  const int seat = seat_of[g], slot = seat / lane_count, k = seat % lane_count;
+  const SlotSprings& springs =
+      with_readings ? lanes.advanced[slot] : lanes.springs[slot];
+  ActingContact& contact = contacts.acting.emplace_back();
+  contact.record = record[seat];
+  contact.normal_elastic = springs.normal_elastic[k];
+  contact.shear_elastic = springs.shear_elastic[k];
+  if (with_readings) {
+    const SlotReadings& reading = lanes.readings[slot - lanes.first_reading];
+    contact.normal_force = reading.normal_force[k];
+    contact.shear_force = reading.shear_force[k];
+    contact.overlap = reading.overlap[k];
   }
-  loaded = false;
+  contacts.active[contact.record] = 1;
+  // the two seats of a notch hold records of the same range
+  if (auto last = contacts.acting.end() - 1;
+      last != contacts.acting.begin() && last->record < (last - 1)->record)
+    std::iter_swap(last, last - 1);
+}
+
+void ContactGroups::store(Contacts& contacts) {
+  if (loaded && !stored) {
+    begin_store(contacts);
+    const int count = static_cast<int>(all.size());
+    for (int g = 0; g < count; ++g)
+      if (seat_of[g] >= 0 && held(seat_of[g]).record >= 0)
+        store(contacts, g, false);
+  }
+  loaded = stored = false;
+}
+
+int ContactGroups::group_of(int seat) const {
+  const auto after = std::upper_bound(
+      all.begin(), all.end(), record[seat],
+      [](int i, const ContactGroup& group) { return i < group.first; });
+  const int g = static_cast<int>(after - all.begin()) - 1;
+  return seat_of[g] == seat ? g : g - 1;  // a notch has two
 }
 
 void ContactGroups::join_shares() {
@@ -368,8 +385,7 @@ void ContactGroups::seat_window(int first, int last) {
     if (k == 0)
       lanes.add_set(wishes[i].contacts);
     const int set = lanes.sets() - 1;
-    group.resize(lanes.slots() * lane_count, -1);
-    record.resize(group.size(), -1);
+    record.resize(static_cast<std::size_t>(lanes.slots()) * lane_count, -1);
     lanes.pairs[set].low[k] = pair.low, lanes.pairs[set].high[k] = pair.high;
     pair.lane = set * lane_count + k;
     int seat = lanes.pairs[set].first_slot * lane_count + k;
@@ -382,8 +398,8 @@ void ContactGroups::seat_window(int first, int last) {
 namespace {
 
 /// Memory for the case that all groups act.
-void reserve_lanes(ContactGroups& groups) {
-  int sets = 0, slots = 0;
+void reserve_lanes(ContactGroups& groups, bool rigid) {
+  ContactLanes::Room room;
   const int count = static_cast<int>(groups.pairs.size());
   for (int first = 0; first < count; first += pairs_of_window) {
     const int last = std::min(count, first + pairs_of_window);
@@ -393,12 +409,14 @@ void reserve_lanes(ContactGroups& groups) {
       sum += own, most = std::max(most, own);
     }
     // by size: no set but the first has more slots than each pair of that before
-    sets += (last - first + lane_count - 1) / lane_count;
-    slots += sum / lane_count + most;
+    const int sets = (last - first + lane_count - 1) / lane_count;
+    const int slots = sum / lane_count + most;
+    room.sets += sets, room.slots += slots;
+    room.read_sets = std::max(room.read_sets, sets);
+    room.read_slots = std::max(room.read_slots, slots);
   }
-  groups.lanes.reserve(sets, slots);
-  for (std::vector<int>* row : {&groups.group, &groups.record})
-    row->reserve(static_cast<std::size_t>(slots) * lane_count);
+  groups.lanes.reserve(room, rigid);
+  groups.record.reserve(static_cast<std::size_t>(room.slots) * lane_count);
   for (LanesOfBlocks* of : {&groups.lows, &groups.highs})
     of->lane.reserve(groups.pairs.size());
 }
@@ -417,11 +435,12 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
   groups.prompt.assign(groups.rounds.size(), 0);
-  reserve_lanes(groups);
+  reserve_lanes(groups, rigid);
   groups.times_made = 0;
-  groups.loaded = false;
+  groups.loaded = groups.stored = groups.read = false;
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());
+  groups.heirs.reserve(groups.all.size());
   groups.shares.resize(threads);
   for (ContactGroups::Share& share : groups.shares) {
     share.lost.clear();

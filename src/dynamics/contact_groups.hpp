@@ -177,16 +177,17 @@ struct ContactGroups {
   // order of the list. Between load() and store() the list does not know what acts.
   ContactLanes lanes;
   std::vector<int> seat_of;     ///< (groups) -1: none
-  std::vector<int> group;       ///< (seats) index into `all`, -1: empty
   std::vector<int> record;      ///< (seats) -1: none any more
   LanesOfBlocks lows, highs;    ///< lanes of which a block is the lower, the higher one
   bool seats_complete = false;  ///< no group lacks a seat
   int times_made = 0;           ///< lanes, of this list
   double made_at = 0.0;         ///< [L] the travel (Swing) when they were made last
-  bool loaded = false;          ///< the lanes hold what the list does not know
-  bool readings = false;        ///< and forces and overlaps of the last step
+  bool loaded = false;          ///< the lanes know what acts
+  bool stored = false;          ///< the list knows it too
+  bool read = false;            ///< and forces and overlaps of the last step
 
   std::vector<LostForce> lost;  ///< in this step
+  std::vector<int> heirs;       ///< sets whose contacts were handed some of it
   Swing swing;                  ///< of the blocks since the groups were made
   /// What one thread finds.
   struct Share {
@@ -221,9 +222,16 @@ struct ContactGroups {
   double relative_motion(const Blocks& blocks, int pair) const;
   /// Springs from the list to the lanes, and the dashpots.
   void load(const Blocks& blocks, const Contacts& contacts, const Settings& settings);
-  /// Springs, forces and overlaps from the lanes to the list. Without readings of the
+  /// Springs from the lanes to the list, unless they are there. Without readings of the
   /// last step forces and overlaps are 0.
   void store(Contacts& contacts);
+  /// The list holds none.
+  static void begin_store(Contacts& contacts);
+  /// What acts in group g, with its readings (contact_readings.hpp) or without, becomes
+  /// the last of the list.
+  void store(Contacts& contacts, int g, bool with_readings) const;
+  /// Of the record in a seat.
+  int group_of(int seat) const;
   HeldSpring held(int seat) const;
   /// Puts record i of group g, or none (-1), and its spring into the seat of the group.
   /// False: it has none.
@@ -242,6 +250,11 @@ struct ContactGroups {
   /// For those of pairs first .. last - 1 whose seat_of is not -1.
   void seat_window(int first, int last);
 };
+
+inline BlockRows rows_of(const Blocks& blocks) {
+  return {blocks.corner.data(), blocks.centroid.data(), blocks.velocity.data(),
+          blocks.spin.data(), blocks.strain_rate.data()};
+}
 
 /// Splits the list into its groups and pairs, all to be decided. each_alone: one record
 /// each, for studies without the nearest edge.

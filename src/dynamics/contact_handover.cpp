@@ -97,6 +97,7 @@ void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& gr
   std::sort(groups.lost.begin(), groups.lost.end(),
             [](const auto& l, const auto& r) { return l.record < r.record; });
   ContactLanes& lanes = groups.lanes;
+  groups.heirs.clear();
   for (const LostForce& lost : groups.lost) {
     Heir heir(blocks, contacts, groups, lost, normal_stiffness);
     heir.look_at_corner();
@@ -108,7 +109,11 @@ void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& gr
     lanes.at(seat, &SlotSprings::normal_elastic) = heir.normal();
     if (lanes.at(seat, &SlotSprings::shear_elastic) == 0.0)
       lanes.at(seat, &SlotSprings::shear_elastic) = heir.shear();
+    groups.heirs.push_back(lanes.set_of(seat / lane_count));
   }
+  std::sort(groups.heirs.begin(), groups.heirs.end());
+  groups.heirs.erase(std::unique(groups.heirs.begin(), groups.heirs.end()),
+                     groups.heirs.end());
   groups.lost.clear();
 }
 

@@ -14,7 +14,8 @@ namespace blocks::dynamics {
 /// is within 18 degrees of parallel. The one that can take most takes it: the energies
 /// FN^2 / 2 Kn of the springs add up, and no spring becomes stronger than its overlap
 /// explains, so that energy never grows. Shear is taken by its component along the new
-/// edge. Forgets the lost forces.
+/// edge. Forgets the lost forces. To the springs at the start of the step: the sets of
+/// the heirs have to act again.
 void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
                double normal_stiffness);
 

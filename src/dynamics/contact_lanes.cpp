@@ -7,25 +7,39 @@
 
 namespace blocks::dynamics {
 
-void ContactLanes::reserve(int sets, int slots) {
-  const auto make = []<class Part>(int room, std::unique_ptr<Part[]>& own,
+void ContactLanes::reserve(const Room& room, bool rigid) {
+  const auto make = []<class Part>(int count, std::unique_ptr<Part[]>& own,
                                    Part*& part) {
     own.reset();  // not beside the new ones
-    own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(room));
+    own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(count));
     part = own.get();
   };
-  if (sets > room_for_sets_) {
-    make(sets, own_pairs_, pairs);
-    make(sets, own_forces_, forces);
-    make(sets, own_stresses_, stresses);
-    room_for_sets_ = sets;
+  if (room.sets > room_.sets) {
+    make(room.sets, own_pairs_, pairs);
+    make(room.sets, own_forces_, forces);
+    room_.sets = room.sets;
   }
-  if (slots > room_for_slots_) {
-    make(slots, own_places_, places);
-    make(slots, own_springs_, springs);
-    make(slots, own_readings_, readings);
-    room_for_slots_ = slots;
+  if (room.slots > room_.slots) {
+    make(room.slots, own_places_, places);
+    make(room.slots, own_springs_, springs);
+    make(room.slots, own_advanced_, advanced);
+    room_.slots = room.slots;
   }
+  if (room.read_slots > room_.read_slots) {
+    make(room.read_slots, own_readings_, readings);
+    room_.read_slots = room.read_slots;
+  }
+  if (const int count = rigid ? room.read_sets : room.sets;
+      count > room_for_stresses_) {
+    make(count, own_stresses_, stresses);
+    room_for_stresses_ = count;
+  }
+  first_stress = 0;
+}
+
+void ContactLanes::read_from(int set, bool rigid) {
+  first_reading = pairs[set].first_slot;
+  first_stress = rigid ? set : 0;
 }
 
 int ContactLanes::add_set(int slots) {
@@ -39,12 +53,21 @@ int ContactLanes::add_set(int slots) {
   return sets_++;
 }
 
+int ContactLanes::set_of(int slot) const {
+  const auto after =
+      std::upper_bound(pairs, pairs + sets_, slot, [](int of, const LanePairs& set) {
+        return of < set.first_slot;
+      });
+  return static_cast<int>(after - pairs) - 1;
+}
+
 #define BLOCKS_DECLARE_LANES(name)                                                     \
   namespace name {                                                                     \
-  void find_touching(const LaneSets&, const BlockRows&, int, int);                     \
+  LaneExtremes touch_and_act(const LaneSets&, const BlockRows&, const ContactLaw&,     \
+                             bool, int, int);                                          \
   LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, bool,   \
                    int, int);                                                          \
-  constexpr LaneArithmetic arithmetic = {#name, find_touching, act};                   \
+  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act};                   \
   }
 BLOCKS_DECLARE_LANES(baseline)
 #ifdef BLOCKS_X86_LANES

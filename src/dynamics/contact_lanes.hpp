@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "dynamics/contact_law.hpp"
@@ -65,8 +66,11 @@ struct LaneSets {
   PairForces* forces = nullptr;
   PairStresses* stresses = nullptr;
   SlotPlaces* places = nullptr;
-  SlotSprings* springs = nullptr;
+  SlotSprings* springs = nullptr;   ///< at the start of the step
+  SlotSprings* advanced = nullptr;  ///< at its end
+  // those of the sets that are read, from these on
   SlotReadings* readings = nullptr;
+  int first_reading = 0, first_stress = 0;
 };
 
 /// The sets and their memory. Pair k of a set has the lane 8 set + k, its contact in a
@@ -75,12 +79,25 @@ class ContactLanes : public LaneSets {
  public:
   int sets() const { return sets_; }
   int slots() const { return slots_; }
-  /// Memory for so many, which is not touched before it is used.
-  void reserve(int sets, int slots);
+  /// What is reserved.
+  struct Room {
+    int sets = 0, slots = 0;
+    int read_sets = 0, read_slots = 0;  ///< read at once
+  };
+  /// Memory for so many, which is not touched before it is used. Stresses of rigid
+  /// blocks are for readers only.
+  void reserve(const Room& room, bool rigid);
   /// None.
   void clear() { sets_ = slots_ = 0; }
   /// One set more, with so many slots: all of them idle. Its number.
   int add_set(int slots);
+
+  /// Readings begin at this set; stresses of rigid blocks too.
+  void read_from(int set, bool rigid);
+  /// The set of a slot.
+  int set_of(int slot) const;
+  /// What the springs have become is what the next step starts with.
+  void advance_springs() { std::swap(springs, advanced); }
 
   /// A number of one lane or seat: at(seat, &SlotPlaces::corner).
   template <class Part, class Number>
@@ -92,14 +109,15 @@ class ContactLanes : public LaneSets {
   LanePairs* part(LanePairs*) const { return pairs; }
   SlotPlaces* part(SlotPlaces*) const { return places; }
   SlotSprings* part(SlotSprings*) const { return springs; }
-  SlotReadings* part(SlotReadings*) const { return readings; }
 
-  int sets_ = 0, slots_ = 0, room_for_sets_ = 0, room_for_slots_ = 0;
+  int sets_ = 0, slots_ = 0;
+  Room room_;
+  int room_for_stresses_ = 0;
   std::unique_ptr<LanePairs[]> own_pairs_;
   std::unique_ptr<PairForces[]> own_forces_;
   std::unique_ptr<PairStresses[]> own_stresses_;
   std::unique_ptr<SlotPlaces[]> own_places_;
-  std::unique_ptr<SlotSprings[]> own_springs_;
+  std::unique_ptr<SlotSprings[]> own_springs_, own_advanced_;
   std::unique_ptr<SlotReadings[]> own_readings_;
 };
 
@@ -116,9 +134,13 @@ struct LaneExtremes {
 /// The two computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
-  /// Which contacts touch: `touch` and `look`.
-  void (*find_touching)(const LaneSets&, const BlockRows&, int first, int last);
-  /// a.-e. of rule 7. readings: also SlotReadings, and PairStresses of rigid blocks.
+  /// Which contacts touch, `touch` and `look`, and what they do. A sign in doubt is
+  /// taken to touch: sets with `look` have to be settled and to act again; they are not
+  /// among the extremes.
+  LaneExtremes (*touch_and_act)(const LaneSets&, const BlockRows&, const ContactLaw&,
+                                bool rigid, int first, int last);
+  /// What those do that touch: a.-e. of rule 7. readings: also SlotReadings, and
+  /// PairStresses of rigid blocks.
   LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
                       bool readings, int first, int last);
 };

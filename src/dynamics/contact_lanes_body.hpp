@@ -111,11 +111,10 @@ struct Sides {
   }
 };
 
-/// A sign in doubt is taken to touch, until it is looked at. Whose sign is in doubt, or
-/// who does not touch any more.
-BLOCKS_INLINE Marks find_touching_slot(SlotPlaces& slot, const BlockRows& blocks,
-                                       int i) {
-  const Sides sides(slot, blocks, i);
+/// Which lanes touch. A sign in doubt is taken to, until it is looked at: adds to
+/// `look` whose sign is in doubt, or who does not touch any more.
+BLOCKS_INLINE Marks find_touching(SlotPlaces& slot, const Sides& sides, int i,
+                                  Marks& look) {
   const Set bound = sides.bound();
   const Marks rule = load(slot.rule, i), before = load(slot.touch, i);
   const Marks asked = rule == by_sign;
@@ -129,7 +128,8 @@ BLOCKS_INLINE Marks find_touching_slot(SlotPlaces& slot, const BlockRows& blocks
   const Marks touch =
       acts & ((before != apart) ? in_touch + Marks{} : starting + Marks{});
   store(slot.touch, i, touch);
-  return open | ((touch == apart) & (before != apart));
+  look |= open | ((touch == apart) & (before != apart));
+  return touch;
 }
 
 /// Two blocks of each lane: where they are, and how the high one sees the low one move.
@@ -167,21 +167,34 @@ template <bool rigid> struct Pairs {
   }
 };
 
-template <bool rigid, bool readings>
-BLOCKS_INLINE void act_set(const LaneSets& sets, int set, const BlockRows& blocks,
-                           const ContactLaw& law, int i, Set& deepest, Set& strongest) {
+/// Deepest overlap and strongest spring, lane by lane.
+struct Most {
+  Set overlap = {}, spring = {};
+  BLOCKS_INLINE void include(Set depth, Set force) {
+    overlap = depth > overlap ? depth : overlap;
+    spring = force > spring ? force : spring;
+  }
+};
+
+/// Adds to `look` as find_touching does; find: false: what touches is known.
+template <bool find, bool rigid, bool readings>
+BLOCKS_INLINE Most act_set(const LaneSets& sets, int set, const BlockRows& blocks,
+                           const ContactLaw& law, int i, Marks& look) {
   constexpr bool stresses = readings || !rigid;
   const LanePairs& pairs = sets.pairs[set];
   const Pairs<rigid> two(pairs, blocks, i);
   const Set none = all_of(0.0), damping = load(pairs.damping, i);
   Set sum_x = none, sum_y = none, moment_low = none, moment_high = none;
   Set low[4] = {}, high[4] = {};
+  Most most;
   for (int s = pairs.first_slot; s < pairs.first_slot + pairs.slots; ++s) {
     // a. frame of the edge, overlap: its sign is decided exactly; rounded, a tiny depth
     // may come out below zero
-    const SlotPlaces& slot = sets.places[s];
-    SlotSprings& springs = sets.springs[s];
+    SlotPlaces& slot = sets.places[s];
+    const SlotSprings& springs = sets.springs[s];
     const Sides sides(slot, blocks, i);
+    const Marks touch =
+        find ? find_touching(slot, sides, i, look) : load(slot.touch, i);
     const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
     const Set depth = sides.value * per_length, overlap = depth > 0.0 ? depth : none;
     // tangent and normal, turned where the force on the low block is that on the edge
@@ -191,7 +204,6 @@ BLOCKS_INLINE void act_set(const LaneSets& sets, int set, const BlockRows& block
     const auto [vx, vy] = two.velocity(x, y);
 
     // b.-d.
-    const Marks touch = load(slot.touch, i);
     const Mask acts = mask_of(touch != apart);
     const Marks starts = touch == starting;
     Set normal_elastic = load(springs.normal_elastic, i);
@@ -205,11 +217,11 @@ BLOCKS_INLINE void act_set(const LaneSets& sets, int set, const BlockRows& block
       apply<false>(law, normal_elastic, shear_elastic, closing, sliding, overlap,
                    damping, none, normal, shear);
     normal_elastic = acts ? normal_elastic : none;
-    store(springs.normal_elastic, i, normal_elastic);
-    store(springs.shear_elastic, i, acts ? shear_elastic : none);
+    SlotSprings& advanced = sets.advanced[s];
+    store(advanced.normal_elastic, i, normal_elastic);
+    store(advanced.shear_elastic, i, acts ? shear_elastic : none);
     const Set reached = acts ? overlap : none;
-    deepest = reached > deepest ? reached : deepest;
-    strongest = normal_elastic > strongest ? normal_elastic : strongest;
+    most.include(reached, normal_elastic);
 
     // e. equal and opposite at one point
     const Set fx = acts ? normal * nx - shear * tx : none;
@@ -224,7 +236,7 @@ BLOCKS_INLINE void act_set(const LaneSets& sets, int set, const BlockRows& block
       low[3] += fy * y, high[3] -= fy * high_y;
     }
     if constexpr (readings) {
-      SlotReadings& read = sets.readings[s];
+      SlotReadings& read = sets.readings[s - sets.first_reading];
       store(read.overlap, i, reached);
       store(read.normal_force, i, acts ? normal : none);
       store(read.shear_force, i, acts ? shear : none);
@@ -236,45 +248,52 @@ BLOCKS_INLINE void act_set(const LaneSets& sets, int set, const BlockRows& block
   store(forces.moment_low, i, moment_low);
   store(forces.moment_high, i, moment_high);
   if constexpr (stresses) {
-    PairStresses& sums = sets.stresses[set];
+    PairStresses& sums = sets.stresses[set - sets.first_stress];
     for (int k = 0; k < 4; ++k)
       store(sums.low[k], i, low[k]), store(sums.high[k], i, high[k]);
   }
+  return most;
 }
 
-template <bool rigid, bool readings>
+template <bool find, bool rigid, bool readings>
 LaneExtremes act_sets(const LaneSets& sets, const BlockRows& blocks,
                       const ContactLaw& law, int first, int last) {
-  Set deepest = all_of(0.0), strongest = all_of(0.0);
-  for (int set = first; set < last; ++set)
-    for (int i = 0; i < lane_count; i += width)
-      act_set<rigid, readings>(sets, set, blocks, law, i, deepest, strongest);
+  Most all;
+  for (int set = first; set < last; ++set) {
+    Marks look = {};
+    Most most;
+    for (int i = 0; i < lane_count; i += width) {
+      const Most part = act_set<find, rigid, readings>(sets, set, blocks, law, i, look);
+      most.include(part.overlap, part.spring);
+    }
+    if constexpr (find)
+      sets.pairs[set].look = any(look);
+    if (!any(look))
+      all.include(most.overlap, most.spring);
+  }
   LaneExtremes extremes = {0.0, 0.0};
   for (int k = 0; k < width; ++k) {
-    extremes.overlap = deepest[k] > extremes.overlap ? deepest[k] : extremes.overlap;
-    extremes.spring = strongest[k] > extremes.spring ? strongest[k] : extremes.spring;
+    extremes.overlap =
+        all.overlap[k] > extremes.overlap ? all.overlap[k] : extremes.overlap;
+    extremes.spring = all.spring[k] > extremes.spring ? all.spring[k] : extremes.spring;
   }
   return extremes;
 }
 
 }  // namespace
 
-void find_touching(const LaneSets& sets, const BlockRows& blocks, int first, int last) {
-  for (int set = first; set < last; ++set) {
-    LanePairs& pairs = sets.pairs[set];
-    Marks look = {};
-    for (int s = pairs.first_slot; s < pairs.first_slot + pairs.slots; ++s)
-      for (int i = 0; i < lane_count; i += width)
-        look |= find_touching_slot(sets.places[s], blocks, i);
-    pairs.look = any(look);
-  }
+LaneExtremes touch_and_act(const LaneSets& sets, const BlockRows& blocks,
+                           const ContactLaw& law, bool rigid, int first, int last) {
+  const auto all = rigid ? act_sets<true, true, false> : act_sets<true, false, false>;
+  return all(sets, blocks, law, first, last);
 }
 
 LaneExtremes act(const LaneSets& sets, const BlockRows& blocks, const ContactLaw& law,
                  bool rigid, bool readings, int first, int last) {
-  const auto all = rigid      ? readings ? act_sets<true, true> : act_sets<true, false>
-                        : readings ? act_sets<false, true>
-                              : act_sets<false, false>;
+  const auto all =
+      rigid      ? readings ? act_sets<false, true, true> : act_sets<false, true, false>
+           : readings ? act_sets<false, false, true>
+                 : act_sets<false, false, false>;
   return all(sets, blocks, law, first, last);
 }
 

@@ -266,17 +266,12 @@ void settle(const Blocks& blocks, ContactGroups& groups, int set,
         continue;
       if (springs.normal_elastic[k] > 0.0) {
         const int seat = slot * lane_count + k;
-        lost.push_back({groups.group[seat], groups.record[seat],
+        lost.push_back({groups.group_of(seat), groups.record[seat],
                         springs.normal_elastic[k], springs.shear_elastic[k]});
       }
       springs.normal_elastic[k] = springs.shear_elastic[k] = 0.0;
     }
   }
-}
-
-inline BlockRows rows_of(const Blocks& blocks) {
-  return {blocks.corner.data(), blocks.centroid.data(), blocks.velocity.data(),
-          blocks.spin.data(), blocks.strain_rate.data()};
 }
 
 }  // namespace detail
@@ -285,8 +280,7 @@ inline BlockRows rows_of(const Blocks& blocks) {
 template <class Rules>
 Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
                               ContactGroups& groups, const Settings& settings,
-                              double dt, bool readings, Workers& workers,
-                              Profile* profile = nullptr) {
+                              double dt, Workers& workers, Profile* profile = nullptr) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   const int rounds = static_cast<int>(groups.rounds.size());
@@ -294,6 +288,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     const Profile::Timer timer(profile, Profile::decisions);
     if (!groups.loaded)
       groups.load(blocks, contacts, settings);
+    groups.stored = groups.read = false;
     workers.each(rounds, pairs_per_thread / pairs_of_round,
                  [&](int part, int first, int last) {
                    const detail::ExactCalls calls(profile, groups.shares[part]);
@@ -309,25 +304,32 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   }
   const Profile::Timer timer(profile, Profile::forces);
   const LaneArithmetic& arithmetic = lane_arithmetic();
-  const BlockRows rows = detail::rows_of(blocks);
+  const BlockRows rows = rows_of(blocks);
   const int sets = groups.lanes.sets();
+  const auto include = [&](int part, const LaneExtremes& most) {
+    groups.shares[part].extremes.include(most.overlap, most.spring);
+  };
+  const auto act = [&](int part, int set) {
+    include(part, arithmetic.act(groups.lanes, rows, law, settings.rigid, false, set,
+                                 set + 1));
+  };
   workers.each(sets, sets_per_thread, [&](int part, int first, int last) {
     const detail::ExactCalls calls(profile, groups.shares[part]);
-    arithmetic.find_touching(groups.lanes, rows, first, last);
+    include(part, arithmetic.touch_and_act(groups.lanes, rows, law, settings.rigid,
+                                           first, last));
     for (int set = first; set < last; ++set)
-      if (groups.lanes.pairs[set].look)
+      if (groups.lanes.pairs[set].look) {
         detail::settle<Rules>(blocks, groups, set, groups.shares[part].lost);
+        act(part, set);
+      }
   });
   groups.join_shares();
-  if constexpr (Rules::hands_over)
+  if constexpr (Rules::hands_over) {
     hand_over(blocks, contacts, groups, settings.normal_stiffness);
+    for (const int set : groups.heirs)
+      act(0, set);
+  }
   groups.lost.clear();
-  workers.each(sets, sets_per_thread, [&](int part, int first, int last) {
-    const LaneExtremes most =
-        arithmetic.act(groups.lanes, rows, law, settings.rigid, readings, first, last);
-    groups.shares[part].extremes.include(most.overlap, most.spring);
-  });
-  groups.readings = readings;
   Extremes extremes;
   for (ContactGroups::Share& share : groups.shares) {
     extremes.include(share.extremes.overlap, share.extremes.spring);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "dynamics/contact_decision.hpp"
+#include "dynamics/give_back.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
@@ -41,13 +42,23 @@ void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
   buffers.found.resize(kept);
 }
 
-void find_near_corners(const Model& model, SearchBuffers& buffers) {
+/// Puts the records found at the end of the list.
+void append(Contacts& contacts, const std::vector<SearchBuffers::Record>& found) {
+  for (const SearchBuffers::Record& record : found) {
+    contacts.corner.push_back(record.corner);
+    contacts.edge.push_back(record.edge);
+  }
+}
+
+/// Lists the corners near each block, block after block.
+void find_near_corners(Model& model, SearchBuffers& buffers) {
   const Blocks& blocks = model.blocks;
   for (int b = 0; b < blocks.size(); ++b) {
     const double travel =
         2.0 * model.settings.contact_tolerance + shield_reach(blocks, b);
     const int first = blocks.first_corner[b], count = blocks.corners_of(b);
     buffers.reach.clear();
+    buffers.found.clear();
     for (int e = first; e < first + count; ++e)
       buffers.reach.emplace_back(blocks, b, e, travel);
     const auto corners = blocks.corner.middleCols(first, count);
@@ -63,6 +74,7 @@ void find_near_corners(const Model& model, SearchBuffers& buffers) {
         return;
       add_records(blocks, b, c, buffers);
     });
+    append(model.contacts, buffers.found);
   }
 }
 
@@ -74,48 +86,53 @@ Place place(const Blocks& blocks, int corner, int edge) {
   return {low, high, corner, edge};
 }
 
-/// What acts, out of a list that is not needed any more.
-void keep_acting(Contacts& contacts, std::vector<SearchBuffers::Kept>& kept) {
-  kept.clear();
+/// Empties the list, all but the state of what acts, whose places are kept.
+void empty_list(Contacts& contacts, std::vector<SearchBuffers::Record>& acted) {
+  acted.clear();
   for (const ActingContact& contact : contacts.acting)
-    kept.push_back(
-        {{contacts.corner[contact.record], contacts.edge[contact.record]}, contact});
-  contacts.resize(0);
+    acted.push_back({contacts.corner[contact.record], contacts.edge[contact.record]});
+  contacts.corner.clear();
+  contacts.edge.clear();
 }
 
-/// Memory that only a search needs: some stays, for to ask for it at every search of a
-/// small model is slower.
-template <class Item> void give_back(std::vector<Item>& items) {
-  items.clear();
-  if (items.capacity() * sizeof(Item) > 1 << 22)
-    items.shrink_to_fit();
-}
-
-/// Makes the records found the list, in its order: by the lower block in one go, then
-/// those of each.
-void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
-  const auto low = [&](const SearchBuffers::Record& r) {
-    return std::min(blocks.corner_block[r.corner], blocks.corner_block[r.edge]);
+/// Sorts the list by the lower block of its records, in place: each record goes where
+/// those of its block begin, and the one found there goes on. Returns where the records
+/// of each block begin, and where those of the last one end.
+std::vector<int> sort_by_lower(const Blocks& blocks, Contacts& contacts) {
+  const auto low = [&](int corner, int edge) {
+    return std::min(blocks.corner_block[corner], blocks.corner_block[edge]);
   };
-  std::vector<int> last(blocks.size() + 1, 0);
-  for (const SearchBuffers::Record& r : buffers.found)
-    ++last[low(r) + 1];
-  std::partial_sum(last.begin(), last.end(), last.begin());
-  contacts.corner.resize(buffers.found.size());
-  contacts.edge.resize(buffers.found.size());
-  for (const SearchBuffers::Record& r : buffers.found) {
-    const int i = last[low(r)]++;
-    contacts.corner[i] = r.corner, contacts.edge[i] = r.edge;
-  }
-  const int size = static_cast<int>(buffers.found.size());
-  give_back(buffers.found);
-  contacts.resize(size);
+  std::vector<int> first(blocks.size() + 1, 0);
+  for (int i = 0; i < contacts.size(); ++i)
+    ++first[low(contacts.corner[i], contacts.edge[i]) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (int b = 0; b < blocks.size(); ++b)
+    while (next[b] < first[b + 1]) {
+      int corner = contacts.corner[next[b]], edge = contacts.edge[next[b]];
+      for (int of = low(corner, edge); of != b; of = low(corner, edge)) {
+        const int to = next[of]++;
+        std::swap(corner, contacts.corner[to]);
+        std::swap(edge, contacts.edge[to]);
+      }
+      contacts.corner[next[b]] = corner, contacts.edge[next[b]] = edge;
+      ++next[b];
+    }
+  return first;
+}
+
+/// Puts the records of the list in its order: by the lower block in one go, then those
+/// of each. None acts.
+void order_list(const Blocks& blocks, Contacts& contacts) {
+  const std::vector<int> first = sort_by_lower(blocks, contacts);
+  contacts.active.assign(contacts.corner.size(), 0);
   std::vector<Place> places;
-  for (int b = 0, i = 0; b < blocks.size(); ++b) {
+  for (int b = 0; b < blocks.size(); ++b) {
     places.clear();
-    for (int k = i; k < last[b]; ++k)
-      places.push_back(place(blocks, contacts.corner[k], contacts.edge[k]));
+    for (int i = first[b]; i < first[b + 1]; ++i)
+      places.push_back(place(blocks, contacts.corner[i], contacts.edge[i]));
     std::sort(places.begin(), places.end());
+    int i = first[b];
     for (const auto& [of_low, of_high, corner, edge] : places) {
       contacts.corner[i] = corner, contacts.edge[i] = edge;
       ++i;
@@ -123,22 +140,27 @@ void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers
   }
 }
 
-/// The state of those that acted in the list before; the others have none.
+/// The state of those that acted in the list before, where they stand, moved up over
+/// that of records that are listed no more; the others have none.
 void take_over(const Blocks& blocks, Contacts& contacts,
-               std::vector<SearchBuffers::Kept>& kept) {
+               const std::vector<SearchBuffers::Record>& acted) {
+  std::vector<ActingContact>& acting = contacts.acting;
+  std::size_t kept = 0;
   int i = 0;
-  for (SearchBuffers::Kept& before : kept) {
-    const Place wanted = place(blocks, before.place.corner, before.place.edge);
+  for (std::size_t k = 0; k < acted.size(); ++k) {
+    const auto [corner, edge] = acted[k];
+    const Place wanted = place(blocks, corner, edge);
     while (i < contacts.size() &&
            place(blocks, contacts.corner[i], contacts.edge[i]) < wanted)
       ++i;
-    if (i == contacts.size() || contacts.corner[i] != before.place.corner ||
-        contacts.edge[i] != before.place.edge)
+    if (i == contacts.size() || contacts.corner[i] != corner ||
+        contacts.edge[i] != edge)
       continue;
     contacts.active[i] = 1;
-    before.state.record = i;
-    contacts.acting.push_back(before.state);
+    acting[kept] = acting[k];
+    acting[kept++].record = i;
   }
+  acting.resize(kept);
 }
 
 void update_plane_contacts(Model& model, SearchBuffers& buffers) {
@@ -173,24 +195,31 @@ void update_plane_contacts(Model& model, SearchBuffers& buffers) {
   std::swap(model.plane_contacts, next);
 }
 
-}  // namespace
-
-void update_contacts(Model& model, SearchBuffers& buffers) {
-  buffers.found.clear();
-  buffers.grid.fill(model);
-  find_near_corners(model, buffers);
-  adopt_list(model, buffers);
-}
-
-void adopt_list(Model& model, SearchBuffers& buffers) {
-  keep_acting(model.contacts, buffers.kept);
-  order_list(model.blocks, model.contacts, buffers);
-  take_over(model.blocks, model.contacts, buffers.kept);
-  give_back(buffers.kept);
+/// Orders the list that was found and hands over what acted in the one before.
+void finish_list(Model& model, SearchBuffers& buffers) {
+  buffers.grid.give_back();
+  order_list(model.blocks, model.contacts);
+  take_over(model.blocks, model.contacts, buffers.acted);
+  give_back(buffers.acted);
   update_plane_contacts(model, buffers);
   model.search.current = true;
   model.search.travel = 0.0;
   ++model.search.updates;
+}
+
+}  // namespace
+
+void update_contacts(Model& model, SearchBuffers& buffers) {
+  empty_list(model.contacts, buffers.acted);
+  buffers.grid.fill(model);
+  find_near_corners(model, buffers);
+  finish_list(model, buffers);
+}
+
+void adopt_list(Model& model, SearchBuffers& buffers) {
+  empty_list(model.contacts, buffers.acted);
+  append(model.contacts, buffers.found);
+  finish_list(model, buffers);
 }
 
 }  // namespace blocks::dynamics

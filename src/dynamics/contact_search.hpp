@@ -65,17 +65,12 @@ struct SearchBuffers {
     auto operator<=>(const Record&) const = default;
   };
   CellGrid grid;
-  std::vector<Reach> reach;  ///< of the edges of one block
-  std::vector<Record> found;
-  ContactGroups groups;             ///< of the present list
-  long grouped_update = -1;         ///< NUPDAT when the groups were made
+  std::vector<Reach> reach;   ///< of the edges of one block
+  std::vector<Record> found;  ///< near one block
+  std::vector<Record> acted;  ///< places of what acted in the list before, in its order
+  ContactGroups groups;       ///< of the present list
+  long grouped_update = -1;   ///< NUPDAT when the groups were made
   std::vector<Displacement> moved;  ///< (threads) in this step
-  /// What a record that acts takes to the next list.
-  struct Kept {
-    Record place;
-    ActingContact state;
-  };
-  std::vector<Kept> kept;
   PlaneContacts next_planes;
 };
 

@@ -149,6 +149,8 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
       continue;
     const Vec2 shift = dt * blocks.velocity.col(b);
     const Vec2 centroid = blocks.centroid.col(b) + shift;
+    // not the shift: of half a unit in the last place it makes a whole one
+    const double went = (centroid - blocks.centroid.col(b)).norm();
     const double turn = dt * blocks.spin[b];
     const Eigen::Matrix2d rotation = cayley_rotation(turn);
     Eigen::Matrix2d transform = rotation;
@@ -184,7 +186,7 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
       stretch = shape.norm();
       swing.sum[b] += 0x1p-49 * swing.longest[b] * stretch;
     }
-    const double went = shift.norm(), moved = went + swung;
+    const double moved = went + swung;
     const double way = 1.0000001 * (went + 2.0 * swung) + 0x1p-52 * swing.way[b];
     swing.way[b] += way;
     result.way = std::max(result.way, way + 0x1p-52 * swing.way[b]);

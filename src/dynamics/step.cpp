@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "dynamics/contact_readings.hpp"
 #include "dynamics/domain.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/time_step.hpp"
@@ -46,10 +47,11 @@ void catch_up(Model& model, SearchBuffers& buffers) {
   buffers.groups.store(model.contacts);
   if (!model.settings.rigid)
     return;
-  if (buffers.groups.readings)
-    finish_applied_stress(model.blocks, buffers.groups, all_of(model.blocks));
+  Blocks& blocks = model.blocks;
+  if (buffers.groups.read)
+    blocks.applied.array().rowwise() /= blocks.area.transpose().array();
   else
-    model.blocks.applied.setZero();
+    blocks.applied.setZero();
 }
 
 Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
@@ -73,11 +75,14 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
 
   // 2. contact forces
   clear_forces(blocks);
-  const Extremes touching = evaluate_contacts(
-      blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
-      readings, *buffers.workers, buffers.profile);
-  if (!readings && !(touching.spring <= alarm))
-    read_contacts(blocks, buffers.groups, model.settings);
+  const Extremes touching =
+      evaluate_contacts(blocks, model.contacts, buffers.groups, model.settings,
+                        model.time_step.dt, *buffers.workers, buffers.profile);
+  if (readings || !(touching.spring <= alarm)) {
+    const Profile::Timer timer(buffers.profile, Profile::forces);
+    read_contacts(blocks, model.contacts, buffers.groups, model.settings,
+                  model.time_step.dt);
+  }
   return move(model, buffers, touching);
 }
 
@@ -101,7 +106,8 @@ Displacement move(Model& model, SearchBuffers& buffers,
   // 3. loads at time t
   add_loads(blocks, model.loads, model.time);
 
-  // 4. velocities, strain rates, internal stress; 5. corners
+  // 4. springs, velocities, strain rates, internal stress; 5. corners
+  buffers.groups.lanes.advance_springs();
   buffers.moved.assign(buffers.workers->threads(), {});
   buffers.workers->each(
       blocks.size(), blocks_per_thread, [&](int part, int first, int last) {

@@ -181,7 +181,8 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
 void Simulation::State::step(long count) {
   const double half_depth = run::half_depth(model.blocks);
   for (long i = 1; i <= count; ++i) {
-    const dynamics::Displacement moved = stepper.advance(true);
+    const dynamics::Displacement moved =
+        stepper.advance(i == count, model.settings.normal_stiffness * half_depth);
     for (std::string& told : watch_.after(model, moved))
       warnings.push_back(std::move(told));
     if (moved.finite &&

@@ -28,6 +28,7 @@ void find_joints(const std::vector<geometry::Polygon>& outlines,
   std::stable_sort(slits.begin(), slits.end(), [](const auto& a, const auto& b) {
     return a.by_rounding != b.by_rounding ? b.by_rounding : a.width > b.width;
   });
+  certificate.t_junctions = t_junctions.size();
   certificate.rounding_slits = static_cast<std::size_t>(
       std::count_if(slits.begin(), slits.end(),
                     [](const geometry::Slit& s) { return s.by_rounding; }));
@@ -129,7 +130,7 @@ std::string verdict(const AssemblyCertificate& certificate) {
 }
 
 std::string joints_line(const AssemblyCertificate& certificate) {
-  const auto& [t_junctions, slits] = certificate.joints;
+  const std::vector<geometry::Slit>& slits = certificate.joints.slits;
   if (certificate.moved == certificate.blocks)
     return "gaps: not looked for between blocks that have moved";
   std::string text = "no gaps";
@@ -142,7 +143,7 @@ std::string joints_line(const AssemblyCertificate& certificate) {
     text += fmt::format("; {} made by rounding, the widest {:.2g}",
                         counted(certificate.rounding_slits, "slit"),
                         slits[certificate.gaps()].width);
-  return text + "; " + counted(t_junctions.size(), "T-junction");
+  return text + "; " + counted(certificate.t_junctions, "T-junction");
 }
 
 std::string full_text(const AssemblyCertificate& certificate) {

@@ -28,6 +28,7 @@ struct AssemblyCertificate {
   /// Slits: gaps, then those of rounding, the widest first; T-junctions. None between
   /// moved blocks.
   geometry::Joints joints;
+  std::size_t t_junctions = 0;     ///< how many, also where they are not kept
   std::size_t rounding_slits = 0;  ///< the last of the slits, made by rounding
   double ulp = 0.0;  ///< [L] between neighbouring doubles at the largest coordinate
 

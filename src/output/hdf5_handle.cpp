@@ -55,6 +55,15 @@ void expect_in_file(hid_t object, const std::string& name, hsize_t values) {
     throw Failure(name + " is longer than the file");
 }
 
+/// Of a dataset; 1 where it has no chunks.
+hsize_t rows_of_chunk(hid_t dataset) {
+  const Handle creation(H5Dget_create_plist(dataset), H5Pclose);
+  hsize_t chunk[2] = {1, 1};
+  if (H5Pget_layout(creation.get()) == H5D_CHUNKED)
+    check(H5Pget_chunk(creation.get(), 2, chunk));
+  return std::max<hsize_t>(chunk[0], 1);
+}
+
 void expect_one(const Handle& space, const std::string& name) {
   if (H5Sget_simple_extent_npoints(space.get()) != 1)
     throw Failure(name + " is not one value");
@@ -188,7 +197,7 @@ std::string read_text(hid_t parent, const std::string& path) {
 
 Column::Column(hid_t parent, const std::string& path, hid_t type, hsize_t width,
                hsize_t chunk_rows, bool checked)
-    : path_(path), width_(width) {
+    : path_(path), width_(width), chunk_rows_(chunk_rows) {
   const int rank = width == 0 ? 1 : 2;
   const hsize_t start[2] = {0, width}, limit[2] = {H5S_UNLIMITED, width};
   const hsize_t chunk[2] = {chunk_rows, width};
@@ -218,21 +227,13 @@ Column Column::open(hid_t parent, const std::string& path) {
   expect_in_file(column.dataset_.get(), path, extent[0]);
   column.rows_ = extent[0];
   column.width_ = rank == 2 ? extent[1] : 0;
+  column.chunk_rows_ = rows_of_chunk(column.dataset_.get());
   return column;
 }
 
 void Column::require(hsize_t row, hsize_t count) const {
   if (row > rows_ || count > rows_ - row)
     throw Failure(path_ + " is too short");
-}
-
-std::vector<unsigned char> Column::bytes(hsize_t row, hsize_t count) {
-  require(row, count);
-  const Handle stored(H5Dget_type(dataset_.get()), H5Tclose);
-  const Handle native(H5Tget_native_type(stored.get(), H5T_DIR_ASCEND), H5Tclose);
-  std::vector<unsigned char> raw(count * width() * H5Tget_size(native.get()));
-  transfer(row, count, native.get(), nullptr, raw.data());
-  return raw;
 }
 
 void Column::resize(hsize_t rows) {

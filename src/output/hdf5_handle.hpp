@@ -112,6 +112,8 @@ class Column {
 
   hsize_t rows() const { return rows_; }
   hsize_t width() const { return width_ == 0 ? 1 : width_; }
+  /// Rows that lie together in the file.
+  hsize_t chunk_rows() const { return chunk_rows_; }
 
   /// Writes rows from `row` on, growing as needed.
   template <class T> void put(hsize_t row, const T* values, hsize_t count) {
@@ -126,9 +128,6 @@ class Column {
   }
   template <class T> T at(hsize_t row) { return read<T>(row, 1).front(); }
 
-  /// The rows as they lie in memory, whatever their type.
-  std::vector<unsigned char> bytes(hsize_t row, hsize_t count);
-
   /// Forgets the rows from `rows` on. Throws Failure when there are fewer.
   void truncate(hsize_t rows);
 
@@ -139,7 +138,7 @@ class Column {
 
   std::string path_;
   Handle dataset_;
-  hsize_t rows_ = 0, width_ = 0;
+  hsize_t rows_ = 0, width_ = 0, chunk_rows_ = 1;
 };
 
 }  // namespace blocks::output::hdf5

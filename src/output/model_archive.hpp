@@ -60,16 +60,7 @@ class SavingArchive {
   }
   template <Number T>
   void operator()(const std::string& name, const std::vector<T>& values) {
-    // in pieces: no second list of contacts beside the first
-    hdf5::Column column = make<Stored<T>>(name, values.size(), 0);
-    std::vector<Stored<T>> stored;
-    for (std::size_t first = 0; first < values.size(); first += stored.size()) {
-      stored.clear();
-      for (std::size_t i = first; i < std::min(values.size(), first + rows_at_once);
-           ++i)
-        stored.push_back(to_stored(values[i]));
-      column.put(first, stored.data(), stored.size());
-    }
+    put_pieces<Stored<T>>(name, values, [](T value) { return to_stored(value); });
   }
   /// One row of the dataset for each column of the matrix: a block, a corner, a
   /// contact.
@@ -85,32 +76,25 @@ class SavingArchive {
   void records(const std::string& name, const std::vector<Record>& list,
                Visit&& visit) {
     (*this)(name + "/count", static_cast<std::int64_t>(list.size()));
-    Columns columns;
-    for (const Record& record : list) {
-      columns.next = 0;
-      visit(columns, record);
-    }
-    put(name, columns);
+    put_members(name, list, visit);
   }
   template <class Map, class Visit>
   void materials(const std::string& name, const Map& map, Visit&& visit) {
     (*this)(name + "/count", static_cast<std::int64_t>(map.size()));
-    Columns columns;
-    for (const auto& [number, material] : map) {
-      columns.next = 0;
-      visit(columns, number, material);
-    }
-    put(name, columns);
+    put_members(name, map, [&](auto& column, const auto& entry) {
+      visit(column, entry.first, entry.second);
+    });
   }
 
  private:
-  struct Columns {
-    std::vector<std::pair<std::string, RecordColumn>> all;
-    std::size_t next = 0;
-    template <Number T> void operator()(const char* name, const T& member) {
-      if (next == all.size())
-        all.emplace_back(name, std::vector<Stored<T>>{});
-      std::get<std::vector<Stored<T>>>(all[next++].second).push_back(to_stored(member));
+  /// One member of a record; the others are passed over.
+  struct Member {
+    std::size_t wanted, passed = 0;
+    const char* name = nullptr;  ///< nullptr: there is none of that number
+    std::variant<double, std::int64_t> value = {};
+    template <Number T> void operator()(const char* its_name, const T& member) {
+      if (passed++ == wanted)
+        name = its_name, value = to_stored(member);
     }
   };
 
@@ -124,13 +108,43 @@ class SavingArchive {
   void put(const std::string& name, const T* values, hsize_t rows, hsize_t width) {
     make<T>(name, rows, width).put(0, values, rows);
   }
-  void put(const std::string& name, const Columns& columns) {
-    for (const auto& [member, column] : columns.all)
+  /// A column for each member, one after the other: never all of them in memory.
+  template <class List, class Visit>
+  void put_members(const std::string& name, const List& list, Visit&& visit) {
+    if (list.empty())
+      return;
+    for (std::size_t wanted = 0;; ++wanted) {
+      Member first{wanted};
+      visit(first, *list.begin());
+      if (first.name == nullptr)
+        return;
       std::visit(
-          [&, &at = member](const auto& values) {
-            put(name + "/" + at, values.data(), values.size(), 0);
+          [&]<class T>(T) {
+            put_pieces<T>(name + "/" + first.name, list, [&](const auto& record) {
+              Member member{wanted};
+              visit(member, record);
+              return std::get<T>(member.value);
+            });
           },
-          column);
+          first.value);
+    }
+  }
+  /// A column of value(item) for each item of a list, in pieces: no second list of
+  /// contacts beside the first.
+  template <class T, class List, class Value>
+  void put_pieces(const std::string& name, const List& list, Value&& value) {
+    hdf5::Column column = make<T>(name, list.size(), 0);
+    std::vector<T> piece;
+    const auto flush = [&] {
+      column.put(column.rows(), piece.data(), piece.size());
+      piece.clear();
+    };
+    for (const auto& item : list) {
+      piece.push_back(value(item));
+      if (piece.size() == rows_at_once)
+        flush();
+    }
+    flush();
   }
 
   hid_t group_;

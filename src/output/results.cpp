@@ -19,7 +19,6 @@ namespace blocks::output {
 namespace {
 
 using hdf5::Column;
-using Ints = std::vector<std::int64_t>;
 
 constexpr int format = 1;
 constexpr hsize_t frames_per_chunk = 256;
@@ -43,13 +42,19 @@ constexpr CellField frame_fields[] = {{"Time", false, 0},
                                       {"WorstOverlap", false, 0}};
 
 /// VTK wants three components: z = 0.
-std::vector<double> in_space(const Eigen::Matrix2Xd& plane) {
-  std::vector<double> rows(static_cast<std::size_t>(plane.cols()) * 3, 0.0);
-  for (Eigen::Index i = 0; i < plane.cols(); ++i) {
-    rows[static_cast<std::size_t>(3 * i)] = plane(0, i);
-    rows[static_cast<std::size_t>(3 * i) + 1] = plane(1, i);
-  }
-  return rows;
+auto in_space(const Eigen::Matrix2Xd& plane) {
+  return [&plane, rows = std::vector<double>()](hsize_t first, hsize_t count) mutable {
+    rows.clear();
+    for (auto i = static_cast<Eigen::Index>(first);
+         i < static_cast<Eigen::Index>(first + count); ++i)
+      rows.insert(rows.end(), {plane(0, i), plane(1, i), 0.0});
+    return static_cast<const double*>(rows.data());
+  };
+}
+
+/// Where the corners of each block begin, and where those of the last one end.
+auto starts_of(const Blocks& blocks) {
+  return made_of<std::int64_t>([&](hsize_t row) { return blocks.first_corner[row]; });
 }
 
 }  // namespace
@@ -72,8 +77,8 @@ struct ResultsWriter::File {
   std::map<std::string, Column> frame_data, frame_offsets, frame_sizes;
   std::unique_ptr<ContactColumns> contacts;
 
-  std::vector<int> topology;  ///< first corners of the topology last written
-  std::int64_t part = -1, first_cell = 0, first_id = 0;  ///< where it stands
+  /// Where the topology last written stands; part -1: nowhere.
+  std::int64_t part = -1, first_cell = 0, first_id = 0;
 
   File() = default;
   ~File();
@@ -82,6 +87,7 @@ struct ResultsWriter::File {
   void open_columns();
   void keep(long count);
   void append(const Model& model);
+  bool has_topology(const Blocks& blocks);
   void put_topology(const Blocks& blocks);
   void put_cells(const Blocks& blocks);
   void put_frame_data(const Model& model);
@@ -195,10 +201,6 @@ void ResultsWriter::File::keep(long count) {
     part = static_cast<std::int64_t>(own_part);
     first_cell = cell_offsets.at<std::int64_t>(last);
     first_id = id_offsets.at<std::int64_t>(last);
-    topology.clear();
-    for (const auto start : offsets.read<std::int64_t>(
-             static_cast<hsize_t>(first_cell) + own_part, cell_count + 1))
-      topology.push_back(static_cast<int>(start));
     last_step = frame_data.at("Step").at<std::int64_t>(last);
   }
   contacts->truncate(count);
@@ -220,62 +222,60 @@ void ResultsWriter::File::keep(long count) {
   hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
 }
 
+/// Whether the topology last written is that of these blocks.
+bool ResultsWriter::File::has_topology(const Blocks& blocks) {
+  if (part < 0)
+    return false;
+  const auto own_part = static_cast<hsize_t>(part);
+  return number_of_cells.at<std::int64_t>(own_part) == blocks.size() &&
+         has_rows(offsets, static_cast<hsize_t>(first_cell) + own_part,
+                  blocks.first_corner.size(), starts_of(blocks));
+}
+
 /// Connectivity is the identity within a frame, so it is written again only when blocks
 /// were added. VTK finds the n + 1 offsets of a part at CellOffsets + PartOffsets.
 void ResultsWriter::File::put_topology(const Blocks& blocks) {
-  if (part >= 0 && topology == blocks.first_corner)
+  if (has_topology(blocks))
     return;
   part = -1;  // stays so when the writing fails
-  const auto cell_count = static_cast<std::size_t>(blocks.size());
-  const auto corner_count = static_cast<std::size_t>(blocks.corners());
-  Ints ids(corner_count);
-  for (std::size_t i = 0; i < corner_count; ++i)
-    ids[i] = static_cast<std::int64_t>(i);
-  const Ints starts(blocks.first_corner.begin(), blocks.first_corner.end());
-  const std::vector<unsigned char> kinds(cell_count, polygon);
-  const auto points_here = static_cast<std::int64_t>(corner_count);
-  const auto cells_here = static_cast<std::int64_t>(cell_count);
+  const std::int64_t points_here = blocks.corners(), cells_here = blocks.size();
 
   // An interrupted write may have left the columns at unequal lengths: VTK needs cells,
   // parts and offsets in step, so all are placed by the number of parts and cells.
   const hsize_t next = number_of_cells.rows();
   first_cell = static_cast<std::int64_t>(types.rows());
   first_id = static_cast<std::int64_t>(connectivity.rows());
-  offsets.put(types.rows() + next, starts.data(), starts.size());
-  connectivity.put(connectivity.rows(), ids.data(), ids.size());
-  types.put(types.rows(), kinds.data(), kinds.size());
+  put_rows(offsets, types.rows() + next, blocks.first_corner.size(), starts_of(blocks));
+  put_rows(connectivity, connectivity.rows(), static_cast<hsize_t>(points_here),
+           made_of<std::int64_t>([](hsize_t row) { return row; }));
+  put_rows(types, types.rows(), static_cast<hsize_t>(cells_here),
+           made_of<unsigned char>([](hsize_t) { return polygon; }));
   number_of_points.put(next, &points_here, 1);
   number_of_ids.put(next, &points_here, 1);
   number_of_cells.put(next, &cells_here, 1);
-  topology = blocks.first_corner;
   part = static_cast<std::int64_t>(next);
 }
 
 void ResultsWriter::File::put_cells(const Blocks& blocks) {
   const auto n = static_cast<hsize_t>(blocks.size());
-  std::vector<int> numbers(n), fixed(n);
-  for (std::size_t b = 0; b < n; ++b) {
-    numbers[b] = static_cast<int>(b) + 1;
-    fixed[b] = static_cast<int>(blocks.fixity[b]);
-  }
-  const auto put = [&](const char* name, const auto* data) {
-    cells.at(name).put(frames, data, n);
+  const auto put = [&](const char* name, auto source) {
+    cells.at(name).put(frames, n, source);
   };
-  put("BlockNumber", numbers.data());
-  put("Material", blocks.material.data());
-  put("Fixed", fixed.data());
-  put("Area", blocks.area.data());
-  put("Mass", blocks.mass.data());
-  put("Inertia", blocks.inertia.data());
-  put("Centroid", in_space(blocks.centroid).data());
-  put("Velocity", in_space(blocks.velocity).data());
-  put("Force", in_space(blocks.force).data());
-  put("Angle", blocks.angle.data());
-  put("Spin", blocks.spin.data());
-  put("Moment", blocks.moment.data());
-  put("Stress", blocks.stress.data());
-  put("AppliedStress", blocks.applied.data());
-  put("StrainRate", blocks.strain_rate.data());
+  put("BlockNumber", made_of<int>([](hsize_t b) { return b + 1; }));
+  put("Material", as_stored(blocks.material.data()));
+  put("Fixed", made_of<int>([&](hsize_t b) { return blocks.fixity[b]; }));
+  put("Area", as_stored(blocks.area.data()));
+  put("Mass", as_stored(blocks.mass.data()));
+  put("Inertia", as_stored(blocks.inertia.data()));
+  put("Centroid", in_space(blocks.centroid));
+  put("Velocity", in_space(blocks.velocity));
+  put("Force", in_space(blocks.force));
+  put("Angle", as_stored(blocks.angle.data()));
+  put("Spin", as_stored(blocks.spin.data()));
+  put("Moment", as_stored(blocks.moment.data()));
+  put("Stress", as_stored(blocks.stress.data(), 4));
+  put("AppliedStress", as_stored(blocks.applied.data(), 4));
+  put("StrainRate", as_stored(blocks.strain_rate.data(), 4));
 }
 
 void ResultsWriter::File::put_frame_data(const Model& model) {
@@ -319,8 +319,8 @@ void ResultsWriter::File::append(const Model& model) {
   const auto frame = static_cast<hsize_t>(frames);
   const auto first_point = static_cast<std::int64_t>(points.rows());
   const std::int64_t one = 1;
-  points.put(points.rows(), in_space(model.blocks.corner).data(),
-             static_cast<hsize_t>(model.blocks.corners()));
+  put_rows(points, points.rows(), static_cast<hsize_t>(model.blocks.corners()),
+           in_space(model.blocks.corner));
   put_cells(model.blocks);
   put_frame_data(model);
   contacts->put(frames, model);

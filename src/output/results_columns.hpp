@@ -2,8 +2,10 @@
 // itself is not written again but found through its offset.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
-#include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "output/hdf5_handle.hpp"
@@ -22,24 +24,77 @@ inline hsize_t chunk_rows(hsize_t rows) {
   return (rows + chunks - 1) / chunks;
 }
 
+/// So many rows are put together, compared and written at a time: however large the
+/// model, a frame takes no more memory.
+constexpr hsize_t rows_at_once = 16384;
+
+/// Rows that lie in memory as they are written, `width` values each.
+template <class T> auto as_stored(const T* values, std::size_t width = 1) {
+  return [=](hsize_t first, hsize_t) { return values + first * width; };
+}
+
+/// Rows of one value, value(row), made as they are written.
+template <class T, class Value> auto made_of(Value value) {
+  return [value, made = std::vector<T>()](hsize_t first, hsize_t count) mutable {
+    made.clear();
+    for (hsize_t row = first; row < first + count; ++row)
+      made.push_back(static_cast<T>(value(row)));
+    return static_cast<const T*>(made.data());
+  };
+}
+
+/// Calls act(first, count) for one piece of the rows after the other, as long as it
+/// returns true. False: it did not. The rows are those of a column from `at` on, whose
+/// chunks no piece divides, so that none is written twice.
+template <class Act>
+bool piece_by_piece(const hdf5::Column& column, hsize_t at, hsize_t rows, Act&& act) {
+  for (hsize_t first = 0, next; first < rows; first = next) {
+    const hsize_t end = at + first + rows_at_once, beyond = end % column.chunk_rows();
+    next = std::min(rows, end - (beyond < rows_at_once ? beyond : 0) - at);
+    if (!act(first, next - first))
+      return false;
+  }
+  return true;
+}
+
+/// Writes rows from `at` on. `source`: source(first, count) gives the values of these
+/// rows until it is called again.
+template <class Source>
+void put_rows(hdf5::Column& column, hsize_t at, hsize_t rows, Source&& source) {
+  piece_by_piece(column, at, rows, [&](hsize_t first, hsize_t count) {
+    column.put(at + first, source(first, count), count);
+    return true;
+  });
+}
+
+/// Whether the rows from `at` on are those of the source, bit by bit.
+template <class Source>
+bool has_rows(hdf5::Column& column, hsize_t at, hsize_t rows, Source&& source) {
+  return piece_by_piece(column, at, rows, [&](hsize_t first, hsize_t count) {
+    const auto* values = source(first, count);
+    using Value = std::remove_cvref_t<decltype(*values)>;
+    const std::vector<Value> stored = column.read<Value>(at + first, count);
+    return std::memcmp(stored.data(), values, stored.size() * sizeof(Value)) == 0;
+  });
+}
+
 /// Rows that differ from frame to frame, each frame with an offset. Unchanged rows are
-/// written once: block numbers, masses, the stress of rigid blocks.
+/// written once: block numbers, masses, the stress of rigid blocks. Whether they are
+/// unchanged the file knows.
 class FrameColumn {
  public:
   FrameColumn(hdf5::Column data, hdf5::Column offsets)
       : data_(std::move(data)), offsets_(std::move(offsets)) {}
 
-  template <class T> void put(long frame, const T* values, hsize_t rows) {
-    const std::size_t bytes = rows * data_.width() * sizeof(T);
-    const auto* raw = reinterpret_cast<const unsigned char*>(values);
-    const bool same = offset_ >= 0 && last_.size() == bytes &&
-                      (bytes == 0 || std::memcmp(last_.data(), raw, bytes) == 0);
+  template <class Source> void put(long frame, hsize_t rows, Source&& source) {
+    const bool same = offset_ >= 0 && rows_ == rows &&
+                      has_rows(data_, static_cast<hsize_t>(offset_), rows, source);
     if (!same) {
       offset_ = -1;  // stays so when the writing fails
-      const auto offset = static_cast<std::int64_t>(data_.rows());
-      data_.put(data_.rows(), values, rows);
-      last_.assign(raw, raw + bytes);
-      offset_ = offset;
+      const hsize_t end = data_.rows();
+      put_rows(data_, end, rows, source);
+      rows_ = rows;
+      offset_ = static_cast<std::int64_t>(end);
     }
     offsets_.put(static_cast<hsize_t>(frame), &offset_, 1);
   }
@@ -47,18 +102,16 @@ class FrameColumn {
   /// Keeps what `frames` frames need; `rows` of the last of them.
   void truncate(long frames, hsize_t rows) {
     const auto kept = static_cast<hsize_t>(frames);
-    last_.clear();
     offset_ = frames == 0 ? -1 : offsets_.at<std::int64_t>(kept - 1);
-    if (offset_ >= 0)
-      last_ = data_.bytes(static_cast<hsize_t>(offset_), rows);
+    rows_ = rows;
     data_.truncate(offset_ < 0 ? 0 : static_cast<hsize_t>(offset_) + rows);
     offsets_.truncate(kept);
   }
 
  private:
   hdf5::Column data_, offsets_;
-  std::vector<unsigned char> last_;
   std::int64_t offset_ = -1;  ///< -1: nothing to repeat
+  hsize_t rows_ = 0;          ///< of the last frame
 };
 
 }  // namespace blocks::output

@@ -86,7 +86,7 @@ Json certificate(const SharedCertificate& proof) {
           {"widest_gap", proof->gaps() > 0 ? proof->joints.slits.front().width : 0.0},
           {"gaps", gaps(*proof)},
           {"slits_by_rounding", proof->rounding_slits},
-          {"t_junction_count", proof->joints.t_junctions.size()}};
+          {"t_junction_count", proof->t_junctions}};
 }
 
 Json audited(const AuditedOverlap& pair) {

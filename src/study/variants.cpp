@@ -1,6 +1,7 @@
 #include "study/variants.hpp"
 
 #include "dynamics/contact_loop.hpp"
+#include "dynamics/contact_readings.hpp"
 #include "dynamics/step.hpp"
 
 namespace blocks::study {
@@ -11,7 +12,9 @@ dynamics::Displacement step(Model& model, dynamics::SearchBuffers& buffers) {
   dynamics::clear_forces(model.blocks);
   const dynamics::Extremes touching = dynamics::evaluate_contacts_by<Rules>(
       model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
-      true, *buffers.workers);
+      *buffers.workers);
+  dynamics::read_contacts(model.blocks, model.contacts, buffers.groups, model.settings,
+                          model.time_step.dt);
   const dynamics::Displacement moved = dynamics::move(model, buffers, touching);
   dynamics::catch_up(model, buffers);
   return moved;

@@ -93,6 +93,70 @@ TEST(Results, ReadBackExactlyWhileBlocksAreAdded) {
   EXPECT_THROW(reader.frame(6), FileError);
 }
 
+/// More blocks, and corners, than are written at a time.
+Model many_boxes() {
+  Model model = samples::two_blocks();
+  std::vector<NewBlock> row;
+  for (int k = 0; k < 40000; ++k) {
+    const double x = 2.0 * k;
+    row.push_back(
+        {{{x, 20}, {x, 21 + 0.5 * (k % 3)}, {x + 1, 21}, {x + 1, 20}}, 3, 2.0});
+  }
+  model.blocks.append(row);
+  return model;
+}
+
+// A large frame is written, and compared with the one before, in pieces: what is read
+// must be the state written, also where only the last block has moved.
+TEST(Results, ReadBackExactlyWhereAFrameIsWrittenInPieces) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "many.vtkhdf";
+  std::vector<Model> states;
+  const auto write = [&](ResultsWriter& writer, Model& model) {
+    writer.write(model);
+    states.push_back(model);
+  };
+  Model model = many_boxes();
+  const int last = model.blocks.size() - 1;
+  {
+    ResultsWriter writer(path, identity);
+    write(writer, model);
+    move_on(model);
+    write(writer, model);
+    model.steps += 1;
+    model.blocks.angle[last] += 1.0;
+    model.blocks.stress(2, last) = -4.0;
+    model.blocks.fixity[static_cast<std::size_t>(last)] = Fixity::left_domain;
+    write(writer, model);
+    model.steps += 1;
+    samples::add_triangle(model, 5, 5);
+    write(writer, model);
+    model.steps += 1;
+    model.blocks.velocity(1, 0) = 9.0;
+    writer.write(model);
+  }
+  {
+    ResultsWriter writer = ResultsWriter::reopen(path, 4);  // without the last frame
+    model = states.back();
+    model.steps += 1;
+    model.blocks.spin[last + 1] = 3.0;
+    write(writer, model);
+  }
+  const ResultsReader reader(path);
+  ASSERT_EQ(reader.frames(), 5);
+  for (long i = 0; i < 5; ++i)
+    expect_same(reader.frame(i), states[static_cast<std::size_t>(i)]);
+  const hdf5::Handle file = hdf5::open_file(path, false);
+  const auto offsets = [&](const std::string& name) {
+    return Column::open(file.get(), "VTKHDF/Steps/CellDataOffsets/" + name)
+        .read<std::int64_t>(0, 5);
+  };
+  const std::int64_t n = last + 1;
+  EXPECT_THAT(offsets("Mass"), ElementsAre(0, 0, 0, n, n));
+  EXPECT_THAT(offsets("Angle"), ElementsAre(0, n, 2 * n, 3 * n, 3 * n));
+  EXPECT_THAT(offsets("Fixed"), ElementsAre(0, 0, n, 2 * n, 2 * n));
+}
+
 // The last frame of a run is the state at its end, once, whatever PLOTS says.
 TEST(Results, WritesAStepOnce) {
   const TemporaryFolder folder;

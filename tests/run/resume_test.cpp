@@ -126,7 +126,7 @@ TEST(Resumed, WallNumberedAtRandomIsTheStraightRun) {
                                 "SETVEL, 4162, 0, 0, -2000\n" +
                                 rectangle(8.5, 1, 9, 1.5) + "CYCLE, 40\n");
   expect_resumable(folder / "wall.deck", "", 2);
-  const Outcome run = blocks("run wall.deck --audit=16", folder.path());
+  const Outcome run = blocks("run wall.deck --audit=40", folder.path());
   EXPECT_THAT(run.err, HasSubstr("blocks are stepped strip by strip"));
   EXPECT_THAT(run.err, HasSubstr("block 4162 moved a corner by"));
   EXPECT_EQ(summary(folder, "wall")["audit"]["faults"], nlohmann::json::array());
