@@ -7,6 +7,7 @@
 #include "dynamics/domain.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/time_step.hpp"
+#include "model/numbering.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -24,6 +25,7 @@ void prepare(Model& model) {
     model.time_origin = model.time;
     model.step_origin = model.steps;
     model.time_step = choose_time_step(model);
+    model.order = better_order(model.blocks);
   }
   model.started = true;
 }

@@ -10,9 +10,9 @@
 
 namespace blocks::dynamics {
 
-/// Makes a model ready to step after cards have acted: first boxing, time step,
-/// dashpots. Call before the first step and whenever cards changed the model between
-/// steps.
+/// Makes a model ready to step after cards have acted: first boxing, time step, order
+/// (which step() and advance() leave to the Stepper). Call before the first step and
+/// whenever cards changed the model between steps.
 void prepare(Model& model);
 
 /// The model's time after one step more.

@@ -11,7 +11,7 @@
 
 #include "deck/parser.hpp"
 #include "dynamics/contact_lanes.hpp"
-#include "dynamics/step.hpp"
+#include "dynamics/stepper.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "library/results_in_use.hpp"
 #include "output/checkpoint.hpp"
@@ -78,6 +78,7 @@ struct Simulation::State {
   std::string name, folder, text;
   Model model;
   dynamics::SearchBuffers buffers;
+  dynamics::Stepper stepper{model, buffers};
   std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
   std::vector<std::string> warnings;
   std::string unsound;  ///< why a step was, or ""
@@ -121,6 +122,7 @@ void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
 /// Boxes the blocks; those outside the domain are told of.
 void Simulation::State::prepare(Model& on) {
   dynamics::prepare(on);
+  stepper.changed();
   for (std::string& told : watch_.after(on, {}))
     warnings.push_back(std::move(told));
 }
@@ -179,19 +181,18 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
 void Simulation::State::step(long count) {
   const double half_depth = run::half_depth(model.blocks);
   for (long i = 1; i <= count; ++i) {
-    const dynamics::Displacement moved = dynamics::advance(
-        model, buffers, i == count, model.settings.normal_stiffness * half_depth);
+    const dynamics::Displacement moved =
+        stepper.advance(i == count, model.settings.normal_stiffness * half_depth);
     for (std::string& told : watch_.after(model, moved))
       warnings.push_back(std::move(told));
     if (moved.finite &&
         !(moved.strongest > model.settings.normal_stiffness * half_depth))
       continue;
-    dynamics::catch_up(model, buffers);
-    unsound = run::unsound(model, moved, half_depth);
+    unsound = run::unsound(stepper.up_to_date(), moved, half_depth);
     if (!unsound.empty())
       throw UnsoundRun(unsound);
   }
-  dynamics::catch_up(model, buffers);
+  stepper.up_to_date();
 }
 
 void Simulation::State::must_be_sound() const {
@@ -340,6 +341,7 @@ void Simulation::set_velocity(int block, const Eigen::Vector2d& velocity, double
   state_->must_be_sound();
   all.velocity.col(b) = velocity;
   all.spin[b] = spin;
+  state_->stepper.changed();
   ++state_->changes;
 }
 

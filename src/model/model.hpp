@@ -62,6 +62,9 @@ struct Model {
   SearchState search;
   OutputClock output, plots;
   std::vector<int> output_blocks;  ///< OUTPUT's list, from 0; empty: all
+  /// Blocks in the order in which they are stepped, all that there were when the time
+  /// step was chosen; empty: that of their numbers (model/numbering.hpp).
+  std::vector<int> order;
   std::vector<DomainExit> exits;
   std::vector<MergeRecord> merges;
   std::vector<LayerRecord> layers;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "model/contact_blocks.hpp"
 #include "output/hdf5_handle.hpp"
@@ -251,6 +252,18 @@ void expect_loads(const Loads& loads, const Blocks& b) {
     impossible("loads without a function of time");
 }
 
+/// Each block of the time step's once, or none.
+void expect_order(const Model& model) {
+  if (model.order.empty())
+    return;
+  const auto blocks = static_cast<std::size_t>(model.time_step.blocks);
+  expect_indices("order", model.order, blocks, model.time_step.blocks);
+  std::vector<char> named(blocks, 0);
+  for (const int block : model.order)
+    if (std::exchange(named[block], 1) != 0)
+      impossible(fmt::format("order names block {} twice", block + 1));
+}
+
 /// What was told of blocks and layers.
 void expect_records(const Model& model) {
   for (const int block : model.output_blocks)
@@ -338,6 +351,7 @@ void expect_possible(const Model& model, const CheckpointInfo& info) {
   expect_loads(model.loads, model.blocks);
   expect_records(model);
   expect_time(model);
+  expect_order(model);
   expect_info(info, model.blocks.size());
 }
 

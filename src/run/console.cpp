@@ -59,10 +59,12 @@ void Console::note(const std::string& message) {
   say(stderr, "{}\n", message);
 }
 
+bool Console::progress_due() const {
+  return terminal_ && Clock::now() - drawn_ >= std::chrono::milliseconds(100);
+}
+
 void Console::progress(const Model& model, double share) {
   const auto now = Clock::now();
-  if (!terminal_ || now - drawn_ < std::chrono::milliseconds(100))
-    return;
   drawn_ = now;
   line_shown_ = true;
   const double spent = std::chrono::duration<double>(now - start_).count();

@@ -17,7 +17,9 @@ class Console {
   void row(const Model& model);
   void warn(const std::string& message);
   void note(const std::string& message);  ///< not when quiet
-  /// Called often; draws ten times a second at most. `share` of the whole run, 0 to 1.
+  /// Whether the line of progress is to be drawn: ten times a second at most.
+  bool progress_due() const;
+  /// Draws it. `share` of the whole run, 0 to 1.
   void progress(const Model& model, double share);
   void clear_progress();
 

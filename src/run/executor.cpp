@@ -31,7 +31,8 @@ long steps_for(double interval, double dt) {
 Executor::Executor(Model& model, RunFiles& files, Console& console,
                    const RunOptions& options)
     : model_(model), files_(files), console_(console), options_(options),
-      buffers_(threads_of(options)), audit_(options.audit_every), watch_(model) {
+      buffers_(threads_of(options)), stepper_(model, buffers_),
+      audit_(options.audit_every), watch_(model) {
   if (options.profile)
     buffers_.profile = &profile_;
 }
@@ -102,6 +103,8 @@ void Executor::start() {
                               model_.time_step.dt, model_.time_step.block + 1,
                               model_.time_step.elastic ? "its stiffness" : "contact",
                               model_.blocks.size(), model_.settings.seed));
+    if (!model_.order.empty())
+      console_.note("blocks are stepped strip by strip: their numbers lead to and fro");
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.frame(model_);
     files_.table(model_);
@@ -113,14 +116,10 @@ void Executor::start() {
 }
 
 Outcome Executor::advance(long steps) {
+  stepper_.changed();
   const Outcome outcome = march(steps);
-  up_to_date();
+  stepper_.up_to_date();
   return outcome;
-}
-
-const Model& Executor::up_to_date() {
-  dynamics::catch_up(model_, buffers_);
-  return model_;
 }
 
 Outcome Executor::march(long steps) {
@@ -131,13 +130,12 @@ Outcome Executor::march(long steps) {
     const bool moment =
         i % 64 == 0 || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
     if (audited)
-      audit_.before(up_to_date());
+      audit_.before(stepper_.up_to_date());
     const bool read = audited || row || moment || output_due();
     const double limit = model_.settings.normal_stiffness * half_depth_;
-    const dynamics::Displacement moved =
-        dynamics::advance(model_, buffers_, read, limit);
+    const dynamics::Displacement moved = stepper_.advance(read, limit);
     if (!moved.finite || moved.strongest > limit) {
-      if (const std::string fault = unsound(up_to_date(), moved, half_depth_);
+      if (const std::string fault = unsound(stepper_.up_to_date(), moved, half_depth_);
           !fault.empty()) {
         warn(fault);
         return Outcome::unsound;
@@ -149,7 +147,7 @@ Outcome Executor::march(long steps) {
     if (read)
       output_if_due();
     if (row)
-      console_.row(up_to_date());
+      console_.row(stepper_.up_to_date());
     ++steps_made_;
     progress_.steps_left = steps - i;
     if (i == steps) {
@@ -157,9 +155,11 @@ Outcome Executor::march(long steps) {
       begun_ = false;
     }
     if (moment || (read && interrupt_requested())) {
-      console_.progress(up_to_date(), share_from_ + (share_to_ - share_from_) *
-                                                        static_cast<double>(i) /
-                                                        static_cast<double>(steps));
+      if (console_.progress_due())
+        console_.progress(stepper_.up_to_date(),
+                          share_from_ + (share_to_ - share_from_) *
+                                            static_cast<double>(i) /
+                                            static_cast<double>(steps));
       if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
         tell_what_remains();
         return outcome;
@@ -198,9 +198,9 @@ void Executor::output_if_due() {
     return is;
   };
   if (due(model_.plots))
-    files_.frame(up_to_date());
+    files_.frame(stepper_.up_to_date());
   if (due(model_.output))
-    files_.table(up_to_date());
+    files_.table(stepper_.up_to_date());
 }
 
 void Executor::watch(const dynamics::Displacement& moved) {
@@ -211,7 +211,7 @@ void Executor::watch(const dynamics::Displacement& moved) {
 /// Tells what the audit of the step just made found. False: a decision was wrong, or
 /// the list misses a pair.
 bool Executor::passes_audit() {
-  const AuditWatch::Verdict verdict = audit_.after(up_to_date());
+  const AuditWatch::Verdict verdict = audit_.after(stepper_.up_to_date());
   for (const auto* told : {&verdict.overlaps, &verdict.deep})
     for (const std::string& line : *told)
       files_.message(line);
@@ -265,7 +265,7 @@ Outcome Executor::pressed_for_time() {
   if (options_.checkpoint_every > 0.0 &&
       seconds(now - saved_) >= options_.checkpoint_every) {
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
-    files_.checkpoint(up_to_date(), progress());
+    files_.checkpoint(stepper_.up_to_date(), progress());
     saved_ = Clock::now();
   }
   return Outcome::finished;

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <set>
 
-#include "dynamics/step.hpp"
+#include "dynamics/stepper.hpp"
 #include "run/audit_watch.hpp"
 #include "run/console.hpp"
 #include "run/motion_watch.hpp"
@@ -69,7 +69,6 @@ class Executor {
   void tell_what_remains() const;
   Outcome advance(long steps);
   Outcome march(long steps);
-  const Model& up_to_date();  ///< after steps that left parts of it behind
   /// What is left of a card begun before; `all` of one that begins.
   long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
   /// By the step that comes.
@@ -85,6 +84,7 @@ class Executor {
   Console& console_;
   const RunOptions& options_;
   dynamics::SearchBuffers buffers_;
+  dynamics::Stepper stepper_;
   dynamics::Profile profile_;
   AuditWatch audit_;
   std::vector<std::string> warnings_;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "dynamics/step.hpp"
+#include "dynamics/stepper.hpp"
 #include "memory_file.hpp"
 #include "output/checkpoint.hpp"
 #include "output/sealed.hpp"
@@ -25,7 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         continue;
       dynamics::SearchBuffers buffers;
       dynamics::prepare(model);
-      dynamics::step(model, buffers);
+      dynamics::Stepper stepper(model, buffers);
+      stepper.advance(true);
+      stepper.up_to_date();
     } catch (const output::FileError&) {
     }
   }

@@ -62,6 +62,28 @@ TEST(Simulation, HasTheBitsOfTheProgram) {
   EXPECT_EQ(state_of("back"), expected);
 }
 
+// Likewise where blocks are stepped in an order of their own inside.
+TEST(Simulation, HasTheBitsOfTheProgramInAnotherOrder) {
+  const TemporaryFolder folder;
+  folder.write("whole.deck",
+               wall_at_random() + "CYCLE, 30\nSETVEL, 77, 0, 1\nCYCLE, 20\n");
+  ASSERT_EQ(blocks("run whole.deck -j 1", folder.path()).code, 0);
+  const std::vector<double> expected =
+      corners(Simulation("RESTART, " + (folder / "whole.ckpt.h5").string()));
+
+  Simulation driven(wall_at_random());
+  for (int i = 0; i < 30; ++i)
+    driven.step();
+  driven.write_checkpoint(folder / "mid.ckpt.h5");
+  driven.set_velocity(77, {1.0, 0.0});
+  driven.step(20);
+  EXPECT_EQ(corners(driven), expected);
+
+  Simulation restarted("RESTART, " + (folder / "mid.ckpt.h5").string());
+  restarted.cards("SETVEL, 77, 0, 1\nCYCLE, 20");
+  EXPECT_EQ(corners(restarted), expected);
+}
+
 // m dv = dt (contact forces + m g) for every free block, step by step (1): the contacts
 // that are read are the ones that acted.
 TEST(Simulation, ContactForcesMoveTheBlocks) {

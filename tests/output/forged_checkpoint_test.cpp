@@ -6,7 +6,7 @@
 #include <climits>
 #include <limits>
 
-#include "dynamics/step.hpp"
+#include "dynamics/stepper.hpp"
 #include "output/checkpoint.hpp"
 #include "output/model_archive.hpp"
 #include "output/possible.hpp"
@@ -34,6 +34,7 @@ Model full_model() {
   model.output = {0.5, 1.0};
   model.plots = {0.25, 0.75};
   model.output_blocks = {0, 1};
+  model.order = {1, 0};
   model.exits = {{0, 0.004}};
   model.merges = {{1, 2, 3, 0.125, 0.2}};
   model.layers = {{1, 0, 2, 2, 1, 6, 0, 0, 0}};
@@ -146,7 +147,9 @@ template <class Judge> long forge_all(Forger::How how, Judge&& judge) {
       expect_possible(model, {});
       dynamics::SearchBuffers buffers;
       dynamics::prepare(model);
-      dynamics::step(model, buffers);
+      dynamics::Stepper stepper(model, buffers);
+      stepper.advance(true);
+      stepper.up_to_date();
     } catch (const hdf5::Failure& refusal) {
       reason = refusal.what();
     }
@@ -219,6 +222,10 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
             "corner 4 of block 1 is out of its place");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.material[0] = 9; }),
             "blocks/material names material 9, which is not there");
+  EXPECT_EQ(message([](Model& m, auto&) { m.order[0] = 0; }),
+            "order names block 1 twice");
+  EXPECT_EQ(message([](Model& m, auto&) { m.order.pop_back(); }),
+            "order has 1 rows, expected 2");
   EXPECT_EQ(message([](Model& m, auto&) { m.time = 8; }),
             "time is 8, its steps make 0.007");
   EXPECT_EQ(message([](Model&, CheckpointInfo& info) { info.progress.frames = 2; }),

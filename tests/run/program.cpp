@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 namespace blocks::testing {
@@ -103,6 +104,25 @@ std::string rectangle(double left, double bottom, double right, double top,
                       bool fixed) {
   return fmt::format("CREATE, 4, 1, {}\n{}, {}, {}, {}\n{}, {}, {}, {}\n",
                      fixed ? 1 : 0, left, left, right, right, bottom, top, top, bottom);
+}
+
+std::string wall_at_random() {
+  std::vector<std::string> bricks;
+  for (int row = 0; row < 52; ++row)
+    for (int i = 0; i < 80; ++i) {
+      const double x = -8.0 + 0.2 * i, y = 0.15 * row;
+      bricks.push_back(rectangle(x, y, x + 0.2, y + 0.15));
+    }
+  std::mt19937 random(1);
+  for (std::size_t i = bricks.size(); i > 1; --i)
+    std::swap(bricks[i - 1], bricks[random() % i]);
+  std::string deck = preliminary() + rectangle(-9, -1, 9, 0, true);
+  deck.replace(deck.find("100, 6"), 6, "5000, 6");
+  deck.replace(deck.find("10, 0.1"), 7, "10, 0.02");
+  for (const std::string& brick : bricks)
+    deck += brick;
+  return deck + rectangle(-9.5, 5, -9.3, 5.2) +
+         "GRAVITY, 1, -9.81\nFRICTN, 0.5\nDAMPING, 0.3\n";
 }
 
 }  // namespace blocks::testing

@@ -65,4 +65,8 @@ std::string preliminary(const std::string& more = "RIGID\n");
 std::string rectangle(double left, double bottom, double right, double top,
                       bool fixed = false);
 
+/// A wall of 4160 bricks on a fixed floor, block 1, numbered at random: enough for an
+/// order of its own. Left of it, block 4162, a free brick in the air.
+std::string wall_at_random();
+
 }  // namespace blocks::testing

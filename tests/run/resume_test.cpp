@@ -117,6 +117,22 @@ TEST(Resumed, DeckWithCardsBetweenItsMotionsIsTheStraightRun) {
   expect_resumable(folder / "between.deck", "--seed 5 --set STIFF.stifn=1.E8", 5);
 }
 
+// Inside in an order of its own, which was chosen before anything had moved; and in
+// another one when there are more blocks.
+TEST(Resumed, WallNumberedAtRandomIsTheStraightRun) {
+  const TemporaryFolder folder;
+  folder.write("wall.deck", wall_at_random() +
+                                "PLOTS, 0.003\nOUTPUT, 0.003, 2, 4162\nCYCLE, 40\n"
+                                "SETVEL, 4162, 0, 0, -2000\n" +
+                                rectangle(8.5, 1, 9, 1.5) + "CYCLE, 40\n");
+  expect_resumable(folder / "wall.deck", "", 2);
+  const Outcome run = blocks("run wall.deck --audit=40", folder.path());
+  EXPECT_THAT(run.err, HasSubstr("blocks are stepped strip by strip"));
+  EXPECT_THAT(run.err, HasSubstr("block 4162 moved a corner by"));
+  EXPECT_EQ(summary(folder, "wall")["audit"]["faults"], nlohmann::json::array());
+  EXPECT_EQ(summary(folder, "wall")["fastest_block"]["block"], 4162);
+}
+
 // Arms that turn change their lengths by round-off, and how far a step moves anything
 // is judged by the lengths at the latest search, or at the restart: the travel, by
 // which searches are timed, differed in its last bits.

@@ -1,0 +1,76 @@
+#include "dynamics/stepper.hpp"
+
+#include <algorithm>
+
+namespace blocks::dynamics {
+
+Displacement Stepper::advance(bool readings, double alarm) {
+  if (model_.order.empty())
+    return dynamics::advance(model_, buffers_, readings, alarm);
+  if (!inside_current_)
+    bring_in();
+  Displacement moved = dynamics::advance(inside_, buffers_, readings, alarm);
+  if (moved.block >= 0)
+    moved.block = outwards_.blocks().new_of[moved.block];
+  outside_current_ = false;
+  bring_out_time();
+  return moved;
+}
+
+const Model& Stepper::up_to_date() {
+  if (model_.order.empty()) {
+    catch_up(model_, buffers_);
+  } else if (!outside_current_) {
+    catch_up(inside_, buffers_);
+    bring_out();
+  }
+  return model_;
+}
+
+void Stepper::bring_in() {
+  if (inwards_.blocks().old_of != model_.order) {
+    inwards_ = Numbering(model_.blocks, model_.order);
+    outwards_ = inwards_.reverse();
+    buffers_.grouped_update = -1;  // other numbers in the list
+  }
+  inwards_.renumber(model_.blocks, inside_.blocks);
+  inwards_.renumber(model_.plane_contacts, inside_.plane_contacts);
+  Numbering::renumber_acting(model_.contacts,
+                             inwards_.renumber_list(model_, inside_.contacts),
+                             inside_.contacts);
+  inside_.loads = inwards_.renumbered(model_.loads);
+  inside_.settings = model_.settings;
+  inside_.time_step = model_.time_step;
+  inside_.search = model_.search;
+  inside_.steps = model_.steps, inside_.step_origin = model_.step_origin;
+  inside_.time = model_.time, inside_.time_origin = model_.time_origin;
+  inside_.worst_overlap = model_.worst_overlap;
+  inside_current_ = true;
+  listed_ = -1;
+}
+
+void Stepper::bring_out() {
+  outwards_.renumber(inside_.blocks, model_.blocks);
+  outwards_.renumber(inside_.plane_contacts, model_.plane_contacts);
+  if (listed_ != inside_.search.updates)
+    record_outside_ = outwards_.renumber_list(inside_, model_.contacts);
+  listed_ = inside_.search.updates;
+  Numbering::renumber_acting(inside_.contacts, record_outside_, model_.contacts);
+  outside_current_ = true;
+}
+
+void Stepper::bring_out_time() {
+  model_.search = inside_.search;
+  model_.steps = inside_.steps;
+  model_.time = inside_.time;
+  model_.worst_overlap = inside_.worst_overlap;
+  // all of one moment: by number
+  const auto told = static_cast<std::ptrdiff_t>(model_.exits.size());
+  for (const DomainExit& exit : inside_.exits)
+    model_.exits.push_back({outwards_.blocks().new_of[exit.block], exit.time});
+  inside_.exits.clear();
+  std::sort(model_.exits.begin() + told, model_.exits.end(),
+            [](const DomainExit& l, const DomainExit& r) { return l.block < r.block; });
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,219 @@
+#include "model/numbering.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "model/contact_blocks.hpp"
+
+namespace blocks {
+namespace {
+
+double median_area(const Blocks& blocks) {
+  std::vector<double> areas(blocks.area.begin(), blocks.area.end());
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::nth_element(areas.begin(), middle, areas.end());
+  return *middle;
+}
+
+/// [L] From centroid to centroid.
+double way(const Blocks& blocks, const std::vector<int>& order) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < order.size(); ++i)
+    sum += (blocks.centroid.col(order[i]) - blocks.centroid.col(order[i - 1])).norm();
+  return sum;
+}
+
+}  // namespace
+
+std::vector<int> strip_order(const Blocks& blocks) {
+  if (blocks.size() == 0)
+    return {};
+  const Vec2 size =
+      blocks.centroid.rowwise().maxCoeff() - blocks.centroid.rowwise().minCoeff();
+  const int across = size.x() >= size.y() ? 0 : 1;
+  const double width = 1.5 * std::sqrt(median_area(blocks));
+  std::vector<std::tuple<double, double, int>> places;  // strip, along it; block
+  places.reserve(blocks.size());
+  for (int b = 0; b < blocks.size(); ++b)
+    places.emplace_back(std::floor(blocks.centroid(across, b) / width),
+                        blocks.centroid(1 - across, b), b);
+  std::sort(places.begin(), places.end());
+  std::vector<int> order;
+  order.reserve(blocks.size());
+  for (const auto& [strip, along, b] : places)
+    order.push_back(b);
+  return order;
+}
+
+std::vector<int> better_order(const Blocks& blocks, int least) {
+  if (blocks.size() < least)
+    return {};
+  // k blocks side by side, numbered at random, make the way 0.5 sqrt(k) times as long
+  constexpr double much_longer = 16.0;
+  std::vector<int> own(blocks.size()), strips = strip_order(blocks);
+  std::iota(own.begin(), own.end(), 0);
+  if (!(way(blocks, own) > much_longer * way(blocks, strips)))
+    strips.clear();
+  return strips;
+}
+
+namespace {
+
+/// Something for every new number of what the old numbers had.
+template <class T>
+void take(const std::vector<T>& from, const NewNumbers& numbers, std::vector<T>& to) {
+  to.resize(numbers.old_of.size());
+  for (std::size_t i = 0; i < to.size(); ++i)
+    to[i] = from[numbers.old_of[i]];
+}
+template <class Matrix>
+void take(const Matrix& from, const NewNumbers& numbers, Matrix& to) {
+  if constexpr (Matrix::ColsAtCompileTime == 1)
+    to = from(numbers.old_of);
+  else
+    to = from(Eigen::all, numbers.old_of);
+}
+
+void find_new(NewNumbers& numbers) {
+  numbers.new_of.resize(numbers.old_of.size());
+  for (int i = 0; i < numbers.size(); ++i)
+    numbers.new_of[numbers.old_of[i]] = i;
+}
+
+}  // namespace
+
+Numbering::Numbering(const Blocks& old, const std::vector<int>& order) {
+  blocks_.old_of = order;
+  corners_.old_of.reserve(old.corners());
+  for (const int b : order)
+    for (int c = old.first_corner[b]; c < old.first_corner[b + 1]; ++c)
+      corners_.old_of.push_back(c);
+  find_new(blocks_);
+  find_new(corners_);
+}
+
+Numbering Numbering::reverse() const {
+  Numbering back = *this;
+  for (NewNumbers* numbers : {&back.blocks_, &back.corners_})
+    std::swap(numbers->old_of, numbers->new_of);
+  return back;
+}
+
+Loads Numbering::renumbered(Loads loads) const {
+  for (Pressure& pressure : loads.pressures)
+    pressure.block = blocks_.new_of[pressure.block];
+  for (CentroidForce& force : loads.forces)
+    force.block = blocks_.new_of[force.block];
+  return loads;
+}
+
+void Numbering::renumber(const Blocks& from, Blocks& to) const {
+  const auto of_corners = [&](auto... columns) {
+    (take(from.*columns, corners_, to.*columns), ...);
+  };
+  const auto of_blocks = [&](auto... columns) {
+    (take(from.*columns, blocks_, to.*columns), ...);
+  };
+  of_corners(&Blocks::corner_block, &Blocks::next, &Blocks::previous, &Blocks::arm,
+             &Blocks::corner);
+  of_blocks(&Blocks::material, &Blocks::fixity, &Blocks::convex, &Blocks::layer,
+            &Blocks::area, &Blocks::mass, &Blocks::inertia, &Blocks::centroid,
+            &Blocks::velocity, &Blocks::angle, &Blocks::spin, &Blocks::force,
+            &Blocks::moment, &Blocks::applied, &Blocks::stress, &Blocks::strain_rate);
+  for (int& block : to.corner_block)
+    block = blocks_.new_of[block];
+  for (std::vector<int>* beside : {&to.next, &to.previous})
+    for (int& corner : *beside)
+      corner = corners_.new_of[corner];
+  to.first_corner.assign(1, 0);
+  for (const int b : blocks_.old_of)
+    to.first_corner.push_back(to.first_corner.back() + from.corners_of(b));
+}
+
+namespace {
+
+/// Records first .. last - 1 of a list, and the new numbers of their blocks.
+struct PairOfList {
+  int low, high, first, last;
+  bool operator<(const PairOfList& other) const {
+    return low != other.low ? low < other.low : high < other.high;
+  }
+};
+
+std::vector<PairOfList> pairs_of(const Model& model, const NewNumbers& blocks) {
+  const Contacts& list = model.contacts;
+  std::vector<PairOfList> pairs;
+  for (int i = 0; i < list.size(); ++i) {
+    const auto [a, b] = pair_of(model.blocks, list, i);
+    const auto [low, high] = std::minmax(blocks.new_of[a], blocks.new_of[b]);
+    if (pairs.empty() || pairs.back().low != low || pairs.back().high != high)
+      pairs.push_back({low, high, i, i});
+    pairs.back().last = i + 1;
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<int> Numbering::renumber_list(const Model& from, Contacts& to) const {
+  const Contacts& list = from.contacts;
+  std::vector<PairOfList> pairs = pairs_of(from, blocks_);
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<int> new_of(list.size());
+  to.resize(list.size());
+  int next = 0;
+  const auto put = [&](int first, int last) {
+    for (int old = first; old < last; ++old, ++next) {
+      to.corner[next] = corners_.new_of[list.corner[old]];
+      to.edge[next] = corners_.new_of[list.edge[old]];
+      new_of[old] = next;
+    }
+  };
+  for (const PairOfList& pair : pairs) {
+    // corners of the lower block first, of each in the order they have
+    int middle = pair.first;
+    while (middle < pair.last &&
+           from.blocks.corner_block[list.corner[middle]] != blocks_.old_of[pair.low])
+      ++middle;
+    put(middle, pair.last);
+    put(pair.first, middle);
+  }
+  return new_of;
+}
+
+void Numbering::renumber_acting(const Contacts& from, const std::vector<int>& new_of,
+                                Contacts& to) {
+  for (const ActingContact& before : to.acting)
+    to.active[before.record] = 0;
+  to.acting = from.acting;
+  for (ActingContact& contact : to.acting) {
+    contact.record = new_of[contact.record];
+    to.active[contact.record] = 1;
+  }
+  std::sort(to.acting.begin(), to.acting.end(),
+            [](const auto& l, const auto& r) { return l.record < r.record; });
+}
+
+void Numbering::renumber(const PlaneContacts& from, PlaneContacts& to) const {
+  std::vector<std::array<int, 3>> places;  // plane, corner; old record
+  for (int i = 0; i < from.size(); ++i)
+    places.push_back({from.plane[i], corners_.new_of[from.corner[i]], i});
+  std::sort(places.begin(), places.end());
+  NewNumbers records;
+  for (const auto& [plane, corner, old] : places)
+    records.old_of.push_back(old);
+  take(from.plane, records, to.plane);
+  take(from.corner, records, to.corner);
+  take(from.active, records, to.active);
+  take(from.normal_elastic, records, to.normal_elastic);
+  take(from.normal_force, records, to.normal_force);
+  take(from.overlap, records, to.overlap);
+  for (int& corner : to.corner)
+    corner = corners_.new_of[corner];
+}
+
+}  // namespace blocks

@@ -1,0 +1,156 @@
+// A model stepped in an order of its own: nobody can tell but by round-off, and the
+// bits depend on nothing but the order.
+#include "dynamics/stepper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "output/fields.hpp"
+#include "scenes/scene.hpp"
+
+namespace blocks {
+namespace {
+
+using samples::fields;
+using scenes::Scene;
+
+/// Leaning bricks, numbered at random, that slide on a floor away from a plane, are
+/// pushed, and leave the domain one after the other on the right.
+Model heap(bool rigid) {
+  Scene scene;
+  Settings& s = scene.model.settings;
+  s.rigid = rigid;
+  s.friction = 0.5, s.damping = 0.2, s.contact_tolerance = 0.02;
+  s.upper = {8.5, 200};
+  scene.box(-2, -1, 9, 1, true);
+  std::vector<geometry::Polygon> bricks;
+  for (int row = 0; row < 8; ++row)
+    for (int i = 0; i < 8; ++i) {
+      const double lean = 0.05 * ((7 * i + 3 * row) % 5 - 2), y = 1.001 * row;
+      const double x = i + 0.3 * (row % 2);
+      bricks.push_back(
+          {{x, y}, {x + lean, y + 1}, {x + 0.98 + lean, y + 1}, {x + 0.98, y}});
+    }
+  std::mt19937 random(3);
+  for (std::size_t i = bricks.size(); i > 1; --i)
+    std::swap(bricks[i - 1], bricks[random() % i]);
+  for (const geometry::Polygon& brick : bricks)
+    scene.velocity(scene.add(brick), 2.0, 0);
+  scene.plane({-0.01, 9}, {-0.01, -1});
+  scene.gravity(4.0, -10);
+  Model model = scene.model;
+  model.loads.function = {{0, 1}, {0, 1}};
+  model.loads.pressures = {{9, 0, 1e4, 2e4, 0.0}, {5, 1, 1e4, 0, 0.0}};
+  model.loads.forces = {{7, {1e4, 0}, 0.0}, {7, {0, 2e4}, 0.0}};
+  dynamics::prepare(model);
+  model.order = strip_order(model.blocks);
+  return model;
+}
+
+constexpr int steps = 600;
+
+/// All the fields after so many steps; `between` acts on stepper and model after each.
+template <class Between>
+std::map<std::string, std::string> stepped(Model model, int threads,
+                                           Between&& between) {
+  dynamics::SearchBuffers buffers(threads);
+  dynamics::Stepper stepper(model, buffers);
+  for (int i = 1; i <= steps; ++i) {
+    stepper.advance(i == steps);
+    between(i, stepper);
+  }
+  return fields(stepper.up_to_date());
+}
+std::map<std::string, std::string> stepped(const Model& model, int threads = 1) {
+  return stepped(model, threads, [](int, dynamics::Stepper&) {});
+}
+
+// Who reads, who says that the model was changed, and how many threads there are, is
+// all the same.
+TEST(Stepper, GoesOnAsIfNobodyHadRead) {
+  for (const bool rigid : {true, false}) {
+    const Model model = heap(rigid);
+    const auto straight = stepped(model);
+    EXPECT_EQ(stepped(model, 3), straight);
+    EXPECT_EQ(stepped(model, 1,
+                      [](int i, dynamics::Stepper& stepper) {
+                        if (i % 7 == 0)
+                          stepper.up_to_date();
+                        if (i % 35 == 0)
+                          stepper.changed();
+                      }),
+              straight);
+  }
+}
+
+// Of the model alone, as a checkpoint holds it, after any step.
+TEST(Stepper, GoesOnFromTheModelAlone) {
+  for (const bool rigid : {true, false}) {
+    const auto straight = stepped(heap(rigid));
+    Model model = heap(rigid);
+    for (int i = 1; i <= steps; ++i) {
+      dynamics::SearchBuffers buffers;
+      dynamics::Stepper stepper(model, buffers);
+      stepper.advance(i == steps);
+      stepper.up_to_date();
+    }
+    ASSERT_GT(model.exits.size(), 2U);
+    ASSERT_GT(model.search.updates, 5);
+    ASSERT_GT(model.contacts.acting.size(), 50U);
+    EXPECT_EQ(fields(model), straight);
+  }
+}
+
+TEST(Stepper, WithoutAnOrderIsTheStep) {
+  Model model = heap(true);
+  model.order.clear();
+  const auto stepped_so = stepped(model);
+  dynamics::SearchBuffers buffers;
+  for (int i = 1; i <= steps; ++i)
+    dynamics::step(model, buffers);
+  EXPECT_EQ(fields(model), stepped_so);
+}
+
+// The order enters through sums of forces alone.
+TEST(Stepper, ChangesResultsByRoundOffOnly) {
+  Model inside = heap(true), outside = heap(true);
+  dynamics::SearchBuffers buffers, others;
+  dynamics::Stepper stepper(inside, buffers);
+  for (int i = 0; i < 100; ++i) {
+    const dynamics::Displacement moved = stepper.advance(true);
+    const dynamics::Displacement told = dynamics::step(outside, others);
+    EXPECT_NEAR(moved.largest, told.largest, 1e-12);
+  }
+  stepper.up_to_date();
+  EXPECT_EQ(inside.contacts.corner, outside.contacts.corner);
+  EXPECT_EQ(inside.contacts.edge, outside.contacts.edge);
+  EXPECT_EQ(inside.contacts.active, outside.contacts.active);
+  EXPECT_EQ(inside.blocks.first_corner, outside.blocks.first_corner);
+  EXPECT_LT((inside.blocks.corner - outside.blocks.corner).cwiseAbs().maxCoeff(),
+            1e-12);
+  EXPECT_LT((inside.blocks.velocity - outside.blocks.velocity).cwiseAbs().maxCoeff(),
+            1e-9);
+}
+
+// What is told of a step: two that leave together stand in the order of their numbers.
+TEST(Stepper, TellsTheNumbersOutside) {
+  Scene scene;
+  for (int i = 0; i < 6; ++i)
+    scene.box(0, 3 * i, 1, 1);
+  scene.velocity(4, 2e9, 0);
+  scene.velocity(1, 1e9, 0);
+  scene.prepare();
+  scene.model.order = {5, 4, 3, 2, 1, 0};
+  dynamics::SearchBuffers buffers;
+  dynamics::Stepper stepper(scene.model, buffers);
+  EXPECT_EQ(stepper.advance(false).block, 4);
+  ASSERT_EQ(scene.model.exits.size(), 2U);
+  EXPECT_EQ(scene.model.exits[0].block, 1);
+  EXPECT_EQ(scene.model.exits[1].block, 4);
+  EXPECT_TRUE(stepper.up_to_date().blocks.is_free(0));
+  EXPECT_FALSE(scene.model.blocks.is_free(1));
+}
+
+}  // namespace
+}  // namespace blocks

@@ -1,0 +1,205 @@
+// Other numbers for the same blocks: which models get them, and that nothing but the
+// numbers changes.
+#include "model/numbering.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "model/contact_blocks.hpp"
+#include "output/fields.hpp"
+
+namespace blocks {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// Draws that are the same everywhere.
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : random_(seed) {}
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+  double number() { return static_cast<double>(random_()) * 0x1p-31 - 1.0; }
+  void shuffle(std::vector<int>& list) {
+    for (int i = static_cast<int>(list.size()); i > 1; --i)
+      std::swap(list[i - 1], list[below(i)]);
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+std::vector<int> counted(int n) {
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/// Boxes of a grid, numbered in this order of their numbers along rows.
+Blocks grid(int width, const std::vector<int>& order) {
+  std::vector<NewBlock> boxes;
+  for (const int k : order) {
+    const double x = k % width, y = 0.5 * (k / width);
+    boxes.push_back({{{x, y}, {x, y + 0.5}, {x + 1, y + 0.5}, {x + 1, y}}, 1, 1.0});
+  }
+  Blocks blocks;
+  blocks.append(boxes);
+  return blocks;
+}
+
+// What is numbered along rows or columns stays as it is, to the last bit of its
+// results; and what is small.
+TEST(BetterOrder, IsForLargeModelsWithNumbersAtRandom) {
+  constexpr int width = 100, rows = 50, n = width * rows;
+  std::vector<int> along_rows = counted(n), columns, random = along_rows;
+  for (int k = 0; k < n; ++k)
+    columns.push_back(k % rows * width + k / rows);
+  Dice(1).shuffle(random);
+  EXPECT_THAT(better_order(grid(width, along_rows)), IsEmpty());
+  EXPECT_THAT(better_order(grid(width, columns)), IsEmpty());
+  EXPECT_THAT(better_order(grid(width, random)), SizeIs(n));
+  EXPECT_THAT(better_order(grid(width, random), n + 1), IsEmpty());
+  EXPECT_THAT(better_order({}, 0), IsEmpty());
+}
+
+// One column of boxes or two to a strip, each from below: the wall is wider than high.
+TEST(StripOrder, FollowsTheShorterSide) {
+  std::vector<int> random = counted(300);
+  Dice(2).shuffle(random);
+  const Blocks wall = grid(30, random);
+  const std::vector<int> order = strip_order(wall);
+  ASSERT_THAT(std::set<int>(order.begin(), order.end()), SizeIs(300));
+  int down = 0;
+  for (std::size_t i = 1; i < order.size(); ++i)
+    down += wall.centroid(1, order[i]) < wall.centroid(1, order[i - 1]);
+  EXPECT_GE(down, 14);
+  EXPECT_LE(down, 29);
+}
+
+/// Polygons anywhere, with contacts, planes and loads between any of them.
+Model random_model(Dice& dice) {
+  Model model;
+  const int n = 2 + dice.below(40);
+  for (int b = 0; b < n; ++b) {
+    const int corners = 3 + dice.below(5);
+    const double height = dice.number();
+    geometry::Polygon outline;
+    for (int c = 0; c < corners; ++c) {
+      const double turn = -2.0 * std::numbers::pi * c / corners;
+      outline.emplace_back(9 * b + std::cos(turn), height + std::sin(turn));
+    }
+    model.blocks.append(
+        {{outline, 1 + dice.below(3), 2.0,
+          dice.below(4) == 0 ? Fixity::by_user : Fixity::free, dice.below(3)}});
+  }
+  Blocks& blocks = model.blocks;
+  for (auto* column : {&blocks.velocity, &blocks.force})
+    for (double& value : column->reshaped())
+      value = dice.number();
+  for (auto* column : {&blocks.applied, &blocks.stress, &blocks.strain_rate})
+    for (double& value : column->reshaped())
+      value = dice.number();
+  for (auto* column : {&blocks.angle, &blocks.spin, &blocks.moment})
+    for (double& value : *column)
+      value = dice.number();
+
+  std::set<std::tuple<int, int, int, int>> places;
+  for (int i = dice.below(500); i > 0; --i) {
+    const int c = dice.below(blocks.corners()), e = dice.below(blocks.corners());
+    const auto [low, high] =
+        std::minmax({blocks.corner_block[c], blocks.corner_block[e]});
+    if (low != high)
+      places.emplace(low, high, c, e);
+  }
+  Contacts& list = model.contacts;
+  list.resize(static_cast<int>(places.size()));
+  int i = 0;
+  for (const auto& [low, high, corner, edge] : places) {
+    list.corner[i] = corner, list.edge[i] = edge;
+    if (dice.below(3) == 0) {
+      list.active[i] = 1;
+      list.acting.push_back({i, dice.number(), dice.number(), dice.number()});
+    }
+    ++i;
+  }
+  PlaneContacts& planes = model.plane_contacts;
+  std::set<std::pair<int, int>> on_planes;
+  for (int k = dice.below(20); k > 0; --k)
+    on_planes.emplace(dice.below(2), dice.below(blocks.corners()));
+  planes.resize(static_cast<int>(on_planes.size()));
+  i = 0;
+  for (const auto& [plane, corner] : on_planes) {
+    planes.plane[i] = plane, planes.corner[i] = corner;
+    planes.active[i] = static_cast<char>(dice.below(2));
+    planes.normal_elastic[i] = dice.number(), planes.overlap[i] = dice.number();
+    planes.normal_force[i++] = dice.number();
+  }
+  for (int k = 0; k < 5; ++k) {
+    model.loads.pressures.push_back({dice.below(n), 0, dice.number()});
+    model.loads.forces.push_back({dice.below(n), {dice.number(), 0}});
+  }
+  return model;
+}
+
+Model renumbered(const Model& from, const Numbering& by) {
+  Model to;
+  by.renumber(from.blocks, to.blocks);
+  by.renumber(from.plane_contacts, to.plane_contacts);
+  to.loads = by.renumbered(from.loads);
+  const std::vector<int> new_of = by.renumber_list(from, to.contacts);
+  Numbering::renumber_acting(from.contacts, new_of, to.contacts);
+  return to;
+}
+
+/// Corners and edge of what acts by their places, and its force.
+std::multiset<std::vector<double>> acting(const Model& model) {
+  std::multiset<std::vector<double>> all;
+  for (const ActingContact& contact : model.contacts.acting) {
+    const Vec2 corner = model.blocks.corner.col(model.contacts.corner[contact.record]);
+    const Vec2 edge = model.blocks.corner.col(model.contacts.edge[contact.record]);
+    all.insert({corner.x(), corner.y(), edge.x(), edge.y(), contact.normal_elastic,
+                contact.shear_elastic, contact.normal_force});
+  }
+  return all;
+}
+
+bool in_order(const Model& model) {
+  const auto place = [&](int i) {
+    return std::tuple(pair_of(model.blocks, model.contacts, i),
+                      model.contacts.corner[i], model.contacts.edge[i]);
+  };
+  for (int i = 1; i < model.contacts.size(); ++i)
+    if (!(place(i - 1) < place(i)))
+      return false;
+  return std::is_sorted(
+      model.contacts.acting.begin(), model.contacts.acting.end(),
+      [](const auto& l, const auto& r) { return l.record < r.record; });
+}
+
+TEST(Numbering, ThereAndBackIsTheSameModel) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    Dice dice(seed);
+    const Model model = random_model(dice);
+    std::vector<int> order = counted(model.blocks.size());
+    dice.shuffle(order);
+    const Numbering there(model.blocks, order);
+    const Model other = renumbered(model, there);
+    ASSERT_EQ(samples::fields(renumbered(other, there.reverse())),
+              samples::fields(model))
+        << seed;
+    ASSERT_TRUE(in_order(other)) << seed;
+    ASSERT_EQ(acting(other), acting(model)) << seed;
+    for (int b = 0; b < model.blocks.size(); ++b)
+      ASSERT_EQ(other.blocks.outline(b), model.blocks.outline(order[b])) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace blocks
