@@ -264,6 +264,14 @@ void expect_order(const Model& model) {
       impossible(fmt::format("order names block {} twice", block + 1));
 }
 
+/// In the middle of a motion all blocks have their time step and place in the order.
+void expect_all_move(const Model& model, const Progress& at) {
+  const int blocks = model.time_step.blocks;
+  if (at.steps_left > 0 && blocks != model.blocks.size())
+    impossible(fmt::format("time_step/blocks is {}, but {} blocks are in motion",
+                           blocks, model.blocks.size()));
+}
+
 /// What was told of blocks and layers.
 void expect_records(const Model& model) {
   for (const int block : model.output_blocks)
@@ -353,6 +361,7 @@ void expect_possible(const Model& model, const CheckpointInfo& info) {
   expect_time(model);
   expect_order(model);
   expect_info(info, model.blocks.size());
+  expect_all_move(model, info.progress);
 }
 
 }  // namespace blocks::output

@@ -96,6 +96,7 @@ void Executor::start() {
     console_.row(model_);
     return;
   }
+  const bool in_order = !model_.order.empty();
   dynamics::prepare(model_);
   if (!started_moving_) {
     echo();
@@ -103,12 +104,12 @@ void Executor::start() {
                               model_.time_step.dt, model_.time_step.block + 1,
                               model_.time_step.elastic ? "its stiffness" : "contact",
                               model_.blocks.size(), model_.settings.seed));
-    if (!model_.order.empty())
-      console_.note("blocks are stepped strip by strip: their numbers lead to and fro");
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.frame(model_);
     files_.table(model_);
   }
+  if (!in_order && !model_.order.empty())
+    console_.note("blocks are stepped strip by strip: their numbers lead to and fro");
   started_moving_ = true;
   half_depth_ = half_depth(model_.blocks);
   watch({});

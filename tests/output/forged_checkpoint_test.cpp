@@ -226,6 +226,12 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
             "order names block 1 twice");
   EXPECT_EQ(message([](Model& m, auto&) { m.order.pop_back(); }),
             "order has 1 rows, expected 2");
+  EXPECT_EQ(message([](Model& m, CheckpointInfo& info) {
+              m.time_step.block = 0, m.time_step.blocks = 1;
+              m.order = {0};
+              info.progress.steps_left = 5;
+            }),
+            "time_step/blocks is 1, but 2 blocks are in motion");
   EXPECT_EQ(message([](Model& m, auto&) { m.time = 8; }),
             "time is 8, its steps make 0.007");
   EXPECT_EQ(message([](Model&, CheckpointInfo& info) { info.progress.frames = 2; }),
