@@ -51,6 +51,25 @@ TEST(Spin, TurnsCornersByTheAccumulatedAngle) {
               2.0 * lag * 2.0 * scene.model.time + 1e-12);
 }
 
+// Decisions are kept while blocks have not gone far. Far from the origin a step of half
+// a unit in the last place makes a whole one.
+TEST(Swing, WayIsNoLessThanTheMotion) {
+  Scene scene;
+  const double far = 0x1p30, unit = 0x1p-22;
+  const int b = scene.box(far, 0, 1, 1);
+  Blocks& blocks = scene.model.blocks;
+  scene.model.settings.rigid = true;
+  scene.velocity(b, 0.51 * unit, 0, 0);
+  dynamics::Swing swing;
+  swing.start(blocks, true);
+  const double from = blocks.centroid(0, b);
+  for (int i = 0; i < 1000; ++i)
+    dynamics::move_blocks(blocks, dynamics::all_of(blocks), swing, scene.model.settings,
+                          1.0);
+  EXPECT_EQ(blocks.centroid(0, b) - from, 1000 * unit);
+  EXPECT_GE(swing.way[b], 1000 * unit);
+}
+
 // Rule 14: a corner strictly outside fixes the block; one on the border does not.
 TEST(Domain, FixesABlockThatLeaves) {
   Scene scene;
