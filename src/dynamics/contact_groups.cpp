@@ -278,7 +278,7 @@ void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
       lost.push_back({g, i, contact.normal_elastic, contact.shear_elastic});
   }
   loaded = true;
-  stored = read = false;
+  read = false;
 }
 
 void ContactGroups::begin_store(Contacts& contacts) {
@@ -309,14 +309,14 @@ void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
 }
 
 void ContactGroups::store(Contacts& contacts) {
-  if (loaded && !stored) {
+  if (loaded && !read) {
     begin_store(contacts);
     const int count = static_cast<int>(all.size());
     for (int g = 0; g < count; ++g)
       if (seat_of[g] >= 0 && held(seat_of[g]).record >= 0)
         store(contacts, g, false);
   }
-  loaded = stored = false;
+  loaded = false;
 }
 
 int ContactGroups::group_of(int seat) const {
@@ -438,7 +438,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.prompt.assign(groups.rounds.size(), 0);
   reserve_lanes(groups, rigid);
   groups.times_made = 0;
-  groups.loaded = groups.stored = groups.read = false;
+  groups.loaded = groups.read = false;
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());
   groups.heirs.reserve(groups.all.size());

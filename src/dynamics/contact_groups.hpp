@@ -178,8 +178,7 @@ struct ContactGroups {
   int times_made = 0;           ///< lanes, of this list
   double made_at = 0.0;         ///< [L] the travel (Swing) when they were made last
   bool loaded = false;          ///< the lanes know what acts
-  bool stored = false;          ///< the list knows it too
-  bool read = false;            ///< and forces and overlaps of the last step
+  bool read = false;            ///< the list too, with readings of the last step
 
   std::vector<LostForce> lost;  ///< in this step
   std::vector<int> heirs;       ///< sets whose contacts were handed some of it

@@ -1,4 +1,4 @@
-// One step of all contacts: decide, find what touches, hand over, act (rules 7, 9-12).
+// One step of all contacts: decide, act where they touch, hand over (rules 7, 9-12).
 // A template over the rules of the decision; contact_forces.cpp compiles it for every
 // run, src/study for its variants.
 #pragma once
@@ -288,7 +288,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     const Profile::Timer timer(profile, Profile::decisions);
     if (!groups.loaded)
       groups.load(blocks, contacts, settings);
-    groups.stored = groups.read = false;
+    groups.read = false;
     workers.each(rounds, pairs_per_thread / pairs_of_round,
                  [&](int part, int first, int last) {
                    const detail::ExactCalls calls(profile, groups.shares[part]);

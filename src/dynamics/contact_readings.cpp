@@ -54,7 +54,7 @@ void read_contacts(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
         add_stress(blocks, groups.lanes, pair);
     }
   }
-  groups.stored = groups.read = true;
+  groups.read = true;
 }
 
 }  // namespace blocks::dynamics

@@ -32,7 +32,7 @@ struct Displacement {
 void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range);
 
 /// Applied stress (9): adds f_i x_j of the contacts in the lanes to that of loads and
-/// planes, and divides by the area.
+/// planes, and divides by the area. Deformable runs only.
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
                            BlockRange range);
 

@@ -128,8 +128,10 @@ Outcome Executor::march(long steps) {
   for (long i = 1; i <= steps; ++i) {
     const bool audited = audit_.due(model_);
     const bool row = i % row_every == 0 || i == steps;
+    const bool by_clock =
+        i % 64 == 0 && (console_.progress_due() || time_is_up() || checkpoint_due());
     const bool moment =
-        i % 64 == 0 || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
+        by_clock || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
     if (audited)
       audit_.before(stepper_.up_to_date());
     const bool read = audited || row || moment || output_due();
@@ -225,10 +227,28 @@ bool Executor::passes_audit() {
   return verdict.faults.empty();
 }
 
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point moment) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - moment)
+      .count();
+}
+
+}  // namespace
+
+bool Executor::time_is_up() const {
+  return options_.time_limit > 0.0 && seconds_since(started_) >= options_.time_limit;
+}
+
+bool Executor::checkpoint_due() const {
+  return options_.checkpoint_every > 0.0 &&
+         seconds_since(saved_) >= options_.checkpoint_every;
+}
+
 void Executor::tell_profile() {
   if (buffers_.profile == nullptr)
     return;
-  const double whole = std::chrono::duration<double>(Clock::now() - started_).count();
+  const double whole = seconds_since(started_);
   console_.clear_progress();
   for (const std::string& line :
        profile_table(profile_, whole, steps_made_, model_, buffers_.workers->threads()))
@@ -255,16 +275,11 @@ void Executor::remember(const std::string& message) {
 Outcome Executor::pressed_for_time() {
   if (interrupt_requested())
     return Outcome::interrupted;
-  const auto seconds = [](Clock::duration d) {
-    return std::chrono::duration<double>(d).count();
-  };
-  const auto now = Clock::now();
   if (steps_made_ == options_.stop_after)
     return Outcome::step_limit;
-  if (options_.time_limit > 0.0 && seconds(now - started_) >= options_.time_limit)
+  if (time_is_up())
     return Outcome::time_limit;
-  if (options_.checkpoint_every > 0.0 &&
-      seconds(now - saved_) >= options_.checkpoint_every) {
+  if (checkpoint_due()) {
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.checkpoint(stepper_.up_to_date(), progress());
     saved_ = Clock::now();

@@ -77,6 +77,8 @@ class Executor {
   void watch(const dynamics::Displacement& moved);
   void warn(const std::string& message);
   Outcome pressed_for_time();
+  bool time_is_up() const;
+  bool checkpoint_due() const;
 
   using Clock = std::chrono::steady_clock;
   Model& model_;
