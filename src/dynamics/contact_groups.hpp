@@ -238,6 +238,8 @@ struct ContactGroups {
   bool keep_seat(int g);
   /// Makes one of what the threads found.
   void join_shares();
+  /// Memory for the case that all groups act.
+  void reserve_lanes(bool rigid);
   /// A seat for each group that has one, acts or may act; from the third time on also
   /// for those that may act as soon again as seats have run out.
   void make_lanes(int blocks, const Contacts& contacts);
