@@ -113,7 +113,8 @@ struct PairShapes {
 };
 
 /// Pairs with as many contacts share a set of lanes where they are of so many in the
-/// list: the blocks of a set are near each other in the memory.
+/// list: the blocks of a set are near each other in the memory. One thread decides all
+/// of a window.
 inline constexpr int pairs_of_window = 256;
 
 /// So many pairs have one limit together: none of their limits is reached while the
@@ -207,7 +208,7 @@ struct ContactGroups {
   /// The seat of the group's contact that acts in this step, or -1.
   int acting(int g) const {
     const int seat = seat_of[g];
-    return seat >= 0 && lanes.at(seat, &SlotPlaces::touch) != apart ? seat : -1;
+    return seat >= 0 && lanes.is(seat, &SlotPlaces::touches) ? seat : -1;
   }
   /// Certainty of a pair counts from here on.
   void take_pose(const Blocks& blocks, int pair);

@@ -105,7 +105,7 @@ void hand_over(const Blocks& blocks, const Contacts& contacts, ContactGroups& gr
     const int seat = heir.seat();
     if (seat < 0)
       continue;
-    lanes.at(seat, &SlotPlaces::touch) = starting;  // anew, with what it was handed
+    lanes.set(seat, &SlotPlaces::starts, true);  // anew, with what it was handed
     lanes.at(seat, &SlotSprings::normal_elastic) = heir.normal();
     if (lanes.at(seat, &SlotSprings::shear_elastic) == 0.0)
       lanes.at(seat, &SlotSprings::shear_elastic) = heir.shear();

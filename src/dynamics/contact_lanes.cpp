@@ -16,7 +16,7 @@ void ContactLanes::reserve(const Room& room, bool rigid) {
   };
   if (room.sets > room_.sets) {
     make(room.sets, own_pairs_, pairs);
-    make(room.sets, own_forces_, forces);
+    make(room.sets * lane_count, own_forces_, forces);
     room_.sets = room.sets;
   }
   if (room.slots > room_.slots) {
@@ -46,7 +46,7 @@ int ContactLanes::add_set(int slots) {
   pairs[sets_] = LanePairs{};
   pairs[sets_].first_slot = slots_;
   pairs[sets_].slots = slots;
-  forces[sets_] = PairForces{};
+  std::fill_n(forces + sets_ * lane_count, lane_count, PairForce{});
   std::fill_n(places + slots_, slots, SlotPlaces{});
   std::fill_n(springs + slots_, slots, SlotSprings{});
   slots_ += slots;

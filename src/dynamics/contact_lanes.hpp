@@ -4,6 +4,7 @@
 // (tests/dynamics/contact_lanes_test.cpp).
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -16,15 +17,8 @@ namespace blocks::dynamics {
 /// Lanes are handled in sets of so many: one register of AVX-512, two of AVX2.
 inline constexpr int lane_count = 8;
 
-/// How it is known whether a contact acts.
-inline constexpr signed char idle = 0,  ///< it does not
-    by_sign = 1,                        ///< if the corner is inside the edge, (19)
-    decided = 2;                        ///< it does
-/// Whether it does in this step.
-inline constexpr signed char apart = 0, in_touch = 1,
-                             starting =
-                                 2;  ///< it did not in the step before, or took over
-
+/// Yes or no of each lane of a set: bit k of lane k.
+using LaneBits = std::uint8_t;
 /// A number of each lane of a set.
 template <class Number> using LaneRow = Number[lane_count];
 
@@ -38,17 +32,22 @@ struct alignas(64) LanePairs {
 /// A slot: one contact of each pair of a set.
 struct alignas(64) SlotPlaces {
   LaneRow<int> corner, edge, edge_end;  ///< corners of the model
-  LaneRow<signed char> rule, touch,
-      flip;  ///< flip: 1 the edge is the low block's, or 0
+  // how it is known whether the contact acts; neither: it does not
+  LaneBits asked;    ///< if the corner is inside the edge, (19)
+  LaneBits decided;  ///< it does
+  // whether it does in this step
+  LaneBits touches;
+  LaneBits starts;  ///< did not in the step before, or took over
+  LaneBits flips;   ///< the edge is the low block's
 };
 /// What is kept from step to step.
 struct alignas(64) SlotSprings {
   LaneRow<double> normal_elastic, shear_elastic;  ///< [F]
 };
-/// What the contacts of a pair do to its blocks in a step.
-struct alignas(64) PairForces {
-  LaneRow<double> fx, fy;                   ///< [F] on the low block
-  LaneRow<double> moment_low, moment_high;  ///< [F L]
+/// What the contacts of a pair do to its blocks in a step: fetched pair by pair.
+struct alignas(32) PairForce {
+  double fx, fy;                   ///< [F] on the low block
+  double moment_low, moment_high;  ///< [F L]
 };
 /// Sums of f_i x_j, arms from the two centroids, [F L]: 11, 12, 21, 22 of both blocks.
 struct alignas(64) PairStresses {
@@ -63,7 +62,7 @@ struct alignas(64) SlotReadings {
 /// All sets and slots. What one computation needs stands side by side in the memory.
 struct LaneSets {
   LanePairs* pairs = nullptr;
-  PairForces* forces = nullptr;
+  PairForce* forces = nullptr;  ///< (lanes)
   PairStresses* stresses = nullptr;
   SlotPlaces* places = nullptr;
   SlotSprings* springs = nullptr;   ///< at the start of the step
@@ -104,6 +103,15 @@ class ContactLanes : public LaneSets {
   Number& at(int i, LaneRow<Number> Part::*row) const {
     return (part(static_cast<Part*>(nullptr))[i / lane_count].*row)[i % lane_count];
   }
+  /// A bit of one seat.
+  bool is(int seat, LaneBits SlotPlaces::*bits) const {
+    return (places[seat / lane_count].*bits >> seat % lane_count & 1U) != 0;
+  }
+  void set(int seat, LaneBits SlotPlaces::*bits, bool yes) {
+    LaneBits& all = places[seat / lane_count].*bits;
+    const unsigned bit = 1U << seat % lane_count;
+    all = static_cast<LaneBits>(yes ? all | bit : all & ~bit);
+  }
 
  private:
   LanePairs* part(LanePairs*) const { return pairs; }
@@ -114,7 +122,7 @@ class ContactLanes : public LaneSets {
   Room room_;
   int room_for_stresses_ = 0;
   std::unique_ptr<LanePairs[]> own_pairs_;
-  std::unique_ptr<PairForces[]> own_forces_;
+  std::unique_ptr<PairForce[]> own_forces_;
   std::unique_ptr<PairStresses[]> own_stresses_;
   std::unique_ptr<SlotPlaces[]> own_places_;
   std::unique_ptr<SlotSprings[]> own_springs_, own_advanced_;

@@ -1,90 +1,10 @@
 // The computations of contact_lanes.hpp. Included once for each instruction set, in a
-// namespace of its own; calls nothing that is not compiled here. A Set is as many
-// numbers as one register holds, one of each lane, and its operators act lane by lane.
-#include <cstddef>
-#include <utility>
-
+// namespace of its own; calls nothing that is not compiled here.
 #include "dynamics/contact_lanes.hpp"
+#include "dynamics/lane_set.hpp"
 
 namespace blocks::dynamics::BLOCKS_LANES {
 namespace {
-
-constexpr int width = BLOCKS_LANES_AT_ONCE;
-typedef double Set __attribute__((vector_size(width * sizeof(double))));
-using Mask = decltype(Set{} < Set{});
-#define BLOCKS_INLINE [[gnu::always_inline]] inline
-
-BLOCKS_INLINE Set all_of(double x) { return Set{} + x; }
-BLOCKS_INLINE Set load(const double* row, int first) {
-  return *reinterpret_cast<const Set*>(row + first);
-}
-BLOCKS_INLINE void store(double* row, int first, Set x) {
-  *reinterpret_cast<Set*>(row + first) = x;
-}
-/// One number for each lane.
-template <std::size_t... lane>
-BLOCKS_INLINE Set gather(const double* row, const int* index,
-                         std::index_sequence<lane...>) {
-  return Set{row[index[lane]]...};
-}
-BLOCKS_INLINE Set gather(const double* row, const int* index) {
-  return gather(row, index, std::make_index_sequence<width>());
-}
-
-struct Point {
-  Set x, y;
-};
-typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
-/// Two numbers for each lane: rows r and r + 1 of column `index` of a matrix.
-template <int rows, int at_once = width>
-BLOCKS_INLINE Point gather_point(const double* matrix, const int* index, int r = 0) {
-  const auto at = [&](int k) __attribute__((always_inline)) {
-    const double* const p = matrix + static_cast<std::ptrdiff_t>(rows) * index[k] + r;
-    return Pair{p[0], p[1]};
-  };
-  if constexpr (at_once == 2) {
-    return {__builtin_shufflevector(at(0), at(1), 0, 2),
-            __builtin_shufflevector(at(0), at(1), 1, 3)};
-  } else {
-    const auto two = [&](int k) __attribute__((always_inline)) {
-      return __builtin_shufflevector(at(k), at(k + 1), 0, 1, 2, 3);
-    };
-    if constexpr (at_once == 4) {
-      return {__builtin_shufflevector(two(0), two(2), 0, 2, 4, 6),
-              __builtin_shufflevector(two(0), two(2), 1, 3, 5, 7)};
-    } else {
-      const auto four = [&](int k) __attribute__((always_inline)) {
-        return __builtin_shufflevector(two(k), two(k + 2), 0, 1, 2, 3, 4, 5, 6, 7);
-      };
-      const auto p = four(0), q = four(4);
-      return {__builtin_shufflevector(p, q, 0, 2, 4, 6, 8, 10, 12, 14),
-              __builtin_shufflevector(p, q, 1, 3, 5, 7, 9, 11, 13, 15)};
-    }
-  }
-}
-
-typedef signed char Marks __attribute__((vector_size(width)));
-BLOCKS_INLINE Marks load(const signed char* row, int first) {
-  Marks marks;
-  __builtin_memcpy(&marks, row + first, width);
-  return marks;
-}
-BLOCKS_INLINE void store(signed char* row, int first, Marks marks) {
-  __builtin_memcpy(row + first, &marks, width);
-}
-BLOCKS_INLINE Mask mask_of(Marks yes) { return __builtin_convertvector(yes, Mask); }
-BLOCKS_INLINE bool any(Marks marks) {
-  unsigned long long word = 0;
-  __builtin_memcpy(&word, &marks, width);
-  return word != 0;
-}
-BLOCKS_INLINE Marks marks_of(Mask yes) { return __builtin_convertvector(yes, Marks); }
-BLOCKS_INLINE Set absolute(Set x) { return x < 0.0 ? -x : x; }
-BLOCKS_INLINE Set root(Set x) {
-  for (int k = 0; k < width; ++k)
-    x[k] = __builtin_sqrt(x[k]);
-  return x;
-}
 
 /// Corners against edges: 2A of (19), and filter::overlap of
 /// geometry/contact_predicates.hpp.
@@ -106,30 +26,33 @@ struct Sides {
   }
   /// 2A is 0, for a factor of either product is: of bricks that touch as they were
   /// made.
-  BLOCKS_INLINE Mask tie() const {
-    return ((cx == 0.0) | (ey == 0.0)) & ((cy == 0.0) | (ex == 0.0));
+  BLOCKS_INLINE Bits tie() const {
+    return (zero(cx) | zero(ey)) & (zero(cy) | zero(ex));
   }
 };
 
+/// The bits of the lanes from i on, and how they are put back.
+BLOCKS_INLINE Bits load(LaneBits bits, int i) { return bits >> i & every; }
+BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
+  bits = static_cast<LaneBits>((bits & ~(every << i)) | part << i);
+}
+
 /// Which lanes touch. A sign in doubt is taken to, until it is looked at: adds to
 /// `look` whose sign is in doubt, or who does not touch any more.
-BLOCKS_INLINE Marks find_touching(SlotPlaces& slot, const Sides& sides, int i,
-                                  Marks& look) {
+BLOCKS_INLINE void find_touching(SlotPlaces& slot, const Sides& sides, int i,
+                                 Bits& look) {
   const Set bound = sides.bound();
-  const Marks rule = load(slot.rule, i), before = load(slot.touch, i);
-  const Marks asked = rule == by_sign;
-  Marks inside = ~marks_of(sides.value < -bound);
-  Marks open = asked & inside & ~marks_of(sides.value > bound);
-  if (any(open)) {
-    const Marks tie = marks_of(sides.tie());
+  const Bits asked = load(slot.asked, i), before = load(slot.touches, i);
+  Bits inside = ~less(sides.value, -bound);
+  Bits open = asked & inside & ~less(bound, sides.value);
+  if (open != 0) {
+    const Bits tie = sides.tie();
     inside &= ~tie, open &= ~tie;
   }
-  const Marks acts = (rule == decided) | (asked & inside);
-  const Marks touch =
-      acts & ((before != apart) ? in_touch + Marks{} : starting + Marks{});
-  store(slot.touch, i, touch);
-  look |= open | ((touch == apart) & (before != apart));
-  return touch;
+  const Bits touch = load(slot.decided, i) | (asked & inside);
+  store(slot.touches, i, touch);
+  store(slot.starts, i, touch & ~before);
+  look |= open | (before & ~touch);
 }
 
 /// Two blocks of each lane: where they are, and how the high one sees the low one move.
@@ -176,81 +99,120 @@ struct Most {
   }
 };
 
+/// a. A contact as geometry: the corner, the frame of the edge, the overlap.
+struct Frame {
+  Set x, y;    ///< the corner
+  Set tx, ty;  ///< unit tangent, turned where the force on the low block is that on the
+               ///< edge
+  Set overlap;  ///< its sign is decided exactly; rounded, a tiny depth may come out
+                ///< below zero
+};
+
+/// Adds to `look` as find_touching does; find: false: what touches is known.
+template <bool find>
+BLOCKS_INLINE Frame frame_of(SlotPlaces& slot, const BlockRows& blocks, int i,
+                             Bits& look) {
+  const Sides sides(slot, blocks, i);
+  if constexpr (find)
+    find_touching(slot, sides, i, look);
+  const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
+  const Set depth = sides.value * per_length;
+  const Set turned = where(mask_of(load(slot.flips, i)), -per_length, per_length);
+  return {sides.xc, sides.yc, sides.ex * turned, sides.ey * turned,
+          depth > 0.0 ? depth : Set{}};
+}
+
+/// What the contacts of a pair come to, summed slot by slot.
+template <bool stresses> struct Sums {
+  Set x = {}, y = {}, moment_low = {}, moment_high = {};
+  Set low[stresses ? 4 : 1] = {}, high[stresses ? 4 : 1] = {};
+
+  /// A force on the low block at arms from both centroids.
+  BLOCKS_INLINE void add(Set fx, Set fy, Set low_x, Set low_y, Set high_x, Set high_y) {
+    x += fx, y += fy;
+    moment_low += low_x * fy - low_y * fx, moment_high += high_y * fx - high_x * fy;
+    if constexpr (stresses) {
+      low[0] += fx * low_x, high[0] -= fx * high_x;
+      low[1] += fx * low_y, high[1] -= fx * high_y;
+      low[2] += fy * low_x, high[2] -= fy * high_x;
+      low[3] += fy * low_y, high[3] -= fy * high_y;
+    }
+  }
+};
+
+/// b.-e. of slot s.
+template <bool rigid, bool readings, class Sums>
+BLOCKS_INLINE void act_slot(const LaneSets& sets, int s, const Pairs<rigid>& two,
+                            const Frame& at, Set damping, const ContactLaw& law, int i,
+                            Sums& sums, Most& most) {
+  const SlotPlaces& slot = sets.places[s];
+  const Mask acts = mask_of(load(slot.touches, i));
+  const Bits starts = load(slot.starts, i);
+  const Set nx = -at.ty, ny = at.tx;
+  const Set x = at.x - two.low_x, y = at.y - two.low_y;
+  const auto [vx, vy] = two.velocity(x, y);
+
+  // b.-d.
+  const SlotSprings& springs = sets.springs[s];
+  Set normal_elastic = load(springs.normal_elastic, i);
+  Set shear_elastic = load(springs.shear_elastic, i);
+  Set normal, shear;
+  const Set closing = -(vx * nx + vy * ny), sliding = vx * at.tx + vy * at.ty;
+  if (starts != 0)
+    apply(law, normal_elastic, shear_elastic, closing, sliding, at.overlap, damping,
+          where(mask_of(starts), all_of(1.0)), normal, shear);
+  else
+    apply<false>(law, normal_elastic, shear_elastic, closing, sliding, at.overlap,
+                 damping, Set{}, normal, shear);
+  normal_elastic = where(acts, normal_elastic);
+  SlotSprings& advanced = sets.advanced[s];
+  store(advanced.normal_elastic, i, normal_elastic);
+  store(advanced.shear_elastic, i, where(acts, shear_elastic));
+  const Set reached = where(acts, at.overlap);
+  most.include(reached, normal_elastic);
+
+  // e. equal and opposite at one point
+  const Set fx = where(acts, normal * nx - shear * at.tx);
+  const Set fy = where(acts, normal * ny - shear * at.ty);
+  sums.add(fx, fy, x, y, at.x - two.high_x, at.y - two.high_y);
+  if constexpr (readings) {
+    SlotReadings& read = sets.readings[s - sets.first_reading];
+    store(read.overlap, i, reached);
+    store(read.normal_force, i, where(acts, normal));
+    store(read.shear_force, i, where(acts, shear));
+  }
+}
+
 /// Adds to `look` as find_touching does; find: false: what touches is known.
 template <bool find, bool rigid, bool readings>
 BLOCKS_INLINE Most act_set(const LaneSets& sets, int set, const BlockRows& blocks,
-                           const ContactLaw& law, int i, Marks& look) {
+                           const ContactLaw& law, int i, Bits& look) {
   constexpr bool stresses = readings || !rigid;
   const LanePairs& pairs = sets.pairs[set];
   const Pairs<rigid> two(pairs, blocks, i);
-  const Set none = all_of(0.0), damping = load(pairs.damping, i);
-  Set sum_x = none, sum_y = none, moment_low = none, moment_high = none;
-  Set low[4] = {}, high[4] = {};
+  const Set damping = load(pairs.damping, i);
+  Sums<stresses> sums;
   Most most;
-  for (int s = pairs.first_slot; s < pairs.first_slot + pairs.slots; ++s) {
-    // a. frame of the edge, overlap: its sign is decided exactly; rounded, a tiny depth
-    // may come out below zero
-    SlotPlaces& slot = sets.places[s];
-    const SlotSprings& springs = sets.springs[s];
-    const Sides sides(slot, blocks, i);
-    const Marks touch =
-        find ? find_touching(slot, sides, i, look) : load(slot.touch, i);
-    const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
-    const Set depth = sides.value * per_length, overlap = depth > 0.0 ? depth : none;
-    // tangent and normal, turned where the force on the low block is that on the edge
-    const Set turned = mask_of(load(slot.flip, i) != 0) ? -per_length : per_length;
-    const Set tx = sides.ex * turned, ty = sides.ey * turned, nx = -ty, ny = tx;
-    const Set x = sides.xc - two.low_x, y = sides.yc - two.low_y;
-    const auto [vx, vy] = two.velocity(x, y);
-
-    // b.-d.
-    const Mask acts = mask_of(touch != apart);
-    const Marks starts = touch == starting;
-    Set normal_elastic = load(springs.normal_elastic, i);
-    Set shear_elastic = load(springs.shear_elastic, i);
-    Set normal, shear;
-    const Set closing = -(vx * nx + vy * ny), sliding = vx * tx + vy * ty;
-    if (any(starts))
-      apply(law, normal_elastic, shear_elastic, closing, sliding, overlap, damping,
-            mask_of(starts) ? all_of(1.0) : none, normal, shear);
-    else
-      apply<false>(law, normal_elastic, shear_elastic, closing, sliding, overlap,
-                   damping, none, normal, shear);
-    normal_elastic = acts ? normal_elastic : none;
-    SlotSprings& advanced = sets.advanced[s];
-    store(advanced.normal_elastic, i, normal_elastic);
-    store(advanced.shear_elastic, i, acts ? shear_elastic : none);
-    const Set reached = acts ? overlap : none;
-    most.include(reached, normal_elastic);
-
-    // e. equal and opposite at one point
-    const Set fx = acts ? normal * nx - shear * tx : none;
-    const Set fy = acts ? normal * ny - shear * ty : none;
-    const Set high_x = sides.xc - two.high_x, high_y = sides.yc - two.high_y;
-    sum_x += fx, sum_y += fy;
-    moment_low += x * fy - y * fx, moment_high += high_y * fx - high_x * fy;
-    if constexpr (stresses) {
-      low[0] += fx * x, high[0] -= fx * high_x;
-      low[1] += fx * y, high[1] -= fx * high_y;
-      low[2] += fy * x, high[2] -= fy * high_x;
-      low[3] += fy * y, high[3] -= fy * high_y;
-    }
-    if constexpr (readings) {
-      SlotReadings& read = sets.readings[s - sets.first_reading];
-      store(read.overlap, i, reached);
-      store(read.normal_force, i, acts ? normal : none);
-      store(read.shear_force, i, acts ? shear : none);
-    }
+  // Some frames before what acts in them: a root and a division take long, those of
+  // several slots not much longer.
+  constexpr int at_once = 4;
+  Frame frames[at_once];
+  const int end = pairs.first_slot + pairs.slots;
+  for (int first = pairs.first_slot; first < end; first += at_once) {
+    const int last = first + at_once < end ? first + at_once : end;
+    for (int s = first; s < last; ++s)
+      frames[s - first] = frame_of<find>(sets.places[s], blocks, i, look);
+    for (int s = first; s < last; ++s)
+      act_slot<rigid, readings>(sets, s, two, frames[s - first], damping, law, i, sums,
+                                most);
   }
-  PairForces& forces = sets.forces[set];
-  store(forces.fx, i, sum_x);
-  store(forces.fy, i, sum_y);
-  store(forces.moment_low, i, moment_low);
-  store(forces.moment_high, i, moment_high);
+  PairForce* const forces = sets.forces + set * lane_count + i;
+  store_point(&forces->fx, 4, sums.x, sums.y);
+  store_point(&forces->moment_low, 4, sums.moment_low, sums.moment_high);
   if constexpr (stresses) {
-    PairStresses& sums = sets.stresses[set - sets.first_stress];
+    PairStresses& of = sets.stresses[set - sets.first_stress];
     for (int k = 0; k < 4; ++k)
-      store(sums.low[k], i, low[k]), store(sums.high[k], i, high[k]);
+      store(of.low[k], i, sums.low[k]), store(of.high[k], i, sums.high[k]);
   }
   return most;
 }
@@ -260,15 +222,15 @@ LaneExtremes act_sets(const LaneSets& sets, const BlockRows& blocks,
                       const ContactLaw& law, int first, int last) {
   Most all;
   for (int set = first; set < last; ++set) {
-    Marks look = {};
+    Bits look = 0;
     Most most;
     for (int i = 0; i < lane_count; i += width) {
       const Most part = act_set<find, rigid, readings>(sets, set, blocks, law, i, look);
       most.include(part.overlap, part.spring);
     }
     if constexpr (find)
-      sets.pairs[set].look = any(look);
-    if (!any(look))
+      sets.pairs[set].look = look != 0;
+    if (look == 0)
       all.include(most.overlap, most.spring);
   }
   LaneExtremes extremes = {0.0, 0.0};

@@ -252,20 +252,21 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
 template <class Rules>
 void settle(const Blocks& blocks, ContactGroups& groups, int set,
             std::vector<LostForce>& lost) {
-  const LanePairs& pairs = groups.lanes.pairs[set];
+  ContactLanes& lanes = groups.lanes;
+  const LanePairs& pairs = lanes.pairs[set];
   const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
   for (int slot = pairs.first_slot; slot < pairs.first_slot + pairs.slots; ++slot) {
-    SlotPlaces& places = groups.lanes.places[slot];
-    SlotSprings& springs = groups.lanes.springs[slot];
+    const SlotPlaces& places = lanes.places[slot];
+    SlotSprings& springs = lanes.springs[slot];
     for (int k = 0; k < lane_count; ++k) {
-      if (places.rule[k] == by_sign && places.touch[k] != apart &&
+      const int seat = slot * lane_count + k;
+      if (lanes.is(seat, &SlotPlaces::asked) && lanes.is(seat, &SlotPlaces::touches) &&
           Rules::overlap_sign(at(places.corner[k]), at(places.edge[k]),
                               at(places.edge_end[k])) <= 0)
-        places.touch[k] = apart;
-      if (places.touch[k] != apart)
+        lanes.set(seat, &SlotPlaces::touches, false);
+      if (lanes.is(seat, &SlotPlaces::touches))
         continue;
       if (springs.normal_elastic[k] > 0.0) {
-        const int seat = slot * lane_count + k;
         lost.push_back({groups.group_of(seat), groups.record[seat],
                         springs.normal_elastic[k], springs.shear_elastic[k]});
       }
@@ -284,17 +285,20 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   const int rounds = static_cast<int>(groups.rounds.size());
+  constexpr int rounds_of_window = pairs_of_window / pairs_of_round;
   {
     const Profile::Timer timer(profile, Profile::decisions);
     if (!groups.loaded)
       groups.load(blocks, contacts, settings);
     groups.read = false;
-    workers.each(rounds, pairs_per_thread / pairs_of_round,
-                 [&](int part, int first, int last) {
-                   const detail::ExactCalls calls(profile, groups.shares[part]);
-                   detail::renew_decisions<Rules>(blocks, contacts, groups, dt, first,
-                                                  last, groups.shares[part]);
-                 });
+    // window by window: no other thread writes to the sets of a window
+    const int windows = (rounds + rounds_of_window - 1) / rounds_of_window;
+    workers.each(windows, 1, [&](int part, int first, int last) {
+      const detail::ExactCalls calls(profile, groups.shares[part]);
+      detail::renew_decisions<Rules>(
+          blocks, contacts, groups, dt, first * rounds_of_window,
+          std::min(rounds, last * rounds_of_window), groups.shares[part]);
+    });
     groups.join_shares();
     if (!groups.seats_complete) {
       groups.store(contacts);

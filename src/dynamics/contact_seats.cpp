@@ -11,9 +11,11 @@
 namespace blocks::dynamics {
 namespace {
 
-/// How it is known whether the group's contact acts.
-signed char rule_of(const ContactGroup& group) {
-  return group.record < 0 ? idle : group.certain() ? by_sign : decided;
+/// How it is known whether the group's contact, which has the seat, acts.
+void set_rule(ContactLanes& lanes, int seat, const ContactGroup& group) {
+  const bool may = group.record >= 0;
+  lanes.set(seat, &SlotPlaces::asked, may && group.certain());
+  lanes.set(seat, &SlotPlaces::decided, may && !group.certain());
 }
 
 /// Whether the list says that a record of the group acts.
@@ -43,7 +45,7 @@ bool ContactGroups::keep_seat(int g) {
   const int seat = seat_of[g];
   if (seat < 0 || record[seat] != all[g].record)
     return false;
-  lanes.at(seat, &SlotPlaces::rule) = rule_of(all[g]);
+  set_rule(lanes, seat, all[g]);
   return true;
 }
 
@@ -61,17 +63,18 @@ bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int
   places.corner[k] = contacts.corner[known.first];
   places.edge[k] = e;
   places.edge_end[k] = blocks.next[e];
-  places.flip[k] =
-      known.edge_block < blocks.corner_block[contacts.corner[known.first]] ? 1 : 0;
-  places.rule[k] = rule_of(known);
-  places.touch[k] = spring.record >= 0 ? in_touch : apart;
+  lanes.set(seat, &SlotPlaces::flips,
+            known.edge_block < blocks.corner_block[contacts.corner[known.first]]);
+  set_rule(lanes, seat, known);
+  lanes.set(seat, &SlotPlaces::touches, spring.record >= 0);
+  lanes.set(seat, &SlotPlaces::starts, false);
   springs.normal_elastic[k] = spring.normal;
   springs.shear_elastic[k] = spring.shear;
   return true;
 }
 
 HeldSpring ContactGroups::held(int seat) const {
-  if (record[seat] < 0 || lanes.at(seat, &SlotPlaces::touch) == apart)
+  if (record[seat] < 0 || !lanes.is(seat, &SlotPlaces::touches))
     return {};
   return {record[seat], lanes.at(seat, &SlotSprings::normal_elastic),
           lanes.at(seat, &SlotSprings::shear_elastic)};

@@ -38,12 +38,11 @@ void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange 
   for (int b = range.first; b < range.last; ++b) {
     double x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
     groups.each_lane_of(b, [&](unsigned lane, bool low) {
-      const PairForces& of = groups.lanes.forces[lane / lane_count];
-      const unsigned k = lane % lane_count;
+      const PairForce& of = groups.lanes.forces[lane];
       if (low)
-        x += of.fx[k], y += of.fy[k], moment += of.moment_low[k];
+        x += of.fx, y += of.fy, moment += of.moment_low;
       else
-        x -= of.fx[k], y -= of.fy[k], moment += of.moment_high[k];
+        x -= of.fx, y -= of.fy, moment += of.moment_high;
     });
     blocks.force(0, b) = x, blocks.force(1, b) = y;
     blocks.moment[b] = moment;

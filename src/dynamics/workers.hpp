@@ -12,8 +12,7 @@
 namespace blocks::dynamics {
 
 /// Items of a step below which a second thread does not pay.
-inline constexpr int pairs_per_thread = 256, sets_per_thread = 128,
-                     blocks_per_thread = 128;
+inline constexpr int sets_per_thread = 128, blocks_per_thread = 128;
 
 class Workers {
  public:

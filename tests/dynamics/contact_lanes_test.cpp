@@ -72,10 +72,11 @@ struct Scene {
       const int* const p = &places[6 * i];
       lanes.at(i, &SlotPlaces::corner) = p[0], lanes.at(i, &SlotPlaces::edge) = p[1],
                   lanes.at(i, &SlotPlaces::edge_end) = p[2];
-      const auto mark = [](int number) { return static_cast<signed char>(number); };
-      lanes.at(i, &SlotPlaces::rule) = mark(p[3]);
-      lanes.at(i, &SlotPlaces::touch) = mark(p[4]);
-      lanes.at(i, &SlotPlaces::flip) = mark(p[5]);
+      lanes.set(i, &SlotPlaces::asked, p[3] == 1);
+      lanes.set(i, &SlotPlaces::decided, p[3] == 2);
+      lanes.set(i, &SlotPlaces::touches, p[4] > 0);
+      lanes.set(i, &SlotPlaces::starts, p[4] == 2);
+      lanes.set(i, &SlotPlaces::flips, p[5] == 1);
       lanes.at(i, &SlotSprings::normal_elastic) = std::abs(springs[2 * i]);
       lanes.at(i, &SlotSprings::shear_elastic) = springs[2 * i + 1];
     }
@@ -97,14 +98,16 @@ std::vector<std::uint64_t> bits(const ContactLanes& lanes, LaneExtremes extremes
   };
   for (int set = 0; set < lanes.sets(); ++set) {
     found.push_back(lanes.pairs[set].look);
-    const PairForces& of = lanes.forces[set];
-    for (const auto* row : {&of.fx, &of.fy, &of.moment_low, &of.moment_high})
-      add_row(*row);
+    for (int k = 0; k < lane_count; ++k) {
+      const PairForce& of = lanes.forces[set * lane_count + k];
+      add(of.fx), add(of.fy), add(of.moment_low), add(of.moment_high);
+    }
     for (int i = 0; stresses && i < 4; ++i)
       add_row(lanes.stresses[set].low[i]), add_row(lanes.stresses[set].high[i]);
   }
   for (int slot = 0; slot < lanes.slots(); ++slot) {
-    add_row(lanes.places[slot].touch);
+    found.push_back(lanes.places[slot].touches);
+    found.push_back(lanes.places[slot].starts);
     add_row(lanes.advanced[slot].normal_elastic);
     add_row(lanes.advanced[slot].shear_elastic);
     if (!readings)
@@ -173,17 +176,18 @@ TEST(ContactLanes, WhatTouchesIsDecidedExactly) {
     for (int k = 0; k < lane_count; ++k) {
       slot.corner[k] = below(Scene::corners), slot.edge[k] = below(Scene::corners);
       slot.edge_end[k] = below(Scene::corners);
-      slot.rule[k] = by_sign;
+      lanes.set(k, &SlotPlaces::asked, true);
     }
     lane_arithmetic().touch_and_act(lanes, rows, {1.0, 1.0, 1.0, 1.0}, true, 0, 1);
     for (int k = 0; k < lane_count; ++k) {
       const int sign = geometry::exact::overlap_sign(
           at(slot.corner[k]), at(slot.edge[k]), at(slot.edge_end[k]));
-      if (slot.touch[k] == apart || lanes.pairs[0].look == 0) {
-        ASSERT_EQ(slot.touch[k] != apart, sign > 0) << trial;
+      const bool touches = lanes.is(k, &SlotPlaces::touches);
+      if (!touches || lanes.pairs[0].look == 0) {
+        ASSERT_EQ(touches, sign > 0) << trial;
       }
-      ties += slot.touch[k] == apart && sign == 0;
-      open += slot.touch[k] != apart && sign <= 0;
+      ties += !touches && sign == 0;
+      open += touches && sign <= 0;
     }
   }
   EXPECT_GT(ties, 2000);
