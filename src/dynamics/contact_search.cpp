@@ -23,22 +23,27 @@ void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
   for (int e = 0; e < count; ++e) {
     const Reach& reach = buffers.reach[e];
     const double overlap = reach.overlap(corner);
-    if (overlap < -reach.near)
-      ++outside, side = e;
-    else if (overlap <= reach.depth + reach.near)
+    if (overlap < -reach.near) {
+      side = e;
+      if (++outside > 1 && blocks.convex[b])
+        break;
+    } else if (overlap <= reach.depth + reach.near) {
       add(e);
+    }
   }
   if (!blocks.convex[b] || outside == 0)
     return;
   // outside of one edge is outside of the block: there is but a crossing of sides
   std::size_t kept = before;
-  if (outside == 1)
+  if (outside == 1) {
+    const int after = side + 1 < count ? side + 1 : 0;
+    const int ahead = side > 0 ? side - 1 : count - 1;
     for (std::size_t i = before; i < buffers.found.size(); ++i) {
       const int e = buffers.found[i].edge - first;
-      const bool beside = (e + 1) % count == side || (side + 1) % count == e;
-      if (beside && buffers.reach[e].between(corner))
+      if ((e == after || e == ahead) && buffers.reach[e].between(corner))
         buffers.found[kept++] = buffers.found[i];
     }
+  }
   buffers.found.resize(kept);
 }
 
@@ -59,8 +64,10 @@ void find_near_corners(const Model& model, SearchBuffers& buffers) {
       reach.extend(lower, upper);
     lower.array() -= near, upper.array() += near;
     buffers.grid.visit(lower, upper, [&](int c) {
+      const auto at = blocks.corner.col(c).array();
+      const bool far = (at < lower.array()).any() || (at > upper.array()).any();
       const int other = blocks.corner_block[c];
-      if (other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
+      if (far || other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
         return;
       add_records(blocks, b, c, buffers);
     });
