@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "dynamics/contact_decision.hpp"
@@ -74,12 +75,15 @@ void find_near_corners(const Model& model, SearchBuffers& buffers) {
   }
 }
 
-/// The order of lists: pair of blocks, lower number first, corner, edge.
-using Place = std::array<int, 4>;
+/// The order of lists: pair of blocks, lower number first, corner, edge; two to a word.
+using Place = std::array<std::uint64_t, 2>;
 Place place(const Blocks& blocks, int corner, int edge) {
-  const auto [low, high] =
-      std::minmax(blocks.corner_block[corner], blocks.corner_block[edge]);
-  return {low, high, corner, edge};
+  const auto word = [](int first, int second) {
+    return std::uint64_t{static_cast<std::uint32_t>(first)} << 32 |
+           static_cast<std::uint32_t>(second);
+  };
+  const int a = blocks.corner_block[corner], b = blocks.corner_block[edge];
+  return {word(std::min(a, b), std::max(a, b)), word(corner, edge)};
 }
 
 /// Empties the list, all but the state of what acts, whose places are kept.
@@ -115,8 +119,9 @@ void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers
     for (int k = i; k < last[b]; ++k)
       places.push_back(place(blocks, contacts.corner[k], contacts.edge[k]));
     std::sort(places.begin(), places.end());
-    for (const auto& [of_low, of_high, corner, edge] : places) {
-      contacts.corner[i] = corner, contacts.edge[i] = edge;
+    for (const Place& each : places) {
+      contacts.corner[i] = static_cast<int>(each[1] >> 32);
+      contacts.edge[i] = static_cast<int>(each[1] & 0xffffffff);
       ++i;
     }
   }
