@@ -31,7 +31,7 @@ void ContactLanes::reserve(const Room& room, bool rigid) {
   }
   if (const int count = rigid ? room.read_sets : room.sets;
       count > room_for_stresses_) {
-    make(count, own_stresses_, stresses);
+    make(count * lane_count, own_stresses_, stresses);
     room_for_stresses_ = count;
   }
   first_stress = 0;

@@ -50,8 +50,8 @@ struct alignas(32) PairForce {
   double moment_low, moment_high;  ///< [F L]
 };
 /// Sums of f_i x_j, arms from the two centroids, [F L]: 11, 12, 21, 22 of both blocks.
-struct alignas(64) PairStresses {
-  LaneRow<double> low[4], high[4];
+struct alignas(64) PairStress {
+  double low[4], high[4];
 };
 /// What else a step finds, for whoever reads the model.
 struct alignas(64) SlotReadings {
@@ -62,8 +62,8 @@ struct alignas(64) SlotReadings {
 /// All sets and slots. What one computation needs stands side by side in the memory.
 struct LaneSets {
   LanePairs* pairs = nullptr;
-  PairForce* forces = nullptr;  ///< (lanes)
-  PairStresses* stresses = nullptr;
+  PairForce* forces = nullptr;     ///< (lanes)
+  PairStress* stresses = nullptr;  ///< (lanes)
   SlotPlaces* places = nullptr;
   SlotSprings* springs = nullptr;   ///< at the start of the step
   SlotSprings* advanced = nullptr;  ///< at its end
@@ -123,7 +123,7 @@ class ContactLanes : public LaneSets {
   int room_for_stresses_ = 0;
   std::unique_ptr<LanePairs[]> own_pairs_;
   std::unique_ptr<PairForce[]> own_forces_;
-  std::unique_ptr<PairStresses[]> own_stresses_;
+  std::unique_ptr<PairStress[]> own_stresses_;
   std::unique_ptr<SlotPlaces[]> own_places_;
   std::unique_ptr<SlotSprings[]> own_springs_, own_advanced_;
   std::unique_ptr<SlotReadings[]> own_readings_;
@@ -148,7 +148,7 @@ struct LaneArithmetic {
   LaneExtremes (*touch_and_act)(const LaneSets&, const BlockRows&, const ContactLaw&,
                                 bool rigid, int first, int last);
   /// What those do that touch: a.-e. of rule 7. readings: also SlotReadings, and
-  /// PairStresses of rigid blocks.
+  /// PairStress of rigid blocks.
   LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
                       bool readings, int first, int last);
 };

@@ -210,9 +210,11 @@ BLOCKS_INLINE Most act_set(const LaneSets& sets, int set, const BlockRows& block
   store_point(&forces->fx, 4, sums.x, sums.y);
   store_point(&forces->moment_low, 4, sums.moment_low, sums.moment_high);
   if constexpr (stresses) {
-    PairStresses& of = sets.stresses[set - sets.first_stress];
-    for (int k = 0; k < 4; ++k)
-      store(of.low[k], i, sums.low[k]), store(of.high[k], i, sums.high[k]);
+    PairStress* const of = sets.stresses + (set - sets.first_stress) * lane_count + i;
+    for (int k = 0; k < 4; k += 2) {
+      store_point(&of->low[k], 8, sums.low[k], sums.low[k + 1]);
+      store_point(&of->high[k], 8, sums.high[k], sums.high[k + 1]);
+    }
   }
   return most;
 }

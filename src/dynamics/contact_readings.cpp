@@ -24,11 +24,10 @@ void act_again(const Blocks& blocks, ContactGroups& groups, const ContactLaw& la
 
 /// f_i x_j of a pair, to both blocks.
 void add_stress(Blocks& blocks, const ContactLanes& lanes, const ContactPair& pair) {
-  const PairStresses& of = lanes.stresses[pair.lane / lane_count - lanes.first_stress];
-  const int k = pair.lane % lane_count;
+  const PairStress& of = lanes.stresses[pair.lane - lanes.first_stress * lane_count];
   for (int i = 0; i < 4; ++i) {
-    blocks.applied(i, pair.low) += of.low[i][k];
-    blocks.applied(i, pair.high) += of.high[i][k];
+    blocks.applied(i, pair.low) += of.low[i];
+    blocks.applied(i, pair.high) += of.high[i];
   }
 }
 

@@ -54,9 +54,8 @@ void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
   for (int b = range.first; b < range.last; ++b) {
     Eigen::Vector4d sum = blocks.applied.col(b);
     groups.each_lane_of(b, [&](unsigned lane, bool low) {
-      const PairStresses& of = groups.lanes.stresses[lane / lane_count];
-      for (int i = 0; i < 4; ++i)
-        sum[i] += (low ? of.low : of.high)[i][lane % lane_count];
+      const PairStress& of = groups.lanes.stresses[lane];
+      sum += Eigen::Map<const Eigen::Vector4d>(low ? of.low : of.high);
     });
     blocks.applied.col(b) = sum / blocks.area[b];
   }

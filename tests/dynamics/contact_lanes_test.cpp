@@ -102,8 +102,10 @@ std::vector<std::uint64_t> bits(const ContactLanes& lanes, LaneExtremes extremes
       const PairForce& of = lanes.forces[set * lane_count + k];
       add(of.fx), add(of.fy), add(of.moment_low), add(of.moment_high);
     }
-    for (int i = 0; stresses && i < 4; ++i)
-      add_row(lanes.stresses[set].low[i]), add_row(lanes.stresses[set].high[i]);
+    for (int k = 0; stresses && k < lane_count; ++k) {
+      const PairStress& of = lanes.stresses[set * lane_count + k];
+      add_row(of.low), add_row(of.high);
+    }
   }
   for (int slot = 0; slot < lanes.slots(); ++slot) {
     found.push_back(lanes.places[slot].touches);
