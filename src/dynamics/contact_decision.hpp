@@ -103,13 +103,21 @@ template <class Rules> class ContactDecision {
 
   /// Whether the corner is still on its side of the edges that are watched.
   bool stays(const ContactGroup& group) const {
-    const Vec2 corner = at(contacts_.corner[group.first]);
+    bool all = true;
+    each_watched(group, [&](int c, int edge, int edge_end, bool outside) {
+      all = all && Rules::inside_edge(at(c), at(edge), at(edge_end)) != outside;
+    });
+    return all;
+  }
+  /// Calls visit(corner, edge, its end, whether the corner is outside) for each of
+  /// them.
+  template <class Visit>
+  void each_watched(const ContactGroup& group, const Visit& visit) const {
     const int first = blocks_.first_corner[group.edge_block];
     for (const std::int8_t edge : group.watched)
-      if (edge >= 0 && Rules::inside_edge(corner, at(first + edge),
-                                          end(first + edge)) == (group.place == edge))
-        return false;
-    return true;
+      if (edge >= 0)
+        visit(contacts_.corner[group.first], first + edge, blocks_.next[first + edge],
+              group.place == edge);
   }
 
   /// The record that acts as well, for the corner has to come out of a notch, or -1.

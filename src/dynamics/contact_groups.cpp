@@ -1,6 +1,7 @@
 #include "dynamics/contact_groups.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -130,6 +131,17 @@ double Swing::reshaped(int b, const Eigen::Vector4d& since) const {
   return std::sqrt(along_x * along_x + along_y * along_y);
 }
 
+std::uint64_t ContactGroups::watched_by(const ContactPair& pair) const {
+  std::uint64_t sum = pair.prompt;
+  for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
+    const ContactGroup& group = all[pair.first + std::countr_zero(bits)];
+    sum = sum * 0x100000001b3U ^ static_cast<std::uint8_t>(group.place);
+    for (const std::int8_t edge : group.watched)
+      sum = sum * 0x100000001b3U ^ static_cast<std::uint8_t>(edge);
+  }
+  return sum;
+}
+
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {
   const int low = pairs[pair].low, high = pairs[pair].high;
   poses[pair] = {blocks.centroid(0, low) - blocks.centroid(0, high),
@@ -167,6 +179,7 @@ void ContactGroups::forget_decisions() {
   for (ContactPair& pair : pairs)
     pair.certain = 0.0, pair.prompt = 0;
   std::fill(prompt.begin(), prompt.end(), std::uint8_t{0});
+  watches.forget();
   std::fill(limits.begin(), limits.end(), 0.0);
   std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
@@ -192,6 +205,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
   groups.prompt.assign(groups.rounds.size(), 0);
+  groups.watches.reserve(static_cast<int>(groups.rounds.size()), rounds_of_window);
   groups.reserve_lanes(rigid);
   groups.times_made = 0;
   groups.loaded = groups.read = false;

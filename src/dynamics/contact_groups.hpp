@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dynamics/contact_lanes.hpp"
+#include "dynamics/watch_rows.hpp"
 #include "model/contact_blocks.hpp"
 #include "model/model.hpp"
 
@@ -120,6 +121,7 @@ inline constexpr int pairs_of_window = 256;
 /// So many pairs have one limit together: none of their limits is reached while the
 /// travel (Swing) is less.
 inline constexpr int pairs_of_round = 8;
+inline constexpr int rounds_of_window = pairs_of_window / pairs_of_round;
 
 /// The spring of a seat whose contact acts.
 struct HeldSpring {
@@ -165,6 +167,7 @@ struct ContactGroups {
   std::vector<double> rounds;  ///< [L] (pairs / pairs_of_round, rounded up)
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
+  WatchRows watches;           ///< of the prompt ones
   std::vector<int> by_corner;  ///< indices into `all`, corner after corner
   std::vector<int>
       first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
@@ -210,6 +213,8 @@ struct ContactGroups {
     const int seat = seat_of[g];
     return seat >= 0 && lanes.is(seat, &SlotPlaces::touches) ? seat : -1;
   }
+  /// Differs where a pair's groups watch other edges than before, or more, or less.
+  std::uint64_t watched_by(const ContactPair& pair) const;
   /// Certainty of a pair counts from here on.
   void take_pose(const Blocks& blocks, int pair);
   /// Bound on how far the two blocks of a pair have moved against each other since: no

@@ -67,7 +67,8 @@ int ContactLanes::set_of(int slot) const {
                              bool, int, int);                                          \
   LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, bool,   \
                    int, int);                                                          \
-  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act};                   \
+  bool all_stay(const WatchRow*, int, const BlockRows&, double);                       \
+  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act, all_stay};         \
   }
 BLOCKS_DECLARE_LANES(baseline)
 #ifdef BLOCKS_X86_LANES

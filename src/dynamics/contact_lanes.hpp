@@ -40,6 +40,11 @@ struct alignas(64) SlotPlaces {
   LaneBits starts;  ///< did not in the step before, or took over
   LaneBits flips;   ///< the edge is the low block's
 };
+/// Corners that stay on one side of an edge, one to a lane (watch_rows.hpp).
+struct WatchRow {
+  LaneRow<int> corner, edge, edge_end;  ///< corners of the model
+  LaneBits outside;                     ///< of the edge, or else inside
+};
 /// What is kept from step to step.
 struct alignas(64) SlotSprings {
   LaneRow<double> normal_elastic, shear_elastic;  ///< [F]
@@ -139,7 +144,7 @@ struct LaneExtremes {
   double overlap, spring;
 };
 
-/// The two computations for one instruction set, for the sets of lanes first .. last-1.
+/// The computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
   /// Which contacts touch, `touch` and `look`, and what they do. A sign in doubt is
@@ -151,6 +156,9 @@ struct LaneArithmetic {
   /// PairStress of rigid blocks.
   LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
                       bool readings, int first, int last);
+  /// Whether all corners of so many rows are certainly on their sides. Inside is who is
+  /// outside by no more than `slack` of the edge's length (geometry::near_or_inside).
+  bool (*all_stay)(const WatchRow*, int rows, const BlockRows&, double slack);
 };
 
 /// All that this processor can run; the first is the baseline.

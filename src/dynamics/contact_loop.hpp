@@ -188,18 +188,22 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     groups.take_pose(blocks, p);
 }
 
-/// Asks the prompt groups of a round. Whose corner has passed an edge is not certain
-/// any more, and its pair is due. Whether there is one.
+/// Asks the prompt groups of a round one by one. Whose corner has passed an edge is not
+/// certain any more, and its pair is due. Whether there is one.
 template <class Rules>
 bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
                 int round) {
   const ContactDecision<Rules> decision(blocks, contacts, groups);
+  const bool missing = groups.watches.missing(round);
+  WatchRows::Maker rows;
   bool due = false;
   for (unsigned left = groups.prompt[round]; left != 0; left &= left - 1) {
     const int p = round * pairs_of_round + std::countr_zero(left);
     ContactPair& pair = groups.pairs[p];
     for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
       ContactGroup& group = groups.all[pair.first + std::countr_zero(bits)];
+      if (missing)
+        decision.each_watched(group, [&](auto... edge) { rows.add(edge...); });
       if (decision.stays(group))
         continue;
       group.travel = 0.0F;
@@ -207,6 +211,8 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       due = true;
     }
   }
+  if (missing && !due)
+    rows.finish(groups.watches, round);
   return due;
 }
 
@@ -218,9 +224,13 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
                      ContactGroups::Share& share) {
   const Swing& swing = groups.swing;
   const int pairs = static_cast<int>(groups.pairs.size());
+  const LaneArithmetic& arithmetic = lane_arithmetic();
+  const BlockRows rows = rows_of(blocks);
   for (int round = first; round < last; ++round) {
     const bool due =
-        groups.prompt[round] != 0 && ask_prompt<Rules>(blocks, contacts, groups, round);
+        groups.prompt[round] != 0 &&
+        !groups.watches.all_stay(round, arithmetic, rows, geometry::contact_slack) &&
+        ask_prompt<Rules>(blocks, contacts, groups, round);
     if (Rules::keeps_decisions && !due && swing.travel < groups.rounds[round])
       continue;
     unsigned prompt = 0;
@@ -233,7 +243,10 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
       if (!Rules::keeps_decisions || !(way < limit)) {
         double moved = groups.relative_motion(blocks, p);
         if (!Rules::keeps_decisions || !(pair.certain - moved > 0.0)) {
+          const std::uint64_t before = groups.watched_by(pair);
           renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
+          if (groups.watched_by(pair) != before)
+            groups.watches.forget(round);
           moved = groups.relative_motion(blocks, p);
         }
         limit = way + (pair.certain - moved);
@@ -285,7 +298,6 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
   const int rounds = static_cast<int>(groups.rounds.size());
-  constexpr int rounds_of_window = pairs_of_window / pairs_of_round;
   {
     const Profile::Timer timer(profile, Profile::decisions);
     if (!groups.loaded)
