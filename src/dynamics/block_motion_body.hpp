@@ -56,17 +56,13 @@ BLOCKS_INLINE Set beside_angle(Set turn, Set angle, Set longest) {
   return turn != 0.0 ? beside : Set{};
 }
 
-/// A column of two numbers, x and y, once for each of so many corners.
-template <int corners> BLOCKS_INLINE Numbers<2 * corners> repeat(const double* column) {
-  const double x = column[0], y = column[1];
-  if constexpr (corners == 4) {
-    const Numbers<4> two = {x, y, x, y};
-    return __builtin_shufflevector(two, two, 0, 1, 2, 3, 0, 1, 2, 3);
-  } else if constexpr (corners == 2) {
-    return Numbers<4>{x, y, x, y};
-  } else {
-    return Numbers<2>{x, y};
-  }
+/// x, y, x, y ..., so many numbers.
+template <std::size_t... k>
+BLOCKS_INLINE auto in_turn(double x, double y, std::index_sequence<k...>) {
+  constexpr int count = sizeof...(k);
+  using Which = decltype(Numbers<count>{} < Numbers<count>{});
+  const Numbers<count> none = {};
+  return Which{-static_cast<long long>(k % 2)...} ? y - none : x - none;
 }
 /// y, x of each corner.
 template <std::size_t... k, class Corners>
@@ -129,11 +125,10 @@ BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
   return load_columns<2>(extent, 0, AllLanes{});
 }
 
-/// What becomes of the corners of a set of blocks: columns x, y of each block.
+/// What becomes of the corners of a set of blocks.
 struct CornerMotion {
-  alignas(64) double same[2 * width];      ///< transform 11, 22
-  alignas(64) double cross[2 * width];     ///< transform 12, 21
-  alignas(64) double centroid[2 * width];  ///< [L]
+  alignas(64) double t11[width], t12[width], t21[width], t22[width];  ///< transform
+  alignas(64) double x[width], y[width];                              ///< [L] centroid
 };
 
 /// (13)-(15): arm = transform arm and corner = centroid + arm, of block k of the set.
@@ -149,16 +144,20 @@ BLOCKS_INLINE double move_corners(const BlockColumns& blocks,
         double* const arms = blocks.arm + 2 * std::ptrdiff_t{c};
         const Columns old = load<2 * corners>(arms);
         const Columns arm =
-            repeat<corners>(motion.same + 2 * k) * old +
-            repeat<corners>(motion.cross + 2 * k) * swapped(old, numbers);
+            in_turn(motion.t11[k], motion.t22[k], numbers) * old +
+            in_turn(motion.t12[k], motion.t21[k], numbers) * swapped(old, numbers);
         store<2 * corners>(arms, arm);
         store<2 * corners>(blocks.corner + 2 * std::ptrdiff_t{c},
-                           repeat<corners>(motion.centroid + 2 * k) + arm);
+                           in_turn(motion.x[k], motion.y[k], numbers) + arm);
         const Columns change = arm - old, squares = change * change;
         const Columns sums = squares + swapped(squares, numbers);
         farthest = larger(one_of<corners>(larger(sums, Columns{}), larger), farthest);
       });
   return farthest[0];
+}
+
+template <std::size_t... k> BLOCKS_INLINE Mask each_lane(std::index_sequence<k...>) {
+  return Mask{k...};
 }
 
 /// The extremes of Moved, lane by lane.
@@ -215,9 +214,9 @@ BLOCKS_INLINE void move_set(const BlockColumns& blocks, const SwingColumns& swin
 
   CornerMotion motion;
   alignas(64) double farthest[width] = {};
-  store_columns<2>(motion.same, 0, AllLanes{}, Point{transform[0], transform[3]});
-  store_columns<2>(motion.cross, 0, AllLanes{}, Point{transform[1], transform[2]});
-  store_columns<2>(motion.centroid, 0, AllLanes{}, centroid);
+  store<width>(motion.t11, transform[0]), store<width>(motion.t12, transform[1]);
+  store<width>(motion.t21, transform[2]), store<width>(motion.t22, transform[3]);
+  store<width>(motion.x, centroid[0]), store<width>(motion.y, centroid[1]);
   for (int k = 0; k < lanes.count; ++k)
     if (blocks.fixity[b + k] == Fixity{})
       farthest[k] = move_corners(blocks, motion, k, blocks.first_corner[b + k],
@@ -250,17 +249,15 @@ BLOCKS_INLINE void move_set(const BlockColumns& blocks, const SwingColumns& swin
   store(swing.way + b, lanes, free ? way_after : way_before);
 
   const Set grown = way + 0x1p-52 * way_after;
-  moved.way = free & (grown > moved.way) ? grown : moved.way;
+  moved.way = larger(free ? grown : Set{}, moved.way);
   // NaN where a turn overflows, whose way does not
   const Set numbers =
       distance + ((transform[0] + transform[1]) + (transform[2] + transform[3]));
   moved.sum += free ? numbers : Set{};
-  const Mask farther = free & (distance > moved.largest);
-  moved.largest = farther ? distance : moved.largest;
-  Mask block;
-  for (int k = 0; k < width; ++k)
-    block[k] = b + k;
-  moved.block = farther ? block : moved.block;
+  const Set reached = free ? distance : Set{};
+  const Mask farther = reached > moved.largest;
+  moved.largest = farther ? reached : moved.largest;
+  moved.block = farther ? b + each_lane(EachLane()) : moved.block;
 
   const Set reach = longest * stretch + sum;
   const Mask well_inside = (centroid[0] - reach >= domain.lower_x) &
@@ -273,8 +270,8 @@ BLOCKS_INLINE void move_set(const BlockColumns& blocks, const SwingColumns& swin
 }
 
 template <bool rigid>
-Moved move_range(const BlockColumns& blocks, const SwingColumns& swing,
-                 const Rectangle& domain, int first, int last, double dt) {
+Moved move_range(const BlockColumns blocks, const SwingColumns swing,
+                 const Rectangle domain, int first, int last, double dt) {
   MovedLanes moved;
   each_set(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
