@@ -4,8 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "dynamics/block_motion.hpp"
-
 namespace blocks::dynamics {
 namespace {
 
@@ -104,29 +102,29 @@ void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
   }
 }
 
-void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
-                       double dt) {
-  motion_arithmetic().update_velocities(columns_of(blocks), range.first, range.last,
-                                        gravity.x(), gravity.y(), dt);
+void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
+                       const MotionArithmetic& by) {
+  by.update_velocities(columns_of(blocks), range.first, range.last, gravity.x(),
+                       gravity.y(), dt);
 }
 
-void update_strain_rates(Blocks& blocks, BlockRange range, double dt) {
-  motion_arithmetic().update_strain_rates(columns_of(blocks), range.first, range.last,
-                                          dt);
+void update_strain_rates(Blocks& blocks, BlockRange range, double dt,
+                         const MotionArithmetic& by) {
+  by.update_strain_rates(columns_of(blocks), range.first, range.last, dt);
 }
 
 void update_stress(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double dt) {
+                   double dt, const MotionArithmetic& by) {
   ModuliOfBlocks moduli;
   each_part(range, [&](int first, int last) {
     moduli.look_up(blocks, first, last, settings);
-    motion_arithmetic().update_stress(columns_of(blocks), moduli.columns(), first, last,
-                                      dt);
+    by.update_stress(columns_of(blocks), moduli.columns(), first, last, dt);
   });
 }
 
 Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
-                         const Settings& settings, double dt) {
+                         const Settings& settings, double dt,
+                         const MotionArithmetic& by) {
   const BlockColumns columns = columns_of(blocks);
   const SwingColumns swings = {swing.longest.data(), swing.sum.data(), swing.way.data(),
                                swing.shape.data()};
@@ -134,8 +132,8 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
                             settings.upper.y()};
   Displacement result;
   each_part(range, [&](int first, int last) {
-    const Moved moved = motion_arithmetic().move(columns, swings, domain,
-                                                 settings.rigid, first, last, dt);
+    const Moved moved =
+        by.move(columns, swings, domain, settings.rigid, first, last, dt);
     Displacement part{.largest = moved.largest,
                       .block = moved.block,
                       .way = moved.way,
