@@ -7,12 +7,10 @@ namespace blocks::dynamics {
 #define BLOCKS_DECLARE_MOTION(name)                                                    \
   namespace name {                                                                     \
   void update_velocities(const BlockColumns&, int, int, double, double, double);       \
-  void update_strain_rates(const BlockColumns&, int, int, double);                     \
-  void update_stress(const BlockColumns&, const Moduli&, int, int, double);            \
+  void update_strain(const BlockColumns&, const Moduli&, int, int, double);            \
   Moved move(const BlockColumns&, const SwingColumns&, const Rectangle&, bool, int,    \
              int, double);                                                             \
-  constexpr MotionArithmetic motion = {#name, update_velocities, update_strain_rates,  \
-                                       update_stress, move};                           \
+  constexpr MotionArithmetic motion = {#name, update_velocities, update_strain, move}; \
   }
 BLOCKS_DECLARE_MOTION(baseline)
 #ifdef BLOCKS_X86_LANES

@@ -54,10 +54,8 @@ struct MotionArithmetic {
   /// (1), (2)
   void (*update_velocities)(const BlockColumns&, int first, int last, double gravity_x,
                             double gravity_y, double dt);
-  /// (10)
-  void (*update_strain_rates)(const BlockColumns&, int first, int last, double dt);
-  /// (12). The moduli are those of block `first` and the ones behind it.
-  void (*update_stress)(const BlockColumns&, const Moduli&, int first, int last,
+  /// (10), (12). The moduli are those of block `first` and the ones behind it.
+  void (*update_strain)(const BlockColumns&, const Moduli&, int first, int last,
                         double dt);
   /// (3), (13)-(15)
   Moved (*move)(const BlockColumns&, const SwingColumns&, const Rectangle& domain,

@@ -1,7 +1,6 @@
 // The computations of block_motion.hpp. Included once for each instruction set, in a
 // namespace of its own; calls nothing that is not compiled here.
-#include <type_traits>
-
+#include "dynamics/block_corners.hpp"
 #include "dynamics/block_motion.hpp"
 #include "dynamics/simd_set.hpp"
 
@@ -18,11 +17,13 @@ BLOCKS_INLINE Mask free_lanes(const BlockColumns& blocks, int b, Lanes lanes) {
 }
 
 /// `changed` where a block is free, `kept` elsewhere.
-template <int rows>
-BLOCKS_INLINE Rows<rows> select(Mask free, const Rows<rows>& changed,
-                                const Rows<rows>& kept) {
-  Rows<rows> all;
-  for (int i = 0; i < rows; ++i)
+BLOCKS_INLINE Points select(Mask free, const Points& changed, const Points& kept) {
+  return {low_turns(free, free, EachLane()) ? changed.part[0] : kept.part[0],
+          high_turns(free, free, EachLane()) ? changed.part[1] : kept.part[1]};
+}
+BLOCKS_INLINE Tensor select(Mask free, const Tensor& changed, const Tensor& kept) {
+  Tensor all;
+  for (int i = 0; i < 4; ++i)
     all[i] = free ? changed[i] : kept[i];
   return all;
 }
@@ -34,7 +35,7 @@ struct Cayley {
     const Set h = 0.5 * turn, scale = 1.0 / (1.0 + h * h);
     c = (1.0 - h * h) * scale, s = 2.0 * h * scale;
   }
-  /// R m, by rows 11, 12, 21, 22.
+  /// R m.
   BLOCKS_INLINE Tensor times(const Tensor& m) const {
     return {c * m[0] - s * m[2], c * m[1] - s * m[3], s * m[0] + c * m[2],
             s * m[1] + c * m[3]};
@@ -48,116 +49,36 @@ struct Cayley {
   }
 };
 
-/// What the sum of a rigid block's swing grows by: that by which turn and Cayley
-/// rotation differ, and round-off.
-BLOCKS_INLINE Set beside_angle(Set turn, Set angle, Set longest) {
+/// How far the arms of a set of blocks have swung, and what of Swing follows from it.
+struct Swung {
+  Set arm;      ///< [L] no arm has changed by more
+  Set rounded;  ///< [L] what the sum grows by
+  Set stretch;  ///< no arm is longer than `longest` times that, and the sum
+};
+
+/// Of rigid blocks: by the angle, and that by which turn and Cayley rotation differ.
+BLOCKS_INLINE Swung swung_rigidly(Set turn, Set angle, Set longest) {
   const Set beside = longest * (absolute(turn * turn * turn) / 12.0 +
                                 0x1p-50 * (1.0 + absolute(angle)));
-  return turn != 0.0 ? beside : Set{};
+  const Set rounded = turn != 0.0 ? beside : Set{};
+  return {longest * absolute(turn) + rounded, rounded, Set{} + 1.0};
 }
 
-/// x, y, x, y ..., so many numbers.
-template <std::size_t... k>
-BLOCKS_INLINE auto in_turn(double x, double y, std::index_sequence<k...>) {
-  constexpr int count = sizeof...(k);
-  using Which = decltype(Numbers<count>{} < Numbers<count>{});
-  const Numbers<count> none = {};
-  return Which{-static_cast<long long>(k % 2)...} ? y - none : x - none;
-}
-/// y, x of each corner.
-template <std::size_t... k, class Corners>
-BLOCKS_INLINE Corners swapped(Corners x, std::index_sequence<k...>) {
-  return __builtin_shufflevector(x, x, (k ^ 1)...);
-}
-
-/// Calls work(count, c) for corners c .. c + count - 1 of a block, as many at a time as
-/// a register holds, then what is left.
-template <class Work>
-BLOCKS_INLINE void each_piece(int first, int last, const Work& work) {
-  int c = first;
-  for (; c + width / 2 <= last; c += width / 2)
-    work(std::integral_constant<int, width / 2>(), c);
-  if constexpr (width > 4)
-    if (c + 2 <= last) {
-      work(std::integral_constant<int, 2>(), c);
-      c += 2;
-    }
-  if constexpr (width > 2)
-    if (c < last)
-      work(std::integral_constant<int, 1>(), c);
-}
-
-/// One column out of those of several corners: of each pair what `choose` takes.
-template <int corners, class Choose>
-BLOCKS_INLINE Numbers<2> one_of(Numbers<2 * corners> x, const Choose& choose) {
-  if constexpr (corners == 1)
-    return x;
-  else if constexpr (corners == 2)
-    return choose(__builtin_shufflevector(x, x, 0, 1),
-                  __builtin_shufflevector(x, x, 2, 3));
-  else
-    return one_of<2>(choose(__builtin_shufflevector(x, x, 0, 1, 2, 3),
-                            __builtin_shufflevector(x, x, 4, 5, 6, 7)),
-                     choose);
-}
-constexpr auto larger = [](auto a, auto b) __attribute__((always_inline)) {
-  return a > b ? a : b;
-};
-constexpr auto smaller = [](auto a, auto b) __attribute__((always_inline)) {
-  return a < b ? a : b;
-};
-
-/// Extents of blocks b .. along both axes, [L].
+/// Of deformable blocks: shape = transform shape, whose columns 11, 21, 12, 22 are
+/// kept.
 template <class Lanes>
-BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
-  alignas(64) double extent[2 * width] = {};
-  for (int k = 0; k < lanes.count; ++k) {
-    Numbers<2> least = Numbers<2>{} + __builtin_inf(), most = -least;
-    each_piece(
-        blocks.first_corner[b + k], blocks.first_corner[b + k + 1],
-        [&](auto corners, int c) __attribute__((always_inline)) {
-          const auto arm = load<2 * corners>(blocks.arm + 2 * std::ptrdiff_t{c});
-          least = smaller(one_of<corners>(arm, smaller), least);
-          most = larger(one_of<corners>(arm, larger), most);
-        });
-    store<2>(extent + 2 * k, most - least);
-  }
-  return load_columns<2>(extent, 0, AllLanes{});
-}
-
-/// What becomes of the corners of a set of blocks.
-struct CornerMotion {
-  alignas(64) double t11[width], t12[width], t21[width], t22[width];  ///< transform
-  alignas(64) double x[width], y[width];                              ///< [L] centroid
-};
-
-/// (13)-(15): arm = transform arm and corner = centroid + arm, of block k of the set.
-/// Returns the square of what an arm has changed by at most.
-BLOCKS_INLINE double move_corners(const BlockColumns& blocks,
-                                  const CornerMotion& motion, int k, int first,
-                                  int last) {
-  Numbers<2> farthest = {};
-  each_piece(
-      first, last, [&](auto corners, int c) __attribute__((always_inline)) {
-        using Columns = Numbers<2 * corners>;
-        constexpr auto numbers = std::make_index_sequence<2 * corners>();
-        double* const arms = blocks.arm + 2 * std::ptrdiff_t{c};
-        const Columns old = load<2 * corners>(arms);
-        const Columns arm =
-            in_turn(motion.t11[k], motion.t22[k], numbers) * old +
-            in_turn(motion.t12[k], motion.t21[k], numbers) * swapped(old, numbers);
-        store<2 * corners>(arms, arm);
-        store<2 * corners>(blocks.corner + 2 * std::ptrdiff_t{c},
-                           in_turn(motion.x[k], motion.y[k], numbers) + arm);
-        const Columns change = arm - old, squares = change * change;
-        const Columns sums = squares + swapped(squares, numbers);
-        farthest = larger(one_of<corners>(larger(sums, Columns{}), larger), farthest);
-      });
-  return farthest[0];
-}
-
-template <std::size_t... k> BLOCKS_INLINE Mask each_lane(std::index_sequence<k...>) {
-  return Mask{k...};
+BLOCKS_INLINE Swung swung_in_shape(const SwingColumns& swing, int b, Lanes lanes,
+                                   Mask free, const Tensor& transform, Set farthest,
+                                   Set longest) {
+  const Tensor before = load_rows<4>(swing.shape, b, lanes);
+  const Tensor shape = {transform[0] * before[0] + transform[1] * before[1],
+                        transform[2] * before[0] + transform[3] * before[1],
+                        transform[0] * before[2] + transform[1] * before[3],
+                        transform[2] * before[2] + transform[3] * before[3]};
+  store_rows(swing.shape, b, lanes, select(free, shape, before));
+  const Set stretch = root((shape[0] * shape[0] + shape[2] * shape[2]) +
+                           (shape[1] * shape[1] + shape[3] * shape[3]));
+  return {root(farthest), 0x1p-49 * longest * stretch, stretch};
 }
 
 /// The extremes of Moved, lane by lane.
@@ -181,92 +102,82 @@ struct MovedLanes {
   }
 };
 
-/// Moves the blocks b .. of a set, the first of which is number `place` of the range.
+/// Bit k: all that is within reach of the centroid of block k may not be inside the
+/// domain.
+BLOCKS_INLINE std::uint64_t near_edge(Mask free, const Points& centroid, Set reach,
+                                      const Rectangle& domain) {
+  const Points least = centroid - twice(reach), most = centroid + twice(reach);
+  const Points lower = everywhere(domain.lower_x, domain.lower_y);
+  const Points upper = everywhere(domain.upper_x, domain.upper_y);
+  Mask inside[2];
+  for (int i = 0; i < 2; ++i)
+    inside[i] = (least.part[i] >= lower.part[i]) & (most.part[i] <= upper.part[i]);
+  if (!any(~(inside[0] & inside[1])))
+    return 0;
+  const Mask outside = free & ~(even(inside[0], inside[1], EachLane()) &
+                                odd(inside[0], inside[1], EachLane()));
+  std::uint64_t bits = 0;
+  for (int k = 0; k < width; ++k)
+    bits |= static_cast<std::uint64_t>(outside[k] & 1) << k;
+  return bits;
+}
+
+/// Moves the blocks b .. of a set.
 template <bool rigid, class Lanes>
 BLOCKS_INLINE void move_set(const BlockColumns& blocks, const SwingColumns& swing,
-                            const Rectangle& domain, int b, int place, Lanes lanes,
+                            const Rectangle& domain, int first, int b, Lanes lanes,
                             double dt, MovedLanes& moved) {
   const Mask free = free_lanes(blocks, b, lanes);
-  // (3); the way is not the shift: of half a unit in the last place it makes a whole
-  // one
-  const Point velocity = load_columns<2>(blocks.velocity, b, lanes);
-  const Point from = load_columns<2>(blocks.centroid, b, lanes);
-  const Point centroid = {from[0] + dt * velocity[0], from[1] + dt * velocity[1]};
-  const Set along_x = centroid[0] - from[0], along_y = centroid[1] - from[1];
-  const Set went = root(along_x * along_x + along_y * along_y);
+  // (3); it went by the difference, not by the shift, of which half a unit in the last
+  // place makes a whole one
+  const Points from = load_columns<2>(blocks.centroid, b, lanes);
+  const Points centroid = from + dt * load_columns<2>(blocks.velocity, b, lanes);
+  const Set went = root(squared_norm(centroid - from));
+  store_columns(blocks.centroid, b, lanes, select(free, centroid, from));
   const Set turn = dt * load(blocks.spin + b, lanes);
   const Set angle_before = load(blocks.angle + b, lanes), angle = angle_before + turn;
-  const Cayley rotation(turn);
-  store_columns<2>(blocks.centroid, b, lanes, select(free, centroid, from));
   store(blocks.angle + b, lanes, free ? angle : angle_before);
 
+  // (13)-(15)
+  const Cayley rotation(turn);
   Tensor transform = {rotation.c, -rotation.s, rotation.s, rotation.c};
   if constexpr (!rigid) {
-    const Tensor stress = load_columns<4>(blocks.stress, b, lanes);
-    store_columns<4>(blocks.stress, b, lanes,
-                     select(free, rotation.turned(stress), stress));
-    const Tensor rate = load_columns<4>(blocks.strain_rate, b, lanes);
+    const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
+    store_rows(blocks.stress, b, lanes, select(free, rotation.turned(stress), stress));
+    const Tensor rate = load_rows<4>(blocks.strain_rate, b, lanes);
+    store_rows(blocks.strain_rate, b, lanes, select(free, rotation.turned(rate), rate));
     transform = rotation.times(
         {1.0 + dt * rate[0], dt * rate[1], dt * rate[2], 1.0 + dt * rate[3]});
-    store_columns<4>(blocks.strain_rate, b, lanes,
-                     select(free, rotation.turned(rate), rate));
   }
-
-  CornerMotion motion;
-  alignas(64) double farthest[width] = {};
-  store<width>(motion.t11, transform[0]), store<width>(motion.t12, transform[1]);
-  store<width>(motion.t21, transform[2]), store<width>(motion.t22, transform[3]);
-  store<width>(motion.x, centroid[0]), store<width>(motion.y, centroid[1]);
-  for (int k = 0; k < lanes.count; ++k)
-    if (blocks.fixity[b + k] == Fixity{})
-      farthest[k] = move_corners(blocks, motion, k, blocks.first_corner[b + k],
-                                 blocks.first_corner[b + k + 1]);
+  const Set farthest = move_corners<rigid>(blocks, b, lanes, free, transform, centroid);
 
   const Set longest = load(swing.longest + b, lanes);
-  const Set sum_before = load(swing.sum + b, lanes);
-  Set swung, stretch = Set{} + 1.0, rounded;
-  if constexpr (rigid) {
-    rounded = beside_angle(turn, angle, longest);
-    swung = longest * absolute(turn) + rounded;
-  } else {
-    swung = root(load(farthest, AllLanes{}));
-    // by columns: 11, 21, 12, 22
-    const Tensor before = load_columns<4>(swing.shape, b, lanes);
-    const Tensor m = {transform[0] * before[0] + transform[1] * before[1],
-                      transform[2] * before[0] + transform[3] * before[1],
-                      transform[0] * before[2] + transform[1] * before[3],
-                      transform[2] * before[2] + transform[3] * before[3]};
-    store_columns<4>(swing.shape, b, lanes, select(free, m, before));
-    stretch = root((m[0] * m[0] + m[2] * m[2]) + (m[1] * m[1] + m[3] * m[3]));
-    rounded = 0x1p-49 * longest * stretch;
+  const Swung swung = [&]() __attribute__((always_inline)) {
+    if constexpr (rigid)
+      return swung_rigidly(turn, angle, longest);
+    else
+      return swung_in_shape(swing, b, lanes, free, transform, farthest, longest);
   }
-  const Set sum = sum_before + rounded;
+  ();
+  const Set sum_before = load(swing.sum + b, lanes), sum = sum_before + swung.rounded;
   store(swing.sum + b, lanes, free ? sum : sum_before);
-  const Set distance = went + swung;
   const Set way_before = load(swing.way + b, lanes);
-  const Set way = 1.0000001 * (went + 2.0 * swung) + 0x1p-52 * way_before;
+  const Set way = 1.0000001 * (went + 2.0 * swung.arm) + 0x1p-52 * way_before;
   const Set way_after = way_before + way;
   store(swing.way + b, lanes, free ? way_after : way_before);
 
   const Set grown = way + 0x1p-52 * way_after;
   moved.way = larger(free ? grown : Set{}, moved.way);
+  const Set distance = went + swung.arm, reached = free ? distance : Set{};
+  const Mask farther = reached > moved.largest;
+  moved.largest = farther ? reached : moved.largest;
+  moved.block = farther ? b + number_of_each_lane(EachLane()) : moved.block;
   // NaN where a turn overflows, whose way does not
   const Set numbers =
       distance + ((transform[0] + transform[1]) + (transform[2] + transform[3]));
   moved.sum += free ? numbers : Set{};
-  const Set reached = free ? distance : Set{};
-  const Mask farther = reached > moved.largest;
-  moved.largest = farther ? reached : moved.largest;
-  moved.block = farther ? b + each_lane(EachLane()) : moved.block;
-
-  const Set reach = longest * stretch + sum;
-  const Mask well_inside = (centroid[0] - reach >= domain.lower_x) &
-                           (centroid[1] - reach >= domain.lower_y) &
-                           (centroid[0] + reach <= domain.upper_x) &
-                           (centroid[1] + reach <= domain.upper_y);
-  if (const Mask near_edge = free & ~well_inside; any(near_edge))
-    for (int k = 0; k < lanes.count; ++k)
-      moved.near_edge |= (near_edge[k] & std::uint64_t{1}) << (place + k);
+  moved.near_edge |= near_edge(free, centroid, longest * swung.stretch + sum, domain)
+                     << (b - first);
 }
 
 template <bool rigid>
@@ -275,7 +186,7 @@ Moved move_range(const BlockColumns blocks, const SwingColumns swing,
   MovedLanes moved;
   each_set(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
-        move_set<rigid>(blocks, swing, domain, b, b - first, lanes, dt, moved);
+        move_set<rigid>(blocks, swing, domain, first, b, lanes, dt, moved);
       });
   return moved.all();
 }
@@ -284,15 +195,15 @@ Moved move_range(const BlockColumns blocks, const SwingColumns swing,
 
 void update_velocities(const BlockColumns& blocks, int first, int last,
                        double gravity_x, double gravity_y, double dt) {
+  const Points gravity = everywhere(gravity_x, gravity_y);
   each_set(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
         const Mask free = free_lanes(blocks, b, lanes);
-        const Set mass = load(blocks.mass + b, lanes);
-        const Point force = load_columns<2>(blocks.force, b, lanes);
-        const Point before = load_columns<2>(blocks.velocity, b, lanes);
-        const Point after = {before[0] + dt * (force[0] / mass + gravity_x),
-                             before[1] + dt * (force[1] / mass + gravity_y)};
-        store_columns<2>(blocks.velocity, b, lanes, select(free, after, before));
+        const Points mass = twice(load(blocks.mass + b, lanes));
+        const Points force = load_columns<2>(blocks.force, b, lanes);
+        const Points velocity = load_columns<2>(blocks.velocity, b, lanes);
+        store_columns(blocks.velocity, b, lanes,
+                      select(free, velocity + dt * (force / mass + gravity), velocity));
         const Set moment = load(blocks.moment + b, lanes);
         const Set spin = load(blocks.spin + b, lanes);
         const Set faster = spin + dt * (moment / load(blocks.inertia + b, lanes));
@@ -300,39 +211,32 @@ void update_velocities(const BlockColumns& blocks, int first, int last,
       });
 }
 
-void update_strain_rates(const BlockColumns& blocks, int first, int last, double dt) {
-  each_set(
-      first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
-        const Mask free = free_lanes(blocks, b, lanes);
-        const Point l = extents(blocks, b, lanes);
-        const Set mass_per_area =
-            0.25 * load(blocks.mass + b, lanes) / load(blocks.area + b, lanes);
-        const Set m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
-        const Tensor applied = load_columns<4>(blocks.applied, b, lanes);
-        const Tensor internal = load_columns<4>(blocks.stress, b, lanes);
-        const Tensor rate = load_columns<4>(blocks.strain_rate, b, lanes);
-        const Set shear = 0.5 * (applied[1] + applied[2]) - internal[1];
-        const Set rate12 = rate[1] + dt * shear / (0.5 * (m11 + m22));
-        const Tensor after = {rate[0] + dt * (applied[0] - internal[0]) / m11, rate12,
-                              rate12, rate[3] + dt * (applied[3] - internal[3]) / m22};
-        store_columns<4>(blocks.strain_rate, b, lanes, select(free, after, rate));
-      });
-}
-
-void update_stress(const BlockColumns& blocks, const Moduli& moduli, int first,
+void update_strain(const BlockColumns& blocks, const Moduli& moduli, int first,
                    int last, double dt) {
   each_set(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
         const Mask free = free_lanes(blocks, b, lanes);
+        // (10)
+        const Point l = extents(blocks, b, lanes);
+        const Set mass_per_area =
+            0.25 * load(blocks.mass + b, lanes) / load(blocks.area + b, lanes);
+        const Set m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
+        const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
+        const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
+        const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
+        const Set shear = 0.5 * (applied[1] + applied[2]) - stress[1];
+        const Set rate12 = before[1] + dt * shear / (0.5 * (m11 + m22));
+        const Tensor rate = {before[0] + dt * (applied[0] - stress[0]) / m11, rate12,
+                             rate12, before[3] + dt * (applied[3] - stress[3]) / m22};
+        store_rows(blocks.strain_rate, b, lanes, select(free, rate, before));
+        // (12)
         const Set c11 = load(moduli.c11 + (b - first), lanes);
         const Set c12 = load(moduli.c12 + (b - first), lanes);
         const Set twice_shear = load(moduli.twice_shear + (b - first), lanes);
-        const Tensor rate = load_columns<4>(blocks.strain_rate, b, lanes);
-        const Tensor before = load_columns<4>(blocks.stress, b, lanes);
-        const Set s12 = before[1] + dt * twice_shear * rate[1];
-        const Tensor after = {before[0] + dt * (c11 * rate[0] + c12 * rate[3]), s12,
-                              s12, before[3] + dt * (c12 * rate[0] + c11 * rate[3])};
-        store_columns<4>(blocks.stress, b, lanes, select(free, after, before));
+        const Set s12 = stress[1] + dt * twice_shear * rate[1];
+        const Tensor after = {stress[0] + dt * (c11 * rate[0] + c12 * rate[3]), s12,
+                              s12, stress[3] + dt * (c12 * rate[0] + c11 * rate[3])};
+        store_rows(blocks.stress, b, lanes, select(free, after, stress));
       });
 }
 

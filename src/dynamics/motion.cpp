@@ -108,17 +108,12 @@ void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, do
                        gravity.y(), dt);
 }
 
-void update_strain_rates(Blocks& blocks, BlockRange range, double dt,
-                         const MotionArithmetic& by) {
-  by.update_strain_rates(columns_of(blocks), range.first, range.last, dt);
-}
-
-void update_stress(Blocks& blocks, BlockRange range, const Settings& settings,
+void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
                    double dt, const MotionArithmetic& by) {
   ModuliOfBlocks moduli;
   each_part(range, [&](int first, int last) {
     moduli.look_up(blocks, first, last, settings);
-    by.update_stress(columns_of(blocks), moduli.columns(), first, last, dt);
+    by.update_strain(columns_of(blocks), moduli.columns(), first, last, dt);
   });
 }
 

@@ -42,12 +42,9 @@ void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, do
                        const MotionArithmetic& by = motion_arithmetic());
 
 /// (10): strain rates of free blocks, driven by the symmetric part of applied -
-/// internal stress over the effective mass l_j^2 M / (4 A). Deformable runs only.
-void update_strain_rates(Blocks& blocks, BlockRange range, double dt,
-                         const MotionArithmetic& by = motion_arithmetic());
-
-/// (12): internal stress by plane strain elasticity. Deformable runs only.
-void update_stress(Blocks& blocks, BlockRange range, const Settings& settings,
+/// internal stress over the effective mass l_j^2 M / (4 A); then (12): their internal
+/// stress by plane strain elasticity. Deformable runs only.
+void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
                    double dt, const MotionArithmetic& by = motion_arithmetic());
 
 /// (3), (13)-(15): centroids, angles and corners; arm = R (I + strain rate dt) arm with

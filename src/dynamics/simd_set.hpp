@@ -23,9 +23,8 @@ using Set = Numbers<width>;
 using Mask = decltype(Set{} < Set{});
 
 template <int count> BLOCKS_INLINE Numbers<count> load(const double* from) {
-  Numbers<count> x;
-  __builtin_memcpy(&x, from, sizeof x);
-  return x;
+  typedef Numbers<count> Anywhere __attribute__((aligned(8), may_alias));
+  return *reinterpret_cast<const Anywhere*>(from);
 }
 template <int count> BLOCKS_INLINE void store(double* to, Numbers<count> x) {
   __builtin_memcpy(to, &x, sizeof x);
@@ -61,26 +60,34 @@ template <class Lanes> BLOCKS_INLINE void store(double* column, Lanes lanes, Set
 }
 
 using EachLane = std::make_index_sequence<width>;
-/// Of two sets in a row: every other number, from the first on or from the second.
+/// 0, 1, 2 ...
 template <std::size_t... k>
-BLOCKS_INLINE Set even(Set a, Set b, std::index_sequence<k...>) {
+BLOCKS_INLINE Mask number_of_each_lane(std::index_sequence<k...>) {
+  return Mask{k...};
+}
+/// Of two sets in a row: every other number, from the first on or from the second.
+template <class Vector, std::size_t... k>
+BLOCKS_INLINE Vector even(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (2 * k)...);
 }
-template <std::size_t... k>
-BLOCKS_INLINE Set odd(Set a, Set b, std::index_sequence<k...>) {
+template <class Vector, std::size_t... k>
+BLOCKS_INLINE Vector odd(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (2 * k + 1)...);
 }
 /// Of two sets: number by number in turn, the lower lanes or the upper ones.
-template <std::size_t... k>
-BLOCKS_INLINE Set low_turns(Set a, Set b, std::index_sequence<k...>) {
+template <class Vector, std::size_t... k>
+BLOCKS_INLINE Vector low_turns(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (k / 2 + k % 2 * width)...);
 }
-template <std::size_t... k>
-BLOCKS_INLINE Set high_turns(Set a, Set b, std::index_sequence<k...>) {
+template <class Vector, std::size_t... k>
+BLOCKS_INLINE Vector high_turns(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, ((width + k) / 2 + k % 2 * width)...);
 }
 
-/// Rows of a set of columns of a matrix.
+/// A column of so many numbers of each block, as they stand in the memory: so many
+/// registers.
+template <int rows> struct Columns { Set part[rows]; };
+/// The same row by row.
 template <int rows> struct Rows {
   Set row[rows];
   BLOCKS_INLINE Set& operator[](int i) { return row[i]; }
@@ -89,36 +96,34 @@ template <int rows> struct Rows {
 using Point = Rows<2>;   ///< x, y
 using Tensor = Rows<4>;  ///< 11, 12, 21, 22
 
-/// Columns of two or four numbers, as they stand in the memory, to rows and back.
-BLOCKS_INLINE Point rows_of(Set a, Set b) {
+BLOCKS_INLINE Rows<2> rows_of(Set a, Set b) {
   return {even(a, b, EachLane()), odd(a, b, EachLane())};
 }
-BLOCKS_INLINE Point columns_of(Set x, Set y) {
+BLOCKS_INLINE Columns<2> columns_of(Set x, Set y) {
   return {low_turns(x, y, EachLane()), high_turns(x, y, EachLane())};
 }
-BLOCKS_INLINE Point rows_of(const Point& columns) {
-  return rows_of(columns[0], columns[1]);
+BLOCKS_INLINE Rows<2> rows_of(const Columns<2>& of) {
+  return rows_of(of.part[0], of.part[1]);
 }
-BLOCKS_INLINE Point columns_of(const Point& rows) {
-  return columns_of(rows[0], rows[1]);
+BLOCKS_INLINE Columns<2> columns_of(const Rows<2>& of) {
+  return columns_of(of[0], of[1]);
 }
-BLOCKS_INLINE Tensor rows_of(const Tensor& columns) {
-  const Point low = rows_of(columns[0], columns[1]);  // 11 and 21; 12 and 22
-  const Point high = rows_of(columns[2], columns[3]);
-  const Point first = rows_of(low[0], high[0]), second = rows_of(low[1], high[1]);
-  return {first[0], second[0], first[1], second[1]};
+BLOCKS_INLINE Rows<4> rows_of(const Columns<4>& of) {
+  const Rows<2> low = rows_of(of.part[0], of.part[1]);  // rows 0 and 2; 1 and 3
+  const Rows<2> high = rows_of(of.part[2], of.part[3]);
+  const Rows<2> a = rows_of(low[0], high[0]), b = rows_of(low[1], high[1]);
+  return {a[0], b[0], a[1], b[1]};
 }
-BLOCKS_INLINE Tensor columns_of(const Tensor& rows) {
-  const Point first = columns_of(rows[0], rows[2]);
-  const Point second = columns_of(rows[1], rows[3]);
-  const Point low = columns_of(first[0], second[0]);
-  const Point high = columns_of(first[1], second[1]);
-  return {low[0], low[1], high[0], high[1]};
+BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& of) {
+  const Columns<2> a = columns_of(of[0], of[2]), b = columns_of(of[1], of[3]);
+  const Columns<2> low = columns_of(a.part[0], b.part[0]);
+  const Columns<2> high = columns_of(a.part[1], b.part[1]);
+  return {low.part[0], low.part[1], high.part[0], high.part[1]};
 }
 
 /// Columns b .. of a matrix.
 template <int rows, class Lanes>
-BLOCKS_INLINE Rows<rows> load_columns(const double* matrix, int b, Lanes lanes) {
+BLOCKS_INLINE Columns<rows> load_columns(const double* matrix, int b, Lanes lanes) {
   const double* from = matrix + static_cast<std::ptrdiff_t>(rows) * b;
   double few[rows * width];
   if constexpr (std::is_same_v<Lanes, FewLanes>) {
@@ -126,22 +131,63 @@ BLOCKS_INLINE Rows<rows> load_columns(const double* matrix, int b, Lanes lanes) 
     __builtin_memcpy(few, from, rows * lanes.count * sizeof(double));
     from = few;
   }
-  Rows<rows> columns;
+  Columns<rows> columns;
   for (int i = 0; i < rows; ++i)
-    columns[i] = load<width>(from + i * width);
-  return rows_of(columns);
+    columns.part[i] = load<width>(from + i * width);
+  return columns;
 }
 template <int rows, class Lanes>
 BLOCKS_INLINE void store_columns(double* matrix, int b, Lanes lanes,
-                                 const Rows<rows>& of) {
+                                 const Columns<rows>& columns) {
   double* const to = matrix + static_cast<std::ptrdiff_t>(rows) * b;
-  const Rows<rows> columns = columns_of(of);
   if constexpr (std::is_same_v<Lanes, FewLanes>) {
-    __builtin_memcpy(to, columns.row, rows * lanes.count * sizeof(double));
+    __builtin_memcpy(to, columns.part, rows * lanes.count * sizeof(double));
   } else {
     for (int i = 0; i < rows; ++i)
-      store<width>(to + i * width, columns[i]);
+      store<width>(to + i * width, columns.part[i]);
   }
+}
+template <int rows, class Lanes>
+BLOCKS_INLINE Rows<rows> load_rows(const double* matrix, int b, Lanes lanes) {
+  return rows_of(load_columns<rows>(matrix, b, lanes));
+}
+template <int rows, class Lanes>
+BLOCKS_INLINE void store_rows(double* matrix, int b, Lanes lanes,
+                              const Rows<rows>& of) {
+  store_columns(matrix, b, lanes, columns_of(of));
+}
+
+// x and y of each block are often computed as they stand, number by number.
+using Points = Columns<2>;
+/// The same number for x and y of a block.
+BLOCKS_INLINE Points twice(Set x) { return columns_of(x, x); }
+/// x, y, x, y ..., so many numbers.
+template <std::size_t... k>
+BLOCKS_INLINE auto in_turn(double x, double y, std::index_sequence<k...>) {
+  constexpr int count = sizeof...(k);
+  using Which = decltype(Numbers<count>{} < Numbers<count>{});
+  const Numbers<count> none = {};
+  return Which{-static_cast<long long>(k % 2)...} ? y - none : x - none;
+}
+BLOCKS_INLINE Points everywhere(double x, double y) {
+  return {in_turn(x, y, EachLane()), in_turn(x, y, EachLane())};
+}
+BLOCKS_INLINE Points operator+(const Points& a, const Points& b) {
+  return {a.part[0] + b.part[0], a.part[1] + b.part[1]};
+}
+BLOCKS_INLINE Points operator-(const Points& a, const Points& b) {
+  return {a.part[0] - b.part[0], a.part[1] - b.part[1]};
+}
+BLOCKS_INLINE Points operator*(double x, const Points& a) {
+  return {x * a.part[0], x * a.part[1]};
+}
+BLOCKS_INLINE Points operator/(const Points& a, const Points& b) {
+  return {a.part[0] / b.part[0], a.part[1] / b.part[1]};
+}
+/// x^2 + y^2 of each block.
+BLOCKS_INLINE Set squared_norm(const Points& a) {
+  const Point squares = rows_of(a.part[0] * a.part[0], a.part[1] * a.part[1]);
+  return squares[0] + squares[1];
 }
 
 BLOCKS_INLINE Set absolute(Set x) {
@@ -152,6 +198,8 @@ BLOCKS_INLINE Set root(Set x) {
     x[k] = __builtin_sqrt(x[k]);
   return x;
 }
+BLOCKS_INLINE Set larger(Set a, Set b) { return a > b ? a : b; }
+
 BLOCKS_INLINE bool any(Mask yes) {
   typedef signed char Marks __attribute__((vector_size(width)));
   const Marks marks = __builtin_convertvector(yes, Marks);

@@ -247,8 +247,7 @@ Displacement step_by(const MotionArithmetic& by, Scene& scene, double dt) {
   Blocks& blocks = scene.blocks;
   update_velocities(blocks, scene.range, scene.settings.gravity, dt, by);
   if (!scene.settings.rigid) {
-    update_strain_rates(blocks, scene.range, dt, by);
-    update_stress(blocks, scene.range, scene.settings, dt, by);
+    update_strain(blocks, scene.range, scene.settings, dt, by);
   }
   return move_blocks(blocks, scene.range, scene.swing, scene.settings, dt, by);
 }
