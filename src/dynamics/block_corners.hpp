@@ -12,17 +12,30 @@ template <class Number> BLOCKS_INLINE Number* at_corner(Number* corners, int c) 
   return corners + 2 * static_cast<std::ptrdiff_t>(c);
 }
 
-/// Whether there is a whole set of blocks, of four corners each: it has eight registers
-/// of corners, in the order of the blocks.
+typedef int Ints __attribute__((vector_size(width * sizeof(int))));
+BLOCKS_INLINE Ints load_ints(const void* ints) {
+  Ints x;
+  __builtin_memcpy(&x, ints, sizeof x);
+  return x;
+}
+BLOCKS_INLINE bool any(Ints yes) {
+  typedef long long Words __attribute__((vector_size(sizeof(Ints))));
+  const Words words = reinterpret_cast<Words>(yes);
+  long long all = 0;
+  for (int k = 0; k < width / 2; ++k)
+    all |= words[k];
+  return all != 0;
+}
+/// Whether there is a whole set of blocks, of four corners each (and all of them free):
+/// the corners fill eight registers, in the order of the blocks.
 template <class Lanes>
-BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes lanes) {
+BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes lanes,
+                                     bool and_free) {
   if (lanes.count < width)
     return false;
-  typedef int Corners __attribute__((vector_size(width * sizeof(int))));
-  Corners first, last;
-  __builtin_memcpy(&first, blocks.first_corner + b, sizeof first);
-  __builtin_memcpy(&last, blocks.first_corner + b + 1, sizeof last);
-  return !any(__builtin_convertvector(last - first != 4, Mask));
+  const int* const first = blocks.first_corner + b;
+  const Ints unlike = load_ints(first + 1) - load_ints(first) - 4;
+  return !any(and_free ? unlike | load_ints(blocks.fixity + b) : unlike);
 }
 
 /// Calls work(count, c) for corners c .. c + count - 1 of a block, as many at a time as
@@ -74,7 +87,7 @@ constexpr auto least_of = [](auto a, auto b) __attribute__((always_inline)) {
 /// Extents of the blocks b .. of a set along both axes, [L].
 template <class Lanes>
 BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
-  if (four_corners_each(blocks, b, lanes)) {
+  if (four_corners_each(blocks, b, lanes, false)) {
     const Columns<8> arms =
         load_columns<8>(at_corner(blocks.arm, blocks.first_corner[b]), 0, AllLanes{});
     Set x[4], y[4];
@@ -133,21 +146,24 @@ struct CornerMotion {
 /// blocks: the square of what an arm has changed by at most, [L^2].
 template <bool rigid, class Lanes>
 BLOCKS_INLINE Set move_corners(const BlockColumns& blocks, int b, Lanes lanes,
-                               Mask free, const Tensor& transform,
-                               const Points& centroid) {
+                               const Tensor& transform, const Points& centroid) {
   CornerMotion motion;
   store<width>(motion.t11, transform[0]), store<width>(motion.t12, transform[1]);
   store<width>(motion.t21, transform[2]), store<width>(motion.t22, transform[3]);
   store_columns(motion.centroid, 0, AllLanes{}, centroid);
 
-  if (four_corners_each(blocks, b, lanes) && !any(~free)) {
+  if (four_corners_each(blocks, b, lanes, true)) {
     const int c = blocks.first_corner[b];
     double* const arms = at_corner(blocks.arm, c);
     double* const corners = at_corner(blocks.corner, c);
     Set squares[8], sums[4];
-    for (int i = 0; i < 8; ++i)
-      squares[i] = motion.move<rigid, width>(i * width / 8, arms + i * width,
-                                             corners + i * width);
+    // a loop: what is needed of a block is fetched from the memory, which is faster
+    // than shuffles
+#pragma GCC unroll 1
+    for (int k = 0; k < width; ++k)
+      for (int i = k * 8 / width; i < (k + 1) * 8 / width; ++i)
+        squares[i] =
+            motion.move<rigid, width>(k, arms + i * width, corners + i * width);
     for (int i = 0; i < 4; ++i) {
       const Point of = rows_of(squares[2 * i], squares[2 * i + 1]);
       sums[i] = larger(of[0] + of[1], Set{});  // no NaN

@@ -149,7 +149,7 @@ BLOCKS_INLINE void move_set(const BlockColumns& blocks, const SwingColumns& swin
     transform = rotation.times(
         {1.0 + dt * rate[0], dt * rate[1], dt * rate[2], 1.0 + dt * rate[3]});
   }
-  const Set farthest = move_corners<rigid>(blocks, b, lanes, free, transform, centroid);
+  const Set farthest = move_corners<rigid>(blocks, b, lanes, transform, centroid);
 
   const Set longest = load(swing.longest + b, lanes);
   const Swung swung = [&]() __attribute__((always_inline)) {
