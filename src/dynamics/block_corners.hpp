@@ -12,20 +12,6 @@ template <class Number> BLOCKS_INLINE Number* at_corner(Number* corners, int c) 
   return corners + 2 * static_cast<std::ptrdiff_t>(c);
 }
 
-typedef int Ints __attribute__((vector_size(width * sizeof(int))));
-BLOCKS_INLINE Ints load_ints(const void* ints) {
-  Ints x;
-  __builtin_memcpy(&x, ints, sizeof x);
-  return x;
-}
-BLOCKS_INLINE bool any(Ints yes) {
-  typedef long long Words __attribute__((vector_size(sizeof(Ints))));
-  const Words words = reinterpret_cast<Words>(yes);
-  long long all = 0;
-  for (int k = 0; k < width / 2; ++k)
-    all |= words[k];
-  return all != 0;
-}
 /// Whether there is a whole set of blocks, of four corners each (and all of them free):
 /// the corners fill eight registers, in the order of the blocks.
 template <class Lanes>
@@ -34,8 +20,9 @@ BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes la
   if (lanes.count < width)
     return false;
   const int* const first = blocks.first_corner + b;
-  const Ints unlike = load_ints(first + 1) - load_ints(first) - 4;
-  return !any(and_free ? unlike | load_ints(blocks.fixity + b) : unlike);
+  const Ints unlike =
+      load_ints(first + 1, AllLanes{}) - load_ints(first, AllLanes{}) - 4;
+  return !any(and_free ? unlike | load_ints(blocks.fixity + b, AllLanes{}) : unlike);
 }
 
 /// Calls work(count, c) for corners c .. c + count - 1 of a block, as many at a time as
@@ -77,13 +64,6 @@ BLOCKS_INLINE Set one_of_four(const Set* numbers, const Choose& choose) {
   };
   return of_two(of_two(numbers[0], numbers[1]), of_two(numbers[2], numbers[3]));
 }
-constexpr auto largest_of = [](auto a, auto b) __attribute__((always_inline)) {
-  return a > b ? a : b;
-};
-constexpr auto least_of = [](auto a, auto b) __attribute__((always_inline)) {
-  return a < b ? a : b;
-};
-
 /// Extents of the blocks b .. of a set along both axes, [L].
 template <class Lanes>
 BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
@@ -95,8 +75,8 @@ BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
       const Point two = rows_of(arms.part[2 * i], arms.part[2 * i + 1]);
       x[i] = two[0], y[i] = two[1];
     }
-    return {one_of_four(x, largest_of) - one_of_four(x, least_of),
-            one_of_four(y, largest_of) - one_of_four(y, least_of)};
+    return {one_of_four(x, larger) - one_of_four(x, smaller),
+            one_of_four(y, larger) - one_of_four(y, smaller)};
   }
   alignas(64) double extent[2 * width] = {};
   for (int k = 0; k < lanes.count; ++k) {
@@ -105,8 +85,8 @@ BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
         blocks.first_corner[b + k], blocks.first_corner[b + k + 1],
         [&](auto corners, int c) __attribute__((always_inline)) {
           const auto arm = load<2 * corners>(at_corner(blocks.arm, c));
-          least = least_of(one_of<corners>(arm, least_of), least);
-          most = largest_of(one_of<corners>(arm, largest_of), most);
+          least = smaller(one_of<corners>(arm, smaller), least);
+          most = larger(one_of<corners>(arm, larger), most);
         });
     store<2>(extent + 2 * k, most - least);
   }
@@ -124,9 +104,9 @@ struct CornerMotion {
   alignas(64) double t11[width], t12[width], t21[width], t22[width];  ///< transform
   alignas(64) double centroid[2 * width];  ///< [L] x, y of each block
 
-  /// arm = transform arm and corner = centroid + arm, for so many numbers of corners
-  /// c .. of block k of the set. Returns the squares of what the arms have changed by,
-  /// [L^2].
+  /// arm = transform arm and corner = centroid + arm for a few corners of block k of
+  /// the set, which are so many numbers. Returns the squares of what these have changed
+  /// by in the arms, [L^2].
   template <bool rigid, int numbers>
   BLOCKS_INLINE Numbers<numbers> move(int k, double* arm_at, double* corner_at) const {
     constexpr auto each = std::make_index_sequence<numbers>();
@@ -142,8 +122,8 @@ struct CornerMotion {
   }
 };
 
-/// (13)-(15) for the corners of the blocks b .. of a set that are free. Of deformable
-/// blocks: the square of what an arm has changed by at most, [L^2].
+/// (13)-(15) for the corners of the blocks b .. of a set that are free. Returns the
+/// square of what an arm of each has changed by at most, [L^2].
 template <bool rigid, class Lanes>
 BLOCKS_INLINE Set move_corners(const BlockColumns& blocks, int b, Lanes lanes,
                                const Tensor& transform, const Points& centroid) {
@@ -168,7 +148,7 @@ BLOCKS_INLINE Set move_corners(const BlockColumns& blocks, int b, Lanes lanes,
       const Point of = rows_of(squares[2 * i], squares[2 * i + 1]);
       sums[i] = larger(of[0] + of[1], Set{});  // no NaN
     }
-    return one_of_four(sums, largest_of);
+    return one_of_four(sums, larger);
   }
   alignas(64) double farthest[width] = {};
   for (int k = 0; k < lanes.count; ++k) {
@@ -182,10 +162,10 @@ BLOCKS_INLINE Set move_corners(const BlockColumns& blocks, int b, Lanes lanes,
           const auto squares = motion.move<rigid, numbers>(k, at_corner(blocks.arm, c),
                                                            at_corner(blocks.corner, c));
           const Numbers<numbers> none = {};
-          const Numbers<numbers> sums = largest_of(
-              squares + swapped(squares, std::make_index_sequence<numbers>()),
-              none);  // no NaN
-          most = largest_of(one_of<corners>(sums, largest_of), most);
+          const Numbers<numbers> sums =
+              larger(squares + swapped(squares, std::make_index_sequence<numbers>()),
+                     none);  // no NaN
+          most = larger(one_of<corners>(sums, larger), most);
         });
     farthest[k] = most[0];
   }

@@ -10,10 +10,7 @@ namespace {
 /// Which lanes hold a block that moves.
 template <class Lanes>
 BLOCKS_INLINE Mask free_lanes(const BlockColumns& blocks, int b, Lanes lanes) {
-  typedef int Fixities __attribute__((vector_size(width * sizeof(int))));
-  Fixities why = Fixities{} + 1;
-  __builtin_memcpy(&why, blocks.fixity + b, lanes.count * sizeof(int));
-  return __builtin_convertvector(why == 0, Mask);
+  return __builtin_convertvector(load_ints(blocks.fixity + b, lanes) == 0, Mask);
 }
 
 /// `changed` where a block is free, `kept` elsewhere.

@@ -198,14 +198,35 @@ BLOCKS_INLINE Set root(Set x) {
     x[k] = __builtin_sqrt(x[k]);
   return x;
 }
-BLOCKS_INLINE Set larger(Set a, Set b) { return a > b ? a : b; }
-
+constexpr auto larger = [](auto a, auto b) __attribute__((always_inline)) {
+  return a > b ? a : b;
+};
+constexpr auto smaller = [](auto a, auto b) __attribute__((always_inline)) {
+  return a < b ? a : b;
+};
 BLOCKS_INLINE bool any(Mask yes) {
   typedef signed char Marks __attribute__((vector_size(width)));
   const Marks marks = __builtin_convertvector(yes, Marks);
   unsigned long long word = 0;
   __builtin_memcpy(&word, &marks, width);
   return word != 0;
+}
+
+/// A whole number of each block.
+typedef int Ints __attribute__((vector_size(width * sizeof(int))));
+/// Those of lanes without a block are 1.
+template <class Lanes> BLOCKS_INLINE Ints load_ints(const void* column, Lanes lanes) {
+  Ints x = Ints{} + 1;
+  __builtin_memcpy(&x, column, lanes.count * sizeof(int));
+  return x;
+}
+BLOCKS_INLINE bool any(Ints numbers) {
+  typedef long long Words __attribute__((vector_size(sizeof(Ints))));
+  const Words words = reinterpret_cast<Words>(numbers);
+  long long all = 0;
+  for (int k = 0; k < width / 2; ++k)
+    all |= words[k];
+  return all != 0;
 }
 
 }  // namespace
