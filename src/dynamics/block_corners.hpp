@@ -55,26 +55,24 @@ BLOCKS_INLINE Numbers<2> one_of(Numbers<2 * corners> x, const Choose& choose) {
                             __builtin_shufflevector(x, x, 4, 5, 6, 7)),
                      choose);
 }
-/// One number out of four of each block, which stand in four registers in the order of
-/// the blocks.
+/// One number out of four of each block.
 template <class Choose>
-BLOCKS_INLINE Set one_of_four(const Set* numbers, const Choose& choose) {
-  const auto of_two = [&](Set a, Set b) __attribute__((always_inline)) {
-    return choose(even(a, b, EachLane()), odd(a, b, EachLane()));
-  };
-  return of_two(of_two(numbers[0], numbers[1]), of_two(numbers[2], numbers[3]));
+BLOCKS_INLINE Set one_of_four(const Rows<4>& of, const Choose& choose) {
+  return choose(choose(of[0], of[1]), choose(of[2], of[3]));
 }
+
 /// Extents of the blocks b .. of a set along both axes, [L].
 template <class Lanes>
 BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
   if (four_corners_each(blocks, b, lanes, false)) {
     const Columns<8> arms =
         load_columns<8>(at_corner(blocks.arm, blocks.first_corner[b]), 0, AllLanes{});
-    Set x[4], y[4];
+    Columns<4> of_x, of_y;
     for (int i = 0; i < 4; ++i) {
       const Point two = rows_of(arms.part[2 * i], arms.part[2 * i + 1]);
-      x[i] = two[0], y[i] = two[1];
+      of_x.part[i] = two[0], of_y.part[i] = two[1];
     }
+    const Rows<4> x = rows_of(of_x), y = rows_of(of_y);
     return {one_of_four(x, larger) - one_of_four(x, smaller),
             one_of_four(y, larger) - one_of_four(y, smaller)};
   }
@@ -136,7 +134,8 @@ BLOCKS_INLINE Set move_corners(const BlockColumns& blocks, int b, Lanes lanes,
     const int c = blocks.first_corner[b];
     double* const arms = at_corner(blocks.arm, c);
     double* const corners = at_corner(blocks.corner, c);
-    Set squares[8], sums[4];
+    Set squares[8];
+    Columns<4> sums;
     // a loop: what is needed of a block is fetched from the memory, which is faster
     // than shuffles
 #pragma GCC unroll 1
@@ -146,9 +145,9 @@ BLOCKS_INLINE Set move_corners(const BlockColumns& blocks, int b, Lanes lanes,
             motion.move<rigid, width>(k, arms + i * width, corners + i * width);
     for (int i = 0; i < 4; ++i) {
       const Point of = rows_of(squares[2 * i], squares[2 * i + 1]);
-      sums[i] = larger(of[0] + of[1], Set{});  // no NaN
+      sums.part[i] = larger(of[0] + of[1], Set{});  // no NaN
     }
-    return one_of_four(sums, larger);
+    return one_of_four(rows_of(sums), larger);
   }
   alignas(64) double farthest[width] = {};
   for (int k = 0; k < lanes.count; ++k) {

@@ -33,26 +33,24 @@ template <class Work> void each_part(BlockRange range, const Work& work) {
 }
 
 /// Of each block of a part. Those of fixed blocks have no meaning.
-class ModuliOfBlocks {
- public:
-  /// Looked up once per run of equal materials: blocks of a layer stand together.
-  void look_up(const Blocks& blocks, int first, int last, const Settings& settings) {
+struct ModuliOfBlocks {
+  double c11[most_at_once], c12[most_at_once], twice_shear[most_at_once];
+
+  ModuliOfBlocks(const Blocks& blocks, int first, int last, const Settings& settings) {
+    // Looked up once per run of equal materials: blocks of a layer stand together.
+    int material = 0;
+    double now_c11 = 0.0, now_c12 = 0.0, now_twice_shear = 0.0;
     for (int b = first; b < last; ++b) {
-      if (blocks.is_free(b) && blocks.material[b] != material_) {
-        material_ = blocks.material[b];
-        const Material& m = settings.materials.at(material_);
-        c11_ = m.c11(), c12_ = m.c12(), twice_shear_ = 2.0 * m.shear_modulus;
+      if (blocks.is_free(b) && blocks.material[b] != material) {
+        material = blocks.material[b];
+        const Material& m = settings.materials.at(material);
+        now_c11 = m.c11(), now_c12 = m.c12(), now_twice_shear = 2.0 * m.shear_modulus;
       }
-      all_c11_[b - first] = c11_, all_c12_[b - first] = c12_;
-      all_twice_shear_[b - first] = twice_shear_;
+      c11[b - first] = now_c11, c12[b - first] = now_c12;
+      twice_shear[b - first] = now_twice_shear;
     }
   }
-  Moduli columns() const { return {all_c11_, all_c12_, all_twice_shear_}; }
-
- private:
-  int material_ = 0;
-  double c11_ = 0.0, c12_ = 0.0, twice_shear_ = 0.0;
-  double all_c11_[most_at_once], all_c12_[most_at_once], all_twice_shear_[most_at_once];
+  Moduli columns() const { return {c11, c12, twice_shear}; }
 };
 
 bool inside(const Blocks& blocks, int b, const Settings& settings) {
@@ -110,9 +108,8 @@ void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, do
 
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
                    double dt, const MotionArithmetic& by) {
-  ModuliOfBlocks moduli;
   each_part(range, [&](int first, int last) {
-    moduli.look_up(blocks, first, last, settings);
+    const ModuliOfBlocks moduli(blocks, first, last, settings);
     by.update_strain(columns_of(blocks), moduli.columns(), first, last, dt);
   });
 }

@@ -108,6 +108,25 @@ BLOCKS_INLINE Rows<2> rows_of(const Columns<2>& of) {
 BLOCKS_INLINE Columns<2> columns_of(const Rows<2>& of) {
   return columns_of(of[0], of[1]);
 }
+#if BLOCKS_LANES_AT_ONCE == 4
+// Four by four: half the instructions.
+template <class To> BLOCKS_INLINE To transposed(const Set* m) {
+  const Set a = __builtin_shufflevector(m[0], m[1], 0, 4, 2, 6);
+  const Set b = __builtin_shufflevector(m[0], m[1], 1, 5, 3, 7);
+  const Set c = __builtin_shufflevector(m[2], m[3], 0, 4, 2, 6);
+  const Set d = __builtin_shufflevector(m[2], m[3], 1, 5, 3, 7);
+  return {__builtin_shufflevector(a, c, 0, 1, 4, 5),
+          __builtin_shufflevector(b, d, 0, 1, 4, 5),
+          __builtin_shufflevector(a, c, 2, 3, 6, 7),
+          __builtin_shufflevector(b, d, 2, 3, 6, 7)};
+}
+BLOCKS_INLINE Rows<4> rows_of(const Columns<4>& of) {
+  return transposed<Rows<4>>(of.part);
+}
+BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& of) {
+  return transposed<Columns<4>>(of.row);
+}
+#else
 BLOCKS_INLINE Rows<4> rows_of(const Columns<4>& of) {
   const Rows<2> low = rows_of(of.part[0], of.part[1]);  // rows 0 and 2; 1 and 3
   const Rows<2> high = rows_of(of.part[2], of.part[3]);
@@ -120,6 +139,7 @@ BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& of) {
   const Columns<2> high = columns_of(a.part[1], b.part[1]);
   return {low.part[0], low.part[1], high.part[0], high.part[1]};
 }
+#endif
 
 /// Columns b .. of a matrix.
 template <int rows, class Lanes>
