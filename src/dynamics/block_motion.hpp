@@ -16,9 +16,9 @@ namespace blocks::dynamics {
 struct BlockColumns {
   const int* first_corner;
   const Fixity* fixity;
-  const double *area, *mass, *inertia, *force, *moment;
+  const double *area, *mass, *inertia, *force, *moment, *applied;
   double *arm, *corner, *centroid, *angle, *velocity, *spin;
-  double *applied, *stress, *strain_rate;
+  double *stress, *strain_rate;
 };
 /// Columns of Swing.
 struct SwingColumns {
@@ -47,8 +47,7 @@ struct Moved {
   std::uint64_t near_edge = 0;  ///< bit k: block first + k may be outside the domain
 };
 
-/// The computations of motion.hpp for one instruction set, for blocks first .. last
-/// - 1.
+/// The computations of motion.hpp for one instruction set: blocks first .. last - 1.
 struct MotionArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
   /// (1), (2)

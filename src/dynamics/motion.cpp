@@ -15,13 +15,13 @@ BlockColumns columns_of(Blocks& blocks) {
           .inertia = blocks.inertia.data(),
           .force = blocks.force.data(),
           .moment = blocks.moment.data(),
+          .applied = blocks.applied.data(),
           .arm = blocks.arm.data(),
           .corner = blocks.corner.data(),
           .centroid = blocks.centroid.data(),
           .angle = blocks.angle.data(),
           .velocity = blocks.velocity.data(),
           .spin = blocks.spin.data(),
-          .applied = blocks.applied.data(),
           .stress = blocks.stress.data(),
           .strain_rate = blocks.strain_rate.data()};
 }
