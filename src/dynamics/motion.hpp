@@ -2,6 +2,7 @@
 // report 2.1, 2.3, 2.4; rules 1, 3-6).
 #pragma once
 
+#include "dynamics/block_motion.hpp"
 #include "dynamics/contact_groups.hpp"
 #include "model/model.hpp"
 
@@ -37,21 +38,20 @@ void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
                            BlockRange range);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.
-void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
-                       double dt);
+void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
+                       const MotionArithmetic& by = motion_arithmetic());
 
 /// (10): strain rates of free blocks, driven by the symmetric part of applied -
-/// internal stress over the effective mass l_j^2 M / (4 A). Deformable runs only.
-void update_strain_rates(Blocks& blocks, BlockRange range, double dt);
-
-/// (12): internal stress by plane strain elasticity. Deformable runs only.
-void update_stress(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double dt);
+/// internal stress over the effective mass l_j^2 M / (4 A); then (12): their internal
+/// stress by plane strain elasticity. Deformable runs only.
+void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
+                   double dt, const MotionArithmetic& by = motion_arithmetic());
 
 /// (3), (13)-(15): centroids, angles and corners; arm = R (I + strain rate dt) arm with
 /// the Cayley rotation R of spin dt, which also turns stress and strain rate. Adds to
 /// swing.
 Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
-                         const Settings& settings, double dt);
+                         const Settings& settings, double dt,
+                         const MotionArithmetic& by = motion_arithmetic());
 
 }  // namespace blocks::dynamics

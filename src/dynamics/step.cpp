@@ -118,8 +118,7 @@ Displacement move(Model& model, SearchBuffers& buffers,
           update_velocities(blocks, range, settings.gravity, dt);
           if (!settings.rigid) {
             finish_applied_stress(blocks, buffers.groups, range);
-            update_strain_rates(blocks, range, dt);
-            update_stress(blocks, range, settings, dt);
+            update_strain(blocks, range, settings, dt);
           }
           buffers.moved[part].include(
               move_blocks(blocks, range, buffers.groups.swing, settings, dt));
