@@ -17,9 +17,9 @@ struct Sides {
     const Point c = gather_point<2>(blocks.corner, places.corner + i);
     const Point p1 = gather_point<2>(blocks.corner, places.edge + i);
     const Point p2 = gather_point<2>(blocks.corner, places.edge_end + i);
-    xc = c.x, yc = c.y;
-    ex = p2.x - p1.x, ey = p2.y - p1.y;
-    cx = xc - p1.x, cy = yc - p1.y;
+    xc = c[0], yc = c[1];
+    ex = p2[0] - p1[0], ey = p2[1] - p1[1];
+    cx = xc - p1[0], cy = yc - p1[1];
     plus = cx * ey, minus = cy * ex;
     value = plus - minus;
   }
@@ -83,17 +83,17 @@ template <bool rigid> struct Pairs {
     const Point va = gather_point<2>(blocks.velocity, a);
     const Point vb = gather_point<2>(blocks.velocity, b);
     const Set spin_a = gather(blocks.spin, a), spin_b = gather(blocks.spin, b);
-    low_x = low.x, low_y = low.y, high_x = high.x, high_y = high.y;
-    const Set x = low.x - high.x, y = low.y - high.y;
-    vx = va.x - (vb.x - spin_b * y), vy = va.y - (vb.y + spin_b * x);
+    low_x = low[0], low_y = low[1], high_x = high[0], high_y = high[1];
+    const Set x = low_x - high_x, y = low_y - high_y;
+    vx = va[0] - (vb[0] - spin_b * y), vy = va[1] - (vb[1] + spin_b * x);
     g21 = spin_a - spin_b, g12 = -g21;
     if constexpr (!rigid) {
       const double* const rate = blocks.strain_rate;
       const Point a1 = gather_point<4>(rate, a, 0), a2 = gather_point<4>(rate, a, 2);
       const Point b1 = gather_point<4>(rate, b, 0), b2 = gather_point<4>(rate, b, 2);
-      vx -= b1.x * x + b1.y * y, vy -= b2.x * x + b2.y * y;
-      g11 = a1.x - b1.x, g12 += a1.y - b1.y;
-      g21 += a2.x - b2.x, g22 = a2.y - b2.y;
+      vx -= b1[0] * x + b1[1] * y, vy -= b2[0] * x + b2[1] * y;
+      g11 = a1[0] - b1[0], g12 += a1[1] - b1[1];
+      g21 += a2[0] - b2[0], g22 = a2[1] - b2[1];
     }
   }
   /// Relative velocity (14) at an arm from the low block's centroid.
@@ -132,7 +132,7 @@ BLOCKS_INLINE Frame frame_of(SlotPlaces& slot, const BlockRows& blocks, int i,
     find_touching(slot, sides, i, look);
   const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
   const Set depth = sides.value * per_length;
-  const Set turned = where(mask_of(load(slot.flips, i)), -per_length, per_length);
+  const Set turned = where(choice_of(load(slot.flips, i)), -per_length, per_length);
   return {sides.xc, sides.yc, sides.ex * turned, sides.ey * turned,
           depth > 0.0 ? depth : Set{}};
 }
@@ -161,11 +161,12 @@ BLOCKS_INLINE void act_slot(const LaneSets& sets, int s, const Pairs<rigid>& two
                             const Frame& at, Set damping, const ContactLaw& law, int i,
                             Sums& sums, Most& most) {
   const SlotPlaces& slot = sets.places[s];
-  const Mask acts = mask_of(load(slot.touches, i));
+  const Choice acts = choice_of(load(slot.touches, i));
   const Bits starts = load(slot.starts, i);
   const Set nx = -at.ty, ny = at.tx;
   const Set x = at.x - two.low_x, y = at.y - two.low_y;
-  const auto [vx, vy] = two.velocity(x, y);
+  const Point v = two.velocity(x, y);
+  const Set vx = v[0], vy = v[1];
 
   // b.-d.
   const SlotSprings& springs = sets.springs[s];
@@ -175,7 +176,7 @@ BLOCKS_INLINE void act_slot(const LaneSets& sets, int s, const Pairs<rigid>& two
   const Set closing = -(vx * nx + vy * ny), sliding = vx * at.tx + vy * at.ty;
   if (starts != 0)
     apply(law, normal_elastic, shear_elastic, closing, sliding, at.overlap, damping,
-          where(mask_of(starts), all_of(1.0)), normal, shear);
+          where(choice_of(starts), all_of(1.0)), normal, shear);
   else
     apply<false>(law, normal_elastic, shear_elastic, closing, sliding, at.overlap,
                  damping, Set{}, normal, shear);

@@ -1,19 +1,18 @@
-// A Set: one number of each of so many lanes, in one register; its operators act lane
-// by lane. Included once for each instruction set, in a namespace of its own; calls
-// nothing that is not compiled here.
+// What lanes of contacts want besides simd_set.hpp: numbers fetched by index, and yes
+// or no as bits. Included once for each instruction set; calls nothing that is not
+// compiled here.
+#pragma once
+
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #ifdef __SSE2__
 #include <immintrin.h>
 #endif
 
+#include "dynamics/simd_set.hpp"
+
 namespace blocks::dynamics::BLOCKS_LANES {
 namespace {
-
-constexpr int width = BLOCKS_LANES_AT_ONCE;
-typedef double Set __attribute__((vector_size(width * sizeof(double))));
-#define BLOCKS_INLINE [[gnu::always_inline]] inline
 
 BLOCKS_INLINE Set all_of(double x) { return Set{} + x; }
 BLOCKS_INLINE Set load(const double* row, int first) {
@@ -22,27 +21,17 @@ BLOCKS_INLINE Set load(const double* row, int first) {
 BLOCKS_INLINE void store(double* row, int first, Set x) {
   *reinterpret_cast<Set*>(row + first) = x;
 }
-using Words = decltype(Set{} < Set{});
-BLOCKS_INLINE Set absolute(Set x) {
-  return reinterpret_cast<Set>(reinterpret_cast<Words>(x) & 0x7fffffffffffffffLL);
-}
-BLOCKS_INLINE Set root(Set x) {
-  for (int k = 0; k < width; ++k)
-    x[k] = __builtin_sqrt(x[k]);
-  return x;
-}
-
 /// Yes or no of each lane: bit k of lane k.
 using Bits = unsigned;
 constexpr Bits every = (1U << width) - 1;
 
 #if BLOCKS_LANES_AT_ONCE == 8
-using Mask = __mmask8;
-BLOCKS_INLINE Mask mask_of(Bits yes) { return static_cast<Mask>(yes); }
-BLOCKS_INLINE Set where(Mask yes, Set x) {
+using Choice = __mmask8;
+BLOCKS_INLINE Choice choice_of(Bits yes) { return static_cast<Choice>(yes); }
+BLOCKS_INLINE Set where(Choice yes, Set x) {
   return reinterpret_cast<Set>(_mm512_maskz_mov_pd(yes, reinterpret_cast<__m512d>(x)));
 }
-BLOCKS_INLINE Set where(Mask yes, Set x, Set other) {
+BLOCKS_INLINE Set where(Choice yes, Set x, Set other) {
   return reinterpret_cast<Set>(_mm512_mask_blend_pd(
       yes, reinterpret_cast<__m512d>(other), reinterpret_cast<__m512d>(x)));
 }
@@ -55,17 +44,15 @@ BLOCKS_INLINE Bits zero(Set a) {
                             _CMP_EQ_OQ);
 }
 #else
-using Mask = Words;
+using Choice = Mask;
 template <std::size_t... lane>
-BLOCKS_INLINE Mask mask_of(Bits yes, std::index_sequence<lane...>) {
-  const Mask bit = {(1LL << lane)...};
-  return (bit & (Mask{} + static_cast<long long>(yes))) != 0;
+BLOCKS_INLINE Choice choice_of(Bits yes, std::index_sequence<lane...>) {
+  const Choice bit = {(1LL << lane)...};
+  return (bit & (Choice{} + static_cast<long long>(yes))) != 0;
 }
-BLOCKS_INLINE Mask mask_of(Bits yes) {
-  return mask_of(yes, std::make_index_sequence<width>());
-}
-BLOCKS_INLINE Set where(Mask yes, Set x) { return yes ? x : Set{}; }
-BLOCKS_INLINE Set where(Mask yes, Set x, Set other) { return yes ? x : other; }
+BLOCKS_INLINE Choice choice_of(Bits yes) { return choice_of(yes, EachLane()); }
+BLOCKS_INLINE Set where(Choice yes, Set x) { return yes ? x : Set{}; }
+BLOCKS_INLINE Set where(Choice yes, Set x, Set other) { return yes ? x : other; }
 BLOCKS_INLINE Bits bits_of(Mask yes) {
 #if defined(__AVX__) && BLOCKS_LANES_AT_ONCE == 4
   return static_cast<Bits>(_mm256_movemask_pd(reinterpret_cast<__m256d>(yes)));
@@ -89,13 +76,10 @@ BLOCKS_INLINE Set gather(const double* row, const int* index,
   return Set{row[index[lane]]...};
 }
 BLOCKS_INLINE Set gather(const double* row, const int* index) {
-  return gather(row, index, std::make_index_sequence<width>());
+  return gather(row, index, EachLane());
 }
 
-struct Point {
-  Set x, y;
-};
-typedef double Pair __attribute__((vector_size(2 * sizeof(double))));
+using Pair = Numbers<2>;
 /// Two numbers for each lane: rows r and r + 1 of column `index` of a matrix.
 template <int rows>
 BLOCKS_INLINE Point gather_point(const double* matrix, const int* index, int r = 0) {
