@@ -206,7 +206,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.swing.start(blocks, rigid);
   groups.poses.assign(groups.pairs.size(), {});
   groups.shapes.assign(rigid ? 0 : groups.pairs.size(), {});
-  groups.make_lanes(blocks.size(), contacts);
+  groups.make_lanes(contacts);
 }
 
 }  // namespace blocks::dynamics

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dynamics/contact_lanes.hpp"
+#include "dynamics/give_back.hpp"
 #include "model/contact_blocks.hpp"
 #include "model/model.hpp"
 
@@ -132,6 +133,25 @@ struct LostForce {
   double normal, shear;  ///< [F] FN > 0, FS
 };
 
+/// Sets first .. last - 1 of lanes.
+struct SetRange {
+  int first = 0, last = 0;
+};
+
+/// Gives the memory of the slots back, set after set, as what acts in them is stored in
+/// the list: in the step in which it passes from the one to the other a large model has
+/// no room for both.
+class StoredLanes {
+ public:
+  explicit StoredLanes(const ContactLanes& lanes);
+  /// All before this set are stored.
+  void passed(int set);
+
+ private:
+  const ContactLanes& lanes_;
+  Wake places_, springs_, advanced_;
+};
+
 /// The extremes over the contacts that act in a step.
 struct Extremes {
   double overlap = 0.0;  ///< [L] deepest
@@ -169,7 +189,8 @@ struct ContactGroups {
       first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
 
   // What acts, or is a candidate to, has a seat (ContactLanes), those of a pair in the
-  // order of the list. Between load() and store() the list does not know what acts.
+  // order of the list. Between load() and store() the lanes know what acts, else the
+  // list does: never both.
   ContactLanes lanes;
   std::vector<int> seat_of;     ///< (groups) -1: none
   std::vector<int> record;      ///< (seats) -1: none any more
@@ -177,8 +198,8 @@ struct ContactGroups {
   bool seats_complete = false;  ///< no group lacks a seat
   int times_made = 0;           ///< lanes, of this list
   double made_at = 0.0;         ///< [L] the travel (Swing) when they were made last
-  bool loaded = false;          ///< the lanes know what acts
-  bool read = false;            ///< the list too, with readings of the last step
+  bool loaded = false;          ///< the lanes know what acts, not the list
+  bool read = false;            ///< the list does, with readings of the last step
 
   std::vector<LostForce> lost;  ///< in this step
   std::vector<int> heirs;       ///< sets whose contacts were handed some of it
@@ -216,13 +237,12 @@ struct ContactGroups {
   /// more, [L]: two of one block by its arms alone. A distance: from one pose to a
   /// third never farther than by way of a second.
   double relative_motion(const Blocks& blocks, int pair) const;
-  /// Springs from the list to the lanes, and the dashpots.
-  void load(const Blocks& blocks, const Contacts& contacts, const Settings& settings);
+  /// Springs from the list to the lanes, and the dashpots; the lanes first where there
+  /// are none.
+  void load(const Blocks& blocks, Contacts& contacts, const Settings& settings);
   /// Springs from the lanes to the list, unless they are there. Without readings of the
   /// last step forces and overlaps are 0.
   void store(Contacts& contacts);
-  /// The list holds none.
-  static void begin_store(Contacts& contacts);
   /// What acts in group g, with its readings (contact_readings.hpp) or without, becomes
   /// the last of the list.
   void store(Contacts& contacts, int g, bool with_readings) const;
@@ -241,10 +261,22 @@ struct ContactGroups {
   /// Memory for the case that all groups act.
   void reserve_lanes(bool rigid);
   /// A seat for each group that has one, acts or may act; from the third time on also
-  /// for those that may act as soon again as seats have run out.
-  void make_lanes(int blocks, const Contacts& contacts);
+  /// for those that may act as soon again as seats have run out. They get it when they
+  /// are loaded.
+  void make_lanes(const Contacts& contacts);
+  /// Calls visit(first, last) for pairs first .. last - 1 of each window.
+  template <class Visit> void each_window(const Visit& visit) const {
+    const int count = static_cast<int>(pairs.size());
+    for (int first = 0; first < count; first += pairs_of_window)
+      visit(first, std::min(count, first + pairs_of_window));
+  }
+  /// The sets in which pairs first .. last - 1 of a window have their lanes.
+  SetRange sets_of(int first, int last) const;
 
  private:
+  /// What acts in group g, from the list.
+  void load(const Blocks& blocks, const Contacts& contacts, int g,
+            const ActingContact& contact);
   /// For those of pairs first .. last - 1 whose seat_of is not -1.
   void seat_window(int first, int last);
 };

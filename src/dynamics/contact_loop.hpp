@@ -298,7 +298,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     groups.join_shares();
     if (!groups.seats_complete) {
       groups.store(contacts);
-      groups.make_lanes(blocks.size(), contacts);
+      groups.make_lanes(contacts);
       groups.load(blocks, contacts, settings);
     }
   }

@@ -7,6 +7,7 @@
 
 #include "dynamics/contact_groups.hpp"
 #include "dynamics/dashpot.hpp"
+#include "dynamics/give_back.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -77,46 +78,72 @@ HeldSpring ContactGroups::held(int seat) const {
           lanes.at(seat, &SlotSprings::shear_elastic)};
 }
 
-void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
+SetRange ContactGroups::sets_of(int first, int last) const {
+  SetRange of{lanes.sets(), 0};
+  for (int p = first; p < last; ++p)
+    if (const int lane = pairs[p].lane; lane >= 0) {
+      of.first = std::min(of.first, lane / lane_count);
+      of.last = std::max(of.last, lane / lane_count + 1);
+    }
+  return of;
+}
+
+void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
                          const Settings& settings) {
-  for (int set = 0; set < lanes.sets(); ++set) {
-    LanePairs& two = lanes.pairs[set];
-    for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
-      two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
-  }
-  const int count = static_cast<int>(all.size());
-  for (int g = 0; g < count; ++g)
-    if (seat_of[g] >= 0)
-      set_seat(blocks, contacts, g, all[g].record, {});
-  int g = 0;
-  for (const ActingContact& contact : contacts.acting) {
-    const int i = contact.record;
-    while (all[g].last() <= i)
-      ++g;
-    // a notch has two seats; nothing is decided yet in those of a new list
-    const auto wanted = [&](int number) {
-      for (int of = g; of <= g + static_cast<int>(all[g].reentrant); ++of)
-        if (record[seat_of[of]] == number)
-          return of;
-      return -1;
-    };
-    int own = wanted(i);
-    if (own < 0)
-      own = wanted(-1);
-    if (own >= 0)
-      set_seat(blocks, contacts, own, i,
-               {i, contact.normal_elastic, contact.shear_elastic});
-    else if (contact.normal_elastic > 0.0)
-      lost.push_back({g, i, contact.normal_elastic, contact.shear_elastic});
+  const bool anew = lanes.sets() == 0;
+  Wake loaded_already(contacts.acting.data());
+  auto contact = contacts.acting.cbegin();
+  each_window([&](int first, int last) {
+    if (anew)
+      seat_window(first, last);
+    const SetRange sets = sets_of(first, last);
+    for (int set = sets.first; set < sets.last; ++set) {
+      LanePairs& two = lanes.pairs[set];
+      for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
+        two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
+    }
+    const int begin = pairs[first].first, end = pairs[last - 1].last;
+    for (int g = begin; g < end; ++g)
+      if (seat_of[g] >= 0)
+        set_seat(blocks, contacts, g, all[g].record, {});
+    const int beyond = all[end - 1].last();
+    for (int g = begin; contact != contacts.acting.cend() && contact->record < beyond;
+         ++contact) {
+      contacts.active[contact->record] = false;
+      while (all[g].last() <= contact->record)
+        ++g;
+      load(blocks, contacts, g, *contact);
+    }
+    loaded_already.passed(contacts.acting.data() +
+                          (contact - contacts.acting.cbegin()));
+  });
+  contacts.acting.clear();
+  if (anew) {
+    lows.sort(blocks.size(), pairs, &ContactPair::low);
+    highs.sort(blocks.size(), pairs, &ContactPair::high);
   }
   loaded = true;
   read = false;
 }
 
-void ContactGroups::begin_store(Contacts& contacts) {
-  for (const ActingContact& before : contacts.acting)
-    contacts.active[before.record] = 0;
-  contacts.acting.clear();
+void ContactGroups::load(const Blocks& blocks, const Contacts& contacts, int g,
+                         const ActingContact& contact) {
+  const int i = contact.record;
+  // a notch has two seats; nothing is decided yet in those of a new list
+  const auto wanted = [&](int number) {
+    for (int of = g; of <= g + static_cast<int>(all[g].reentrant); ++of)
+      if (record[seat_of[of]] == number)
+        return of;
+    return -1;
+  };
+  int own = wanted(i);
+  if (own < 0)
+    own = wanted(-1);
+  if (own >= 0)
+    set_seat(blocks, contacts, own, i,
+             {i, contact.normal_elastic, contact.shear_elastic});
+  else if (contact.normal_elastic > 0.0)
+    lost.push_back({g, i, contact.normal_elastic, contact.shear_elastic});
 }
 
 void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
@@ -133,7 +160,7 @@ void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
     contact.shear_force = reading.shear_force[k];
     contact.overlap = reading.overlap[k];
   }
-  contacts.active[contact.record] = 1;
+  contacts.active[contact.record] = true;
   // the two seats of a notch hold records of the same range
   if (auto last = contacts.acting.end() - 1;
       last != contacts.acting.begin() && last->record < (last - 1)->record)
@@ -141,14 +168,30 @@ void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
 }
 
 void ContactGroups::store(Contacts& contacts) {
-  if (loaded && !read) {
-    begin_store(contacts);
-    const int count = static_cast<int>(all.size());
-    for (int g = 0; g < count; ++g)
+  if (!loaded)
+    return;
+  StoredLanes stored(lanes);
+  each_window([&](int first, int last) {
+    const int end = pairs[last - 1].last;
+    for (int g = pairs[first].first; g < end; ++g)
       if (seat_of[g] >= 0 && held(seat_of[g]).record >= 0)
         store(contacts, g, false);
-  }
+    stored.passed(sets_of(first, last).last);
+  });
   loaded = false;
+}
+
+StoredLanes::StoredLanes(const ContactLanes& lanes)
+    : lanes_(lanes), places_(lanes.places), springs_(lanes.springs),
+      advanced_(lanes.advanced) {}
+
+void StoredLanes::passed(int set) {
+  if (set == 0)
+    return;
+  const int slot = lanes_.pairs[set - 1].first_slot + lanes_.pairs[set - 1].slots;
+  places_.passed(lanes_.places + slot);
+  springs_.passed(lanes_.springs + slot);
+  advanced_.passed(lanes_.advanced + slot);
 }
 
 int ContactGroups::group_of(int seat) const {
@@ -159,7 +202,7 @@ int ContactGroups::group_of(int seat) const {
   return seat_of[g] == seat ? g : g - 1;  // a notch has two
 }
 
-void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
+void ContactGroups::make_lanes(const Contacts& contacts) {
   // not at first, for most of those who are near in a wall at rest never act
   const double soon = times_made > 1 ? 2.0 * (swing.travel - made_at) : 0.0;
   ++times_made;
@@ -181,11 +224,6 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
         seat_of[g] = seat_of[g - 1] = 0;
     }
   lanes.clear();
-  const int count = static_cast<int>(pairs.size());
-  for (int first = 0; first < count; first += pairs_of_window)
-    seat_window(first, std::min(count, first + pairs_of_window));
-  lows.sort(blocks, pairs, &ContactPair::low);
-  highs.sort(blocks, pairs, &ContactPair::high);
   seats_complete = true;
 }
 
@@ -223,9 +261,7 @@ void ContactGroups::seat_window(int first, int last) {
 
 void ContactGroups::reserve_lanes(bool rigid) {
   ContactLanes::Room room;
-  const int count = static_cast<int>(pairs.size());
-  for (int first = 0; first < count; first += pairs_of_window) {
-    const int last = std::min(count, first + pairs_of_window);
+  each_window([&](int first, int last) {
     int sum = 0, most = 0;
     for (int p = first; p < last; ++p) {
       const int own = pairs[p].last - pairs[p].first;
@@ -237,7 +273,7 @@ void ContactGroups::reserve_lanes(bool rigid) {
     room.sets += sets, room.slots += slots;
     room.read_sets = std::max(room.read_sets, sets);
     room.read_slots = std::max(room.read_slots, slots);
-  }
+  });
   lanes.reserve(room, rigid);
   record.reserve(static_cast<std::size_t>(room.slots) * lane_count);
   for (LanesOfBlocks* of : {&lows, &highs})
