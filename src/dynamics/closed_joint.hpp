@@ -34,8 +34,9 @@ double shield_reach(const Blocks& blocks, int block);
 /// Rules: as ExactRules.
 template <class Rules> class ClosedJoint {
  public:
-  ClosedJoint(const Blocks& blocks, const ContactGroups& groups)
-      : blocks_(blocks), groups_(groups) {}
+  ClosedJoint(const Blocks& blocks, const Contacts& contacts,
+              const ContactGroups& groups)
+      : blocks_(blocks), contacts_(contacts), groups_(groups) {}
 
   /// Not too deep below the edge for a joint to hide anything.
   bool shallow(int c, int edge) const {
@@ -156,7 +157,8 @@ template <class Rules> class ClosedJoint {
     const int c = slide.c, own = blocks_.corner_block[slide.side];
     const Vec2 point = at(c) + way * slide.along;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
-      const int third = groups_.all[groups_.by_corner[k]].edge_block;
+      const int third =
+          edge_block(blocks_, contacts_, groups_.all[groups_.by_corner[k]]);
       if (third != own && blocks_.convex[third] && near(point, third) &&
           has_surface(third, point, slide.along, slide.depth, std::abs(way)) &&
           (inside || holds(at(c), third)))
@@ -219,6 +221,7 @@ template <class Rules> class ClosedJoint {
   }
 
   const Blocks& blocks_;
+  const Contacts& contacts_;
   const ContactGroups& groups_;
 };
 

@@ -61,7 +61,8 @@ template <class Rules> class ContactDecision {
  public:
   ContactDecision(const Blocks& blocks, const Contacts& contacts,
                   const ContactGroups& groups)
-      : blocks_(blocks), contacts_(contacts), place_(blocks), joint_(blocks, groups) {}
+      : blocks_(blocks), contacts_(contacts), place_(blocks),
+        joint_(blocks, contacts, groups) {}
 
   /// The record of the group that acts, or -1: the admissible edge with the least
   /// depth, if the corner is inside it (rule 12). Admissible: (20) holds for both
@@ -77,7 +78,7 @@ template <class Rules> class ContactDecision {
   /// place of a hidden side, and in place of a flank that a hidden corner does not
   /// touch, unless that slopes as well.
   int acting_record(const ContactGroup& group) const {
-    const int c = contacts_.corner[group.first], out = place(c, group.edge_block);
+    const int c = contacts_.corner[group.first], out = place(c, block_of(group));
     const int nearest = nearest_record(group, out);
     if (nearest < 0 || !inside(nearest))
       return -1;
@@ -89,8 +90,8 @@ template <class Rules> class ContactDecision {
   /// Whether the condition of a certain group holds (Certainty).
   bool stands(const ContactGroup& group) const {
     const int c = contacts_.corner[group.first];
-    const int out = place_.outside_of(at(c), group.edge_block);
-    const int first = blocks_.first_corner[group.edge_block];
+    const int out = place_.outside_of(at(c), block_of(group));
+    const int first = blocks_.first_corner[block_of(group)];
     if ((out < 0 ? out : out - first) != group.place)
       return false;
     if (!group.asks || out == several)
@@ -104,7 +105,7 @@ template <class Rules> class ContactDecision {
   /// Whether the corner is still on its side of the edges that are watched.
   bool stays(const ContactGroup& group) const {
     const Vec2 corner = at(contacts_.corner[group.first]);
-    const int first = blocks_.first_corner[group.edge_block];
+    const int first = blocks_.first_corner[block_of(group)];
     for (const std::int8_t edge : group.watched)
       if (edge >= 0 && Rules::inside_edge(corner, at(first + edge),
                                           end(first + edge)) == (group.place == edge))
@@ -114,15 +115,15 @@ template <class Rules> class ContactDecision {
 
   /// The record that acts as well, for the corner has to come out of a notch, or -1.
   int notch_record(const ContactGroup& group, int acting) const {
-    if (acting < 0 || !reentrant(group.edge_block))
+    if (acting < 0 || !reentrant(block_of(group)))
       return -1;
     const int c = contacts_.corner[group.first];
-    const int other = ReentrantBlock<Rules>(blocks_, group.edge_block)
+    const int other = ReentrantBlock<Rules>(blocks_, block_of(group))
                           .across_notch(at(c), contacts_.edge[acting]);
     if (other < 0 || Rules::overlap_sign(at(c), at(other), end(other)) <= 0)
       return -1;
     for (int i = group.first; i < group.last(); ++i)
-      if (contacts_.edge[i] == other && admissible(c, other, group.edge_block))
+      if (contacts_.edge[i] == other && admissible(c, other, block_of(group)))
         return i;
     return -1;
   }
@@ -131,6 +132,9 @@ template <class Rules> class ContactDecision {
   using Place = PlaceInBlock<Rules>;
   static constexpr int none = Place::none, several = Place::several;
 
+  int block_of(const ContactGroup& group) const {
+    return edge_block(blocks_, contacts_, group);
+  }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   Vec2 end(int edge) const { return at(blocks_.next[edge]); }
   bool as_a_whole(int block) const {
@@ -304,7 +308,7 @@ template <class Rules> class ContactDecision {
   /// The record with the least depth that may act, -1: none. out: place. Inside
   /// of several, one whose edge meets the corner's block comes first.
   int nearest_record(const ContactGroup& group, int out) const {
-    const int c = contacts_.corner[group.first], block = group.edge_block;
+    const int c = contacts_.corner[group.first], block = block_of(group);
     int found = -1, others = -1;
     if (out == several && !reentrant(block))
       return found;
@@ -342,7 +346,7 @@ template <class Rules> class ContactDecision {
     const int c = contacts_.corner[group.first];
     int found = -1;
     for (int i = group.first; i < group.last(); ++i)
-      if (i != nearest && may_act(c, contacts_.edge[i], group.edge_block, out) &&
+      if (i != nearest && may_act(c, contacts_.edge[i], block_of(group), out) &&
           precedes(i, found))
         found = i;
     return found;

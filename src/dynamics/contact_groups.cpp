@@ -27,8 +27,7 @@ void find_pairs(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     const auto [low, high] = pair(g);
     if (groups.pairs.empty() || groups.pairs.back().low != low ||
         groups.pairs.back().high != high)
-      groups.pairs.push_back({.low = low, .high = high, .first = g, .last = g});
-    groups.pairs.back().last = g + 1;
+      groups.pairs.push_back({.low = low, .high = high, .first = g});
   }
 }
 
@@ -57,7 +56,6 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
     ContactGroup group;
     group.first = first;
     group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
-    group.edge_block = edge_block(first);
     group.reentrant = notched(first);
     groups.all.push_back(group);
     if (group.reentrant) {
@@ -165,9 +163,9 @@ void ContactGroups::give_back() {
 
 void ContactGroups::forget_decisions() {
   for (ContactPair& pair : pairs)
-    pair.certain = 0.0, pair.prompt = 0;
+    pair.certain = 0.0F, pair.prompt = 0;
   std::fill(prompt.begin(), prompt.end(), std::uint8_t{0});
-  std::fill(limits.begin(), limits.end(), 0.0);
+  std::fill(limits.begin(), limits.end(), 0.0F);
   std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
     each.travel = 0.0F, each.hopeless = 1;
@@ -187,8 +185,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   find_groups(blocks, contacts, each_alone, groups);
   find_pairs(blocks, contacts, groups);
   sort_by_corner(blocks, contacts, groups);
-  groups.seat_of.assign(groups.all.size(), -1);
-  groups.limits.assign(groups.pairs.size(), 0.0);
+  groups.limits.assign(groups.pairs.size(), 0.0F);
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
   groups.prompt.assign(groups.rounds.size(), 0);

@@ -65,7 +65,7 @@ struct ContactGroup {
   /// for the second edge of a notch.
   std::uint32_t reentrant : 1 = 0, of_notch : 1 = 0;
   std::uint32_t asks : 1 = 0;  ///< of its certainty
-  int edge_block = 0;
+  int seat = -1;               ///< of its contact (ContactLanes), -1: none
   int record = -1;  ///< that acts, -1: none; while certain: that is the candidate to
   std::int8_t place = Certainty::anywhere;  ///< of its certainty
   /// Edges that are watched where it is prompt, numbered within the block; -1: none.
@@ -78,10 +78,16 @@ struct ContactGroup {
   /// Certain on a condition.
   bool conditional() const { return place != Certainty::anywhere; }
   /// Until it has to be looked at, [L]: 0 where it is not certain.
-  double lasts() const { return conditional() ? std::min(travel, unasked) : travel; }
+  float lasts() const { return conditional() ? std::min(travel, unasked) : travel; }
   void set(const Certainty& known);
 };
 static_assert(sizeof(ContactGroup) == 28);
+
+/// The block of a group's edges.
+inline int edge_block(const Blocks& blocks, const Contacts& contacts,
+                      const ContactGroup& group) {
+  return blocks.corner_block[contacts.edge[group.first]];
+}
 
 /// A travel that is kept: a float that is no longer.
 inline float rounded_down(double travel) {
@@ -91,11 +97,11 @@ inline float rounded_down(double travel) {
 /// The groups of two blocks, which stand side by side.
 struct ContactPair {
   int low = 0, high = 0;     ///< the two blocks
-  int first = 0, last = 0;   ///< groups
+  int first = 0;             ///< group; its last is before the first of the next pair
   int lane = -1;             ///< of its contacts that have seats (ContactLanes)
   std::uint32_t prompt = 0;  ///< bit k: an edge of group first + k is asked in
                              ///< each step
-  double certain = 0.0;      ///< [L] until the first of its groups has to be decided
+  float certain = 0.0F;      ///< [L] until the first of its groups has to be decided
 
   /// Of group g in `prompt`; 0: the pair has too many groups.
   std::uint32_t bit(int g) const {
@@ -180,7 +186,7 @@ struct ContactGroups {
   std::vector<PairShapes> shapes;  ///< (pairs) deformable blocks only
   /// [L] (pairs) No decision of a pair has to be renewed while the ways of its two
   /// blocks (Swing) add up to less: a quick look before relative_motion.
-  std::vector<double> limits;
+  std::vector<float> limits;
   std::vector<double> rounds;  ///< [L] (pairs / pairs_of_round, rounded up)
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
@@ -192,7 +198,6 @@ struct ContactGroups {
   // order of the list. Between load() and store() the lanes know what acts, else the
   // list does: never both.
   ContactLanes lanes;
-  std::vector<int> seat_of;     ///< (groups) -1: none
   std::vector<int> record;      ///< (seats) -1: none any more
   LanesOfBlocks lows, highs;    ///< lanes of which a block is the lower, the higher one
   bool seats_complete = false;  ///< no group lacks a seat
@@ -225,9 +230,14 @@ struct ContactGroups {
     for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
       tell(static_cast<unsigned>(lows.lane[k]), true);
   }
+  /// The groups of a pair end before this one.
+  int end_of(int pair) const {
+    const auto next = static_cast<std::size_t>(pair) + 1;
+    return next < pairs.size() ? pairs[next].first : static_cast<int>(all.size());
+  }
   /// The seat of the group's contact that acts in this step, or -1.
   int acting(int g) const {
-    const int seat = seat_of[g];
+    const int seat = all[g].seat;
     return seat >= 0 && lanes.at(seat, &SlotPlaces::touch) != apart ? seat : -1;
   }
   /// Certainty of a pair counts from here on.
@@ -277,7 +287,7 @@ struct ContactGroups {
   /// What acts in group g, from the list.
   void load(const Blocks& blocks, const Contacts& contacts, int g,
             const ActingContact& contact);
-  /// For those of pairs first .. last - 1 whose seat_of is not -1.
+  /// For those of pairs first .. last - 1 whose seat is not -1.
   void seat_window(int first, int last);
 };
 

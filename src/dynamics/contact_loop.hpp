@@ -125,7 +125,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
     groups.all[g + 1].record = other;
   std::array<HeldSpring, 2> held;
   for (int k = 0; k <= group.reentrant; ++k)
-    if (const int seat = groups.seat_of[g + k]; seat >= 0)
+    if (const int seat = groups.all[g + k].seat; seat >= 0)
       held[k] = groups.held(seat);
   const auto spring_of = [&](int i) {
     return i < 0                 ? HeldSpring{}
@@ -163,7 +163,8 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     anew = true;
     return condition_holds(blocks, contacts, decision, groups, pair, g, moved, motion);
   };
-  for (int g = pair.first; g < pair.last; ++g) {
+  const int end = groups.end_of(p);
+  for (int g = pair.first; g < end; ++g) {
     ContactGroup& group = groups.all[g];
     if (group.of_notch || stands(g))
       continue;
@@ -171,8 +172,8 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     pair.prompt &= ~pair.bit(g);
     anew |= group.hopeless == 0;
   }
-  pair.certain = std::numeric_limits<double>::max();
-  for (int g = pair.first; g < pair.last; ++g) {
+  pair.certain = std::numeric_limits<float>::max();
+  for (int g = pair.first; g < end; ++g) {
     ContactGroup& group = groups.all[g];
     if (group.of_notch)  // with the one before
       continue;
@@ -203,7 +204,7 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       if (decision.stays(group))
         continue;
       group.travel = 0.0F;
-      pair.certain = groups.limits[p] = 0.0;
+      pair.certain = groups.limits[p] = 0.0F;
       due = true;
     }
   }
@@ -228,7 +229,7 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
     for (int p = round * pairs_of_round;
          p < std::min(pairs, (round + 1) * pairs_of_round); ++p) {
       const ContactPair& pair = groups.pairs[p];
-      double& limit = groups.limits[p];
+      float& limit = groups.limits[p];
       const double way = swing.way[pair.low] + swing.way[pair.high];
       if (!Rules::keeps_decisions || !(way < limit)) {
         double moved = groups.relative_motion(blocks, p);
@@ -236,7 +237,7 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
           renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
           moved = groups.relative_motion(blocks, p);
         }
-        limit = way + (pair.certain - moved);
+        limit = rounded_down(way + (pair.certain - moved));
       }
       left_of_round = std::min(left_of_round, limit - way);
       prompt |= (pair.prompt != 0 ? 1U : 0U) << (p % pairs_of_round);

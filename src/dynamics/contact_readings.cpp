@@ -41,7 +41,7 @@ void read_contacts(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
       const ContactPair& pair = groups.pairs[p];
       if (pair.lane < 0)
         continue;
-      for (int g = pair.first; g < pair.last; ++g)
+      for (int g = pair.first; g < groups.end_of(p); ++g)
         if (groups.acting(g) >= 0)
           groups.store(contacts, g, true);
       if (settings.rigid)

@@ -41,7 +41,7 @@ void LanesOfBlocks::sort(int blocks, const std::vector<ContactPair>& pairs,
 }
 
 bool ContactGroups::keep_seat(int g) {
-  const int seat = seat_of[g];
+  const int seat = all[g].seat;
   if (seat < 0 || record[seat] != all[g].record)
     return false;
   lanes.at(seat, &SlotPlaces::rule) = rule_of(all[g]);
@@ -51,7 +51,7 @@ bool ContactGroups::keep_seat(int g) {
 bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int g,
                              int i, const HeldSpring& spring) {
   const ContactGroup& known = all[g];
-  const int seat = seat_of[g];
+  const int seat = all[g].seat;
   if (seat < 0)
     return i < 0;
   const int e = contacts.edge[std::max(i, known.first)];
@@ -62,8 +62,10 @@ bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int
   places.corner[k] = contacts.corner[known.first];
   places.edge[k] = e;
   places.edge_end[k] = blocks.next[e];
-  places.flip[k] =
-      known.edge_block < blocks.corner_block[contacts.corner[known.first]] ? 1 : 0;
+  places.flip[k] = edge_block(blocks, contacts, known) <
+                           blocks.corner_block[contacts.corner[known.first]]
+                       ? 1
+                       : 0;
   places.rule[k] = rule_of(known);
   places.touch[k] = spring.record >= 0 ? in_touch : apart;
   springs.normal_elastic[k] = spring.normal;
@@ -102,9 +104,9 @@ void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
       for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
         two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
     }
-    const int begin = pairs[first].first, end = pairs[last - 1].last;
+    const int begin = pairs[first].first, end = end_of(last - 1);
     for (int g = begin; g < end; ++g)
-      if (seat_of[g] >= 0)
+      if (all[g].seat >= 0)
         set_seat(blocks, contacts, g, all[g].record, {});
     const int beyond = all[end - 1].last();
     for (int g = begin; contact != contacts.acting.cend() && contact->record < beyond;
@@ -132,7 +134,7 @@ void ContactGroups::load(const Blocks& blocks, const Contacts& contacts, int g,
   // a notch has two seats; nothing is decided yet in those of a new list
   const auto wanted = [&](int number) {
     for (int of = g; of <= g + static_cast<int>(all[g].reentrant); ++of)
-      if (record[seat_of[of]] == number)
+      if (record[all[of].seat] == number)
         return of;
     return -1;
   };
@@ -147,7 +149,7 @@ void ContactGroups::load(const Blocks& blocks, const Contacts& contacts, int g,
 }
 
 void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
-  const int seat = seat_of[g], slot = seat / lane_count, k = seat % lane_count;
+  const int seat = all[g].seat, slot = seat / lane_count, k = seat % lane_count;
   const SlotSprings& springs =
       with_readings ? lanes.advanced[slot] : lanes.springs[slot];
   ActingContact& contact = contacts.acting.emplace_back();
@@ -172,9 +174,9 @@ void ContactGroups::store(Contacts& contacts) {
     return;
   StoredLanes stored(lanes);
   each_window([&](int first, int last) {
-    const int end = pairs[last - 1].last;
+    const int end = end_of(last - 1);
     for (int g = pairs[first].first; g < end; ++g)
-      if (seat_of[g] >= 0 && held(seat_of[g]).record >= 0)
+      if (all[g].seat >= 0 && held(all[g].seat).record >= 0)
         store(contacts, g, false);
     stored.passed(sets_of(first, last).last);
   });
@@ -199,7 +201,7 @@ int ContactGroups::group_of(int seat) const {
       all.begin(), all.end(), record[seat],
       [](int i, const ContactGroup& group) { return i < group.first; });
   const int g = static_cast<int>(after - all.begin()) - 1;
-  return seat_of[g] == seat ? g : g - 1;  // a notch has two
+  return all[g].seat == seat ? g : g - 1;  // a notch has two
 }
 
 void ContactGroups::make_lanes(const Contacts& contacts) {
@@ -213,15 +215,15 @@ void ContactGroups::make_lanes(const Contacts& contacts) {
     const ContactGroup& one = all[g];
     return one.certain() ? one.lasts() < soon : soon > 0.0 && one.hopeless > 0;
   };
-  for (const ContactPair& pair : pairs)
-    for (int g = pair.first; g < pair.last; ++g) {
+  for (int p = 0; p < static_cast<int>(pairs.size()); ++p)
+    for (int g = pairs[p].first; g < end_of(p); ++g) {
       // who had a seat keeps it: it may want it again
-      const bool wants = seat_of[g] >= 0 || all[g].record >= 0 ||
-                         acted(contacts, all[g]) || may_act_soon(pair, g);
-      seat_of[g] = wants ? 0 : -1;
+      const bool wants = all[g].seat >= 0 || all[g].record >= 0 ||
+                         acted(contacts, all[g]) || may_act_soon(pairs[p], g);
+      all[g].seat = wants ? 0 : -1;
       // of a notch both or none: a spring may pass from one to the other
-      if (all[g].of_notch && seat_of[g] != seat_of[g - 1])
-        seat_of[g] = seat_of[g - 1] = 0;
+      if (all[g].of_notch && all[g].seat != all[g - 1].seat)
+        all[g].seat = all[g - 1].seat = 0;
     }
   lanes.clear();
   seats_complete = true;
@@ -234,8 +236,9 @@ void ContactGroups::seat_window(int first, int last) {
   std::array<Wish, pairs_of_window> wishes;
   int count = 0;
   for (int p = first; p < last; ++p) {
-    const auto begin = seat_of.begin() + pairs[p].first;
-    const auto wants = std::count(begin, seat_of.begin() + pairs[p].last, 0);
+    const auto wants =
+        std::count_if(all.begin() + pairs[p].first, all.begin() + end_of(p),
+                      [](const ContactGroup& group) { return group.seat >= 0; });
     pairs[p].lane = -1;
     if (wants > 0)
       wishes[count++] = {static_cast<int>(wants), p};
@@ -253,9 +256,9 @@ void ContactGroups::seat_window(int first, int last) {
     lanes.pairs[set].low[k] = pair.low, lanes.pairs[set].high[k] = pair.high;
     pair.lane = set * lane_count + k;
     int seat = lanes.pairs[set].first_slot * lane_count + k;
-    for (int g = pair.first; g < pair.last; ++g)
-      if (seat_of[g] >= 0)
-        seat_of[g] = std::exchange(seat, seat + lane_count);
+    for (int g = pair.first; g < end_of(wishes[i].pair); ++g)
+      if (all[g].seat >= 0)
+        all[g].seat = std::exchange(seat, seat + lane_count);
   }
 }
 
@@ -264,7 +267,7 @@ void ContactGroups::reserve_lanes(bool rigid) {
   each_window([&](int first, int last) {
     int sum = 0, most = 0;
     for (int p = first; p < last; ++p) {
-      const int own = pairs[p].last - pairs[p].first;
+      const int own = end_of(p) - pairs[p].first;
       sum += own, most = std::max(most, own);
     }
     // by size: no set but the first has more slots than each pair of that before

@@ -193,7 +193,7 @@ TEST(CertainTravel, IsSound) {
       for (int k = 0; k < 16; ++k) {
         const Nudge one = random_nudge(random), other = random_nudge(random);
         const int a = scene.model.blocks.corner_block[contacts.corner[group.first]];
-        const int b = group.edge_block;
+        const int b = dynamics::edge_block(scene.model.blocks, contacts, group);
         const auto nudged = [&](double size, double& u) {
           Blocks blocks = scene.model.blocks;
           const double arms =
