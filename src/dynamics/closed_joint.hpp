@@ -34,9 +34,8 @@ double shield_reach(const Blocks& blocks, int block);
 /// Rules: as ExactRules.
 template <class Rules> class ClosedJoint {
  public:
-  ClosedJoint(const Blocks& blocks, const Contacts& contacts,
-              const ContactGroups& groups)
-      : blocks_(blocks), contacts_(contacts), groups_(groups) {}
+  ClosedJoint(const Blocks& blocks, const ContactGroups& groups)
+      : blocks_(blocks), groups_(groups) {}
 
   /// Not too deep below the edge for a joint to hide anything.
   bool shallow(int c, int edge) const {
@@ -155,10 +154,10 @@ template <class Rules> class ClosedJoint {
     if (!slide.possible(way))
       return false;
     const int c = slide.c, own = blocks_.corner_block[slide.side];
+    const int block = blocks_.corner_block[c];
     const Vec2 point = at(c) + way * slide.along;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
-      const int third =
-          edge_block(blocks_, contacts_, groups_.all[groups_.by_corner[k]]);
+      const int third = groups_.pairs[groups_.pairs_of_corners[k]].beside(block);
       if (third != own && blocks_.convex[third] && near(point, third) &&
           has_surface(third, point, slide.along, slide.depth, std::abs(way)) &&
           (inside || holds(at(c), third)))
@@ -221,7 +220,6 @@ template <class Rules> class ClosedJoint {
   }
 
   const Blocks& blocks_;
-  const Contacts& contacts_;
   const ContactGroups& groups_;
 };
 

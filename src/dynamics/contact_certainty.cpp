@@ -258,9 +258,8 @@ Certainty best_candidate(const Blocks& blocks, const Contacts& contacts,
 }
 
 Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
-                             const ContactGroup& group, double enough) {
-  const int block = edge_block(blocks, contacts, group),
-            c = contacts.corner[group.first];
+                             const ContactGroup& group, int block, double enough) {
+  const int c = contacts.corner[group.first];
   if (!blocks.convex[block])
     return {-1, travel_before_outline(blocks, c, block)};
   const Certainty anywhere =
@@ -287,20 +286,19 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
 }  // namespace
 
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
-                    const ContactGroup& group, double enough) {
-  Certainty known = certainty_of_rules(blocks, contacts, group, enough);
-  known.travel -= roundoff(blocks, contacts.corner[group.first],
-                           edge_block(blocks, contacts, group));
+                    const ContactGroup& group, int block, double enough) {
+  Certainty known = certainty_of_rules(blocks, contacts, group, block, enough);
+  known.travel -= roundoff(blocks, contacts.corner[group.first], block);
   return known.travel > 0.0 ? known : Certainty{};
 }
 
 ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
-                                 const ContactGroup& group, double enough) {
+                                 const ContactGroup& group, int block, double enough) {
   using Place = PlaceInBlock<ExactRules>;
   const int c = contacts.corner[group.first];
-  const int first = blocks.first_corner[edge_block(blocks, contacts, group)];
+  const int first = blocks.first_corner[block];
   const int place = group.place < 0 ? int{group.place} : first + group.place;
-  const Sides sides(blocks, c, edge_block(blocks, contacts, group));
+  const Sides sides(blocks, c, block);
   // how far the corner is from passing each of the two edges, and the others
   std::array<double, 2> margin = {0.0, 0.0};
   double others = 0.0;
@@ -328,7 +326,7 @@ ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
           std::min(found.rest,
                    through_travel(blocks, c, contacts.edge[group.record], found.rest));
   }
-  const double rounded = roundoff(blocks, c, edge_block(blocks, contacts, group));
+  const double rounded = roundoff(blocks, c, block);
   found.rest = std::max(0.0, found.rest - rounded);
   found.travel = std::clamp(found.travel - rounded, 0.0, found.rest);
   return found;

@@ -56,6 +56,7 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
     ContactGroup group;
     group.first = first;
     group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
+    group.low_edges = edge_block(first) < blocks.corner_block[contacts.corner[first]];
     group.reentrant = notched(first);
     groups.all.push_back(group);
     if (group.reentrant) {
@@ -65,18 +66,27 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
   }
 }
 
-void sort_by_corner(const Blocks& blocks, const Contacts& contacts,
-                    ContactGroups& groups) {
-  groups.first_of_corner.assign(blocks.corners() + 1, 0);
-  for (const ContactGroup& group : groups.all)
-    ++groups.first_of_corner[contacts.corner[group.first] + 1];
-  std::partial_sum(groups.first_of_corner.begin(), groups.first_of_corner.end(),
-                   groups.first_of_corner.begin());
-  std::vector<int> next = groups.first_of_corner;
-  const int count = static_cast<int>(groups.all.size());
-  groups.by_corner.resize(count);
-  for (int g = 0; g < count; ++g)
-    groups.by_corner[next[contacts.corner[groups.all[g].first]]++] = g;
+void find_pairs_of_corners(const Blocks& blocks, const Contacts& contacts,
+                           ContactGroups& groups) {
+  // groups of a corner in a pair stand side by side
+  const auto each = [&](const auto& visit) {
+    for (int p = 0; p < static_cast<int>(groups.pairs.size()); ++p)
+      for (int g = groups.pairs[p].first, before = -1; g < groups.end_of(p); ++g) {
+        const int corner = contacts.corner[groups.all[g].first];
+        if (corner != before)
+          visit(corner, p);
+        before = corner;
+      }
+  };
+  std::vector<int>& first = groups.first_of_corner;
+  first.assign(blocks.corners() + 1, 0);
+  each([&](int corner, int) { ++first[corner + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  groups.pairs_of_corners.resize(first.back());
+  each([&](int corner, int p) { groups.pairs_of_corners[first[corner]++] = p; });
+  // each was moved on to where the next begins
+  std::move_backward(first.begin(), first.end() - 1, first.end());
+  first[0] = 0;
 }
 
 }  // namespace
@@ -184,7 +194,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone, int threads) {
   find_groups(blocks, contacts, each_alone, groups);
   find_pairs(blocks, contacts, groups);
-  sort_by_corner(blocks, contacts, groups);
+  find_pairs_of_corners(blocks, contacts, groups);
   groups.limits.assign(groups.pairs.size(), 0.0F);
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);

@@ -56,16 +56,17 @@ struct Certainty {
 /// Records first .. last() - 1 of the contact list: one corner, edges of one block.
 /// Many: 28 bytes.
 struct ContactGroup {
-  static constexpr std::uint32_t most_records = (1U << 22) - 1;
+  static constexpr std::uint32_t most_records = (1U << 21) - 1;
   static constexpr int most_edges = 128;  ///< of a block, for a condition
   int first = 0;
-  std::uint32_t count : 22 = 0;    ///< records
+  std::uint32_t count : 21 = 0;    ///< records
   std::uint32_t hopeless : 7 = 0;  ///< decisions left for which none is certain
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
   std::uint32_t reentrant : 1 = 0, of_notch : 1 = 0;
-  std::uint32_t asks : 1 = 0;  ///< of its certainty
-  int seat = -1;               ///< of its contact (ContactLanes), -1: none
+  std::uint32_t asks : 1 = 0;       ///< of its certainty
+  std::uint32_t low_edges : 1 = 0;  ///< the edges are those of the pair's lower block
+  int seat = -1;                    ///< of its contact (ContactLanes), -1: none
   int record = -1;  ///< that acts, -1: none; while certain: that is the candidate to
   std::int8_t place = Certainty::anywhere;  ///< of its certainty
   /// Edges that are watched where it is prompt, numbered within the block; -1: none.
@@ -103,6 +104,12 @@ struct ContactPair {
                              ///< each step
   float certain = 0.0F;      ///< [L] until the first of its groups has to be decided
 
+  /// The one that is not this block.
+  int beside(int block) const { return low == block ? high : low; }
+  /// The block of the edges of one of its groups.
+  int edge_block(const ContactGroup& group) const {
+    return group.low_edges ? low : high;
+  }
   /// Of group g in `prompt`; 0: the pair has too many groups.
   std::uint32_t bit(int g) const {
     return g - first < 32 ? std::uint32_t{1} << (g - first) : 0U;
@@ -190,9 +197,8 @@ struct ContactGroups {
   std::vector<double> rounds;  ///< [L] (pairs / pairs_of_round, rounded up)
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
-  std::vector<int> by_corner;  ///< indices into `all`, corner after corner
-  std::vector<int>
-      first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
+  std::vector<int> pairs_of_corners;  ///< in which a corner has a group: their indices
+  std::vector<int> first_of_corner;   ///< (corners + 1) where those of a corner begin
 
   // What acts, or is a candidate to, has a seat (ContactLanes), those of a pair in the
   // order of the list. Between load() and store() the lanes know what acts, else the

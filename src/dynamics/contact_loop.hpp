@@ -80,11 +80,13 @@ bool condition_holds(const Blocks& blocks, const Contacts& contacts,
                      const ContactDecision<Rules>& decision, ContactGroups& groups,
                      ContactPair& pair, int g, double moved, double motion) {
   ContactGroup& group = groups.all[g];
+  const int block = pair.edge_block(group);
   const double enough = prompt_life * motion;
-  const ConditionTravel found = condition_travel(blocks, contacts, group, enough);
+  const ConditionTravel found =
+      condition_travel(blocks, contacts, group, block, enough);
   pair.prompt &= ~pair.bit(g);
   group.unasked = rounded_down(moved + found.travel);
-  if (!(found.travel > 0.0) && !decision.stands(group))
+  if (!(found.travel > 0.0) && !decision.stands(group, block))
     return false;
   if (found.travel < enough && found.rest > 4.0 * found.travel && pair.bit(g) != 0) {
     pair.prompt |= pair.bit(g);
@@ -102,10 +104,12 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
             ContactPair& pair, int g, double motion, ContactGroups::Share& share) {
   const ContactDecision<Rules> decision(blocks, contacts, groups);
   ContactGroup& group = groups.all[g];
+  const int block = pair.edge_block(group);
   int other = -1;  // of a notch
   group.travel = 0.0F;
   if (Rules::keeps_decisions && group.hopeless == 0) {
-    const Certainty known = certainty(blocks, contacts, group, long_life * motion);
+    const Certainty known =
+        certainty(blocks, contacts, group, block, long_life * motion);
     if (known.travel > least_life * motion)
       group.set(known);
     if (group.certain() && group.conditional() &&
@@ -115,8 +119,8 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
   if (!group.certain()) {
     group.hopeless =
         (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) & 127U;
-    group.record = decision.acting_record(group);
-    other = decision.notch_record(group, group.record);
+    group.record = decision.acting_record(group, block);
+    other = decision.notch_record(group, block, group.record);
   }
   const int one = group.record;
   if (!group.reentrant && groups.keep_seat(g))
@@ -201,7 +205,7 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     ContactPair& pair = groups.pairs[p];
     for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
       ContactGroup& group = groups.all[pair.first + std::countr_zero(bits)];
-      if (decision.stays(group))
+      if (decision.stays(group, pair.edge_block(group)))
         continue;
       group.travel = 0.0F;
       pair.certain = groups.limits[p] = 0.0F;

@@ -62,10 +62,7 @@ bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int
   places.corner[k] = contacts.corner[known.first];
   places.edge[k] = e;
   places.edge_end[k] = blocks.next[e];
-  places.flip[k] = edge_block(blocks, contacts, known) <
-                           blocks.corner_block[contacts.corner[known.first]]
-                       ? 1
-                       : 0;
+  places.flip[k] = known.low_edges;
   places.rule[k] = rule_of(known);
   places.touch[k] = spring.record >= 0 ? in_touch : apart;
   springs.normal_elastic[k] = spring.normal;
