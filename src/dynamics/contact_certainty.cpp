@@ -321,10 +321,10 @@ ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
     if (place >= 0)
       found.rest =
           std::min(found.rest, no_crossing_beside(blocks, c, place, found.rest));
-    else if (group.record >= 0)
+    else if (group.record() >= 0)
       found.rest =
-          std::min(found.rest,
-                   through_travel(blocks, c, contacts.edge[group.record], found.rest));
+          std::min(found.rest, through_travel(blocks, c, contacts.edge[group.record()],
+                                              found.rest));
   }
   const double rounded = roundoff(blocks, c, block);
   found.rest = std::max(0.0, found.rest - rounded);

@@ -98,7 +98,7 @@ template <class Rules> class ContactDecision {
     if (!group.asks || out == several)
       return true;
     if (out == none)
-      return group.record < 0 || comes_through(c, contacts_.edge[group.record]);
+      return group.record() < 0 || comes_through(c, contacts_.edge[group.record()]);
     return !acts_beside_crossing(c, blocks_.previous[out], out) &&
            !acts_beside_crossing(c, blocks_.next[out], out);
   }

@@ -103,7 +103,7 @@ double rounded_up(double length) {
 }  // namespace
 
 void ContactGroup::set(const Certainty& known) {
-  record = known.candidate;
+  set_record(known.candidate);
   travel = unasked = rounded_down(known.travel);
   place = static_cast<std::int8_t>(known.place);
   asks = known.asks;
@@ -140,9 +140,12 @@ double Swing::reshaped(int b, const Eigen::Vector4d& since) const {
 
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {
   const int low = pairs[pair].low, high = pairs[pair].high;
-  poses[pair] = {blocks.centroid(0, low) - blocks.centroid(0, high),
-                 blocks.centroid(1, low) - blocks.centroid(1, high), blocks.angle[low],
-                 blocks.angle[high], swing.sum[low] + swing.sum[high]};
+  poses[pair] = {.x = blocks.centroid(0, low) - blocks.centroid(0, high),
+                 .y = blocks.centroid(1, low) - blocks.centroid(1, high),
+                 .angle_low = blocks.angle[low],
+                 .angle_high = blocks.angle[high],
+                 .sum = rounded_down(swing.sum[low] + swing.sum[high]),
+                 .certain = poses[pair].certain};
   if (!swing.rigid)
     shapes[pair] = {swing.shape.col(low), swing.shape.col(high)};
 }
@@ -173,7 +176,9 @@ void ContactGroups::give_back() {
 
 void ContactGroups::forget_decisions() {
   for (ContactPair& pair : pairs)
-    pair.certain = 0.0F, pair.prompt = 0;
+    pair.prompt = 0;
+  for (PairPose& pose : poses)
+    pose.certain = 0.0F;
   std::fill(prompt.begin(), prompt.end(), std::uint8_t{0});
   std::fill(limits.begin(), limits.end(), 0.0F);
   std::fill(rounds.begin(), rounds.end(), 0.0);

@@ -54,23 +54,24 @@ struct Certainty {
 };
 
 /// Records first .. last() - 1 of the contact list: one corner, edges of one block.
-/// Many: 28 bytes.
+/// Many: 24 bytes.
 struct ContactGroup {
-  static constexpr std::uint32_t most_records = (1U << 21) - 1;
+  static constexpr std::uint32_t most_records = (1U << 15) - 1;
   static constexpr int most_edges = 128;  ///< of a block, for a condition
+  static constexpr unsigned most_hopeless = (1U << 6) - 1;
   int first = 0;
-  std::uint32_t count : 21 = 0;    ///< records
-  std::uint32_t hopeless : 7 = 0;  ///< decisions left for which none is certain
+  std::uint32_t count : 15 = 0;  ///< records
+  std::uint32_t nth : 15 = 0;    ///< of them is record(), from 1; 0: none
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
   std::uint32_t reentrant : 1 = 0, of_notch : 1 = 0;
-  std::uint32_t asks : 1 = 0;       ///< of its certainty
-  std::uint32_t low_edges : 1 = 0;  ///< the edges are those of the pair's lower block
-  int seat = -1;                    ///< of its contact (ContactLanes), -1: none
-  int record = -1;  ///< that acts, -1: none; while certain: that is the candidate to
+  std::uint8_t hopeless : 6 = 0;   ///< decisions left for which none is certain
+  std::uint8_t asks : 1 = 0;       ///< of its certainty
+  std::uint8_t low_edges : 1 = 0;  ///< the edges are those of the pair's lower block
   std::int8_t place = Certainty::anywhere;  ///< of its certainty
   /// Edges that are watched where it is prompt, numbered within the block; -1: none.
   std::int8_t watched[2] = {-1, -1};
+  int seat = -1;         ///< of its contact (ContactLanes), -1: none
   float travel = 0.0F;   ///< [L] of its certainty, from the pose of its pair
   float unasked = 0.0F;  ///< [L] the same, until what it stands on has to be asked
 
@@ -80,9 +81,14 @@ struct ContactGroup {
   bool conditional() const { return place != Certainty::anywhere; }
   /// Until it has to be looked at, [L]: 0 where it is not certain.
   float lasts() const { return conditional() ? std::min(travel, unasked) : travel; }
+  /// That acts, -1: none; while certain: that is the candidate to.
+  int record() const { return nth > 0 ? first + static_cast<int>(nth) - 1 : -1; }
+  void set_record(int i) {
+    nth = i < 0 ? 0 : static_cast<std::uint32_t>(i - first + 1) & most_records;
+  }
   void set(const Certainty& known);
 };
-static_assert(sizeof(ContactGroup) == 28);
+static_assert(sizeof(ContactGroup) == 24);
 
 /// The block of a group's edges.
 inline int edge_block(const Blocks& blocks, const Contacts& contacts,
@@ -102,7 +108,6 @@ struct ContactPair {
   int lane = -1;             ///< of its contacts that have seats (ContactLanes)
   std::uint32_t prompt = 0;  ///< bit k: an edge of group first + k is asked in
                              ///< each step
-  float certain = 0.0F;      ///< [L] until the first of its groups has to be decided
 
   /// The one that is not this block.
   int beside(int block) const { return low == block ? high : low; }
@@ -120,7 +125,8 @@ struct ContactPair {
 struct PairPose {
   double x = 0.0, y = 0.0;                   ///< [L] between the centroids
   double angle_low = 0.0, angle_high = 0.0;  ///< rad
-  double sum = 0.0;                          ///< [L] of both blocks' swing
+  float sum = 0.0F;      ///< [L] of both blocks' swing, rounded down
+  float certain = 0.0F;  ///< [L] until the first of the pair's groups has to be decided
 };
 struct PairShapes {
   Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();

@@ -50,7 +50,7 @@ class ExactCalls {
 /// A certainty that would not outlive so many steps costs more than the decisions that
 /// it spares; for so many decisions no other is tried.
 inline constexpr int least_life = 3;
-inline constexpr unsigned decisions_between = 64;
+inline constexpr unsigned decisions_between = ContactGroup::most_hopeless;
 /// One that outlives so many is not put on a condition to live longer.
 inline constexpr int long_life = 32;
 
@@ -117,16 +117,16 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
       group.travel = 0.0F;
   }
   if (!group.certain()) {
-    group.hopeless =
-        (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) & 127U;
-    group.record = decision.acting_record(group, block);
-    other = decision.notch_record(group, block, group.record);
+    group.hopeless = (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) &
+                     ContactGroup::most_hopeless;
+    group.set_record(decision.acting_record(group, block));
+    other = decision.notch_record(group, block, group.record());
   }
-  const int one = group.record;
+  const int one = group.record();
   if (!group.reentrant && groups.keep_seat(g))
     return;
   if (group.reentrant)
-    groups.all[g + 1].record = other;
+    groups.all[g + 1].set_record(other);
   std::array<HeldSpring, 2> held;
   for (int k = 0; k <= group.reentrant; ++k)
     if (const int seat = groups.all[g + k].seat; seat >= 0)
@@ -138,7 +138,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
                                  : HeldSpring{};
   };
   for (int k = 0; k <= group.reentrant; ++k) {
-    const int i = groups.all[g + k].record;
+    const int i = groups.all[g + k].record();
     share.seats_complete &= groups.set_seat(blocks, contacts, g + k, i, spring_of(i));
   }
   // who acts no more: its forces are gone, its spring may find an heir
@@ -176,7 +176,8 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     pair.prompt &= ~pair.bit(g);
     anew |= group.hopeless == 0;
   }
-  pair.certain = std::numeric_limits<float>::max();
+  float& certain = groups.poses[p].certain;
+  certain = std::numeric_limits<float>::max();
   for (int g = pair.first; g < end; ++g) {
     ContactGroup& group = groups.all[g];
     if (group.of_notch)  // with the one before
@@ -187,7 +188,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       group.travel = rounded_down(group.travel - moved);
       group.unasked = rounded_down(group.unasked - moved);
     }
-    pair.certain = std::min(pair.certain, group.lasts());
+    certain = std::min(certain, group.lasts());
   }
   if (anew)
     groups.take_pose(blocks, p);
@@ -208,7 +209,7 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       if (decision.stays(group, pair.edge_block(group)))
         continue;
       group.travel = 0.0F;
-      pair.certain = groups.limits[p] = 0.0F;
+      groups.poses[p].certain = groups.limits[p] = 0.0F;
       due = true;
     }
   }
@@ -233,15 +234,16 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
     for (int p = round * pairs_of_round;
          p < std::min(pairs, (round + 1) * pairs_of_round); ++p) {
       const ContactPair& pair = groups.pairs[p];
+      const float& certain = groups.poses[p].certain;
       float& limit = groups.limits[p];
       const double way = swing.way[pair.low] + swing.way[pair.high];
       if (!Rules::keeps_decisions || !(way < limit)) {
         double moved = groups.relative_motion(blocks, p);
-        if (!Rules::keeps_decisions || !(pair.certain - moved > 0.0)) {
+        if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
           renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
           moved = groups.relative_motion(blocks, p);
         }
-        limit = rounded_down(way + (pair.certain - moved));
+        limit = rounded_down(way + (certain - moved));
       }
       left_of_round = std::min(left_of_round, limit - way);
       prompt |= (pair.prompt != 0 ? 1U : 0U) << (p % pairs_of_round);

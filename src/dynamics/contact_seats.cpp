@@ -14,7 +14,7 @@ namespace {
 
 /// How it is known whether the group's contact acts.
 signed char rule_of(const ContactGroup& group) {
-  return group.record < 0 ? idle : group.certain() ? by_sign : decided;
+  return group.record() < 0 ? idle : group.certain() ? by_sign : decided;
 }
 
 /// Whether the list says that a record of the group acts.
@@ -42,7 +42,7 @@ void LanesOfBlocks::sort(int blocks, const std::vector<ContactPair>& pairs,
 
 bool ContactGroups::keep_seat(int g) {
   const int seat = all[g].seat;
-  if (seat < 0 || record[seat] != all[g].record)
+  if (seat < 0 || record[seat] != all[g].record())
     return false;
   lanes.at(seat, &SlotPlaces::rule) = rule_of(all[g]);
   return true;
@@ -104,7 +104,7 @@ void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
     const int begin = pairs[first].first, end = end_of(last - 1);
     for (int g = begin; g < end; ++g)
       if (all[g].seat >= 0)
-        set_seat(blocks, contacts, g, all[g].record, {});
+        set_seat(blocks, contacts, g, all[g].record(), {});
     const int beyond = all[end - 1].last();
     for (int g = begin; contact != contacts.acting.cend() && contact->record < beyond;
          ++contact) {
@@ -215,7 +215,7 @@ void ContactGroups::make_lanes(const Contacts& contacts) {
   for (int p = 0; p < static_cast<int>(pairs.size()); ++p)
     for (int g = pairs[p].first; g < end_of(p); ++g) {
       // who had a seat keeps it: it may want it again
-      const bool wants = all[g].seat >= 0 || all[g].record >= 0 ||
+      const bool wants = all[g].seat >= 0 || all[g].record() >= 0 ||
                          acted(contacts, all[g]) || may_act_soon(pairs[p], g);
       all[g].seat = wants ? 0 : -1;
       // of a notch both or none: a spring may pass from one to the other
