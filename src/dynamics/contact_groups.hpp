@@ -128,6 +128,7 @@ struct PairPose {
   float sum = 0.0F;      ///< [L] of both blocks' swing, rounded down
   float certain = 0.0F;  ///< [L] until the first of the pair's groups has to be decided
 };
+static_assert(sizeof(ContactPair) + sizeof(PairPose) == 60);
 struct PairShapes {
   Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();
 };

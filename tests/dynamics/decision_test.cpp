@@ -186,9 +186,8 @@ TEST(CertainTravel, IsSound) {
       }
       conditional += group.conditional();
       ++judged;
-      const int now = dynamics::acting_record(
-          scene.model.blocks, contacts, buffers.groups, group,
-          dynamics::edge_block(blocks, scene.model.contacts, group));
+      const int now = dynamics::acting_record(scene.model.blocks, contacts,
+                                              buffers.groups, group, block);
       ASSERT_EQ(now, if_inside(scene.model.blocks, contacts, candidate)) << trial;
       acting += now >= 0;
       needles += now >= 0 && trial % 8 == 1;
