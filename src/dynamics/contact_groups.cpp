@@ -170,8 +170,10 @@ double ContactGroups::relative_motion(const Blocks& blocks, int pair) const {
 
 void ContactGroups::give_back() {
   constexpr std::size_t many = 1 << 16;
-  if (all.size() > many)
-    *this = {};
+  if (all.size() <= many)
+    return;
+  *this = {};
+  give_back_what_is_free();
 }
 
 void ContactGroups::forget_decisions() {

@@ -1,5 +1,10 @@
 #include "dynamics/give_back.hpp"
 
+#include <cstdlib>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #ifdef __linux__
 #include <sys/mman.h>
 #include <unistd.h>
@@ -24,6 +29,12 @@ void give_back_pages([[maybe_unused]] std::byte* first,
 }
 
 }  // namespace
+
+void give_back_what_is_free() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 void Wake::passed(void* place) {
   auto* const here = static_cast<std::byte*>(place);

@@ -16,6 +16,11 @@ template <class Item> void give_back(std::vector<Item>& items) {
     items.shrink_to_fit();
 }
 
+/// Gives the system what the program asked for and does not use any more. What was
+/// asked for in small pieces, as outlines for the certificate are, or in columns that
+/// are not the largest, else stays with the program, in places that others do not fit.
+void give_back_what_is_free();
+
 /// What is behind whoever goes along a column from its front: numbers that nobody wants
 /// any more. Their pages are given back while the column stays, to be written anew:
 /// until then anything may stand there.
