@@ -154,9 +154,10 @@ template <class Rules> class ClosedJoint {
     if (!slide.possible(way))
       return false;
     const int c = slide.c, own = blocks_.corner_block[slide.side];
+    const int block = blocks_.corner_block[c];
     const Vec2 point = at(c) + way * slide.along;
     for (int k = groups_.first_of_corner[c]; k < groups_.first_of_corner[c + 1]; ++k) {
-      const int third = groups_.all[groups_.by_corner[k]].edge_block;
+      const int third = groups_.pairs[groups_.pairs_of_corners[k]].beside(block);
       if (third != own && blocks_.convex[third] && near(point, third) &&
           has_surface(third, point, slide.along, slide.depth, std::abs(way)) &&
           (inside || holds(at(c), third)))

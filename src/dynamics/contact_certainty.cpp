@@ -258,8 +258,8 @@ Certainty best_candidate(const Blocks& blocks, const Contacts& contacts,
 }
 
 Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
-                             const ContactGroup& group, double enough) {
-  const int block = group.edge_block, c = contacts.corner[group.first];
+                             const ContactGroup& group, int block, double enough) {
+  const int c = contacts.corner[group.first];
   if (!blocks.convex[block])
     return {-1, travel_before_outline(blocks, c, block)};
   const Certainty anywhere =
@@ -286,19 +286,19 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
 }  // namespace
 
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
-                    const ContactGroup& group, double enough) {
-  Certainty known = certainty_of_rules(blocks, contacts, group, enough);
-  known.travel -= roundoff(blocks, contacts.corner[group.first], group.edge_block);
+                    const ContactGroup& group, int block, double enough) {
+  Certainty known = certainty_of_rules(blocks, contacts, group, block, enough);
+  known.travel -= roundoff(blocks, contacts.corner[group.first], block);
   return known.travel > 0.0 ? known : Certainty{};
 }
 
 ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
-                                 const ContactGroup& group, double enough) {
+                                 const ContactGroup& group, int block, double enough) {
   using Place = PlaceInBlock<ExactRules>;
   const int c = contacts.corner[group.first];
-  const int first = blocks.first_corner[group.edge_block];
+  const int first = blocks.first_corner[block];
   const int place = group.place < 0 ? int{group.place} : first + group.place;
-  const Sides sides(blocks, c, group.edge_block);
+  const Sides sides(blocks, c, block);
   // how far the corner is from passing each of the two edges, and the others
   std::array<double, 2> margin = {0.0, 0.0};
   double others = 0.0;
@@ -321,12 +321,12 @@ ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
     if (place >= 0)
       found.rest =
           std::min(found.rest, no_crossing_beside(blocks, c, place, found.rest));
-    else if (group.record >= 0)
+    else if (group.record() >= 0)
       found.rest =
-          std::min(found.rest,
-                   through_travel(blocks, c, contacts.edge[group.record], found.rest));
+          std::min(found.rest, through_travel(blocks, c, contacts.edge[group.record()],
+                                              found.rest));
   }
-  const double rounded = roundoff(blocks, c, group.edge_block);
+  const double rounded = roundoff(blocks, c, block);
   found.rest = std::max(0.0, found.rest - rounded);
   found.travel = std::clamp(found.travel - rounded, 0.0, found.rest);
   return found;

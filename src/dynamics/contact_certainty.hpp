@@ -29,10 +29,10 @@ namespace blocks::dynamics {
 ///   is in the block, for a few questions take less time than a decision.
 /// - Corners are stored rounded: what that may add to the motion is taken off.
 ///
-/// enough [L]: a certainty for more than that has no condition; one that has is for
-/// eight times as much at most.
+/// block: whose edges the group's are. enough [L]: a certainty for more than that has
+/// no condition; one that has is for eight times as much at most.
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
-                    const ContactGroup& group, double enough);
+                    const ContactGroup& group, int block, double enough);
 
 /// For how long the condition of a group certainly holds (ContactDecision::stands).
 struct ConditionTravel {
@@ -44,6 +44,7 @@ struct ConditionTravel {
 };
 /// enough [L]: edges that the corner cannot pass within this travel are not named.
 ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
-                                 const ContactGroup& group, double enough = 0.0);
+                                 const ContactGroup& group, int block,
+                                 double enough = 0.0);
 
 }  // namespace blocks::dynamics

@@ -9,8 +9,9 @@ namespace blocks::dynamics {
 template class ContactDecision<ExactRules>;
 
 int acting_record(const Blocks& blocks, const Contacts& contacts,
-                  const ContactGroups& groups, const ContactGroup& group) {
-  return ContactDecision<ExactRules>(blocks, contacts, groups).acting_record(group);
+                  const ContactGroups& groups, const ContactGroup& group, int block) {
+  return ContactDecision<ExactRules>(blocks, contacts, groups)
+      .acting_record(group, block);
 }
 
 double shield_reach(const Blocks& blocks, int block) {

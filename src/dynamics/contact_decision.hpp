@@ -63,6 +63,8 @@ template <class Rules> class ContactDecision {
                   const ContactGroups& groups)
       : blocks_(blocks), contacts_(contacts), place_(blocks), joint_(blocks, groups) {}
 
+  // block: whose edges the group's are (ContactPair::edge_block)
+
   /// The record of the group that acts, or -1: the admissible edge with the least
   /// depth, if the corner is inside it (rule 12). Admissible: (20) holds for both
   /// tangents of the corner, the depth is at most that of the block's centroid (rule
@@ -76,35 +78,35 @@ template <class Rules> class ContactDecision {
   /// What closed joints hide does not act (ClosedJoint): the next nearest edge acts in
   /// place of a hidden side, and in place of a flank that a hidden corner does not
   /// touch, unless that slopes as well.
-  int acting_record(const ContactGroup& group) const {
-    const int c = contacts_.corner[group.first], out = place(c, group.edge_block);
-    const int nearest = nearest_record(group, out);
+  int acting_record(const ContactGroup& group, int block) const {
+    const int c = contacts_.corner[group.first], out = place(c, block);
+    const int nearest = nearest_record(group, block, out);
     if (nearest < 0 || !inside(nearest))
       return -1;
-    if (Rules::shield && notch_record(group, nearest) < 0)
-      return seen_record(group, out, nearest);
+    if (Rules::shield && notch_record(group, block, nearest) < 0)
+      return seen_record(group, block, out, nearest);
     return nearest;
   }
 
   /// Whether the condition of a certain group holds (Certainty).
-  bool stands(const ContactGroup& group) const {
+  bool stands(const ContactGroup& group, int block) const {
     const int c = contacts_.corner[group.first];
-    const int out = place_.outside_of(at(c), group.edge_block);
-    const int first = blocks_.first_corner[group.edge_block];
+    const int out = place_.outside_of(at(c), block);
+    const int first = blocks_.first_corner[block];
     if ((out < 0 ? out : out - first) != group.place)
       return false;
     if (!group.asks || out == several)
       return true;
     if (out == none)
-      return group.record < 0 || comes_through(c, contacts_.edge[group.record]);
+      return group.record() < 0 || comes_through(c, contacts_.edge[group.record()]);
     return !acts_beside_crossing(c, blocks_.previous[out], out) &&
            !acts_beside_crossing(c, blocks_.next[out], out);
   }
 
   /// Whether the corner is still on its side of the edges that are watched.
-  bool stays(const ContactGroup& group) const {
+  bool stays(const ContactGroup& group, int block) const {
     bool all = true;
-    each_watched(group, [&](int c, int edge, int edge_end, bool outside) {
+    each_watched(group, block, [&](int c, int edge, int edge_end, bool outside) {
       all = all && Rules::inside_edge(at(c), at(edge), at(edge_end)) != outside;
     });
     return all;
@@ -112,8 +114,8 @@ template <class Rules> class ContactDecision {
   /// Calls visit(corner, edge, its end, whether the corner is outside) for each of
   /// them.
   template <class Visit>
-  void each_watched(const ContactGroup& group, const Visit& visit) const {
-    const int first = blocks_.first_corner[group.edge_block];
+  void each_watched(const ContactGroup& group, int block, const Visit& visit) const {
+    const int first = blocks_.first_corner[block];
     for (const std::int8_t edge : group.watched)
       if (edge >= 0)
         visit(contacts_.corner[group.first], first + edge, blocks_.next[first + edge],
@@ -121,16 +123,16 @@ template <class Rules> class ContactDecision {
   }
 
   /// The record that acts as well, for the corner has to come out of a notch, or -1.
-  int notch_record(const ContactGroup& group, int acting) const {
-    if (acting < 0 || !reentrant(group.edge_block))
+  int notch_record(const ContactGroup& group, int block, int acting) const {
+    if (acting < 0 || !reentrant(block))
       return -1;
     const int c = contacts_.corner[group.first];
-    const int other = ReentrantBlock<Rules>(blocks_, group.edge_block)
+    const int other = ReentrantBlock<Rules>(blocks_, block)
                           .across_notch(at(c), contacts_.edge[acting]);
     if (other < 0 || Rules::overlap_sign(at(c), at(other), end(other)) <= 0)
       return -1;
     for (int i = group.first; i < group.last(); ++i)
-      if (contacts_.edge[i] == other && admissible(c, other, group.edge_block))
+      if (contacts_.edge[i] == other && admissible(c, other, block))
         return i;
     return -1;
   }
@@ -269,9 +271,9 @@ template <class Rules> class ContactDecision {
 
   /// The record that acts where closed joints hide the nearest edge, or the corner: the
   /// nearest, the next, or -1.
-  int seen_record(const ContactGroup& group, int out, int nearest) const {
+  int seen_record(const ContactGroup& group, int block, int out, int nearest) const {
     const int c = contacts_.corner[nearest], edge = contacts_.edge[nearest];
-    const int i = next_record(group, out, nearest);
+    const int i = next_record(group, block, out, nearest);
     const int next = i < 0 ? -1 : contacts_.edge[i];
     if (next >= 0 && joint_.hides_side(c, edge, next))
       return i;
@@ -311,8 +313,8 @@ template <class Rules> class ContactDecision {
 
   /// The record with the least depth that may act, -1: none. out: place. Inside
   /// of several, one whose edge meets the corner's block comes first.
-  int nearest_record(const ContactGroup& group, int out) const {
-    const int c = contacts_.corner[group.first], block = group.edge_block;
+  int nearest_record(const ContactGroup& group, int block, int out) const {
+    const int c = contacts_.corner[group.first];
     int found = -1, others = -1;
     if (out == several && !reentrant(block))
       return found;
@@ -346,11 +348,11 @@ template <class Rules> class ContactDecision {
 
   /// Of the other records that may act, met or not, that with the least depth, -1:
   /// none.
-  int next_record(const ContactGroup& group, int out, int nearest) const {
+  int next_record(const ContactGroup& group, int block, int out, int nearest) const {
     const int c = contacts_.corner[group.first];
     int found = -1;
     for (int i = group.first; i < group.last(); ++i)
-      if (i != nearest && may_act(c, contacts_.edge[i], group.edge_block, out) &&
+      if (i != nearest && may_act(c, contacts_.edge[i], block, out) &&
           precedes(i, found))
         found = i;
     return found;
@@ -364,6 +366,6 @@ template <class Rules> class ContactDecision {
 
 /// ContactDecision<ExactRules>::acting_record, compiled once.
 int acting_record(const Blocks& blocks, const Contacts& contacts,
-                  const ContactGroups& groups, const ContactGroup& group);
+                  const ContactGroups& groups, const ContactGroup& group, int block);
 
 }  // namespace blocks::dynamics

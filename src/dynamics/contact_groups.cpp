@@ -28,8 +28,7 @@ void find_pairs(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     const auto [low, high] = pair(g);
     if (groups.pairs.empty() || groups.pairs.back().low != low ||
         groups.pairs.back().high != high)
-      groups.pairs.push_back({.low = low, .high = high, .first = g, .last = g});
-    groups.pairs.back().last = g + 1;
+      groups.pairs.push_back({.low = low, .high = high, .first = g});
   }
 }
 
@@ -58,7 +57,7 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
     ContactGroup group;
     group.first = first;
     group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
-    group.edge_block = edge_block(first);
+    group.low_edges = edge_block(first) < blocks.corner_block[contacts.corner[first]];
     group.reentrant = notched(first);
     groups.all.push_back(group);
     if (group.reentrant) {
@@ -68,18 +67,27 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
   }
 }
 
-void sort_by_corner(const Blocks& blocks, const Contacts& contacts,
-                    ContactGroups& groups) {
-  groups.first_of_corner.assign(blocks.corners() + 1, 0);
-  for (const ContactGroup& group : groups.all)
-    ++groups.first_of_corner[contacts.corner[group.first] + 1];
-  std::partial_sum(groups.first_of_corner.begin(), groups.first_of_corner.end(),
-                   groups.first_of_corner.begin());
-  std::vector<int> next = groups.first_of_corner;
-  const int count = static_cast<int>(groups.all.size());
-  groups.by_corner.resize(count);
-  for (int g = 0; g < count; ++g)
-    groups.by_corner[next[contacts.corner[groups.all[g].first]]++] = g;
+void find_pairs_of_corners(const Blocks& blocks, const Contacts& contacts,
+                           ContactGroups& groups) {
+  // groups of a corner in a pair stand side by side
+  const auto each = [&](const auto& visit) {
+    for (int p = 0; p < static_cast<int>(groups.pairs.size()); ++p)
+      for (int g = groups.pairs[p].first, before = -1; g < groups.end_of(p); ++g) {
+        const int corner = contacts.corner[groups.all[g].first];
+        if (corner != before)
+          visit(corner, p);
+        before = corner;
+      }
+  };
+  std::vector<int>& first = groups.first_of_corner;
+  first.assign(blocks.corners() + 1, 0);
+  each([&](int corner, int) { ++first[corner + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  groups.pairs_of_corners.resize(first.back());
+  each([&](int corner, int p) { groups.pairs_of_corners[first[corner]++] = p; });
+  // each was moved on to where the next begins
+  std::move_backward(first.begin(), first.end() - 1, first.end());
+  first[0] = 0;
 }
 
 }  // namespace
@@ -96,7 +104,7 @@ double rounded_up(double length) {
 }  // namespace
 
 void ContactGroup::set(const Certainty& known) {
-  record = known.candidate;
+  set_record(known.candidate);
   travel = unasked = rounded_down(known.travel);
   place = static_cast<std::int8_t>(known.place);
   asks = known.asks;
@@ -144,9 +152,12 @@ std::uint64_t ContactGroups::watched_by(const ContactPair& pair) const {
 
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {
   const int low = pairs[pair].low, high = pairs[pair].high;
-  poses[pair] = {blocks.centroid(0, low) - blocks.centroid(0, high),
-                 blocks.centroid(1, low) - blocks.centroid(1, high), blocks.angle[low],
-                 blocks.angle[high], swing.sum[low] + swing.sum[high]};
+  poses[pair] = {.x = blocks.centroid(0, low) - blocks.centroid(0, high),
+                 .y = blocks.centroid(1, low) - blocks.centroid(1, high),
+                 .angle_low = blocks.angle[low],
+                 .angle_high = blocks.angle[high],
+                 .sum = rounded_down(swing.sum[low] + swing.sum[high]),
+                 .certain = poses[pair].certain};
   if (!swing.rigid)
     shapes[pair] = {swing.shape.col(low), swing.shape.col(high)};
 }
@@ -171,16 +182,20 @@ double ContactGroups::relative_motion(const Blocks& blocks, int pair) const {
 
 void ContactGroups::give_back() {
   constexpr std::size_t many = 1 << 16;
-  if (all.size() > many)
-    *this = {};
+  if (all.size() <= many)
+    return;
+  *this = {};
+  give_back_what_is_free();
 }
 
 void ContactGroups::forget_decisions() {
   for (ContactPair& pair : pairs)
-    pair.certain = 0.0, pair.prompt = 0;
+    pair.prompt = 0;
+  for (PairPose& pose : poses)
+    pose.certain = 0.0F;
   std::fill(prompt.begin(), prompt.end(), std::uint8_t{0});
   watches.forget();
-  std::fill(limits.begin(), limits.end(), 0.0);
+  std::fill(limits.begin(), limits.end(), 0.0F);
   std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
     each.travel = 0.0F, each.hopeless = 1;
@@ -199,9 +214,8 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone, int threads) {
   find_groups(blocks, contacts, each_alone, groups);
   find_pairs(blocks, contacts, groups);
-  sort_by_corner(blocks, contacts, groups);
-  groups.seat_of.assign(groups.all.size(), -1);
-  groups.limits.assign(groups.pairs.size(), 0.0);
+  find_pairs_of_corners(blocks, contacts, groups);
+  groups.limits.assign(groups.pairs.size(), 0.0F);
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
   groups.prompt.assign(groups.rounds.size(), 0);
@@ -220,7 +234,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.swing.start(blocks, rigid);
   groups.poses.assign(groups.pairs.size(), {});
   groups.shapes.assign(rigid ? 0 : groups.pairs.size(), {});
-  groups.make_lanes(blocks.size(), contacts);
+  groups.make_lanes(contacts);
 }
 
 }  // namespace blocks::dynamics

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dynamics/contact_lanes.hpp"
+#include "dynamics/give_back.hpp"
 #include "dynamics/watch_rows.hpp"
 #include "model/contact_blocks.hpp"
 #include "model/model.hpp"
@@ -54,22 +55,24 @@ struct Certainty {
 };
 
 /// Records first .. last() - 1 of the contact list: one corner, edges of one block.
-/// Many: 28 bytes.
+/// Many: 24 bytes.
 struct ContactGroup {
-  static constexpr std::uint32_t most_records = (1U << 22) - 1;
+  static constexpr std::uint32_t most_records = (1U << 15) - 1;
   static constexpr int most_edges = 128;  ///< of a block, for a condition
+  static constexpr unsigned most_hopeless = (1U << 6) - 1;
   int first = 0;
-  std::uint32_t count : 22 = 0;    ///< records
-  std::uint32_t hopeless : 7 = 0;  ///< decisions left for which none is certain
+  std::uint32_t count : 15 = 0;  ///< records
+  std::uint32_t nth : 15 = 0;    ///< of them is record(), from 1; 0: none
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
   std::uint32_t reentrant : 1 = 0, of_notch : 1 = 0;
-  std::uint32_t asks : 1 = 0;  ///< of its certainty
-  int edge_block = 0;
-  int record = -1;  ///< that acts, -1: none; while certain: that is the candidate to
+  std::uint8_t hopeless : 6 = 0;   ///< decisions left for which none is certain
+  std::uint8_t asks : 1 = 0;       ///< of its certainty
+  std::uint8_t low_edges : 1 = 0;  ///< the edges are those of the pair's lower block
   std::int8_t place = Certainty::anywhere;  ///< of its certainty
   /// Edges that are watched where it is prompt, numbered within the block; -1: none.
   std::int8_t watched[2] = {-1, -1};
+  int seat = -1;         ///< of its contact (ContactLanes), -1: none
   float travel = 0.0F;   ///< [L] of its certainty, from the pose of its pair
   float unasked = 0.0F;  ///< [L] the same, until what it stands on has to be asked
 
@@ -78,10 +81,21 @@ struct ContactGroup {
   /// Certain on a condition.
   bool conditional() const { return place != Certainty::anywhere; }
   /// Until it has to be looked at, [L]: 0 where it is not certain.
-  double lasts() const { return conditional() ? std::min(travel, unasked) : travel; }
+  float lasts() const { return conditional() ? std::min(travel, unasked) : travel; }
+  /// That acts, -1: none; while certain: that is the candidate to.
+  int record() const { return nth > 0 ? first + static_cast<int>(nth) - 1 : -1; }
+  void set_record(int i) {
+    nth = i < 0 ? 0 : static_cast<std::uint32_t>(i - first + 1) & most_records;
+  }
   void set(const Certainty& known);
 };
-static_assert(sizeof(ContactGroup) == 28);
+static_assert(sizeof(ContactGroup) == 24);
+
+/// The block of a group's edges.
+inline int edge_block(const Blocks& blocks, const Contacts& contacts,
+                      const ContactGroup& group) {
+  return blocks.corner_block[contacts.edge[group.first]];
+}
 
 /// A travel that is kept: a float that is no longer.
 inline float rounded_down(double travel) {
@@ -91,12 +105,17 @@ inline float rounded_down(double travel) {
 /// The groups of two blocks, which stand side by side.
 struct ContactPair {
   int low = 0, high = 0;     ///< the two blocks
-  int first = 0, last = 0;   ///< groups
+  int first = 0;             ///< group; its last is before the first of the next pair
   int lane = -1;             ///< of its contacts that have seats (ContactLanes)
   std::uint32_t prompt = 0;  ///< bit k: an edge of group first + k is asked in
                              ///< each step
-  double certain = 0.0;      ///< [L] until the first of its groups has to be decided
 
+  /// The one that is not this block.
+  int beside(int block) const { return low == block ? high : low; }
+  /// The block of the edges of one of its groups.
+  int edge_block(const ContactGroup& group) const {
+    return group.low_edges ? low : high;
+  }
   /// Of group g in `prompt`; 0: the pair has too many groups.
   std::uint32_t bit(int g) const {
     return g - first < 32 ? std::uint32_t{1} << (g - first) : 0U;
@@ -107,8 +126,10 @@ struct ContactPair {
 struct PairPose {
   double x = 0.0, y = 0.0;                   ///< [L] between the centroids
   double angle_low = 0.0, angle_high = 0.0;  ///< rad
-  double sum = 0.0;                          ///< [L] of both blocks' swing
+  float sum = 0.0F;      ///< [L] of both blocks' swing, rounded down
+  float certain = 0.0F;  ///< [L] until the first of the pair's groups has to be decided
 };
+static_assert(sizeof(ContactPair) + sizeof(PairPose) == 60);
 struct PairShapes {
   Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();
 };
@@ -133,6 +154,25 @@ struct HeldSpring {
 struct LostForce {
   int group, record;
   double normal, shear;  ///< [F] FN > 0, FS
+};
+
+/// Sets first .. last - 1 of lanes.
+struct SetRange {
+  int first = 0, last = 0;
+};
+
+/// Gives the memory of the slots back, set after set, as what acts in them is stored in
+/// the list: in the step in which it passes from the one to the other a large model has
+/// no room for both.
+class StoredLanes {
+ public:
+  explicit StoredLanes(const ContactLanes& lanes);
+  /// All before this set are stored.
+  void passed(int set);
+
+ private:
+  const ContactLanes& lanes_;
+  Wake places_, springs_, advanced_;
 };
 
 /// The extremes over the contacts that act in a step.
@@ -163,26 +203,25 @@ struct ContactGroups {
   std::vector<PairShapes> shapes;  ///< (pairs) deformable blocks only
   /// [L] (pairs) No decision of a pair has to be renewed while the ways of its two
   /// blocks (Swing) add up to less: a quick look before relative_motion.
-  std::vector<double> limits;
+  std::vector<float> limits;
   std::vector<double> rounds;  ///< [L] (pairs / pairs_of_round, rounded up)
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
-  WatchRows watches;           ///< of the prompt ones
-  std::vector<int> by_corner;  ///< indices into `all`, corner after corner
-  std::vector<int>
-      first_of_corner;  ///< (corners + 1) where a corner's begin in by_corner
+  WatchRows watches;                  ///< of the prompt ones
+  std::vector<int> pairs_of_corners;  ///< in which a corner has a group: their indices
+  std::vector<int> first_of_corner;   ///< (corners + 1) where those of a corner begin
 
   // What acts, or is a candidate to, has a seat (ContactLanes), those of a pair in the
-  // order of the list. Between load() and store() the list does not know what acts.
+  // order of the list. Between load() and store() the lanes know what acts, else the
+  // list does: never both.
   ContactLanes lanes;
-  std::vector<int> seat_of;     ///< (groups) -1: none
   std::vector<int> record;      ///< (seats) -1: none any more
   LanesOfBlocks lows, highs;    ///< lanes of which a block is the lower, the higher one
   bool seats_complete = false;  ///< no group lacks a seat
   int times_made = 0;           ///< lanes, of this list
   double made_at = 0.0;         ///< [L] the travel (Swing) when they were made last
-  bool loaded = false;          ///< the lanes know what acts
-  bool read = false;            ///< the list too, with readings of the last step
+  bool loaded = false;          ///< the lanes know what acts, not the list
+  bool read = false;            ///< the list does, with readings of the last step
 
   std::vector<LostForce> lost;  ///< in this step
   std::vector<int> heirs;       ///< sets whose contacts were handed some of it
@@ -208,9 +247,14 @@ struct ContactGroups {
     for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
       tell(static_cast<unsigned>(lows.lane[k]), true);
   }
+  /// The groups of a pair end before this one.
+  int end_of(int pair) const {
+    const auto next = static_cast<std::size_t>(pair) + 1;
+    return next < pairs.size() ? pairs[next].first : static_cast<int>(all.size());
+  }
   /// The seat of the group's contact that acts in this step, or -1.
   int acting(int g) const {
-    const int seat = seat_of[g];
+    const int seat = all[g].seat;
     return seat >= 0 && lanes.is(seat, &SlotPlaces::touches) ? seat : -1;
   }
   /// Differs where a pair's groups watch other edges than before, or more, or less.
@@ -222,13 +266,12 @@ struct ContactGroups {
   /// more, [L]: two of one block by its arms alone. A distance: from one pose to a
   /// third never farther than by way of a second.
   double relative_motion(const Blocks& blocks, int pair) const;
-  /// Springs from the list to the lanes, and the dashpots.
-  void load(const Blocks& blocks, const Contacts& contacts, const Settings& settings);
+  /// Springs from the list to the lanes, and the dashpots; the lanes first where there
+  /// are none.
+  void load(const Blocks& blocks, Contacts& contacts, const Settings& settings);
   /// Springs from the lanes to the list, unless they are there. Without readings of the
   /// last step forces and overlaps are 0.
   void store(Contacts& contacts);
-  /// The list holds none.
-  static void begin_store(Contacts& contacts);
   /// What acts in group g, with its readings (contact_readings.hpp) or without, becomes
   /// the last of the list.
   void store(Contacts& contacts, int g, bool with_readings) const;
@@ -247,11 +290,23 @@ struct ContactGroups {
   /// Memory for the case that all groups act.
   void reserve_lanes(bool rigid);
   /// A seat for each group that has one, acts or may act; from the third time on also
-  /// for those that may act as soon again as seats have run out.
-  void make_lanes(int blocks, const Contacts& contacts);
+  /// for those that may act as soon again as seats have run out. They get it when they
+  /// are loaded.
+  void make_lanes(const Contacts& contacts);
+  /// Calls visit(first, last) for pairs first .. last - 1 of each window.
+  template <class Visit> void each_window(const Visit& visit) const {
+    const int count = static_cast<int>(pairs.size());
+    for (int first = 0; first < count; first += pairs_of_window)
+      visit(first, std::min(count, first + pairs_of_window));
+  }
+  /// The sets in which pairs first .. last - 1 of a window have their lanes.
+  SetRange sets_of(int first, int last) const;
 
  private:
-  /// For those of pairs first .. last - 1 whose seat_of is not -1.
+  /// What acts in group g, from the list.
+  void load(const Blocks& blocks, const Contacts& contacts, int g,
+            const ActingContact& contact);
+  /// For those of pairs first .. last - 1 whose seat is not -1.
   void seat_window(int first, int last);
 };
 

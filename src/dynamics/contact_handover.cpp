@@ -22,8 +22,12 @@ class Heir {
   /// Edges of other blocks, or other edges of the same, that act on the corner.
   void look_at_corner() {
     for (int k = groups_.first_of_corner[corner_];
-         k < groups_.first_of_corner[corner_ + 1]; ++k)
-      consider(groups_.by_corner[k]);
+         k < groups_.first_of_corner[corner_ + 1]; ++k) {
+      const int pair = groups_.pairs_of_corners[k];
+      for (int g = groups_.pairs[pair].first; g < groups_.end_of(pair); ++g)
+        if (contacts_.corner[groups_.all[g].first] == corner_)
+          consider(g);
+    }
   }
   /// Other corners of the two blocks, if the force keeps its direction. Groups of a
   /// pair stand side by side.

@@ -50,7 +50,7 @@ class ExactCalls {
 /// A certainty that would not outlive so many steps costs more than the decisions that
 /// it spares; for so many decisions no other is tried.
 inline constexpr int least_life = 3;
-inline constexpr unsigned decisions_between = 64;
+inline constexpr unsigned decisions_between = ContactGroup::most_hopeless;
 /// One that outlives so many is not put on a condition to live longer.
 inline constexpr int long_life = 32;
 
@@ -80,11 +80,13 @@ bool condition_holds(const Blocks& blocks, const Contacts& contacts,
                      const ContactDecision<Rules>& decision, ContactGroups& groups,
                      ContactPair& pair, int g, double moved, double motion) {
   ContactGroup& group = groups.all[g];
+  const int block = pair.edge_block(group);
   const double enough = prompt_life * motion;
-  const ConditionTravel found = condition_travel(blocks, contacts, group, enough);
+  const ConditionTravel found =
+      condition_travel(blocks, contacts, group, block, enough);
   pair.prompt &= ~pair.bit(g);
   group.unasked = rounded_down(moved + found.travel);
-  if (!(found.travel > 0.0) && !decision.stands(group))
+  if (!(found.travel > 0.0) && !decision.stands(group, block))
     return false;
   if (found.travel < enough && found.rest > 4.0 * found.travel && pair.bit(g) != 0) {
     pair.prompt |= pair.bit(g);
@@ -102,10 +104,12 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
             ContactPair& pair, int g, double motion, ContactGroups::Share& share) {
   const ContactDecision<Rules> decision(blocks, contacts, groups);
   ContactGroup& group = groups.all[g];
+  const int block = pair.edge_block(group);
   int other = -1;  // of a notch
   group.travel = 0.0F;
   if (Rules::keeps_decisions && group.hopeless == 0) {
-    const Certainty known = certainty(blocks, contacts, group, long_life * motion);
+    const Certainty known =
+        certainty(blocks, contacts, group, block, long_life * motion);
     if (known.travel > least_life * motion)
       group.set(known);
     if (group.certain() && group.conditional() &&
@@ -113,19 +117,19 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
       group.travel = 0.0F;
   }
   if (!group.certain()) {
-    group.hopeless =
-        (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) & 127U;
-    group.record = decision.acting_record(group);
-    other = decision.notch_record(group, group.record);
+    group.hopeless = (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) &
+                     ContactGroup::most_hopeless;
+    group.set_record(decision.acting_record(group, block));
+    other = decision.notch_record(group, block, group.record());
   }
-  const int one = group.record;
+  const int one = group.record();
   if (!group.reentrant && groups.keep_seat(g))
     return;
   if (group.reentrant)
-    groups.all[g + 1].record = other;
+    groups.all[g + 1].set_record(other);
   std::array<HeldSpring, 2> held;
   for (int k = 0; k <= group.reentrant; ++k)
-    if (const int seat = groups.seat_of[g + k]; seat >= 0)
+    if (const int seat = groups.all[g + k].seat; seat >= 0)
       held[k] = groups.held(seat);
   const auto spring_of = [&](int i) {
     return i < 0                 ? HeldSpring{}
@@ -134,7 +138,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
                                  : HeldSpring{};
   };
   for (int k = 0; k <= group.reentrant; ++k) {
-    const int i = groups.all[g + k].record;
+    const int i = groups.all[g + k].record();
     share.seats_complete &= groups.set_seat(blocks, contacts, g + k, i, spring_of(i));
   }
   // who acts no more: its forces are gone, its spring may find an heir
@@ -163,7 +167,8 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     anew = true;
     return condition_holds(blocks, contacts, decision, groups, pair, g, moved, motion);
   };
-  for (int g = pair.first; g < pair.last; ++g) {
+  const int end = groups.end_of(p);
+  for (int g = pair.first; g < end; ++g) {
     ContactGroup& group = groups.all[g];
     if (group.of_notch || stands(g))
       continue;
@@ -171,8 +176,9 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     pair.prompt &= ~pair.bit(g);
     anew |= group.hopeless == 0;
   }
-  pair.certain = std::numeric_limits<double>::max();
-  for (int g = pair.first; g < pair.last; ++g) {
+  float& certain = groups.poses[p].certain;
+  certain = std::numeric_limits<float>::max();
+  for (int g = pair.first; g < end; ++g) {
     ContactGroup& group = groups.all[g];
     if (group.of_notch)  // with the one before
       continue;
@@ -182,7 +188,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       group.travel = rounded_down(group.travel - moved);
       group.unasked = rounded_down(group.unasked - moved);
     }
-    pair.certain = std::min(pair.certain, group.lasts());
+    certain = std::min(certain, group.lasts());
   }
   if (anew)
     groups.take_pose(blocks, p);
@@ -202,12 +208,13 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     ContactPair& pair = groups.pairs[p];
     for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
       ContactGroup& group = groups.all[pair.first + std::countr_zero(bits)];
+      const int block = pair.edge_block(group);
       if (missing)
-        decision.each_watched(group, [&](auto... edge) { rows.add(edge...); });
-      if (decision.stays(group))
+        decision.each_watched(group, block, [&](auto... edge) { rows.add(edge...); });
+      if (decision.stays(group, block))
         continue;
       group.travel = 0.0F;
-      pair.certain = groups.limits[p] = 0.0;
+      groups.poses[p].certain = groups.limits[p] = 0.0F;
       due = true;
     }
   }
@@ -238,18 +245,19 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
     for (int p = round * pairs_of_round;
          p < std::min(pairs, (round + 1) * pairs_of_round); ++p) {
       const ContactPair& pair = groups.pairs[p];
-      double& limit = groups.limits[p];
+      const float& certain = groups.poses[p].certain;
+      float& limit = groups.limits[p];
       const double way = swing.way[pair.low] + swing.way[pair.high];
       if (!Rules::keeps_decisions || !(way < limit)) {
         double moved = groups.relative_motion(blocks, p);
-        if (!Rules::keeps_decisions || !(pair.certain - moved > 0.0)) {
+        if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
           const std::uint64_t before = groups.watched_by(pair);
           renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
           if (groups.watched_by(pair) != before)
             groups.watches.forget(round);
           moved = groups.relative_motion(blocks, p);
         }
-        limit = way + (pair.certain - moved);
+        limit = rounded_down(way + (certain - moved));
       }
       left_of_round = std::min(left_of_round, limit - way);
       prompt |= (pair.prompt != 0 ? 1U : 0U) << (p % pairs_of_round);
@@ -314,7 +322,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     groups.join_shares();
     if (!groups.seats_complete) {
       groups.store(contacts);
-      groups.make_lanes(blocks.size(), contacts);
+      groups.make_lanes(contacts);
       groups.load(blocks, contacts, settings);
     }
   }

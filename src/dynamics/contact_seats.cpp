@@ -7,13 +7,14 @@
 
 #include "dynamics/contact_groups.hpp"
 #include "dynamics/dashpot.hpp"
+#include "dynamics/give_back.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
 /// How it is known whether the group's contact, which has the seat, acts.
 void set_rule(ContactLanes& lanes, int seat, const ContactGroup& group) {
-  const bool may = group.record >= 0;
+  const bool may = group.record() >= 0;
   lanes.set(seat, &SlotPlaces::asked, may && group.certain());
   lanes.set(seat, &SlotPlaces::decided, may && !group.certain());
 }
@@ -42,8 +43,8 @@ void LanesOfBlocks::sort(int blocks, const std::vector<ContactPair>& pairs,
 }
 
 bool ContactGroups::keep_seat(int g) {
-  const int seat = seat_of[g];
-  if (seat < 0 || record[seat] != all[g].record)
+  const int seat = all[g].seat;
+  if (seat < 0 || record[seat] != all[g].record())
     return false;
   set_rule(lanes, seat, all[g]);
   return true;
@@ -52,7 +53,7 @@ bool ContactGroups::keep_seat(int g) {
 bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int g,
                              int i, const HeldSpring& spring) {
   const ContactGroup& known = all[g];
-  const int seat = seat_of[g];
+  const int seat = all[g].seat;
   if (seat < 0)
     return i < 0;
   const int e = contacts.edge[std::max(i, known.first)];
@@ -63,8 +64,7 @@ bool ContactGroups::set_seat(const Blocks& blocks, const Contacts& contacts, int
   places.corner[k] = contacts.corner[known.first];
   places.edge[k] = e;
   places.edge_end[k] = blocks.next[e];
-  lanes.set(seat, &SlotPlaces::flips,
-            known.edge_block < blocks.corner_block[contacts.corner[known.first]]);
+  lanes.set(seat, &SlotPlaces::flips, known.low_edges);
   set_rule(lanes, seat, known);
   lanes.set(seat, &SlotPlaces::touches, spring.record >= 0);
   lanes.set(seat, &SlotPlaces::starts, false);
@@ -80,50 +80,76 @@ HeldSpring ContactGroups::held(int seat) const {
           lanes.at(seat, &SlotSprings::shear_elastic)};
 }
 
-void ContactGroups::load(const Blocks& blocks, const Contacts& contacts,
+SetRange ContactGroups::sets_of(int first, int last) const {
+  SetRange of{lanes.sets(), 0};
+  for (int p = first; p < last; ++p)
+    if (const int lane = pairs[p].lane; lane >= 0) {
+      of.first = std::min(of.first, lane / lane_count);
+      of.last = std::max(of.last, lane / lane_count + 1);
+    }
+  return of;
+}
+
+void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
                          const Settings& settings) {
-  for (int set = 0; set < lanes.sets(); ++set) {
-    LanePairs& two = lanes.pairs[set];
-    for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
-      two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
-  }
-  const int count = static_cast<int>(all.size());
-  for (int g = 0; g < count; ++g)
-    if (seat_of[g] >= 0)
-      set_seat(blocks, contacts, g, all[g].record, {});
-  int g = 0;
-  for (const ActingContact& contact : contacts.acting) {
-    const int i = contact.record;
-    while (all[g].last() <= i)
-      ++g;
-    // a notch has two seats; nothing is decided yet in those of a new list
-    const auto wanted = [&](int number) {
-      for (int of = g; of <= g + static_cast<int>(all[g].reentrant); ++of)
-        if (record[seat_of[of]] == number)
-          return of;
-      return -1;
-    };
-    int own = wanted(i);
-    if (own < 0)
-      own = wanted(-1);
-    if (own >= 0)
-      set_seat(blocks, contacts, own, i,
-               {i, contact.normal_elastic, contact.shear_elastic});
-    else if (contact.normal_elastic > 0.0)
-      lost.push_back({g, i, contact.normal_elastic, contact.shear_elastic});
+  const bool anew = lanes.sets() == 0;
+  Wake loaded_already(contacts.acting.data());
+  auto contact = contacts.acting.cbegin();
+  each_window([&](int first, int last) {
+    if (anew)
+      seat_window(first, last);
+    const SetRange sets = sets_of(first, last);
+    for (int set = sets.first; set < sets.last; ++set) {
+      LanePairs& two = lanes.pairs[set];
+      for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
+        two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
+    }
+    const int begin = pairs[first].first, end = end_of(last - 1);
+    for (int g = begin; g < end; ++g)
+      if (all[g].seat >= 0)
+        set_seat(blocks, contacts, g, all[g].record(), {});
+    const int beyond = all[end - 1].last();
+    for (int g = begin; contact != contacts.acting.cend() && contact->record < beyond;
+         ++contact) {
+      contacts.active[contact->record] = false;
+      while (all[g].last() <= contact->record)
+        ++g;
+      load(blocks, contacts, g, *contact);
+    }
+    loaded_already.passed(contacts.acting.data() +
+                          (contact - contacts.acting.cbegin()));
+  });
+  contacts.acting.clear();
+  if (anew) {
+    lows.sort(blocks.size(), pairs, &ContactPair::low);
+    highs.sort(blocks.size(), pairs, &ContactPair::high);
   }
   loaded = true;
   read = false;
 }
 
-void ContactGroups::begin_store(Contacts& contacts) {
-  for (const ActingContact& before : contacts.acting)
-    contacts.active[before.record] = 0;
-  contacts.acting.clear();
+void ContactGroups::load(const Blocks& blocks, const Contacts& contacts, int g,
+                         const ActingContact& contact) {
+  const int i = contact.record;
+  // a notch has two seats; nothing is decided yet in those of a new list
+  const auto wanted = [&](int number) {
+    for (int of = g; of <= g + static_cast<int>(all[g].reentrant); ++of)
+      if (record[all[of].seat] == number)
+        return of;
+    return -1;
+  };
+  int own = wanted(i);
+  if (own < 0)
+    own = wanted(-1);
+  if (own >= 0)
+    set_seat(blocks, contacts, own, i,
+             {i, contact.normal_elastic, contact.shear_elastic});
+  else if (contact.normal_elastic > 0.0)
+    lost.push_back({g, i, contact.normal_elastic, contact.shear_elastic});
 }
 
 void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
-  const int seat = seat_of[g], slot = seat / lane_count, k = seat % lane_count;
+  const int seat = all[g].seat, slot = seat / lane_count, k = seat % lane_count;
   const SlotSprings& springs =
       with_readings ? lanes.advanced[slot] : lanes.springs[slot];
   ActingContact& contact = contacts.acting.emplace_back();
@@ -136,7 +162,7 @@ void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
     contact.shear_force = reading.shear_force[k];
     contact.overlap = reading.overlap[k];
   }
-  contacts.active[contact.record] = 1;
+  contacts.active[contact.record] = true;
   // the two seats of a notch hold records of the same range
   if (auto last = contacts.acting.end() - 1;
       last != contacts.acting.begin() && last->record < (last - 1)->record)
@@ -144,14 +170,30 @@ void ContactGroups::store(Contacts& contacts, int g, bool with_readings) const {
 }
 
 void ContactGroups::store(Contacts& contacts) {
-  if (loaded && !read) {
-    begin_store(contacts);
-    const int count = static_cast<int>(all.size());
-    for (int g = 0; g < count; ++g)
-      if (seat_of[g] >= 0 && held(seat_of[g]).record >= 0)
+  if (!loaded)
+    return;
+  StoredLanes stored(lanes);
+  each_window([&](int first, int last) {
+    const int end = end_of(last - 1);
+    for (int g = pairs[first].first; g < end; ++g)
+      if (all[g].seat >= 0 && held(all[g].seat).record >= 0)
         store(contacts, g, false);
-  }
+    stored.passed(sets_of(first, last).last);
+  });
   loaded = false;
+}
+
+StoredLanes::StoredLanes(const ContactLanes& lanes)
+    : lanes_(lanes), places_(lanes.places), springs_(lanes.springs),
+      advanced_(lanes.advanced) {}
+
+void StoredLanes::passed(int set) {
+  if (set == 0)
+    return;
+  const int slot = lanes_.pairs[set - 1].first_slot + lanes_.pairs[set - 1].slots;
+  places_.passed(lanes_.places + slot);
+  springs_.passed(lanes_.springs + slot);
+  advanced_.passed(lanes_.advanced + slot);
 }
 
 int ContactGroups::group_of(int seat) const {
@@ -159,10 +201,10 @@ int ContactGroups::group_of(int seat) const {
       all.begin(), all.end(), record[seat],
       [](int i, const ContactGroup& group) { return i < group.first; });
   const int g = static_cast<int>(after - all.begin()) - 1;
-  return seat_of[g] == seat ? g : g - 1;  // a notch has two
+  return all[g].seat == seat ? g : g - 1;  // a notch has two
 }
 
-void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
+void ContactGroups::make_lanes(const Contacts& contacts) {
   // not at first, for most of those who are near in a wall at rest never act
   const double soon = times_made > 1 ? 2.0 * (swing.travel - made_at) : 0.0;
   ++times_made;
@@ -173,22 +215,17 @@ void ContactGroups::make_lanes(int blocks, const Contacts& contacts) {
     const ContactGroup& one = all[g];
     return one.certain() ? one.lasts() < soon : soon > 0.0 && one.hopeless > 0;
   };
-  for (const ContactPair& pair : pairs)
-    for (int g = pair.first; g < pair.last; ++g) {
+  for (int p = 0; p < static_cast<int>(pairs.size()); ++p)
+    for (int g = pairs[p].first; g < end_of(p); ++g) {
       // who had a seat keeps it: it may want it again
-      const bool wants = seat_of[g] >= 0 || all[g].record >= 0 ||
-                         acted(contacts, all[g]) || may_act_soon(pair, g);
-      seat_of[g] = wants ? 0 : -1;
+      const bool wants = all[g].seat >= 0 || all[g].record() >= 0 ||
+                         acted(contacts, all[g]) || may_act_soon(pairs[p], g);
+      all[g].seat = wants ? 0 : -1;
       // of a notch both or none: a spring may pass from one to the other
-      if (all[g].of_notch && seat_of[g] != seat_of[g - 1])
-        seat_of[g] = seat_of[g - 1] = 0;
+      if (all[g].of_notch && all[g].seat != all[g - 1].seat)
+        all[g].seat = all[g - 1].seat = 0;
     }
   lanes.clear();
-  const int count = static_cast<int>(pairs.size());
-  for (int first = 0; first < count; first += pairs_of_window)
-    seat_window(first, std::min(count, first + pairs_of_window));
-  lows.sort(blocks, pairs, &ContactPair::low);
-  highs.sort(blocks, pairs, &ContactPair::high);
   seats_complete = true;
 }
 
@@ -199,8 +236,9 @@ void ContactGroups::seat_window(int first, int last) {
   std::array<Wish, pairs_of_window> wishes;
   int count = 0;
   for (int p = first; p < last; ++p) {
-    const auto begin = seat_of.begin() + pairs[p].first;
-    const auto wants = std::count(begin, seat_of.begin() + pairs[p].last, 0);
+    const auto wants =
+        std::count_if(all.begin() + pairs[p].first, all.begin() + end_of(p),
+                      [](const ContactGroup& group) { return group.seat >= 0; });
     pairs[p].lane = -1;
     if (wants > 0)
       wishes[count++] = {static_cast<int>(wants), p};
@@ -218,20 +256,18 @@ void ContactGroups::seat_window(int first, int last) {
     lanes.pairs[set].low[k] = pair.low, lanes.pairs[set].high[k] = pair.high;
     pair.lane = set * lane_count + k;
     int seat = lanes.pairs[set].first_slot * lane_count + k;
-    for (int g = pair.first; g < pair.last; ++g)
-      if (seat_of[g] >= 0)
-        seat_of[g] = std::exchange(seat, seat + lane_count);
+    for (int g = pair.first; g < end_of(wishes[i].pair); ++g)
+      if (all[g].seat >= 0)
+        all[g].seat = std::exchange(seat, seat + lane_count);
   }
 }
 
 void ContactGroups::reserve_lanes(bool rigid) {
   ContactLanes::Room room;
-  const int count = static_cast<int>(pairs.size());
-  for (int first = 0; first < count; first += pairs_of_window) {
-    const int last = std::min(count, first + pairs_of_window);
+  each_window([&](int first, int last) {
     int sum = 0, most = 0;
     for (int p = first; p < last; ++p) {
-      const int own = pairs[p].last - pairs[p].first;
+      const int own = end_of(p) - pairs[p].first;
       sum += own, most = std::max(most, own);
     }
     // by size: no set but the first has more slots than each pair of that before
@@ -240,7 +276,7 @@ void ContactGroups::reserve_lanes(bool rigid) {
     room.sets += sets, room.slots += slots;
     room.read_sets = std::max(room.read_sets, sets);
     room.read_slots = std::max(room.read_slots, slots);
-  }
+  });
   lanes.reserve(room, rigid);
   record.reserve(static_cast<std::size_t>(room.slots) * lane_count);
   for (LanesOfBlocks* of : {&lows, &highs})

@@ -42,16 +42,14 @@ Displacement step(Model& model, SearchBuffers& buffers) {
 }
 
 void catch_up(Model& model, SearchBuffers& buffers) {
-  if (!buffers.groups.loaded)
-    return;
-  buffers.groups.store(model.contacts);
-  if (!model.settings.rigid)
-    return;
+  ContactGroups& groups = buffers.groups;
   Blocks& blocks = model.blocks;
-  if (buffers.groups.read)
+  if (model.settings.rigid && groups.read)
     blocks.applied.array().rowwise() /= blocks.area.transpose().array();
-  else
+  else if (model.settings.rigid && groups.loaded)
     blocks.applied.setZero();
+  groups.store(model.contacts);
+  groups.read = false;
 }
 
 Displacement advance(Model& model, SearchBuffers& buffers, bool readings,

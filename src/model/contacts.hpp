@@ -22,7 +22,7 @@ struct ActingContact {
 struct Contacts {
   std::vector<int> corner;            ///< (k) corner that may penetrate, NPC
   std::vector<int> edge;              ///< (k) first corner of the edge, NPE
-  std::vector<char> active;           ///< (k) acted in the last step
+  std::vector<bool> active;           ///< (k) acted in the last step
   std::vector<ActingContact> acting;  ///< of the active ones, in the order of the list
 
   int size() const { return static_cast<int>(corner.size()); }

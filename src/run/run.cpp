@@ -8,11 +8,11 @@
 #include <fstream>
 #include <iostream>
 
+#include "dynamics/give_back.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
-#include "run/give_back_memory.hpp"
 #include "run/interrupt.hpp"
 
 namespace blocks::run {
@@ -269,7 +269,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
         outcome = Outcome::unsound_deck;
         break;
       }
-      give_back_memory();
+      dynamics::give_back_what_is_free();
       if (builder.certificate())
         executor.set_overlaps(builder.certificate()->overlaps);
       executor.set_share(motion / motions, (motion + 1.0) / motions);

@@ -98,8 +98,9 @@ class ExactJudge {
     for (const dynamics::ContactGroup& group : buffers_.groups.all) {
       if (group.of_notch)  // with the group before
         continue;
-      const int i = decision.acting_record(group);
-      for (const int record : {i, decision.notch_record(group, i)})
+      const int block = edge_block(shadow_.blocks, shadow_.contacts, group);
+      const int i = decision.acting_record(group, block);
+      for (const int record : {i, decision.notch_record(group, block, i)})
         if (record >= 0)
           acting_.push_back(key(shadow_.blocks, shadow_.contacts, record));
     }

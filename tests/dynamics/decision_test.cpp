@@ -153,10 +153,11 @@ TEST(CertainTravel, IsSound) {
     const Contacts& contacts = scene.model.contacts;
     dynamics::group_contacts(scene.model.blocks, contacts, true, buffers.groups);
     for (dynamics::ContactGroup group : buffers.groups.all) {
+      const int block = dynamics::edge_block(scene.model.blocks, contacts, group);
       // without a condition, and for longer with one
       const double enough = trial % 2 ? 0.0 : 0.05;
       const dynamics::Certainty known =
-          dynamics::certainty(scene.model.blocks, contacts, group, enough);
+          dynamics::certainty(scene.model.blocks, contacts, group, block, enough);
       if (known.travel <= 0.0 || group.of_notch)
         continue;
       const auto [candidate, travel, place, asks] = known;
@@ -164,19 +165,19 @@ TEST(CertainTravel, IsSound) {
       const auto holds = [&](const Blocks& blocks) {
         return !group.conditional() || dynamics::ContactDecision<dynamics::ExactRules>(
                                            blocks, contacts, buffers.groups)
-                                           .stands(group);
+                                           .stands(group, block);
       };
       const double far = trial % 3 ? 1.0 : 0.0;  // for longer where an edge is watched
       const auto [same, edges, rest] =
-          group.conditional()
-              ? dynamics::condition_travel(scene.model.blocks, contacts, group, far)
-              : dynamics::ConditionTravel{};
+          group.conditional() ? dynamics::condition_travel(scene.model.blocks, contacts,
+                                                           group, block, far)
+                              : dynamics::ConditionTravel{};
       for (const int i : {0, 1})
         group.watched[i] = static_cast<std::int8_t>(edges[i]);
       const auto stays = [&](const Blocks& blocks) {
         return dynamics::ContactDecision<dynamics::ExactRules>(blocks, contacts,
                                                                buffers.groups)
-            .stays(group);
+            .stays(group, block);
       };
       if (same > 0.0) {
         ASSERT_TRUE(holds(scene.model.blocks)) << trial;
@@ -185,15 +186,15 @@ TEST(CertainTravel, IsSound) {
       }
       conditional += group.conditional();
       ++judged;
-      const int now =
-          dynamics::acting_record(scene.model.blocks, contacts, buffers.groups, group);
+      const int now = dynamics::acting_record(scene.model.blocks, contacts,
+                                              buffers.groups, group, block);
       ASSERT_EQ(now, if_inside(scene.model.blocks, contacts, candidate)) << trial;
       acting += now >= 0;
       needles += now >= 0 && trial % 8 == 1;
       for (int k = 0; k < 16; ++k) {
         const Nudge one = random_nudge(random), other = random_nudge(random);
         const int a = scene.model.blocks.corner_block[contacts.corner[group.first]];
-        const int b = group.edge_block;
+        const int b = block;
         const auto nudged = [&](double size, double& u) {
           Blocks blocks = scene.model.blocks;
           const double arms =
@@ -219,8 +220,9 @@ TEST(CertainTravel, IsSound) {
         ASSERT_LT(u, travel);
         if (!holds(moved))
           continue;
-        ASSERT_EQ(dynamics::acting_record(moved, contacts, buffers.groups, group),
-                  if_inside(moved, contacts, candidate))
+        ASSERT_EQ(
+            dynamics::acting_record(moved, contacts, buffers.groups, group, block),
+            if_inside(moved, contacts, candidate))
             << "trial " << trial << " travel " << travel;
       }
     }
@@ -250,8 +252,9 @@ TEST(SlantedJoint, HoldsALowerNeighbour) {
     dynamics::group_contacts(blocks, scene.model.contacts, true, buffers.groups);
     std::vector<std::pair<int, int>> acting;  // corner, edge
     for (const dynamics::ContactGroup& group : buffers.groups.all) {
-      const int i =
-          dynamics::acting_record(blocks, scene.model.contacts, buffers.groups, group);
+      const int i = dynamics::acting_record(
+          blocks, scene.model.contacts, buffers.groups, group,
+          dynamics::edge_block(blocks, scene.model.contacts, group));
       if (i >= 0)
         acting.emplace_back(scene.model.contacts.corner[i],
                             scene.model.contacts.edge[i]);

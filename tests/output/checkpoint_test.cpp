@@ -47,8 +47,11 @@ class Filler {
   }
   template <class T> void operator()(const std::string& name, std::vector<T>& values) {
     values.resize(5);
-    for (T& value : values)
+    for (auto&& place : values) {
+      T value = place;
       (*this)(name, value);
+      place = value;
+    }
   }
   template <class D> void operator()(const std::string&, Eigen::PlainObjectBase<D>& m) {
     if constexpr (D::SizeAtCompileTime == Eigen::Dynamic)

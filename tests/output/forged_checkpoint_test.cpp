@@ -58,8 +58,11 @@ class Forger {
   void operator()(const std::string&, geometry::Decimal&) {}
   template <class T> void operator()(const std::string&, std::optional<T>&) {}
   template <class T> void operator()(const std::string& name, std::vector<T>& column) {
-    for (T& value : column)
+    for (auto&& place : column) {
+      T value = place;
       (*this)(name, value);
+      place = value;
+    }
     if (name == "output/blocks")  // may have any length
       return;
     if (how_ == How::longer && now(name))

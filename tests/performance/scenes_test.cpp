@@ -39,7 +39,7 @@ TEST(Scenes, PileFallsTogetherAndStaysInItsBox) {
     EXPECT_GT(model.blocks.centroid(1, b), 0.0);
   }
   EXPECT_LT(after, 0.95 * before);
-  EXPECT_GT(totals(model).active_contacts, 60);
+  EXPECT_GT(totals(code.model()).active_contacts, 60);
 }
 
 }  // namespace
