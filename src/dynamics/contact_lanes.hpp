@@ -30,7 +30,7 @@ struct alignas(64) LanePairs {
   int look;                 ///< 1: a sign is in doubt, or a spring has lost its contact
 };
 /// A slot: one contact of each pair of a set.
-struct alignas(64) SlotPlaces {
+struct SlotPlaces {
   LaneRow<int> corner, edge, edge_end;  ///< corners of the model
   // how it is known whether the contact acts; neither: it does not
   LaneBits asked;    ///< if the corner is inside the edge, (19)
