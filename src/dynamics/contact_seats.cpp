@@ -19,12 +19,6 @@ void set_rule(ContactLanes& lanes, int seat, const ContactGroup& group) {
   lanes.set(seat, &SlotPlaces::decided, may && !group.certain());
 }
 
-/// Whether the list says that a record of the group acts.
-bool acted(const Contacts& contacts, const ContactGroup& group) {
-  return std::any_of(contacts.active.begin() + group.first,
-                     contacts.active.begin() + group.last(), [](char a) { return a; });
-}
-
 }  // namespace
 
 void LanesOfBlocks::sort(int blocks, const std::vector<ContactPair>& pairs,
@@ -215,11 +209,17 @@ void ContactGroups::make_lanes(const Contacts& contacts) {
     const ContactGroup& one = all[g];
     return one.certain() ? one.lasts() < soon : soon > 0.0 && one.hopeless > 0;
   };
+  auto contact = contacts.acting.cbegin();
+  const auto acted = [&](const ContactGroup& group) {  // one group after the other
+    while (contact != contacts.acting.cend() && contact->record < group.first)
+      ++contact;
+    return contact != contacts.acting.cend() && contact->record < group.last();
+  };
   for (int p = 0; p < static_cast<int>(pairs.size()); ++p)
     for (int g = pairs[p].first; g < end_of(p); ++g) {
       // who had a seat keeps it: it may want it again
-      const bool wants = all[g].seat >= 0 || all[g].record() >= 0 ||
-                         acted(contacts, all[g]) || may_act_soon(pairs[p], g);
+      const bool wants = acted(all[g]) || all[g].seat >= 0 || all[g].record() >= 0 ||
+                         may_act_soon(pairs[p], g);
       all[g].seat = wants ? 0 : -1;
       // of a notch both or none: a spring may pass from one to the other
       if (all[g].of_notch && all[g].seat != all[g - 1].seat)
