@@ -26,11 +26,15 @@ LikelyList likely_list(const Blocks& blocks, double margin) {
     const auto own = static_cast<std::size_t>(static_cast<long>(k) * count / asked);
     Eigen::AlignedBox2d wide = boxes[own];
     const bool all = margin > 0.5 * wide.sizes().minCoeff();
+    const double size = wide.volume();
     wide.min().array() -= margin, wide.max().array() += margin;
-    const auto near = std::count_if(boxes.begin(), boxes.end(), [&](const auto& box) {
-      return wide.intersects(box);
-    });
-    const double pairs = 0.5 * static_cast<double>(near - 1) * count / asked;
+    // A pair is counted where its smaller block is: one floor below all bricks is no
+    // sample of them.
+    double near = -0.5;  // not itself
+    for (const Eigen::AlignedBox2d& box : boxes)
+      if (box.volume() >= size && wide.intersects(box))
+        near += box.volume() > size ? 1.0 : 0.5;
+    const double pairs = near * count / asked;
     list.pairs += pairs;
     list.bytes += pairs * (all ? bytes_of_all : bytes_of_touching);
   }

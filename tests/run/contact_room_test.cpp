@@ -1,0 +1,36 @@
+// How many pairs a list is likely to hold, without making it.
+#include "run/contact_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace blocks::run {
+namespace {
+
+NewBlock rectangle(double x, double y, double width, double height) {
+  NewBlock block;
+  block.outline = {{x, y}, {x, y + height}, {x + width, y + height}, {x + width, y}};
+  block.density = 1.0;
+  return block;
+}
+
+// The floor, the first of the deck, is beside every brick: it is no sample of the rest.
+TEST(ContactRoom, OneFloorBelowManyBricks) {
+  constexpr int columns = 5000, rows = 3;
+  std::vector<NewBlock> wall = {rectangle(0.0, -1.0, columns, 1.0)};
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      wall.push_back(rectangle(column, 0.5 * row, 1.0, 0.5));
+  Blocks blocks;
+  blocks.append(wall);
+  // beside, above (three each), on the floor
+  const double pairs = (columns - 1.0) * rows + (3.0 * columns - 2.0) * (rows - 1.0) +
+                       static_cast<double>(columns);
+  const LikelyList list = likely_list(blocks, 1e-3);
+  EXPECT_GT(list.pairs, 0.8 * pairs);
+  EXPECT_LT(list.pairs, 1.2 * pairs);
+}
+
+}  // namespace
+}  // namespace blocks::run
