@@ -12,6 +12,8 @@ using Vec2 = Eigen::Vector2d;
 /// Corners of a block outline, [L]: clockwise, not closed (the last corner differs from
 /// the first). Side i runs from corner i to corner i + 1.
 using Polygon = std::vector<Vec2>;
+/// Of the outline of one block.
+inline constexpr int most_corners = 32767;
 
 /// z component of a x b: positive when b lies anticlockwise of a.
 inline double cross(const Vec2& a, const Vec2& b) {

@@ -4,6 +4,7 @@
 
 #include "deck/free_field.hpp"
 #include "deck/problem_cards.hpp"
+#include "geometry/vec2.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -31,7 +32,7 @@ std::vector<CardSpec> preliminary_cards() {
                   {"ncmx",
                    integer,
                    {},
-                   {3, infinity, false, false, false},
+                   {3, geometry::most_corners, false, false, false},
                    "[-]",
                    "maximum number of corners per block"}},
        .follow_on = {{"title", "title of the problem, one line, 80 characters"}},

@@ -51,8 +51,7 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
   groups.all.reserve(count);
   for (int first = 0, last; first < size; first = last) {
     last = first + 1;
-    while (last < size && !other_group(first, last) &&
-           last - first < static_cast<int>(ContactGroup::most_records))
+    while (last < size && !other_group(first, last))
       ++last;
     ContactGroup group;
     group.first = first;
@@ -139,15 +138,15 @@ double Swing::reshaped(int b, const Eigen::Vector4d& since) const {
   return std::sqrt(along_x * along_x + along_y * along_y);
 }
 
-std::uint64_t ContactGroups::watched_by(const ContactPair& pair) const {
-  std::uint64_t sum = pair.prompt;
+WatchedEdges ContactGroups::watched_by(const ContactPair& pair) const {
+  WatchedEdges found{.prompt = pair.prompt};
   for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
-    const ContactGroup& group = all[pair.first + std::countr_zero(bits)];
-    sum = sum * 0x100000001b3U ^ static_cast<std::uint8_t>(group.place);
-    for (const std::int8_t edge : group.watched)
-      sum = sum * 0x100000001b3U ^ static_cast<std::uint8_t>(edge);
+    const int k = std::countr_zero(bits);
+    const ContactGroup& group = all[pair.first + k];
+    found.edges[k][0] = group.place;
+    found.edges[k][1] = group.watched[0], found.edges[k][2] = group.watched[1];
   }
-  return sum;
+  return found;
 }
 
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {

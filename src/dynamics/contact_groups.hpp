@@ -57,7 +57,7 @@ struct Certainty {
 /// Records first .. last() - 1 of the contact list: one corner, edges of one block.
 /// Many: 24 bytes.
 struct ContactGroup {
-  static constexpr std::uint32_t most_records = (1U << 15) - 1;
+  static constexpr std::uint32_t most_records = geometry::most_corners;  ///< edges
   static constexpr int most_edges = 128;  ///< of a block, for a condition
   static constexpr unsigned most_hopeless = (1U << 6) - 1;
   int first = 0;
@@ -89,7 +89,8 @@ struct ContactGroup {
   }
   void set(const Certainty& known);
 };
-static_assert(sizeof(ContactGroup) == 24);
+static_assert(sizeof(ContactGroup) == 24 &&
+              ContactGroup::most_records == (1U << 15) - 1);
 
 /// The block of a group's edges.
 inline int edge_block(const Blocks& blocks, const Contacts& contacts,
@@ -97,7 +98,7 @@ inline int edge_block(const Blocks& blocks, const Contacts& contacts,
   return blocks.corner_block[contacts.edge[group.first]];
 }
 
-/// A travel that is kept: a float that is no longer.
+/// A travel that is kept: a float that is no longer, or NaN, which keeps nothing.
 inline float rounded_down(double travel) {
   return static_cast<float>(travel - 0x1p-23 * std::abs(travel));
 }
@@ -120,6 +121,13 @@ struct ContactPair {
   std::uint32_t bit(int g) const {
     return g - first < 32 ? std::uint32_t{1} << (g - first) : 0U;
   }
+};
+
+/// What the prompt groups of a pair watch, group after group.
+struct WatchedEdges {
+  std::uint32_t prompt = 0;
+  std::int8_t edges[32][3] = {};  ///< place, the two edges
+  bool operator==(const WatchedEdges&) const = default;
 };
 
 /// How the two blocks of a pair stood to each other when certainty began to count.
@@ -257,8 +265,8 @@ struct ContactGroups {
     const int seat = all[g].seat;
     return seat >= 0 && lanes.is(seat, &SlotPlaces::touches) ? seat : -1;
   }
-  /// Differs where a pair's groups watch other edges than before, or more, or less.
-  std::uint64_t watched_by(const ContactPair& pair) const;
+  /// What the prompt groups of a pair watch.
+  WatchedEdges watched_by(const ContactPair& pair) const;
   /// Certainty of a pair counts from here on.
   void take_pose(const Blocks& blocks, int pair);
   /// Bound on how far the two blocks of a pair have moved against each other since: no

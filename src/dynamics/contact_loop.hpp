@@ -251,9 +251,9 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
       if (!Rules::keeps_decisions || !(way < limit)) {
         double moved = groups.relative_motion(blocks, p);
         if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
-          const std::uint64_t before = groups.watched_by(pair);
+          const WatchedEdges before = groups.watched_by(pair);
           renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
-          if (groups.watched_by(pair) != before)
+          if (!(groups.watched_by(pair) == before))
             groups.watches.forget(round);
           moved = groups.relative_motion(blocks, p);
         }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "geometry/polygon.hpp"
 
@@ -19,8 +20,12 @@ void Blocks::append(const std::vector<NewBlock>& added) {
   const int old_blocks = size();
   const int old_corners = corners();
   int new_corners = old_corners;
-  for (const NewBlock& block : added)
+  for (const NewBlock& block : added) {
+    if (block.outline.size() > geometry::most_corners)
+      throw std::invalid_argument("a block has at most " +
+                                  std::to_string(geometry::most_corners) + " corners");
     new_corners += static_cast<int>(block.outline.size());
+  }
   const int new_blocks = old_blocks + static_cast<int>(added.size());
 
   arm.conservativeResize(2, new_corners);

@@ -59,8 +59,8 @@ struct Blocks {
   /// The outline of block b as it stands.
   geometry::Polygon outline(int b) const;
 
-  /// Appends blocks at rest. Throws std::invalid_argument when a corner is not finite
-  /// or an area or density is not positive.
+  /// Appends blocks at rest. Throws std::invalid_argument when a corner is not finite,
+  /// an area or density is not positive or a block has more than geometry::most_corners.
   void append(const std::vector<NewBlock>& blocks);
 
   /// Stops block b for good: velocities, spin and strain rates zero (rules 14, 22).

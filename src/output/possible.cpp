@@ -124,9 +124,11 @@ void expect_corners(const Blocks& b) {
     impossible(fmt::format("blocks/first_corner has {} rows, expected {} from 0",
                            b.first_corner.size(), n + 1));
   for (std::size_t i = 0; i < n; ++i)
-    if (long{b.first_corner[i + 1]} - b.first_corner[i] < 3)
-      impossible(
-          fmt::format("blocks/first_corner: block {} has less than 3 corners", i + 1));
+    if (const long count = long{b.first_corner[i + 1]} - b.first_corner[i];
+        count < 3 || count > geometry::most_corners)
+      impossible(fmt::format("blocks/first_corner: block {} has {} than {} corners",
+                             i + 1, count < 3 ? "less" : "more",
+                             count < 3 ? 3 : geometry::most_corners));
   const auto m = static_cast<std::size_t>(b.corners());
   for (const auto& [name, column] : {std::pair{"blocks/next", &b.next},
                                      {"blocks/previous", &b.previous},
