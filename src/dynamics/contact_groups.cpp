@@ -139,12 +139,12 @@ double Swing::reshaped(int b, const Eigen::Vector4d& since) const {
 }
 
 WatchedEdges ContactGroups::watched_by(const ContactPair& pair) const {
-  WatchedEdges found{.prompt = pair.prompt};
+  WatchedEdges found;
+  found.prompt = pair.prompt;
   for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
     const int k = std::countr_zero(bits);
     const ContactGroup& group = all[pair.first + k];
-    found.edges[k][0] = group.place;
-    found.edges[k][1] = group.watched[0], found.edges[k][2] = group.watched[1];
+    found.of[k] = {group.place, group.watched[0], group.watched[1]};
   }
   return found;
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -123,11 +125,18 @@ struct ContactPair {
   }
 };
 
-/// What the prompt groups of a pair watch, group after group.
+/// What the prompt groups of a pair watch.
 struct WatchedEdges {
-  std::uint32_t prompt = 0;
-  std::int8_t edges[32][3] = {};  ///< place, the two edges
-  bool operator==(const WatchedEdges&) const = default;
+  using Edges = std::array<std::int8_t, 3>;  ///< place, the two edges
+  std::uint32_t prompt;
+  std::array<Edges, 32> of;  ///< of prompt ones only
+
+  bool operator==(const WatchedEdges& other) const {
+    bool same = prompt == other.prompt;
+    for (std::uint32_t bits = prompt; same && bits != 0; bits &= bits - 1)
+      same = of[std::countr_zero(bits)] == other.of[std::countr_zero(bits)];
+    return same;
+  }
 };
 
 /// How the two blocks of a pair stood to each other when certainty began to count.

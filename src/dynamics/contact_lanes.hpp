@@ -147,9 +147,9 @@ struct LaneExtremes {
 /// The computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
-  /// Which contacts touch, `touch` and `look`, and what they do. A sign in doubt is
-  /// taken to touch: sets with `look` have to be settled and to act again; they are not
-  /// among the extremes.
+  /// Which contacts touch, `touches`, `starts` and `look`, and what they do. A sign in
+  /// doubt is taken to touch: sets with `look` have to be settled and to act again;
+  /// they are not among the extremes.
   LaneExtremes (*touch_and_act)(const LaneSets&, const BlockRows&, const ContactLaw&,
                                 bool rigid, int first, int last);
   /// What those do that touch: a.-e. of rule 7. readings: also SlotReadings, and

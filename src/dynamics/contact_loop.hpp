@@ -253,7 +253,7 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
         if (!Rules::keeps_decisions || !(certain - moved > 0.0)) {
           const WatchedEdges before = groups.watched_by(pair);
           renew_pair<Rules>(blocks, contacts, groups, p, moved, dt, share);
-          if (!(groups.watched_by(pair) == before))
+          if (groups.watched_by(pair) != before)
             groups.watches.forget(round);
           moved = groups.relative_motion(blocks, p);
         }
