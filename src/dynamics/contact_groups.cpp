@@ -4,66 +4,68 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
+
+#include "dynamics/earlier_groups.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
-/// How often two neighbours of 0 .. count - 1 differ, and one more.
-template <class Differ> std::size_t stretches(int count, const Differ& differ) {
-  std::size_t found = count > 0;
-  for (int i = 1; i < count; ++i)
-    found += differ(i - 1, i);
-  return found;
-}
-
-void find_pairs(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups) {
-  const int count = static_cast<int>(groups.all.size());
-  const auto pair = [&](int g) {
-    return pair_of(blocks, contacts, groups.all[g].first);
-  };
-  groups.pairs.clear();
-  groups.pairs.reserve(
-      stretches(count, [&](int g, int h) { return pair(g) != pair(h); }));
-  for (int g = 0; g < count; ++g) {
-    const auto [low, high] = pair(g);
-    if (groups.pairs.empty() || groups.pairs.back().low != low ||
-        groups.pairs.back().high != high)
-      groups.pairs.push_back({.low = low, .high = high, .first = g});
+/// Calls visit(first, last, corner's block, edges' block) for records of one corner and
+/// edges of one block, which stand side by side; each_alone: for each record.
+template <class Visit>
+void each_group(const Blocks& blocks, const Contacts& contacts, bool each_alone,
+                const Visit& visit) {
+  const int size = contacts.size();
+  for (int first = 0, last; first < size; first = last) {
+    const int corner = contacts.corner[first];
+    const int block = blocks.corner_block[contacts.edge[first]];
+    const int begin = blocks.first_corner[block], end = blocks.first_corner[block + 1];
+    last = first + 1;
+    while (!each_alone && last < size && contacts.corner[last] == corner &&
+           contacts.edge[last] >= begin && contacts.edge[last] < end)
+      ++last;
+    visit(first, last, blocks.corner_block[corner], block);
   }
 }
 
 /// each_alone: one record to a group.
 void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone,
                  ContactGroups& groups) {
-  const int size = contacts.size();
-  const auto edge_block = [&](int i) { return blocks.corner_block[contacts.edge[i]]; };
-  const auto other_group = [&](int i, int j) {
-    return each_alone || contacts.corner[i] != contacts.corner[j] ||
-           edge_block(i) != edge_block(j);
+  const auto notched = [&](int block) { return !each_alone && !blocks.convex[block]; };
+  // of many there is no room for more than there are
+  std::size_t count = 0, pair_count = 0;
+  std::pair<int, int> now(-1, -1);
+  const auto new_pair = [&](int own, int block) {
+    const std::pair<int, int> pair = std::minmax(own, block);
+    return std::exchange(now, pair) != pair;
   };
-  const auto notched = [&](int i) {
-    return !each_alone && !blocks.convex[edge_block(i)];
-  };
+  each_group(blocks, contacts, each_alone, [&](int, int, int own, int block) {
+    count += notched(block) ? 2 : 1;
+    pair_count += new_pair(own, block);
+  });
   groups.all.clear();
-  std::size_t count = stretches(size, other_group);
-  for (int i = 0; i < size; ++i)
-    count += notched(i) && (i == 0 || other_group(i - 1, i));
   groups.all.reserve(count);
-  for (int first = 0, last; first < size; first = last) {
-    last = first + 1;
-    while (last < size && !other_group(first, last))
-      ++last;
+  groups.pairs.clear();
+  groups.pairs.reserve(pair_count);
+  now = {-1, -1};
+  const auto add = [&](int first, int last, int own, int block) {
+    if (new_pair(own, block))
+      groups.pairs.push_back({.low = now.first,
+                              .high = now.second,
+                              .first = static_cast<int>(groups.all.size())});
     ContactGroup group;
     group.first = first;
     group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
-    group.low_edges = edge_block(first) < blocks.corner_block[contacts.corner[first]];
-    group.reentrant = notched(first);
+    group.low_edges = block < own;
+    group.reentrant = notched(block);
     groups.all.push_back(group);
     if (group.reentrant) {
       group.reentrant = 0, group.of_notch = 1;
       groups.all.push_back(group);
     }
-  }
+  };
+  each_group(blocks, contacts, each_alone, add);
 }
 
 void find_pairs_of_corners(const Blocks& blocks, const Contacts& contacts,
@@ -180,9 +182,6 @@ double ContactGroups::relative_motion(const Blocks& blocks, int pair) const {
 }
 
 void ContactGroups::give_back() {
-  constexpr std::size_t many = 1 << 16;
-  if (all.size() <= many)
-    return;
   *this = {};
   give_back_what_is_free();
 }
@@ -210,9 +209,9 @@ void ContactGroups::join_shares() {
 }
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
-                    ContactGroups& groups, bool each_alone, int threads) {
+                    ContactGroups& groups, bool each_alone, int threads,
+                    const EarlierGroups* earlier) {
   find_groups(blocks, contacts, each_alone, groups);
-  find_pairs(blocks, contacts, groups);
   find_pairs_of_corners(blocks, contacts, groups);
   groups.limits.assign(groups.pairs.size(), 0.0F);
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
@@ -230,10 +229,13 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
     share.lost.clear();
     share.lost.reserve(groups.all.size() / threads + 64);
   }
-  groups.swing.start(blocks, rigid);
   groups.poses.assign(groups.pairs.size(), {});
   groups.shapes.assign(rigid ? 0 : groups.pairs.size(), {});
-  groups.make_lanes(contacts);
+  if (earlier != nullptr && !earlier->empty())
+    earlier->hand_on(contacts, groups);
+  else
+    groups.swing.start(blocks, rigid);
+  groups.lanes.clear();
 }
 
 }  // namespace blocks::dynamics

@@ -61,6 +61,8 @@ struct Certainty {
 struct ContactGroup {
   static constexpr std::uint32_t most_records = geometry::most_corners;  ///< edges
   static constexpr int most_edges = 128;  ///< of a block, for a condition
+  /// None, and none as long as there are no lanes.
+  static constexpr int no_seat = -1, seat_wanted = -2;
   static constexpr unsigned most_hopeless = (1U << 6) - 1;
   int first = 0;
   std::uint32_t count : 15 = 0;  ///< records
@@ -74,7 +76,7 @@ struct ContactGroup {
   std::int8_t place = Certainty::anywhere;  ///< of its certainty
   /// Edges that are watched where it is prompt, numbered within the block; -1: none.
   std::int8_t watched[2] = {-1, -1};
-  int seat = -1;         ///< of its contact (ContactLanes), -1: none
+  int seat = no_seat;    ///< of its contact (ContactLanes), >= 0 where it has one
   float travel = 0.0F;   ///< [L] of its certainty, from the pose of its pair
   float unasked = 0.0F;  ///< [L] the same, until what it stands on has to be asked
 
@@ -211,9 +213,8 @@ struct LanesOfBlocks {
   void sort(int blocks, const std::vector<ContactPair>& pairs, int ContactPair::*side);
 };
 
-/// The groups of a list, and what passes between them. Working state between searches:
-/// not part of the model, and without influence on results.
-struct ContactGroups {
+/// The groups of a list, and for how long their decisions stand.
+struct DecidedGroups {
   std::vector<ContactGroup> all;  ///< in the order of the list
   std::vector<ContactPair> pairs;
   std::vector<PairPose> poses;     ///< (pairs)
@@ -221,6 +222,17 @@ struct ContactGroups {
   /// [L] (pairs) No decision of a pair has to be renewed while the ways of its two
   /// blocks (Swing) add up to less: a quick look before relative_motion.
   std::vector<float> limits;
+
+  /// The groups of a pair end before this one.
+  int end_of(int pair) const {
+    const auto next = static_cast<std::size_t>(pair) + 1;
+    return next < pairs.size() ? pairs[next].first : static_cast<int>(all.size());
+  }
+};
+
+/// The groups, and what passes between them. Working state between searches: not part
+/// of the model, and without influence on results.
+struct ContactGroups : DecidedGroups {
   std::vector<double> rounds;  ///< [L] (pairs / pairs_of_round, rounded up)
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
@@ -252,7 +264,7 @@ struct ContactGroups {
   };
   std::vector<Share> shares;  ///< (threads)
 
-  /// Forgets all, and gives the memory of many back, for a list that is to be made.
+  /// Forgets all and gives its memory back, for a list that is to be made.
   void give_back();
   /// All decisions have to be renewed.
   void forget_decisions();
@@ -263,11 +275,6 @@ struct ContactGroups {
       tell(static_cast<unsigned>(highs.lane[k]), false);
     for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
       tell(static_cast<unsigned>(lows.lane[k]), true);
-  }
-  /// The groups of a pair end before this one.
-  int end_of(int pair) const {
-    const auto next = static_cast<std::size_t>(pair) + 1;
-    return next < pairs.size() ? pairs[next].first : static_cast<int>(all.size());
   }
   /// The seat of the group's contact that acts in this step, or -1.
   int acting(int g) const {
@@ -306,7 +313,7 @@ struct ContactGroups {
   void join_shares();
   /// Memory for the case that all groups act.
   void reserve_lanes(bool rigid);
-  /// A seat for each group that has one, acts or may act; from the third time on also
+  /// A seat for each group that has one, acts or may act; from the second time on also
   /// for those that may act as soon again as seats have run out. They get it when they
   /// are loaded.
   void make_lanes(const Contacts& contacts);
@@ -332,9 +339,13 @@ inline BlockRows rows_of(const Blocks& blocks) {
           blocks.spin.data(), blocks.strain_rate.data()};
 }
 
-/// Splits the list into its groups and pairs, all to be decided. each_alone: one record
-/// each, for studies without the nearest edge.
+struct EarlierGroups;
+
+/// Splits the list into its groups and pairs, all to be decided, but for what is known
+/// from the list before. each_alone: one record each, for studies without the nearest
+/// edge.
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
-                    ContactGroups& groups, bool each_alone = false, int threads = 1);
+                    ContactGroups& groups, bool each_alone = false, int threads = 1,
+                    const EarlierGroups* earlier = nullptr);
 
 }  // namespace blocks::dynamics

@@ -308,7 +308,9 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   const int rounds = static_cast<int>(groups.rounds.size());
   {
     const Profile::Timer timer(profile, Profile::decisions);
-    if (!groups.loaded)
+    // of a new list lanes are made once it is known who may act
+    const bool made = groups.times_made > 0;
+    if (made && !groups.loaded)
       groups.load(blocks, contacts, settings);
     groups.read = false;
     // window by window: no other thread writes to the sets of a window
@@ -320,7 +322,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
           std::min(rounds, last * rounds_of_window), groups.shares[part]);
     });
     groups.join_shares();
-    if (!groups.seats_complete) {
+    if (!made || !groups.seats_complete) {
       groups.store(contacts);
       groups.make_lanes(contacts);
       groups.load(blocks, contacts, settings);

@@ -1,10 +1,10 @@
 #include "dynamics/contact_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 #include "dynamics/contact_decision.hpp"
 #include "dynamics/give_back.hpp"
@@ -75,74 +75,100 @@ void find_near_corners(const Model& model, SearchBuffers& buffers) {
   }
 }
 
-/// The order of lists: pair of blocks, lower number first, corner, edge; two to a word.
-using Place = std::array<std::uint64_t, 2>;
-Place place(const Blocks& blocks, int corner, int edge) {
-  const auto word = [](int first, int second) {
-    return std::uint64_t{static_cast<std::uint32_t>(first)} << 32 |
-           static_cast<std::uint32_t>(second);
-  };
-  const int a = blocks.corner_block[corner], b = blocks.corner_block[edge];
-  return {word(std::min(a, b), std::max(a, b)), word(corner, edge)};
-}
-
 /// Empties the list, all but the state of what acts, whose places are kept.
-void empty_list(Contacts& contacts, std::vector<SearchBuffers::Record>& acted) {
+void empty_list(Contacts& contacts, std::vector<SearchBuffers::Record>& acted,
+                EarlierGroups& earlier) {
   acted.clear();
   for (const ActingContact& contact : contacts.acting)
     acted.push_back({contacts.corner[contact.record], contacts.edge[contact.record]});
+  if (!earlier.empty())
+    earlier.take(contacts);
   contacts.corner.clear();
   contacts.edge.clear();
 }
 
-/// Makes the records found the list, in its order: by the lower block in one go, then
-/// those of each. None acts.
-void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
-  const auto low = [&](const SearchBuffers::Record& r) {
-    return std::min(blocks.corner_block[r.corner], blocks.corner_block[r.edge]);
-  };
-  std::vector<int> last(blocks.size() + 1, 0);
-  for (const SearchBuffers::Record& r : buffers.found)
-    ++last[low(r) + 1];
-  std::partial_sum(last.begin(), last.end(), last.begin());
-  contacts.corner.resize(buffers.found.size());
-  contacts.edge.resize(buffers.found.size());
-  for (const SearchBuffers::Record& r : buffers.found) {
-    const int i = last[low(r)]++;
-    contacts.corner[i] = r.corner, contacts.edge[i] = r.edge;
-  }
-  give_back(buffers.found);
-  contacts.active.assign(contacts.corner.size(), 0);
-  std::vector<Place> places;
-  for (int b = 0, i = 0; b < blocks.size(); ++b) {
-    places.clear();
-    for (int k = i; k < last[b]; ++k)
-      places.push_back(place(blocks, contacts.corner[k], contacts.edge[k]));
-    std::sort(places.begin(), places.end());
-    for (const Place& each : places) {
-      contacts.corner[i] = static_cast<int>(each[1] >> 32);
-      contacts.edge[i] = static_cast<int>(each[1] & 0xffffffff);
-      ++i;
-    }
+/// Calls visit(first, last) for each run of records found.
+template <class Visit>
+void each_run(const Blocks& blocks, const std::vector<SearchBuffers::Record>& found,
+              const Visit& visit) {
+  const int size = static_cast<int>(found.size());
+  for (int first = 0, last; first < size; first = last) {
+    const int end = blocks.first_corner[blocks.corner_block[found[first].edge] + 1];
+    last = first + 1;
+    while (last < size && found[last].corner == found[first].corner &&
+           found[last].edge > found[last - 1].edge && found[last].edge < end)
+      ++last;
+    visit(first, last);
   }
 }
 
+/// Makes the records found the list, in its order: runs by the lower block in one go,
+/// then those of each block by the higher one and the corner. None acts.
+void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
+  using Run = SearchBuffers::Run;
+  const std::vector<SearchBuffers::Record>& found = buffers.found;
+  const auto pair_of = [&](int i) {
+    return std::minmax(blocks.corner_block[found[i].corner],
+                       blocks.corner_block[found[i].edge]);
+  };
+  std::vector<int>& last = buffers.last_of_low;
+  last.assign(blocks.size() + 1, 0);
+  each_run(blocks, found, [&](int i, int) { ++last[pair_of(i).first + 1]; });
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  std::vector<Run>& runs = buffers.runs;
+  runs.resize(last.back());
+  each_run(blocks, found, [&](int first, int behind) {
+    const auto [low, high] = pair_of(first);
+    const auto word = [](int number) { return static_cast<std::uint32_t>(number); };
+    runs[last[low]++] = {std::uint64_t{word(high)} << 32 | word(found[first].corner),
+                         first, behind};
+  });
+  contacts.corner.clear();
+  contacts.edge.clear();
+  contacts.corner.reserve(found.size());
+  contacts.edge.reserve(found.size());
+  for (int b = 0, first = 0; b < blocks.size(); ++b) {
+    const int behind = last[b];
+    std::sort(runs.begin() + first, runs.begin() + behind,
+              [](const Run& l, const Run& r) { return l.place < r.place; });
+    for (int k = std::exchange(first, behind); k < behind;) {
+      const auto begin = std::ssize(contacts.edge);
+      const int run = k;
+      for (; k < behind && runs[k].place == runs[run].place; ++k)
+        for (int i = runs[k].first; i < runs[k].last; ++i) {
+          contacts.corner.push_back(found[i].corner);
+          contacts.edge.push_back(found[i].edge);
+        }
+      if (k > run + 1)  // found in several pieces
+        std::sort(contacts.edge.begin() + begin, contacts.edge.end());
+    }
+    last[b] = static_cast<int>(contacts.corner.size());
+  }
+  give_back(buffers.found);
+  give_back(buffers.runs);
+  contacts.active.assign(contacts.corner.size(), 0);
+}
+
 /// The state of those that acted in the list before, where they stand, moved up over
-/// that of records that are listed no more; the others have none.
-void take_over(const Blocks& blocks, Contacts& contacts,
-               const std::vector<SearchBuffers::Record>& acted) {
+/// that of records that are listed no more; the others have none. Both lists have one
+/// order.
+void take_over(const Blocks& blocks, Contacts& contacts, const SearchBuffers& buffers) {
   std::vector<ActingContact>& acting = contacts.acting;
   std::size_t kept = 0;
-  int i = 0;
-  for (std::size_t k = 0; k < acted.size(); ++k) {
-    const auto [corner, edge] = acted[k];
-    const Place wanted = place(blocks, corner, edge);
-    while (i < contacts.size() &&
-           place(blocks, contacts.corner[i], contacts.edge[i]) < wanted)
-      ++i;
-    if (i == contacts.size() || contacts.corner[i] != corner ||
-        contacts.edge[i] != edge)
+  int i = 0, before = -1;
+  for (std::size_t k = 0; k < buffers.acted.size(); ++k) {
+    const auto [corner, edge] = buffers.acted[k];
+    const int low = std::min(blocks.corner_block[corner], blocks.corner_block[edge]);
+    if (low != before)
+      i = low == 0 ? 0 : buffers.last_of_low[low - 1];
+    before = low;
+    const int last = buffers.last_of_low[low];
+    int at = i;
+    while (at < last && (contacts.corner[at] != corner || contacts.edge[at] != edge))
+      ++at;
+    if (at == last)
       continue;
+    i = at;
     contacts.active[i] = 1;
     acting[kept] = acting[k];
     acting[kept++].record = i;
@@ -193,9 +219,9 @@ void update_contacts(Model& model, SearchBuffers& buffers) {
 }
 
 void adopt_list(Model& model, SearchBuffers& buffers) {
-  empty_list(model.contacts, buffers.acted);
+  empty_list(model.contacts, buffers.acted, buffers.earlier);
   order_list(model.blocks, model.contacts, buffers);
-  take_over(model.blocks, model.contacts, buffers.acted);
+  take_over(model.blocks, model.contacts, buffers);
   give_back(buffers.acted);
   update_plane_contacts(model, buffers);
   model.search.current = true;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "dynamics/cell_grid.hpp"
 #include "dynamics/contact_groups.hpp"
+#include "dynamics/earlier_groups.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/profile.hpp"
 #include "dynamics/workers.hpp"
@@ -67,9 +69,20 @@ struct SearchBuffers {
   CellGrid grid;
   std::vector<Reach> reach;  ///< of the edges of one block
   std::vector<Record> found;
+  /// Records found one after the other: of one corner, edges of one block in order.
+  struct Run {
+    std::uint64_t place;  ///< high block, corner: by these below one low block
+    int first, last;
+  };
+  std::vector<Run> runs;         ///< by low block
+  std::vector<int> last_of_low;  ///< (blocks) before this they end, then the records do
   std::vector<Record> acted;  ///< places of what acted in the list before, in its order
   ContactGroups groups;       ///< of the present list
   long grouped_update = -1;   ///< NUPDAT when the groups were made
+  /// Steps done when blocks had moved too far for the list: nothing but steps has acted
+  /// on them since it was made. -1: something may have.
+  long outdated_at = -1;
+  EarlierGroups earlier;            ///< while the list is brought up to date
   std::vector<Displacement> moved;  ///< (threads) in this step
   PlaneContacts next_planes;
 };

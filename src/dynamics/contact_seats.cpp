@@ -200,7 +200,7 @@ int ContactGroups::group_of(int seat) const {
 
 void ContactGroups::make_lanes(const Contacts& contacts) {
   // not at first, for most of those who are near in a wall at rest never act
-  const double soon = times_made > 1 ? 2.0 * (swing.travel - made_at) : 0.0;
+  const double soon = times_made > 0 ? 2.0 * (swing.travel - made_at) : 0.0;
   ++times_made;
   made_at = swing.travel;
   const auto may_act_soon = [&](const ContactPair& pair, int g) {
@@ -218,9 +218,9 @@ void ContactGroups::make_lanes(const Contacts& contacts) {
   for (int p = 0; p < static_cast<int>(pairs.size()); ++p)
     for (int g = pairs[p].first; g < end_of(p); ++g) {
       // who had a seat keeps it: it may want it again
-      const bool wants = acted(all[g]) || all[g].seat >= 0 || all[g].record() >= 0 ||
-                         may_act_soon(pairs[p], g);
-      all[g].seat = wants ? 0 : -1;
+      const bool wants = acted(all[g]) || all[g].seat != ContactGroup::no_seat ||
+                         all[g].record() >= 0 || may_act_soon(pairs[p], g);
+      all[g].seat = wants ? 0 : ContactGroup::no_seat;
       // of a notch both or none: a spring may pass from one to the other
       if (all[g].of_notch && all[g].seat != all[g - 1].seat)
         all[g].seat = all[g - 1].seat = 0;

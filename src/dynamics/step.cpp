@@ -12,6 +12,23 @@
 namespace blocks::dynamics {
 namespace {
 
+/// From so many groups on there is no room for those of two lists.
+constexpr std::size_t most_left = std::size_t{1} << 21;
+
+/// Leaves the groups of a list that is to be made anew, for what they know of it, or to
+/// give their memory back.
+void leave_groups(const Model& model, SearchBuffers& buffers) {
+  ContactGroups& groups = buffers.groups;
+  const bool moved_only = buffers.outdated_at == model.steps &&
+                          buffers.grouped_update == model.search.updates &&
+                          groups.swing.way.size() == model.blocks.material.size();
+  buffers.earlier.clear();
+  if (groups.all.size() > most_left)
+    groups.give_back();
+  else if (moved_only)
+    buffers.earlier.take(groups);
+}
+
 /// Forces to corners for so many blocks in turn: what one call reads is still in the
 /// cache for the next.
 constexpr int blocks_at_once = 64;
@@ -60,13 +77,14 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
   if (!model.search.current) {
     const Profile::Timer timer(buffers.profile, Profile::search);
     buffers.groups.store(model.contacts);
-    buffers.groups.give_back();
+    leave_groups(model, buffers);
     update_contacts(model, buffers);
   }
   if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
     const Profile::Timer timer(buffers.profile, Profile::search);
     group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups, false,
-                   buffers.workers->threads());
+                   buffers.workers->threads(), &buffers.earlier);
+    buffers.earlier.clear();
     // no more than one of each group acts: no step asks for memory
     model.contacts.acting.reserve(buffers.groups.all.size());
     buffers.grouped_update = model.search.updates;
@@ -140,6 +158,7 @@ Displacement move(Model& model, SearchBuffers& buffers,
   model.search.travel += moved.largest;
   if (model.search.travel > settings.contact_tolerance)
     model.search.current = false;
+  buffers.outdated_at = model.search.current ? -1 : model.steps;
   return moved;
 }
 

@@ -16,7 +16,10 @@ class Stepper {
   Stepper(Model& model, SearchBuffers& buffers) : model_(model), buffers_(buffers) {}
 
   /// The model has been changed from outside, when it was up to date.
-  void changed() { inside_current_ = false; }
+  void changed() {
+    inside_current_ = false;
+    buffers_.outdated_at = -1;
+  }
   /// dynamics::advance. Of the model time, steps, search, worst overlap and exits are
   /// those after it, all else stays behind.
   Displacement advance(bool readings,
