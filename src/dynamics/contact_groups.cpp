@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dynamics/earlier_groups.hpp"
+#include "dynamics/huge_pages.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -45,9 +46,11 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
     pair_count += new_pair(own, block);
   });
   groups.all.clear();
-  groups.all.reserve(count);
+  reserve_pages(groups.all, count);
   groups.pairs.clear();
-  groups.pairs.reserve(pair_count);
+  reserve_pages(groups.pairs, pair_count);
+  reserve_pages(groups.poses, pair_count);
+  reserve_pages(groups.limits, pair_count);
   now = {-1, -1};
   const auto add = [&](int first, int last, int own, int block) {
     if (new_pair(own, block))

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/huge_pages.hpp"
+
 namespace blocks::dynamics {
 
 void ContactLanes::reserve(const Room& room, bool rigid) {
@@ -13,6 +15,7 @@ void ContactLanes::reserve(const Room& room, bool rigid) {
     own.reset();  // not beside the new ones
     own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(count));
     part = own.get();
+    prefer_huge_pages(part, static_cast<std::size_t>(count) * sizeof(Part));
   };
   if (room.sets > room_.sets) {
     make(room.sets, own_pairs_, pairs);

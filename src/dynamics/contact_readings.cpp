@@ -32,6 +32,8 @@ void read_contacts(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
                    const Settings& settings, double dt) {
   const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness,
                        settings.friction, dt};
+  if (settings.rigid)
+    blocks.applied.setZero();
   StoredLanes stored(groups.lanes);
   groups.each_window([&](int first, int last) {
     const SetRange sets = groups.sets_of(first, last);

@@ -8,6 +8,7 @@
 #include "dynamics/contact_groups.hpp"
 #include "dynamics/dashpot.hpp"
 #include "dynamics/give_back.hpp"
+#include "dynamics/huge_pages.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -278,9 +279,9 @@ void ContactGroups::reserve_lanes(bool rigid) {
     room.read_slots = std::max(room.read_slots, slots);
   });
   lanes.reserve(room, rigid);
-  record.reserve(static_cast<std::size_t>(room.slots) * lane_count);
+  reserve_pages(record, static_cast<std::size_t>(room.slots) * lane_count);
   for (LanesOfBlocks* of : {&lows, &highs})
-    of->lane.reserve(pairs.size());
+    reserve_pages(of->lane, pairs.size());
 }
 
 }  // namespace blocks::dynamics

@@ -71,9 +71,12 @@ void Displacement::include(const Displacement& others) {
   left_domain = left_domain || others.left_domain;
 }
 
-void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range) {
+void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+                        bool others) {
   for (int b = range.first; b < range.last; ++b) {
-    double x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
+    double x = 0.0, y = 0.0, moment = 0.0;
+    if (others)
+      x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
     groups.each_lane_of(b, [&](unsigned lane, bool low) {
       const PairForce& of = groups.lanes.forces[lane];
       if (low)
@@ -87,9 +90,11 @@ void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange 
 }
 
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
-                           BlockRange range) {
+                           BlockRange range, bool others) {
   for (int b = range.first; b < range.last; ++b) {
-    Eigen::Vector4d sum = blocks.applied.col(b);
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    if (others)
+      sum = blocks.applied.col(b);
     groups.each_lane_of(b, [&](unsigned lane, bool low) {
       const PairStress& of = groups.lanes.stresses[lane];
       sum += Eigen::Map<const Eigen::Vector4d>(low ? of.low : of.high);

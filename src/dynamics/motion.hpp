@@ -28,14 +28,15 @@ struct Displacement {
   void include(const Displacement& others);
 };
 
-/// Adds force and moment of the contacts in the lanes to what loads and planes do, in
-/// the order of the list.
-void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range);
+/// Force and moment of the contacts in the lanes, in the order of the list; added to
+/// what loads and planes do, where there are others than contacts.
+void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+                        bool others);
 
-/// Applied stress (9): adds f_i x_j of the contacts in the lanes to that of loads and
-/// planes, and divides by the area. Deformable runs only.
+/// Applied stress (9): f_i x_j of the contacts in the lanes, added to that of loads and
+/// planes where there are any, over the area. Deformable runs only.
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
-                           BlockRange range);
+                           BlockRange range, bool others);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,

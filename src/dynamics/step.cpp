@@ -5,6 +5,7 @@
 
 #include "dynamics/contact_readings.hpp"
 #include "dynamics/domain.hpp"
+#include "dynamics/huge_pages.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/time_step.hpp"
 #include "model/numbering.hpp"
@@ -29,6 +30,15 @@ void leave_groups(const Model& model, SearchBuffers& buffers) {
     buffers.earlier.take(groups);
 }
 
+/// Before planes and loads push. Of rigid blocks the applied stress is for readers
+/// only.
+void clear_forces(Blocks& blocks, bool rigid) {
+  blocks.force.setZero();
+  blocks.moment.setZero();
+  if (!rigid)
+    blocks.applied.setZero();
+}
+
 /// Forces to corners for so many blocks in turn: what one call reads is still in the
 /// cache for the next.
 constexpr int blocks_at_once = 64;
@@ -43,6 +53,7 @@ void prepare(Model& model) {
     model.step_origin = model.steps;
     model.time_step = choose_time_step(model);
     model.order = better_order(model.blocks);
+    move_to_huge_pages(model.blocks);
   }
   model.started = true;
 }
@@ -91,7 +102,6 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
   }
 
   // 2. contact forces
-  clear_forces(blocks);
   const Extremes touching =
       evaluate_contacts(blocks, model.contacts, buffers.groups, model.settings,
                         model.time_step.dt, *buffers.workers, buffers.profile);
@@ -103,12 +113,6 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
   return move(model, buffers, touching);
 }
 
-void clear_forces(Blocks& blocks) {
-  blocks.force.setZero();
-  blocks.moment.setZero();
-  blocks.applied.setZero();
-}
-
 Displacement move(Model& model, SearchBuffers& buffers,
                   const Extremes& blocks_touching) {
   const Profile::Timer timer(buffers.profile, Profile::motion);
@@ -117,6 +121,9 @@ Displacement move(Model& model, SearchBuffers& buffers,
   const double dt = model.time_step.dt;
 
   // 2. symmetry planes
+  const bool others = model.plane_contacts.size() > 0 || !model.loads.none();
+  if (others)
+    clear_forces(blocks, settings.rigid);
   const Extremes planes_touching =
       add_plane_forces(blocks, model.plane_contacts, settings, dt);
 
@@ -130,10 +137,10 @@ Displacement move(Model& model, SearchBuffers& buffers,
       blocks.size(), blocks_per_thread, [&](int part, int first, int last) {
         for (; first < last; first += blocks_at_once) {
           const BlockRange range{first, std::min(last, first + blocks_at_once)};
-          sum_contact_forces(blocks, buffers.groups, range);
+          sum_contact_forces(blocks, buffers.groups, range, others);
           update_velocities(blocks, range, settings.gravity, dt);
           if (!settings.rigid) {
-            finish_applied_stress(blocks, buffers.groups, range);
+            finish_applied_stress(blocks, buffers.groups, range, others);
             update_strain(blocks, range, settings, dt);
           }
           buffers.moved[part].include(

@@ -30,10 +30,8 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
                      double alarm = std::numeric_limits<double>::infinity());
 void catch_up(Model& model, SearchBuffers& buffers);
 
-/// The two ends of a step, for whoever finds the contact forces in another way
-/// (src/study): forces to zero before they are found; planes, loads, motion and domain
-/// after.
-void clear_forces(Blocks& blocks);
+/// The end of a step, for whoever finds the contact forces in another way (src/study):
+/// planes, loads, motion and domain.
 Displacement move(Model& model, SearchBuffers& buffers, const Extremes& touching);
 
 }  // namespace blocks::dynamics

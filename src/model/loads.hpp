@@ -37,6 +37,8 @@ struct Loads {
   TimeFunction function;
   std::vector<Pressure> pressures;
   std::vector<CentroidForce> forces;
+
+  bool none() const { return pressures.empty() && forces.empty(); }
 };
 
 }  // namespace blocks

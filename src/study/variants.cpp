@@ -9,7 +9,6 @@ namespace {
 
 template <class Rules>
 dynamics::Displacement step(Model& model, dynamics::SearchBuffers& buffers) {
-  dynamics::clear_forces(model.blocks);
   const dynamics::Extremes touching = dynamics::evaluate_contacts_by<Rules>(
       model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
       *buffers.workers);

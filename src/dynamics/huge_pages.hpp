@@ -1,0 +1,26 @@
+// Large columns in large pages of memory: a step goes to some hundred places of each
+// block, and the processor keeps account of few pages.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "model/blocks.hpp"
+
+namespace blocks::dynamics {
+
+/// What is written to these bytes from now on is to stand in huge pages, where the
+/// system has some. Little memory stays as it is.
+void prefer_huge_pages(const void* first, std::size_t bytes);
+
+/// Room for so many items, which is not touched before it is used.
+template <class Item> void reserve_pages(std::vector<Item>& items, std::size_t count) {
+  if (count <= items.capacity())
+    return;
+  items.reserve(count);
+  prefer_huge_pages(items.data(), items.capacity() * sizeof(Item));
+}
+/// The columns of these blocks, which are moved there.
+void move_to_huge_pages(const Blocks& blocks);
+
+}  // namespace blocks::dynamics
