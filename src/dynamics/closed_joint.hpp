@@ -50,8 +50,9 @@ template <class Rules> class ClosedJoint {
       return false;
     const Slide slide(*this, c, e, f);
     const double depth = slide.depth;
+    // seldom does the surface go on: asked first
     for (const double part : joint_gaps)
-      if (reaches_over(slide, part * depth) && goes_on(slide, part * depth, true))
+      if (goes_on(slide, part * depth, true) && reaches_over(slide, part * depth))
         return true;
     const int vertex = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
     const double closed =
@@ -102,9 +103,13 @@ template <class Rules> class ClosedJoint {
     if (!(depth > 0.0))
       return false;
     const double closed = std::min(depth, depth_below(c, e));
+    const bool narrow = goes_on(slide, closed, true),
+               wide = goes_on(slide, depth, true);
+    if (!narrow && !wide)
+      return false;
     const bool inside = holds(at(toe), blocks_.corner_block[c]);
-    return goes_on(slide, closed, inside) ||
-           (inside && reaches_over(slide, depth) && goes_on(slide, depth, true));
+    return (narrow && (inside || goes_on(slide, closed, false))) ||
+           (wide && inside && reaches_over(slide, depth));
   }
 
   /// From the end of edge e that lies deeper below the surface on, the first corner of

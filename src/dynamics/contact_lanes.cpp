@@ -15,11 +15,11 @@ void ContactLanes::reserve(const Room& room, bool rigid) {
     own.reset();  // not beside the new ones
     own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(count));
     part = own.get();
-    prefer_huge_pages(part, static_cast<std::size_t>(count) * sizeof(Part));
   };
   if (room.sets > room_.sets) {
     make(room.sets, own_pairs_, pairs);
     make(room.sets * lane_count, own_forces_, forces);
+    prefer_huge_pages(forces, sizeof(PairForce) * room.sets * lane_count);
     room_.sets = room.sets;
   }
   if (room.slots > room_.slots) {

@@ -223,6 +223,7 @@ void adopt_list(Model& model, SearchBuffers& buffers) {
   order_list(model.blocks, model.contacts, buffers);
   take_over(model.blocks, model.contacts, buffers);
   give_back(buffers.acted);
+  give_back(buffers.last_of_low);
   update_plane_contacts(model, buffers);
   model.search.current = true;
   model.search.travel = 0.0;

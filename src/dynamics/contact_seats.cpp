@@ -279,7 +279,7 @@ void ContactGroups::reserve_lanes(bool rigid) {
     room.read_slots = std::max(room.read_slots, slots);
   });
   lanes.reserve(room, rigid);
-  reserve_pages(record, static_cast<std::size_t>(room.slots) * lane_count);
+  record.reserve(static_cast<std::size_t>(room.slots) * lane_count);
   for (LanesOfBlocks* of : {&lows, &highs})
     reserve_pages(of->lane, pairs.size());
 }
