@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "dynamics/contact_decision.hpp"
@@ -154,6 +155,11 @@ void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers
 /// order.
 void take_over(const Blocks& blocks, Contacts& contacts, const SearchBuffers& buffers) {
   std::vector<ActingContact>& acting = contacts.acting;
+  using Place = std::tuple<int, int, int>;
+  const auto place = [&](int corner, int edge) {
+    const int high = std::max(blocks.corner_block[corner], blocks.corner_block[edge]);
+    return Place(high, corner, edge);
+  };
   std::size_t kept = 0;
   int i = 0, before = -1;
   for (std::size_t k = 0; k < buffers.acted.size(); ++k) {
@@ -163,12 +169,11 @@ void take_over(const Blocks& blocks, Contacts& contacts, const SearchBuffers& bu
       i = low == 0 ? 0 : buffers.last_of_low[low - 1];
     before = low;
     const int last = buffers.last_of_low[low];
-    int at = i;
-    while (at < last && (contacts.corner[at] != corner || contacts.edge[at] != edge))
-      ++at;
-    if (at == last)
+    const Place wanted = place(corner, edge);
+    while (i < last && place(contacts.corner[i], contacts.edge[i]) < wanted)
+      ++i;
+    if (i == last || contacts.corner[i] != corner || contacts.edge[i] != edge)
       continue;
-    i = at;
     contacts.active[i] = 1;
     acting[kept] = acting[k];
     acting[kept++].record = i;

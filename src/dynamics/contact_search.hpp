@@ -79,11 +79,12 @@ struct SearchBuffers {
   std::vector<Record> acted;  ///< places of what acted in the list before, in its order
   ContactGroups groups;       ///< of the present list
   long grouped_update = -1;   ///< NUPDAT when the groups were made
-  /// Steps done when blocks had moved too far for the list: nothing but steps has acted
-  /// on them since it was made. -1: something may have.
+  /// Steps done when blocks had moved too far for the list, which has been up to date
+  /// until then. -1: it is, or is old for another reason.
   long outdated_at = -1;
-  EarlierGroups earlier;            ///< while the list is brought up to date
-  std::vector<Displacement> moved;  ///< (threads) in this step
+  const double* corners_at = nullptr;  ///< of the columns that were moved to huge pages
+  EarlierGroups earlier;               ///< while the list is brought up to date
+  std::vector<Displacement> moved;     ///< (threads) in this step
   PlaneContacts next_planes;
 };
 

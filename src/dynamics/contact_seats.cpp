@@ -126,7 +126,8 @@ void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
 void ContactGroups::load(const Blocks& blocks, const Contacts& contacts, int g,
                          const ActingContact& contact) {
   const int i = contact.record;
-  // a notch has two seats; nothing is decided yet in those of a new list
+  // A notch has two seats. One that holds none takes what has acted until now, and it
+  // is found to be lost in this step.
   const auto wanted = [&](int number) {
     for (int of = g; of <= g + static_cast<int>(all[g].reentrant); ++of)
       if (record[all[of].seat] == number)

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "dynamics/give_back.hpp"
+
 namespace blocks::dynamics {
 namespace {
 
@@ -16,6 +18,16 @@ std::int64_t place(const std::vector<int>& corner, const ContactGroup& group) {
 }
 
 }  // namespace
+
+void EarlierGroups::clear() {
+  give_back(all);
+  give_back(pairs);
+  give_back(poses);
+  give_back(shapes);
+  give_back(limits);
+  give_back(corner);
+  give_back(edge);
+}
 
 void EarlierGroups::take(ContactGroups& groups) {
   std::swap<DecidedGroups>(*this, groups);
@@ -33,14 +45,14 @@ void EarlierGroups::hand_on(const Contacts& contacts, ContactGroups& groups) con
     while (from < count && place(pairs[from]) < place(groups.pairs[to]))
       ++from;
     if (from < count && place(pairs[from]) == place(groups.pairs[to]))
-      hand_on(contacts, groups, from, to);
+      hand_on_pair(contacts, groups, from, to);
   }
   std::fill(groups.swing.way.begin(), groups.swing.way.end(), 0.0);
   groups.swing.travel = 0.0;
 }
 
-void EarlierGroups::hand_on(const Contacts& contacts, ContactGroups& groups, int from,
-                            int to) const {
+void EarlierGroups::hand_on_pair(const Contacts& contacts, ContactGroups& groups,
+                                 int from, int to) const {
   const ContactPair& known = pairs[from];
   ContactPair& pair = groups.pairs[to];
   bool complete = true;
@@ -53,9 +65,10 @@ void EarlierGroups::hand_on(const Contacts& contacts, ContactGroups& groups, int
       ++old;
     const bool there = old < old_end && place(corner, all[old]) == wanted;
     const bool prompt = there && (known.prompt & known.bit(old)) != 0;
-    if (!there || (prompt && pair.bit(g) == 0) || !hand_on(contacts, all[old], group))
-      complete = false;
-    else if (prompt)
+    const bool room = !prompt || pair.bit(g) != 0;
+    const bool handed = there && room && hand_on_group(contacts, all[old], group);
+    complete = complete && handed;
+    if (handed && prompt)
       pair.prompt |= pair.bit(g);
   }
   const Swing& swing = groups.swing;
@@ -72,8 +85,8 @@ void EarlierGroups::hand_on(const Contacts& contacts, ContactGroups& groups, int
         static_cast<std::uint8_t>(1U << (to % pairs_of_round));
 }
 
-bool EarlierGroups::hand_on(const Contacts& contacts, const ContactGroup& from,
-                            ContactGroup& to) const {
+bool EarlierGroups::hand_on_group(const Contacts& contacts, const ContactGroup& from,
+                                  ContactGroup& to) const {
   to.hopeless = from.hopeless;
   // unless it will not act for long
   if (from.seat >= 0 && (!from.certain() || from.conditional()))

@@ -13,8 +13,8 @@ namespace blocks::dynamics {
 /// same blocks, on which nothing but steps has acted since those groups were made.
 struct EarlierGroups : private DecidedGroups {
   bool empty() const { return all.empty(); }
-  /// None, from now on.
-  void clear() { all.clear(); }
+  /// None, from now on; gives the memory of many back.
+  void clear();
   /// Takes them from those who have to be made anew, but for their swing.
   void take(ContactGroups& groups);
   /// Takes the records of the list, which has to be filled anew.
@@ -26,11 +26,11 @@ struct EarlierGroups : private DecidedGroups {
   void hand_on(const Contacts& contacts, ContactGroups& groups) const;
 
  private:
-  /// Of one pair.
-  void hand_on(const Contacts& contacts, ContactGroups& groups, int from, int to) const;
-  /// Of one group. False: nothing is certain.
-  bool hand_on(const Contacts& contacts, const ContactGroup& from,
-               ContactGroup& to) const;
+  void hand_on_pair(const Contacts& contacts, ContactGroups& groups, int from,
+                    int to) const;
+  /// False: nothing is certain.
+  bool hand_on_group(const Contacts& contacts, const ContactGroup& from,
+                     ContactGroup& to) const;
 
   std::vector<int> corner, edge;  ///< of the records
 };

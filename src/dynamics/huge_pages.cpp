@@ -32,7 +32,11 @@ void prefer_huge_pages([[maybe_unused]] const void* first,
 
 void move_to_huge_pages(const Blocks& blocks) {
 #ifdef MADV_HUGEPAGE
-  constexpr int collapse = 25;  // MADV_COLLAPSE, from Linux 6.1 on; else an error
+#ifdef MADV_COLLAPSE
+  constexpr int collapse = MADV_COLLAPSE;
+#else
+  constexpr int collapse = 25;  // of Linux 6.1; without it nothing is moved
+#endif
   const auto move = [](const auto& column) {
     const std::size_t bytes =
         static_cast<std::size_t>(column.size()) * sizeof *column.data();

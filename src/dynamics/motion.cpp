@@ -72,10 +72,10 @@ void Displacement::include(const Displacement& others) {
 }
 
 void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range,
-                        bool others) {
+                        bool pushed) {
   for (int b = range.first; b < range.last; ++b) {
     double x = 0.0, y = 0.0, moment = 0.0;
-    if (others)
+    if (pushed)
       x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
     groups.each_lane_of(b, [&](unsigned lane, bool low) {
       const PairForce& of = groups.lanes.forces[lane];
@@ -90,10 +90,10 @@ void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange 
 }
 
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
-                           BlockRange range, bool others) {
+                           BlockRange range, bool pushed) {
   for (int b = range.first; b < range.last; ++b) {
     Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-    if (others)
+    if (pushed)
       sum = blocks.applied.col(b);
     groups.each_lane_of(b, [&](unsigned lane, bool low) {
       const PairStress& of = groups.lanes.stresses[lane];

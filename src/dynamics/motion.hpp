@@ -29,14 +29,14 @@ struct Displacement {
 };
 
 /// Force and moment of the contacts in the lanes, in the order of the list; added to
-/// what loads and planes do, where there are others than contacts.
+/// what loads and planes do where these have pushed, else alone.
 void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range,
-                        bool others);
+                        bool pushed);
 
 /// Applied stress (9): f_i x_j of the contacts in the lanes, added to that of loads and
-/// planes where there are any, over the area. Deformable runs only.
+/// planes where these have pushed, over the area. Deformable runs only.
 void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
-                           BlockRange range, bool others);
+                           BlockRange range, bool pushed);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,

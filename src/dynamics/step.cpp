@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "dynamics/contact_readings.hpp"
 #include "dynamics/domain.hpp"
@@ -13,7 +14,7 @@
 namespace blocks::dynamics {
 namespace {
 
-/// From so many groups on there is no room for those of two lists.
+/// Of more groups (100 MB, of 170,000 bricks) there is no room for those of two lists.
 constexpr std::size_t most_left = std::size_t{1} << 21;
 
 /// Leaves the groups of a list that is to be made anew, for what they know of it, or to
@@ -23,6 +24,7 @@ void leave_groups(const Model& model, SearchBuffers& buffers) {
   const bool moved_only = buffers.outdated_at == model.steps &&
                           buffers.grouped_update == model.search.updates &&
                           groups.swing.way.size() == model.blocks.material.size();
+  buffers.outdated_at = -1;
   buffers.earlier.clear();
   if (groups.all.size() > most_left)
     groups.give_back();
@@ -31,7 +33,7 @@ void leave_groups(const Model& model, SearchBuffers& buffers) {
 }
 
 /// Before planes and loads push. Of rigid blocks the applied stress is for readers
-/// only.
+/// only: pushes add up there until it is read or set to 0 (catch_up).
 void clear_forces(Blocks& blocks, bool rigid) {
   blocks.force.setZero();
   blocks.moment.setZero();
@@ -53,7 +55,6 @@ void prepare(Model& model) {
     model.step_origin = model.steps;
     model.time_step = choose_time_step(model);
     model.order = better_order(model.blocks);
-    move_to_huge_pages(model.blocks);
   }
   model.started = true;
 }
@@ -99,6 +100,8 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
     // no more than one of each group acts: no step asks for memory
     model.contacts.acting.reserve(buffers.groups.all.size());
     buffers.grouped_update = model.search.updates;
+    if (std::exchange(buffers.corners_at, blocks.corner.data()) != blocks.corner.data())
+      move_to_huge_pages(blocks);
   }
 
   // 2. contact forces
@@ -121,8 +124,8 @@ Displacement move(Model& model, SearchBuffers& buffers,
   const double dt = model.time_step.dt;
 
   // 2. symmetry planes
-  const bool others = model.plane_contacts.size() > 0 || !model.loads.none();
-  if (others)
+  const bool pushed = model.plane_contacts.size() > 0 || !model.loads.none();
+  if (pushed)
     clear_forces(blocks, settings.rigid);
   const Extremes planes_touching =
       add_plane_forces(blocks, model.plane_contacts, settings, dt);
@@ -137,10 +140,10 @@ Displacement move(Model& model, SearchBuffers& buffers,
       blocks.size(), blocks_per_thread, [&](int part, int first, int last) {
         for (; first < last; first += blocks_at_once) {
           const BlockRange range{first, std::min(last, first + blocks_at_once)};
-          sum_contact_forces(blocks, buffers.groups, range, others);
+          sum_contact_forces(blocks, buffers.groups, range, pushed);
           update_velocities(blocks, range, settings.gravity, dt);
           if (!settings.rigid) {
-            finish_applied_stress(blocks, buffers.groups, range, others);
+            finish_applied_stress(blocks, buffers.groups, range, pushed);
             update_strain(blocks, range, settings, dt);
           }
           buffers.moved[part].include(
