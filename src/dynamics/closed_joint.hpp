@@ -103,8 +103,8 @@ template <class Rules> class ClosedJoint {
     if (!(depth > 0.0))
       return false;
     const double closed = std::min(depth, depth_below(c, e));
-    const bool narrow = goes_on(slide, closed, true),
-               wide = goes_on(slide, depth, true);
+    const bool narrow = goes_on(slide, closed, true);
+    const bool wide = closed < depth ? goes_on(slide, depth, true) : narrow;
     if (!narrow && !wide)
       return false;
     const bool inside = holds(at(toe), blocks_.corner_block[c]);

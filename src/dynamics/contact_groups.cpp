@@ -34,7 +34,7 @@ void each_group(const Blocks& blocks, const Contacts& contacts, bool each_alone,
 void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone,
                  ContactGroups& groups) {
   const auto notched = [&](int block) { return !each_alone && !blocks.convex[block]; };
-  // of many there is no room for more than there are
+  // counted first: of many there is no room for more than there are
   std::size_t count = 0, pair_count = 0;
   std::pair<int, int> now(-1, -1);
   const auto new_pair = [&](int own, int block) {
@@ -49,8 +49,6 @@ void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone
   reserve_pages(groups.all, count);
   groups.pairs.clear();
   reserve_pages(groups.pairs, pair_count);
-  reserve_pages(groups.poses, pair_count);
-  reserve_pages(groups.limits, pair_count);
   now = {-1, -1};
   const auto add = [&](int first, int last, int own, int block) {
     if (new_pair(own, block))
@@ -216,6 +214,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     const EarlierGroups* earlier) {
   find_groups(blocks, contacts, each_alone, groups);
   find_pairs_of_corners(blocks, contacts, groups);
+  reserve_pages(groups.limits, groups.pairs.size());
   groups.limits.assign(groups.pairs.size(), 0.0F);
   groups.rounds.assign((groups.pairs.size() + pairs_of_round - 1) / pairs_of_round,
                        0.0);
@@ -232,6 +231,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
     share.lost.clear();
     share.lost.reserve(groups.all.size() / threads + 64);
   }
+  reserve_pages(groups.poses, groups.pairs.size());
   groups.poses.assign(groups.pairs.size(), {});
   groups.shapes.assign(rigid ? 0 : groups.pairs.size(), {});
   if (earlier != nullptr && !earlier->empty())

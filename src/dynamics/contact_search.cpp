@@ -103,29 +103,28 @@ void each_run(const Blocks& blocks, const std::vector<SearchBuffers::Record>& fo
   }
 }
 
-/// Makes the records found the list, in its order: runs by the lower block in one go,
-/// then those of each block by the higher one and the corner. None acts.
+/// Makes the records found the list, which is empty, in its order: runs by the lower
+/// block in one go, then those of each block by the higher one and the corner. None
+/// acts.
 void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
   using Run = SearchBuffers::Run;
   const std::vector<SearchBuffers::Record>& found = buffers.found;
-  const auto pair_of = [&](int i) {
+  const auto blocks_of = [&](int i) {
     return std::minmax(blocks.corner_block[found[i].corner],
                        blocks.corner_block[found[i].edge]);
   };
   std::vector<int>& last = buffers.last_of_low;
   last.assign(blocks.size() + 1, 0);
-  each_run(blocks, found, [&](int i, int) { ++last[pair_of(i).first + 1]; });
+  each_run(blocks, found, [&](int i, int) { ++last[blocks_of(i).first + 1]; });
   std::partial_sum(last.begin(), last.end(), last.begin());
   std::vector<Run>& runs = buffers.runs;
   runs.resize(last.back());
   each_run(blocks, found, [&](int first, int behind) {
-    const auto [low, high] = pair_of(first);
+    const auto [low, high] = blocks_of(first);
     const auto word = [](int number) { return static_cast<std::uint32_t>(number); };
     runs[last[low]++] = {std::uint64_t{word(high)} << 32 | word(found[first].corner),
                          first, behind};
   });
-  contacts.corner.clear();
-  contacts.edge.clear();
   contacts.corner.reserve(found.size());
   contacts.edge.reserve(found.size());
   for (int b = 0, first = 0; b < blocks.size(); ++b) {
