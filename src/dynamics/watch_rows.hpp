@@ -16,7 +16,7 @@ namespace blocks::dynamics {
 /// Rounds of one window share its room, and are asked and made by one thread.
 class WatchRows {
  public:
-  static constexpr int most = 4;  ///< rows of a round
+  static constexpr int most = 8;  ///< rows of a round
 
   /// For so many rounds, of windows of so many: none made.
   void reserve(int rounds, int rounds_of_window);
@@ -48,15 +48,16 @@ class WatchRows {
 
  private:
   static constexpr std::uint8_t none = 0, no_room = most + 1;
-  static constexpr int rows_of_window = 64;
+  static constexpr int rows_of_window = 192;
 
+  /// Where in its window so many rows for a round find room; -1: nowhere.
+  int room(int round, int count) const;
   std::ptrdiff_t place(int round) const {
     return std::ptrdiff_t{rows_of_window} * (round / rounds_of_window_) + first_[round];
   }
 
   int rounds_of_window_ = 1;
   std::unique_ptr<WatchRow[]> rows_;         ///< (windows) rows_of_window
-  std::vector<std::uint64_t> taken_;         ///< (windows) bit k: row k is
   std::vector<std::uint8_t> first_, count_;  ///< (rounds) in the window
 };
 
