@@ -8,6 +8,7 @@
 #include "dynamics/contact_decision.hpp"
 #include "dynamics/edge_travel.hpp"
 #include "dynamics/meeting_travel.hpp"
+#include "dynamics/third_travel.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
@@ -32,34 +33,60 @@ double admissible_travel(const Blocks& blocks, const Contacts& contacts, int i,
   return std::min(travel, sign_travel(-depth, edge.length, from_centroid.norm()));
 }
 
+/// Third blocks are asked only where nothing is certain for `enough` without them, for
+/// they move as they like.
+struct Thirds {
+  const ContactGroups& groups;
+  double enough;
+  ThirdsAway away;
+
+  /// Makes a travel as long as `other` for as long as no third block goes on with the
+  /// surface below corner c.
+  void lengthen(double& travel, double other, const Blocks& blocks, int c,
+                int surface) {
+    if (travel >= enough || other <= travel)
+      return;
+    const double margin = thirds_travel(blocks, groups, c, surface);
+    if (margin > 0.0)
+      travel = other, away.add(c, margin);
+  }
+};
+
 /// The corner stays deeper below the edge of record i than below that of record j, and
-/// too deep for a shield.
-double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int j) {
-  const EdgeView p(blocks, contacts.corner[i], contacts.edge[i]);
-  const EdgeView q(blocks, contacts.corner[j], contacts.edge[j]);
-  const double lead =
-      std::min(p.depth() - q.depth(), p.depth() - 1.01 * shielded_depth * p.length);
-  return lead_travel(p, q, lead);
+/// too deep for a shield, or nothing is hidden. Worth no more than `most`.
+double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int j,
+                     double most, Thirds& thirds) {
+  const int c = contacts.corner[i], surface = contacts.edge[i];
+  const EdgeView p(blocks, c, surface), q(blocks, c, contacts.edge[j]);
+  const double deeper = lead_travel(p, q, p.depth() - q.depth());
+  double travel = std::min(
+      deeper, lead_travel(p, q, p.depth() - 1.01 * shielded_depth * p.length));
+  if (travel < most)
+    thirds.lengthen(travel, deeper, blocks, c, surface);
+  return travel;
 }
 
-/// The lower end of an edge stays, as long as it is the lower one, the toe of its block
-/// (ClosedJoint::toe_of), and too far from the side for a joint there.
+/// The lower end of an edge is, as long as it is the lower one, the toe of its block
+/// (ClosedJoint::toe_of).
+double toe_travel(const Blocks& blocks, int toe, int surface) {
+  const EdgeView view(blocks, toe, surface);
+  return std::min(facing_travel(blocks, toe, blocks.previous[toe], view),
+                  facing_travel(blocks, toe, blocks.next[toe], view));
+}
+
+/// It is too far from the side for a joint there.
 double far_travel(const Blocks& blocks, int toe, int side, int surface) {
   const EdgeView from_side(blocks, toe, side), from_surface(blocks, toe, surface);
   const double reach = (shielded_way + shielded_depth) * from_surface.length;
   const double lead = std::abs(from_side.depth()) - 1.01 * reach;
-  double travel = lead_travel(lead, 1.0 + 2.0 * from_side.distance / from_side.length,
-                              from_side.distance);
-  for (const int neighbour : {blocks.previous[toe], blocks.next[toe]})
-    if (travel > 0.0)
-      travel = std::min(travel, facing_travel(blocks, toe, neighbour, from_surface));
-  return travel;
+  return lead_travel(lead, 1.0 + 2.0 * from_side.distance / from_side.length,
+                     from_side.distance);
 }
 
 /// No closed joint hides corner c from edge e (ClosedJoint::hides_corner), for this
 /// travel at least: the edge runs along the surface, or the toe of its block lies too
-/// deep, or too far from the joint. Worth no more than `enough`.
-double seen_travel(const Blocks& blocks, int c, int e, double enough) {
+/// deep, or too far from the joint, or there is none. Worth no more than `enough`.
+double seen_travel(const Blocks& blocks, int c, int e, double enough, Thirds& thirds) {
   const int first = e, second = blocks.next[e], before = blocks.previous[c];
   const Vec2 flank = blocks.corner.col(second) - blocks.corner.col(first);
   const double flank_length = flank.norm();
@@ -79,10 +106,14 @@ double seen_travel(const Blocks& blocks, int c, int e, double enough) {
                       lead_travel(lower.depth() - 1.01 * shielded_depth * length,
                                   1.0 + 2.0 * lower.distance / length, lower.distance));
       if (seen < travel) {
-        const double stays_lower = lead_travel(p, q, std::abs(q.depth() - p.depth()));
-        seen = std::max(
-            seen, std::min(stays_lower, far_travel(blocks, forward ? second : first,
-                                                   side, surface)));
+        const int toe = forward ? second : first;
+        const double stays_toe =
+            std::min(lead_travel(p, q, std::abs(q.depth() - p.depth())),
+                     toe_travel(blocks, toe, surface));
+        seen = std::max(seen,
+                        std::min(stays_toe, far_travel(blocks, toe, side, surface)));
+        if (seen < travel)
+          thirds.lengthen(seen, stays_toe, blocks, toe, surface);
       }
     }
     travel = std::min(travel, seen);
@@ -214,7 +245,8 @@ double idle_travel(const Blocks& blocks, const Contacts& contacts,
 /// Record i acts if its corner is inside its edge, and nothing else does. Of a convex
 /// block.
 double candidate_travel(const Blocks& blocks, const Contacts& contacts,
-                        const ContactGroup& group, const Sides& sides, int i) {
+                        const ContactGroup& group, const Sides& sides, int i,
+                        Thirds& thirds) {
   const int c = contacts.corner[i], edge = contacts.edge[i];
   double travel = edge == sides.edge ? sides.next : sides.least;
   if (travel > 0.0)
@@ -226,14 +258,16 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
       continue;
     double others = -admissible_travel(blocks, contacts, j, travel);
     if (others < travel)
-      if (const double deeper = deeper_travel(blocks, contacts, j, i); deeper > others)
+      if (const double deeper =
+              deeper_travel(blocks, contacts, j, i, travel, thirds);
+          deeper > others)
         others = std::max(
             others,
             std::min(deeper, meeting_inside_travel(blocks, c, edge, false, travel)));
     travel = std::min(travel, others);
   }
   if (travel > 0.0)
-    travel = seen_travel(blocks, c, edge, travel);
+    travel = seen_travel(blocks, c, edge, travel, thirds);
   if (travel <= 0.0 || edge != sides.edge || sides.least >= travel || sides.asks)
     return travel;
   // outside of this edge only, it could be a crossing
@@ -243,27 +277,30 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
 
 /// The candidate that is certain for longest, or that there is none. Of a convex block.
 Certainty best_candidate(const Blocks& blocks, const Contacts& contacts,
-                         const ContactGroup& group, const Sides& sides) {
+                         const ContactGroups& groups, const ContactGroup& group,
+                         const Sides& sides, double enough) {
   const int c = contacts.corner[group.first];
-  Certainty best{-1, idle_travel(blocks, contacts, group, sides)};
+  Certainty best{.travel = idle_travel(blocks, contacts, group, sides), .away = {}};
   // far off: not worth a closer look
   if (best.travel > 0.02 * EdgeView(blocks, c, contacts.edge[group.first]).length)
     return best;
   for (int i = group.first; i < group.last(); ++i) {
-    const double travel = candidate_travel(blocks, contacts, group, sides, i);
+    Thirds thirds{groups, enough, {}};
+    const double travel = candidate_travel(blocks, contacts, group, sides, i, thirds);
     if (travel > best.travel)
-      best = {i, travel};
+      best = {.candidate = i, .travel = travel, .away = thirds.away};
   }
   return best;
 }
 
 Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
-                             const ContactGroup& group, int block, double enough) {
+                             const ContactGroups& groups, const ContactGroup& group,
+                             int block, double enough) {
   const int c = contacts.corner[group.first];
   if (!blocks.convex[block])
-    return {-1, travel_before_outline(blocks, c, block)};
-  const Certainty anywhere =
-      best_candidate(blocks, contacts, group, Sides(blocks, c, block));
+    return {.travel = travel_before_outline(blocks, c, block), .away = {}};
+  const Certainty anywhere = best_candidate(blocks, contacts, groups, group,
+                                            Sides(blocks, c, block), enough);
   if (anywhere.travel > enough || blocks.corners_of(block) > ContactGroup::most_edges)
     return anywhere;
   const int place =
@@ -271,7 +308,8 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
   const double most = 8.0 * enough;
   Certainty best = anywhere;
   for (const bool asks : {false, true}) {
-    Certainty there = best_candidate(blocks, contacts, group, Sides(place, asks));
+    Certainty there =
+        best_candidate(blocks, contacts, groups, group, Sides(place, asks), enough);
     there.travel = std::min(there.travel, most);
     if (there.travel <= 2.0 * best.travel)
       continue;
@@ -286,10 +324,12 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
 }  // namespace
 
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
-                    const ContactGroup& group, int block, double enough) {
-  Certainty known = certainty_of_rules(blocks, contacts, group, block, enough);
-  known.travel -= roundoff(blocks, contacts.corner[group.first], block);
-  return known.travel > 0.0 ? known : Certainty{};
+                    const ContactGroups& groups, const ContactGroup& group, int block,
+                    double enough) {
+  Certainty known = certainty_of_rules(blocks, contacts, groups, group, block, enough);
+  const double rounded = roundoff(blocks, contacts.corner[group.first], block);
+  known.travel -= rounded, known.away.margin -= 2.0 * rounded;
+  return known.travel > 0.0 && known.away.margin > 0.0 ? known : Certainty{};
 }
 
 ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,

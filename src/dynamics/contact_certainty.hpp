@@ -19,9 +19,10 @@ namespace blocks::dynamics {
 ///   from the edge's first corner.
 /// - A candidate stays admissible, nearest of its block or meeting the corner's, its
 ///   corner inside the other edges of the block, and
-///   every other record inadmissible, or deeper and too deep for a shield, for a third
-///   block moves as it likes. Then nothing but the sign of its overlap is open, whether
-///   the corner is inside its edge, in the slack, or beyond (where no side may cross).
+///   every other record inadmissible, or deeper and too deep for a shield, or third
+///   blocks are away: they move as they like, so their ways are watched. Then nothing
+///   but the sign of its overlap is open, whether the corner is inside its edge, in the
+///   slack, or beyond (where no side may cross).
 /// - Without a candidate all stay inadmissible; or the corner stays outside of two
 ///   edges, or of one that no side crosses (crossing_sides.hpp).
 /// - A corner that is about to come in or to go out, such as one beside the end of an
@@ -32,7 +33,8 @@ namespace blocks::dynamics {
 /// block: whose edges the group's are. enough [L]: a certainty for more than that has
 /// no condition; one that has is for eight times as much at most.
 Certainty certainty(const Blocks& blocks, const Contacts& contacts,
-                    const ContactGroup& group, int block, double enough);
+                    const ContactGroups& groups, const ContactGroup& group, int block,
+                    double enough);
 
 /// For how long the condition of a group certainly holds (ContactDecision::stands).
 struct ConditionTravel {

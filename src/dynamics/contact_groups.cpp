@@ -152,6 +152,23 @@ WatchedEdges ContactGroups::watched_by(const ContactPair& pair) const {
   return found;
 }
 
+bool ContactGroups::watch_thirds(const Blocks& blocks, int p, int g,
+                                 const ThirdsAway& away) {
+  const ContactPair& pair = pairs[p];
+  const double limit = swing.way[pair.low] + swing.way[pair.high] + away.margin;
+  bool room = true;
+  for (int k = 0; k < away.count; ++k) {
+    const int own = blocks.corner_block[away.corner[k]];
+    each_third(blocks, away.corner[k], pair.beside(own), [&](int third) {
+      room = room && thirds.add(p / pairs_of_round,
+                                {g, p, third, rounded_down(limit + swing.way[third])});
+    });
+  }
+  if (!room)
+    thirds.drop(p / pairs_of_round, g);
+  return room;
+}
+
 void ContactGroups::take_pose(const Blocks& blocks, int pair) {
   const int low = pairs[pair].low, high = pairs[pair].high;
   poses[pair] = {.x = blocks.centroid(0, low) - blocks.centroid(0, high),
@@ -194,6 +211,7 @@ void ContactGroups::forget_decisions() {
     pose.certain = 0.0F;
   std::fill(prompt.begin(), prompt.end(), std::uint8_t{0});
   watches.forget();
+  thirds.forget();
   std::fill(limits.begin(), limits.end(), 0.0F);
   std::fill(rounds.begin(), rounds.end(), 0.0);
   for (ContactGroup& each : all)
@@ -220,6 +238,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                        0.0);
   groups.prompt.assign(groups.rounds.size(), 0);
   groups.watches.reserve(static_cast<int>(groups.rounds.size()), rounds_of_window);
+  groups.thirds.reserve(static_cast<int>(groups.rounds.size()));
   groups.reserve_lanes(rigid);
   groups.times_made = 0;
   groups.loaded = groups.read = false;

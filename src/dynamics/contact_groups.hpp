@@ -11,6 +11,7 @@
 
 #include "dynamics/contact_lanes.hpp"
 #include "dynamics/give_back.hpp"
+#include "dynamics/third_blocks.hpp"
 #include "dynamics/watch_rows.hpp"
 #include "model/contact_blocks.hpp"
 #include "model/model.hpp"
@@ -54,6 +55,7 @@ struct Certainty {
   /// while the edge comes through or no side crosses (ContactDecision::stands).
   int place = anywhere;
   bool asks = false;
+  ThirdsAway away;  ///< only while third blocks are
 };
 
 /// Records first .. last() - 1 of the contact list: one corner, edges of one block.
@@ -237,6 +239,7 @@ struct ContactGroups : DecidedGroups {
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
   WatchRows watches;                  ///< of the prompt ones
+  ThirdBlocks thirds;                 ///< that certain groups count on
   std::vector<int> pairs_of_corners;  ///< in which a corner has a group: their indices
   std::vector<int> first_of_corner;   ///< (corners + 1) where those of a corner begin
 
@@ -276,6 +279,17 @@ struct ContactGroups : DecidedGroups {
     for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
       tell(static_cast<unsigned>(lows.lane[k]), true);
   }
+  /// Calls visit(block) for each block with edges in the list for corner c, but one.
+  template <class Visit>
+  void each_third(const Blocks& blocks, int c, int but, const Visit& visit) const {
+    for (int k = first_of_corner[c]; k < first_of_corner[c + 1]; ++k)
+      if (const int third = pairs[pairs_of_corners[k]].beside(blocks.corner_block[c]);
+          third != but)
+        visit(third);
+  }
+  /// Watches the third blocks that the certainty of group g of pair p counts on. False:
+  /// there is no room.
+  bool watch_thirds(const Blocks& blocks, int p, int g, const ThirdsAway& away);
   /// The seat of the group's contact that acts in this step, or -1.
   int acting(int g) const {
     const int seat = all[g].seat;

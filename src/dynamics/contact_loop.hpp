@@ -101,16 +101,18 @@ bool condition_holds(const Blocks& blocks, const Contacts& contacts,
 /// known from where the blocks stand.
 template <class Rules>
 void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
-            ContactPair& pair, int g, double motion, ContactGroups::Share& share) {
+            int p, int g, double motion, ContactGroups::Share& share) {
   const ContactDecision<Rules> decision(blocks, contacts, groups);
+  ContactPair& pair = groups.pairs[p];
   ContactGroup& group = groups.all[g];
   const int block = pair.edge_block(group);
   int other = -1;  // of a notch
   group.travel = 0.0F;
   if (Rules::keeps_decisions && group.hopeless == 0) {
     const Certainty known =
-        certainty(blocks, contacts, group, block, long_life * motion);
-    if (known.travel > least_life * motion)
+        certainty(blocks, contacts, groups, group, block, long_life * motion);
+    if (std::min(known.travel, known.away.margin) > least_life * motion &&
+        groups.watch_thirds(blocks, p, g, known.away))
       group.set(known);
     if (group.certain() && group.conditional() &&
         !condition_holds(blocks, contacts, decision, groups, pair, g, 0.0, motion))
@@ -174,6 +176,8 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       continue;
     group.travel = 0.0F;
     pair.prompt &= ~pair.bit(g);
+    if (groups.thirds.any(p / pairs_of_round))
+      groups.thirds.drop(p / pairs_of_round, g);
     anew |= group.hopeless == 0;
   }
   float& certain = groups.poses[p].certain;
@@ -183,7 +187,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
     if (group.of_notch)  // with the one before
       continue;
     if (!group.certain()) {
-      decide<Rules>(blocks, contacts, groups, pair, g, motion, share);
+      decide<Rules>(blocks, contacts, groups, p, g, motion, share);
     } else if (anew) {
       group.travel = rounded_down(group.travel - moved);
       group.unasked = rounded_down(group.unasked - moved);
@@ -223,6 +227,22 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
   return due;
 }
 
+/// Whose third blocks may have come too near is not certain any more, and its pair is
+/// due, of a round. Whether there is one.
+inline bool ask_thirds(ContactGroups& groups, int round) {
+  const std::vector<double>& way = groups.swing.way;
+  bool due = false;
+  groups.thirds.each(round, [&](const ThirdBlock& third) {
+    const ContactPair& pair = groups.pairs[third.pair];
+    if (way[pair.low] + way[pair.high] + way[third.block] < third.limit)
+      return;
+    groups.all[third.group].travel = 0.0F;
+    groups.poses[third.pair].certain = groups.limits[third.pair] = 0.0F;
+    due = true;
+  });
+  return due;
+}
+
 /// Decides the groups whose blocks have moved too far since they were last decided, of
 /// the rounds of pairs first .. last - 1.
 template <class Rules>
@@ -234,11 +254,12 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
   const LaneArithmetic& arithmetic = lane_arithmetic();
   const BlockRows rows = rows_of(blocks);
   for (int round = first; round < last; ++round) {
-    const bool due =
+    const bool near = groups.thirds.any(round) && ask_thirds(groups, round);
+    const bool passed =
         groups.prompt[round] != 0 &&
         !groups.watches.all_stay(round, arithmetic, rows, geometry::contact_slack) &&
         ask_prompt<Rules>(blocks, contacts, groups, round);
-    if (Rules::keeps_decisions && !due && swing.travel < groups.rounds[round])
+    if (Rules::keeps_decisions && !near && !passed && swing.travel < groups.rounds[round])
       continue;
     unsigned prompt = 0;
     double left_of_round = std::numeric_limits<double>::max();

@@ -30,6 +30,9 @@ void EarlierGroups::clear() {
 }
 
 void EarlierGroups::take(ContactGroups& groups) {
+  // of the next list other blocks may be the third
+  groups.thirds.each(
+      [&](const ThirdBlock& third) { groups.all[third.group].travel = 0.0F; });
   std::swap<DecidedGroups>(*this, groups);
 }
 
