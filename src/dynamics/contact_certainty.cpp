@@ -46,9 +46,9 @@ struct Thirds {
                 int surface) {
     if (travel >= enough || other <= travel)
       return;
-    const double margin = thirds_travel(blocks, groups, c, surface);
-    if (margin > 0.0)
-      travel = other, away.add(c, margin);
+    const ThirdsAway::Place place{c, surface};
+    if ((away.contains(place) || thirds_away(blocks, groups, place)) && away.add(place))
+      travel = other;
   }
 };
 
@@ -145,13 +145,6 @@ double no_crossing_travel(const Blocks& blocks, int c, int edge, bool after,
 double no_crossing_beside(const Blocks& blocks, int c, int side, double enough) {
   return std::min(no_crossing_travel(blocks, c, blocks.previous[side], true, enough),
                   no_crossing_travel(blocks, c, blocks.next[side], false, enough));
-}
-
-/// How much more than relative_motion a difference of two corners may change, [L]: each
-/// stored corner is rounded, half a unit in the last place of its coordinates.
-double roundoff(const Blocks& blocks, int corner, int block) {
-  return 0x1p-48 * (blocks.corner.col(corner).lpNorm<Eigen::Infinity>() +
-                    blocks.centroid.col(block).lpNorm<Eigen::Infinity>());
 }
 
 /// Distance of a point from the segment from p by `along`.
@@ -327,9 +320,8 @@ Certainty certainty(const Blocks& blocks, const Contacts& contacts,
                     const ContactGroups& groups, const ContactGroup& group, int block,
                     double enough) {
   Certainty known = certainty_of_rules(blocks, contacts, groups, group, block, enough);
-  const double rounded = roundoff(blocks, contacts.corner[group.first], block);
-  known.travel -= rounded, known.away.margin -= 2.0 * rounded;
-  return known.travel > 0.0 && known.away.margin > 0.0 ? known : Certainty{};
+  known.travel -= roundoff(blocks, contacts.corner[group.first], block);
+  return known.travel > 0.0 ? known : Certainty{};
 }
 
 ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,

@@ -154,16 +154,12 @@ WatchedEdges ContactGroups::watched_by(const ContactPair& pair) const {
 
 bool ContactGroups::watch_thirds(const Blocks& blocks, int p, int g,
                                  const ThirdsAway& away) {
-  const ContactPair& pair = pairs[p];
-  const double limit = swing.way[pair.low] + swing.way[pair.high] + away.margin;
   bool room = true;
-  for (int k = 0; k < away.count; ++k) {
-    const int own = blocks.corner_block[away.corner[k]];
-    each_third(blocks, away.corner[k], pair.beside(own), [&](int third) {
-      room = room && thirds.add(p / pairs_of_round,
-                                {g, p, third, rounded_down(limit + swing.way[third])});
+  for (int k = 0; k < away.count; ++k)
+    each_third(blocks, away.places[k], [&](int third) {
+      room = room &&
+             thirds.add(p / pairs_of_round, {g, p, away.places[k], third, 0.0F});
     });
-  }
   if (!room)
     thirds.drop(p / pairs_of_round, g);
   return room;

@@ -279,12 +279,15 @@ struct ContactGroups : DecidedGroups {
     for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
       tell(static_cast<unsigned>(lows.lane[k]), true);
   }
-  /// Calls visit(block) for each block with edges in the list for corner c, but one.
+  /// Calls visit(block) for each convex block with edges in the list for the corner,
+  /// but that of the surface.
   template <class Visit>
-  void each_third(const Blocks& blocks, int c, int but, const Visit& visit) const {
+  void each_third(const Blocks& blocks, const ThirdsAway::Place& place,
+                  const Visit& visit) const {
+    const int c = place.corner, own = blocks.corner_block[c];
     for (int k = first_of_corner[c]; k < first_of_corner[c + 1]; ++k)
-      if (const int third = pairs[pairs_of_corners[k]].beside(blocks.corner_block[c]);
-          third != but)
+      if (const int third = pairs[pairs_of_corners[k]].beside(own);
+          third != blocks.corner_block[place.surface] && blocks.convex[third])
         visit(third);
   }
   /// Watches the third blocks that the certainty of group g of pair p counts on. False:

@@ -15,6 +15,7 @@
 #include "dynamics/contact_handover.hpp"
 #include "dynamics/contact_lanes.hpp"
 #include "dynamics/profile.hpp"
+#include "dynamics/third_travel.hpp"
 #include "dynamics/workers.hpp"
 
 namespace blocks::dynamics {
@@ -111,7 +112,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
   if (Rules::keeps_decisions && group.hopeless == 0) {
     const Certainty known =
         certainty(blocks, contacts, groups, group, block, long_life * motion);
-    if (std::min(known.travel, known.away.margin) > least_life * motion &&
+    if (known.travel > least_life * motion &&
         groups.watch_thirds(blocks, p, g, known.away))
       group.set(known);
     if (group.certain() && group.conditional() &&
@@ -227,14 +228,21 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
   return due;
 }
 
-/// Whose third blocks may have come too near is not certain any more, and its pair is
-/// due, of a round. Whether there is one.
-inline bool ask_thirds(ContactGroups& groups, int round) {
+/// Where a third block is not certainly away any more a group of a round is not certain
+/// either, and its pair is due. Whether there is one.
+inline bool ask_thirds(const Blocks& blocks, ContactGroups& groups, int round) {
   const std::vector<double>& way = groups.swing.way;
   bool due = false;
-  groups.thirds.each(round, [&](const ThirdBlock& third) {
+  groups.thirds.each(round, [&](ThirdBlock& third) {
     const ContactPair& pair = groups.pairs[third.pair];
-    if (way[pair.low] + way[pair.high] + way[third.block] < third.limit)
+    const double ways = way[pair.low] + way[pair.high] + way[third.block];
+    if (ways < third.limit)
+      return;
+    const auto [c, surface] = third.place;
+    const double travel =
+        away_travel(blocks, third.block, c, EdgeView(blocks, c, surface));
+    third.limit = rounded_down(ways + travel);
+    if (travel > 0.0)
       return;
     groups.all[third.group].travel = 0.0F;
     groups.poses[third.pair].certain = groups.limits[third.pair] = 0.0F;
@@ -254,7 +262,7 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
   const LaneArithmetic& arithmetic = lane_arithmetic();
   const BlockRows rows = rows_of(blocks);
   for (int round = first; round < last; ++round) {
-    const bool near = groups.thirds.any(round) && ask_thirds(groups, round);
+    const bool near = groups.thirds.any(round) && ask_thirds(blocks, groups, round);
     const bool passed =
         groups.prompt[round] != 0 &&
         !groups.watches.all_stay(round, arithmetic, rows, geometry::contact_slack) &&

@@ -74,4 +74,11 @@ inline double between_travel(const Blocks& blocks, int c, int edge) {
                               to_second.norm()));
 }
 
+/// How much more than relative_motion a difference of two corners may change, [L]: each
+/// stored corner is rounded, half a unit in the last place of its coordinates.
+inline double roundoff(const Blocks& blocks, int corner, int block) {
+  return 0x1p-48 * (blocks.corner.col(corner).lpNorm<Eigen::Infinity>() +
+                    blocks.centroid.col(block).lpNorm<Eigen::Infinity>());
+}
+
 }  // namespace blocks::dynamics

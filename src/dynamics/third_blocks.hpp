@@ -2,37 +2,47 @@
 // no joint hides anything (ClosedJoint).
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
 namespace blocks::dynamics {
 
-/// What a certainty counts on. Each third block that is listed for one of the corners
-/// may move by the margin, together with the two blocks of the pair (Swing::way).
+/// The surfaces that no third block may go on with: those of edges, below a corner of
+/// the other block of the pair.
 struct ThirdsAway {
-  static constexpr int most_corners = 3;
-  double margin = std::numeric_limits<double>::max();  ///< [L]
+  struct Place {
+    int corner, surface;
+    bool operator==(const Place&) const = default;
+  };
+  static constexpr int most = 6;
   int count = 0;
-  int corner[most_corners] = {};
+  std::array<Place, most> places = {};
 
-  /// That of one more corner.
-  void add(int of, double travel) {
-    margin = travel < margin ? travel : margin;
+  bool contains(const Place& place) const {
     for (int k = 0; k < count; ++k)
-      if (corner[k] == of)
-        return;
-    corner[count++] = of;
+      if (places[k] == place)
+        return true;
+    return false;
   }
-  /// Corners of this and the other: whether they find room.
-  bool add(const ThirdsAway& other);
+  /// Whether there was room for it.
+  bool add(const Place& place) {
+    if (contains(place))
+      return true;
+    if (count == most)
+      return false;
+    places[count++] = place;
+    return true;
+  }
 };
 
-/// The third blocks of one group.
+/// One of these blocks.
 struct ThirdBlock {
-  int group, pair, block;
-  float limit;  ///< [L] ways of the three blocks are less together
+  int group, pair;
+  ThirdsAway::Place place;
+  int block;
+  float limit;  ///< [L] away while the ways of the three blocks (Swing) are less together
 };
 
 /// Those of the groups of each round of pairs. A round is asked, and added to, by one
@@ -48,17 +58,17 @@ class ThirdBlocks {
   /// All of one group.
   void drop(int round, int group);
   /// Calls visit(third) for those of a round; of all.
-  template <class Visit> void each(int round, const Visit& visit) const {
+  template <class Visit> void each(int round, const Visit& visit) {
     for (int k = 0; k < count_[round]; ++k)
       visit(thirds_[place(round) + k]);
   }
-  template <class Visit> void each(const Visit& visit) const {
+  template <class Visit> void each(const Visit& visit) {
     for (int round = 0; round < static_cast<int>(count_.size()); ++round)
       each(round, visit);
   }
 
  private:
-  static constexpr int most = 32;  ///< of a round
+  static constexpr int most = 48;  ///< of a round
   static std::ptrdiff_t place(int round) { return std::ptrdiff_t{most} * round; }
 
   std::unique_ptr<ThirdBlock[]> thirds_;

@@ -17,7 +17,7 @@ namespace blocks::dynamics {
 /// of an edge there, or no edge of it runs along the surface, half as deep to twice as
 /// deep. While differences of corners of the three blocks change by u, a tenth of
 /// either edge at most, directions change by 2 u / L, and a depth by 1.2 u + 2 u w / L,
-/// w the distance from the first corner.
+/// w the distance from the first corner. 0: that is open.
 inline double away_travel(const Blocks& blocks, int third, int c,
                           const EdgeView& surface) {
   const Vec2 along = surface.along / surface.length;
@@ -41,20 +41,19 @@ inline double away_travel(const Blocks& blocks, int third, int c,
         0.7 * (least_cosine - cosine) / (2.0 / surface.length + 2.0 / edge.length);
     nowhere = std::min({nowhere, most, std::max(other_depth, other_way)});
   }
-  const double travel = std::max(outside, nowhere);
+  const double travel = std::max(outside, nowhere) - roundoff(blocks, c, third);
   return travel > 1e-9 * (surface.length + surface.distance) ? travel : 0.0;
 }
 
-/// The same of all blocks that are listed for the corner, but that of the surface.
-inline double thirds_travel(const Blocks& blocks, const ContactGroups& groups, int c,
-                            int surface) {
-  const EdgeView view(blocks, c, surface);
-  double travel = std::numeric_limits<double>::max();
-  groups.each_third(blocks, c, blocks.corner_block[surface], [&](int third) {
-    if (blocks.convex[third] && travel > 0.0)
-      travel = std::min(travel, away_travel(blocks, third, c, view));
+/// Whether all blocks that are listed for the corner, but that of the surface, are away.
+inline bool thirds_away(const Blocks& blocks, const ContactGroups& groups,
+                        const ThirdsAway::Place& place) {
+  const EdgeView surface(blocks, place.corner, place.surface);
+  bool away = true;
+  groups.each_third(blocks, place, [&](int third) {
+    away = away && away_travel(blocks, third, place.corner, surface) > 0.0;
   });
-  return travel;
+  return away;
 }
 
 }  // namespace blocks::dynamics
