@@ -201,11 +201,15 @@ int ContactGroups::group_of(int seat) const {
 }
 
 void ContactGroups::make_lanes(const Contacts& contacts) {
-  // not at first, for most of those who are near in a wall at rest never act
-  const double soon = times_made > 0 ? 2.0 * (swing.travel - made_at) : 0.0;
+  // Until two blocks have gone as far again as since lanes were made, of their ways
+  // what the travel has grown by; not at first, for most of those who are near in a
+  // wall at rest never act.
+  const double since =
+      times_made > 0 && swing.travel > 0.0 ? 1.0 - made_at / swing.travel : 0.0;
   ++times_made;
   made_at = swing.travel;
   const auto may_act_soon = [&](const ContactPair& pair, int g) {
+    const double soon = since * (swing.way[pair.low] + swing.way[pair.high]);
     if ((pair.prompt & pair.bit(g)) != 0)
       return soon > 0.0;
     const ContactGroup& one = all[g];
