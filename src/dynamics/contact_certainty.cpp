@@ -59,8 +59,8 @@ double deeper_travel(const Blocks& blocks, const Contacts& contacts, int i, int 
   const int c = contacts.corner[i], surface = contacts.edge[i];
   const EdgeView p(blocks, c, surface), q(blocks, c, contacts.edge[j]);
   const double deeper = lead_travel(p, q, p.depth() - q.depth());
-  double travel = std::min(
-      deeper, lead_travel(p, q, p.depth() - 1.01 * shielded_depth * p.length));
+  double travel =
+      std::min(deeper, lead_travel(p, q, p.depth() - 1.01 * shielded_depth * p.length));
   if (travel < most)
     thirds.lengthen(travel, deeper, blocks, c, surface);
   return travel;
@@ -110,8 +110,8 @@ double seen_travel(const Blocks& blocks, int c, int e, double enough, Thirds& th
         const double stays_toe =
             std::min(lead_travel(p, q, std::abs(q.depth() - p.depth())),
                      toe_travel(blocks, toe, surface));
-        seen = std::max(seen,
-                        std::min(stays_toe, far_travel(blocks, toe, side, surface)));
+        seen =
+            std::max(seen, std::min(stays_toe, far_travel(blocks, toe, side, surface)));
         if (seen < travel)
           thirds.lengthen(seen, stays_toe, blocks, toe, surface);
       }
@@ -251,8 +251,7 @@ double candidate_travel(const Blocks& blocks, const Contacts& contacts,
       continue;
     double others = -admissible_travel(blocks, contacts, j, travel);
     if (others < travel)
-      if (const double deeper =
-              deeper_travel(blocks, contacts, j, i, travel, thirds);
+      if (const double deeper = deeper_travel(blocks, contacts, j, i, travel, thirds);
           deeper > others)
         others = std::max(
             others,
@@ -292,8 +291,8 @@ Certainty certainty_of_rules(const Blocks& blocks, const Contacts& contacts,
   const int c = contacts.corner[group.first];
   if (!blocks.convex[block])
     return {.travel = travel_before_outline(blocks, c, block), .away = {}};
-  const Certainty anywhere = best_candidate(blocks, contacts, groups, group,
-                                            Sides(blocks, c, block), enough);
+  const Certainty anywhere =
+      best_candidate(blocks, contacts, groups, group, Sides(blocks, c, block), enough);
   if (anywhere.travel > enough || blocks.corners_of(block) > ContactGroup::most_edges)
     return anywhere;
   const int place =

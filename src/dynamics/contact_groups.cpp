@@ -157,8 +157,8 @@ bool ContactGroups::watch_thirds(const Blocks& blocks, int p, int g,
   bool room = true;
   for (int k = 0; k < away.count; ++k)
     each_third(blocks, away.places[k], [&](int third) {
-      room = room &&
-             thirds.add(p / pairs_of_round, {g, p, away.places[k], third, 0.0F});
+      room =
+          room && thirds.add(p / pairs_of_round, {g, p, away.places[k], third, 0.0F});
     });
   if (!room)
     thirds.drop(p / pairs_of_round, g);

@@ -267,7 +267,8 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
         groups.prompt[round] != 0 &&
         !groups.watches.all_stay(round, arithmetic, rows, geometry::contact_slack) &&
         ask_prompt<Rules>(blocks, contacts, groups, round);
-    if (Rules::keeps_decisions && !near && !passed && swing.travel < groups.rounds[round])
+    if (Rules::keeps_decisions && !near && !passed &&
+        swing.travel < groups.rounds[round])
       continue;
     unsigned prompt = 0;
     double left_of_round = std::numeric_limits<double>::max();

@@ -42,7 +42,8 @@ struct ThirdBlock {
   int group, pair;
   ThirdsAway::Place place;
   int block;
-  float limit;  ///< [L] away while the ways of the three blocks (Swing) are less together
+  float
+      limit;  ///< [L] away while the ways of the three blocks (Swing) are less together
 };
 
 /// Those of the groups of each round of pairs. A round is asked, and added to, by one

@@ -29,9 +29,9 @@ inline double away_travel(const Blocks& blocks, int third, int c,
     const double sine = std::abs(geometry::cross(edge.along, along)) / edge.length;
     const double cosine = edge.along.dot(along) / edge.length;
     const double most = 0.1 * std::min(edge.length, surface.length);
-    outside = std::max(outside,
-                       std::min(most, 0.8 * (-below - way * sine) /
-                                          (1.5 + 2.0 * (far + way / edge.length))));
+    outside =
+        std::max(outside, std::min(most, 0.8 * (-below - way * sine) /
+                                             (1.5 + 2.0 * (far + way / edge.length))));
     const double slope = std::min(way, 1.01 * shielded_way * edge.length) * sine;
     const double lead =
         std::max(0.5 * depth - (below + slope), (below - slope) - 2.0 * depth);
@@ -45,7 +45,8 @@ inline double away_travel(const Blocks& blocks, int third, int c,
   return travel > 1e-9 * (surface.length + surface.distance) ? travel : 0.0;
 }
 
-/// Whether all blocks that are listed for the corner, but that of the surface, are away.
+/// Whether all blocks that are listed for the corner, but that of the surface, are
+/// away.
 inline bool thirds_away(const Blocks& blocks, const ContactGroups& groups,
                         const ThirdsAway::Place& place) {
   const EdgeView surface(blocks, place.corner, place.surface);

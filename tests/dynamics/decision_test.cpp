@@ -10,6 +10,7 @@
 #include "dynamics/contact_certainty.hpp"
 #include "dynamics/contact_decision.hpp"
 #include "dynamics/contact_search.hpp"
+#include "dynamics/third_travel.hpp"
 #include "sanitized.hpp"
 #include "scenes/scene.hpp"
 
@@ -156,11 +157,11 @@ TEST(CertainTravel, IsSound) {
       const int block = dynamics::edge_block(scene.model.blocks, contacts, group);
       // without a condition, and for longer with one
       const double enough = trial % 2 ? 0.0 : 0.05;
-      const dynamics::Certainty known =
-          dynamics::certainty(scene.model.blocks, contacts, group, block, enough);
+      const dynamics::Certainty known = dynamics::certainty(
+          scene.model.blocks, contacts, buffers.groups, group, block, enough);
       if (known.travel <= 0.0 || group.of_notch)
         continue;
-      const auto [candidate, travel, place, asks] = known;
+      const auto [candidate, travel, place, asks, away] = known;
       group.set(known);
       const auto holds = [&](const Blocks& blocks) {
         return !group.conditional() || dynamics::ContactDecision<dynamics::ExactRules>(
@@ -234,6 +235,98 @@ TEST(CertainTravel, IsSound) {
   EXPECT_GT(conditions_kept, 10000);
   EXPECT_GT(watched[0], 1000);
   EXPECT_GT(watched[1], 10000);
+}
+
+// The same where a third block might hide a side or a corner at its joint: any motion
+// of the three that is smaller than the bounds leaves the acting edge as it was.
+TEST(CertainTravel, CountsOnThirdBlocks) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int judged = 0, hidden = 0;
+  for (int trial = 0; trial < 6000; ++trial) {
+    const auto about = [&](double at, double by) { return at + by * uniform(random); };
+    // a block across the joint of two, its corner in the first, mostly near the joint
+    Scene scene(random_frames()[trial % 40]);
+    const double end = about(1.0, 0.03), gap = about(0.01, 0.02);
+    scene.add({{0, -0.5}, {0, 0}, {end, about(0, 0.01)}, {about(1, 0.03), -0.5}});
+    const double level = trial % 2 == 0 ? 0.0 : about(0, 0.05);
+    scene.add({{end + gap, -0.5}, {end + gap, level}, {2.0, level}, {2.0, -0.5}});
+    const double left = about(0.9, 0.2), deep = about(-0.012, 0.013);
+    scene.add({{left, deep},
+               {about(left, 0.1), 0.5},
+               {left + 1, 0.5},
+               {about(left + 1, 0.1), about(deep, 0.01)}});
+    dynamics::SearchBuffers buffers;
+    dynamics::update_contacts(scene.model, buffers);
+    const Contacts& contacts = scene.model.contacts;
+    const Blocks& blocks = scene.model.blocks;
+    dynamics::group_contacts(blocks, contacts, true, buffers.groups);
+    for (dynamics::ContactGroup group : buffers.groups.all) {
+      const int own = blocks.corner_block[contacts.corner[group.first]];
+      const int block = dynamics::edge_block(blocks, contacts, group);
+      const dynamics::Certainty known = dynamics::certainty(
+          blocks, contacts, buffers.groups, group, block, trial % 3 ? 0.05 : 0.0005);
+      if (known.travel <= 0.0 || known.away.count == 0)
+        continue;
+      ++judged;
+      group.set(known);
+      const int third = 3 - own - block;
+      double ways = std::numeric_limits<double>::max();
+      for (int k = 0; k < known.away.count; ++k) {
+        const auto [c, surface] = known.away.places[k];
+        buffers.groups.each_third(blocks, known.away.places[k], [&](int other) {
+          ASSERT_EQ(other, third);
+          ways = std::min(
+              ways, dynamics::away_travel(blocks, other, c, {blocks, c, surface}));
+        });
+      }
+      ASSERT_GT(ways, 0.0);
+      for (int k = 0; k < 24; ++k) {
+        const std::array nudges = {random_nudge(random), random_nudge(random),
+                                   random_nudge(random)};
+        const auto nudged = [&](double size, double& pair, double& all) {
+          Blocks moved = blocks;
+          std::array<double, 3> arms = {}, way = {};
+          for (const int b : {own, block, third}) {
+            arms[b] = nudges[b].move(moved, b, size);
+            way[b] = size * nudges[b].shift.norm() + 2.0 * arms[b];
+          }
+          pair = size * (nudges[own].shift - nudges[block].shift).norm() +
+                 2.0 * std::max(arms[own], arms[block]);
+          all = way[0] + way[1] + way[2];
+          return moved;
+        };
+        double pair = 0.0, all = 0.0;
+        nudged(1.0, pair, all);
+        if (all == 0.0)
+          continue;
+        const double size =
+            std::min(pair > 0.0 ? known.travel / pair : 1e9, ways / all);
+        const auto decided = [&](const Blocks& moved) {
+          return dynamics::acting_record(moved, contacts, buffers.groups, group, block);
+        };
+        const auto stands = [&](const Blocks& moved) {
+          return !group.conditional() ||
+                 dynamics::ContactDecision<dynamics::ExactRules>(moved, contacts,
+                                                                 buffers.groups)
+                     .stands(group, block);
+        };
+        const Blocks moved = nudged(0.99 * size, pair, all);
+        ASSERT_LT(all, ways);
+        if (stands(moved)) {
+          ASSERT_EQ(decided(moved), if_inside(moved, contacts, known.candidate))
+              << "trial " << trial << " travel " << known.travel << " ways " << ways;
+        }
+        // the third block alone, farther than that
+        Blocks beyond = blocks;
+        nudges[third].move(beyond, third,
+                           8.0 * ways / std::max(nudges[third].shift.norm(), 0.1));
+        hidden += decided(beyond) != if_inside(beyond, contacts, known.candidate);
+      }
+    }
+  }
+  EXPECT_GT(judged, 5000);
+  EXPECT_GT(hidden, 100);
 }
 
 // Neighbours along a slanted joint, the right one a little lower and pressed in: its
