@@ -158,10 +158,10 @@ bool ContactGroups::watch_thirds(const Blocks& blocks, int p, int g,
   for (int k = 0; k < away.count; ++k)
     each_third(blocks, away.places[k], [&](int third) {
       room =
-          room && thirds.add(p / pairs_of_round, {g, p, away.places[k], third, 0.0F});
+          room && thirds.add(p / pairs_of_window, {g, p, away.places[k], third, 0.0F});
     });
   if (!room)
-    thirds.drop(p / pairs_of_round, g);
+    thirds.drop(p / pairs_of_window, g);
   return room;
 }
 
@@ -234,7 +234,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                        0.0);
   groups.prompt.assign(groups.rounds.size(), 0);
   groups.watches.reserve(static_cast<int>(groups.rounds.size()), rounds_of_window);
-  groups.thirds.reserve(static_cast<int>(groups.rounds.size()));
+  groups.thirds.reserve(static_cast<int>(groups.pairs.size()) / pairs_of_window + 1);
   groups.reserve_lanes(rigid);
   groups.times_made = 0;
   groups.loaded = groups.read = false;

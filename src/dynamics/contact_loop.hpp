@@ -177,8 +177,7 @@ void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
       continue;
     group.travel = 0.0F;
     pair.prompt &= ~pair.bit(g);
-    if (groups.thirds.any(p / pairs_of_round))
-      groups.thirds.drop(p / pairs_of_round, g);
+    groups.thirds.drop(p / pairs_of_window, g);
     anew |= group.hopeless == 0;
   }
   float& certain = groups.poses[p].certain;
@@ -228,12 +227,11 @@ bool ask_prompt(const Blocks& blocks, const Contacts& contacts, ContactGroups& g
   return due;
 }
 
-/// Where a third block is not certainly away any more a group of a round is not certain
-/// either, and its pair is due. Whether there is one.
-inline bool ask_thirds(const Blocks& blocks, ContactGroups& groups, int round) {
+/// Where a third block is not certainly away any more a group of a window is not
+/// certain either, and its pair is due.
+inline void ask_thirds(const Blocks& blocks, ContactGroups& groups, int window) {
   const std::vector<double>& way = groups.swing.way;
-  bool due = false;
-  groups.thirds.each(round, [&](ThirdBlock& third) {
+  groups.thirds.each(window, [&](ThirdBlock& third) {
     const ContactPair& pair = groups.pairs[third.pair];
     const double ways = way[pair.low] + way[pair.high] + way[third.block];
     if (ways < third.limit)
@@ -246,9 +244,8 @@ inline bool ask_thirds(const Blocks& blocks, ContactGroups& groups, int round) {
       return;
     groups.all[third.group].travel = 0.0F;
     groups.poses[third.pair].certain = groups.limits[third.pair] = 0.0F;
-    due = true;
+    groups.rounds[third.pair / pairs_of_round] = 0.0;
   });
-  return due;
 }
 
 /// Decides the groups whose blocks have moved too far since they were last decided, of
@@ -262,13 +259,11 @@ void renew_decisions(const Blocks& blocks, const Contacts& contacts,
   const LaneArithmetic& arithmetic = lane_arithmetic();
   const BlockRows rows = rows_of(blocks);
   for (int round = first; round < last; ++round) {
-    const bool near = groups.thirds.any(round) && ask_thirds(blocks, groups, round);
-    const bool passed =
+    const bool due =
         groups.prompt[round] != 0 &&
         !groups.watches.all_stay(round, arithmetic, rows, geometry::contact_slack) &&
         ask_prompt<Rules>(blocks, contacts, groups, round);
-    if (Rules::keeps_decisions && !near && !passed &&
-        swing.travel < groups.rounds[round])
+    if (Rules::keeps_decisions && !due && swing.travel < groups.rounds[round])
       continue;
     unsigned prompt = 0;
     double left_of_round = std::numeric_limits<double>::max();
@@ -347,6 +342,8 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     const int windows = (rounds + rounds_of_window - 1) / rounds_of_window;
     workers.each(windows, 1, [&](int part, int first, int last) {
       const detail::ExactCalls calls(profile, groups.shares[part]);
+      for (int window = first; window < last; ++window)
+        detail::ask_thirds(blocks, groups, window);
       detail::renew_decisions<Rules>(
           blocks, contacts, groups, dt, first * rounds_of_window,
           std::min(rounds, last * rounds_of_window), groups.shares[part]);

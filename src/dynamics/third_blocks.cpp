@@ -4,29 +4,29 @@
 
 namespace blocks::dynamics {
 
-void ThirdBlocks::reserve(int rounds) {
-  if (place(rounds) > room_) {
+void ThirdBlocks::reserve(int windows) {
+  if (place(windows) > room_) {
     thirds_.reset();  // not beside the new ones
-    thirds_ = std::make_unique_for_overwrite<ThirdBlock[]>(place(rounds));
-    room_ = place(rounds);
+    thirds_ = std::make_unique_for_overwrite<ThirdBlock[]>(place(windows));
+    room_ = place(windows);
   }
-  count_.assign(rounds, 0);
+  count_.assign(windows, 0);
 }
 
 void ThirdBlocks::forget() { std::fill(count_.begin(), count_.end(), 0); }
 
-bool ThirdBlocks::add(int round, const ThirdBlock& third) {
-  if (count_[round] == most)
+bool ThirdBlocks::add(int window, const ThirdBlock& third) {
+  if (count_[window] == most)
     return false;
-  thirds_[place(round) + count_[round]++] = third;
+  thirds_[place(window) + count_[window]++] = third;
   return true;
 }
 
-void ThirdBlocks::drop(int round, int group) {
-  ThirdBlock* const first = thirds_.get() + place(round);
+void ThirdBlocks::drop(int window, int group) {
+  ThirdBlock* const first = thirds_.get() + place(window);
   const auto of_group = [&](const ThirdBlock& third) { return third.group == group; };
-  count_[round] = static_cast<std::uint8_t>(
-      std::remove_if(first, first + count_[round], of_group) - first);
+  count_[window] = static_cast<std::uint8_t>(
+      std::remove_if(first, first + count_[window], of_group) - first);
 }
 
 }  // namespace blocks::dynamics

@@ -46,35 +46,34 @@ struct ThirdBlock {
       limit;  ///< [L] away while the ways of the three blocks (Swing) are less together
 };
 
-/// Those of the groups of each round of pairs. A round is asked, and added to, by one
-/// thread; it asks for no memory.
+/// Those of the groups of each window of pairs, which one thread asks and adds to. Asks
+/// for no memory but for a list.
 class ThirdBlocks {
  public:
-  /// For so many rounds: none.
-  void reserve(int rounds);
+  /// For so many windows: none.
+  void reserve(int windows);
   void forget();
-  bool any(int round) const { return count_[round] > 0; }
   /// Whether there was room for it.
-  bool add(int round, const ThirdBlock& third);
+  bool add(int window, const ThirdBlock& third);
   /// All of one group.
-  void drop(int round, int group);
-  /// Calls visit(third) for those of a round; of all.
-  template <class Visit> void each(int round, const Visit& visit) {
-    for (int k = 0; k < count_[round]; ++k)
-      visit(thirds_[place(round) + k]);
+  void drop(int window, int group);
+  /// Calls visit(third) for those of a window; of all.
+  template <class Visit> void each(int window, const Visit& visit) {
+    for (int k = 0; k < count_[window]; ++k)
+      visit(thirds_[place(window) + k]);
   }
   template <class Visit> void each(const Visit& visit) {
-    for (int round = 0; round < static_cast<int>(count_.size()); ++round)
-      each(round, visit);
+    for (int window = 0; window < static_cast<int>(count_.size()); ++window)
+      each(window, visit);
   }
 
  private:
-  static constexpr int most = 48;  ///< of a round
-  static std::ptrdiff_t place(int round) { return std::ptrdiff_t{most} * round; }
+  static constexpr int most = 128;  ///< of a window
+  static std::ptrdiff_t place(int window) { return std::ptrdiff_t{most} * window; }
 
   std::unique_ptr<ThirdBlock[]> thirds_;
   std::ptrdiff_t room_ = 0;
-  std::vector<std::uint8_t> count_;  ///< (rounds)
+  std::vector<std::uint8_t> count_;  ///< (windows)
 };
 
 }  // namespace blocks::dynamics

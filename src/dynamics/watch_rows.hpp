@@ -48,7 +48,7 @@ class WatchRows {
 
  private:
   static constexpr std::uint8_t none = 0, no_room = most + 1;
-  static constexpr int rows_of_window = 192;
+  static constexpr int rows_of_window = 128;
 
   /// Where in its window so many rows for a round find room; -1: nowhere.
   int room(int round, int count) const;

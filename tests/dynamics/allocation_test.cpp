@@ -90,7 +90,8 @@ TEST(Memory, OfABrickInAWall) {
   EXPECT_GT(totals(scene.model).active_contacts, 1000);
   const double each = (bytes_in_use() - before) / (rows * bricks);
   RecordProperty("bytes_of_a_brick", std::to_string(each));
-  EXPECT_LT(each, 3200.0);  // 2,924; forces of all records would add 1,400
+  // 3,240, with room that is seldom filled; forces of all records would add 1,400
+  EXPECT_LT(each, 3500.0);
   EXPECT_GT(each, 1000.0);
 }
 

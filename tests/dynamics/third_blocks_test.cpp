@@ -66,12 +66,12 @@ TEST(ThirdBlocks, ChangeNoBit) {
   }
 }
 
-TEST(ThirdBlocks, HaveTheRoomOfTheirRound) {
+TEST(ThirdBlocks, HaveTheRoomOfTheirWindow) {
   dynamics::ThirdBlocks thirds;
   thirds.reserve(3);
-  const auto groups = [&](int round) {
+  const auto groups = [&](int window) {
     std::vector<int> found;
-    thirds.each(round, [&](const dynamics::ThirdBlock& third) {
+    thirds.each(window, [&](const dynamics::ThirdBlock& third) {
       found.push_back(third.group);
     });
     return found;
@@ -81,7 +81,7 @@ TEST(ThirdBlocks, HaveTheRoomOfTheirRound) {
       1, {.group = room % 3, .pair = 8, .place = {}, .block = 0, .limit = 0}))
     ++room;
   EXPECT_GT(room, 16);
-  EXPECT_TRUE(thirds.any(1) && !thirds.any(0) && !thirds.any(2));
+  EXPECT_TRUE(groups(0).empty() && groups(2).empty());
   EXPECT_TRUE(
       thirds.add(2, {.group = 7, .pair = 16, .place = {}, .block = 0, .limit = 0}));
   thirds.drop(1, 1);
@@ -91,7 +91,7 @@ TEST(ThirdBlocks, HaveTheRoomOfTheirRound) {
   EXPECT_TRUE(
       thirds.add(1, {.group = 1, .pair = 8, .place = {}, .block = 0, .limit = 0}));
   thirds.forget();
-  EXPECT_FALSE(thirds.any(1) || thirds.any(2));
+  EXPECT_TRUE(groups(1).empty() && groups(2).empty());
   dynamics::ThirdsAway away;
   for (int k = 0; k < dynamics::ThirdsAway::most; ++k)
     EXPECT_TRUE(away.add({k, 1}) && away.add({k, 1}));

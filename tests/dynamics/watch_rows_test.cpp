@@ -93,17 +93,17 @@ TEST(WatchRows, RoomIsSharedByAWindow) {
     return rows.all_stay(round, lane_arithmetic(), there, geometry::contact_slack);
   };
   for (int round = 0; round < rounds; ++round)
-    make(round, 57);  // eight rows: twenty-four rounds fill a window
+    make(round, 57);  // eight rows: sixteen rounds fill a window
   for (int round = 0; round < rounds; ++round)
-    EXPECT_EQ(stays(round), round % window < 24) << round;
+    EXPECT_EQ(stays(round), round % window < 16) << round;
   rows.forget(3), rows.forget(4);
   EXPECT_TRUE(rows.missing(3));
-  rows.forget(24), make(24, 64), rows.forget(25), make(25, 49);
-  EXPECT_TRUE(stays(24) && stays(25));
-  rows.forget(26), make(26, 8);  // one row is left
-  EXPECT_TRUE(stays(26));
-  rows.forget(27), make(27, 1);
-  EXPECT_FALSE(stays(27));
+  rows.forget(20), make(20, 64), rows.forget(21), make(21, 49);
+  EXPECT_TRUE(stays(20) && stays(21));
+  rows.forget(22), make(22, 8);  // one row is left
+  EXPECT_TRUE(stays(22));
+  rows.forget(23), make(23, 1);
+  EXPECT_FALSE(stays(23));
   make(40, 65);  // more than a round may have
   EXPECT_FALSE(stays(40) || rows.missing(40));
   rows.forget();
