@@ -4,15 +4,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <stdexcept>
 
 namespace blocks::bench {
 
-double user_seconds(std::vector<std::string> words) {
+RunSeconds run_child(std::vector<std::string> words) {
   std::vector<char*> arguments;
   for (std::string& word : words)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0) {
     execv(arguments[0], arguments.data());
@@ -26,8 +28,10 @@ double user_seconds(std::vector<std::string> words) {
       line += (line.empty() ? "" : " ") + word;
     throw std::runtime_error("this run failed: " + line);
   }
-  return static_cast<double>(used.ru_utime.tv_sec) +
-         1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+  const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - start;
+  return {.user = static_cast<double>(used.ru_utime.tv_sec) +
+                  1e-6 * static_cast<double>(used.ru_utime.tv_usec),
+          .clock = clock.count()};
 }
 
 }  // namespace blocks::bench

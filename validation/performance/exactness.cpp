@@ -30,10 +30,11 @@ constexpr Scene scenes[] = {{"crater", "decks/crater/crater.deck", ""},
 
 double run(const std::string& program, const std::string& deck, const std::string& set,
            const std::string& output) {
-  std::vector<std::string> words{program, "run", deck, "--quiet", "-o", output};
+  std::vector<std::string> words{program, "run", deck, "--quiet",
+                                 "-j",    "1",   "-o", output};
   if (!set.empty())
     words.insert(words.end(), {"--set", set});
-  return blocks::bench::user_seconds(words);
+  return blocks::bench::run_child(words).user;
 }
 
 }  // namespace
