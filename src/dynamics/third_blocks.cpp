@@ -23,10 +23,14 @@ bool ThirdBlocks::add(int window, const ThirdBlock& third) {
 }
 
 void ThirdBlocks::drop(int window, int group) {
+  if (count_[window] == 0)
+    return;
   ThirdBlock* const first = thirds_.get() + place(window);
   const auto of_group = [&](const ThirdBlock& third) { return third.group == group; };
-  count_[window] = static_cast<std::uint8_t>(
-      std::remove_if(first, first + count_[window], of_group) - first);
+  // not where nothing changes: other threads read counts that stand beside this one
+  if (const auto left = std::remove_if(first, first + count_[window], of_group) - first;
+      left != count_[window])
+    count_[window] = static_cast<std::uint8_t>(left);
 }
 
 }  // namespace blocks::dynamics
