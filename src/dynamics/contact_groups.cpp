@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -155,6 +156,10 @@ WatchedEdges ContactGroups::watched_by(const ContactPair& pair) const {
 bool ContactGroups::watch_thirds(const Blocks& blocks, int p, int g,
                                  const ThirdsAway& away) {
   bool room = true;
+  // none that is asked: of the next list some may be listed where none are now
+  if (away.count > 0)
+    room = thirds.add(p / pairs_of_window, {g, p, away.places[0], pairs[p].low,
+                                            std::numeric_limits<float>::infinity()});
   for (int k = 0; k < away.count; ++k)
     each_third(blocks, away.places[k], [&](int third) {
       room =

@@ -329,6 +329,51 @@ TEST(CertainTravel, CountsOnThirdBlocks) {
   EXPECT_GT(hidden, 100);
 }
 
+// Where no third block is listed a certainty counts on that: it ends with the list, for
+// in the next there may be one.
+TEST(CertainTravel, EndsWithTheListWhereItCountsOnThirdBlocks) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  constexpr unsigned mark = 5;  // nobody looks at it while the group is certain
+  int judged = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    Scene scene;
+    scene.add({{0, -0.5}, {0, 0}, {1, 0.01 * uniform(random)}, {1, -0.5}}, true);
+    const double left = 0.9 + 0.09 * uniform(random);
+    const double deep = -0.012 + 0.01 * uniform(random);
+    scene.add({{left, deep}, {left, 0.5}, {left + 1, 0.5}, {left + 1, deep}});
+    scene.prepare();
+    Model& model = scene.model;
+    dynamics::SearchBuffers buffers;
+    dynamics::ContactGroups& groups = buffers.groups;
+    dynamics::step(model, buffers);
+    std::vector<int> counting;
+    for (int g = 0; g < static_cast<int>(groups.all.size()); ++g) {
+      dynamics::ContactGroup& group = groups.all[g];
+      const int block = dynamics::edge_block(model.blocks, model.contacts, group);
+      const dynamics::Certainty known =
+          dynamics::certainty(model.blocks, model.contacts, groups, group, block, 0.05);
+      if (known.away.count == 0 || known.place != dynamics::Certainty::anywhere)
+        continue;
+      group.set(known);
+      group.hopeless = mark;
+      ASSERT_TRUE(groups.watch_thirds(model.blocks, 0, g, known.away));
+      counting.push_back(g);
+    }
+    model.search.travel = 1.0;  // a list is due after the step
+    dynamics::step(model, buffers);
+    std::erase_if(counting, [&](int g) { return groups.all[g].hopeless != mark; });
+    const std::size_t count = groups.all.size();
+    dynamics::step(model, buffers);
+    ASSERT_EQ(groups.all.size(), count);
+    for (const int g : counting) {
+      ++judged;
+      EXPECT_NE(groups.all[g].hopeless, mark) << trial;
+    }
+  }
+  EXPECT_GT(judged, 100);
+}
+
 // Neighbours along a slanted joint, the right one a little lower and pressed in: its
 // upper corner lies beside the strip of the joint's edge, and so does the other's lower
 // corner. With "between" asked of the edge neither acts, and the blocks pass through
