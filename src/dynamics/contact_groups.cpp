@@ -246,6 +246,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());
   groups.heirs.reserve(groups.all.size());
+  groups.split.start(blocks.size(), groups.pairs, threads);
   groups.shares.resize(threads);
   for (ContactGroups::Share& share : groups.shares) {
     share.lost.clear();

@@ -13,6 +13,7 @@
 #include "dynamics/give_back.hpp"
 #include "dynamics/third_blocks.hpp"
 #include "dynamics/watch_rows.hpp"
+#include "dynamics/work_split.hpp"
 #include "model/contact_blocks.hpp"
 #include "model/model.hpp"
 
@@ -248,6 +249,7 @@ struct ContactGroups : DecidedGroups {
   // list does: never both.
   ContactLanes lanes;
   std::vector<int> record;      ///< (seats) -1: none any more
+  std::vector<int> first_set;   ///< (windows + 1) in which its pairs have their lanes
   LanesOfBlocks lows, highs;    ///< lanes of which a block is the lower, the higher one
   bool seats_complete = false;  ///< no group lacks a seat
   int times_made = 0;           ///< lanes, of this list
@@ -266,6 +268,7 @@ struct ContactGroups : DecidedGroups {
     unsigned long long exact_calls = 0;
   };
   std::vector<Share> shares;  ///< (threads)
+  WorkSplit split;            ///< for the threads
 
   /// Forgets all and gives its memory back, for a list that is to be made.
   void give_back();
@@ -340,8 +343,11 @@ struct ContactGroups : DecidedGroups {
     for (int first = 0; first < count; first += pairs_of_window)
       visit(first, std::min(count, first + pairs_of_window));
   }
-  /// The sets in which pairs first .. last - 1 of a window have their lanes.
-  SetRange sets_of(int first, int last) const;
+  /// The sets in which the pairs of a window, from `first` on, have their lanes.
+  SetRange sets_of(int first) const {
+    const int window = first / pairs_of_window;
+    return {first_set[window], first_set[window + 1]};
+  }
 
  private:
   /// What acts in group g, from the list.

@@ -339,8 +339,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
       groups.load(blocks, contacts, settings);
     groups.read = false;
     // window by window: no other thread writes to the sets of a window
-    const int windows = (rounds + rounds_of_window - 1) / rounds_of_window;
-    workers.each(windows, 1, [&](int part, int first, int last) {
+    workers.each(groups.split.windows, [&](int part, int first, int last) {
       const detail::ExactCalls calls(profile, groups.shares[part]);
       for (int window = first; window < last; ++window)
         detail::ask_thirds(blocks, groups, window);
@@ -358,7 +357,6 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
   const Profile::Timer timer(profile, Profile::forces);
   const LaneArithmetic& arithmetic = lane_arithmetic();
   const BlockRows rows = rows_of(blocks);
-  const int sets = groups.lanes.sets();
   const auto include = [&](int part, const LaneExtremes& most) {
     groups.shares[part].extremes.include(most.overlap, most.spring);
   };
@@ -366,7 +364,7 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     include(part, arithmetic.act(groups.lanes, rows, law, settings.rigid, false, set,
                                  set + 1));
   };
-  workers.each(sets, sets_per_thread, [&](int part, int first, int last) {
+  workers.each(groups.split.sets, [&](int part, int first, int last) {
     const detail::ExactCalls calls(profile, groups.shares[part]);
     include(part, arithmetic.touch_and_act(groups.lanes, rows, law, settings.rigid,
                                            first, last));

@@ -36,7 +36,7 @@ void read_contacts(Blocks& blocks, Contacts& contacts, ContactGroups& groups,
     blocks.applied.setZero();
   StoredLanes stored(groups.lanes);
   groups.each_window([&](int first, int last) {
-    const SetRange sets = groups.sets_of(first, last);
+    const SetRange sets = groups.sets_of(first);
     act_again(blocks, groups, law, settings.rigid, sets);
     for (int p = first; p < last; ++p) {
       const ContactPair& pair = groups.pairs[p];

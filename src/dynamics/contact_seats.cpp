@@ -75,16 +75,6 @@ HeldSpring ContactGroups::held(int seat) const {
           lanes.at(seat, &SlotSprings::shear_elastic)};
 }
 
-SetRange ContactGroups::sets_of(int first, int last) const {
-  SetRange of{lanes.sets(), 0};
-  for (int p = first; p < last; ++p)
-    if (const int lane = pairs[p].lane; lane >= 0) {
-      of.first = std::min(of.first, lane / lane_count);
-      of.last = std::max(of.last, lane / lane_count + 1);
-    }
-  return of;
-}
-
 void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
                          const Settings& settings) {
   const bool anew = lanes.sets() == 0;
@@ -93,7 +83,7 @@ void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
   each_window([&](int first, int last) {
     if (anew)
       seat_window(first, last);
-    const SetRange sets = sets_of(first, last);
+    const SetRange sets = sets_of(first);
     for (int set = sets.first; set < sets.last; ++set) {
       LanePairs& two = lanes.pairs[set];
       for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
@@ -116,6 +106,7 @@ void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
   });
   contacts.acting.clear();
   if (anew) {
+    split.split_sets(first_set);
     lows.sort(blocks.size(), pairs, &ContactPair::low);
     highs.sort(blocks.size(), pairs, &ContactPair::high);
   }
@@ -174,7 +165,7 @@ void ContactGroups::store(Contacts& contacts) {
     for (int g = pairs[first].first; g < end; ++g)
       if (all[g].seat >= 0 && held(all[g].seat).record >= 0)
         store(contacts, g, false);
-    stored.passed(sets_of(first, last).last);
+    stored.passed(sets_of(first).last);
   });
   loaded = false;
 }
@@ -232,6 +223,7 @@ void ContactGroups::make_lanes(const Contacts& contacts) {
         all[g].seat = all[g - 1].seat = 0;
     }
   lanes.clear();
+  first_set.assign(1, 0);
   seats_complete = true;
 }
 
@@ -266,6 +258,7 @@ void ContactGroups::seat_window(int first, int last) {
       if (all[g].seat >= 0)
         all[g].seat = std::exchange(seat, seat + lane_count);
   }
+  first_set.push_back(lanes.sets());
 }
 
 void ContactGroups::reserve_lanes(bool rigid) {
@@ -285,6 +278,7 @@ void ContactGroups::reserve_lanes(bool rigid) {
   });
   lanes.reserve(room, rigid);
   record.reserve(static_cast<std::size_t>(room.slots) * lane_count);
+  first_set.reserve(pairs.size() / pairs_of_window + 2);
   for (LanesOfBlocks* of : {&lows, &highs})
     reserve_pages(of->lane, pairs.size());
 }

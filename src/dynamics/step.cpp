@@ -137,7 +137,7 @@ Displacement move(Model& model, SearchBuffers& buffers,
   buffers.groups.lanes.advance_springs();
   buffers.moved.assign(buffers.workers->threads(), {});
   buffers.workers->each(
-      blocks.size(), blocks_per_thread, [&](int part, int first, int last) {
+      buffers.groups.split.blocks, [&](int part, int first, int last) {
         for (; first < last; first += blocks_at_once) {
           const BlockRange range{first, std::min(last, first + blocks_at_once)};
           sum_contact_forces(blocks, buffers.groups, range, pushed);

@@ -1,5 +1,7 @@
 #include "dynamics/workers.hpp"
 
+#include <algorithm>
+
 namespace blocks::dynamics {
 namespace {
 
@@ -26,7 +28,21 @@ Number wait_for(const std::atomic<Number>& number, const Done& done) {
   }
 }
 
-constexpr std::uint32_t pieces_of_share = 4;
+/// Each but the last is half of what is left of the share, so that nobody waits long
+/// for the last one, and who takes from another's share takes little: blocks that
+/// another thread moves have to come from its cache, and go back.
+constexpr std::uint32_t pieces_of_share = 5;
+
+struct Range {
+  int first, last;
+};
+Range piece_of(Range share, std::uint32_t piece) {
+  const int count = share.last - share.first;
+  const auto left = [&](std::uint32_t k) {
+    return k < pieces_of_share ? count >> k : 0;
+  };
+  return {share.last - left(piece), share.last - left(piece + 1)};
+}
 
 }  // namespace
 
@@ -60,6 +76,7 @@ void Workers::run(const Task& task) {
 
 void Workers::take_pieces(int thread, std::uint32_t number) {
   const int all = threads();
+  int done = 0;
   for (int k = 0; k < all; ++k) {  // its own share first
     const int share = (thread + k) % all;
     std::atomic<std::uint64_t>& next = shares_[share].next;
@@ -68,17 +85,17 @@ void Workers::take_pieces(int thread, std::uint32_t number) {
       if (!next.compare_exchange_weak(at, at + 1, std::memory_order_acq_rel,
                                       std::memory_order_acquire))
         continue;
-      // until this piece is done there is no other task
-      const long piece = static_cast<long>(pieces_of_share) * share +
-                         static_cast<long>(static_cast<std::uint32_t>(at));
-      const long pieces = static_cast<long>(pieces_of_share) * task_.shares;
-      task_.call(task_.work, thread, static_cast<int>(task_.count * piece / pieces),
-                 static_cast<int>(task_.count * (piece + 1) / pieces));
-      if (undone_.fetch_sub(1, std::memory_order_acq_rel) == 1)
-        undone_.notify_one();
+      // until this piece is reported there is no other task
+      const Range piece = piece_of({task_.begins[share], task_.begins[share + 1]},
+                                   static_cast<std::uint32_t>(at));
+      if (piece.first < piece.last)
+        task_.call(task_.work, thread, piece.first, piece.last);
+      ++done;
       at = next.load(std::memory_order_acquire);
     }
   }
+  if (done > 0 && undone_.fetch_sub(done, std::memory_order_acq_rel) == done)
+    undone_.notify_one();
 }
 
 void Workers::serve(int thread) {

@@ -2,7 +2,6 @@
 // result: every item is computed on its own, and sums are taken in a fixed order.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -10,9 +9,6 @@
 #include <vector>
 
 namespace blocks::dynamics {
-
-/// Items of a step below which a second thread does not pay.
-inline constexpr int sets_per_thread = 128, blocks_per_thread = 128;
 
 class Workers {
  public:
@@ -24,28 +20,30 @@ class Workers {
 
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
-  /// Splits 0 .. count - 1 into ranges, a few for each thread but for no more threads
-  /// than have `least` items, and calls work(thread, first, last) for each, at the same
-  /// time, any number of times for a thread. Who is done takes what another has not
-  /// begun, so that nobody waits for a thread without a core. Returns when all are
-  /// done. `work` must not throw, and not call each(). Allocates nothing.
-  template <class Work> void each(int count, int least, const Work& work) {
-    const int shares = std::max(1, std::min(threads(), count / std::max(1, least)));
+  /// Calls work(thread, first, last) for ranges of items, at the same time, any number
+  /// of times for a thread. Of items begins[0] .. begins.back() - 1 thread k begins
+  /// with begins[k] .. begins[k + 1] - 1: one thread or more, and not more than there
+  /// are. Who is done takes what another has not begun, so that nobody waits for a
+  /// thread without a core. Returns when all are done. `work` must not throw, and not
+  /// call each(). Allocates nothing.
+  template <class Work> void each(const std::vector<int>& begins, const Work& work) {
+    const int shares = static_cast<int>(begins.size()) - 1;
     if (shares == 1) {
-      work(0, 0, count);
+      work(0, begins.front(), begins.back());
       return;
     }
     const auto call = [](const void* what, int thread, int first, int last) {
       (*static_cast<const Work*>(what))(thread, first, last);
     };
-    run({call, &work, shares, count});
+    run({call, &work, begins.data(), shares});
   }
 
  private:
   struct Task {
     void (*call)(const void*, int, int, int) = nullptr;
     const void* work = nullptr;
-    int shares = 0, count = 0;
+    const int* begins = nullptr;
+    int shares = 0;
   };
   /// What is left of the share of one thread: number of the task, and of the piece that
   /// comes next.

@@ -1,9 +1,13 @@
 // Any number of threads gives the same bits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
-#include <numeric>
+#include <utility>
+#include <vector>
 
+#include "dynamics/contact_groups.hpp"
+#include "dynamics/work_split.hpp"
 #include "dynamics/workers.hpp"
 #include "scenes/scene.hpp"
 
@@ -17,9 +21,14 @@ TEST(Workers, DoEveryItemOnce) {
     dynamics::Workers workers(threads);
     for (const int count : {0, 1, 7, 100, 1001}) {
       std::vector<std::atomic<int>> done(count);
+      std::vector<int> begins = {0};  // uneven shares, some of them empty
+      for (int k = 1; k < threads; ++k)
+        begins.push_back(std::max(begins.back(), (k * k * count / 7) % (count + 1)));
+      begins.push_back(count);
       for (int round = 0; round < 50; ++round)
-        workers.each(count, 1, [&](int part, int first, int last) {
+        workers.each(begins, [&](int part, int first, int last) {
           EXPECT_LT(part, threads);
+          EXPECT_LT(first, last + (threads == 1));
           for (int i = first; i < last; ++i)
             ++done[i];
         });
@@ -27,6 +36,49 @@ TEST(Workers, DoEveryItemOnce) {
         ASSERT_EQ(times, 50);
     }
   }
+}
+
+/// Pairs of each block with the next three.
+std::vector<dynamics::ContactPair> neighbours(int blocks) {
+  std::vector<dynamics::ContactPair> pairs;
+  for (int b = 0; b < blocks; ++b)
+    for (int other = b + 1; other < std::min(blocks, b + 4); ++other)
+      pairs.push_back({.low = b, .high = other});
+  return pairs;
+}
+
+TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
+  for (const int blocks : {0, 1, 100, 1000, 5000})
+    for (const int threads : {1, 2, 3, 8}) {
+      const auto pairs = neighbours(blocks);
+      const int windows =
+          (static_cast<int>(pairs.size()) + dynamics::pairs_of_window - 1) /
+          dynamics::pairs_of_window;
+      std::vector<int> first_set = {0};  // 30 sets each
+      for (int window = 0; window < windows; ++window)
+        first_set.push_back(first_set.back() + 30);
+      dynamics::WorkSplit split;
+      split.start(blocks, pairs, threads);
+      split.split_sets(first_set);
+      for (const auto& [begins, count] :
+           {std::pair(split.windows, windows), std::pair(split.sets, 30 * windows),
+            std::pair(split.blocks, blocks)}) {
+        ASSERT_EQ(begins.front(), 0);
+        ASSERT_EQ(begins.back(), count);
+        ASSERT_TRUE(std::is_sorted(begins.begin(), begins.end()));
+        ASSERT_GE(begins.size(), 2U);
+        ASSERT_LE(begins.size(), threads + 1U);
+      }
+      if (blocks < 5000)
+        continue;
+      ASSERT_EQ(split.windows.size(), threads + 1U);
+      for (int k = 1; k < threads; ++k) {
+        EXPECT_EQ(split.sets[k], first_set[split.windows[k]]);
+        const int pair = dynamics::pairs_of_window * split.windows[k];
+        EXPECT_EQ(split.blocks[k], pairs[pair].low);
+        EXPECT_NEAR(split.blocks[k], 1.0 * blocks * k / threads, 100.0);
+      }
+    }
 }
 
 /// Bricks thrown on each other, more than one thread's share of everything.

@@ -1,0 +1,63 @@
+#include "dynamics/work_split.hpp"
+
+#include <algorithm>
+
+#include "dynamics/contact_groups.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// Items below which another thread does not pay.
+constexpr int sets_per_thread = 128, blocks_per_thread = 128;
+
+int shares_of(int threads, int count, int least) {
+  return std::max(1, std::min(threads, count / least));
+}
+
+}  // namespace
+
+void WorkSplit::start(int block_count, const std::vector<ContactPair>& pairs,
+                      int thread_count) {
+  threads_ = thread_count;
+  first_block_.clear();
+  for (std::size_t p = 0; p < pairs.size(); p += pairs_of_window)
+    first_block_.push_back(first_block_.empty() ? 0 : pairs[p].low);
+  first_block_.push_back(block_count);
+
+  const int window_count = static_cast<int>(first_block_.size()) - 1;
+  const int by_windows = shares_of(threads_, window_count, 1);
+  windows.resize(by_windows + 1);
+  for (int k = 0; k <= by_windows; ++k)
+    windows[k] = first_window(k, by_windows);
+
+  const int by_blocks = shares_of(threads_, block_count, blocks_per_thread);
+  blocks.resize(by_blocks + 1);
+  for (int k = 0; k <= by_blocks; ++k)
+    blocks[k] = window_count < by_blocks
+                    ? static_cast<int>(long{block_count} * k / by_blocks)
+                    : first_block_[first_window(k, by_blocks)];
+  sets.reserve(threads_ + 1);
+}
+
+void WorkSplit::split_sets(const std::vector<int>& first_set) {
+  const int shares = shares_of(threads_, first_set.back(), sets_per_thread);
+  sets.resize(shares + 1);
+  for (int k = 0; k <= shares; ++k)
+    sets[k] = first_set[first_window(k, shares)];
+}
+
+/// With contacts three quarters of a step are spent, with blocks one.
+int WorkSplit::first_window(int share, int shares) const {
+  const int last = static_cast<int>(first_block_.size()) - 1;
+  const double all_windows = std::max(1, last), all_blocks = first_block_.back() + 1.0;
+  const double wanted = static_cast<double>(share) / shares;
+  const auto part_before = [&](int window) {
+    return 0.75 * window / all_windows + 0.25 * first_block_[window] / all_blocks;
+  };
+  int window = share == shares ? last : 0;
+  while (window < last && part_before(window) < wanted)
+    ++window;
+  return window;
+}
+
+}  // namespace blocks::dynamics

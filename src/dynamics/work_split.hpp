@@ -1,0 +1,29 @@
+// Which part of a step's work each thread begins with.
+#pragma once
+
+#include <vector>
+
+namespace blocks::dynamics {
+
+struct ContactPair;
+
+/// Thread k begins with items [k] .. [k + 1] - 1 of each column. Wherever as many
+/// threads take part, these are windows of pairs, the lanes of these pairs, and the
+/// blocks that are the lower ones of them: what a thread has moved, it needs next, and
+/// few blocks go from the cache of one core to that of another.
+struct WorkSplit {
+  std::vector<int> windows, sets, blocks;
+
+  /// Of a new list, whose pairs have no lanes yet.
+  void start(int block_count, const std::vector<ContactPair>& pairs, int thread_count);
+  /// With the first set of each window, and the number of all.
+  void split_sets(const std::vector<int>& first_set);
+
+ private:
+  int first_window(int share, int shares) const;
+
+  int threads_ = 1;
+  std::vector<int> first_block_;  ///< (windows + 1) lowest block of each; all blocks
+};
+
+}  // namespace blocks::dynamics
