@@ -12,7 +12,7 @@ namespace blocks::dynamics {
 
 /// Decides which potential contacts act (rules 9-12) and advances their springs (rule
 /// 7). Reads corners, velocities and the blocks' swing; writes the groups' decisions
-/// and lanes, from which sum_contact_forces takes what blocks feel.
+/// and lanes, from which sum_contacts takes what blocks feel.
 Extremes evaluate_contacts(const Blocks& blocks, Contacts& contacts,
                            ContactGroups& groups, const Settings& settings, double dt,
                            Workers& workers, Profile* profile = nullptr);

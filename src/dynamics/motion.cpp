@@ -71,36 +71,43 @@ void Displacement::include(const Displacement& others) {
   left_domain = left_domain || others.left_domain;
 }
 
-void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range,
-                        bool pushed) {
+namespace {
+
+template <bool rigid>
+void sum_contacts_of(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+                     bool pushed) {
   for (int b = range.first; b < range.last; ++b) {
     double x = 0.0, y = 0.0, moment = 0.0;
-    if (pushed)
+    Eigen::Vector4d applied = Eigen::Vector4d::Zero();
+    if (pushed) {
       x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
+      if (!rigid)
+        applied = blocks.applied.col(b);
+    }
     groups.each_lane_of(b, [&](unsigned lane, bool low) {
       const PairForce& of = groups.lanes.forces[lane];
       if (low)
         x += of.fx, y += of.fy, moment += of.moment_low;
       else
         x -= of.fx, y -= of.fy, moment += of.moment_high;
+      if constexpr (!rigid) {
+        const PairStress& stress = groups.lanes.stresses[lane];
+        applied += Eigen::Map<const Eigen::Vector4d>(low ? stress.low : stress.high);
+      }
     });
     blocks.force(0, b) = x, blocks.force(1, b) = y;
     blocks.moment[b] = moment;
+    if (!rigid)
+      blocks.applied.col(b) = applied / blocks.area[b];
   }
 }
 
-void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
-                           BlockRange range, bool pushed) {
-  for (int b = range.first; b < range.last; ++b) {
-    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-    if (pushed)
-      sum = blocks.applied.col(b);
-    groups.each_lane_of(b, [&](unsigned lane, bool low) {
-      const PairStress& of = groups.lanes.stresses[lane];
-      sum += Eigen::Map<const Eigen::Vector4d>(low ? of.low : of.high);
-    });
-    blocks.applied.col(b) = sum / blocks.area[b];
-  }
+}  // namespace
+
+void sum_contacts(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+                  bool pushed, bool rigid) {
+  const auto sum = rigid ? sum_contacts_of<true> : sum_contacts_of<false>;
+  sum(blocks, groups, range, pushed);
 }
 
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,

@@ -28,15 +28,11 @@ struct Displacement {
   void include(const Displacement& others);
 };
 
-/// Force and moment of the contacts in the lanes, in the order of the list; added to
-/// what loads and planes do where these have pushed, else alone.
-void sum_contact_forces(Blocks& blocks, const ContactGroups& groups, BlockRange range,
-                        bool pushed);
-
-/// Applied stress (9): f_i x_j of the contacts in the lanes, added to that of loads and
-/// planes where these have pushed, over the area. Deformable runs only.
-void finish_applied_stress(Blocks& blocks, const ContactGroups& groups,
-                           BlockRange range, bool pushed);
+/// Force and moment of the contacts in the lanes, in the order of the list; in
+/// deformable runs the applied stress (9) too: f_i x_j over the area. Added to what
+/// loads and planes do where these have pushed, else alone.
+void sum_contacts(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+                  bool pushed, bool rigid);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,

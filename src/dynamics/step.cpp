@@ -140,10 +140,9 @@ Displacement move(Model& model, SearchBuffers& buffers,
       buffers.groups.split.blocks, [&](int part, int first, int last) {
         for (; first < last; first += blocks_at_once) {
           const BlockRange range{first, std::min(last, first + blocks_at_once)};
-          sum_contact_forces(blocks, buffers.groups, range, pushed);
+          sum_contacts(blocks, buffers.groups, range, pushed, settings.rigid);
           update_velocities(blocks, range, settings.gravity, dt);
           if (!settings.rigid) {
-            finish_applied_stress(blocks, buffers.groups, range, pushed);
             update_strain(blocks, range, settings, dt);
           }
           buffers.moved[part].include(
