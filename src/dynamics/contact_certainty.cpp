@@ -141,6 +141,20 @@ double no_crossing_travel(const Blocks& blocks, int c, int edge, bool after,
   return travel;
 }
 
+/// Which of the questions that keep these sides apart has its answer for longest, at
+/// least as long as round-off does not matter; 0: none.
+unsigned best_apart(const Blocks& blocks, const CrossingSides& sides) {
+  unsigned best = 0;
+  double longest = 0.0;
+  for (unsigned number = 1; number <= CrossingSides::most_apart; ++number) {
+    const auto [corner, edge, outside] = sides.apart(number);
+    const double travel = side_travel(blocks, corner, edge);
+    if ((outside ? -travel : travel) > longest)
+      longest = outside ? -travel : travel, best = number;
+  }
+  return best;
+}
+
 /// The same for both neighbours of `side`.
 double no_crossing_beside(const Blocks& blocks, int c, int side, double enough) {
   return std::min(no_crossing_travel(blocks, c, blocks.previous[side], true, enough),
@@ -328,15 +342,16 @@ ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
   using Place = PlaceInBlock<ExactRules>;
   const int c = contacts.corner[group.first];
   const int first = blocks.first_corner[block];
-  const int place = group.place < 0 ? int{group.place} : first + group.place;
+  const int place = group.place() < 0 ? group.place() : first + group.place();
   const Sides sides(blocks, c, block);
   // how far the corner is from passing each of the two edges, and the others
+  constexpr double forever = std::numeric_limits<float>::max() / 4.0F;
   std::array<double, 2> margin = {0.0, 0.0};
   double others = 0.0;
   if (place == Place::none)
     margin = {sides.least, sides.next}, others = sides.third;
   else if (place == Place::several)
-    others = margin[0] = margin[1] = -sides.next;
+    margin = {-sides.least, -sides.next}, others = forever;
   else if (place == sides.edge)  // inside of all others
     margin = {-sides.least, sides.next}, others = sides.third;
   ConditionTravel found;
@@ -344,18 +359,26 @@ ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
   found.rest = others;
   const std::array edges = {sides.edge - first, sides.next_edge - first};
   for (const int i : {0, 1})
-    if (margin[i] <= enough && place != Place::several)
-      found.edges[i] = edges[i];
+    if (margin[i] <= enough)
+      found.watch.edges[i] = edges[i];
     else
       found.rest = std::min(found.rest, margin[i]);
-  if (group.asks && found.rest > 0.0 && place != Place::several) {
-    if (place >= 0)
-      found.rest =
-          std::min(found.rest, no_crossing_beside(blocks, c, place, found.rest));
-    else if (group.record() >= 0)
-      found.rest =
-          std::min(found.rest, through_travel(blocks, c, contacts.edge[group.record()],
-                                              found.rest));
+  if (group.asks && found.rest > 0.0 && place >= 0) {
+    for (const bool after : {false, true}) {
+      const int beside = after ? blocks.next[place] : blocks.previous[place];
+      const double apart = no_crossing_travel(blocks, c, beside, !after, found.rest);
+      found.travel = std::min(found.travel, apart);
+      if (apart <= enough)
+        found.watch.apart[after] =
+            best_apart(blocks, CrossingSides(blocks, c, beside, !after));
+      if (found.watch.apart[after] == 0)
+        found.rest = std::min(found.rest, apart);
+    }
+  } else if (group.asks && found.rest > 0.0 && place == Place::none &&
+             group.record() >= 0) {
+    found.rest =
+        std::min(found.rest,
+                 through_travel(blocks, c, contacts.edge[group.record()], found.rest));
   }
   const double rounded = roundoff(blocks, c, block);
   found.rest = std::max(0.0, found.rest - rounded);

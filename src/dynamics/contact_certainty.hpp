@@ -39,12 +39,10 @@ Certainty certainty(const Blocks& blocks, const Contacts& contacts,
 /// For how long the condition of a group certainly holds (ContactDecision::stands).
 struct ConditionTravel {
   double travel = 0.0;  ///< [L] it does; 0: whether it does now is open
-  /// Of the group's block, numbered within it: those which the corner may pass first;
-  /// -1: none.
-  std::array<int, 2> edges = {-1, -1};
-  double rest = 0.0;  ///< [L] it does as long as the corner stays on its side of them
+  Watch watch;          ///< those which the corner may pass first, and what may cross
+  double rest = 0.0;    ///< [L] it does as long as all that is watched stays as it is
 };
-/// enough [L]: edges that the corner cannot pass within this travel are not named.
+/// enough [L]: what certainly stays as it is for this travel is not watched.
 ConditionTravel condition_travel(const Blocks& blocks, const Contacts& contacts,
                                  const ContactGroup& group, int block,
                                  double enough = 0.0);

@@ -93,7 +93,7 @@ template <class Rules> class ContactDecision {
     const int c = contacts_.corner[group.first];
     const int out = place_.outside_of(at(c), block);
     const int first = blocks_.first_corner[block];
-    if ((out < 0 ? out : out - first) != group.place)
+    if ((out < 0 ? out : out - first) != group.place())
       return false;
     if (!group.asks || out == several)
       return true;
@@ -103,7 +103,8 @@ template <class Rules> class ContactDecision {
            !acts_beside_crossing(c, blocks_.next[out], out);
   }
 
-  /// Whether the corner is still on its side of the edges that are watched.
+  /// Whether every corner is still on its side of the edge that is watched: then the
+  /// condition holds.
   bool stays(const ContactGroup& group, int block) const {
     bool all = true;
     each_watched(group, block, [&](int c, int edge, int edge_end, bool outside) {
@@ -115,11 +116,19 @@ template <class Rules> class ContactDecision {
   /// them.
   template <class Visit>
   void each_watched(const ContactGroup& group, int block, const Visit& visit) const {
-    const int first = blocks_.first_corner[block];
-    for (const std::int8_t edge : group.watched)
+    const Watch watch = group.watch();
+    const int c = contacts_.corner[group.first], first = blocks_.first_corner[block];
+    const int place = group.place(), out = first + place;
+    for (const int edge : watch.edges)
       if (edge >= 0)
-        visit(contacts_.corner[group.first], first + edge, blocks_.next[first + edge],
-              group.place == edge);
+        visit(c, first + edge, blocks_.next[first + edge],
+              place == edge || place == several);
+    for (const bool after : {false, true})
+      if (const unsigned number = watch.apart[after]; number > 0) {
+        const auto [corner, edge, outside] =
+            CrossingSides::beside(blocks_, c, out, after).apart(number);
+        visit(corner, edge, blocks_.next[edge], outside);
+      }
   }
 
   /// The record that acts as well, for the corner has to come out of a notch, or -1.

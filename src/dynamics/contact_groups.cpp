@@ -109,7 +109,7 @@ double rounded_up(double length) {
 void ContactGroup::set(const Certainty& known) {
   set_record(known.candidate);
   travel = unasked = rounded_down(known.travel);
-  place = static_cast<std::int8_t>(known.place);
+  place_from_anywhere = static_cast<unsigned>(known.place - Certainty::anywhere) & 63U;
   asks = known.asks;
 }
 
@@ -148,7 +148,7 @@ WatchedEdges ContactGroups::watched_by(const ContactPair& pair) const {
   for (std::uint32_t bits = pair.prompt; bits != 0; bits &= bits - 1) {
     const int k = std::countr_zero(bits);
     const ContactGroup& group = all[pair.first + k];
-    found.of[k] = {group.place, group.watched[0], group.watched[1]};
+    found.of[k] = group.place_from_anywhere << Watch::bits | group.watched;
   }
   return found;
 }

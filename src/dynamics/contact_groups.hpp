@@ -59,11 +59,32 @@ struct Certainty {
   ThirdsAway away;  ///< only while third blocks are
 };
 
+/// What is asked in each step of a group that is certain on a condition.
+struct Watch {
+  /// Edges of the group's block, numbered within it, that its corner may pass; -1:
+  /// none.
+  std::array<int, 2> edges = {-1, -1};
+  /// What keeps the sides before and after the edge it is outside of from crossing
+  /// (CrossingSides::apart); 0: that is not asked.
+  std::array<unsigned, 2> apart = {0, 0};
+
+  static constexpr int bits = 16;
+  Watch() = default;
+  explicit Watch(std::uint32_t packed)
+      : edges{static_cast<int>(packed & 63U) - 1,
+              static_cast<int>(packed >> 6 & 63U) - 1},
+        apart{packed >> 12 & 3U, packed >> 14 & 3U} {}
+  std::uint32_t packed() const {
+    const auto word = [](int edge) { return static_cast<std::uint32_t>(edge + 1); };
+    return word(edges[0]) | word(edges[1]) << 6 | apart[0] << 12 | apart[1] << 14;
+  }
+};
+
 /// Records first .. last() - 1 of the contact list: one corner, edges of one block.
 /// Many: 24 bytes.
 struct ContactGroup {
   static constexpr std::uint32_t most_records = geometry::most_corners;  ///< edges
-  static constexpr int most_edges = 128;  ///< of a block, for a condition
+  static constexpr int most_edges = 60;  ///< of a block, for a condition
   /// None, and none as long as there are no lanes.
   static constexpr int no_seat = -1, seat_wanted = -2;
   static constexpr unsigned most_hopeless = (1U << 6) - 1;
@@ -73,12 +94,11 @@ struct ContactGroup {
   /// The edges' block is not convex: the group after this one holds the same records,
   /// for the second edge of a notch.
   std::uint32_t reentrant : 1 = 0, of_notch : 1 = 0;
-  std::uint8_t hopeless : 6 = 0;   ///< decisions left for which none is certain
-  std::uint8_t asks : 1 = 0;       ///< of its certainty
-  std::uint8_t low_edges : 1 = 0;  ///< the edges are those of the pair's lower block
-  std::int8_t place = Certainty::anywhere;  ///< of its certainty
-  /// Edges that are watched where it is prompt, numbered within the block; -1: none.
-  std::int8_t watched[2] = {-1, -1};
+  std::uint32_t hopeless : 6 = 0;   ///< decisions left for which none is certain
+  std::uint32_t asks : 1 = 0;       ///< of its certainty
+  std::uint32_t low_edges : 1 = 0;  ///< the edges are those of the pair's lower block
+  std::uint32_t place_from_anywhere : 6 = 0;  ///< place()
+  std::uint32_t watched : Watch::bits = 0;    ///< watch(), where it is prompt
   int seat = no_seat;    ///< of its contact (ContactLanes), >= 0 where it has one
   float travel = 0.0F;   ///< [L] of its certainty, from the pose of its pair
   float unasked = 0.0F;  ///< [L] the same, until what it stands on has to be asked
@@ -86,7 +106,14 @@ struct ContactGroup {
   int last() const { return first + static_cast<int>(count); }
   bool certain() const { return travel > 0.0F; }
   /// Certain on a condition.
-  bool conditional() const { return place != Certainty::anywhere; }
+  bool conditional() const { return place_from_anywhere != 0; }
+  /// Of its certainty.
+  int place() const {
+    return static_cast<int>(place_from_anywhere) + Certainty::anywhere;
+  }
+  /// While it is prompt.
+  Watch watch() const { return Watch(watched); }
+  void set(const Watch& watch) { watched = watch.packed() & ((1U << Watch::bits) - 1); }
   /// Until it has to be looked at, [L]: 0 where it is not certain.
   float lasts() const { return conditional() ? std::min(travel, unasked) : travel; }
   /// That acts, -1: none; while certain: that is the candidate to.
@@ -132,9 +159,8 @@ struct ContactPair {
 
 /// What the prompt groups of a pair watch.
 struct WatchedEdges {
-  using Edges = std::array<std::int8_t, 3>;  ///< place, the two edges
   std::uint32_t prompt;
-  std::array<Edges, 32> of;  ///< of prompt ones only
+  std::array<std::uint32_t, 32> of;  ///< of prompt ones only: place and watch
 
   bool operator==(const WatchedEdges& other) const {
     bool same = prompt == other.prompt;

@@ -91,8 +91,7 @@ bool condition_holds(const Blocks& blocks, const Contacts& contacts,
     return false;
   if (found.travel < enough && found.rest > 4.0 * found.travel && pair.bit(g) != 0) {
     pair.prompt |= pair.bit(g);
-    for (const int i : {0, 1})
-      group.watched[i] = static_cast<std::int8_t>(found.edges[i]);
+    group.set(found.watch);
     group.unasked = rounded_down(moved + found.rest);
   }
   return true;

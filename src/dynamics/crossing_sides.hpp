@@ -24,6 +24,25 @@ struct CrossingSides {
         vertex_far(after ? blocks.next[side] : side),
         own(after ? blocks.previous[c] : c),
         own_far(after ? blocks.previous[c] : blocks.next[c]) {}
+
+  /// For the edge after the side f, or before it.
+  static CrossingSides beside(const Blocks& blocks, int c, int side, bool after) {
+    const int edge = after ? blocks.next[side] : blocks.previous[side];
+    return {blocks, c, edge, !after};
+  }
+
+  struct Question {
+    int corner, edge;
+    bool outside;
+  };
+  static constexpr unsigned most_apart = 3;
+  /// A corner that is outside of an edge, or is not: f and g do not cross. One of
+  /// three.
+  Question apart(unsigned number) const {
+    return number == 1   ? Question{vertex, own, false}
+           : number == 2 ? Question{own_far, side, true}
+                         : Question{vertex_far, own, true};
+  }
 };
 
 /// Whether f and g cross between v and c, c being outside of f: of a slanted joint that

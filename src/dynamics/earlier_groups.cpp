@@ -112,8 +112,8 @@ bool EarlierGroups::hand_on_group(const Contacts& contacts, const ContactGroup& 
     }
   }
   to.travel = from.travel, to.unasked = from.unasked;
-  to.place = from.place, to.asks = from.asks;
-  std::copy_n(from.watched, 2, to.watched);
+  to.place_from_anywhere = from.place_from_anywhere, to.asks = from.asks;
+  to.watched = from.watched;
   return true;
 }
 
