@@ -78,6 +78,8 @@ HeldSpring ContactGroups::held(int seat) const {
 void ContactGroups::load(const Blocks& blocks, Contacts& contacts,
                          const Settings& settings) {
   const bool anew = lanes.sets() == 0;
+  if (anew)
+    first_set.assign(1, 0);
   Wake loaded_already(contacts.acting.data());
   auto contact = contacts.acting.cbegin();
   each_window([&](int first, int last) {
@@ -223,7 +225,6 @@ void ContactGroups::make_lanes(const Contacts& contacts) {
         all[g].seat = all[g - 1].seat = 0;
     }
   lanes.clear();
-  first_set.assign(1, 0);
   seats_complete = true;
 }
 

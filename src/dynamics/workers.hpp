@@ -48,7 +48,7 @@ class Workers {
   /// What is left of the share of one thread: number of the task, and of the piece that
   /// comes next.
   struct alignas(64) Share {
-    std::atomic<std::uint64_t> next = 0;
+    std::atomic<std::uint64_t> next = ~std::uint64_t{0};
   };
   void run(const Task& task);
   void take_pieces(int thread, std::uint32_t number);

@@ -185,8 +185,7 @@ void Simulation::State::step(long count) {
         stepper.advance(i == count, model.settings.normal_stiffness * half_depth);
     for (std::string& told : watch_.after(model, moved))
       warnings.push_back(std::move(told));
-    if (moved.finite &&
-        !(moved.strongest > model.settings.normal_stiffness * half_depth))
+    if (!run::may_be_unsound(model.settings, moved, half_depth))
       continue;
     unsound = run::unsound(stepper.up_to_date(), moved, half_depth);
     if (!unsound.empty())

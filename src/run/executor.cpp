@@ -137,7 +137,7 @@ Outcome Executor::march(long steps) {
     const bool read = audited || row || moment || output_due();
     const double limit = model_.settings.normal_stiffness * half_depth_;
     const dynamics::Displacement moved = stepper_.advance(read, limit);
-    if (!moved.finite || moved.strongest > limit) {
+    if (may_be_unsound(model_.settings, moved, half_depth_)) {
       if (const std::string fault = unsound(stepper_.up_to_date(), moved, half_depth_);
           !fault.empty()) {
         warn(fault);

@@ -8,24 +8,31 @@
 namespace blocks::run {
 namespace {
 
-/// How deep a point is below an edge, [L].
-double depth_below(const Blocks& blocks, int edge, const Vec2& point) {
-  const Vec2 p = blocks.corner.col(edge);
-  const Vec2 along = Vec2(blocks.corner.col(blocks.next[edge])) - p;
-  return geometry::cross(point - p, along) / along.norm();
+/// How deep a point is below the line from p to q, [L].
+double depth_below(const Vec2& p, const Vec2& q, const Vec2& point) {
+  return geometry::cross(point - p, q - p) / (q - p).norm();
 }
 double depth_of_middle(const Blocks& blocks, int edge, int block) {
-  return depth_below(blocks, edge, blocks.centroid.col(block));
+  return depth_below(blocks.corner.col(edge), blocks.corner.col(blocks.next[edge]),
+                     blocks.centroid.col(block));
 }
 
-/// Extent of a block across the direction of an edge, [L].
-double extent_across(const Blocks& blocks, int edge, int block) {
+/// Extent of a block across the direction from p to q, [L].
+double extent_across(const Blocks& blocks, const Vec2& p, const Vec2& q, int block) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (int c = blocks.first_corner[block]; c < blocks.first_corner[block + 1]; ++c) {
-    const double depth = depth_below(blocks, edge, blocks.corner.col(c));
+    const double depth = depth_below(p, q, blocks.corner.col(c));
     low = std::min(low, depth), high = std::max(high, depth);
   }
   return high - low;
+}
+
+/// The first block with a corner that is not a number, or infinite.
+int first_without_place(const Blocks& blocks) {
+  for (int c = 0; c < blocks.corners(); ++c)
+    if (!blocks.corner.col(c).allFinite())
+      return blocks.corner_block[c];
+  return 0;
 }
 
 }  // namespace
@@ -38,25 +45,57 @@ double half_depth(const Blocks& blocks) {
   return 0.5 * std::max(least, 0.0);
 }
 
+bool may_be_unsound(const Settings& settings, const dynamics::Displacement& moved,
+                    double half_depth) {
+  return !moved.finite || moved.strongest > settings.normal_stiffness * half_depth ||
+         moved.largest > std::max(settings.contact_tolerance, half_depth);
+}
+
 std::string unsound(const Model& model, const dynamics::Displacement& moved,
                     double half_depth) {
+  const Blocks& blocks = model.blocks;
   if (!moved.finite)
     return fmt::format(
-        "at time {:g} (step {}) some position is no longer a number; the "
+        "at time {:g} (step {}) the position of block {} is no longer a number; the "
         "time step is probably too large: lower FRACTION",
-        model.time, model.steps);
+        model.time, model.steps, first_without_place(blocks) + 1);
+  const double tolerance = model.settings.contact_tolerance;
+  if (moved.largest > std::max(tolerance, half_depth))
+    return fmt::format(
+        "at time {:g} (step {}) block {} moved a corner by {:.3g} in one step, more "
+        "than "
+        "ctol ({:g}) and than half the way to the middle of the shallowest block "
+        "({:.3g}): it may have passed through another; lower FRACTION or its velocity",
+        model.time, model.steps, moved.block + 1, moved.largest, tolerance, half_depth);
   const double stiffness = model.settings.normal_stiffness;
   if (!(moved.strongest > stiffness * half_depth))
     return "";
   const Contacts& contacts = model.contacts;
-  const Blocks& blocks = model.blocks;
+  const PlaneContacts& on_planes = model.plane_contacts;
+  for (int i = 0; i < on_planes.size(); ++i) {
+    if (!on_planes.active[i])
+      continue;
+    const Plane& plane = model.settings.planes[on_planes.plane[i]];
+    const int block = blocks.corner_block[on_planes.corner[i]];
+    const double pressed = on_planes.normal_elastic[i] / stiffness;
+    const double above = 0.5 * extent_across(blocks, plane.a, plane.b, block);
+    if (pressed > 0.5 * above)
+      return fmt::format(
+          "at time {:g} (step {}) a contact of block {} and a symmetry plane is "
+          "pressed "
+          "in by {:.3g}, more than half the way to the middle of the block ({:.3g}); "
+          "raise STIFF, or lower FRACTION if the run is unstable",
+          model.time, model.steps, block + 1, pressed, above);
+  }
   for (const ActingContact& contact : contacts.acting) {
     const int i = contact.record;
     const int edge = contacts.edge[i], block = blocks.corner_block[edge];
     const int other = blocks.corner_block[contacts.corner[i]];
     const double pressed = contact.normal_elastic / stiffness;
     const double behind = depth_of_middle(blocks, edge, block);
-    const double above = 0.5 * extent_across(blocks, edge, other);
+    const double above =
+        0.5 * extent_across(blocks, blocks.corner.col(edge),
+                            blocks.corner.col(blocks.next[edge]), other);
     const bool to_behind = blocks.convex[block] && pressed > 0.5 * behind;
     if (to_behind || (blocks.convex[other] && pressed > 0.5 * above))
       return fmt::format(

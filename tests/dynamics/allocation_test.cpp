@@ -60,6 +60,23 @@ TEST(Step, AllocatesNothing) {
   }
 }
 
+// Nor where corners are near and none wants a seat, read in every step.
+TEST(Step, AllocatesNothingWithoutSeats) {
+  scenes::Scene scene;
+  scene.model.settings.rigid = true;
+  scene.model.settings.contact_tolerance = 0.1;
+  scene.box(0, 0, 1, 1);
+  scene.box(1.1, 1.1, 1, 1);
+  scene.step();
+  for (int i = 0; i < 500; ++i) {
+    const long before = asked;
+    scene.step();
+    ASSERT_EQ(asked, before) << "step " << i;
+  }
+  EXPECT_GT(scene.model.contacts.size(), 0);
+  EXPECT_EQ(scene.model.search.updates, 1);
+}
+
 double bytes_in_use() {
   const struct mallinfo2 now = mallinfo2();
   return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);

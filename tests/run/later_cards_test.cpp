@@ -176,6 +176,28 @@ TEST(Unsound, RunEndsWhenContactsRunAway) {
   EXPECT_EQ(slurp(folder / "x.ckpt.h5"), good);
 }
 
+TEST(Unsound, RunEndsWhenABlockGoesThroughAPlane) {
+  const TemporaryFolder folder;
+  folder.write("through.deck",
+               preliminary() + rectangle(0, 0, 1, 1) +
+                   "SPLANE, -1, 0, 2, 0\nGRAVITY, 0, -1.E5\nCYCLE, 400\n");
+  const Outcome run = blocks("run through.deck", folder.path());
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_THAT(run.err,
+              HasSubstr("a contact of block 1 and a symmetry plane is pressed"));
+}
+
+TEST(Unsound, RunEndsWhenABlockMayHavePassedThroughAnother) {
+  const TemporaryFolder folder;
+  folder.write("fast.deck", preliminary() + rectangle(0, 0, 1, 1, true) +
+                                rectangle(0, 2, 1, 3) +
+                                "SETVEL, 2, 0, 0, -2.E4, 0\nCYCLE, 4\n");
+  const Outcome run = blocks("run fast.deck", folder.path());
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("block 2 moved a corner by"));
+  EXPECT_THAT(run.err, HasSubstr("it may have passed through another"));
+}
+
 // A deck in which no time passes is echoed all the same.
 TEST(Listing, EchoesADeckWithoutMotion) {
   const TemporaryFolder folder;

@@ -123,7 +123,7 @@ TEST(Resumed, WallNumberedAtRandomIsTheStraightRun) {
   const TemporaryFolder folder;
   folder.write("wall.deck", wall_at_random() +
                                 "PLOTS, 0.003\nOUTPUT, 0.003, 2, 4162\nCYCLE, 40\n"
-                                "SETVEL, 4162, 0, 0, -2000\n" +
+                                "SETVEL, 4162, 0, 0, -400\n" +
                                 rectangle(8.5, 1, 9, 1.5) + "CYCLE, 40\n");
   expect_resumable(folder / "wall.deck", "", 2);
   const Outcome run = blocks("run wall.deck --audit=40", folder.path());

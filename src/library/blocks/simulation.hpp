@@ -16,10 +16,11 @@ class DeckError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Some position is no longer a number, or a contact is pressed in by more than half of
-/// what a block is deep: lower FRACTION, or raise STIFF. From then on the Simulation
-/// can be read and its state written as a frame; whatever would go on from that state
-/// (step, cards, set_velocity, write_checkpoint) throws UnsoundRun again.
+/// Some position is no longer a number, a contact is pressed in by more than half of
+/// what a block is deep, or a block has moved by more than that and ctol in one step:
+/// lower FRACTION, or raise STIFF. From then on the Simulation can be read and its
+/// state written as a frame; whatever would go on from that state (step, cards,
+/// set_velocity, write_checkpoint) throws UnsoundRun again.
 class UnsoundRun : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
