@@ -194,7 +194,7 @@ int dispatch(int argc, char** argv) {
                   "stop after so many steps, exit 75")
       ->check(CLI::Range(1L, std::numeric_limits<long>::max()));
   run->add_option("--checkpoint-every", options.checkpoint_every,
-                  "seconds between checkpoints")
+                  "seconds between checkpoints (default: 600)")
       ->check(positive_number());
   run->add_option("-j,--threads", options.threads,
                   "threads (default: all cores); results do not change")

@@ -241,8 +241,7 @@ bool Executor::time_is_up() const {
 }
 
 bool Executor::checkpoint_due() const {
-  return options_.checkpoint_every > 0.0 &&
-         seconds_since(saved_) >= options_.checkpoint_every;
+  return seconds_since(saved_) >= options_.checkpoint_every;
 }
 
 void Executor::tell_profile() {
