@@ -18,8 +18,7 @@ class Auditor {
  public:
   explicit Auditor(const Moment& moment)
       : blocks_(moment.blocks), contacts_(moment.contacts), settings_(moment.settings),
-        promise_(std::max(0.0, 2.0 * (settings_.contact_tolerance - moment.travel))),
-        rules_(blocks_, promise_) {
+        promise_(2.0 * moment.left), rules_(blocks_, promise_) {
     for (int i = 0; i < contacts_.size(); ++i) {
       listed_.insert({contacts_.corner[i], contacts_.edge[i]});
       if (contacts_.active[i])

@@ -63,12 +63,13 @@ struct Moment {
   const Blocks& blocks;      ///< before they moved
   const Contacts& contacts;  ///< after the step: which records acted
   const Settings& settings;
-  double travel = 0.0;  ///< [L] largest displacement since the list was made
+  double left = 0.0;  ///< [L] so far corners may still go before the next list
 };
 
 /// All corners against all blocks near them, by a sweep. A pair is missed when the list
 /// does not hold it though the edge is admitted for the corner, or the corner as near
-/// to the edge as what is left of the list's promise: 2 CTOL less twice the travel. An
+/// to the edge as what is left of the list's promise: twice what corners may
+/// still go. An
 /// overlap is in excess when it goes beyond the deepest acting contact of
 /// the two blocks by more than explained_slack of the shortest edge of either. A
 /// contact is too deep when it goes beyond the extent, along its normal, of the exact

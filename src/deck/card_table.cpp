@@ -68,9 +68,10 @@ std::vector<CardSpec> preliminary_cards() {
                    "contact tolerance: pairs within 2 ctol are listed, and the list is "
                    "renewed when corners have moved by ctol"}},
        .notes =
-           "Results do not depend on this card, and speed on ctol alone: the search "
-           "chooses cells of its own. A good ctol is a little less than half the "
-           "shortest edge.",
+           "Results do not depend on this card, nor does speed, unless ctol is a large "
+           "part of a block: the search chooses cells of its own, and looks as far "
+           "ahead as blocks are fast. A good ctol is a tenth of a block, and less than "
+           "half the shortest edge.",
        .example = "BOXES, 20, 10, .25"});
   add({.name = "STIFF",
        .once = true,

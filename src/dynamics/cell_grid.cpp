@@ -5,23 +5,29 @@
 #include "dynamics/give_back.hpp"
 
 namespace blocks::dynamics {
+namespace {
+
+constexpr double cells_per_corner = 2.0;  ///< at most
+
+}  // namespace
 
 void CellGrid::fill(const Model& model) {
   const Blocks& blocks = model.blocks;
   const int corners = blocks.corners();
-  // Square cells; so many across as there are four corners to each, but no more than
-  // all cells were to stand in one row.
-  const double cells = std::max(1.0, 0.25 * corners);
+  // Square cells of the size of a block, wherever blocks may be; no more in all than
+  // there is room for, nor in one row.
+  const double most = std::max(1.0, cells_per_corner * corners);
   Vec2 extent = Vec2::Zero();
   if (corners > 0) {
     lower_ = blocks.corner.rowwise().minCoeff();
     extent = blocks.corner.rowwise().maxCoeff() - lower_;
   }
-  const double side = std::max(std::sqrt(extent.x() * extent.y() / cells),
-                               std::max(extent.x(), extent.y()) / cells);
+  const double size = corners > 0 ? blocks.area.array().sqrt().mean() : 0.0;
+  const double side = std::max({size, std::sqrt(extent.x() * extent.y() / most),
+                                std::max(extent.x(), extent.y()) / most});
   const auto across = [&](double length) {
     const double n = std::ceil(length / side);
-    return n >= 1.0 ? static_cast<int>(std::min(n, cells)) : 1;  // also if NaN
+    return n >= 1.0 ? static_cast<int>(std::min(n, most)) : 1;  // also if NaN
   };
   per_x_ = per_y_ = side > 0.0 ? 1.0 / side : 0.0;
   cells_x_ = across(extent.x());

@@ -16,10 +16,10 @@ namespace {
 /// Calls visit(first, last, corner's block, edges' block) for records of one corner and
 /// edges of one block, which stand side by side; each_alone: for each record.
 template <class Visit>
-void each_group(const Blocks& blocks, const Contacts& contacts, bool each_alone,
-                const Visit& visit) {
-  const int size = contacts.size();
-  for (int first = 0, last; first < size; first = last) {
+void each_group(const Blocks& blocks, const Contacts& contacts, RecordRange records,
+                bool each_alone, const Visit& visit) {
+  const int size = records.last;
+  for (int first = records.first, last; first < size; first = last) {
     const int corner = contacts.corner[first];
     const int block = blocks.corner_block[contacts.edge[first]];
     const int begin = blocks.first_corner[block], end = blocks.first_corner[block + 1];
@@ -31,43 +31,27 @@ void each_group(const Blocks& blocks, const Contacts& contacts, bool each_alone,
   }
 }
 
+bool notched(const Blocks& blocks, int block, bool each_alone) {
+  return !each_alone && !blocks.convex[block];
+}
+
 /// each_alone: one record to a group.
 void find_groups(const Blocks& blocks, const Contacts& contacts, bool each_alone,
                  ContactGroups& groups) {
-  const auto notched = [&](int block) { return !each_alone && !blocks.convex[block]; };
   // counted first: of many there is no room for more than there are
+  const RecordRange all = {0, contacts.size()};
   std::size_t count = 0, pair_count = 0;
-  std::pair<int, int> now(-1, -1);
-  const auto new_pair = [&](int own, int block) {
+  std::pair<int, int> before(-1, -1);
+  each_group(blocks, contacts, all, each_alone, [&](int, int, int own, int block) {
+    count += notched(blocks, block, each_alone) ? 2 : 1;
     const std::pair<int, int> pair = std::minmax(own, block);
-    return std::exchange(now, pair) != pair;
-  };
-  each_group(blocks, contacts, each_alone, [&](int, int, int own, int block) {
-    count += notched(block) ? 2 : 1;
-    pair_count += new_pair(own, block);
+    pair_count += std::exchange(before, pair) != pair;
   });
   groups.all.clear();
   reserve_pages(groups.all, count);
   groups.pairs.clear();
   reserve_pages(groups.pairs, pair_count);
-  now = {-1, -1};
-  const auto add = [&](int first, int last, int own, int block) {
-    if (new_pair(own, block))
-      groups.pairs.push_back({.low = now.first,
-                              .high = now.second,
-                              .first = static_cast<int>(groups.all.size())});
-    ContactGroup group;
-    group.first = first;
-    group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
-    group.low_edges = block < own;
-    group.reentrant = notched(block);
-    groups.all.push_back(group);
-    if (group.reentrant) {
-      group.reentrant = 0, group.of_notch = 1;
-      groups.all.push_back(group);
-    }
-  };
-  each_group(blocks, contacts, each_alone, add);
+  add_groups(blocks, contacts, all, groups, each_alone);
 }
 
 void find_pairs_of_corners(const Blocks& blocks, const Contacts& contacts,
@@ -105,6 +89,35 @@ double rounded_up(double length) {
 }
 
 }  // namespace
+
+void add_groups(const Blocks& blocks, const Contacts& contacts, RecordRange records,
+                ContactGroups& groups, bool each_alone) {
+  const auto add = [&](int first, int last, int own, int block) {
+    const auto [low, high] = std::minmax(own, block);
+    if (groups.pairs.empty() || groups.pairs.back().low != low ||
+        groups.pairs.back().high != high)
+      groups.pairs.push_back(
+          {.low = low, .high = high, .first = static_cast<int>(groups.all.size())});
+    ContactGroup group;
+    group.first = first;
+    group.count = static_cast<std::uint32_t>(last - first) & ContactGroup::most_records;
+    group.low_edges = block < own;
+    group.reentrant = notched(blocks, block, each_alone);
+    groups.all.push_back(group);
+    if (group.reentrant) {
+      group.reentrant = 0, group.of_notch = 1;
+      groups.all.push_back(group);
+    }
+  };
+  each_group(blocks, contacts, records, each_alone, add);
+}
+
+void ContactGroup::forget() {
+  nth = 0;
+  travel = unasked = 0.0F;
+  place_from_anywhere = 0, watched = 0;
+  asks = 0;
+}
 
 void ContactGroup::set(const Certainty& known) {
   set_record(known.candidate);
@@ -230,8 +243,12 @@ void ContactGroups::join_shares() {
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone, int threads,
-                    const EarlierGroups* earlier) {
-  find_groups(blocks, contacts, each_alone, groups);
+                    EarlierGroups* earlier) {
+  const bool handed = earlier != nullptr && !earlier->empty();
+  if (handed)
+    earlier->find_groups(blocks, contacts, groups);
+  else
+    find_groups(blocks, contacts, each_alone, groups);
   find_pairs_of_corners(blocks, contacts, groups);
   reserve_pages(groups.limits, groups.pairs.size());
   groups.limits.assign(groups.pairs.size(), 0.0F);
@@ -255,7 +272,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   reserve_pages(groups.poses, groups.pairs.size());
   groups.poses.assign(groups.pairs.size(), {});
   groups.shapes.assign(rigid ? 0 : groups.pairs.size(), {});
-  if (earlier != nullptr && !earlier->empty())
+  if (handed)
     earlier->hand_on(contacts, groups);
   else
     groups.swing.start(blocks, rigid);

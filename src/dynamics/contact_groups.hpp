@@ -122,6 +122,8 @@ struct ContactGroup {
     nth = i < 0 ? 0 : static_cast<std::uint32_t>(i - first + 1) & most_records;
   }
   void set(const Certainty& known);
+  /// Nothing is certain of it, nor what acts.
+  void forget();
 };
 static_assert(sizeof(ContactGroup) == 24 &&
               ContactGroup::most_records == (1U << 15) - 1);
@@ -389,12 +391,20 @@ inline BlockRows rows_of(const Blocks& blocks) {
 }
 
 struct EarlierGroups;
+/// Records first .. last - 1 of the list.
+struct RecordRange {
+  int first = 0, last = 0;
+};
+
+/// Adds the groups of these records, and their pairs. each_alone: one record each.
+void add_groups(const Blocks& blocks, const Contacts& contacts, RecordRange records,
+                ContactGroups& groups, bool each_alone = false);
 
 /// Splits the list into its groups and pairs, all to be decided, but for what is known
 /// from the list before. each_alone: one record each, for studies without the nearest
 /// edge.
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone = false, int threads = 1,
-                    const EarlierGroups* earlier = nullptr);
+                    EarlierGroups* earlier = nullptr);
 
 }  // namespace blocks::dynamics

@@ -14,70 +14,29 @@
 namespace blocks::dynamics {
 namespace {
 
-/// The edges of block b that could act on corner c.
-void add_records(const Blocks& blocks, int b, int c, SearchBuffers& buffers) {
-  const Vec2 corner = blocks.corner.col(c);
-  const int first = blocks.first_corner[b];
-  const int count = static_cast<int>(buffers.reach.size());
-  const auto add = [&](int e) { buffers.found.push_back({c, first + e}); };
-  int outside = 0, side = 0;
-  const std::size_t before = buffers.found.size();
-  for (int e = 0; e < count; ++e) {
-    const Reach& reach = buffers.reach[e];
-    const double overlap = reach.overlap(corner);
-    if (overlap < -reach.near) {
-      side = e;
-      if (++outside > 1 && blocks.convex[b])
-        break;
-    } else if (overlap <= reach.depth + reach.near) {
-      add(e);
-    }
-  }
-  if (!blocks.convex[b] || outside == 0)
-    return;
-  // outside of one edge is outside of the block: there is but a crossing of sides
-  std::size_t kept = before;
-  if (outside == 1) {
-    const int after = side + 1 < count ? side + 1 : 0;
-    const int ahead = side > 0 ? side - 1 : count - 1;
-    for (std::size_t i = before; i < buffers.found.size(); ++i) {
-      const int e = buffers.found[i].edge - first;
-      if ((e == after || e == ahead) && buffers.reach[e].between(corner))
-        buffers.found[kept++] = buffers.found[i];
-    }
-  }
-  buffers.found.resize(kept);
-}
-
-void find_near_corners(const Model& model, SearchBuffers& buffers) {
+void find_near_corners(const Model& model, SearchBuffers& buffers, double tolerance) {
   const Blocks& blocks = model.blocks;
+  BlockReach& reach = buffers.reach;
+  buffers.last_of_low.assign(blocks.size() + 1, 0);
   for (int b = 0; b < blocks.size(); ++b) {
-    const double travel =
-        2.0 * model.settings.contact_tolerance + shield_reach(blocks, b);
-    const int first = blocks.first_corner[b], count = blocks.corners_of(b);
-    buffers.reach.clear();
-    for (int e = first; e < first + count; ++e)
-      buffers.reach.emplace_back(blocks, b, e, travel);
-    const auto corners = blocks.corner.middleCols(first, count);
-    Vec2 lower = corners.rowwise().minCoeff(), upper = corners.rowwise().maxCoeff();
-    // no edge is longer than the two extents together
-    const double near = travel + geometry::contact_slack * (upper - lower).sum();
-    for (const Reach& reach : buffers.reach)
-      reach.extend(lower, upper);
-    lower.array() -= near, upper.array() += near;
-    buffers.grid.visit(lower, upper, [&](int c) {
-      const auto at = blocks.corner.col(c).array();
-      const bool far = (at < lower.array()).any() || (at > upper.array()).any();
-      const int other = blocks.corner_block[c];
-      if (far || other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
+    reach.set(blocks, b, tolerance);
+    buffers.grid.visit(reach.lower, reach.upper, [&](int c) {
+      const Vec2 at = blocks.corner.col(c);
+      if (reach.far(at))
         return;
-      add_records(blocks, b, c, buffers);
+      const int other = blocks.corner_block[c];
+      if (other == b || (!blocks.is_free(b) && !blocks.is_free(other)))
+        return;
+      const std::size_t before = buffers.found.size();
+      reach.find(at, c, buffers.found);
+      if (buffers.found.size() > before)
+        ++buffers.last_of_low[std::min(b, other) + 1];
     });
   }
 }
 
 /// Empties the list, all but the state of what acts, whose places are kept.
-void empty_list(Contacts& contacts, std::vector<SearchBuffers::Record>& acted,
+void empty_list(Contacts& contacts, std::vector<Record>& acted,
                 EarlierGroups& earlier) {
   acted.clear();
   for (const ActingContact& contact : contacts.acting)
@@ -90,7 +49,7 @@ void empty_list(Contacts& contacts, std::vector<SearchBuffers::Record>& acted,
 
 /// Calls visit(first, last) for each run of records found.
 template <class Visit>
-void each_run(const Blocks& blocks, const std::vector<SearchBuffers::Record>& found,
+void each_run(const Blocks& blocks, const std::vector<Record>& found,
               const Visit& visit) {
   const int size = static_cast<int>(found.size());
   for (int first = 0, last; first < size; first = last) {
@@ -103,46 +62,54 @@ void each_run(const Blocks& blocks, const std::vector<SearchBuffers::Record>& fo
   }
 }
 
-/// Makes the records found the list, which is empty, in its order: runs by the lower
-/// block in one go, then those of each block by the higher one and the corner. None
-/// acts.
+/// The blocks of a record, the lower first.
+std::pair<int, int> blocks_of(const Blocks& blocks, const Record& record) {
+  return std::minmax(int{blocks.corner_block[record.corner]},
+                     int{blocks.corner_block[record.edge]});
+}
+
+/// Counts the runs of each lower block.
+void count_runs(const Blocks& blocks, SearchBuffers& buffers) {
+  buffers.last_of_low.assign(blocks.size() + 1, 0);
+  each_run(blocks, buffers.found, [&](int first, int) {
+    ++buffers.last_of_low[blocks_of(blocks, buffers.found[first]).first + 1];
+  });
+}
+
+/// Makes the records found the list, which is empty, in its order: runs, which were
+/// counted, by the lower block in one go, then those of each block by the higher one
+/// and the corner. None acts.
 void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
   using Run = SearchBuffers::Run;
-  const std::vector<SearchBuffers::Record>& found = buffers.found;
-  const auto blocks_of = [&](int i) {
-    return std::minmax(blocks.corner_block[found[i].corner],
-                       blocks.corner_block[found[i].edge]);
-  };
+  const std::vector<Record>& found = buffers.found;
   std::vector<int>& last = buffers.last_of_low;
-  last.assign(blocks.size() + 1, 0);
-  each_run(blocks, found, [&](int i, int) { ++last[blocks_of(i).first + 1]; });
   std::partial_sum(last.begin(), last.end(), last.begin());
   std::vector<Run>& runs = buffers.runs;
   runs.resize(last.back());
   each_run(blocks, found, [&](int first, int behind) {
-    const auto [low, high] = blocks_of(first);
+    const auto [low, high] = blocks_of(blocks, found[first]);
     const auto word = [](int number) { return static_cast<std::uint32_t>(number); };
     runs[last[low]++] = {std::uint64_t{word(high)} << 32 | word(found[first].corner),
                          first, behind};
   });
-  contacts.corner.reserve(found.size());
-  contacts.edge.reserve(found.size());
+  contacts.corner.resize(found.size());
+  contacts.edge.resize(found.size());
+  int size = 0;
   for (int b = 0, first = 0; b < blocks.size(); ++b) {
     const int behind = last[b];
     std::sort(runs.begin() + first, runs.begin() + behind,
               [](const Run& l, const Run& r) { return l.place < r.place; });
     for (int k = std::exchange(first, behind); k < behind;) {
-      const auto begin = std::ssize(contacts.edge);
-      const int run = k;
+      const int begin = size, run = k;
       for (; k < behind && runs[k].place == runs[run].place; ++k)
-        for (int i = runs[k].first; i < runs[k].last; ++i) {
-          contacts.corner.push_back(found[i].corner);
-          contacts.edge.push_back(found[i].edge);
+        for (int i = runs[k].first; i < runs[k].last; ++i, ++size) {
+          contacts.corner[size] = found[i].corner;
+          contacts.edge[size] = found[i].edge;
         }
       if (k > run + 1)  // found in several pieces
-        std::sort(contacts.edge.begin() + begin, contacts.edge.end());
+        std::sort(contacts.edge.begin() + begin, contacts.edge.begin() + size);
     }
-    last[b] = static_cast<int>(contacts.corner.size());
+    last[b] = size;
   }
   give_back(buffers.found);
   give_back(buffers.runs);
@@ -180,10 +147,10 @@ void take_over(const Blocks& blocks, Contacts& contacts, const SearchBuffers& bu
   acting.resize(kept);
 }
 
-void update_plane_contacts(Model& model, SearchBuffers& buffers) {
+void update_plane_contacts(Model& model, SearchBuffers& buffers, double tolerance) {
   const Blocks& blocks = model.blocks;
   const PlaneContacts& old = model.plane_contacts;
-  const double reach = 2.0 * model.settings.contact_tolerance;
+  const double reach = 2.0 * tolerance;
   std::vector<std::pair<int, int>> found;
   for (int k = 0; k < static_cast<int>(model.settings.planes.size()); ++k) {
     const Plane& plane = model.settings.planes[k];
@@ -212,26 +179,55 @@ void update_plane_contacts(Model& model, SearchBuffers& buffers) {
   std::swap(model.plane_contacts, next);
 }
 
-}  // namespace
-
-void update_contacts(Model& model, SearchBuffers& buffers) {
-  buffers.found.clear();
-  buffers.grid.fill(model);
-  find_near_corners(model, buffers);
-  buffers.grid.give_back();
-  adopt_list(model, buffers);
+/// [L] Half of the reach of the list: CTOL, or as far as the fastest block goes in some
+/// steps, but for a part of the size of blocks. A larger list costs each step more.
+double list_tolerance(const Model& model) {
+  constexpr double steps_of_list = 250.0, part_of_size = 0.1;
+  constexpr int many_blocks = 1 << 17;  // the list of more is as small as it may be
+  const double ctol = model.settings.contact_tolerance;
+  const Blocks& blocks = model.blocks;
+  if (blocks.size() == 0 || blocks.size() > many_blocks)
+    return ctol;
+  double speed = 0.0, spin = 0.0, small = 0.0;
+  for (int b = 0; b < blocks.size(); ++b) {
+    const double size = std::sqrt(blocks.area[b]);
+    small += 1.0 / size;  // the mean of many small ones and a large one is small
+    // of fixed blocks 0
+    speed = std::max(speed, blocks.velocity.col(b).squaredNorm());
+    spin = std::max(spin, size * std::abs(blocks.spin[b]));
+  }
+  const double size = blocks.size() / small;
+  const double way =
+      steps_of_list * model.time_step.dt * (std::sqrt(speed) + 0.5 * spin);
+  return std::max(ctol, std::min(way, part_of_size * size));
 }
 
-void adopt_list(Model& model, SearchBuffers& buffers) {
+void adopt_counted(Model& model, SearchBuffers& buffers, double tolerance) {
   empty_list(model.contacts, buffers.acted, buffers.earlier);
   order_list(model.blocks, model.contacts, buffers);
   take_over(model.blocks, model.contacts, buffers);
   give_back(buffers.acted);
   give_back(buffers.last_of_low);
-  update_plane_contacts(model, buffers);
+  update_plane_contacts(model, buffers, tolerance);
   model.search.current = true;
-  model.search.travel = 0.0;
+  model.search.left = tolerance;
   ++model.search.updates;
+}
+
+}  // namespace
+
+void update_contacts(Model& model, SearchBuffers& buffers) {
+  const double tolerance = list_tolerance(model);
+  buffers.found.clear();
+  buffers.grid.fill(model);
+  find_near_corners(model, buffers, tolerance);
+  buffers.grid.give_back();
+  adopt_counted(model, buffers, tolerance);
+}
+
+void adopt_list(Model& model, SearchBuffers& buffers, double tolerance) {
+  count_runs(model.blocks, buffers);
+  adopt_counted(model, buffers, tolerance);
 }
 
 }  // namespace blocks::dynamics

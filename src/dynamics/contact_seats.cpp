@@ -214,16 +214,22 @@ void ContactGroups::make_lanes(const Contacts& contacts) {
       ++contact;
     return contact != contacts.acting.cend() && contact->record < group.last();
   };
-  for (int p = 0; p < static_cast<int>(pairs.size()); ++p)
-    for (int g = pairs[p].first; g < end_of(p); ++g) {
+  for (int p = 0; p < static_cast<int>(pairs.size()); ++p) {
+    int& seats = pairs[p].lane;  // so many, until the pair has a lane
+    seats = 0;
+    for (int g = pairs[p].first, end = end_of(p); g < end; ++g) {
       // who had a seat keeps it: it may want it again
       const bool wants = acted(all[g]) || all[g].seat != ContactGroup::no_seat ||
                          all[g].record() >= 0 || may_act_soon(pairs[p], g);
       all[g].seat = wants ? 0 : ContactGroup::no_seat;
+      seats += wants;
       // of a notch both or none: a spring may pass from one to the other
-      if (all[g].of_notch && all[g].seat != all[g - 1].seat)
+      if (all[g].of_notch && all[g].seat != all[g - 1].seat) {
         all[g].seat = all[g - 1].seat = 0;
+        ++seats;
+      }
     }
+  }
   lanes.clear();
   seats_complete = true;
 }
@@ -235,12 +241,9 @@ void ContactGroups::seat_window(int first, int last) {
   std::array<Wish, pairs_of_window> wishes;
   int count = 0;
   for (int p = first; p < last; ++p) {
-    const auto wants =
-        std::count_if(all.begin() + pairs[p].first, all.begin() + end_of(p),
-                      [](const ContactGroup& group) { return group.seat >= 0; });
-    pairs[p].lane = -1;
-    if (wants > 0)
-      wishes[count++] = {static_cast<int>(wants), p};
+    const int seats = std::exchange(pairs[p].lane, -1);
+    if (seats > 0)
+      wishes[count++] = {seats, p};
   }
   std::sort(wishes.begin(), wishes.begin() + count, [](const Wish& l, const Wish& r) {
     return l.contacts != r.contacts ? l.contacts > r.contacts : l.pair < r.pair;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 #include "dynamics/give_back.hpp"
@@ -10,11 +9,16 @@
 namespace blocks::dynamics {
 namespace {
 
-/// In the order of a list.
-auto place(const ContactPair& pair) { return std::tuple(pair.low, pair.high); }
 /// Within its pair. A notch has two.
 std::int64_t place(const std::vector<int>& corner, const ContactGroup& group) {
   return 2 * std::int64_t{corner[group.first]} + group.of_notch;
+}
+
+/// Who has a seat keeps it, unless it will not act for long.
+int next_seat(const ContactGroup& group) {
+  return group.seat >= 0 && (!group.certain() || group.conditional())
+             ? ContactGroup::seat_wanted
+             : ContactGroup::no_seat;
 }
 
 }  // namespace
@@ -27,6 +31,7 @@ void EarlierGroups::clear() {
   give_back(limits);
   give_back(corner);
   give_back(edge);
+  give_back(heirs);
 }
 
 void EarlierGroups::take(ContactGroups& groups) {
@@ -41,17 +46,97 @@ void EarlierGroups::take(Contacts& contacts) {
   edge.swap(contacts.edge);
 }
 
-void EarlierGroups::hand_on(const Contacts& contacts, ContactGroups& groups) const {
+/// The records of the new list from `first` on are all that the pair had, and has.
+bool EarlierGroups::has_records(int pair, const Blocks& blocks,
+                                const Contacts& contacts, int first) const {
+  const RecordRange before = records_of(pair);
+  const int last = first + before.last - before.first;
+  return last <= contacts.size() &&
+         std::equal(corner.begin() + before.first, corner.begin() + before.last,
+                    contacts.corner.begin() + first) &&
+         std::equal(edge.begin() + before.first, edge.begin() + before.last,
+                    contacts.edge.begin() + first) &&
+         (last == contacts.size() ||
+          pair_of(blocks, contacts, last) != blocks_of(pair));
+}
+
+void EarlierGroups::copy_groups(int pair, int first, ContactGroups& groups) const {
+  const int to = static_cast<int>(groups.all.size());
+  groups.pairs.push_back(
+      {.low = pairs[pair].low, .high = pairs[pair].high, .first = to});
+  groups.all.insert(groups.all.end(), all.begin() + pairs[pair].first,
+                    all.begin() + end_of(pair));
+  const int moved = first - records_of(pair).first;
+  for (auto group = groups.all.begin() + to; group != groups.all.end(); ++group)
+    group->first += moved;
+}
+
+void EarlierGroups::find_groups(const Blocks& blocks, const Contacts& contacts,
+                                ContactGroups& groups) {
+  groups.all.clear();
+  groups.pairs.clear();
+  heirs.clear();
   const int count = static_cast<int>(pairs.size());
-  int from = 0;
-  for (int to = 0; to < static_cast<int>(groups.pairs.size()); ++to) {
-    while (from < count && place(pairs[from]) < place(groups.pairs[to]))
+  int from = 0, last = 0;
+  for (int first = 0; first < contacts.size(); first = last) {
+    const auto now = pair_of(blocks, contacts, first);
+    while (from < count && blocks_of(from) < now)
       ++from;
-    if (from < count && place(pairs[from]) == place(groups.pairs[to]))
-      hand_on_pair(contacts, groups, from, to);
+    const bool there = from < count && blocks_of(from) == now;
+    if (there && has_records(from, blocks, contacts, first)) {
+      copy_groups(from, first, groups);
+      last = groups.all.back().last();
+      heirs.push_back({from, true});
+      continue;
+    }
+    while (last < contacts.size() && pair_of(blocks, contacts, last) == now)
+      ++last;
+    add_groups(blocks, contacts, {first, last}, groups);
+    heirs.push_back({there ? from : -1, false});
   }
+}
+
+void EarlierGroups::hand_on(const Contacts& contacts, ContactGroups& groups) const {
+  for (int to = 0; to < static_cast<int>(groups.pairs.size()); ++to)
+    if (const auto [from, same] = heirs[to]; same)
+      hand_on_same(groups, from, to);
+    else if (from >= 0)
+      hand_on_pair(contacts, groups, from, to);
   std::fill(groups.swing.way.begin(), groups.swing.way.end(), 0.0);
   groups.swing.travel = 0.0;
+}
+
+void EarlierGroups::hand_on_same(ContactGroups& groups, int from, int to) const {
+  ContactPair& pair = groups.pairs[to];
+  pair.prompt = pairs[from].prompt;
+  bool complete = true;
+  for (int g = pair.first; g < groups.end_of(to); ++g) {
+    ContactGroup& group = groups.all[g];
+    group.seat = next_seat(group);
+    if (group.certain())
+      continue;
+    complete = complete && group.of_notch != 0U;
+    group.forget();
+    pair.prompt &= ~pair.bit(g);
+  }
+  hand_on_pose(groups, from, to, complete);
+}
+
+void EarlierGroups::hand_on_pose(ContactGroups& groups, int from, int to,
+                                 bool complete) const {
+  const ContactPair& pair = groups.pairs[to];
+  const Swing& swing = groups.swing;
+  groups.poses[to] = poses[from];
+  if (!swing.rigid)
+    groups.shapes[to] = shapes[from];
+  if (complete)
+    groups.limits[to] =
+        rounded_down(limits[from] - (swing.way[pair.low] + swing.way[pair.high]));
+  else
+    groups.poses[to].certain = 0.0F;
+  if (pair.prompt != 0)
+    groups.prompt[to / pairs_of_round] |=
+        static_cast<std::uint8_t>(1U << (to % pairs_of_round));
 }
 
 void EarlierGroups::hand_on_pair(const Contacts& contacts, ContactGroups& groups,
@@ -74,26 +159,13 @@ void EarlierGroups::hand_on_pair(const Contacts& contacts, ContactGroups& groups
     if (handed && prompt)
       pair.prompt |= pair.bit(g);
   }
-  const Swing& swing = groups.swing;
-  groups.poses[to] = poses[from];
-  if (!swing.rigid)
-    groups.shapes[to] = shapes[from];
-  if (complete)
-    groups.limits[to] =
-        rounded_down(limits[from] - (swing.way[pair.low] + swing.way[pair.high]));
-  else
-    groups.poses[to].certain = 0.0F;
-  if (pair.prompt != 0)
-    groups.prompt[to / pairs_of_round] |=
-        static_cast<std::uint8_t>(1U << (to % pairs_of_round));
+  hand_on_pose(groups, from, to, complete);
 }
 
 bool EarlierGroups::hand_on_group(const Contacts& contacts, const ContactGroup& from,
                                   ContactGroup& to) const {
   to.hopeless = from.hopeless;
-  // unless it will not act for long
-  if (from.seat >= 0 && (!from.certain() || from.conditional()))
-    to.seat = ContactGroup::seat_wanted;
+  to.seat = next_seat(from);
   if (!from.certain())
     return from.of_notch != 0U;  // decided with the group before
   const auto edges = edge.begin() + from.first, edges_end = edge.begin() + from.last();

@@ -161,12 +161,12 @@ Displacement move(Model& model, SearchBuffers& buffers,
   model.time = time_after_step(model);
   ++model.steps;
 
-  // 6. domain, accumulated travel
+  // 6. domain, travel
   if (moved.left_domain)
     fix_outside_domain(model);
-  model.search.travel += moved.largest;
-  if (model.search.travel > settings.contact_tolerance)
-    model.search.current = false;
+  model.search.left -= moved.largest;
+  if (model.search.left < 0.0)
+    model.search.current = false, model.search.left = 0.0;
   buffers.outdated_at = model.search.current ? -1 : model.steps;
   return moved;
 }

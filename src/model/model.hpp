@@ -23,8 +23,8 @@ struct TimeStep {
 /// State of the search for potential contacts.
 struct SearchState {
   bool current = false;  ///< false: search before the next force evaluation (IUFLG)
-  double travel = 0.0;   ///< [L] UMOST, accumulated largest displacement
-  long updates = 0;      ///< NUPDAT
+  double left = 0.0;  ///< [L] so far corners may still go before it has to be renewed
+  long updates = 0;   ///< NUPDAT
 };
 
 struct DomainExit {

@@ -158,9 +158,9 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     ar("time_step/elastic", elastic);
   }
   {
-    auto& [current, travel, updates] = search;
+    auto& [current, left, updates] = search;
     ar("search/current", current);
-    ar("search/travel", travel);
+    ar("search/left", left);
     ar("search/updates", updates);
   }
   visit_clock(output, "output/interval", "output/due", ar);

@@ -318,7 +318,7 @@ void expect_time(const Model& model) {
                       static_cast<double>(model.steps - model.step_origin) * step.dt;
   if (!(std::abs(model.time - time) <= 1e-9 * time))
     impossible(fmt::format("time is {}, its steps make {}", model.time, time));
-  expect("search/travel", model.search.travel, not_negative);
+  expect("search/left", model.search.left, not_negative);
   expect("search/updates", static_cast<double>(model.search.updates), count_from_0);
   expect("worst_overlap", model.worst_overlap, not_negative);
   for (const auto& [name, clock] :

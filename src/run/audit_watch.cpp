@@ -18,12 +18,12 @@ constexpr std::size_t most_faults = 10;
 void AuditWatch::before(const Model& model) {
   blocks_ = model.blocks;
   // a list that is not current is made anew where the blocks now stand
-  travel_ = model.search.current ? model.search.travel : 0.0;
+  left_ = model.search.current ? model.search.left : model.settings.contact_tolerance;
 }
 
 AuditWatch::Verdict AuditWatch::after(const Model& model) {
   const audit::Findings found =
-      audit::audit({blocks_, model.contacts, model.settings, travel_});
+      audit::audit({blocks_, model.contacts, model.settings, left_});
   const long step = model.steps;
   const double time = model.time - model.time_step.dt;  // when it was decided
   ++totals_.moments;

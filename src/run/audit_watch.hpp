@@ -36,7 +36,7 @@ class AuditWatch {
 
  private:
   Blocks blocks_;
-  double travel_ = 0.0;
+  double left_ = 0.0;
   AuditTotals totals_;
   std::map<std::pair<int, int>, std::size_t> told_;       ///< where in totals_.excess
   std::map<std::pair<int, int>, std::size_t> told_deep_;  ///< where in totals_.deep

@@ -48,7 +48,7 @@ void find_contacts(Model& model, SearchBuffers& buffers, List list, bool each_al
       update_contacts(model, buffers);
     } else {
       find_near(model, buffers, list == List::kept);
-      adopt_list(model, buffers);
+      adopt_list(model, buffers, model.settings.contact_tolerance);
     }
   }
   if (buffers.grouped_update != model.search.updates) {

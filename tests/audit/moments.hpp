@@ -11,15 +11,16 @@ namespace blocks::testing {
 /// One step: the blocks before it, for what was decided in it.
 struct AuditedStep {
   Blocks before;
-  double travel = 0.0;
+  double left = 0.0;
 
   explicit AuditedStep(scenes::Scene& scene)
       : before(scene.model.blocks),
-        travel(scene.model.search.current ? scene.model.search.travel : 0.0) {
+        left(scene.model.search.current ? scene.model.search.left
+                                        : scene.model.settings.contact_tolerance) {
     scene.step();
   }
   audit::Findings audit(const scenes::Scene& scene) const {
-    return audit::audit({before, scene.model.contacts, scene.model.settings, travel});
+    return audit::audit({before, scene.model.contacts, scene.model.settings, left});
   }
 };
 
@@ -51,9 +52,10 @@ inline scenes::Scene rubble(std::uint64_t seed) {
       for (int k = 0; k < n; ++k) {
         const double angle = -6.283185307179586 * (k + uniform(-0.3, 0.3)) / n;
         const double radius = n > 4 && seed % 4 > 1 && k % 2 == 1 ? 0.3 : 0.6;
-        corners.push_back(Vec2(-2.8 + 1.4 * i, 0.7 + 1.3 * row) +
-                          scenes::Frame{turn, Vec2::Zero()}.turn(
-                              radius * Vec2(std::cos(angle), squeeze * std::sin(angle))));
+        corners.push_back(
+            Vec2(-2.8 + 1.4 * i, 0.7 + 1.3 * row) +
+            scenes::Frame{turn, Vec2::Zero()}.turn(
+                radius * Vec2(std::cos(angle), squeeze * std::sin(angle))));
       }
       scene.add(corners);
     }

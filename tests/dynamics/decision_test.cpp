@@ -369,7 +369,7 @@ TEST(CertainTravel, EndsWithTheListWhereItCountsOnThirdBlocks) {
       ASSERT_TRUE(groups.watch_thirds(model.blocks, 0, g, known.away));
       counting.push_back(g);
     }
-    model.search.travel = 1.0;  // a list is due after the step
+    model.search.left = -1.0;  // a list is due after the step
     dynamics::step(model, buffers);
     std::erase_if(counting, [&](int g) { return groups.all[g].hopeless != mark; });
     const std::size_t count = groups.all.size();

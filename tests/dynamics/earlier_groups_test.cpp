@@ -51,6 +51,8 @@ TEST(EarlierGroups, ChangeNoBit) {
     Model kept = rubble(rigid, 2e-4), anew = kept;
     dynamics::SearchBuffers buffers;
     for (int i = 0; i < 8000; ++i) {
+      if (i % 20 == 0)
+        kept.search.left = anew.search.left = 0.0;  // a list is due after the step
       dynamics::step(kept, buffers);
       dynamics::SearchBuffers fresh;
       dynamics::step(anew, fresh);
@@ -89,7 +91,7 @@ TEST(EarlierGroups, OutliveTheList) {
   ASSERT_GT(known, 50);
   const long updates = model.search.updates;
   for (int i = 0; i < 25; ++i) {
-    model.search.travel = 1.0;  // more than CTOL: a list is due after the step
+    model.search.left = -1.0;  // a list is due after the step
     dynamics::step(model, buffers);
     dynamics::step(model, buffers);
   }
@@ -149,23 +151,22 @@ struct TwoBoxes {
   }
   dynamics::ContactGroups& groups() { return buffers.groups; }
   /// Groups of the records, in the order of lists: corner, edge.
-  void list(std::vector<std::array<int, 2>> records) {
+  void list(std::vector<std::array<int, 2>> records,
+            dynamics::EarlierGroups* earlier = nullptr) {
     std::sort(records.begin(), records.end());
     Contacts& contacts = scene.model.contacts;
     contacts.resize(static_cast<int>(records.size()));
     for (std::size_t i = 0; i < records.size(); ++i)
       contacts.corner[i] = records[i][0], contacts.edge[i] = records[i][1];
-    dynamics::group_contacts(scene.model.blocks, contacts, true, groups());
+    dynamics::group_contacts(scene.model.blocks, contacts, true, groups(), false, 1,
+                             earlier);
   }
   /// The groups of another list, which know what these do.
   void next(const std::vector<std::array<int, 2>>& records) {
     dynamics::EarlierGroups earlier;
     earlier.take(groups());
     earlier.take(scene.model.contacts);
-    const dynamics::Swing swing = groups().swing;
-    list(records);
-    groups().swing = swing;
-    earlier.hand_on(scene.model.contacts, groups());
+    list(records, &earlier);
   }
   /// The travel of the group of a corner, and the edge that acts; -1: none.
   std::pair<float, int> known(int corner) {

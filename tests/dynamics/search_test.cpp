@@ -61,7 +61,7 @@ TEST(Search, OrdersTheListHoweverItWasFound) {
   for (int i = 0; i < before.size(); ++i)
     buffers.found.push_back({before.corner[i], before.edge[i]});
   std::shuffle(buffers.found.begin(), buffers.found.end(), std::mt19937(1982));
-  dynamics::adopt_list(model, buffers);
+  dynamics::adopt_list(model, buffers, 0.1);
   EXPECT_EQ(places(model), ordered);
   EXPECT_EQ(model.contacts.active, before.active);
   EXPECT_EQ(model.contacts.acting, before.acting);
@@ -98,6 +98,27 @@ TEST(Search, ForgetsTheForcesOfWhatIsListedNoMore) {
     expected[k].record = now;
     EXPECT_EQ(after.acting[k], expected[k]);
   }
+}
+
+// However small CTOL is, a list lasts for many steps: blocks that fall fast are looked
+// for farther ahead, and fall as with a CTOL that suits them.
+TEST(Search, IsSeldomHoweverSmallTheTolerance) {
+  std::vector<Eigen::Matrix2Xd> ends;
+  for (const double tolerance : {0.05, 1e-3, 1e-6}) {
+    scenes::Scene scene;
+    scene.model.settings.contact_tolerance = tolerance;
+    scene.model.settings.damping = 0.3;
+    scene.box(-1, -1, 12, 1, true);
+    for (int i = 0; i < 8; ++i)
+      scene.velocity(scene.box(i * 1.2, 0.3 + 0.1 * i, 1, 0.5), 0.5, -2, 0.2 * i);
+    scene.gravity(0, -10);
+    scene.run(0.5);
+    EXPECT_LT(scene.model.search.updates, 40);
+    EXPECT_LT(40 * scene.model.search.updates, scene.model.steps);
+    ends.push_back(scene.model.blocks.corner);
+  }
+  for (const Eigen::Matrix2Xd& end : ends)
+    EXPECT_EQ(end, ends.front());
 }
 
 }  // namespace

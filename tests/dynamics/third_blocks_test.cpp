@@ -53,6 +53,8 @@ TEST(ThirdBlocks, ChangeNoBit) {
     dynamics::SearchBuffers buffers, forgetful;
     int most = 0;
     for (int i = 0; i < 6000; ++i) {
+      if (i % 200 == 0)
+        kept.search.left = anew.search.left = 0.0;  // a list is due after the step
       dynamics::step(kept, buffers);
       forgetful.groups.forget_decisions();
       dynamics::step(anew, forgetful);
