@@ -18,13 +18,13 @@ struct Record {
   auto operator<=>(const Record&) const = default;
 };
 
-/// A corner seen from an edge, for the question whether the edge could act on it within
-/// the next 2 CTOL of travel: as far outside as `near`, or as deep as rule 9 admits and
-/// that much more.
+/// A corner seen from an edge, for the question whether the edge could act on it before
+/// two corners have gone `travel` towards each other: as far outside as `near`, or as
+/// deep as rule 9 admits and that much more.
 struct Reach {
   Vec2 origin, along;    ///< first corner; unit vector along the edge
   double length, depth;  ///< [L] of the edge; the most that rule 9 admits
-  double near;  ///< [L] 2 CTOL, the shield's reach, the slack of rules 10 and 12
+  double near;  ///< [L] travel, the shield's reach, the slack of rules 10 and 12
 
   Reach(const Blocks& blocks, int b, int edge, double travel)
       : origin(blocks.corner.col(edge)) {
@@ -42,11 +42,9 @@ struct Reach {
   }
   /// Overlap with the edge's line, [L].
   double overlap(const Vec2& c) const { return geometry::cross(c - origin, along); }
-  /// How far along the edge, [L].
-  double place(const Vec2& c) const { return (c - origin).dot(along); }
   /// In the strip of the edge, `near` beyond its ends (rule 10).
   bool between(const Vec2& c) const {
-    const double s = place(c);
+    const double s = (c - origin).dot(along);
     return s >= -near && s <= length + near;
   }
   /// Grows the box until it holds all that lies straight below the edge as deep as it
@@ -60,14 +58,13 @@ struct Reach {
 
 /// The edges of one block, and the box outside of which they act on nothing.
 struct BlockReach {
-  int block = -1, first = 0;  ///< first corner
+  int first = 0;  ///< corner of the block
   bool convex = true;
   std::vector<Reach> edges;
-  Vec2 lower, upper;
-  double near = 0.0;  ///< [L] that the box goes beyond what lies below the edges
+  Vec2 lower, upper;  ///< [L] of the box
 
-  /// Of block b.
-  void set(const Blocks& blocks, int b, double contact_tolerance);
+  /// Of block b, until corners have gone by the tolerance, [L].
+  void set(const Blocks& blocks, int b, double tolerance);
   bool far(const Vec2& at) const {
     // nothing to guess: most corners that are asked about are far
     return ((at.x() < lower.x()) | (at.x() > upper.x()) | (at.y() < lower.y()) |
@@ -76,7 +73,8 @@ struct BlockReach {
   /// The edge after and the one before edge e.
   int after(int e) const { return e + 1 < static_cast<int>(edges.size()) ? e + 1 : 0; }
   int ahead(int e) const { return e > 0 ? e - 1 : static_cast<int>(edges.size()) - 1; }
-  /// Adds those of its edges that could act on corner c, which is not far.
+  /// Adds those of its edges that could act on corner c, which is not far, in their
+  /// order.
   void find(const Vec2& at, int c, std::vector<Record>& found) const;
 };
 
