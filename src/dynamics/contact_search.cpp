@@ -116,10 +116,21 @@ void order_list(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers
   contacts.active.assign(contacts.corner.size(), 0);
 }
 
-/// The state of those that acted in the list before, where they stand, moved up over
-/// that of records that are listed no more; the others have none. Both lists have one
-/// order.
-void take_over(const Blocks& blocks, Contacts& contacts, const SearchBuffers& buffers) {
+/// A record that acted, and was not found: it stays at its place i in the list, so that
+/// its spring may find an heir.
+void keep(Contacts& contacts, std::vector<int>& last_of_low, const Record& record,
+          int low, int i) {
+  contacts.corner.insert(contacts.corner.begin() + i, record.corner);
+  contacts.edge.insert(contacts.edge.begin() + i, record.edge);
+  contacts.active.insert(contacts.active.begin() + i, false);
+  for (std::size_t b = low; b < last_of_low.size(); ++b)
+    ++last_of_low[b];
+}
+
+/// The state of those that acted in the list before, where they stand, at their new
+/// places; the others have none. Both lists have one order. Who acted stays listed,
+/// unless both blocks are fixed now.
+void take_over(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers) {
   std::vector<ActingContact>& acting = contacts.acting;
   using Place = std::tuple<int, int, int>;
   const auto place = [&](int corner, int edge) {
@@ -130,17 +141,21 @@ void take_over(const Blocks& blocks, Contacts& contacts, const SearchBuffers& bu
   int i = 0, before = -1;
   for (std::size_t k = 0; k < buffers.acted.size(); ++k) {
     const auto [corner, edge] = buffers.acted[k];
-    const int low = std::min(blocks.corner_block[corner], blocks.corner_block[edge]);
+    const auto [low, high] = blocks_of(blocks, buffers.acted[k]);
     if (low != before)
       i = low == 0 ? 0 : buffers.last_of_low[low - 1];
     before = low;
-    const int last = buffers.last_of_low[low];
     const Place wanted = place(corner, edge);
-    while (i < last && place(contacts.corner[i], contacts.edge[i]) < wanted)
+    while (i < buffers.last_of_low[low] &&
+           place(contacts.corner[i], contacts.edge[i]) < wanted)
       ++i;
-    if (i == last || contacts.corner[i] != corner || contacts.edge[i] != edge)
-      continue;
-    contacts.active[i] = 1;
+    if (i == buffers.last_of_low[low] || contacts.corner[i] != corner ||
+        contacts.edge[i] != edge) {
+      if (!blocks.is_free(low) && !blocks.is_free(high))
+        continue;
+      keep(contacts, buffers.last_of_low, buffers.acted[k], low, i);
+    }
+    contacts.active[i] = true;
     acting[kept] = acting[k];
     acting[kept++].record = i;
   }
