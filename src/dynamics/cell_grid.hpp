@@ -11,7 +11,8 @@ namespace blocks::dynamics {
 
 class CellGrid {
  public:
-  /// Sorts all corners into cells, about four to each where they are spread evenly.
+  /// Sorts all corners into cells as large as a block, the mean of sqrt(area), or
+  /// larger: two cells to a corner at most.
   void fill(const Model& model);
 
   /// Forgets the corners, until they are sorted again.

@@ -141,9 +141,11 @@ inline float rounded_down(double travel) {
 
 /// The groups of two blocks, which stand side by side.
 struct ContactPair {
-  int low = 0, high = 0;     ///< the two blocks
-  int first = 0;             ///< group; its last is before the first of the next pair
-  int lane = -1;             ///< of its contacts that have seats (ContactLanes)
+  int low = 0, high = 0;  ///< the two blocks
+  int first = 0;          ///< group; its last is before the first of the next pair
+  /// Of its contacts that have seats (ContactLanes); between make_lanes() and load(),
+  /// where there are none: how many get one.
+  int lane = -1;
   std::uint32_t prompt = 0;  ///< bit k: an edge of group first + k is asked in
                              ///< each step
 

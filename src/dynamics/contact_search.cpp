@@ -214,7 +214,7 @@ double list_tolerance(const Model& model) {
   const double size = blocks.size() / small;
   const double way =
       steps_of_list * model.time_step.dt * (std::sqrt(speed) + 0.5 * spin);
-  return std::max(ctol, std::min(way, part_of_size * size));
+  return std::max(ctol, std::min(part_of_size * size, way));  // CTOL if NaN
 }
 
 void adopt_counted(Model& model, SearchBuffers& buffers, double tolerance) {

@@ -48,7 +48,8 @@ struct SearchBuffers {
 /// Brings the list of potential contacts up to date. Listed: every corner that an edge
 /// of another block could act on before the next search, at least one of the two free
 /// (docs/departures.md: the list holds more than the corners within 2 CTOL, so that
-/// results do not depend on CTOL). Records keep their elastic forces.
+/// results do not depend on CTOL), and whatever acted. Records keep their elastic
+/// forces.
 void update_contacts(Model& model, SearchBuffers& buffers);
 
 /// Makes the records in buffers.found the list until corners have gone so far, [L]: the
