@@ -115,8 +115,10 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
         groups.watch_thirds(blocks, p, g, known.away))
       group.set(known);
     if (group.certain() && group.conditional() &&
-        !condition_holds(blocks, contacts, decision, groups, pair, g, 0.0, motion))
+        !condition_holds(blocks, contacts, decision, groups, pair, g, 0.0, motion)) {
       group.travel = 0.0F;
+      groups.thirds.drop(p / pairs_of_window, g);
+    }
   }
   if (!group.certain()) {
     group.hopeless = (group.hopeless == 0 ? decisions_between : group.hopeless - 1U) &

@@ -19,7 +19,7 @@ namespace blocks::dynamics {
 /// n.(p1 - c) = (a - L) n.t - b n.g < 0. With a < 0 it does not by more than the slack
 /// of g times |n.t| / sin(t, g): not more than that of the side, if that is so much
 /// longer. Travel for which all this is sure: each vector keeps nine tenths of its
-/// length, and its direction to a fifth of sin(t, g).
+/// length, and its direction to a ninth of sin(t, g).
 inline double not_beyond_travel(const Blocks& blocks, int c, int edge, int side) {
   const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
   const int end = blocks.next[edge];
