@@ -256,16 +256,18 @@ template <class Rules> class ContactDecision {
     const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
     if (!Rules::between(corner, p1, p2) || !faces(c, edge))
       return false;
+    const CrossingSides sides(blocks_, c, edge, after);
     if (reentrant(block)) {  // where all other edges have not been asked
       const ReentrantBlock<Rules> whole(blocks_, block);
       if (whole.turns_inwards(after ? out : edge) ||
           Rules::inside_edge(corner, at(out), end(out)) ||
-          !Rules::inside_edge(corner, p1, p2) || !whole.within_depth(corner, edge))
+          !Rules::inside_edge(corner, p1, p2) || !whole.within_depth(corner, edge) ||
+          !far_ends_are_inside<Rules>(blocks_, sides))
         return false;
     } else if (!Rules::within_depth(corner, blocks_.centroid.col(block), p1, p2)) {
       return false;
     }
-    return sides_cross<Rules>(blocks_, {blocks_, c, edge, after}, c, edge);
+    return sides_cross<Rules>(blocks_, sides, c, edge);
   }
 
   /// Whether the edge may act on a corner that outside_of has found here.

@@ -62,4 +62,15 @@ bool sides_cross(const Blocks& blocks, const CrossingSides& s, int c, int edge) 
          !Rules::faces_edge(at(s.vertex), at(s.vertex_far), p1, p2);
 }
 
+/// Without slack, which lets the lines of f and g cross beyond their far ends: a convex
+/// block is inside of its other edges too, and has no point there.
+template <class Rules>
+bool far_ends_are_inside(const Blocks& blocks, const CrossingSides& s) {
+  const auto overlap_sign = [&](int point, int e) {
+    return Rules::overlap_sign(blocks.corner.col(point), blocks.corner.col(e),
+                               blocks.corner.col(blocks.next[e]));
+  };
+  return overlap_sign(s.own_far, s.side) >= 0 && overlap_sign(s.vertex_far, s.own) >= 0;
+}
+
 }  // namespace blocks::dynamics

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "dynamics/contact_decision.hpp"
+#include "dynamics/contact_search.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {
@@ -132,6 +134,26 @@ TEST(CrossingSides, CarryAStone) {
         EXPECT_LT(std::abs(scene.model.blocks.spin[stone]), 1e-5);
         EXPECT_LT(scene.velocity(stone).norm(), 1e-4);
       }
+}
+
+// A wedge beside the arm of an L, its upper corner level with the arm's top up to the
+// slack: the lines of the two sides cross, the sides are apart, and nothing acts.
+TEST(CrossingSides, CrossWithinTheirLengths) {
+  for (const Frame& frame : random_frames(8)) {
+    Scene scene(frame);
+    scene.add({{0, 0}, {0, 2}, {1, 2}, {1, 1}, {4, 1}, {4, 0}}, true);
+    scene.add({{1.2, 2 + 0.99e-6}, {1.5, 2 + 1.5e-6}, {1.45, 1.5}, {1.25, 1.5}});
+    dynamics::SearchBuffers buffers;
+    dynamics::update_contacts(scene.model, buffers);
+    const Blocks& blocks = scene.model.blocks;
+    dynamics::group_contacts(blocks, scene.model.contacts, true, buffers.groups);
+    EXPECT_FALSE(buffers.groups.all.empty());
+    for (const dynamics::ContactGroup& group : buffers.groups.all)
+      EXPECT_EQ(dynamics::acting_record(
+                    blocks, scene.model.contacts, buffers.groups, group,
+                    dynamics::edge_block(blocks, scene.model.contacts, group)),
+                -1);
+  }
 }
 
 // A corner that acts for the sake of a crossing lies outside of the other block, and of
