@@ -220,10 +220,16 @@ bool ExactRules::admits_crossing(int corner, int edge, int beyond) const {
   if (!near_or_inside(corner, edge))
     return false;
   const int before = blocks_.previous[edge], after = blocks_.next[edge];
+  const auto have_a_common_point = [&](int side, int far, int own, int own_far) {
+    return sign(area2(own_far, side)) >= 0 && sign(area2(far, own)) >= 0;
+  };
   return (!turns_inwards(edge) && !near_or_inside(corner, before) &&
-          crosses(corner, edge, before)) ||
+          crosses(corner, edge, before) &&
+          have_a_common_point(before, before, corner, blocks_.next[corner])) ||
          (!turns_inwards(after) && !near_or_inside(corner, after) &&
-          crosses(corner, edge, after));
+          crosses(corner, edge, after) &&
+          have_a_common_point(after, blocks_.next[after], blocks_.previous[corner],
+                              blocks_.previous[corner]));
 }
 
 /// The edge and the block have a point in common. Convex: the block is not wholly
@@ -269,8 +275,11 @@ bool ExactRules::nearer_edge(int corner, int edge) const {
 }
 
 /// An edge that is not the nearest of all has to meet the corner's block; one that is
-/// wholly inside comes out through the edges that are nearest to its corners.
+/// wholly inside comes out through the edges that are nearest to its corners. Of an
+/// edge that the corner is not behind it is not asked.
 bool ExactRules::comes_through(int corner, int edge) const {
+  if (sign(area2(corner, edge)) <= 0)
+    return true;
   const int own = blocks_.corner_block[corner], block = blocks_.corner_block[edge];
   bool touches = false, nearest_to_one = false;
   for (int f = blocks_.first_corner[block]; f < blocks_.first_corner[block + 1]; ++f)

@@ -215,9 +215,10 @@ template <class Rules> class ContactDecision {
     return false;
   }
   /// An edge that is not the nearest of all has to meet the corner's block, or, where
-  /// that is wholly inside, to be the nearest for another of its corners.
+  /// that is wholly inside, to be the nearest for another of its corners. Asked of an
+  /// edge that the corner is inside of: else nothing has come in.
   bool comes_through(int c, int edge) const {
-    if constexpr (!Rules::far_edges_meet)
+    if (!Rules::far_edges_meet || !inside(c, edge))
       return true;
     const int own = blocks_.corner_block[c], block = blocks_.corner_block[edge];
     if (!nearer_edge(c, edge) || nearly_meets(edge, own))
@@ -349,9 +350,9 @@ template <class Rules> class ContactDecision {
     return met < 0 ? found : met;
   }
   /// A > 0 for the record.
-  bool inside(int i) const {
-    const int edge = contacts_.edge[i];
-    return Rules::overlap_sign(at(contacts_.corner[i]), at(edge), end(edge)) > 0;
+  bool inside(int i) const { return inside(contacts_.corner[i], contacts_.edge[i]); }
+  bool inside(int c, int edge) const {
+    return Rules::overlap_sign(at(c), at(edge), end(edge)) > 0;
   }
   bool has_met(int c, int i) const {
     return meets(contacts_.edge[i], blocks_.corner_block[c]);

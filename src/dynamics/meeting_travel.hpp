@@ -102,7 +102,7 @@ inline double nearest_travel(const Blocks& blocks, int c, int e) {
 }
 
 /// Edge e stays the nearest of its block, or keeps meeting that of corner c, for as
-/// long as c is inside of it (ContactDecision::comes_through).
+/// long as c is inside of it: else it is not asked (ContactDecision::comes_through).
 inline double through_travel(const Blocks& blocks, int c, int e, double enough) {
   const double nearest = nearest_travel(blocks, c, e);
   return nearest >= enough
