@@ -71,7 +71,9 @@ std::vector<CardSpec> preliminary_cards() {
            "Results do not depend on this card, nor does speed, unless ctol is a large "
            "part of a block: the search chooses cells of its own, and looks as far "
            "ahead as blocks are fast. A good ctol is a tenth of a block, and less than "
-           "half the shortest edge.",
+           "half the shortest edge. A run ends as unsound where a corner moves in one "
+           "step by more than ctol, and by more than half of what the shallowest block "
+           "is deep.",
        .example = "BOXES, 20, 10, .25"});
   add({.name = "STIFF",
        .once = true,

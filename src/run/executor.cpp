@@ -125,11 +125,15 @@ Outcome Executor::advance(long steps) {
 
 Outcome Executor::march(long steps) {
   const long rows = 10, row_every = std::max(1L, (steps + rows - 1) / rows);
+  progress_.steps_left = steps;
+  if (good_state_due(0.0))
+    keep_good_state();
   for (long i = 1; i <= steps; ++i) {
     const bool audited = audit_.due(model_);
     const bool row = i % row_every == 0 || i == steps;
     const bool by_clock =
-        i % 64 == 0 && (console_.progress_due() || time_is_up() || checkpoint_due());
+        i % 64 == 0 && (console_.progress_due() || time_is_up() || checkpoint_due() ||
+                        good_state_due(between_good_states));
     const bool moment =
         by_clock || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
     if (audited)
@@ -244,6 +248,28 @@ bool Executor::checkpoint_due() const {
   return seconds_since(saved_) >= options_.checkpoint_every;
 }
 
+/// For no more than a fiftieth of the time; of a larger model none: there is no room.
+bool Executor::good_state_due(double seconds) const {
+  constexpr int most_blocks = 100'000;
+  return model_.blocks.size() <= most_blocks &&
+         (!good_ ||
+          seconds_since(good_->kept) >= std::max(seconds, 50.0 * good_->took));
+}
+
+void Executor::keep_good_state() {
+  const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
+  const Clock::time_point began = Clock::now();
+  const output::Progress now = files_.here(progress());
+  good_ = GoodState{stepper_.up_to_date(), now, Clock::now(), seconds_since(began)};
+}
+
+long Executor::save_good_state() {
+  if (!good_)
+    return -1;
+  files_.good_checkpoint(good_->model, good_->progress);
+  return good_->model.steps;
+}
+
 void Executor::tell_profile() {
   if (buffers_.profile == nullptr)
     return;
@@ -278,6 +304,8 @@ Outcome Executor::pressed_for_time() {
     return Outcome::step_limit;
   if (time_is_up())
     return Outcome::time_limit;
+  if (good_state_due(between_good_states))
+    keep_good_state();
   if (checkpoint_due()) {
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.checkpoint(stepper_.up_to_date(), progress());

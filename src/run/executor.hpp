@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <set>
 
 #include "dynamics/stepper.hpp"
@@ -58,6 +59,9 @@ class Executor {
   }
   /// Where the run stands.
   output::Progress progress() const;
+  /// Of an unsound run: writes the last good state that was kept. Its step, -1: none
+  /// was.
+  long save_good_state();
   /// The steps of the next card are those left of one begun before.
   bool begun() const { return begun_; }
   const AuditWatch& audit() const { return audit_; }
@@ -77,6 +81,9 @@ class Executor {
   void watch(const dynamics::Displacement& moved);
   void warn(const std::string& message);
   Outcome pressed_for_time();
+  void keep_good_state();
+  /// The last one is at least so many seconds old, and as old as what it took allows.
+  bool good_state_due(double seconds) const;
   bool time_is_up() const;
   bool checkpoint_due() const;
 
@@ -97,7 +104,16 @@ class Executor {
   double share_from_ = 0.0, share_to_ = 1.0;
   double half_depth_ = 0.0;  ///< [L] half the least depth of any block (rule 9)
   long steps_made_ = 0;      ///< in this run of the program
+  static constexpr double between_good_states = 0.1;  ///< [s]
   Clock::time_point started_ = Clock::now(), saved_ = Clock::now();
+  /// A state between two steps, in memory, for the case that the run becomes unsound.
+  struct GoodState {
+    Model model;
+    output::Progress progress;
+    Clock::time_point kept;
+    double took;  ///< [s]
+  };
+  std::optional<GoodState> good_;
 };
 
 /// Steps that a MOTION of this interval takes: ceil(interval / dt - 1e-9) (rule 24).

@@ -84,7 +84,7 @@ struct Job {
 };
 
 /// Whether the place where the checkpoint's run stopped is one of this deck: a card
-/// with steps left of it must make steps, a CYCLE more of them.
+/// with steps left of it must make steps, a CYCLE at least as many.
 bool Job::stands_in_deck() const {
   if (first_command() > deck.commands.size())
     return false;
@@ -95,7 +95,7 @@ bool Job::stands_in_deck() const {
   const deck::Command& command = deck.commands[first_command()];
   const auto* cycle = std::get_if<deck::Cycle>(&command.card);
   return passes_time(command) &&
-         (cycle == nullptr || from.progress.steps_left < cycle->ncycle.value);
+         (cycle == nullptr || from.progress.steps_left <= cycle->ncycle.value);
 }
 
 Model Job::load() {
@@ -303,18 +303,27 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
                   : outcome == Outcome::time_limit   ? "time limit"
                   : outcome == Outcome::step_limit   ? "step limit"
                                                      : "interrupted";
+  long good = -1;  // the step of the state that is left of an unsound run
   output::Progress progress = executor.progress();
   progress.finished = outcome == Outcome::finished;
   if (progress.finished)
     progress.card = static_cast<long>(job.deck.commands.size());
   {
     const Profile::Timer timer(executor.profile(), Profile::output);
+    if (outcome == Outcome::unsound)
+      good = executor.save_good_state();
     files.close(model, report, progress);
   }
-  console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}, {}",
+  console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}{}",
                            report.status, model.steps, model.time, report.wall_seconds,
                            job.name + ".out", files.results_path(),
-                           files.checkpoint_path(), files.summary_path()));
+                           std::filesystem::exists(files.checkpoint_path())
+                               ? files.checkpoint_path() + ", "
+                               : "",
+                           files.summary_path()));
+  if (good >= 0)
+    console.note(fmt::format("the last good state that was kept, of step {}, is in {}",
+                             good, files.checkpoint_path()));
   executor.tell_profile();
   if (job.options.json) {
     std::ifstream summary(files.summary_path());

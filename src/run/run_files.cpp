@@ -188,7 +188,8 @@ output::Progress RunFiles::here(output::Progress progress) {
   return progress;
 }
 
-void RunFiles::checkpoint_at(const Model& model, const output::Progress& progress) {
+void RunFiles::checkpoint_at(const Model& model, const output::Progress& progress,
+                             Kept kept) {
   // What a checkpoint leads to is on disk before it is.
   for (const std::string& path : {results_path(), name_ + ".out"})
     if (std::filesystem::is_regular_file(path))
@@ -196,8 +197,7 @@ void RunFiles::checkpoint_at(const Model& model, const output::Progress& progres
   output::write_checkpoint(checkpoint_path(), model,
                            {identity_.deck_file, identity_.deck_text,
                             identity_.overrides, results_path(), results_->run_id(),
-                            results_->frames(), listing_.size(), identity_.version,
-                            progress});
+                            kept.frames, kept.bytes, identity_.version, progress});
 }
 
 void RunFiles::close(const Model& model, output::RunReport report,
@@ -207,7 +207,7 @@ void RunFiles::close(const Model& model, output::RunReport report,
   table(model);
   listing_.closing(model);
   if (report.status != "unsound")  // the last good one stays
-    checkpoint_at(model, stopped);
+    checkpoint_at(model, stopped, {results_->frames(), listing_.size()});
   report.identity = identity_;
   report.frames = results_->frames();
   output::write_summary(summary_path(), model, report);

@@ -38,8 +38,14 @@ class RunFiles {
   void frame(const Model& model);
   void table(const Model& model);
   void checkpoint(const Model& model, const output::Progress& progress) {
-    checkpoint_at(model, here(progress));
+    good_checkpoint(model, here(progress));
   }
+  /// A state kept in memory since progress, which here() has told.
+  void good_checkpoint(const Model& model, const output::Progress& progress) {
+    checkpoint_at(model, progress, {progress.frames, progress.listing_bytes});
+  }
+  /// With how far results and listing are by now.
+  output::Progress here(output::Progress progress);
   /// Last frame, closing table, checkpoint, summary. A run that goes on from there
   /// begins before all of that.
   void close(const Model& model, output::RunReport report,
@@ -58,8 +64,11 @@ class RunFiles {
   std::string step_aside(const std::string& path);
   static bool continues(const std::string& name, const output::CheckpointInfo& from,
                         long listing_bytes, const std::string& checkpoint);
-  output::Progress here(output::Progress progress);
-  void checkpoint_at(const Model& model, const output::Progress& progress);
+  /// What a run behind the checkpoint leaves of results and listing.
+  struct Kept {
+    long frames, bytes;
+  };
+  void checkpoint_at(const Model& model, const output::Progress& progress, Kept kept);
 
   std::string name_;
   output::RunIdentity identity_;

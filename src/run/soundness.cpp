@@ -27,12 +27,12 @@ double extent_across(const Blocks& blocks, const Vec2& p, const Vec2& q, int blo
   return high - low;
 }
 
-/// The first block with a corner that is not a number, or infinite.
+/// The first block with a corner that is not a number, or infinite; -1: none.
 int first_without_place(const Blocks& blocks) {
   for (int c = 0; c < blocks.corners(); ++c)
     if (!blocks.corner.col(c).allFinite())
       return blocks.corner_block[c];
-  return 0;
+  return -1;
 }
 
 }  // namespace
@@ -54,11 +54,17 @@ bool may_be_unsound(const Settings& settings, const dynamics::Displacement& move
 std::string unsound(const Model& model, const dynamics::Displacement& moved,
                     double half_depth) {
   const Blocks& blocks = model.blocks;
+  const int lost = moved.finite ? -1 : first_without_place(blocks);
+  if (!moved.finite && lost < 0)
+    return fmt::format(
+        "at time {:g} (step {}) the blocks are too far away to compute with (1e150); "
+        "their loads or velocities are out of proportion",
+        model.time, model.steps);
   if (!moved.finite)
     return fmt::format(
         "at time {:g} (step {}) the position of block {} is no longer a number; the "
         "time step is probably too large: lower FRACTION",
-        model.time, model.steps, first_without_place(blocks) + 1);
+        model.time, model.steps, lost + 1);
   const double tolerance = model.settings.contact_tolerance;
   if (moved.largest > std::max(tolerance, half_depth))
     return fmt::format(

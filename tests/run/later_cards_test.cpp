@@ -173,7 +173,27 @@ TEST(Unsound, RunEndsWhenContactsRunAway) {
   const Outcome run = blocks("run away.deck -o x", folder.path());
   EXPECT_EQ(run.code, 4) << run.err;
   EXPECT_THAT(run.err, HasSubstr("is pressed in by"));
-  EXPECT_EQ(slurp(folder / "x.ckpt.h5"), good);
+  EXPECT_EQ(slurp(folder / "x.ckpt.h5.prev"), good);
+}
+
+// Without a checkpoint before: what is left is a state between two steps from which the
+// very run goes on to the same end, and another deck in another way.
+TEST(Unsound, RunLeavesItsLastGoodState) {
+  const TemporaryFolder folder;
+  folder.write("shot.deck", preliminary() + rectangle(0, 0, 1, 1, true) +
+                                rectangle(0, 2, 1, 3) +
+                                "CYCLE, 70\nSETVEL, 2, 0, 0, -2.E4, 0\nCYCLE, 4\n");
+  const Outcome run = blocks("run shot.deck", folder.path());
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("in shot.ckpt.h5"));
+  const std::string listing = slurp(folder / "shot.out");
+  const auto hash = summary(folder, "shot")["state_hash"];
+  folder.write("calm.deck", "RESTART, shot.ckpt.h5\nSETVEL, 2, 0, 0, 0, 0\nCYCLE, 4\n");
+  EXPECT_EQ(blocks("run calm.deck", folder.path()).code, 0);
+  const Outcome again = blocks("run shot.deck --restart shot.ckpt.h5", folder.path());
+  EXPECT_EQ(again.code, 4) << again.err;
+  EXPECT_EQ(slurp(folder / "shot.out"), listing);
+  EXPECT_EQ(summary(folder, "shot")["state_hash"], hash);
 }
 
 TEST(Unsound, RunEndsWhenABlockGoesThroughAPlane) {
