@@ -128,6 +128,8 @@ Outcome Executor::march(long steps) {
   progress_.steps_left = steps;
   if (good_state_due(0.0))
     keep_good_state();
+  else if (!good_ && !saved_once_)
+    save_checkpoint();
   for (long i = 1; i <= steps; ++i) {
     const bool audited = audit_.due(model_);
     const bool row = i % row_every == 0 || i == steps;
@@ -248,7 +250,8 @@ bool Executor::checkpoint_due() const {
   return seconds_since(saved_) >= options_.checkpoint_every;
 }
 
-/// For no more than a fiftieth of the time; of a larger model none: there is no room.
+/// For no more than a fiftieth of the time. There is no room for that of a larger
+/// model: it begins with a checkpoint.
 bool Executor::good_state_due(double seconds) const {
   constexpr int most_blocks = 100'000;
   return model_.blocks.size() <= most_blocks &&
@@ -306,12 +309,16 @@ Outcome Executor::pressed_for_time() {
     return Outcome::time_limit;
   if (good_state_due(between_good_states))
     keep_good_state();
-  if (checkpoint_due()) {
-    const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
-    files_.checkpoint(stepper_.up_to_date(), progress());
-    saved_ = Clock::now();
-  }
+  if (checkpoint_due())
+    save_checkpoint();
   return Outcome::finished;
+}
+
+void Executor::save_checkpoint() {
+  const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
+  files_.checkpoint(stepper_.up_to_date(), progress());
+  saved_ = Clock::now();
+  saved_once_ = true;
 }
 
 }  // namespace blocks::run

@@ -82,6 +82,7 @@ class Executor {
   void warn(const std::string& message);
   Outcome pressed_for_time();
   void keep_good_state();
+  void save_checkpoint();
   /// The last one is at least so many seconds old, and as old as what it took allows.
   bool good_state_due(double seconds) const;
   bool time_is_up() const;
@@ -114,6 +115,7 @@ class Executor {
     double took;  ///< [s]
   };
   std::optional<GoodState> good_;
+  bool saved_once_ = false;  ///< a checkpoint was written
 };
 
 /// Steps that a MOTION of this interval takes: ceil(interval / dt - 1e-9) (rule 24).
