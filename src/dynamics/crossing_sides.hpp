@@ -62,8 +62,9 @@ bool sides_cross(const Blocks& blocks, const CrossingSides& s, int c, int edge) 
          !Rules::faces_edge(at(s.vertex), at(s.vertex_far), p1, p2);
 }
 
-/// Without slack, which lets the lines of f and g cross beyond their far ends: a convex
-/// block is inside of its other edges too, and has no point there.
+/// Asked without slack, with which the lines of f and g could cross beyond their far
+/// ends: there a corner would be outside of another edge of a convex block, but of one
+/// that is not convex the other edges are not asked.
 template <class Rules>
 bool far_ends_are_inside(const Blocks& blocks, const CrossingSides& s) {
   const auto overlap_sign = [&](int point, int e) {
