@@ -128,7 +128,7 @@ Outcome Executor::march(long steps) {
   progress_.steps_left = steps;
   if (good_state_due(0.0))
     keep_good_state();
-  else if (!good_ && !saved_once_)
+  else if (!keeps_good_states() && (good_ || !saved_once_))
     save_checkpoint();
   for (long i = 1; i <= steps; ++i) {
     const bool audited = audit_.due(model_);
@@ -250,13 +250,16 @@ bool Executor::checkpoint_due() const {
   return seconds_since(saved_) >= options_.checkpoint_every;
 }
 
-/// For no more than a fiftieth of the time. There is no room for that of a larger
-/// model: it begins with a checkpoint.
-bool Executor::good_state_due(double seconds) const {
+/// There is no room for that of a larger model: it begins with a checkpoint.
+bool Executor::keeps_good_states() const {
   constexpr int most_blocks = 100'000;
-  return model_.blocks.size() <= most_blocks &&
-         (!good_ ||
-          seconds_since(good_->kept) >= std::max(seconds, 50.0 * good_->took));
+  return model_.blocks.size() <= most_blocks;
+}
+
+/// For no more than a fiftieth of the time.
+bool Executor::good_state_due(double seconds) const {
+  return keeps_good_states() && (!good_ || seconds_since(good_->kept) >=
+                                               std::max(seconds, 50.0 * good_->took));
 }
 
 void Executor::keep_good_state() {
@@ -319,6 +322,7 @@ void Executor::save_checkpoint() {
   files_.checkpoint(stepper_.up_to_date(), progress());
   saved_ = Clock::now();
   saved_once_ = true;
+  good_.reset();  // is older
 }
 
 }  // namespace blocks::run

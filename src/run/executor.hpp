@@ -81,6 +81,7 @@ class Executor {
   void watch(const dynamics::Displacement& moved);
   void warn(const std::string& message);
   Outcome pressed_for_time();
+  bool keeps_good_states() const;
   void keep_good_state();
   void save_checkpoint();
   /// The last one is at least so many seconds old, and as old as what it took allows.
