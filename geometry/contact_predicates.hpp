@@ -47,6 +47,19 @@ namespace exact {
                                                const Vec2& p2, const Vec2& q1,
                                                const Vec2& q2);
 
+[[gnu::cold, gnu::noinline]] bool well_between(const Vec2& c, const Vec2& p1,
+                                               const Vec2& p2);
+[[gnu::cold, gnu::noinline]] int turn_sign(const Vec2& p1, const Vec2& p2,
+                                           const Vec2& q1, const Vec2& q2);
+[[gnu::cold, gnu::noinline]] bool edges_face(const Vec2& p1, const Vec2& p2,
+                                             const Vec2& q1, const Vec2& q2);
+[[gnu::cold, gnu::noinline]] int compare_depths(const Vec2& c, const Vec2& p1,
+                                                const Vec2& p2, const Vec2& d,
+                                                const Vec2& q1, const Vec2& q2);
+[[gnu::cold, gnu::noinline]] int compare_slopes(const Vec2& p1, const Vec2& p2,
+                                                const Vec2& q1, const Vec2& q2,
+                                                const Vec2& r1, const Vec2& r2);
+
 /// How often the calling thread left the filters undecided.
 unsigned long long calls();
 
@@ -64,9 +77,11 @@ namespace filter {
 inline constexpr double u4 = 0x1p-51;
 inline constexpr double u8 = 0x1p-50;
 inline constexpr double u16 = 0x1p-49;
+inline constexpr double u24 = 0x1.8p-49;
 inline constexpr double underflow = 0x1p-1000;
 
 inline constexpr double sin10_squared = 0.030153689607045807973;  // sin^2(10 degrees)
+inline constexpr double cos10_squared = 0.969846310392954192027;
 
 /// -1, 0 or +1.
 inline int sign(double x) { return int{x > 0} - int{x < 0}; }
@@ -137,11 +152,13 @@ inline Estimate near_or_inside(const Point& c, const Point& p1, const Point& p2)
   return {a.value() + slack, u8 * (a.magnitude() + slack) + underflow};
 }
 
+/// part: how far beyond both ends, as a part of the length; negative: within them.
 template <class Point>
-inline Estimate between(const Point& c, const Point& p1, const Point& p2) {
+inline Estimate between(const Point& c, const Point& p1, const Point& p2,
+                        double part = contact_slack) {
   const Dot along = dot(c, p1, p2);
   const double length2 = squared_length(p1, p2);
-  const double slack = contact_slack * length2;
+  const double slack = part * length2;
   return {least(along.value() + slack, (length2 - along.value()) + slack),
           u8 * (along.magnitude() + length2) + underflow};
 }
@@ -183,10 +200,47 @@ inline Estimate faces_edge(const Point& c, const Point& neighbour, const Point& 
 }
 
 template <class Point>
+inline Estimate turn(const Point& p1, const Point& p2, const Point& q1,
+                     const Point& q2) {
+  const Cross a = cross(p2, p1, q1, q2);
+  return {a.value(), u4 * a.magnitude() + underflow};
+}
+
+/// With D the dot product of the two edges and Q the product of their squared lengths,
+/// positive where D <= -cos(10 degrees) sqrt(Q).
+template <class Point>
+inline Estimate edges_face(const Point& p1, const Point& p2, const Point& q1,
+                           const Point& q2) {
+  const double ex = p2.x() - p1.x(), ey = p2.y() - p1.y();
+  const double fx = q2.x() - q1.x(), fy = q2.y() - q1.y();
+  const double d = ex * fx + ey * fy;
+  const double e2 = ex * ex + ey * ey, f2 = fx * fx + fy * fy;
+  const double q = e2 * f2;
+  return {-d * std::abs(d) - cos10_squared * q,
+          unless(least(e2, f2) > 0x1p-480, u24 * q)};
+}
+
+/// Positive where the first angle, between p and q, has the larger sine.
+template <class Point>
+inline Estimate slope_difference(const Point& p1, const Point& p2, const Point& q1,
+                                 const Point& q2, const Point& r1, const Point& r2) {
+  const Cross a = cross(p2, p1, q1, q2);
+  const Cross b = cross(p2, p1, r1, r2);
+  const double q_length2 = squared_length(q1, q2);
+  const double r_length2 = squared_length(r1, r2);
+  const double q_length = std::sqrt(q_length2), r_length = std::sqrt(r_length2);
+  return {std::abs(a.value()) * r_length - std::abs(b.value()) * q_length,
+          unless(least(q_length2, r_length2) > 0x1p-900,
+                 u16 * ((a.magnitude() + underflow) * r_length +
+                        (b.magnitude() + underflow) * q_length) +
+                     underflow)};
+}
+
+template <class Point>
 inline Estimate depth_difference(const Point& c, const Point& p1, const Point& p2,
-                                 const Point& q1, const Point& q2) {
+                                 const Point& d, const Point& q1, const Point& q2) {
   const Cross a = cross(c, p1, p1, p2);
-  const Cross b = cross(c, q1, q1, q2);
+  const Cross b = cross(d, q1, q1, q2);
   const double p_length2 = squared_length(p1, p2);
   const double q_length2 = squared_length(q1, q2);
   const double p_length = std::sqrt(p_length2);
@@ -233,6 +287,17 @@ inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   if (d.negative())
     return false;
   return exact::between(c, p1, p2);
+}
+
+/// eps L^2 <= (c - p1).e <= (1 - eps) L^2: between the ends and farther from both than
+/// the slack, or as far. Implies between. Unchanged when p1 and p2 are swapped.
+inline bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+  const filter::Estimate d = filter::between(c, p1, p2, -contact_slack);
+  if (d.positive()) [[likely]]
+    return true;
+  if (d.negative())
+    return false;
+  return exact::well_between(c, p1, p2);
 }
 
 /// The overlap of c is at most the distance of the edge from its block's centroid:
@@ -282,12 +347,60 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
 /// equally deep, 0, in both.
 inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
-  const filter::Estimate d = filter::depth_difference(c, p1, p2, q1, q2);
+  const filter::Estimate d = filter::depth_difference(c, p1, p2, c, q1, q2);
   if (d.positive())
     return 1;
   if (d.negative())
     return -1;
   return exact::compare_depth(c, p1, p2, q1, q2);
+}
+
+/// Sign of (p2 - p1) x (q2 - q1): +1 when edge q turns anticlockwise from edge p, 0
+/// when they are parallel or antiparallel. Swapping the two edges changes the sign.
+inline int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
+  const filter::Estimate d = filter::turn(p1, p2, q1, q2);
+  if (d.positive())
+    return 1;
+  if (d.negative())
+    return -1;
+  return exact::turn_sign(p1, p2, q1, q2);
+}
+
+/// Equation (20) for two edges: they run against each other within ten degrees, that is
+/// (p2 - p1).(q2 - q1) <= -cos(10 deg) |p2 - p1| |q2 - q1|. The limit itself is never
+/// met, as in faces_edge. Unchanged when the edges are swapped.
+inline bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
+  const filter::Estimate d = filter::edges_face(p1, p2, q1, q2);
+  if (d.positive())
+    return true;
+  if (d.negative())
+    return false;
+  return exact::edges_face(p1, p2, q1, q2);
+}
+
+/// Sign of (overlap of c with p1 -> p2) - (overlap of d with q1 -> q2): -1 when edge p
+/// is the less deep one, 0 when exactly equal. Swapping (c, p) with (d, q) changes the
+/// sign.
+inline int compare_depths(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& d,
+                          const Vec2& q1, const Vec2& q2) {
+  const filter::Estimate difference = filter::depth_difference(c, p1, p2, d, q1, q2);
+  if (difference.positive())
+    return 1;
+  if (difference.negative())
+    return -1;
+  return exact::compare_depths(c, p1, p2, d, q1, q2);
+}
+
+/// Sign of |sine of the angle between p and q| - |sine of that between p and r|: -1
+/// when edge q is the more nearly parallel to edge p, 0 when exactly equal.
+inline int compare_slopes(const Vec2& p1, const Vec2& p2, const Vec2& q1,
+                          const Vec2& q2, const Vec2& r1, const Vec2& r2) {
+  const filter::Estimate d = filter::slope_difference(p1, p2, q1, q2, r1, r2);
+  if (d.positive())
+    return 1;
+  if (d.negative())
+    return -1;
+  return exact::compare_slopes(p1, p2, q1, q2, r1, r2);
 }
 
 }  // namespace blocks::geometry

@@ -121,8 +121,8 @@ inline Answers faces_edge(const Points& c, const Points& neighbour, const Points
 inline Answers compare_depth(const Points& c, const Points& p1, const Points& p2,
                              const Points& q1, const Points& q2) {
   return answers([&](std::size_t i) {
-    return filter::depth_difference(Lane(c, i), Lane(p1, i), Lane(p2, i), Lane(q1, i),
-                                    Lane(q2, i));
+    return filter::depth_difference(Lane(c, i), Lane(p1, i), Lane(p2, i), Lane(c, i),
+                                    Lane(q1, i), Lane(q2, i));
   });
 }
 

@@ -107,6 +107,31 @@ int cross_sign(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
   return sign(cross(Vector(o, c), Vector(p1, p2)));
 }
 
+/// -part L^2 <= (c - p1).e <= (1 + part) L^2.
+bool between_ends(const Vec2& c, const Vec2& p1, const Vec2& p2, double part) {
+  ++undecided_by_filter;
+  ++undecided_by_doubles;
+  const Vector e(p1, p2);
+  const Number along = dot(Vector(p1, c), e);
+  const Number length2 = dot(e, e);
+  const Number slack = Number(part) * length2;
+  return sign(along + slack) >= 0 && sign(length2 + slack - along) >= 0;
+}
+
+/// Whether an angle whose sine has the square sine^2 / q is at most ten degrees, or at
+/// least 170. With y = sine^2 / q: sin^2(10 deg) is the one root of
+/// 64y^3 - 96y^2 + 36y - 1 in [0, 1/4], where the cubic grows.
+bool at_most_ten_degrees(const Number& sine, const Number& q) {
+  const Number a = sine * sine;
+  if (sign(Number(4) * a - q) >= 0)
+    return false;
+  const Number a2 = a * a;
+  const Number q2 = q * q;
+  const Number cubic =
+      Number(64) * a2 * a - Number(96) * a2 * q + Number(36) * a * q2 - q2 * q;
+  return sign(cubic) <= 0;
+}
+
 }  // namespace
 
 unsigned long long calls() { return undecided_by_filter; }
@@ -125,13 +150,11 @@ bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 }
 
 bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  ++undecided_by_filter;
-  ++undecided_by_doubles;
-  const Vector e(p1, p2);
-  const Number along = dot(Vector(p1, c), e);
-  const Number length2 = dot(e, e);
-  const Number slack = Number(contact_slack) * length2;
-  return sign(along + slack) >= 0 && sign(length2 + slack - along) >= 0;
+  return between_ends(c, p1, p2, contact_slack);
+}
+
+bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+  return between_ends(c, p1, p2, -contact_slack);
 }
 
 bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1, const Vec2& p2) {
@@ -145,26 +168,40 @@ bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1, const Vec2
   const Vector e(p1, p2);
   const Vector t(c, neighbour);
   const Number sine = cross(e, t);
-  if (sign(sine) >= 0)
-    return true;
-  // With y = sine^2 / q, the square of the sine of the angle: sin^2(10 deg) is the one
-  // root of 64y^3 - 96y^2 + 36y - 1 in [0, 1/4], where the cubic grows.
-  const Number a = sine * sine;
-  const Number q = dot(e, e) * dot(t, t);
-  if (sign(Number(4) * a - q) >= 0)
-    return false;
-  const Number a2 = a * a;
-  const Number q2 = q * q;
-  const Number cubic =
-      Number(64) * a2 * a - Number(96) * a2 * q + Number(36) * a * q2 - q2 * q;
-  return sign(cubic) <= 0;
+  return sign(sine) >= 0 || at_most_ten_degrees(sine, dot(e, e) * dot(t, t));
+}
+
+int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
+  ++undecided_by_filter;
+  return cross_sign(p2, p1, q1, q2);
+}
+
+bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
+  ++undecided_by_filter;
+  ++undecided_by_doubles;
+  const Vector p(p1, p2), q(q1, q2);
+  return sign(dot(p, q)) < 0 && at_most_ten_degrees(cross(p, q), dot(p, p) * dot(q, q));
+}
+
+int compare_slopes(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2,
+                   const Vec2& r1, const Vec2& r2) {
+  ++undecided_by_filter;
+  ++undecided_by_doubles;
+  const Vector p(p1, p2), q(q1, q2), r(r1, r2);
+  const Number a = cross(p, q), b = cross(p, r);
+  return sign(a * a * dot(r, r) - b * b * dot(q, q));
 }
 
 int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
                   const Vec2& q2) {
+  return compare_depths(c, p1, p2, c, q1, q2);
+}
+
+int compare_depths(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& d,
+                   const Vec2& q1, const Vec2& q2) {
   ++undecided_by_filter;
   const int p_sign = cross_sign(c, p1, p1, p2);
-  const int q_sign = cross_sign(c, q1, q1, q2);
+  const int q_sign = cross_sign(d, q1, q1, q2);
   if (p_sign != q_sign)
     return p_sign > q_sign ? 1 : -1;
   if (p_sign == 0)
@@ -174,7 +211,7 @@ int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
   const Vector p(p1, p2);
   const Vector q(q1, q2);
   const Number a = cross(Vector(p1, c), p);
-  const Number b = cross(Vector(q1, c), q);
+  const Number b = cross(Vector(q1, d), q);
   return p_sign * sign(a * a * dot(q, q) - b * b * dot(p, p));
 }
 

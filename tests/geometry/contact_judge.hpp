@@ -10,6 +10,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "validation/robustness/contact_draw.hpp"
 
@@ -61,11 +63,45 @@ struct Judge {
     EXPECT_EQ(by_digits, by_cubic) << "the judges disagree";
     return by_digits;
   }
-  static int compare_depth(const Case& k) {
-    const Rational p = cross(k.p1, k.c, k.p1, k.p2), q = cross(k.q1, k.c, k.q1, k.q2);
+  static int compare_depth(const Case& k) { return compare_depths(k, k.c); }
+  static int compare_depths(const Case& k) { return compare_depths(k, k.neighbour); }
+  /// The depth of c below edge p against that of d below edge q.
+  static int compare_depths(const Case& k, const Vec2& d) {
+    const Rational p = cross(k.p1, k.c, k.p1, k.p2), q = cross(k.q1, d, k.q1, k.q2);
     const Rational p_squared = p * abs(p) * dot(k.q1, k.q2, k.q1, k.q2);
     const Rational q_squared = q * abs(q) * dot(k.p1, k.p2, k.p1, k.p2);
     return Rational(p_squared - q_squared).sign();
+  }
+  static bool well_between(const Case& k) {
+    const Rational s = dot(k.p1, k.c, k.p1, k.p2);
+    const Rational length2 = dot(k.p1, k.p2, k.p1, k.p2);
+    const Rational slack = Rational(contact_slack) * length2;
+    return s >= slack && s <= length2 - slack;
+  }
+  /// Edge p and the edge from c to its neighbour.
+  static int turn_sign(const Case& k) {
+    return cross(k.p1, k.p2, k.c, k.neighbour).sign();
+  }
+  /// Twice, like faces_edge: by cos 10 degrees, and by the cubic of its sine.
+  static bool edges_face(const Case& k) {
+    const Rational cosine = dot(k.p1, k.p2, k.c, k.neighbour);
+    const Rational sine = cross(k.p1, k.p2, k.c, k.neighbour);
+    const Rational q =
+        dot(k.p1, k.p2, k.p1, k.p2) * dot(k.c, k.neighbour, k.c, k.neighbour);
+    static const Wide cos10 = cos(boost::math::constants::pi<Wide>() / 18);
+    const bool by_digits = Wide(cosine) <= -cos10 * sqrt(Wide(q));
+    const Rational y = sine * sine / q;
+    const bool by_cubic = cosine < 0 && 4 * y < 1 && ((64 * y - 96) * y + 36) * y <= 1;
+    EXPECT_EQ(by_digits, by_cubic) << "the judges disagree";
+    return by_digits;
+  }
+  /// The sine of edges p and q against that of edge p and the tangent of c.
+  static int compare_slopes(const Case& k) {
+    const Rational q = cross(k.p1, k.p2, k.q1, k.q2);
+    const Rational r = cross(k.p1, k.p2, k.c, k.neighbour);
+    return Rational(q * q * dot(k.c, k.neighbour, k.c, k.neighbour) -
+                    r * r * dot(k.q1, k.q2, k.q1, k.q2))
+        .sign();
   }
 };
 
@@ -78,5 +114,27 @@ class Random : public robustness::Draw {
 
 /// A brick near the origin and a corner of its wall: whole and half numbers.
 inline Case wall(Random& random) { return robustness::brick(random, 4, 3); }
+
+/// Whole numbers p, q < limit with p / q ever closer to tan 10 degrees, from both
+/// sides: the convergents of its continued fraction and the fractions between them.
+inline std::vector<std::pair<double, double>> fractions_near_tan10(double limit) {
+  using Whole = boost::multiprecision::cpp_int;
+  Wide x = tan(boost::math::constants::pi<Wide>() / 18);
+  Whole p0 = 0, q0 = 1, p1 = 1, q1 = 0;
+  std::vector<std::pair<double, double>> found;
+  for (;;) {
+    const auto term = floor(x).convert_to<Whole>();
+    for (Whole part = 1; part <= term; ++part) {
+      const Whole p = part * p1 + p0, q = part * q1 + q0;
+      if (q > Whole(limit))
+        return found;
+      found.emplace_back(p.convert_to<double>(), q.convert_to<double>());
+    }
+    const Whole p = term * p1 + p0, q = term * q1 + q0;
+    p0 = std::exchange(p1, p);
+    q0 = std::exchange(q1, q);
+    x = 1 / (x - Wide(term));
+  }
+}
 
 }  // namespace blocks::geometry

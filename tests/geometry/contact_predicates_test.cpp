@@ -6,15 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 namespace blocks::geometry {
 namespace {
-
-using boost::multiprecision::cpp_int;
 
 /// Compares both the filtered and the exact version with the judge.
 #define EXPECT_RIGHT(name, ...)                                                        \
@@ -31,6 +28,13 @@ void judge(const Case& k) {
   EXPECT_RIGHT(within_depth, k.c, k.centroid, k.p1, k.p2);
   EXPECT_RIGHT(faces_edge, k.c, k.neighbour, k.p1, k.p2);
   EXPECT_RIGHT(compare_depth, k.c, k.p1, k.p2, k.q1, k.q2);
+  EXPECT_RIGHT(compare_depths, k.c, k.p1, k.p2, k.neighbour, k.q1, k.q2);
+  EXPECT_RIGHT(well_between, k.c, k.p1, k.p2);
+  if (k.c != k.neighbour) {
+    EXPECT_RIGHT(turn_sign, k.p1, k.p2, k.c, k.neighbour);
+    EXPECT_RIGHT(edges_face, k.p1, k.p2, k.c, k.neighbour);
+    EXPECT_RIGHT(compare_slopes, k.p1, k.p2, k.q1, k.q2, k.c, k.neighbour);
+  }
   EXPECT_EQ(in_reach_of_edge(k.c, k.centroid, k.p1, k.p2),
             Judge::near_or_inside(k) && Judge::between(k) && Judge::within_depth(k));
   ASSERT_FALSE(testing::Test::HasFailure())
@@ -74,7 +78,7 @@ TEST(ContactPredicates, AgreeWithRationalsInTurnedAndMovedWalls) {
 // the ends, truly equally deep. None of it needs more than a few doubles.
 TEST(ContactPredicates, DecideExactTiesOfPythagoreanWalls) {
   Random random;
-  int on_line = 0, equally_deep = 0, as_deep_as_centroid = 0;
+  int on_line = 0, equally_deep = 0, as_deep_as_centroid = 0, parallel = 0;
   for (int n = 0; n < 8000; ++n) {
     const auto [cosine, sine] = pythagorean[static_cast<std::size_t>(n) % 4];
     const double a = cosine, b = sine;  // for the lambda of clang 14
@@ -91,12 +95,14 @@ TEST(ContactPredicates, DecideExactTiesOfPythagoreanWalls) {
     on_line += overlap_sign(k.c, k.p1, k.p2) == 0;
     as_deep_as_centroid += within_depth(k.c, k.centroid, k.p1, k.p2) &&
                            within_depth(k.centroid, k.c, k.p1, k.p2);
+    parallel += turn_sign(k.p1, k.p2, k.c, k.neighbour) == 0;
     EXPECT_EQ(exact::multiprecision_calls(), before) << n;
     equally_deep += compare_depth(k.c, k.p1, k.p2, k.q1, k.q2) == 0;
   }
   EXPECT_GT(on_line, 1000);
   EXPECT_GT(equally_deep, 300);
   EXPECT_GT(as_deep_as_centroid, 900);
+  EXPECT_GT(parallel, 3000);
 }
 
 // Corners a few doubles from each limit: the line, both ends of the slack, the depth of
@@ -116,11 +122,11 @@ TEST(ContactPredicates, AgreeWithRationalsNextToEveryLimit) {
     case 1:
       k.c = k.p1 + s * e + contact_slack * left;
       break;
-    case 2:
-      k.c = k.p1 - contact_slack * e + s * left;
+    case 2:  // beyond an end, or well between the ends
+      k.c = k.p1 + (random.coin() ? 1 : -1) * contact_slack * e + s * left;
       break;
     case 3:
-      k.c = k.p2 + contact_slack * e + s * left;
+      k.c = k.p2 + (random.coin() ? 1 : -1) * contact_slack * e + s * left;
       break;
     case 4:
       k.c = k.centroid + s * e;
@@ -137,6 +143,59 @@ TEST(ContactPredicates, AgreeWithRationalsNextToEveryLimit) {
     k.c = random.nudge(k.c, 3);
     ASSERT_NO_FATAL_FAILURE(judge(k)) << n;
   }
+}
+
+// Equal depths below two unrelated edges, parallel edges, and edges turned by the same
+// angle to either side, all but for a few doubles. As a check of the set: exact
+// arithmetic is reached in most cases, and plain doubles get some of it wrong.
+TEST(ContactPredicates, CompareTwoEdgesNextToTies) {
+  Random random;
+  int depths = 0, turns = 0, slopes = 0;
+  unsigned long long undecided = 0;
+  for (int n = 0; n < 9000; ++n) {
+    Case k = random.any(1);
+    const Vec2 e = k.p2 - k.p1, f = k.q2 - k.q1;
+    const Vec2 right = Vec2(f.y(), -f.x()).normalized();
+    const double angle = random.uniform(-3, 3);
+    switch (n % 3) {
+    case 0:
+      k.neighbour =
+          k.q1 + random.uniform(0, 1) * f + cross(k.c - k.p1, e) / e.norm() * right;
+      break;
+    case 1:
+      k.neighbour = k.c + random.uniform(-1, 1) * e;
+      break;
+    default:
+      k.q2 = k.q1 + random.uniform(0.1, 2) *
+                        Vec2(e.x() * std::cos(angle) - e.y() * std::sin(angle),
+                             e.y() * std::cos(angle) + e.x() * std::sin(angle));
+      k.neighbour = k.c + random.uniform(0.1, 2) *
+                              Vec2(e.x() * std::cos(angle) + e.y() * std::sin(angle),
+                                   e.y() * std::cos(angle) - e.x() * std::sin(angle));
+    }
+    k.neighbour = random.nudge(k.neighbour, 2);
+    ASSERT_NO_FATAL_FAILURE(judge(k)) << n;
+    const auto before = exact::calls();
+    const auto depth =
+        filter::depth_difference(k.c, k.p1, k.p2, k.neighbour, k.q1, k.q2);
+    const auto turn = filter::turn(k.p1, k.p2, k.c, k.neighbour);
+    const auto slope =
+        filter::slope_difference(k.p1, k.p2, k.q1, k.q2, k.c, k.neighbour);
+    if (n % 3 == 0)
+      compare_depths(k.c, k.p1, k.p2, k.neighbour, k.q1, k.q2);
+    else if (n % 3 == 1)
+      turn_sign(k.p1, k.p2, k.c, k.neighbour);
+    else
+      compare_slopes(k.p1, k.p2, k.q1, k.q2, k.c, k.neighbour);
+    undecided += exact::calls() - before;
+    depths += filter::sign(depth.value) != Judge::compare_depths(k);
+    turns += filter::sign(turn.value) != Judge::turn_sign(k);
+    slopes += filter::sign(slope.value) != Judge::compare_slopes(k);
+  }
+  EXPECT_GT(undecided, 7000U);
+  EXPECT_GT(depths, 500);
+  EXPECT_GT(turns, 200);
+  EXPECT_GT(slopes, 500);
 }
 
 // Corners of very different size on a line through the origin: no difference is a
@@ -175,31 +234,15 @@ TEST(ContactPredicates, CountTheLimitAsInside) {
     EXPECT_FALSE(between({-more, length}, p1, p2));
     EXPECT_TRUE(between({slack, length}, {-length, 0}, {0, 0}));
     EXPECT_FALSE(between({more, length}, {-length, 0}, {0, 0}));
+    const double less = std::nextafter(slack, 0);
+    EXPECT_TRUE(well_between({slack, length}, p1, p2));
+    EXPECT_FALSE(well_between({less, length}, p1, p2));
+    EXPECT_TRUE(well_between({-slack, length}, {-length, 0}, {0, 0}));
+    EXPECT_FALSE(well_between({-less, length}, {-length, 0}, {0, 0}));
     const Vec2 centroid(0.3 * length, -0.7 * length);
     EXPECT_TRUE(within_depth({length, -0.7 * length}, centroid, p1, p2));
     EXPECT_FALSE(within_depth({length, std::nextafter(-0.7 * length, -HUGE_VAL)},
                               centroid, p1, p2));
-  }
-}
-
-/// Whole numbers p, q < limit with p / q ever closer to tan 10 degrees, from both
-/// sides: the convergents of its continued fraction and the fractions between them.
-std::vector<std::pair<double, double>> fractions_near_tan10(double limit) {
-  Wide x = tan(boost::math::constants::pi<Wide>() / 18);
-  cpp_int p0 = 0, q0 = 1, p1 = 1, q1 = 0;
-  std::vector<std::pair<double, double>> found;
-  for (;;) {
-    const auto term = floor(x).convert_to<cpp_int>();
-    for (cpp_int part = 1; part <= term; ++part) {
-      const cpp_int p = part * p1 + p0, q = part * q1 + q0;
-      if (q > cpp_int(limit))
-        return found;
-      found.emplace_back(p.convert_to<double>(), q.convert_to<double>());
-    }
-    const cpp_int p = term * p1 + p0, q = term * q1 + q0;
-    p0 = std::exchange(p1, p);
-    q0 = std::exchange(q1, q);
-    x = 1 / (x - Wide(term));
   }
 }
 
@@ -237,6 +280,40 @@ TEST(ContactPredicates, DecideTangentsNextToMinusTenDegrees) {
   EXPECT_GT(misjudged, all / 20);
 }
 
+// The same fractions for two edges that run against each other, from both sides of the
+// ten degrees and turned to either side.
+TEST(ContactPredicates, DecideEdgesNextToTenDegrees) {
+  Random random;
+  int facing = 0, all = 0, misjudged = 0;
+  unsigned long long undecided = 0;
+  for (const auto& [p, q] : fractions_near_tan10(0x1p47))
+    for (const auto& [a, b] : pythagorean)
+      for (int n = 0; n < 8; ++n) {
+        const double way = n % 2 ? 1 : -1;
+        Case k = random.any(1);
+        k.c = k.p1 = {0, 0};
+        k.p2 = std::ldexp(random.whole(1, 9), random.whole(-60, 60)) * Vec2(a, b);
+        k.neighbour = -std::ldexp(1, random.whole(-60, 60)) *
+                      Vec2(a * q - way * b * p, b * q + way * a * p);
+        if (n % 4 >= 2)
+          k.neighbour = random.nudge(k.neighbour, 1);
+        EXPECT_RIGHT(edges_face, k.p1, k.p2, k.c, k.neighbour);
+        EXPECT_FALSE(edges_face(k.p1, k.p2, k.neighbour, k.c));
+        ASSERT_FALSE(HasFailure()) << p << '/' << q;
+        const auto before = exact::calls();
+        const bool ours = edges_face(k.p1, k.p2, k.c, k.neighbour);
+        undecided += exact::calls() - before;
+        misjudged +=
+            ours != (filter::edges_face(k.p1, k.p2, k.c, k.neighbour).value >= 0);
+        facing += ours;
+        ++all;
+      }
+  EXPECT_GT(facing, all / 4);
+  EXPECT_LT(facing, 3 * all / 4);
+  EXPECT_GT(misjudged, all / 20);
+  EXPECT_GT(undecided, static_cast<unsigned>(all / 2));
+}
+
 // Magnitudes from the smallest subnormal to near overflow, together and mixed: the
 // guards hand them to exact arithmetic.
 TEST(ContactPredicates, SurviveUnderflowAndOverflow) {
@@ -270,6 +347,8 @@ TEST(ContactPredicates, SurviveUnderflowAndOverflow) {
     k.p2 = {1e-180, 0};
     k.neighbour = {1e100 * std::cos(angle), 1e100 * std::sin(angle)};
     ASSERT_NO_FATAL_FAILURE(judge(k)) << degrees;
+    k.neighbour = Vec2(-k.neighbour.x(), k.neighbour.y());
+    ASSERT_NO_FATAL_FAILURE(judge(k)) << "against the edge, " << degrees;
   }
 }
 
@@ -297,6 +376,23 @@ TEST(ContactPredicates, ObeyTheirLaws) {
     ASSERT_EQ(compare_depth(k.c, k.p1, k.p2, k.p1, k.p2), 0) << n;
     ASSERT_EQ(compare_depth(k.p2, k.p1, k.p2, k.p2, k.q2), 0) << n;
     const bool faces = faces_edge(k.c, k.neighbour, k.p1, k.p2);
+    const bool well = well_between(k.c, k.p1, k.p2);
+    ASSERT_EQ(well, well_between(k.c, k.p2, k.p1)) << n;
+    ASSERT_TRUE(!well || between(k.c, k.p1, k.p2)) << n;
+    const int turn = turn_sign(k.p1, k.p2, k.c, k.neighbour);
+    ASSERT_EQ(turn, -turn_sign(k.c, k.neighbour, k.p1, k.p2)) << n;
+    ASSERT_EQ(turn, -turn_sign(k.p1, k.p2, k.neighbour, k.c)) << n;
+    const bool face = edges_face(k.p1, k.p2, k.c, k.neighbour);
+    ASSERT_EQ(face, edges_face(k.c, k.neighbour, k.p1, k.p2)) << n;
+    ASSERT_FALSE(face && edges_face(k.p1, k.p2, k.neighbour, k.c)) << n;
+    const int deeper = compare_depths(k.c, k.p1, k.p2, k.neighbour, k.q1, k.q2);
+    ASSERT_EQ(deeper, -compare_depths(k.neighbour, k.q1, k.q2, k.c, k.p1, k.p2)) << n;
+    ASSERT_EQ(nearer, compare_depths(k.c, k.p1, k.p2, k.c, k.q1, k.q2)) << n;
+    const int steeper = compare_slopes(k.p1, k.p2, k.q1, k.q2, k.c, k.neighbour);
+    ASSERT_EQ(steeper, -compare_slopes(k.p1, k.p2, k.c, k.neighbour, k.q1, k.q2)) << n;
+    ASSERT_EQ(steeper, compare_slopes(k.p1, k.p2, k.q2, k.q1, k.neighbour, k.c)) << n;
+    ASSERT_EQ(compare_slopes(k.p1, k.p2, k.q1, k.q2, k.q2, k.q1), 0) << n;
+    ASSERT_TRUE(turn != 0 || steeper >= 0) << n;
 
     // Scaling by a power of two and moving whole bricks by whole numbers are exact.
     Case moved = k;
@@ -307,6 +403,15 @@ TEST(ContactPredicates, ObeyTheirLaws) {
     ASSERT_EQ(between(moved.c, moved.p1, moved.p2), between(k.c, k.p1, k.p2)) << n;
     ASSERT_EQ(faces_edge(moved.c, moved.neighbour, moved.p1, moved.p2), faces) << n;
     ASSERT_EQ(compare_depth(moved.c, moved.p1, moved.p2, moved.q1, moved.q2), nearer);
+    ASSERT_EQ(well_between(moved.c, moved.p1, moved.p2), well) << n;
+    ASSERT_EQ(turn_sign(moved.p1, moved.p2, moved.c, moved.neighbour), turn) << n;
+    ASSERT_EQ(edges_face(moved.p1, moved.p2, moved.c, moved.neighbour), face) << n;
+    ASSERT_EQ(compare_depths(moved.c, moved.p1, moved.p2, moved.neighbour, moved.q1,
+                             moved.q2),
+              deeper);
+    ASSERT_EQ(compare_slopes(moved.p1, moved.p2, moved.q1, moved.q2, moved.c,
+                             moved.neighbour),
+              steeper);
   }
 }
 
@@ -322,8 +427,13 @@ TEST(ContactPredicates, LeaveOnlyNearTiesToExactArithmetic) {
     within_depth(k.c, k.centroid, k.p1, k.p2);
     faces_edge(k.c, k.neighbour, k.p1, k.p2);
     compare_depth(k.c, k.p1, k.p2, k.q1, k.q2);
+    compare_depths(k.c, k.p1, k.p2, k.neighbour, k.q1, k.q2);
+    well_between(k.c, k.p1, k.p2);
+    turn_sign(k.p1, k.p2, k.c, k.neighbour);
+    edges_face(k.p1, k.p2, k.c, k.neighbour);
+    compare_slopes(k.p1, k.p2, k.q1, k.q2, k.c, k.neighbour);
   }
-  EXPECT_LE(exact::calls() - before, 2U);
+  EXPECT_LE(exact::calls() - before, 4U);
   const auto now = exact::calls();
   overlap_sign({1, 1}, {0, 0}, {2, 2});
   EXPECT_EQ(exact::calls(), now + 1);
