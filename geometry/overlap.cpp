@@ -1,15 +1,11 @@
 #include "geometry/overlap.hpp"
 
-#include <CGAL/Partition_traits_2.h>
-#include <CGAL/partition_2.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <iterator>
 #include <limits>
-#include <list>
 
+#include "geometry/convex_parts.hpp"
 #include "geometry/exact/box_pairs.hpp"
 #include "geometry/exact/common_part.hpp"
 #include "geometry/exact/kernels.hpp"
@@ -82,34 +78,13 @@ double separating_shift(const Polygon& p, const Polygon& q) {
   return std::min(least_reach(p, q), least_reach(q, p));
 }
 
-// The outline cut into convex clockwise pieces by diagonals: no new corners, so nothing
-// is rounded.
+// The convex parts of the outline, each as a polygon.
 std::vector<Polygon> convex_pieces(const Polygon& outline) {
-  const OutlineCheck check = check_outline(outline);
-  if (check.fault != OutlineFault::none)
-    return {};
-  if (check.convex)
-    return {check.anticlockwise ? reversed(outline) : outline};
-  using Traits = CGAL::Partition_traits_2<Filtered>;
-  std::vector<Filtered::Point_2> points;  // anticlockwise, as CGAL wants them
-  for (const Vec2& corner : outline)
-    points.push_back(exact::point(corner));
-  if (!check.anticlockwise)
-    std::reverse(points.begin(), points.end());
-  std::list<Traits::Polygon_2> parts;
-  CGAL::approx_convex_partition_2(points.begin(), points.end(),
-                                  std::back_inserter(parts), Traits());
   std::vector<Polygon> pieces;
-  for (const auto& part : parts) {
-    Polygon piece;
-    for (const auto& corner : part.container()) {
-      piece.emplace_back(corner.x(), corner.y());
-    }
-    std::reverse(piece.begin(), piece.end());
-    // A piece of three corners on one line covers nothing.
-    if (check_outline(piece).fault == OutlineFault::none) {
-      pieces.push_back(std::move(piece));
-    }
+  for (const std::vector<int>& part : convex_parts(outline)) {
+    Polygon& piece = pieces.emplace_back();
+    for (const int corner : part)
+      piece.push_back(outline[static_cast<std::size_t>(corner)]);
   }
   return pieces;
 }

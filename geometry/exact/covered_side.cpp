@@ -1,0 +1,285 @@
+// The question is written once, for any numbers: asked with intervals first, and with
+// rationals where an interval cannot tell.
+#include "geometry/covered_side.hpp"
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+#include "geometry/exact/kernels.hpp"
+
+namespace blocks::geometry {
+namespace {
+
+using exact::Rational;
+using Interval = CGAL::Interval_nt<false>;
+
+thread_local unsigned long long undecided_by_intervals = 0;
+
+template <class Number> struct Vector {
+  Number x, y;
+  Vector(const Vec2& from, const Vec2& to)
+      : x(Number(to.x()) - Number(from.x())), y(Number(to.y()) - Number(from.y())) {}
+};
+template <class Number> Number cross(const Vector<Number>& a, const Vector<Number>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+template <class Number> Number dot(const Vector<Number>& a, const Vector<Number>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// A bound of an interval is not a number any more.
+struct Overflow {};
+
+Rational least(const Rational& a, const Rational& b) { return b < a ? b : a; }
+Rational most(const Rational& a, const Rational& b) { return a < b ? b : a; }
+
+/// After an overflow a bound may be NaN, and std::min and std::max would drop it.
+void require_bounds(const Interval& a) {
+  if (std::isnan(a.inf()) || std::isnan(a.sup()))
+    throw Overflow();
+}
+Interval least(const Interval& a, const Interval& b) {
+  require_bounds(a), require_bounds(b);
+  return {std::min(a.inf(), b.inf()), std::min(a.sup(), b.sup())};
+}
+Interval most(const Interval& a, const Interval& b) {
+  require_bounds(a), require_bounds(b);
+  return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
+}
+
+/// Any number from a to b.
+Interval range(const Interval& a, const Interval& b) {
+  require_bounds(a), require_bounds(b);
+  return {a.inf(), b.sup()};
+}
+
+/// A part of a side, 0 to 1 along it.
+template <class Number> struct Part {
+  Number from, to;
+  Number length() const { return to - from; }
+  Part common(const Part& other) const {
+    return {most(from, other.from), least(to, other.to)};
+  }
+  bool is_empty() const { return CGAL::certainly(to <= from); }
+  bool may_be_empty() const { return CGAL::possibly(to <= from); }
+};
+
+/// One question in one kind of numbers.
+template <class Number> class Question {
+ public:
+  Question(const SideEnd& end, Outline other)
+      : own_(end.polygon), other_(other), at_start_(end.at_start), side_(end.side),
+        first_(at(own_, side_)), along_(edge(own_, side_)),
+        square_(dot(along_, along_)) {}
+
+  /// Nothing: the numbers are not sharp enough.
+  std::optional<Cover> answer(std::span<const Outline> neighbours) const {
+    const Part<Number> interval = part_in(own_, side_, other_);
+    if (interval.is_empty())
+      return Cover{};
+    const Part<Number> stretch = at_start_ ? Part<Number>{Number(0), interval.to}
+                                           : Part<Number>{interval.from, Number(1)};
+    Number of_stretch(0), of_interval(0), longest(0);
+    Cover found;
+    bool rivals = false;  // it is not sure which covers most
+    for (int k = 0; k < static_cast<int>(neighbours.size()); ++k)
+      for (int f = 0; f < static_cast<int>(neighbours[k].size()); ++f) {
+        const Part<Number> covered = covered_by(neighbours[k], f, stretch);
+        if (covered.is_empty())
+          continue;
+        const Number length = most(Number(0), covered.length());
+        of_stretch += length;
+        of_interval += most(Number(0), covered.common(interval).length());
+        if (!found || CGAL::certainly(length > longest)) {
+          rivals = false, longest = length, found = {k, f};
+        } else if (CGAL::possibly(length > longest)) {
+          // A later side has to be longer than both before it is sure to be the
+          // longest.
+          rivals = true, longest = most(longest, length);
+        }
+      }
+    const auto enough = Number(2) * of_stretch >= stretch.length(),
+               inside = Number(2) * of_interval >= interval.length();
+    if (!found || CGAL::certainly(!enough) || CGAL::certainly(!inside))
+      return Cover{};
+    if (rivals || interval.may_be_empty() || CGAL::possibly(!enough) ||
+        CGAL::possibly(!inside))
+      return std::nullopt;
+    return found;
+  }
+
+ private:
+  static const Vec2& at(Outline polygon, int corner) {
+    return polygon[static_cast<std::size_t>(corner)];
+  }
+  static const Vec2& end(Outline polygon, int side) {
+    const std::size_t next = static_cast<std::size_t>(side) + 1;
+    return polygon[next < polygon.size() ? next : 0];
+  }
+  Vector<Number> edge(Outline polygon, int side) const {
+    return between(at(polygon, side), end(polygon, side));
+  }
+  Vector<Number> between(const Vec2& from, const Vec2& to) const { return {from, to}; }
+
+  /// The part of a side that lies in a convex polygon, as sharp as the numbers tell.
+  Part<Number> part_in(Outline polygon, int side, Outline other) const {
+    Part<Number> part{Number(0), Number(1)};
+    const Vec2 &start = at(polygon, side), &stop = end(polygon, side);
+    for (int k = 0; k < static_cast<int>(other.size()) && !part.is_empty(); ++k) {
+      const Vector<Number> of_other = edge(other, k);
+      part = part.common(part_behind(cross(between(at(other, k), start), of_other),
+                                     cross(between(at(other, k), stop), of_other)));
+    }
+    return part;
+  }
+  /// The part behind a line, from twice the areas below it at both ends.
+  static Part<Number> part_behind(const Number& first, const Number& last) {
+    const Number zero(0), one(1);
+    if (CGAL::certainly(first >= 0) && CGAL::certainly(last >= 0))
+      return {zero, one};
+    if (CGAL::certainly(first <= 0) && CGAL::certainly(last <= 0))
+      return {one, zero};
+    if (CGAL::certainly(first > 0) && CGAL::certainly(last < 0))
+      return {zero, first / (first - last)};
+    if (CGAL::certainly(first < 0) && CGAL::certainly(last > 0))
+      return {first / (first - last), one};
+    if constexpr (std::is_same_v<Number, Interval>) {
+      if (CGAL::certainly(first > 0))  // it may or may not come out before its end
+        return {zero, last.inf() < 0 ? range(first / (first - last.inf()), one) : one};
+      if (CGAL::certainly(last > 0))
+        return {first.inf() < 0 ? range(zero, first.inf() / (first.inf() - last))
+                                : zero,
+                one};
+      return {range(zero, one), range(zero, one)};
+    }
+    return {one, zero};
+  }
+
+  /// What side f of a neighbour covers of the stretch, from its least to its most.
+  Part<Number> covered_by(Outline neighbour, int f, const Part<Number>& stretch) const {
+    const Part<Number> none{Number(1), Number(0)};
+    const Vector<Number> across = edge(neighbour, f);
+    if (CGAL::certainly(dot(along_, across) >= 0))
+      return none;
+    const Vec2 &near = end(neighbour, f), &far = at(neighbour, f);
+    const Vector<Number> to_near = between(first_, near), to_far = between(first_, far);
+    const Number from = dot(to_near, along_) / square_,
+                 to = dot(to_far, along_) / square_;
+    const Part<Number> covered = stretch.common({from, to});
+    if (covered.is_empty())
+      return none;
+    const auto faces = face(across);
+    if (CGAL::certainly(!faces))
+      return none;
+    // lengths in units of the side from here on
+    const Number h = stretch.length();
+    const auto reaches = reaches_below(neighbour, f, h);
+    if (CGAL::certainly(!reaches))
+      return none;
+    const Number gap_from = cross(along_, to_near) / square_,
+                 gap_to = cross(along_, to_far) / square_;
+    const Number middle = (covered.from + covered.to) / Number(2);
+    const Number gap = gap_from + (gap_to - gap_from) * (middle - from) / (to - from);
+    if (CGAL::certainly(gap > h))
+      return none;
+    const Part<Number> inside = part_in(neighbour, f, other_);
+    if (inside.is_empty())
+      return none;
+    const auto touches = touch_along(neighbour, f);
+    if (CGAL::certainly(!touches))
+      return none;
+    const bool sure = CGAL::certainly(faces) && CGAL::certainly(reaches) &&
+                      CGAL::certainly(gap <= h) && !inside.may_be_empty() &&
+                      CGAL::certainly(touches);
+    if constexpr (std::is_same_v<Number, Interval>)
+      if (!sure)  // perhaps nothing
+        return {covered.from, range(covered.from, covered.to)};
+    return covered;
+  }
+
+  /// Within ten degrees of antiparallel, of sides that run against each other.
+  auto face(const Vector<Number>& across) const {
+    const Number sine = cross(along_, across), a = sine * sine;
+    const Number q = square_ * dot(across, across);
+    return (Number(4) * a < q) &
+           (a * (Number(64) * a * a - Number(96) * a * q + Number(36) * q * q) <=
+            q * q * q);
+  }
+
+  /// `other` reaches at least h below side f.
+  auto reaches_below(Outline neighbour, int f, const Number& h) const {
+    const Vector<Number> across = edge(neighbour, f);
+    const Number deepest_area = deepest(neighbour, f, other_);
+    return (deepest_area >= 0) &
+           (deepest_area * deepest_area >= h * h * square_ * dot(across, across));
+  }
+
+  /// Twice the area below a side of one polygon to the deepest corner of the other.
+  Number deepest(Outline polygon, int side, Outline other) const {
+    const Vector<Number> along = edge(polygon, side);
+    const auto area = [&](const Vec2& corner) {
+      return cross(between(at(polygon, side), corner), along);
+    };
+    Number found = area(other.front());
+    for (const Vec2& corner : other.subspan(1))
+      found = most(found, area(corner));
+    return found;
+  }
+  /// A depth with its sign, squared: x |x|.
+  Number depth(Outline polygon, int side, Outline other) const {
+    const Vector<Number> along = edge(polygon, side);
+    const Number area = deepest(polygon, side, other);
+    return area * CGAL::abs(area) / dot(along, along);
+  }
+  /// No side of the own polygon or the neighbour is less deep than both of these two.
+  auto touch_along(Outline neighbour, int f) const {
+    const Number along =
+        least(depth(own_, side_, neighbour), depth(neighbour, f, own_));
+    decltype(along < along) less_deep = false;
+    for (int e = 0; e < static_cast<int>(own_.size()); ++e)
+      if (e != side_)
+        less_deep = less_deep | (depth(own_, e, neighbour) < along);
+    for (int e = 0; e < static_cast<int>(neighbour.size()); ++e)
+      if (e != f)
+        less_deep = less_deep | (depth(neighbour, e, own_) < along);
+    return !less_deep;
+  }
+
+  Outline own_, other_;
+  bool at_start_;
+  int side_;
+  Vec2 first_;
+  Vector<Number> along_;
+  Number square_;
+};
+
+/// Nothing: the intervals cannot tell.
+std::optional<Cover> answer_by_intervals(const SideEnd& end, Outline other,
+                                         std::span<const Outline> neighbours) {
+  const Interval::Protector upward;
+  try {
+    return Question<Interval>(end, other).answer(neighbours);
+  } catch (const Overflow&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+unsigned long long exact::covering_calls() { return undecided_by_intervals; }
+
+Cover covering(const SideEnd& end, Outline other, std::span<const Outline> neighbours) {
+  if (is_surely_uncovered(end, other, neighbours, 0.0))
+    return {};
+  if (const auto sure = answer_by_intervals(end, other, neighbours))
+    return *sure;
+  ++undecided_by_intervals;
+  return *Question<Rational>(end, other).answer(neighbours);
+}
+
+}  // namespace blocks::geometry
