@@ -34,7 +34,8 @@ usage() {
                             problems with known answers: decks, checks, figures, one report,
                             validation/REPORT.md and .html; --kept: whose rows it has
   ./go study [N]            N frames (1000) of every scene of contact detection by the
-                            rules of every run: no hang-up, no fall-through
+                            rules of every run: no hang-up, no fall-through where these
+                            rules are known to pass; every decision exact
   ./go bench [PART...]      times, against other codes on the same scenes (3 minutes;
                             --quick: one): wall, pile, decks, search, predicates,
                             generation; writes bench.md, .json, .png beside you

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "geometry/random.hpp"
+#include "study/draws.hpp"
 
 namespace blocks::study {
 namespace {
@@ -24,24 +24,6 @@ std::vector<std::pair<double, double>> convergents() {
   }
   return found;
 }
-
-/// The numbers of one frame, each drawn once.
-class Draws {
- public:
-  Draws(std::uint64_t seed, int number) : key_{seed, 0}, number_(number) {}
-  /// Uniform in [0, 1).
-  double operator()() {
-    const auto bits =
-        geometry::random_53_bits(key_, static_cast<std::uint64_t>(number_), 0, use_++);
-    return static_cast<double>(bits) * 0x1p-53;
-  }
-  int below(int n) { return static_cast<int>((*this)() * n); }
-
- private:
-  geometry::StreamKey key_;
-  int number_;
-  std::uint32_t use_ = 0;
-};
 
 std::pair<double, double> direction(Draws& draw) {
   constexpr std::array<std::array<double, 3>, 5> triples{

@@ -33,31 +33,36 @@ double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
          0.5 * model.plane_contacts.normal_elastic.square().sum() / s.normal_stiffness;
 }
 
-/// Two blocks have come to share more than this part of the smaller one: one has come
-/// through.
-constexpr double most_shared = 0.02;
+/// What two blocks share: an area [L^2], and the shortest shift that separates them
+/// [L].
+struct Shared {
+  double area = 0.0, depth = 0.0;
+};
+using SharedByPair = std::map<std::pair<int, int>, Shared>;
 
-/// Areas that pairs of blocks share, of pairs not both fixed.
-std::map<std::pair<int, int>, double> shared_areas(const Blocks& blocks) {
+/// What pairs of blocks share that are not both fixed.
+SharedByPair shared_by_pair(const Blocks& blocks) {
   std::vector<geometry::Polygon> outlines;
   for (int b = 0; b < blocks.size(); ++b)
     outlines.push_back(blocks.outline(b));
-  std::map<std::pair<int, int>, double> areas;
+  SharedByPair shared;
   for (const geometry::BlockOverlap& pair :
        geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick))
     if (blocks.is_free(pair.first) || blocks.is_free(pair.second))
-      areas[{pair.first, pair.second}] = pair.area;
-  return areas;
+      shared[{pair.first, pair.second}] = {pair.area, pair.depth};
+  return shared;
 }
 
-/// What two blocks share at the start is the scene's.
-bool passes_through(const Blocks& blocks,
-                    const std::map<std::pair<int, int>, double>& at_start) {
-  for (const auto& [pair, area] : shared_areas(blocks)) {
+/// Two blocks share more than the scene allows; one has come through the other. What
+/// they share at the start belongs to the scene.
+bool passes_through(const Scene& scene, double scale, const Blocks& blocks,
+                    const SharedByPair& at_start) {
+  for (const auto& [pair, shared] : shared_by_pair(blocks)) {
     const auto before = at_start.find(pair);
-    const double more = area - (before == at_start.end() ? 0.0 : before->second);
-    if (more >
-        most_shared * std::min(blocks.area[pair.first], blocks.area[pair.second]))
+    const Shared then = before == at_start.end() ? Shared() : before->second;
+    const double smaller = std::min(blocks.area[pair.first], blocks.area[pair.second]);
+    if (shared.area - then.area > scene.most_shared * smaller ||
+        shared.depth - then.depth > scene.most_depth * scale)
       return true;
   }
   return false;
@@ -195,6 +200,16 @@ void judge_end(const Scene& scene, const Frame& frame, const Model& model,
       outcome.could_hang = true;
       outcome.hung |= !(moved.dot(way) >= scene.least_share * way.squaredNorm());
     }
+    if (scene.mean_speed && way.squaredNorm() > 0.0) {
+      const double lost = std::abs(1.0 - moved.dot(way) / way.squaredNorm());
+      outcome.speed_lost = std::fmax(outcome.speed_lost, lost);
+      outcome.could_hang = true;
+      outcome.hung |= !(lost <= scene.most_lost);
+    }
+    if (std::isfinite(scene.most_astray)) {
+      outcome.could_hang = true;
+      outcome.hung |= !((moved - way).norm() <= scene.most_astray);
+    }
     if (gravity > 0.0) {
       const double sunk = scene.model.settings.gravity.dot(moved - way) / gravity;
       outcome.fell_through |= !(sunk <= scene.most_sinking * scene.size);
@@ -228,7 +243,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
   const double energy_at_start = total_energy(model, start);
-  const auto shared_at_start = shared_areas(model.blocks);
+  const SharedByPair shared_at_start = shared_by_pair(model.blocks);
   double worst_energy = 0.0;
   Pace pace(scene, frame);
   const bool leads = trace.empty(), follows = variant.corners == Corners::sharp;
@@ -255,8 +270,9 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
     const double change = total_energy(model, start) - energy_at_start;
     worst_energy =
         std::max(worst_energy, scene.conservative ? std::abs(change) : change);
-    if (is_checkpoint(k, steps, 4))
-      outcome.fell_through |= passes_through(model.blocks, shared_at_start);
+    if (is_checkpoint(k, steps, scene.looks))
+      outcome.fell_through |=
+          passes_through(scene, frame.scale, model.blocks, shared_at_start);
   }
   judge_end(scene, frame, model, start, steps, outcome);
   // masses are those of the scene, so energies grow with the square of the lengths
@@ -272,7 +288,7 @@ std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
   dynamics::SearchBuffers buffers;
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
-  const auto shared_at_start = shared_areas(model.blocks);
+  const SharedByPair shared_at_start = shared_by_pair(model.blocks);
   const double energy_at_start = total_energy(model, start);
   // a run that goes wrong gains energy by leaps, one at rest gains round-off
   const double most_gained = keeps_books(model)
@@ -289,11 +305,11 @@ std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
                           "blocks had",
                           k + 1);
     else if (is_checkpoint(k, steps, 50) &&
-             passes_through(model.blocks, shared_at_start))
+             passes_through(scene, 1.0, model.blocks, shared_at_start))
       doubt =
           fmt::format("lets two blocks overlap by more than {:g} % of the smaller one "
                       "by step {}",
-                      100.0 * most_shared, k + 1);
+                      100.0 * scene.most_shared, k + 1);
   }
   const Eigen::Matrix2Xd moved = model.blocks.centroid - start;
   scene.expected = [moved](long, double) { return moved; };

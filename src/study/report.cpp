@@ -160,6 +160,8 @@ std::string text(const Study& study) {
     if (row.variant == &all_variants().front()) {
       if (std::isnan(row.hang_ups.value))
         notes += "hang-ups: not possible here, nothing is to move\n";
+      if (!study.must_pass)
+        notes += "default is known to fail here in some frames\n";
       notes += frames_line("hung", row.hung_in, study.again);
       notes += frames_line("fell through", row.fell_in, study.again);
     }

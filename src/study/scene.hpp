@@ -2,7 +2,9 @@
 // deck can be one.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -39,6 +41,26 @@ struct Scene {
   /// support, in units of the size.
   double most_sinking = 0.05;
   bool conservative = false;  ///< neither friction nor damping: energy is kept
+  /// Two blocks that share more than this part of the smaller one have come through
+  /// each other.
+  double most_shared = 0.02;
+  /// So have two blocks that only a shift longer than this can separate, [L].
+  double most_depth = std::numeric_limits<double>::infinity();
+  /// Overlaps are measured so many times, evenly spread, the last time at the end.
+  long looks = 4;
+  /// A block that ends farther than this from where it is expected hangs, [L].
+  double most_astray = std::numeric_limits<double>::infinity();
+  /// Speed lost is asked of the mean speed from start to end, and a gain counts as a
+  /// loss: for motions whose phase may differ.
+  bool mean_speed = false;
+  /// Frames are shifted by at most so many sizes. Scenes with overlaps far below the
+  /// size need a finer grid of doubles than others.
+  double farthest = 1e9;
+  /// The default rules pass the scene in every frame, so a failure is a fault.
+  bool must_pass = true;
+  /// The scene of a frame with this seed and number, for scenes whose blocks differ
+  /// from frame to frame; empty: the blocks are the same in every frame.
+  std::function<Scene(std::uint64_t seed, int number)> vary;
 };
 
 /// "figure4b", "diagonal", ...
@@ -46,6 +68,11 @@ const std::vector<std::string_view>& scene_names();
 
 /// Throws std::out_of_range when there is no such scene.
 Scene make_scene(std::string_view name);
+
+/// The scene as it is in the frame with this seed and number. `varied` keeps the result
+/// where the blocks differ from frame to frame.
+const Scene& scene_in_frame(const Scene& scene, std::uint64_t seed, int number,
+                            Scene& varied);
 
 /// A deck's blocks, before its first step, as a scene. What to expect follows from a
 /// run: see set_expectation in measure.hpp.

@@ -105,11 +105,23 @@ std::string options_again(const StudyChoice& choice) {
   return options;
 }
 
+/// The frame of that number, no farther off than the scene allows. An offset that was
+/// chosen is kept.
+Frame frame_of(const Scene& scene, const FrameChoice& choice, int number) {
+  Frame frame = random_frame(choice, number, scene.size);
+  const double most = scene.farthest * scene.size * frame.scale;
+  if (!choice.offset && frame.offset.norm() > 1.001 * most)
+    frame.offset *= most / frame.offset.norm();
+  return frame;
+}
+
 /// Why the blocks of a scene cannot be made; empty: they can, in every frame.
 std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corners) {
   for (int f = choice.first; f < choice.first + choice.count; ++f)
     try {
-      place(scene.model, random_frame(choice.frames, f, scene.size), corners);
+      Scene varied;
+      const Scene& here = scene_in_frame(scene, choice.frames.seed, f, varied);
+      place(here.model, frame_of(here, choice.frames, f), corners);
     } catch (const UnfitBlock& unfit) {
       return fmt::format("{} (frame {})", unfit.what(), f);
     }
@@ -127,7 +139,8 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
               {},
               {},
               options_again(choice),
-              {}};
+              {},
+              scene.must_pass};
   study.refused = refusal(scene, choice, Corners::sharp);
   if (!study.refused.empty())
     return study;
@@ -147,13 +160,16 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
   }
   std::vector<Outcomes> all(static_cast<std::size_t>(choice.count));
   in_parallel(choice.count, choice.threads, [&](int f) {
-    const Frame frame = random_frame(choice.frames, choice.first + f, scene.size);
+    Scene varied;
+    const int number = choice.first + f;
+    const Scene& here = scene_in_frame(scene, choice.frames.seed, number, varied);
+    const Frame frame = frame_of(here, choice.frames, number);
     Trace trace;
-    const Outcome leading = measure(scene, frame, reference, study.steps, trace);
+    const Outcome leading = measure(here, frame, reference, study.steps, trace);
     for (const Variant* variant : choice.variants)
       all[static_cast<std::size_t>(f)].push_back(
           variant == &reference ? leading
-                                : measure(scene, frame, *variant, study.steps, trace));
+                                : measure(here, frame, *variant, study.steps, trace));
   });
   std::size_t ran = 0;
   for (std::size_t v = 0; v < all_chosen.variants.size(); ++v) {

@@ -44,10 +44,11 @@ struct Study {
   std::string scene, what;
   long steps = 0;
   std::vector<Row> rows;
-  std::string refused;   ///< why the default rules cannot run, then there are no rows
-  std::string doubt;     ///< why a deck's own run is no measure; empty: it is one
-  std::string again;     ///< options that make the same frames once more
-  std::string expected;  ///< variant whose run is the measure; empty: a scene's motion
+  std::string refused;    ///< why the default rules cannot run, then there are no rows
+  std::string doubt;      ///< why a deck's own run is no measure; empty: it is one
+  std::string again;      ///< options that make the same frames once more
+  std::string expected;   ///< variant whose run is the measure; empty: a scene's motion
+  bool must_pass = true;  ///< the default rules pass the scene in every frame
 };
 
 /// Runs every variant in the same frames. The same result for any number of threads. A

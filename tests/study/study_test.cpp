@@ -2,6 +2,7 @@
 // finds what is known to go wrong, and that with our rules nothing does.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -135,22 +136,88 @@ TEST(DefaultVariant, IsWhatRunsDo) {
   EXPECT_GT(kept, 10000) << "decisions are not kept, which is what runs do";
 }
 
+/// A scene in which the default rules are known to fail in some frames. The limits hold
+/// for the twelve frames of the test, so that nothing gets worse unseen.
+struct KnownFailure {
+  std::string_view scene;
+  long most_hung;      ///< frames
+  double most_lost;    ///< mean of the speed lost
+  double most_energy;  ///< worst error
+};
+constexpr std::array known_failures = {
+    // a tip at a closed joint is thrown aside: one frame of fifty
+    KnownFailure{"stake", 0, 0.0, 0.06},
+    // tips that cross sideways have no edge that they face: two frames of a thousand
+    KnownFailure{"triangles", 0, 0.0, 0.06},
+    // a front corner deep in a floor snags at the joints
+    KnownFailure{"soft4", 12, 0.46, 1e-4}, KnownFailure{"soft8", 12, 0.58, 1e-4},
+    // a side that lies down on a joint feels the corners there as well as its own
+    KnownFailure{"roller", 2, 0.05, 1e-4},
+    // within the slack of a joint a toe is held by one piece or by none
+    KnownFailure{"toe", 0, 0.0, 0.1},
+    // no rule of geometry says on which of two bricks with flush undersides one rests
+    KnownFailure{"bricks", 10, 0.9, 0.002}};
+
+/// The entry of a scene; null: the scene must pass.
+const KnownFailure* known_failure(std::string_view scene) {
+  for (const KnownFailure& known : known_failures)
+    if (known.scene == scene)
+      return &known;
+  return nullptr;
+}
+
+// The gate of `./go study` and the tests below must agree on what is known to fail.
+TEST(DefaultVariant, KnownFailuresAreThoseOfTheGate) {
+  for (const std::string_view name : scene_names())
+    EXPECT_EQ(make_scene(name).must_pass, known_failure(name) == nullptr) << name;
+}
+
 // A slice; `./go study` takes 1,000 frames of each scene. Phantom and missed contacts
 // are those against decisions taken anew in each step: kept ones must be the same.
 TEST(DefaultVariant, NeverHangsNorFallsThrough) {
   for (const std::string_view name : scene_names()) {
     const Row row = run_study(make_scene(name), choice_of({"default"}, 12)).rows[0];
-    EXPECT_EQ(row.hung, 0) << name;
-    EXPECT_EQ(row.fell, 0) << name;
     EXPECT_EQ(row.wrong_signs.value, 0.0) << name;
     EXPECT_FALSE(row.phantom.value > 0.0) << name;
     EXPECT_FALSE(row.missed.value > 0.0) << name;
+    if (const KnownFailure* known = known_failure(name)) {
+      EXPECT_LE(row.hung, known->most_hung) << name;
+      EXPECT_EQ(row.fell, 0) << name;
+      EXPECT_FALSE(row.speed_lost.value > known->most_lost) << name;
+      EXPECT_LT(row.worst_energy, known->most_energy) << name;
+      continue;
+    }
+    EXPECT_EQ(row.hung, 0) << name;
+    EXPECT_EQ(row.fell, 0) << name;
     // a bounce times friction; what starts slowly loses a share of little
-    EXPECT_FALSE(row.speed_lost.high > (name == "nose" ? 0.02 : 0.001)) << name;
+    const bool soft_front = name == "nose" || name == "bow";
+    EXPECT_FALSE(row.speed_lost.high > (soft_front ? 0.02 : 0.001)) << name;
     // springs that take up all the energy are seen half a step off: omega dt / 2
     const bool strikes = name == "needle" || name == "plate" || name == "tip";
     EXPECT_LT(row.worst_energy, strikes ? 0.03 : 1e-4) << name;
   }
+}
+
+// A scene whose blocks differ from frame to frame is the same for the same seed and
+// number.
+TEST(VariedScenes, DependOnSeedAndNumberOnly) {
+  int varied = 0;
+  for (const std::string_view name : scene_names()) {
+    const Scene scene = make_scene(name);
+    Scene first, second;
+    const Scene& here = scene_in_frame(scene, 1982, 3, first);
+    EXPECT_EQ(here.model.blocks.corner,
+              scene_in_frame(scene, 1982, 3, second).model.blocks.corner)
+        << name;
+    EXPECT_EQ(here.steps, scene.steps) << name;
+    EXPECT_EQ(here.size, scene.size) << name;
+    if (!scene.vary)
+      continue;
+    ++varied;
+    EXPECT_EQ(scene.model.blocks.corner, scene.vary(1982, 0).model.blocks.corner)
+        << name;
+  }
+  EXPECT_GT(varied, 5);
 }
 
 // What is known to go wrong is found, in the scene made for it.

@@ -1,0 +1,165 @@
+// Scenes in which a block slides or rolls over a floor of pieces.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "dynamics/step.hpp"
+#include "study/draft.hpp"
+#include "study/scenes.hpp"
+
+namespace blocks::study::scenes {
+
+namespace {
+
+/// A box of 1 m slides over so many fixed ones at 10 m/s.
+Scene braked(Draft draft, double friction, int boxes) {
+  constexpr double speed = 10.0;
+  draft.rub(friction, 0.2);
+  for (int i = 0; i < boxes; ++i)
+    draft.box(i - 1, -1, 1, 1, true);
+  const int b = draft.box(0, 0, 1, 1);
+  draft.velocity(b, speed, 0);
+  draft.gravity(0, -g);
+  return draft.moves(b, [friction](long k, double dt) {
+    const double t = static_cast<double>(k) * dt;
+    return Vec2(speed * t - 0.5 * friction * g * t * t, 0);
+  });
+}
+
+}  // namespace
+
+Scene floor_of_boxes() {
+  return braked(
+      {"floor", "a box slides over a floor of boxes and is braked by friction", 1060},
+      0.4, 10);
+}
+
+Scene soft_floor() {
+  Draft draft("soft",
+              "a box slides over a floor of boxes so soft that it sinks in by 1 % of "
+              "their width",
+              600);
+  draft.stiffness(1e6);
+  return braked(draft, 0.1, 20);
+}
+
+Scene nose() {
+  Draft draft("nose",
+              "a block with a front of 40 degrees is pulled over a floor of boxes",
+              1600);
+  draft.stiffness(1e6);
+  draft.rub(0.0, 0.1);
+  for (int i = 0; i < 10; ++i)
+    draft.box(0.25 * i - 1.25, -1, 0.25, 1, true);
+  const double back = 0.3 / std::tan(40.0 * std::numbers::pi / 180.0);
+  const int b = draft.add({{-1, 0}, {-1, 0.3}, {-back, 0.3}, {0, 0}}, false);
+  draft.gravity(0.3, -g);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(0.15 * static_cast<double>(k) * static_cast<double>(k + 1) * dt * dt,
+                0);
+  });
+}
+
+namespace {
+
+/// Friction brakes the box by mu g, however deep it sinks in: the joints are closed,
+/// and the sides of fixed flush boxes hide nothing. Dropped without overlap, the box
+/// sinks in twice as deep as it comes to rest.
+Scene sunken(const char* name, const char* what, double stiffness, double share,
+             long steps) {
+  Draft draft(name, what, steps);
+  draft.stiffness(stiffness);
+  Scene scene = braked(draft, 0.1, 20);
+  scene.most_shared = scene.most_sinking = 2.5 * share;
+  return scene;
+}
+
+}  // namespace
+
+Scene soft_floor_4() {
+  return sunken(
+      "soft4", "a box slides over boxes so soft that it sinks in by 4 % of their width",
+      2.5e5, 0.04, 300);
+}
+
+Scene soft_floor_8() {
+  return sunken(
+      "soft8", "a box slides over boxes so soft that it sinks in by 8 % of their width",
+      1.25e5, 0.08, 220);
+}
+
+/// The bow rises forwards from the floor. The base is frictionless and the floor flush,
+/// so nothing slows the block down: it keeps the speed that it starts with.
+Scene bow() {
+  constexpr double speed = 1.0;
+  Draft draft("bow",
+              "a block with a bow of 5 degrees slides over a soft floor of boxes", 800);
+  draft.stiffness(2e5);
+  draft.rub(0.0, 0.1);
+  for (int i = 0; i < 16; ++i)
+    draft.box(0.25 * i - 2, -1, 0.25, 1, true);
+  const int b = draft.add(
+      {{-1.5, 0}, {-1.5, 0.3}, {0.5, 0.3}, {0.5, 0.5 * std::tan(radians(5))}, {0, 0}},
+      false);
+  draft.velocity(b, speed, 0);
+  draft.gravity(0, -g);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(speed * static_cast<double>(k) * dt, 0);
+  });
+}
+
+namespace {
+
+/// A regular polygon on so many pieces of a floor, rolling about its front lower
+/// corner. The floor begins at x = floor.
+Draft rolling(int corners, int pieces, double floor) {
+  constexpr double length = 6.0, radius = 0.5, speed = 1.2;
+  Draft draft("roller", "a regular polygon rolls over a floor of 24 flush pieces",
+              1400);
+  draft.fraction(0.05);
+  draft.rub(0.5, 0.3);
+  const double half = std::numbers::pi / corners;
+  geometry::Polygon outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = half - 0.5 * std::numbers::pi - 2.0 * half * i;
+    outline.emplace_back(radius * std::cos(angle),
+                         radius * (std::sin(angle) + std::cos(half)));
+  }
+  const int b = draft.add(outline, false);
+  draft.velocity(b, speed * std::cos(half), speed * std::sin(half));
+  draft.spin(b, -speed / radius);
+  for (int i = 0; i < pieces; ++i)
+    draft.box(length / pieces * i + floor, -10, length / pieces, 10, true);
+  draft.gravity(0.5, -g);
+  return draft;
+}
+
+}  // namespace
+
+/// The joints of a fixed flush floor hide nothing, so the polygon must roll as it does
+/// over a floor of one piece. That run is made here by the default rules; the floor's
+/// pieces are heavier than the polygon, so both runs have the same time step.
+Scene roller(Draws& draw) {
+  const int corners = 12 + draw.below(13);
+  const double floor = draw.between(-1.25, -1.0);
+  Draft draft = rolling(corners, 24, floor);
+  Model single = rolling(corners, 1, floor).model();
+  dynamics::SearchBuffers buffers;
+  dynamics::prepare(single);
+  const Vec2 start = single.blocks.centroid.col(0);
+  std::vector<Vec2> way = {Vec2(0, 0)};
+  Scene scene = draft.rests(1.0);
+  for (long k = 0; k < scene.steps; ++k) {
+    dynamics::step(single, buffers);
+    way.push_back(Vec2(single.blocks.centroid.col(0)) - start);
+  }
+  scene = draft.moves(0, [way](long k, double) {
+    return way[std::min(static_cast<std::size_t>(k), way.size() - 1)];
+  });
+  scene.known_motion = false;  // the phase of the polygon may differ
+  scene.mean_speed = true;
+  return scene;
+}
+
+}  // namespace blocks::study::scenes

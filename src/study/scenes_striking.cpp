@@ -1,0 +1,230 @@
+// Scenes in which blocks strike a floor or each other.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "geometry/contact_predicates.hpp"
+#include "study/draft.hpp"
+#include "study/scenes.hpp"
+
+namespace blocks::study::scenes {
+
+Scene needle() {
+  constexpr double speed = 3.0, width = 0.02;
+  const double c = std::cos(std::numbers::pi / 18.0),
+               s = std::sin(std::numbers::pi / 18.0);
+  Draft draft("needle", "a needle strikes a wide floor at 10 degrees and glides on",
+              600);
+  draft.box(-10, -1, 20, 1, true);
+  // corners from its foot: along it by t, across by w
+  const auto at = [&](double t, double w) {
+    return Vec2(2.0 + t * s - w * c, 0.005 + t * c + w * s);
+  };
+  const int b = draft.add({at(0, 0), at(0, width), at(1, width), at(1, 0)}, false);
+  draft.velocity(b, -speed, -speed);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(-speed * static_cast<double>(k) * dt, 0);
+  });
+}
+
+Scene plate() {
+  Draft draft("plate",
+              "a thin plate strikes a floor so fast that it sinks in by its thickness",
+              600);
+  draft.stiffness(1e6);
+  draft.box(-10, -1, 20, 1, true);
+  const int b = draft.box(0, 0.01, 1, 0.02);
+  draft.velocity(b, 3.0, -6.0);
+  return draft.moves(
+      b, [](long k, double dt) { return Vec2(3.0 * static_cast<double>(k) * dt, 0); });
+}
+
+Scene tip() {
+  constexpr double speed = 3.0;
+  Draft draft("tip", "a tip strikes a floor of boxes and glides over a joint", 600);
+  draft.stiffness(1e9);
+  for (int i = 0; i < 4; ++i)
+    draft.box(0.5 * i - 1, -1, 0.5, 1, true);
+  // its middle over the tip, so that it does not turn; at the joint when it is deepest
+  const double side = 0.4 * std::tan(std::numbers::pi / 6.0), start = -0.0045;
+  const int b =
+      draft.add({{start, 0.001}, {start - side, 0.401}, {start + side, 0.401}}, false);
+  draft.velocity(b, speed, -speed);
+  return draft.moves(b, [](long k, double dt) {
+    return Vec2(speed * static_cast<double>(k) * dt, 0);
+  });
+}
+
+namespace {
+
+/// A tip falls at this speed on the joint of two flush fixed boxes.
+struct Impact {
+  double angle = 0.0;     ///< of the tip, in degrees
+  double height = 0.0;    ///< of the triangle, [L]
+  double width = 0.0;     ///< of a box, [L]
+  double aside = 0.0;     ///< of the tip, from the joint, [L]
+  double speed = 0.0;     ///< downwards, [L/T]
+  double sideways = 0.0;  ///< [L/T]
+};
+
+/// A closed joint of fixed flush boxes hides its sides, so the tip must come back as
+/// from a floor of one piece. It keeps its speed, because the spring is undamped. It
+/// comes back straight, because the floor is frictionless and the centroid is above the
+/// tip. Let T be the root of mass over stiffness: the tip falls for T, touches the
+/// floor for pi T and rises. The deepest overlap is the speed times T. Two springs at
+/// the joint instead of one throw the tip back earlier by 0.9 T. So it may end off the
+/// expected place by a tenth of its way.
+Scene bounces(Draft draft, double stiffness, const Impact& impact) {
+  draft.stiffness(stiffness);
+  const double w = impact.width,
+               half = impact.height * std::tan(0.5 * radians(impact.angle));
+  draft.box(-w, -4 * w, w, 4 * w, true);
+  draft.box(0, -4 * w, w, 4 * w, true);
+  const double time = std::sqrt(2000.0 * half * impact.height / stiffness);  // T
+  const double gap = impact.speed * time, top = gap + impact.height;
+  const double tip =
+      impact.aside - impact.sideways * (1.0 + 0.5 * std::numbers::pi) * time;
+  const int b = draft.add({{tip, gap}, {tip - half, top}, {tip + half, top}}, false);
+  draft.velocity(b, impact.sideways, -impact.speed);
+  Scene scene = draft.moves(b, [impact, gap, time](long k, double dt) {
+    const double t = static_cast<double>(k) * dt;
+    return Vec2(impact.sideways * t,
+                impact.speed * (t - std::numbers::pi * time) - 2.0 * gap);
+  });
+  scene.known_motion = false;  // at the end only
+  scene.most_astray = 2.0 * gap;
+  return scene;
+}
+
+}  // namespace
+
+/// In half of the frames the tip falls on the joint itself, in the others beside it.
+Scene stake(Draws& draw) {
+  Draft draft("stake", "a stake of 4 to 40 degrees is driven into a closed joint", 600);
+  Impact impact{draw.between(4, 40), 0.4, 1, 0, 3, 0};
+  const double aside = draw.between(-1e-3, 1e-3);
+  impact.aside = draw.below(2) == 0 ? 0.0 : aside;
+  return bounces(draft, 1e9, impact);
+}
+
+/// The toe falls within a millionth of a box's width of the joint, which is the slack,
+/// or within twice of that. Its overlaps are a fifth of a micrometre, no more than the
+/// slack.
+Scene toe(Draws& draw) {
+  Draft draft("toe", "a toe strikes flush boxes within the slack of their joint", 600);
+  Impact impact{draw.between(20, 100), 0.2, 0.25, 0, 3e-3, 0};
+  impact.aside = draw.between(-2, 2) * geometry::contact_slack * impact.width;
+  impact.sideways = draw.below(2) == 0 ? 0.0 : draw.between(-3e-3, 3e-3);
+  Scene scene = bounces(draft, 1e10, impact);
+  scene.farthest = 1e3;
+  return scene;
+}
+
+namespace {
+
+geometry::Polygon shifted(geometry::Polygon outline, const Vec2& by) {
+  for (Vec2& p : outline)
+    p += by;
+  return outline;
+}
+
+/// A triangle around the origin with corners on a circle and with no angle below 4
+/// degrees.
+geometry::Polygon random_triangle(Draws& draw, double radius) {
+  constexpr double least = 8.0;  // an arc is twice the angle on it
+  while (true) {
+    std::array<double, 3> at = {draw.between(0, 360), draw.between(0, 360),
+                                draw.between(0, 360)};
+    std::sort(at.begin(), at.end(), std::greater<>());  // clockwise
+    if (at[0] - at[1] < least || at[1] - at[2] < least || at[2] + 360 - at[0] < least)
+      continue;
+    geometry::Polygon outline;
+    for (const double angle : at)
+      outline.emplace_back(radius * std::cos(radians(angle)),
+                           radius * std::sin(radians(angle)));
+    return shifted(outline, -(outline[0] + outline[1] + outline[2]) / 3.0);
+  }
+}
+
+/// The farthest point of an outline at the height y, to the right (sign = 1) or to the
+/// left
+/// (-1), as sign times x; minus infinity above and below the outline.
+double reach(const geometry::Polygon& outline, double y, double sign) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    if ((a.y() <= y && y <= b.y()) || (b.y() <= y && y <= a.y())) {
+      const double share = a.y() == b.y() ? 0.0 : (y - a.y()) / (b.y() - a.y());
+      farthest = std::max(farthest, sign * (a.x() + share * (b.x() - a.x())));
+    }
+  }
+  return farthest;
+}
+
+/// How far to the right the other outline must be in order to touch the first one only.
+double clearance(const geometry::Polygon& one, const geometry::Polygon& other) {
+  double needed = -std::numeric_limits<double>::infinity();
+  for (const geometry::Polygon* outline : {&one, &other})
+    for (const Vec2& p : *outline)
+      needed = std::max(needed, reach(one, p.y(), 1.0) + reach(other, p.y(), -1.0));
+  return needed;
+}
+
+/// The lowest corner (sign = -1) or the highest one (1), as sign times y.
+double extent(const geometry::Polygon& outline, double sign) {
+  double most = sign * outline[0].y();
+  for (const Vec2& p : outline)
+    most = std::max(most, sign * p.y());
+  return most;
+}
+
+}  // namespace
+
+namespace {
+
+/// Two triangles fly at each other. In half of the frames only their tips meet: seen
+/// along the flight they share up to 10 cm.
+void throw_two(Draft& draft, Draws& draw, double speed) {
+  const geometry::Polygon one = random_triangle(draw, 0.5);
+  const geometry::Polygon other = random_triangle(draw, 0.5);
+  const double highest = extent(one, 1.0) + extent(other, -1.0);
+  const double lowest = -extent(one, -1.0) - extent(other, 1.0);
+  const double share = draw();
+  const double aside = draw.below(2) == 0 ? highest - 0.1 * std::pow(share, 3)
+                                          : lowest + share * (highest - lowest);
+  const double away = clearance(one, shifted(other, {0, aside})) + 0.005;
+  draft.velocity(draft.add(one, false), speed, 0);
+  draft.velocity(draft.add(shifted(other, {away, aside}), false), -speed, 0);
+}
+
+/// Six triangles on a circle fly at its centre and press each other there.
+void throw_six(Draft& draft, Draws& draw, double speed) {
+  for (int i = 0; i < 6; ++i) {
+    const Vec2 out(std::cos(radians(60 * i)), std::sin(radians(60 * i)));
+    const int b = draft.add(shifted(random_triangle(draw, 0.35), 0.75 * out), false);
+    draft.velocity(b, -speed * out.x(), -speed * out.y());
+  }
+}
+
+}  // namespace
+
+/// Nothing is known of where the triangles fly, but none may come through another. No
+/// overlap is deeper than that of a spring which takes up all the energy.
+Scene triangles(Draws& draw) {
+  constexpr double speed = 4.0, stiffness = 1e8;
+  Draft draft("triangles", "random triangles are thrown at each other", 1500);
+  draft.stiffness(stiffness);
+  const bool two = draw.below(2) == 0;
+  two ? throw_two(draft, draw, speed) : throw_six(draft, draw, speed);
+  Scene scene = draft.rests(1.0);
+  scene.known_motion = false;
+  scene.looks = 50;
+  scene.most_shared = 1.0;
+  scene.most_depth = std::sqrt(2.0 * totals(draft.model()).kinetic_energy / stiffness);
+  return scene;
+}
+
+}  // namespace blocks::study::scenes
