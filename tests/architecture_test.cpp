@@ -57,10 +57,10 @@ TEST(Architecture, SourcesAreThere) {
   std::set<std::string> folders;
   for (const Include& include : includes())
     folders.insert(include.folder);
-  EXPECT_EQ(folders, (std::set<std::string>{"apps", "audit", "deck", "dynamics",
-                                            "exchange", "geometry", "geometry/exact",
-                                            "library", "library/blocks", "model",
-                                            "output", "post", "run", "study"}));
+  EXPECT_EQ(folders, (std::set<std::string>{
+                         "apps", "audit", "deck", "dynamics", "dynamics/rules",
+                         "exchange", "geometry", "geometry/exact", "library",
+                         "library/blocks", "model", "output", "post", "run", "study"}));
 }
 
 // CGAL compiles slowly and changes rounding flags: it stays behind geometry's headers.
@@ -111,6 +111,21 @@ TEST(Architecture, FoldersIncludeOnlyWhatTheyMay) {
           << include.file << " includes " << include.target;
     }
   }
+}
+
+// The contact rule is a function of blocks and their neighbours: it compiles without
+// the list, the arrays of contacts and the time loop.
+TEST(Architecture, ContactRuleSeesBlocksOnly) {
+  int headers = 0;
+  for (const Include& include : includes())
+    if (include.folder == "dynamics/rules" && !folder_of(include.target).empty()) {
+      ++headers;
+      EXPECT_TRUE(include.target.starts_with("dynamics/rules/") ||
+                  include.target == "model/blocks.hpp" ||
+                  folder_of(include.target) == "geometry")
+          << include.file << " includes " << include.target;
+    }
+  EXPECT_GT(headers, 0);
 }
 
 // What is installed needs nothing of ours that is not.

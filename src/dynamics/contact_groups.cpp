@@ -77,6 +77,21 @@ void find_pairs_of_corners(const Blocks& blocks, const Contacts& contacts,
   first[0] = 0;
 }
 
+void find_pairs_of_blocks(const Blocks& blocks, ContactGroups& groups) {
+  std::vector<int>& first = groups.first_of_block;
+  first.assign(blocks.size() + 1, 0);
+  for (const ContactPair& pair : groups.pairs)
+    ++first[pair.low + 1], ++first[pair.high + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  groups.pairs_of_blocks.resize(first.back());
+  for (int p = 0; p < static_cast<int>(groups.pairs.size()); ++p)
+    for (const int b : {groups.pairs[p].low, groups.pairs[p].high})
+      groups.pairs_of_blocks[first[b]++] = p;
+  // each was moved on to where the next begins
+  std::move_backward(first.begin(), first.end() - 1, first.end());
+  first[0] = 0;
+}
+
 }  // namespace
 
 namespace {
@@ -239,6 +254,13 @@ void ContactGroups::join_shares() {
     share.lost.clear();
     share.seats_complete = true;
   }
+}
+
+void prepare_pairs(const Blocks& blocks, ContactGroups& groups) {
+  groups.parts.make(blocks);
+  groups.pair_rooms.assign(groups.pairs.size(), {});
+  find_pairs_of_blocks(blocks, groups);
+  groups.scratch.resize(groups.shares.size());
 }
 
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,

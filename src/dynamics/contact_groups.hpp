@@ -11,6 +11,7 @@
 
 #include "dynamics/contact_lanes.hpp"
 #include "dynamics/give_back.hpp"
+#include "dynamics/rules/pair_rule.hpp"
 #include "dynamics/third_blocks.hpp"
 #include "dynamics/watch_rows.hpp"
 #include "dynamics/work_split.hpp"
@@ -182,6 +183,13 @@ struct PairPose {
   float certain = 0.0F;  ///< [L] until the first of the pair's groups has to be decided
 };
 static_assert(sizeof(ContactPair) + sizeof(PairPose) == 60);
+/// For how long the decision about a pair as a whole may hold.
+struct PairRoom {
+  double travel = 0.0;     ///< [L] of the swing at the decision
+  unsigned char life = 6;  ///< log2 of the steps for which room is tried next
+  unsigned char wait = 0;  ///< decisions until room is tried again
+  bool by_travel = false;  ///< it depends on neighbours (moved_since)
+};
 struct PairShapes {
   Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();
 };
@@ -274,6 +282,13 @@ struct ContactGroups : DecidedGroups {
   std::vector<int> pairs_of_corners;  ///< in which a corner has a group: their indices
   std::vector<int> first_of_corner;   ///< (corners + 1) where those of a corner begin
 
+  // For decisions pair by pair only (prepare_pairs).
+  BlockParts parts;
+  std::vector<PairRoom> pair_rooms;  ///< (pairs)
+  std::vector<int> first_of_block;   ///< (blocks + 1) where the pairs of a block begin
+  std::vector<int> pairs_of_blocks;  ///< pairs of each block: their indices
+  std::vector<PairScratch> scratch;  ///< (threads)
+
   // What acts, or is a candidate to, has a seat (ContactLanes), those of a pair in the
   // order of the list. Between load() and store() the lanes know what acts, else the
   // list does: never both.
@@ -311,6 +326,12 @@ struct ContactGroups : DecidedGroups {
       tell(static_cast<unsigned>(highs.lane[k]), false);
     for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
       tell(static_cast<unsigned>(lows.lane[k]), true);
+  }
+  /// Calls visit(block) for each block that block b is paired with, in the order of the
+  /// list.
+  template <class Visit> void each_neighbour(int b, const Visit& visit) const {
+    for (int k = first_of_block[b]; k < first_of_block[b + 1]; ++k)
+      visit(pairs[pairs_of_blocks[k]].beside(b));
   }
   /// Calls visit(block) for each convex block with edges in the list for the corner,
   /// but that of the surface.
@@ -401,6 +422,9 @@ struct RecordRange {
 /// Adds the groups of these records, and their pairs. each_alone: one record each.
 void add_groups(const Blocks& blocks, const Contacts& contacts, RecordRange records,
                 ContactGroups& groups, bool each_alone = false);
+
+/// What decisions pair by pair need of a new list.
+void prepare_pairs(const Blocks& blocks, ContactGroups& groups);
 
 /// Splits the list into its groups and pairs, all to be decided, but for what is known
 /// from the list before. each_alone: one record each, for studies without the nearest

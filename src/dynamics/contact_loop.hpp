@@ -14,11 +14,13 @@
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_handover.hpp"
 #include "dynamics/contact_lanes.hpp"
+#include "dynamics/pair_decisions.hpp"
 #include "dynamics/profile.hpp"
 #include "dynamics/third_travel.hpp"
 #include "dynamics/workers.hpp"
 
 namespace blocks::dynamics {
+
 namespace detail {
 
 /// Velocity of the material point of block b at `arm` from its centroid; strain rates
@@ -54,18 +56,6 @@ inline constexpr int least_life = 3;
 inline constexpr unsigned decisions_between = ContactGroup::most_hopeless;
 /// One that outlives so many is not put on a condition to live longer.
 inline constexpr int long_life = 32;
-
-/// How far two blocks move against each other in a step as they go now, [L]: to first
-/// order what relative_motion grows by.
-inline double motion_of_step(const Blocks& blocks, const Swing& swing,
-                             const ContactPair& pair, double dt) {
-  const auto arms = [&](int b) {
-    return swing.longest[b] *
-           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
-  };
-  const Vec2 apart = blocks.velocity.col(pair.low) - blocks.velocity.col(pair.high);
-  return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
-}
 
 /// A condition that bounds keep for fewer steps, for the corner may pass an edge or
 /// two, is prompt: these are asked exactly in each step, which takes less time than
@@ -126,29 +116,7 @@ void decide(const Blocks& blocks, const Contacts& contacts, ContactGroups& group
     group.set_record(decision.acting_record(group, block));
     other = decision.notch_record(group, block, group.record());
   }
-  const int one = group.record();
-  if (!group.reentrant && groups.keep_seat(g))
-    return;
-  if (group.reentrant)
-    groups.all[g + 1].set_record(other);
-  std::array<HeldSpring, 2> held;
-  for (int k = 0; k <= group.reentrant; ++k)
-    if (const int seat = groups.all[g + k].seat; seat >= 0)
-      held[k] = groups.held(seat);
-  const auto spring_of = [&](int i) {
-    return i < 0                 ? HeldSpring{}
-           : held[0].record == i ? held[0]
-           : held[1].record == i ? held[1]
-                                 : HeldSpring{};
-  };
-  for (int k = 0; k <= group.reentrant; ++k) {
-    const int i = groups.all[g + k].record();
-    share.seats_complete &= groups.set_seat(blocks, contacts, g + k, i, spring_of(i));
-  }
-  // who acts no more: its forces are gone, its spring may find an heir
-  for (const HeldSpring& spring : held)
-    if (spring.record != one && spring.record != other && spring.normal > 0.0)
-      share.lost.push_back({g, spring.record, spring.normal, spring.shear});
+  seat_records(blocks, contacts, groups, g, other, share);
 }
 
 /// Decides the groups of a pair for which the blocks have moved too far, `moved` from
@@ -339,14 +307,23 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     if (made && !groups.loaded)
       groups.load(blocks, contacts, settings);
     groups.read = false;
+    if constexpr (Pairwise<Rules>)
+      if (!made)
+        prepare_pairs(blocks, groups);
     // window by window: no other thread writes to the sets of a window
     workers.each(groups.split.windows, [&](int part, int first, int last) {
       const detail::ExactCalls calls(profile, groups.shares[part]);
-      for (int window = first; window < last; ++window)
-        detail::ask_thirds(blocks, groups, window);
-      detail::renew_decisions<Rules>(
-          blocks, contacts, groups, dt, first * rounds_of_window,
-          std::min(rounds, last * rounds_of_window), groups.shares[part]);
+      const int first_round = first * rounds_of_window,
+                last_round = std::min(rounds, last * rounds_of_window);
+      if constexpr (Pairwise<Rules>) {
+        detail::renew_pairs<Rules>(blocks, contacts, groups, dt, first_round,
+                                   last_round, groups.shares[part]);
+      } else {
+        for (int window = first; window < last; ++window)
+          detail::ask_thirds(blocks, groups, window);
+        detail::renew_decisions<Rules>(blocks, contacts, groups, dt, first_round,
+                                       last_round, groups.shares[part]);
+      }
     });
     groups.join_shares();
     if (!made || !groups.seats_complete) {

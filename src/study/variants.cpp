@@ -52,6 +52,19 @@ constexpr Variant variant(std::string_view name, std::string_view what,
           judge_signs<Signs>};
 }
 
+/// Decided pair by pair.
+template <class Predicates> struct PairRules : dynamics::ExactRules {
+  using PairPredicates = Predicates;
+  static constexpr bool keeps_decisions =
+      std::is_same_v<Predicates, dynamics::ExactPredicates>;
+};
+template <class Predicates>
+constexpr Variant by_pairs(std::string_view name, std::string_view what) {
+  Variant run = variant<ExactSigns<Ends::slack>, Use{}>(name, what);
+  run.step = step<PairRules<Predicates>>;
+  return run;
+}
+
 /// The step of every run itself, its list already up to date.
 constexpr Variant as_run(std::string_view name, std::string_view what) {
   Variant run = variant<ExactSigns<Ends::slack>, Use{}>(name, what);
@@ -86,6 +99,9 @@ const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
       as_run("default", "the step of every run: exact, slack 1e-6, (20), meeting, "
                         "nearest edge, closed joints, hand-over"),
+      by_pairs<dynamics::ExactPredicates>(
+          "pairs",
+          "the least axis of a pair of blocks that is entered and not covered"),
       // arithmetic
       variant<Plain<PrintedArea>, ours>(
           "printed",

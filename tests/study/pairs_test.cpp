@@ -1,0 +1,210 @@
+// The contact rule decided pair by pair: keeping decisions changes no bit, and blocks
+// of every shape hold each other up.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "dynamics/contact_loop.hpp"
+#include "dynamics/step.hpp"
+#include "geometry/overlap.hpp"
+#include "study/draft.hpp"
+#include "study/frame.hpp"
+#include "study/variants.hpp"
+
+namespace blocks::study {
+namespace {
+
+using geometry::Polygon;
+
+/// The same rule, every pair decided in every step.
+struct DecidedAnew : dynamics::ExactRules {
+  using PairPredicates = dynamics::ExactPredicates;
+  static constexpr bool keeps_decisions = false;
+};
+
+dynamics::Displacement step_anew(Model& model, dynamics::SearchBuffers& buffers) {
+  const dynamics::Extremes touching = dynamics::evaluate_contacts_by<DecidedAnew>(
+      model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
+      *buffers.workers);
+  const dynamics::Displacement moved = dynamics::move(model, buffers, touching);
+  dynamics::catch_up(model, buffers);
+  return moved;
+}
+
+/// Steps of both, from the same start: the same bits all the way. Returns how many
+/// pairs were taken from an earlier step, summed over the steps.
+long compare(const Model& start, int steps) {
+  const Variant& pairs = *find_variant("pairs");
+  Model kept = start, anew = start;
+  dynamics::SearchBuffers a, b;
+  dynamics::prepare(kept), dynamics::prepare(anew);
+  long reused = 0;
+  for (int k = 0; k < steps; ++k) {
+    pairs.find(kept, a), pairs.find(anew, b);
+    pairs.step(kept, a), step_anew(anew, b);
+    for (int p = 0; p < static_cast<int>(a.groups.pairs.size()); ++p)
+      reused += a.groups.poses[p].certain >
+                dynamics::detail::moved_since(kept.blocks, a.groups, p);
+    if (kept.blocks.corner != anew.blocks.corner ||
+        kept.blocks.velocity != anew.blocks.velocity) {
+      ADD_FAILURE() << "the runs part in step " << k;
+      return reused;
+    }
+  }
+  return reused;
+}
+
+// What may act with room for motion is what acts, as long as blocks move by less.
+TEST(Pairs, KeepDecisionsBitForBit) {
+  long reused = 0;
+  for (const std::string_view name : scene_names())
+    for (const int number : {4, 7}) {
+      SCOPED_TRACE(name);
+      Scene varied;
+      const Scene scene = make_scene(name);
+      const Scene& here = scene_in_frame(scene, 1982, number, varied);
+      reused += compare(
+          place(here.model, random_frame({}, number, here.size), Corners::sharp), 300);
+    }
+  EXPECT_GT(reused, 10000) << "hardly any decision is kept";
+}
+
+// Stress, strain and changing shapes widen what a decision has to hold for.
+TEST(Pairs, KeepDecisionsOfDeformableBlocks) {
+  long reused = 0;
+  for (const char* name : {"wall", "soft", "terrain"}) {
+    SCOPED_TRACE(name);
+    Scene varied;
+    const Scene scene = make_scene(name);
+    Model model = scene_in_frame(scene, 1982, 3, varied).model;
+    model.settings.rigid = false;
+    reused += compare(model, 300);
+  }
+  EXPECT_GT(reused, 500) << "hardly any decision is kept";
+}
+
+// Shapes that are not convex
+
+Polygon star(int tips, double inner) {
+  Polygon outline;
+  for (int i = 0; i < 2 * tips; ++i) {
+    const double angle = -std::numbers::pi * i / tips + 0.5 * std::numbers::pi;
+    const double radius = i % 2 == 0 ? 1.0 : inner;
+    outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return outline;
+}
+
+Polygon comb(int teeth) {
+  Polygon outline = {{0, 0}};
+  for (int i = 0; i < teeth; ++i) {
+    const double x = 0.5 * i;
+    outline.insert(outline.end(), {{x, 1}, {x + 0.25, 1}});
+    if (i + 1 < teeth)
+      outline.insert(outline.end(), {{x + 0.25, 0.3}, {x + 0.5, 0.3}});
+  }
+  outline.emplace_back(0.5 * (teeth - 1) + 0.25, 0);
+  return outline;
+}
+
+struct Shape {
+  std::string name;
+  Polygon outline;
+};
+const std::vector<Shape> shapes = {
+    {"L", {{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}}},
+    {"U", {{0, 0}, {0, 2}, {0.5, 2}, {0.5, 0.5}, {1.5, 0.5}, {1.5, 2}, {2, 2}, {2, 0}}},
+    {"star", star(5, 0.4)},
+    {"comb", comb(4)},
+    {"spiral",
+     {{0, 0},
+      {0, 3},
+      {3, 3},
+      {3, 1},
+      {1, 1},
+      {1, 2},
+      {2, 2},
+      {2, 1.5},
+      {1.5, 1.5},
+      {1.5, 1.7},
+      {1.2, 1.7},
+      {1.2, 1.2},
+      {2.5, 1.2},
+      {2.5, 2.5},
+      {0.5, 2.5},
+      {0.5, 0.5},
+      {3, 0.5},
+      {3, 0}}},
+    {"needle", {{0, 0}, {0, 0.003}, {3, 0.003}, {3, 0}}}};
+
+/// The largest part of the smaller one of two blocks that the two share.
+double most_shared(const Blocks& blocks) {
+  std::vector<Polygon> outlines;
+  for (int b = 0; b < blocks.size(); ++b)
+    outlines.push_back(blocks.outline(b));
+  double most = 0.0;
+  for (const auto& pair :
+       geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick))
+    if (blocks.is_free(pair.first) || blocks.is_free(pair.second))
+      most = std::max(most, pair.area / std::min(blocks.area[pair.first],
+                                                 blocks.area[pair.second]));
+  return most;
+}
+
+Polygon moved(Polygon outline, double angle, double x, double y) {
+  for (Vec2& p : outline)
+    p = Vec2(x + std::cos(angle) * p.x() - std::sin(angle) * p.y(),
+             y + std::sin(angle) * p.x() + std::cos(angle) * p.y());
+  return outline;
+}
+
+double lowest(const Polygon& outline) {
+  double y = INFINITY;
+  for (const Vec2& p : outline)
+    y = std::min(y, p.y());
+  return y;
+}
+
+// Each falls on a floor of boxes, and a box and a triangle fall on it: no corner, notch
+// or inner side between two parts lets another block through.
+TEST(Pairs, HoldUpBlocksOfEveryShape) {
+  const Variant& pairs = *find_variant("pairs");
+  for (const Shape& shape : shapes)
+    for (int turn = 0; turn < 8; ++turn) {
+      scenes::Draft draft("shape", "", 0);
+      draft.rub(0.5, 0.5);
+      for (int i = -4; i < 4; ++i)
+        draft.box(2 * i, -1, 2, 1, true);
+      Polygon outline = moved(shape.outline, 0.8 * turn, 0, 0);
+      const double up = 0.02 - lowest(outline);
+      outline = moved(outline, 0, 0.37, up);
+      draft.add(outline, false);
+      double top = -INFINITY;
+      for (const Vec2& p : outline)
+        top = std::max(top, p.y());
+      draft.box(0.4, top + 0.05, 0.3, 0.4);
+      draft.add({{0.9, top + 0.05}, {0.7, top + 0.5}, {1.2, top + 0.6}}, false);
+      draft.gravity(0, -scenes::g);
+      Model model = draft.model();
+      model.settings.normal_stiffness = model.settings.shear_stiffness = 1e8;
+      dynamics::SearchBuffers buffers;
+      dynamics::prepare(model);
+      double shared = 0.0;
+      for (int k = 0; k < 4000; ++k) {
+        pairs.find(model, buffers);
+        ASSERT_TRUE(pairs.step(model, buffers).finite) << shape.name << turn;
+        if (k % 500 == 499)
+          shared = std::max(shared, most_shared(model.blocks));
+      }
+      EXPECT_LT(shared, shape.name == "needle" ? 0.2 : 0.02) << shape.name << turn;
+      for (int b = 0; b < model.blocks.size(); ++b)
+        EXPECT_GT(model.blocks.centroid(1, b), b < 8 ? -1.0 : -0.01)
+            << shape.name << turn << " block " << b;
+    }
+}
+
+}  // namespace
+}  // namespace blocks::study
