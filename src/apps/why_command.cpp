@@ -8,7 +8,9 @@
 #include <cmath>
 #include <map>
 
+#include "audit/pair_audit.hpp"
 #include "run/run.hpp"
+#include "why_pair_report.hpp"
 #include "why_report.hpp"
 
 namespace blocks::apps {
@@ -66,6 +68,9 @@ void add_why_options(CLI::App& command, WhyOptions& options) {
       .add_option("-b,--block", options.blocks,
                   "number of a block; give it twice, once for each")
       ->allow_extra_args(false);
+  command.add_flag("--pairs", options.pairs,
+                   "by the contact rule that decides pair by pair, which runs do not "
+                   "use yet: what would act");
   command.add_flag("--json", options.json, "the answer as one JSON object");
 }
 
@@ -116,6 +121,12 @@ int refuse_block(const WhyOptions& options, const WhyScene& scene,
                        : there);
 }
 
+std::string both_fixed(int i, int j) {
+  return fmt::format(
+      "blocks {} and {} are both fixed: there is no contact between them", i + 1,
+      j + 1);
+}
+
 }  // namespace
 
 int why(const WhyOptions& options) {
@@ -149,14 +160,22 @@ int why(const WhyOptions& options) {
                                        : neighbours(rules, chosen[0] - 1));
   }
   const int i = chosen[0] - 1, j = chosen[1] - 1;
+  if (options.pairs) {
+    if (!blocks.is_free(i) && !blocks.is_free(j))
+      return refuse(both_fixed(i, j),
+                    neighbours(rules, i) + "; " + neighbours(rules, j));
+    const audit::ExactPairRule rule =
+        audit::exact_rule(blocks, audit::cut_into_parts(blocks), reach);
+    const WhyPair pair = why_pair(rule, std::min(i, j), std::max(i, j));
+    fmt::print("{}", options.json ? json(pair, scene, rule) : text(pair, scene, rule));
+    return run::done;
+  }
   WhyReport report = why(scene, rules, i, j);
   report.file = options.file;
   report.asked = time;
   if (report.decisions.empty()) {
     if (!blocks.is_free(i) && !blocks.is_free(j))
-      return refuse(fmt::format("blocks {} and {} are both fixed: there is no contact "
-                                "between them",
-                                i + 1, j + 1),
+      return refuse(both_fixed(i, j),
                     neighbours(rules, i) + "; " + neighbours(rules, j));
     return refuse(
         fmt::format("blocks {} and {} have no corner near each other at time {:g}{}",

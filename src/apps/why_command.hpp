@@ -12,6 +12,7 @@ struct WhyOptions {
   std::string file;                 ///< results or a checkpoint
   std::optional<std::string> time;  ///< the frame nearest to it; else the last
   std::vector<std::string> blocks;  ///< two numbers, from 1
+  bool pairs = false;  ///< by the contact rule of pairs of blocks
   bool json = false;
 };
 

@@ -38,4 +38,34 @@ std::vector<std::vector<int>> blocks_near_corners(const Blocks& blocks, double r
   return near;
 }
 
+std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double reach) {
+  const int n = blocks.size();
+  Eigen::Matrix2Xd low(2, n), high(2, n);
+  for (int b = 0; b < n; ++b) {
+    const auto corners =
+        blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+    low.col(b) = corners.rowwise().minCoeff();
+    high.col(b) = corners.rowwise().maxCoeff();
+  }
+  std::vector<int> by_x(n);
+  std::iota(by_x.begin(), by_x.end(), 0);
+  std::sort(by_x.begin(), by_x.end(),
+            [&](int a, int b) { return low(0, a) < low(0, b); });
+  std::vector<std::vector<int>> near(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) {
+      const int a = by_x[i], b = by_x[j];
+      if (low(0, b) > high(0, a) + reach)
+        break;
+      if (low(1, b) > high(1, a) + reach || low(1, a) > high(1, b) + reach ||
+          (!blocks.is_free(a) && !blocks.is_free(b)))
+        continue;
+      near[a].push_back(b);
+      near[b].push_back(a);
+    }
+  for (std::vector<int>& some : near)
+    std::sort(some.begin(), some.end());
+  return near;
+}
+
 }  // namespace blocks::audit

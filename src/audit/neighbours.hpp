@@ -13,4 +13,8 @@ namespace blocks::audit {
 /// are both fixed are left out: they have no contacts (rule 13).
 std::vector<std::vector<int>> blocks_near_corners(const Blocks& blocks, double reach);
 
+/// For each block the other blocks whose bounding boxes, grown by `reach` [L] >= 0 in
+/// total, meet its own; in ascending order. Pairs of fixed blocks are left out.
+std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double reach);
+
 }  // namespace blocks::audit

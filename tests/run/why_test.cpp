@@ -49,6 +49,19 @@ TEST_F(Why, TellsEveryRuleOfAContact) {
   EXPECT_THAT(answer.out, HasSubstr("in the file: edge 2 acted in the step before"));
 }
 
+// The rule that decides pair by pair: axes in order, and the contacts along the chosen
+// one.
+TEST_F(Why, TellsAxesOfAPair) {
+  const Outcome answer = why("scene.vtkhdf --block 3 --block 1 --pairs");
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("axis"));
+  EXPECT_THAT(answer.out, HasSubstr("entered"));
+  const Outcome as_json = why("scene.vtkhdf --block 1 --block 3 --pairs --json");
+  ASSERT_EQ(as_json.code, 0) << as_json.err;
+  const Json pair = Json::parse(as_json.out);
+  EXPECT_FALSE(pair["contacts"].empty());
+}
+
 // The same answer in both forms, and both from the results and from the checkpoint.
 TEST_F(Why, ResultsAndCheckpointAgree) {
   const Outcome results = why("scene.vtkhdf --block 3 --block 1 --json");

@@ -1,0 +1,206 @@
+// Closed joints, covered sides and hidden corners of docs/contact-rule.md, in exact
+// fractions.
+#include <algorithm>
+#include <cmath>
+
+#include "audit/exact_pair_rule.hpp"
+
+namespace blocks::audit {
+namespace {
+
+Ratio ratio(const Whole& n, const Whole& d) { return Ratio(n) / Ratio(d); }
+
+}  // namespace
+
+/// The joint at a corner of a part whose side `side` is one of the two that meet there.
+Joint ExactPairRule::joint(const PartCorner& corner, const PartSide& side,
+                           int against) const {
+  Joint found;
+  const bool from_start = start_of(side).index == corner.index;
+  found.corner = number(corner);
+  found.side = side;
+  found.surface = from_start ? side_before(corner) : side_after(corner);
+  found.against_part = against;
+  found.surface_inner = found.surface.inner;
+  if (found.surface_inner)
+    return found;
+  if (side.inner) {
+    found.closed = found.cover.covered = true;
+    found.cover.side = same_side_beyond(side);
+    return found;
+  }
+  found.centroid_below = sign(area2(centroid_[against], found.surface)) > 0;
+  if (found.centroid_below)
+    return found;
+  found.cover = cover(side, from_start, against);
+  found.closed = found.cover.covered;
+  return found;
+}
+
+/// A closed joint at one of the two ends of the side.
+std::optional<Joint> ExactPairRule::closed_joint_of(const PartSide& side,
+                                                    int against) const {
+  for (const PartCorner& corner : {start_of(side), end_of(side)})
+    if (const Joint found = joint(corner, side, against); found.closed)
+      return found;
+  return std::nullopt;
+}
+
+/// Whether a joint at the corner hides it from the side of another part.
+HiddenCorner ExactPairRule::hidden(const PartCorner& corner,
+                                   const PartSide& from) const {
+  HiddenCorner found;
+  for (const PartSide& g : {side_before(corner), side_after(corner)}) {
+    const Joint here = joint(corner, g, from.part);
+    if (!here.closed)
+      continue;
+    const int sigma = number(end_of(here.surface)) == here.corner ? 1 : -1;
+    const auto turns_away = [&](const PartSide& w) {
+      return sigma * sign(cross(along(w), along(from))) > 0 && !face(from, w);
+    };
+    if (!turns_away(here.surface))
+      continue;
+    if (here.cover.side) {
+      const PartSide& f = *here.cover.side;
+      const PartSide beyond =
+          sigma > 0 ? side_after(end_of(f)) : side_before(start_of(f));
+      if (sigma * sign(cross(along(here.surface), along(beyond))) < 0) {
+        found.rises = true;
+        if (!turns_away(beyond)) {
+          found.rise_keeps_it_visible = true;
+          continue;
+        }
+      }
+    }
+    found.hidden = true;
+    found.joint = here;
+    return found;
+  }
+  return found;
+}
+
+/// The inner side seen from the part beside it; none if that part has no area.
+std::optional<PartSide> ExactPairRule::same_side_beyond(const PartSide& inner) const {
+  const int block = parts_[inner.part].block;
+  for (int part = first_part_[block]; part < first_part_[block + 1]; ++part)
+    for (int i = 0; i < size(part); ++i)
+      if (const PartSide s = side(part, i);
+          s.start == inner.end && s.end == inner.start)
+        return s;
+  return std::nullopt;
+}
+
+/// The part of the side that lies in the convex part, borders included.
+ExactPairRule::Stretch ExactPairRule::part_inside(const PartSide& g, int part) const {
+  Stretch inside{0, 1};
+  for (int i = 0; i < size(part); ++i) {
+    const PartSide border = side(part, i);
+    const Whole from = area2(corner_[g.start], border),
+                to = area2(corner_[g.end], border);
+    if (sign(from) < 0 && sign(to) < 0)
+      return {};
+    if (sign(from) >= 0 && sign(to) >= 0)
+      continue;
+    const Ratio crossing = ratio(from, from - to);
+    if (sign(from) < 0)
+      inside.begin = std::max(inside.begin, crossing);
+    else
+      inside.end = std::min(inside.end, crossing);
+  }
+  return inside;
+}
+
+/// The projection of side f on the line of side g.
+ExactPairRule::Stretch ExactPairRule::projection(const PartSide& f,
+                                                 const PartSide& g) const {
+  const auto foot = [&](int c) {
+    return ratio(dot(corner_[c] - corner_[g.start], along(g)), length2(g));
+  };
+  const Ratio a = foot(f.start), b = foot(f.end);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// No axis of the two parts is less deep than both that of f and that of g.
+bool ExactPairRule::touch_along(const PartSide& f, const PartSide& g) const {
+  const Depth of_f = depth_of(axis_of(f, g.part)), of_g = depth_of(axis_of(g, f.part));
+  const auto is_less = [&](const Axis& axis) {
+    const Depth d = depth_of(axis);
+    return compare(d, of_f) < 0 && compare(d, of_g) < 0;
+  };
+  for (int i = 0; i < size(f.part); ++i)
+    if (is_less(axis_of(side(f.part, i), g.part)))
+      return false;
+  for (int i = 0; i < size(g.part); ++i)
+    if (is_less(axis_of(side(g.part, i), f.part)))
+      return false;
+  return true;
+}
+
+/// The gap between f and g is at most `stretch` times the length of g. It is measured
+/// at right angles to g at the place `middle` along g, and negative where they overlap.
+bool ExactPairRule::gap_at_most(const PartSide& f, const PartSide& g,
+                                const Ratio& middle, const Ratio& stretch) const {
+  const Whole l2 = length2(g);
+  const Point from = corner_[f.start] - corner_[g.start], f_along = along(f);
+  // The place u along f whose foot on g is `middle`.
+  const Ratio u =
+      (middle * Ratio(l2) - Ratio(dot(from, along(g)))) / Ratio(dot(f_along, along(g)));
+  const Ratio depth =
+      Ratio(cross(from, along(g))) + u * Ratio(cross(f_along, along(g)));
+  return -depth <= stretch * Ratio(l2);
+}
+
+/// Some corner of the part is at least `stretch` times the length of g below f.
+bool ExactPairRule::reaches_below(const PartSide& f, int part, const PartSide& g,
+                                  const Ratio& stretch) const {
+  const Ratio least = stretch * stretch * Ratio(length2(g)) * Ratio(length2(f));
+  for (int i = 0; i < size(part); ++i)
+    if (const Whole area = area2(at({part, i}), f);
+        sign(area) >= 0 && Ratio(area * area) >= least)
+      return true;
+  return false;
+}
+
+/// How far the neighbours of part `against` cover side g from one of its ends on.
+Cover ExactPairRule::cover(const PartSide& g, bool from_start, int against) const {
+  Cover found;
+  const Stretch interval = part_inside(g, against);
+  if (interval.empty())
+    return found;
+  const Stretch stretch =
+      from_start ? Stretch{0, interval.end} : Stretch{interval.begin, 1};
+  const Ratio h = stretch.length();  // as a part of the length of g
+  const auto common = [](const Stretch& a, const Stretch& b) {
+    return Stretch{std::max(a.begin, b.begin), std::min(a.end, b.end)};
+  };
+  Ratio of_stretch = 0, of_interval = 0, longest = 0;
+  for (const int block : neighbours_[parts_[against].block]) {
+    if (block == parts_[g.part].block)
+      continue;
+    for (int t = first_part_[block]; t < first_part_[block + 1]; ++t)
+      for (int i = 0; i < size(t); ++i) {
+        const PartSide f = side(t, i);
+        if (!face(f, g))
+          continue;
+        const Stretch covered = common(projection(f, g), stretch);
+        if (covered.empty() || !touch_along(f, g) ||
+            !gap_at_most(f, g, (covered.begin + covered.end) / 2, h) ||
+            !reaches_below(f, against, g, h) || part_inside(f, against).empty())
+          continue;
+        of_stretch += covered.length();
+        of_interval += common(covered, interval).length();
+        if (covered.length() > longest)
+          longest = covered.length(), found.side = f;
+      }
+  }
+  found.covered =
+      2 * of_stretch >= stretch.length() && 2 * of_interval >= interval.length();
+  const double l = length(g);
+  found.stretch = static_cast<double>(h) * l;
+  found.interval = static_cast<double>(interval.length()) * l;
+  found.share_of_stretch = static_cast<double>(Ratio(of_stretch / h));
+  found.share_of_interval = static_cast<double>(Ratio(of_interval / interval.length()));
+  return found;
+}
+
+}  // namespace blocks::audit

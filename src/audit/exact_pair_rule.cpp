@@ -1,0 +1,302 @@
+// The axes of two parts, which of them is entered, which one acts, and its contacts:
+// docs/contact-rule.md, but for what joints hide, which is in exact_covered_side.cpp.
+#include "audit/exact_pair_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blocks::audit {
+namespace {
+
+/// The double nearest 1e-6, as a part of an edge's length.
+constexpr double slack_of_length = 1e-6;
+
+/// The mean of the corners, summed in order, in doubles.
+Vec2 mean_of_corners(const Blocks& blocks, const ConvexPart& part) {
+  Vec2 sum = Vec2::Zero();
+  for (const int c : part.corners)
+    sum += blocks.corner.col(c);
+  return sum / static_cast<double>(part.corners.size());
+}
+
+}  // namespace
+
+ExactPairRule::ExactPairRule(const Blocks& blocks, std::vector<ConvexPart> parts,
+                             std::vector<std::vector<int>> neighbours)
+    : blocks_(blocks), parts_(std::move(parts)), neighbours_(std::move(neighbours)),
+      slack_(slack_of_length) {
+  first_part_.assign(static_cast<std::size_t>(blocks.size()) + 1, 0);
+  for (const ConvexPart& part : parts_)
+    ++first_part_[static_cast<std::size_t>(part.block) + 1];
+  for (std::size_t b = 1; b < first_part_.size(); ++b)
+    first_part_[b] += first_part_[b - 1];
+  std::vector<Vec2> centroids;
+  for (const ConvexPart& part : parts_)
+    centroids.push_back(blocks.convex[part.block]
+                            ? Vec2(blocks.centroid.col(part.block))
+                            : mean_of_corners(blocks, part));
+  for (const double x : blocks.corner.reshaped())
+    lattice_.include(x);
+  for (const Vec2& centroid : centroids)
+    for (const double x : centroid)
+      lattice_.include(x);
+  for (int c = 0; c < blocks.corners(); ++c)
+    corner_.push_back(lattice_(Vec2(blocks.corner.col(c))));
+  for (const Vec2& centroid : centroids)
+    centroid_.push_back(lattice_(centroid));
+}
+
+PartSide ExactPairRule::side(int part, int index) const {
+  const std::vector<int>& corners = parts_[part].corners;
+  const int n = size(part), i = index % n;
+  PartSide side{part, i, corners[i], corners[(i + 1) % n], false};
+  side.inner = blocks_.next[side.start] != side.end;
+  return side;
+}
+
+/// The sign of a - b, for depths a = 2A / L each.
+int ExactPairRule::compare(const Depth& a, const Depth& b) {
+  if (sign(a.area2) != sign(b.area2))
+    return sign(a.area2) > sign(b.area2) ? 1 : -1;
+  return sign(a.area2) *
+         (a.area2 * a.area2 * b.length2).compare(b.area2 * b.area2 * a.length2);
+}
+
+double ExactPairRule::rounded(const Depth& depth) const {
+  return lattice_.rounded(depth.area2, 2) /
+         std::sqrt(lattice_.rounded(depth.length2, 2));
+}
+
+double ExactPairRule::overlap(int corner, int edge) const {
+  const Point e = corner_[blocks_.next[edge]] - corner_[edge];
+  return rounded(Depth{cross(corner_[corner] - corner_[edge], e), dot(e, e)});
+}
+
+double ExactPairRule::length(const PartSide& side) const {
+  return std::sqrt(lattice_.rounded(length2(side), 2));
+}
+
+ExactPairRule::Depth ExactPairRule::depth_of(const Axis& axis) const {
+  return {area2(corner_[axis.corner], axis.side), length2(axis.side)};
+}
+
+/// The sides run against each other within ten degrees. With D the cross product of
+/// both, Q the product of the squared lengths and s = |D| / sqrt(Q) the sine, this is
+/// s <= sin 10. Below 30 degrees it holds if sin of the triple angle, 3 s - 4 s^3, is
+/// at most 1/2, and squared that is 4 D^2 (3 Q - 4 D^2)^2 <= Q^3.
+bool ExactPairRule::face(const PartSide& one, const PartSide& other) const {
+  const Point e = along(one), f = along(other);
+  if (sign(dot(e, f)) >= 0)
+    return false;
+  const Whole d = cross(e, f), d2 = d * d, q = dot(e, e) * dot(f, f);
+  if (4 * d2 >= q)
+    return false;
+  const Whole rest = 3 * q - 4 * d2;
+  return 4 * d2 * rest * rest <= q * q * q;
+}
+
+std::optional<PartSide> ExactPairRule::facing_side(const Axis& axis) const {
+  const PartCorner corner{axis.corner_part, axis.corner_index};
+  const PartSide before = side_before(corner), after = side_after(corner);
+  const bool one = face(before, axis.side), two = face(after, axis.side);
+  if (one && two) {
+    const Point e = along(axis.side);
+    const Whole d1 = cross(along(before), e), d2 = cross(along(after), e);
+    return d2 * d2 * length2(before) < d1 * d1 * length2(after) ? after : before;
+  }
+  if (one || two)
+    return one ? before : after;
+  return std::nullopt;
+}
+
+Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
+  Axis axis;
+  axis.side = side, axis.corner_part = other;
+  Whole deepest;
+  for (int i = 0; i < size(other); ++i) {
+    const Whole here = area2(at({other, i}), side);
+    if (i == 0 || here > deepest)
+      deepest = here, axis.corner_index = i;
+  }
+  axis.corner = number({other, axis.corner_index});
+  axis.depth = rounded(Depth{deepest, length2(side)});
+  axis.depth_sign = sign(deepest);
+  axis.facing = facing_side(axis);
+  return axis;
+}
+
+/// All axes of two parts, the least first.
+std::vector<Axis> ExactPairRule::axes(int part, int other) const {
+  std::vector<Axis> all;
+  const int low = std::min(part, other), high = std::max(part, other);
+  for (const auto& [mine, yours] : {std::pair(low, high), std::pair(high, low)})
+    for (int i = 0; i < size(mine); ++i)
+      all.push_back(axis_of(side(mine, i), yours));
+  std::stable_sort(all.begin(), all.end(), [&](const Axis& a, const Axis& b) {
+    return compare(depth_of(a), depth_of(b)) < 0;
+  });
+  return all;
+}
+
+/// Outside of a side of the part; its inner sides do not count.
+bool ExactPairRule::is_outside_part(const Point& point, int part) const {
+  for (int i = 0; i < size(part); ++i)
+    if (const PartSide s = side(part, i); !s.inner && outside(point, s))
+      return true;
+  return false;
+}
+
+Entry ExactPairRule::entry(const Axis& axis) const {
+  if (axis.depth_sign <= 0)
+    return Entry::none;
+  const int part = axis.side.part;
+  std::vector<PartSide> others;  // that the corner is outside of
+  for (int i = 0; i < size(part); ++i)
+    if (const PartSide s = side(part, i);
+        i != axis.side.index && !s.inner && outside(corner_[axis.corner], s))
+      others.push_back(s);
+  if (others.empty())
+    return Entry::inside;
+  if (!axis.facing)
+    return Entry::none;
+  const Whole foot =
+      dot(corner_[axis.corner] - corner_[axis.side.start], along(axis.side));
+  const Whole l2 = length2(axis.side), slack = slack_.numerator * l2;
+  if ((foot << slack_.shift) < slack || ((l2 - foot) << slack_.shift) < slack)
+    return Entry::foot;
+  if (others.size() > 1)
+    return Entry::none;
+  const PartCorner start = start_of(axis.side), end = end_of(axis.side);
+  const bool crossing =
+      (others.front() == side_before(start) &&
+       is_outside_part(at(start), axis.corner_part)) ||
+      (others.front() == side_after(end) && is_outside_part(at(end), axis.corner_part));
+  return crossing ? Entry::crossing : Entry::none;
+}
+
+/// Fills in whether the axis is entered and whether it is hidden.
+void ExactPairRule::examine(Axis& axis) const {
+  axis.examined = true;
+  axis.entry = entry(axis);
+  if (axis.side.inner) {
+    axis.hiding = Hiding::inner_side;
+  } else if ((axis.joint = closed_joint_of(axis.side, axis.corner_part))) {
+    axis.hiding = Hiding::side;
+  } else if (axis.facing && axis.facing->inner) {
+    axis.hiding = Hiding::inner_facing;
+  } else if (axis.facing &&
+             (axis.joint = closed_joint_of(*axis.facing, axis.side.part))) {
+    axis.hiding = Hiding::facing;
+  } else {
+    axis.corner_story = hidden({axis.corner_part, axis.corner_index}, axis.side);
+    if (axis.corner_story.hidden) {
+      axis.hiding = Hiding::corner;
+      axis.joint = axis.corner_story.joint;
+    }
+  }
+}
+
+void ExactPairRule::choose(PartDecision& decision) const {
+  const int n = static_cast<int>(decision.axes.size());
+  for (int i = 0; i < n; ++i) {
+    Axis& axis = decision.axes[i];
+    if (axis.depth_sign > 0)
+      examine(axis);
+    const bool flat = axis.depth_sign <= 0;
+    if (!flat && (axis.entry == Entry::none || axis.hiding != Hiding::none))
+      continue;
+    decision.choice = Choice::least, decision.chosen = i;
+    find_contacts(decision);
+    if (flat || std::any_of(decision.candidates.begin(), decision.candidates.end(),
+                            [](const Candidate& c) { return c.acts; }))
+      return;
+    decision.candidates.clear();
+  }
+  for (const Choice choice : {Choice::entered_stands, Choice::least_stands})
+    for (int i = 0; i < n; ++i) {
+      const Axis& axis = decision.axes[i];
+      if (axis.side.inner ||
+          (choice == Choice::entered_stands && axis.entry == Entry::none) ||
+          !candidate({axis.corner_part, axis.corner_index}, axis.side).between)
+        continue;
+      decision.choice = choice, decision.chosen = i;
+      find_contacts(decision);
+      return;
+    }
+  decision.choice = Choice::none, decision.chosen = -1;
+}
+
+Candidate ExactPairRule::candidate(const PartCorner& corner,
+                                   const PartSide& side) const {
+  Candidate found;
+  found.corner = number(corner), found.side = side;
+  const Whole area = area2(at(corner), side), l2 = length2(side);
+  found.depth = rounded(Depth{area, l2});
+  found.inside = sign(area) > 0;
+  const Whole foot = dot(at(corner) - corner_[side.start], along(side));
+  const Whole slack = slack_.numerator * l2;
+  found.between =
+      (foot << slack_.shift) >= -slack && ((l2 - foot) << slack_.shift) >= -slack;
+  found.edge = !side.inner;
+  return found;
+}
+
+void ExactPairRule::find_contacts(PartDecision& decision) const {
+  if (decision.chosen < 0)
+    return;
+  const Axis& axis = decision.axes[decision.chosen];
+  const bool alone = decision.choice == Choice::entered_stands;
+  if (alone || !axis.facing) {
+    Candidate found = candidate({axis.corner_part, axis.corner_index}, axis.side);
+    found.acts = found.between && found.inside && found.edge;
+    decision.candidates.push_back(found);
+    return;
+  }
+  const PartSide& e = axis.side;
+  const PartSide& f = *axis.facing;
+  for (const auto& [corner, side] :
+       {std::pair(start_of(f), e), std::pair(end_of(f), e), std::pair(start_of(e), f),
+        std::pair(end_of(e), f)}) {
+    Candidate found = candidate(corner, side);
+    found.acts = found.inside && found.between && found.edge;
+    if (found.acts) {
+      found.hidden = hidden(corner, side);
+      found.acts = !found.hidden.hidden;
+    }
+    decision.candidates.push_back(found);
+  }
+}
+
+PartDecision ExactPairRule::decide_parts(int part, int other) const {
+  PartDecision decision;
+  decision.part = part, decision.other = other;
+  decision.axes = axes(part, other);
+  for (const Axis& axis : decision.axes) {
+    const Depth d = depth_of(axis);
+    if ((d.area2 << slack_.shift) < -(slack_.numerator * d.length2)) {
+      decision.choice = Choice::apart;
+      decision.separating = axis.side;
+      decision.separation = axis.depth;
+      return decision;
+    }
+  }
+  choose(decision);
+  return decision;
+}
+
+PairDecision ExactPairRule::decide(int a, int b) const {
+  PairDecision decision;
+  for (int i = first_part_[a]; i < first_part_[a + 1]; ++i)
+    for (int j = first_part_[b]; j < first_part_[b + 1]; ++j) {
+      decision.parts.push_back(decide_parts(i, j));
+      for (const Candidate& found : decision.parts.back().candidates)
+        if (found.acts)
+          decision.contacts.emplace_back(found.corner, found.side.start);
+    }
+  auto& contacts = decision.contacts;
+  std::sort(contacts.begin(), contacts.end());
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+  return decision;
+}
+
+}  // namespace blocks::audit

@@ -1,0 +1,206 @@
+#include "audit/pair_words.hpp"
+
+#include <fmt/format.h>
+
+#include "audit/words.hpp"
+
+namespace blocks::audit {
+namespace {
+
+int number(const Blocks& blocks, int corner) {
+  return corner - blocks.first_corner[blocks.corner_block[corner]] + 1;
+}
+
+std::string name_of_edge(const Blocks& blocks, int edge) {
+  return fmt::format("edge {} of block {}", number(blocks, edge),
+                     blocks.corner_block[edge] + 1);
+}
+
+std::string contacts_in_words(const Blocks& blocks,
+                              const std::vector<std::pair<int, int>>& contacts) {
+  std::string text;
+  for (const auto& [corner, edge] : contacts)
+    text += fmt::format("{}{} on {}", text.empty() ? "" : "; ", name_of(blocks, corner),
+                        name_of_edge(blocks, edge));
+  return text.empty() ? "no contact" : text;
+}
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
+
+/// The block of a part, and the part if the block has several.
+std::string name_of_part(const ExactPairRule& rule, int part) {
+  const std::vector<ConvexPart>& parts = rule.parts();
+  const int block = parts[part].block;
+  int first = part, end = part;
+  while (first > 0 && parts[first - 1].block == block)
+    --first;
+  while (end < static_cast<int>(parts.size()) && parts[end].block == block)
+    ++end;
+  if (end - first == 1)
+    return fmt::format("block {}", block + 1);
+  return fmt::format("part {} of block {}", part - first + 1, block + 1);
+}
+
+std::string words(Entry entry) {
+  switch (entry) {
+  case Entry::inside:
+    return "entered: its corner is outside no other side";
+  case Entry::foot:
+    return "entered: the foot of its corner is beyond an end of the side";
+  case Entry::crossing:
+    return "entered: sides of the two blocks cross at its end";
+  case Entry::none:
+    break;
+  }
+  return "not entered: its corner has passed another side";
+}
+
+std::string words(const ExactPairRule& rule, const Axis& axis) {
+  const Blocks& blocks = rule.blocks();
+  switch (axis.hiding) {
+  case Hiding::none:
+    return axis.corner_story.rise_keeps_it_visible
+               ? "not hidden: beyond the closed joint the surface rises towards the "
+                 "side"
+               : "not hidden";
+  case Hiding::inner_side:
+    return "hidden: it is an inner side of its block";
+  case Hiding::inner_facing:
+    return "hidden: its facing side is an inner side of its block";
+  case Hiding::side:
+    return "hidden by a closed joint: " + words(rule, *axis.joint);
+  case Hiding::facing:
+    return "its facing side is hidden by a closed joint: " + words(rule, *axis.joint);
+  case Hiding::corner:
+    return fmt::format("{} is hidden from the side: {}", name_of(blocks, axis.corner),
+                       words(rule, *axis.joint));
+  }
+  return {};
+}
+
+std::string place_in_order(const PartDecision& decision, int axis) {
+  if (axis != decision.chosen)
+    return "does not act";
+  switch (decision.choice) {
+  case Choice::entered_stands:
+    return "stands in: all entered axes of edges are hidden, and this is the least";
+  case Choice::least_stands:
+    return "stands in: no axis of an edge is entered, and this is the least";
+  default:
+    return "acts";
+  }
+}
+
+void add_axes(const ExactPairRule& rule, const PartDecision& decision,
+              std::vector<std::string>& lines) {
+  const Blocks& blocks = rule.blocks();
+  const int n = static_cast<int>(decision.axes.size());
+  for (int i = 0; i < n; ++i) {
+    const Axis& axis = decision.axes[i];
+    if (!axis.examined && i != decision.chosen)
+      continue;
+    const std::string facing =
+        axis.facing ? "facing " + name_of(blocks, *axis.facing) : "no facing side";
+    lines.push_back(fmt::format(
+        "axis of {}: {} is {:.6g} deep, {}: {}", name_of(blocks, axis.side),
+        name_of(blocks, axis.corner), axis.depth, facing, verdict(rule, decision, i)));
+  }
+  if (decision.choice == Choice::least && decision.chosen + 1 < n)
+    lines.push_back(
+        fmt::format("{} deeper axes are not examined", n - decision.chosen - 1));
+}
+
+}  // namespace
+
+std::string name_of(const Blocks& blocks, const PartSide& side) {
+  if (!side.inner)
+    return name_of_edge(blocks, side.start);
+  return fmt::format("the inner side from corner {} to corner {} of block {}",
+                     number(blocks, side.start), number(blocks, side.end),
+                     blocks.corner_block[side.start] + 1);
+}
+
+std::string words(const ExactPairRule& rule, const Joint& joint) {
+  const Blocks& blocks = rule.blocks();
+  const std::string where =
+      fmt::format("at {} the surface of {}", name_of(blocks, joint.corner),
+                  name_of(blocks, joint.surface));
+  if (joint.surface_inner)
+    return where + " is an inner side, so the joint is open";
+  if (joint.side.inner)
+    return where + " goes on in the part beside it";
+  if (joint.centroid_below)
+    return fmt::format("{} has the centroid of {} inside, so the joint is open", where,
+                       name_of_part(rule, joint.against_part));
+  if (!joint.cover.side)
+    return fmt::format("{} ends, since no neighbour covers {}", where,
+                       name_of(blocks, joint.side));
+  return fmt::format(
+      "{} {}: neighbours cover {} of the stretch ({:.6g}) and {} of the interval "
+      "({:.6g}) of {}, {} by {}",
+      where, joint.closed ? "goes on" : "ends", percent(joint.cover.share_of_stretch),
+      joint.cover.stretch, percent(joint.cover.share_of_interval), joint.cover.interval,
+      name_of(blocks, joint.side),
+      joint.closed ? "most of it" : "less than half, the most",
+      name_of(blocks, *joint.cover.side));
+}
+
+std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int axis) {
+  const Axis& a = decision.axes[axis];
+  std::string end = place_in_order(decision, axis);
+  if (a.depth_sign <= 0)
+    return "not deeper than zero: " + end;
+  if (!a.examined)
+    return end;
+  return words(a.entry) + "; " + words(rule, a) + "; " + end;
+}
+
+std::string verdict(const ExactPairRule& rule, const Candidate& candidate) {
+  if (candidate.acts)
+    return "acts";
+  if (!candidate.inside)
+    return "refused: the corner is not inside the side";
+  if (!candidate.between)
+    return "refused: its foot is not between the ends of the side (slack 1e-6)";
+  if (!candidate.edge)
+    return "refused: the side is an inner side";
+  return "refused: the corner is hidden from the side: " +
+         words(rule, *candidate.hidden.joint);
+}
+
+std::vector<std::string> story(const ExactPairRule& rule, int a, int b,
+                               const PairDecision& decision) {
+  const Blocks& blocks = rule.blocks();
+  std::vector<std::string> lines = {
+      fmt::format("blocks {} and {}: {}", a + 1, b + 1,
+                  contacts_in_words(blocks, decision.contacts))};
+  for (const PartDecision& part : decision.parts) {
+    const std::string pair = fmt::format("{} and {}", name_of_part(rule, part.part),
+                                         name_of_part(rule, part.other));
+    if (part.choice == Choice::apart) {
+      lines.push_back(fmt::format("{} are apart by {:.6g} beyond {}", pair,
+                                  -part.separation, name_of(blocks, part.separating)));
+      continue;
+    }
+    if (decision.parts.size() > 1)
+      lines.push_back(pair + ":");
+    if (part.choice == Choice::none)
+      lines.push_back("no side is an edge of its block, so nothing acts");
+    add_axes(rule, part, lines);
+    for (const Candidate& candidate : part.candidates)
+      lines.push_back(fmt::format(
+          "{} on {}: {:.6g} deep: {}", name_of(blocks, candidate.corner),
+          name_of(blocks, candidate.side), candidate.depth, verdict(rule, candidate)));
+  }
+  return lines;
+}
+
+std::string tell_wrong_pair(const Blocks& blocks, int a, int b,
+                            const std::vector<std::pair<int, int>>& program,
+                            const std::vector<std::pair<int, int>>& exact) {
+  return fmt::format("wrong decision: blocks {} and {}: {} acts, exactly it is: {}",
+                     a + 1, b + 1, contacts_in_words(blocks, program),
+                     contacts_in_words(blocks, exact));
+}
+
+}  // namespace blocks::audit

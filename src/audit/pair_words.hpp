@@ -1,0 +1,34 @@
+// Decisions about pairs of blocks in words and numbers. Blocks, corners and edges count
+// from 1; an edge is named by its first corner.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/exact_pair_rule.hpp"
+
+namespace blocks::audit {
+
+/// "edge 3 of block 2", or "the inner side from corner 3 to corner 5 of block 2".
+std::string name_of(const Blocks& blocks, const PartSide& side);
+
+/// Why the surface does not end at a joint, or why the joint is open.
+std::string words(const ExactPairRule& rule, const Joint& joint);
+
+/// Whether an axis acts and why: "not entered", "entered ..., hidden: ...", "acts".
+std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int axis);
+
+/// Whether a corner acts on a side along the chosen axis, and why not.
+std::string verdict(const ExactPairRule& rule, const Candidate& candidate);
+
+/// The whole story of two blocks, a line each: what acts, then for each pair of parts
+/// the axes in the order of their depth up to the chosen one, and its contacts.
+std::vector<std::string> story(const ExactPairRule& rule, int a, int b,
+                               const PairDecision& decision);
+
+/// What the program and the judge decided, if they disagree.
+std::string tell_wrong_pair(const Blocks& blocks, int a, int b,
+                            const std::vector<std::pair<int, int>>& program,
+                            const std::vector<std::pair<int, int>>& exact);
+
+}  // namespace blocks::audit
