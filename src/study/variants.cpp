@@ -53,6 +53,18 @@ constexpr Variant variant(std::string_view name, std::string_view what,
 }
 
 /// Decided pair by pair.
+struct NoEntry : dynamics::ExactPredicates {
+  static constexpr bool entry = false;
+};
+struct NoCrossing : dynamics::ExactPredicates {
+  static constexpr bool crossing = false;
+};
+struct NoJoints : dynamics::ExactPredicates {
+  static constexpr bool covered_sides = false;
+};
+struct NoFaces : dynamics::ExactPredicates {
+  static constexpr bool faces = false;
+};
 template <class Predicates> struct PairRules : dynamics::ExactRules {
   using PairPredicates = Predicates;
   static constexpr bool keeps_decisions =
@@ -102,6 +114,12 @@ const std::vector<Variant>& all_variants() {
       by_pairs<dynamics::ExactPredicates>(
           "pairs",
           "the least axis of a pair of blocks that is entered and not covered"),
+      by_pairs<NoEntry>("pairs-no-entry", "pairs, whether an axis is entered or not"),
+      by_pairs<NoCrossing>("pairs-no-crossing",
+                           "pairs, but only corners inside a block have entered it"),
+      by_pairs<NoJoints>("pairs-no-joints", "pairs without what closed joints hide"),
+      by_pairs<NoFaces>("pairs-no-faces",
+                        "pairs, but of two faces one corner acts, the deepest"),
       // arithmetic
       variant<Plain<PrintedArea>, ours>(
           "printed",

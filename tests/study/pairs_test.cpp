@@ -12,6 +12,7 @@
 #include "geometry/overlap.hpp"
 #include "study/draft.hpp"
 #include "study/frame.hpp"
+#include "study/study.hpp"
 #include "study/variants.hpp"
 
 namespace blocks::study {
@@ -84,6 +85,25 @@ TEST(Pairs, KeepDecisionsOfDeformableBlocks) {
     reused += compare(model, 300);
   }
   EXPECT_GT(reused, 500) << "hardly any decision is kept";
+}
+
+// Each part of the rule has a scene that goes wrong without it.
+TEST(Pairs, NeedEveryPartOfTheRule) {
+  struct Known {
+    const char *scene, *variant;
+    int frames, least;
+  };
+  for (const Known& known : {Known{"stake", "pairs-no-entry", 16, 4},
+                             {"nose", "pairs-no-crossing", 4, 4},
+                             {"floor", "pairs-no-joints", 4, 4},
+                             {"bow", "pairs-no-faces", 4, 4}}) {
+    StudyChoice choice;
+    choice.count = known.frames;
+    choice.variants = {find_variant(known.variant), find_variant("pairs")};
+    const Study study = run_study(make_scene(known.scene), choice);
+    EXPECT_GE(study.rows[0].hung, known.least) << known.variant;
+    EXPECT_EQ(study.rows[1].hung + study.rows[1].fell, 0) << known.scene;
+  }
 }
 
 // Shapes that are not convex
