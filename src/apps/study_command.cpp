@@ -106,8 +106,8 @@ void check_files(const StudyOptions& options) {
 const study::Variant* default_rules() { return &study::all_variants().front(); }
 
 /// Tells what the gate does not let pass: default hangs or lets a block through, or
-/// takes other decisions than exact arithmetic takes anew. Scenes in which default is
-/// known to fail are judged by their decisions only.
+/// decides otherwise than exact arithmetic does in that step. Scenes in which default
+/// is known to fail are judged by their decisions only.
 bool default_is_sound(const std::vector<study::Study>& studies) {
   bool sound = true;
   for (const study::Study& study : studies)

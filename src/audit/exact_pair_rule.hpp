@@ -103,7 +103,7 @@ struct Candidate {
 enum class Choice {
   apart,           ///< The parts are apart, and there is no axis.
   least,           ///< It is the least axis that may act.
-  entered_stands,  ///< All entered axes are hidden, and the least of them stands in.
+  entered_stands,  ///< No entered axis acts, and the least of them stands in.
   least_stands,    ///< No axis is entered, and the least one stands in.
   none             ///< All sides are inner sides.
 };

@@ -83,7 +83,7 @@ std::string place_in_order(const PartDecision& decision, int axis) {
     return "does not act";
   switch (decision.choice) {
   case Choice::entered_stands:
-    return "stands in: all entered axes of edges are hidden, and this is the least";
+    return "stands in: no entered axis acts, and this is the least of them";
   case Choice::least_stands:
     return "stands in: no axis of an edge is entered, and this is the least";
   default:

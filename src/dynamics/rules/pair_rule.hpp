@@ -1,5 +1,5 @@
 // Which corners of two blocks act on which edges: the contact rule
-// (docs/theory.md#contact-rule). A pure function of the two blocks and of the blocks
+// (docs/contact-rule.md). A pure function of the two blocks and of the blocks
 // that either of them is paired with; every question is answered exactly (geometry/).
 // Independent of the contact list and of the time loop. A template over the predicates,
 // so that `blocks study` can try others.
@@ -73,8 +73,9 @@ template <class Predicates, class Neighbours> class PairRule {
   const Predicates& predicates() const { return ask_; }
 
  private:
-  /// The least axis that is entered and not hidden. If there is none, the corner of the
-  /// least entered axis acts alone; if none is entered, the least of all.
+  /// The least axis acts that is entered and not hidden and along which anything acts.
+  /// If there is none, an axis stands in whose corner is between the ends of its side:
+  /// the least entered one, with its corner alone, or else the least one.
   void decide_parts(int p, int q) {
     scratch_.axes.clear();
     if (!find_axes(p, q) || !find_axes(q, p))
