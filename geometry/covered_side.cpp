@@ -13,21 +13,6 @@ const Vec2& end_of(Outline polygon, std::size_t side) {
   return polygon[side + 1 < polygon.size() ? side + 1 : 0];
 }
 
-/// The largest distance from a point to a corner, and the shortest side, both [L] and
-/// with the sums of components for the lengths: from above and from below.
-struct Extent {
-  double farthest = 0.0, shortest = std::numeric_limits<double>::infinity();
-
-  void include(Outline polygon, const Vec2& from) {
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      farthest = std::max(farthest, (polygon[k] - from).lpNorm<1>());
-      shortest = std::min(
-          shortest,
-          (end_of(polygon, k) - start_of(polygon, k)).lpNorm<Eigen::Infinity>());
-    }
-  }
-};
-
 /// Between two bounds.
 struct Range {
   double low, high;
@@ -57,65 +42,118 @@ struct PartBehind {
   }
 };
 
+/// Between these sizes, [L], no product of two lengths overflows, and what underflows
+/// is below `lost`.
+constexpr double smallest = 1e-140, largest = 1e140, lost = 1e-150;
+
+/// What the place of a point across or along a side may be wrong by, if the point is
+/// `distance` away from an end of the side. The ends move against each other and
+/// against the point by at most `room` = r. Then the point moves by r, and the unit
+/// vector along a side of length l changes by at most 2 r / l: together r + 2 r
+/// distance / l. Rounding errors are below 1e-15 distance.
+double error_of(double distance, double length, double room) {
+  return (1e-12 * distance + 3.0 * room + lost) *
+         (1.0 + 2.0 * (distance + room) / length);
+}
+
 }  // namespace
 
-bool is_surely_uncovered(const SideEnd& end, Outline other,
-                         std::span<const Outline> neighbours, double room) {
-  const auto side = static_cast<std::size_t>(end.side);
-  const Vec2 first = start_of(end.polygon, side);
-  const Vec2 edge = end_of(end.polygon, side) - first;
-  const double length = edge.norm();
-  const Vec2 along = edge / length;
-  Extent extent;
-  extent.include(end.polygon, first);
-  extent.include(other, first);
-  for (const Outline& neighbour : neighbours)
-    extent.include(neighbour, first);
-  // A unit vector along a side of length l turns by less than 2 room / l. Rounding
-  // errors of a distance are below 1e-15 of the farthest point over the shortest side.
-  const double spread = extent.farthest / extent.shortest;
-  const double error =
-      1e-12 * (1.0 + spread) * extent.farthest + room * (3.0 + 6.0 * spread);
-  if (!(error < 1e-2 * extent.shortest))
-    return false;
-
+UncoveredSide::UncoveredSide(const SideEnd& end, Outline other, double room,
+                             double of_neighbours)
+    : other_(other), first_(start_of(end.polygon, static_cast<std::size_t>(end.side))),
+      room_(room), of_neighbours_(of_neighbours), at_start_(end.at_start) {
+  const Vec2 edge = end_of(end.polygon, static_cast<std::size_t>(end.side)) - first_;
+  length_ = edge.norm();
+  along_ = edge / length_;
   PartBehind interval;
+  double farthest = length_;
   for (std::size_t k = 0; k < other.size(); ++k) {
-    const Vec2 line = (end_of(other, k) - start_of(other, k)).normalized();
-    const double depth = cross(first - start_of(other, k), line);
-    interval.cut(depth, depth + cross(edge, line), error);
+    const Vec2 line = end_of(other, k) - start_of(other, k);
+    const Vec2 from = first_ - start_of(other, k);
+    const double of_line = line.norm();
+    farthest = std::max(farthest, from.lpNorm<1>());
+    const double depth = cross(from, line) / of_line;
+    interval.cut(depth, depth + cross(edge, line) / of_line,
+                 error_of(from.lpNorm<1>() + length_, of_line, room));
   }
-  if (interval.from.low > interval.to.high)
-    return true;
-  const Range h = end.at_start
-                      ? Range{length * interval.to.low, length * interval.to.high}
-                      : Range{length - length * interval.from.high,
-                              length - length * interval.from.low};
-  const Range stretch =
-      end.at_start ? Range{0.0, h.high} : Range{length - h.high, length};
+  const double error = error_of(length_, length_, room);
+  least_ =
+      length_ * (end.at_start ? interval.to.low : 1.0 - interval.from.high) - error;
+  most_ = length_ * (end.at_start ? interval.to.high : 1.0 - interval.from.low) + error;
+  is_empty_ = interval.from.low > interval.to.high;
+  if (!(length_ > smallest && farthest < largest))
+    give_up();
+}
 
-  double covered = 0.0;
-  for (const Outline& neighbour : neighbours)
-    for (std::size_t f = 0; f < neighbour.size(); ++f) {
-      const Vec2 &near = end_of(neighbour, f), &far = start_of(neighbour, f);
-      const Vec2 across = far - near;  // runs along the side if the two face each other
-      const double product = across.dot(along), of_across = across.norm();
-      if (product < 0.9 * of_across)  // the cosine of 10 degrees is .985
-        continue;
-      const double begin = (near - first).dot(along);
-      const double common = std::min(begin + product, stretch.high) -
-                            std::max(begin, stretch.low) + 4.0 * error;
-      if (common <= 0.0)
-        continue;
-      double reach = -std::numeric_limits<double>::infinity();
-      for (const Vec2& corner : other)
-        reach = std::max(reach, cross(across, corner - far) / of_across);
-      const double gap =
-          std::min(cross(along, near - first), cross(along, far - first));
-      if (reach + error >= h.low && gap - error <= h.high)
-        covered += common;
+bool UncoveredSide::is_outside(const Vec2& start, const Vec2& end) const {
+  for (std::size_t k = 0; k < other_.size(); ++k) {
+    const Vec2 line = end_of(other_, k) - start_of(other_, k);
+    const double of_line = line.norm();
+    const auto outside = [&](const Vec2& corner) {
+      const Vec2 from = corner - start_of(other_, k);
+      return cross(from, line) / of_line <
+             -of_neighbours_ -
+                 error_of(from.lpNorm<1>() + of_neighbours_, of_line, room_);
+    };
+    if (outside(start) && outside(end))
+      return true;
+  }
+  return false;
+}
+
+void UncoveredSide::add(Outline neighbour) {
+  if (!is_sure() || is_empty_)
+    return;
+  double low = std::numeric_limits<double>::infinity(), high = -low, far = 0.0;
+  for (const Vec2& corner : neighbour) {
+    const double at = (corner - first_).dot(along_);
+    low = std::min(low, at), high = std::max(high, at);
+    far = std::max(far, (corner - first_).lpNorm<1>());
+  }
+  if (!(far < largest))
+    return give_up();
+  // The last term is the rounding error of the length.
+  const double error =
+      of_neighbours_ + error_of(far + of_neighbours_, length_, room_) + 1e-12 * length_;
+  // Places along the side, from the end that is asked about.
+  const auto to_begin = [&](double begin, double last) {
+    return (at_start_ ? begin : length_ - last) - error;
+  };
+  const auto to_last = [&](double begin, double last) {
+    return (at_start_ ? last : length_ - begin) + error;
+  };
+  if (to_begin(low, high) >= most_ || to_last(low, high) <= 0.0)
+    return;
+  for (std::size_t f = 0; f < neighbour.size(); ++f) {
+    const Vec2 &near = end_of(neighbour, f), &far_end = start_of(neighbour, f);
+    const Vec2 across =
+        far_end - near;  // runs along the side if the two face each other
+    const double product = across.dot(along_), of_across = across.norm();
+    if (!(of_across > smallest))
+      return give_up();
+    // The cosine of 10 degrees is 0.985. If the two sides face each other after the
+    // motion, `product` + 1.985 of_neighbours + 2 room of_across / length is at least
+    // that part of `of_across`.
+    if (product + 2.0 * (of_neighbours_ + room_ * of_across / length_) <
+        0.95 * of_across)
+      continue;
+    double reach = -std::numeric_limits<double>::infinity(), distance = 0.0;
+    for (const Vec2& corner : other_) {
+      reach = std::max(reach, cross(across, corner - far_end) / of_across);
+      distance = std::max(distance, (corner - far_end).lpNorm<1>());
     }
-  return covered < 0.5 * h.low;
+    reach += error_of(distance, of_across, of_neighbours_);
+    const double gap =
+        std::min(cross(along_, near - first_), cross(along_, far_end - first_)) - error;
+    const double begin = (near - first_).dot(along_), last = begin + product;
+    const double from = std::max(0.0, to_begin(begin, last)), to = to_last(begin, last);
+    const double least = std::max(least_, gap), most = std::min(most_, reach);
+    if (least > most || from >= most || to <= 0.0 || is_outside(near, far_end))
+      continue;
+    // It covers (min(h, to) - from) / h of the stretch: most of it if h is `to`.
+    const double h = std::clamp(to, least, most);
+    share_ += std::max(0.0, std::min(h, to) - from) / h;
+  }
 }
 
 }  // namespace blocks::geometry

@@ -37,19 +37,43 @@ struct Cover {
 /// - no other side of the two polygons is less deep than both (compare_depths): the two
 ///   touch, or are apart, along these sides,
 /// - the gap between the two sides in the middle of what is covered of the stretch is
-/// at
-///   most h,
+///   at most h,
 /// - `other` reaches at least h below the covering side, and holds a part of that side.
 /// The neighbours cover the side if they cover half of the stretch and half of the
 /// interval. The answer is the neighbour that covers the longest part of the stretch;
 /// of equals, the first.
 Cover covering(const SideEnd& end, Outline other, std::span<const Outline> neighbours);
 
-/// True only if the neighbours certainly do not cover the side, and do not as long as
-/// no difference of two corners changes by more than `room`, [L] >= 0. In plain doubles
-/// with room for their rounding; false says nothing.
-bool is_surely_uncovered(const SideEnd& end, Outline other,
-                         std::span<const Outline> neighbours, double room);
+/// The quick half of the question, in plain doubles with room for rounding and for
+/// motion: whether neighbours certainly do not cover the side. It needs no memory. Only
+/// the share of the stretch is bounded; that the sides touch and the share of the
+/// interval are not tested.
+class UncoveredSide {
+ public:
+  /// [L] No difference of two corners of the polygon and `other` changes by more than
+  /// `room`, none of corners of a neighbour, or of one and a corner of these two, by
+  /// more than `of_neighbours` >= room >= 0.
+  UncoveredSide(const SideEnd& end, Outline other, double room, double of_neighbours);
+  /// Adds a neighbour.
+  void add(Outline neighbour);
+  /// Whether the neighbours so far certainly do not cover the side, now and after any
+  /// motion that the room allows. False says nothing.
+  bool is_sure() const { return share_ < 0.5; }
+
+ private:
+  /// Both ends of a neighbour's side are outside the same side of `other`.
+  bool is_outside(const Vec2& start, const Vec2& end) const;
+  /// The numbers are too large or too small for doubles.
+  void give_up() { share_ = 1.0; }
+
+  Outline other_;
+  Vec2 first_, along_;                    ///< the side: its start, a unit vector
+  double length_, room_, of_neighbours_;  ///< [L]
+  bool at_start_;
+  double least_, most_;  ///< [L] bounds of h
+  bool is_empty_;        ///< No part of the side lies in `other`.
+  double share_ = 0.0;  ///< An upper bound of the share of the stretch that is covered.
+};
 
 namespace exact {
 

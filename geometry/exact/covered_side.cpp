@@ -274,8 +274,6 @@ std::optional<Cover> answer_by_intervals(const SideEnd& end, Outline other,
 unsigned long long exact::covering_calls() { return undecided_by_intervals; }
 
 Cover covering(const SideEnd& end, Outline other, std::span<const Outline> neighbours) {
-  if (is_surely_uncovered(end, other, neighbours, 0.0))
-    return {};
   if (const auto sure = answer_by_intervals(end, other, neighbours))
     return *sure;
   ++undecided_by_intervals;

@@ -35,16 +35,22 @@ const char* word(audit::Choice choice) {
   switch (choice) {
   case audit::Choice::apart:
     return "apart";
-  case audit::Choice::least:
-    return "least axis";
-  case audit::Choice::entered_stands:
-    return "least entered axis stands in";
-  case audit::Choice::least_stands:
-    return "least axis stands in";
-  case audit::Choice::none:
+  case audit::Choice::touching:
+    return "least axis touches";
+  case audit::Choice::entered:
+    return "first entered axis acts";
+  case audit::Choice::surface:
+    return "surface takes over";
+  case audit::Choice::inner_side:
+    return "part beside inner side decides";
+  case audit::Choice::no_entry:
+    return "no axis entered, least axis stands in";
+  case audit::Choice::no_contact:
+    return "no contact, least axis stands in";
+  case audit::Choice::still_hidden:
     break;
   }
-  return "none";
+  return "surfaces hidden, first entered axis stands in";
 }
 
 const char* word(audit::Entry entry) {
@@ -61,22 +67,16 @@ const char* word(audit::Entry entry) {
   return "no";
 }
 
-const char* word(audit::Hiding hiding) {
-  switch (hiding) {
-  case audit::Hiding::inner_side:
-    return "inner side";
-  case audit::Hiding::side:
-    return "side of a closed joint";
-  case audit::Hiding::inner_facing:
-    return "inner facing side";
-  case audit::Hiding::facing:
-    return "facing side of a closed joint";
-  case audit::Hiding::corner:
-    return "corner";
-  case audit::Hiding::none:
+const char* word(audit::HidingPlace place) {
+  switch (place) {
+  case audit::HidingPlace::axis_side:
+    return "axis side";
+  case audit::HidingPlace::facing_side:
+    return "facing side";
+  case audit::HidingPlace::corner:
     break;
   }
-  return "no";
+  return "corner";
 }
 
 Json joint(const Blocks& blocks, const audit::Joint& joint) {
@@ -101,21 +101,29 @@ Json axes(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
                 {"depth", axis.depth},
                 {"facing", axis.facing ? side(blocks, *axis.facing) : Json()},
                 {"examined", axis.examined}};
-    if (axis.examined) {
+    if (axis.examined)
       one["entered"] = word(axis.entry);
-      one["hidden"] = word(axis.hiding);
-      one["joint"] = axis.joint ? joint(blocks, *axis.joint) : Json();
+    if (axis.looked_at) {
+      Json joints = Json::array();
+      for (const audit::HidingJoint& hiding : axis.hidden_by) {
+        Json closed = joint(blocks, hiding.joint);
+        closed["place"] = word(hiding.place);
+        joints.push_back(closed);
+      }
+      one["hidden_by"] = joints;
+      one["taken_over_by"] = axis.taken_over_by >= 0
+                                 ? side(blocks, part.axes[axis.taken_over_by].side)
+                                 : Json();
     }
     one["acts"] = i == part.chosen;
-    if (axis.examined || i == part.chosen)
+    if (axis.examined || axis.looked_at || i == part.chosen)
       one["verdict"] = audit::verdict(rule, part, i);
     list.push_back(one);
   }
   return list;
 }
 
-Json candidates(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
-  const Blocks& blocks = rule.blocks();
+Json candidates(const Blocks& blocks, const audit::PartDecision& part) {
   Json list = Json::array();
   for (const audit::Candidate& candidate : part.candidates)
     list.push_back({{"corner", place(blocks, candidate.corner)},
@@ -124,7 +132,7 @@ Json candidates(const audit::ExactPairRule& rule, const audit::PartDecision& par
                     {"inside", candidate.inside},
                     {"between", candidate.between},
                     {"acts", candidate.acts},
-                    {"verdict", audit::verdict(rule, candidate)}});
+                    {"verdict", audit::verdict(candidate)}});
   return list;
 }
 
@@ -198,7 +206,7 @@ std::string json(const WhyPair& pair, const WhyScene& scene,
     parts.push_back({{"blocks", {pair.first + 1, pair.second + 1}},
                      {"choice", word(part.choice)},
                      {"axes", axes(rule, part)},
-                     {"candidates", candidates(rule, part)}});
+                     {"candidates", candidates(blocks, part)}});
   const Json all = {{"blocks", {pair.first + 1, pair.second + 1}},
                     {"time", scene.time},
                     {"step", scene.step},

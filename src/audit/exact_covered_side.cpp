@@ -24,33 +24,35 @@ Joint ExactPairRule::joint(const PartCorner& corner, const PartSide& side,
   found.surface_inner = found.surface.inner;
   if (found.surface_inner)
     return found;
+  found.centroid_below = sign(area2(centroid_[against], found.surface)) > 0;
+  if (found.centroid_below)
+    return found;
   if (side.inner) {
     found.closed = found.cover.covered = true;
     found.cover.side = same_side_beyond(side);
     return found;
   }
-  found.centroid_below = sign(area2(centroid_[against], found.surface)) > 0;
-  if (found.centroid_below)
-    return found;
   found.cover = cover(side, from_start, against);
   found.closed = found.cover.covered;
   return found;
 }
 
-/// A closed joint at one of the two ends of the side.
-std::optional<Joint> ExactPairRule::closed_joint_of(const PartSide& side,
-                                                    int against) const {
+/// The closed joints at the start and at the end of the side.
+std::vector<Joint> ExactPairRule::closed_joints_of(const PartSide& side,
+                                                   int against) const {
+  std::vector<Joint> found;
   for (const PartCorner& corner : {start_of(side), end_of(side)})
-    if (const Joint found = joint(corner, side, against); found.closed)
-      return found;
-  return std::nullopt;
+    if (const Joint one = joint(corner, side, against); one.closed)
+      found.push_back(one);
+  return found;
 }
 
-/// Whether a joint at the corner hides it from the side of another part.
+/// The joints at the corner that hide it from a side of another part. First is the one
+/// whose covered side starts in the corner.
 HiddenCorner ExactPairRule::hidden(const PartCorner& corner,
                                    const PartSide& from) const {
   HiddenCorner found;
-  for (const PartSide& g : {side_before(corner), side_after(corner)}) {
+  for (const PartSide& g : {side_after(corner), side_before(corner)}) {
     const Joint here = joint(corner, g, from.part);
     if (!here.closed)
       continue;
@@ -72,9 +74,7 @@ HiddenCorner ExactPairRule::hidden(const PartCorner& corner,
         }
       }
     }
-    found.hidden = true;
-    found.joint = here;
-    return found;
+    found.joints.push_back(here);
   }
   return found;
 }

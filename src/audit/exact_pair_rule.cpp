@@ -174,56 +174,83 @@ Entry ExactPairRule::entry(const Axis& axis) const {
   return crossing ? Entry::crossing : Entry::none;
 }
 
-/// Fills in whether the axis is entered and whether it is hidden.
-void ExactPairRule::examine(Axis& axis) const {
-  axis.examined = true;
-  axis.entry = entry(axis);
-  if (axis.side.inner) {
-    axis.hiding = Hiding::inner_side;
-  } else if ((axis.joint = closed_joint_of(axis.side, axis.corner_part))) {
-    axis.hiding = Hiding::side;
-  } else if (axis.facing && axis.facing->inner) {
-    axis.hiding = Hiding::inner_facing;
-  } else if (axis.facing &&
-             (axis.joint = closed_joint_of(*axis.facing, axis.side.part))) {
-    axis.hiding = Hiding::facing;
-  } else {
-    axis.corner_story = hidden({axis.corner_part, axis.corner_index}, axis.side);
-    if (axis.corner_story.hidden) {
-      axis.hiding = Hiding::corner;
-      axis.joint = axis.corner_story.joint;
-    }
-  }
+/// Fills in the closed joints that hide the axis and the surface that takes over.
+void ExactPairRule::look_for_joints(PartDecision& decision, int index) const {
+  Axis& axis = decision.axes[index];
+  if (axis.looked_at)
+    return;
+  axis.looked_at = true;
+  const auto axis_along = [&](const PartSide& side) {
+    const auto found = std::find_if(decision.axes.begin(), decision.axes.end(),
+                                    [&](const Axis& a) { return a.side == side; });
+    return static_cast<int>(found - decision.axes.begin());
+  };
+  const auto collect = [&](HidingPlace place, const std::vector<Joint>& joints) {
+    for (const Joint& joint : joints)
+      axis.hidden_by.push_back({place, joint, axis_along(joint.surface)});
+  };
+  collect(HidingPlace::axis_side, closed_joints_of(axis.side, axis.corner_part));
+  if (axis.facing)
+    collect(HidingPlace::facing_side, closed_joints_of(*axis.facing, axis.side.part));
+  const HiddenCorner corner = hidden({axis.corner_part, axis.corner_index}, axis.side);
+  collect(HidingPlace::corner, corner.joints);
+  axis.rise_keeps_it_visible = corner.rise_keeps_it_visible;
+  if (axis.hidden_by.empty())
+    return;
+  const auto depth = [&](const HidingJoint& hiding) {
+    return depth_of(decision.axes[hiding.surface]);
+  };
+  axis.taken_over_by =
+      std::min_element(axis.hidden_by.begin(), axis.hidden_by.end(),
+                       [&](const HidingJoint& a, const HidingJoint& b) {
+                         return compare(depth(a), depth(b)) < 0;
+                       })
+          ->surface;
 }
 
 void ExactPairRule::choose(PartDecision& decision) const {
-  const int n = static_cast<int>(decision.axes.size());
-  for (int i = 0; i < n; ++i) {
-    Axis& axis = decision.axes[i];
-    if (axis.depth_sign > 0)
-      examine(axis);
-    const bool flat = axis.depth_sign <= 0;
-    if (!flat && (axis.entry == Entry::none || axis.hiding != Hiding::none))
-      continue;
-    decision.choice = Choice::least, decision.chosen = i;
-    find_contacts(decision);
-    if (flat || std::any_of(decision.candidates.begin(), decision.candidates.end(),
-                            [](const Candidate& c) { return c.acts; }))
-      return;
-    decision.candidates.clear();
+  std::vector<Axis>& axes = decision.axes;
+  const auto choose_axis = [&](Choice choice, int axis) {
+    decision.choice = choice, decision.chosen = axis;
+  };
+  if (axes.front().depth_sign <= 0) {
+    choose_axis(Choice::touching, 0);
+    return find_contacts(decision);
   }
-  for (const Choice choice : {Choice::entered_stands, Choice::least_stands})
-    for (int i = 0; i < n; ++i) {
-      const Axis& axis = decision.axes[i];
-      if (axis.side.inner ||
-          (choice == Choice::entered_stands && axis.entry == Entry::none) ||
-          !candidate({axis.corner_part, axis.corner_index}, axis.side).between)
-        continue;
-      decision.choice = choice, decision.chosen = i;
-      find_contacts(decision);
-      return;
+  const auto entered = std::find_if(axes.begin(), axes.end(), [&](Axis& axis) {
+    axis.examined = true;
+    axis.entry = entry(axis);
+    return axis.entry != Entry::none;
+  });
+  if (entered == axes.end()) {
+    choose_axis(Choice::no_entry, 0);
+    return test_corner(decision);
+  }
+  constexpr std::size_t most_looks = 3;
+  decision.path = {static_cast<int>(entered - axes.begin())};
+  for (;;) {
+    look_for_joints(decision, decision.path.back());
+    const int surface = axes[decision.path.back()].taken_over_by;
+    if (surface < 0)
+      break;
+    if (decision.path.size() == most_looks) {
+      choose_axis(Choice::still_hidden, decision.path.front());
+      return test_corner(decision);
     }
-  decision.choice = Choice::none, decision.chosen = -1;
+    decision.path.push_back(surface);
+  }
+  const bool is_entered = decision.path.size() == 1;
+  if (is_entered && entered->side.inner) {
+    choose_axis(Choice::inner_side, -1);
+    return;
+  }
+  choose_axis(is_entered ? Choice::entered : Choice::surface, decision.path.back());
+  find_contacts(decision);
+  if (is_entered && std::none_of(decision.candidates.begin(), decision.candidates.end(),
+                                 [](const Candidate& c) { return c.acts; })) {
+    choose_axis(Choice::no_contact, 0);
+    test_corner(decision);
+  }
 }
 
 Candidate ExactPairRule::candidate(const PartCorner& corner,
@@ -238,33 +265,28 @@ Candidate ExactPairRule::candidate(const PartCorner& corner,
   found.between =
       (foot << slack_.shift) >= -slack && ((l2 - foot) << slack_.shift) >= -slack;
   found.edge = !side.inner;
+  found.acts = found.inside && found.between && found.edge;
   return found;
 }
 
-void ExactPairRule::find_contacts(PartDecision& decision) const {
-  if (decision.chosen < 0)
-    return;
+/// Whether the corner of the chosen axis acts on the axis side, and nothing else.
+void ExactPairRule::test_corner(PartDecision& decision) const {
   const Axis& axis = decision.axes[decision.chosen];
-  const bool alone = decision.choice == Choice::entered_stands;
-  if (alone || !axis.facing) {
-    Candidate found = candidate({axis.corner_part, axis.corner_index}, axis.side);
-    found.acts = found.between && found.inside && found.edge;
-    decision.candidates.push_back(found);
-    return;
-  }
+  decision.candidates.push_back(
+      candidate({axis.corner_part, axis.corner_index}, axis.side));
+}
+
+/// The contacts along the chosen axis.
+void ExactPairRule::find_contacts(PartDecision& decision) const {
+  const Axis& axis = decision.axes[decision.chosen];
+  if (!axis.facing)
+    return test_corner(decision);
   const PartSide& e = axis.side;
   const PartSide& f = *axis.facing;
   for (const auto& [corner, side] :
        {std::pair(start_of(f), e), std::pair(end_of(f), e), std::pair(start_of(e), f),
-        std::pair(end_of(e), f)}) {
-    Candidate found = candidate(corner, side);
-    found.acts = found.inside && found.between && found.edge;
-    if (found.acts) {
-      found.hidden = hidden(corner, side);
-      found.acts = !found.hidden.hidden;
-    }
-    decision.candidates.push_back(found);
-  }
+        std::pair(end_of(e), f)})
+    decision.candidates.push_back(candidate(corner, side));
 }
 
 PartDecision ExactPairRule::decide_parts(int part, int other) const {

@@ -63,16 +63,22 @@ struct Joint {
 /// Why an axis counts as entered.
 enum class Entry { none, inside, foot, crossing };
 
-/// Why an axis is hidden. `side` means the axis side, `facing` the facing side, and
-/// `corner` that the corner is hidden from the axis side.
-enum class Hiding { none, inner_side, side, inner_facing, facing, corner };
-
-/// What hides a corner from a side of another part.
+/// The closed joints that hide a corner from a side of another part.
 struct HiddenCorner {
-  bool hidden = false;
-  std::optional<Joint> joint;          ///< the closed joint that hides it
-  bool rises = false;                  ///< The surface rises beyond a closed joint.
+  std::vector<Joint> joints;
+  bool rises = false;  ///< The surface rises beyond a closed joint at the corner.
   bool rise_keeps_it_visible = false;  ///< The side faces the rising surface.
+  bool hidden() const { return !joints.empty(); }
+};
+
+/// Where a closed joint that hides an axis is: at an end of the axis side, at an end of
+/// the facing side, or at the corner of the axis.
+enum class HidingPlace { axis_side, facing_side, corner };
+
+struct HidingJoint {
+  HidingPlace place = HidingPlace::axis_side;
+  Joint joint;
+  int surface = -1;  ///< the axis of its surface, an index into PartDecision::axes
 };
 
 struct Axis {
@@ -82,11 +88,12 @@ struct Axis {
   double depth = 0.0;  ///< [L]
   int depth_sign = 0;
   std::optional<PartSide> facing;
-  bool examined = false;  ///< The choice came as far as this axis.
+  bool examined = false;  ///< `entry` is known.
   Entry entry = Entry::none;
-  Hiding hiding = Hiding::none;
-  std::optional<Joint> joint;  ///< the closed joint, if one hides the axis
-  HiddenCorner corner_story;
+  bool looked_at = false;              ///< `hidden_by` and `taken_over_by` are known.
+  std::vector<HidingJoint> hidden_by;  ///< empty: The axis is not hidden.
+  int taken_over_by = -1;              ///< the least axis of the surfaces, an index
+  bool rise_keeps_it_visible = false;
 };
 
 /// One pair of a corner and a side that may act, with the verdict.
@@ -95,26 +102,31 @@ struct Candidate {
   PartSide side;
   double depth = 0.0;  ///< [L]
   bool inside = false, between = false, edge = false;
-  HiddenCorner hidden;
-  bool acts = false;
+  bool acts = false;  ///< all three
 };
 
 /// How the axis was chosen.
 enum class Choice {
-  apart,           ///< The parts are apart, and there is no axis.
-  least,           ///< It is the least axis that may act.
-  entered_stands,  ///< No entered axis acts, and the least of them stands in.
-  least_stands,    ///< No axis is entered, and the least one stands in.
-  none             ///< All sides are inner sides.
+  apart,         ///< A side keeps the parts apart, and nothing acts.
+  touching,      ///< The least axis is not deeper than zero, and its contacts act.
+  entered,       ///< The first entered axis is not hidden, and its contacts act.
+  surface,       ///< A surface has taken over, and its contacts act.
+  inner_side,    ///< The first entered axis has an inner side, and nothing acts.
+  no_entry,      ///< No axis is entered, and the least one stands in.
+  no_contact,    ///< Nothing acts along the first entered axis; the least stands in.
+  still_hidden,  ///< Three axes in a row are hidden; the first entered one stands in.
 };
 
 struct PartDecision {
   int part = -1, other = -1;
-  Choice choice = Choice::none;
+  Choice choice = Choice::apart;
   PartSide separating;      ///< of parts that are apart
   double separation = 0.0;  ///< [L] of parts that are apart, below zero
-  std::vector<Axis> axes;   ///< in the order of the choice
-  int chosen = -1;          ///< an index into axes
+  std::vector<Axis> axes;   ///< in the order of their depth
+  /// The first entered axis, then the surfaces that took over: indices into axes.
+  std::vector<int> path;
+  int chosen = -1;  ///< an index into axes
+  /// Those of the first entered axis are kept if nothing acts along it.
   std::vector<Candidate> candidates;
 };
 
@@ -199,15 +211,16 @@ class ExactPairRule {
   std::optional<PartSide> facing_side(const Axis& axis) const;
   Entry entry(const Axis& axis) const;
   bool is_outside_part(const Point& point, int part) const;
-  void examine(Axis& axis) const;
+  void look_for_joints(PartDecision& decision, int axis) const;
   void choose(PartDecision& decision) const;
   Candidate candidate(const PartCorner& corner, const PartSide& side) const;
   void find_contacts(PartDecision& decision) const;
+  void test_corner(PartDecision& decision) const;
   PartDecision decide_parts(int part, int other) const;
 
   // These are in exact_covered_side.cpp.
   Joint joint(const PartCorner& corner, const PartSide& side, int against) const;
-  std::optional<Joint> closed_joint_of(const PartSide& side, int against) const;
+  std::vector<Joint> closed_joints_of(const PartSide& side, int against) const;
   HiddenCorner hidden(const PartCorner& corner, const PartSide& from) const;
   Cover cover(const PartSide& side, bool from_start, int against) const;
   std::optional<PartSide> same_side_beyond(const PartSide& inner) const;

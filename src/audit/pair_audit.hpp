@@ -1,5 +1,6 @@
 // Judges the contacts of one moment by the contact rule of pairs of blocks
-// (docs/contact-rule.md): whether the list is complete and every decision is exact.
+// (docs/contact-rule.md): whether the list of near pairs is complete and every decision
+// is exact.
 #pragma once
 
 #include <utility>
@@ -18,10 +19,9 @@ struct WrongPair {
 };
 
 struct PairFindings {
-  long pairs = 0;    ///< pairs of blocks near each other
-  long records = 0;  ///< corners and edges that the list ought to hold
-  long acting = 0;   ///< acting contacts
-  std::vector<MissedPair> missed;
+  long pairs = 0;   ///< pairs of blocks that the list has to hold
+  long acting = 0;  ///< acting contacts
+  std::vector<std::pair<int, int>> missed;  ///< those that the list lacks
   std::vector<WrongPair> wrong;
 
   bool sound() const { return missed.empty() && wrong.empty(); }
@@ -36,9 +36,10 @@ ExactPairRule exact_rule(const Blocks& blocks, std::vector<ConvexPart> parts,
 /// The parts as geometry::convex_parts cuts the outlines as they are.
 std::vector<ConvexPart> cut_into_parts(const Blocks& blocks);
 
-/// Compares all pairs of blocks near each other. A corner and an edge are missed if the
-/// list lacks them though they act, or though the corner is as near to the edge as
-/// corners may still move before the next list.
-PairFindings audit_pairs(const Moment& moment, std::vector<ConvexPart> parts);
+/// Compares the contacts of all pairs of blocks near each other. `listed` has the pairs
+/// of the program's list, the lower block first, in ascending order. It has to hold all
+/// pairs whose bounding boxes may meet before the next list.
+PairFindings audit_pairs(const Moment& moment, std::vector<ConvexPart> parts,
+                         const std::vector<std::pair<int, int>>& listed);
 
 }  // namespace blocks::audit

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "audit/words.hpp"
 
 namespace blocks::audit {
@@ -55,59 +57,93 @@ std::string words(Entry entry) {
   return "not entered: its corner has passed another side";
 }
 
-std::string words(const ExactPairRule& rule, const Axis& axis) {
-  const Blocks& blocks = rule.blocks();
-  switch (axis.hiding) {
-  case Hiding::none:
-    return axis.corner_story.rise_keeps_it_visible
+std::string words(const ExactPairRule& rule, const Axis& axis,
+                  const HidingJoint& hiding) {
+  const std::string why = words(rule, hiding.joint);
+  switch (hiding.place) {
+  case HidingPlace::axis_side:
+    return "hidden by a closed joint: " + why;
+  case HidingPlace::facing_side:
+    return "hidden by a closed joint of its facing side: " + why;
+  case HidingPlace::corner:
+    break;
+  }
+  return fmt::format("hidden, because a closed joint hides {} from the side: {}",
+                     name_of(rule.blocks(), axis.corner), why);
+}
+
+/// Which closed joints hide the axis, and which surface takes over.
+std::string hiding_in_words(const ExactPairRule& rule, const PartDecision& decision,
+                            const Axis& axis) {
+  if (axis.hidden_by.empty())
+    return axis.rise_keeps_it_visible
                ? "not hidden: beyond the closed joint the surface rises towards the "
                  "side"
                : "not hidden";
-  case Hiding::inner_side:
-    return "hidden: it is an inner side of its block";
-  case Hiding::inner_facing:
-    return "hidden: its facing side is an inner side of its block";
-  case Hiding::side:
-    return "hidden by a closed joint: " + words(rule, *axis.joint);
-  case Hiding::facing:
-    return "its facing side is hidden by a closed joint: " + words(rule, *axis.joint);
-  case Hiding::corner:
-    return fmt::format("{} is hidden from the side: {}", name_of(blocks, axis.corner),
-                       words(rule, *axis.joint));
-  }
-  return {};
+  std::string text;
+  for (const HidingJoint& hiding : axis.hidden_by)
+    text += words(rule, axis, hiding) + "; ";
+  return text + "the surface that takes over is " +
+         name_of(rule.blocks(), decision.axes[axis.taken_over_by].side);
 }
 
-std::string place_in_order(const PartDecision& decision, int axis) {
-  if (axis != decision.chosen)
-    return "does not act";
-  switch (decision.choice) {
-  case Choice::entered_stands:
-    return "stands in: no entered axis acts, and this is the least of them";
-  case Choice::least_stands:
-    return "stands in: no axis of an edge is entered, and this is the least";
-  default:
-    return "acts";
+std::string result_in_words(const PartDecision& decision, int axis) {
+  if (axis == decision.chosen)
+    switch (decision.choice) {
+    case Choice::no_entry:
+      return "stands in, because no axis is entered and this is the least";
+    case Choice::no_contact:
+      return "stands in, because no contact acts along the first entered axis and "
+             "this is the least";
+    case Choice::still_hidden:
+      return "stands in, because the surfaces that take over are hidden too and this "
+             "is the first entered axis";
+    case Choice::surface:
+      return "acts as the surface that has taken over";
+    default:
+      return "acts";
+    }
+  if (!decision.path.empty() && axis == decision.path.front()) {
+    if (decision.choice == Choice::inner_side)
+      return "does not act, because the part beside the inner side decides";
+    if (decision.choice == Choice::no_contact)
+      return "does not act, because no contact acts along it";
   }
+  return "does not act";
+}
+
+/// The axes that the choice has used: those that are asked for entry, by depth, then
+/// the surfaces that took over, then an axis that stands in.
+std::vector<int> used_axes(const PartDecision& decision) {
+  std::vector<int> used;
+  const auto add = [&](int axis) {
+    if (axis >= 0 && std::find(used.begin(), used.end(), axis) == used.end())
+      used.push_back(axis);
+  };
+  for (int i = 0; i < static_cast<int>(decision.axes.size()); ++i)
+    if (decision.axes[i].examined)
+      add(i);
+  for (const int axis : decision.path)
+    add(axis);
+  add(decision.chosen);
+  return used;
 }
 
 void add_axes(const ExactPairRule& rule, const PartDecision& decision,
               std::vector<std::string>& lines) {
   const Blocks& blocks = rule.blocks();
-  const int n = static_cast<int>(decision.axes.size());
-  for (int i = 0; i < n; ++i) {
+  const std::vector<int> used = used_axes(decision);
+  for (const int i : used) {
     const Axis& axis = decision.axes[i];
-    if (!axis.examined && i != decision.chosen)
-      continue;
     const std::string facing =
         axis.facing ? "facing " + name_of(blocks, *axis.facing) : "no facing side";
     lines.push_back(fmt::format(
         "axis of {}: {} is {:.6g} deep, {}: {}", name_of(blocks, axis.side),
         name_of(blocks, axis.corner), axis.depth, facing, verdict(rule, decision, i)));
   }
-  if (decision.choice == Choice::least && decision.chosen + 1 < n)
-    lines.push_back(
-        fmt::format("{} deeper axes are not examined", n - decision.chosen - 1));
+  const std::size_t rest = decision.axes.size() - used.size();
+  if (rest > 0)
+    lines.push_back(fmt::format("the choice does not use the other {} axes", rest));
 }
 
 }  // namespace
@@ -147,25 +183,24 @@ std::string words(const ExactPairRule& rule, const Joint& joint) {
 
 std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int axis) {
   const Axis& a = decision.axes[axis];
-  std::string end = place_in_order(decision, axis);
+  std::string text;
   if (a.depth_sign <= 0)
-    return "not deeper than zero: " + end;
-  if (!a.examined)
-    return end;
-  return words(a.entry) + "; " + words(rule, a) + "; " + end;
+    text += "not deeper than zero; ";
+  if (a.examined)
+    text += words(a.entry) + "; ";
+  if (a.looked_at)
+    text += hiding_in_words(rule, decision, a) + "; ";
+  return text + result_in_words(decision, axis);
 }
 
-std::string verdict(const ExactPairRule& rule, const Candidate& candidate) {
+std::string verdict(const Candidate& candidate) {
   if (candidate.acts)
     return "acts";
   if (!candidate.inside)
     return "refused: the corner is not inside the side";
   if (!candidate.between)
     return "refused: its foot is not between the ends of the side (slack 1e-6)";
-  if (!candidate.edge)
-    return "refused: the side is an inner side";
-  return "refused: the corner is hidden from the side: " +
-         words(rule, *candidate.hidden.joint);
+  return "refused: the side is an inner side";
 }
 
 std::vector<std::string> story(const ExactPairRule& rule, int a, int b,
@@ -184,13 +219,11 @@ std::vector<std::string> story(const ExactPairRule& rule, int a, int b,
     }
     if (decision.parts.size() > 1)
       lines.push_back(pair + ":");
-    if (part.choice == Choice::none)
-      lines.push_back("no side is an edge of its block, so nothing acts");
     add_axes(rule, part, lines);
     for (const Candidate& candidate : part.candidates)
       lines.push_back(fmt::format(
           "{} on {}: {:.6g} deep: {}", name_of(blocks, candidate.corner),
-          name_of(blocks, candidate.side), candidate.depth, verdict(rule, candidate)));
+          name_of(blocks, candidate.side), candidate.depth, verdict(candidate)));
   }
   return lines;
 }

@@ -77,32 +77,6 @@ void find_pairs_of_corners(const Blocks& blocks, const Contacts& contacts,
   first[0] = 0;
 }
 
-void find_pairs_of_blocks(const Blocks& blocks, ContactGroups& groups) {
-  std::vector<int>& first = groups.first_of_block;
-  first.assign(blocks.size() + 1, 0);
-  for (const ContactPair& pair : groups.pairs)
-    ++first[pair.low + 1], ++first[pair.high + 1];
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  groups.pairs_of_blocks.resize(first.back());
-  for (int p = 0; p < static_cast<int>(groups.pairs.size()); ++p)
-    for (const int b : {groups.pairs[p].low, groups.pairs[p].high})
-      groups.pairs_of_blocks[first[b]++] = p;
-  // each was moved on to where the next begins
-  std::move_backward(first.begin(), first.end() - 1, first.end());
-  first[0] = 0;
-}
-
-}  // namespace
-
-namespace {
-
-/// To 7 bits.
-double rounded_up(double length) {
-  int exponent = 0;
-  const double mantissa = std::frexp(length, &exponent);
-  return std::ldexp(std::ceil(std::ldexp(mantissa, 7)), exponent - 7);
-}
-
 }  // namespace
 
 void add_groups(const Blocks& blocks, const Contacts& contacts, RecordRange records,
@@ -139,35 +113,6 @@ void ContactGroup::set(const Certainty& known) {
   travel = unasked = rounded_down(known.travel);
   place_from_anywhere = static_cast<unsigned>(known.place - Certainty::anywhere) & 63U;
   asks = known.asks;
-}
-
-void Swing::start(const Blocks& blocks, bool rigid_blocks) {
-  rigid = rigid_blocks;
-  for (std::vector<double>* column : {&longest, &sum, &way})
-    column->assign(blocks.size(), 0.0);
-  shape.resize(4, rigid ? 0 : blocks.size());
-  shape.colwise() = Eigen::Vector4d(1.0, 0.0, 0.0, 1.0);
-  reach.setZero(2, shape.cols());
-  travel = 0.0;
-  // no chord is longer than its arc; a little more for the roots
-  for (int c = 0; c < blocks.corners(); ++c) {
-    double& most = longest[blocks.corner_block[c]];
-    most = std::max(most, 1.0001 * blocks.arm.col(c).norm());
-    if (!rigid) {
-      auto most_of_each = reach.col(blocks.corner_block[c]);
-      most_of_each = most_of_each.cwiseMax(1.0001 * blocks.arm.col(c).cwiseAbs());
-    }
-  }
-  // The same whenever groups are made, so that a run and its restart count the same
-  // travel, though arms that turn change by round-off.
-  std::transform(longest.begin(), longest.end(), longest.begin(), rounded_up);
-}
-
-double Swing::reshaped(int b, const Eigen::Vector4d& since) const {
-  const Eigen::Array4d change = (shape.col(b) - since).cwiseAbs();
-  const double along_x = change[0] * reach(0, b) + change[2] * reach(1, b);
-  const double along_y = change[1] * reach(0, b) + change[3] * reach(1, b);
-  return std::sqrt(along_x * along_x + along_y * along_y);
 }
 
 WatchedEdges ContactGroups::watched_by(const ContactPair& pair) const {
@@ -256,13 +201,6 @@ void ContactGroups::join_shares() {
   }
 }
 
-void prepare_pairs(const Blocks& blocks, ContactGroups& groups) {
-  groups.parts.make(blocks);
-  groups.pair_rooms.assign(groups.pairs.size(), {});
-  find_pairs_of_blocks(blocks, groups);
-  groups.scratch.resize(groups.shares.size());
-}
-
 void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
                     ContactGroups& groups, bool each_alone, int threads,
                     EarlierGroups* earlier) {
@@ -285,7 +223,7 @@ void group_contacts(const Blocks& blocks, const Contacts& contacts, bool rigid,
   groups.lost.clear();
   groups.lost.reserve(groups.all.size());
   groups.heirs.reserve(groups.all.size());
-  groups.split.start(blocks.size(), groups.pairs, threads);
+  groups.split.start(blocks.size(), groups.pairs, pairs_of_window, threads);
   groups.shares.resize(threads);
   for (ContactGroups::Share& share : groups.shares) {
     share.lost.clear();

@@ -9,40 +9,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "dynamics/contact_lanes.hpp"
+#include "dynamics/acting_lanes.hpp"
 #include "dynamics/give_back.hpp"
-#include "dynamics/rules/pair_rule.hpp"
 #include "dynamics/third_blocks.hpp"
 #include "dynamics/watch_rows.hpp"
-#include "dynamics/work_split.hpp"
 #include "model/contact_blocks.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
-
-/// How far the arms of each block may have turned and strained, and how far the block
-/// has gone. Between two moments no arm of a block has changed by more than `sum` has
-/// grown and, of a rigid block, `longest` times the change of its angle; of a
-/// deformable one, `longest` times that of its shape: a block that sways about a place
-/// stays near.
-struct Swing {
-  bool rigid = true;
-  std::vector<double> longest;  ///< (n) [L] longest arm at the start, rounded up
-  std::vector<double> sum;      ///< (n) [L] round-off; only grows
-  // deformable blocks only
-  Eigen::Matrix4Xd shape;  ///< (4, n) by columns: arms over those at the start
-  Eigen::Matrix2Xd reach;  ///< [L] (2, n) no arm had larger components at the start
-  // all blocks
-  /// (n) [L] Way of the centroid and twice that of the arms, rounded up: the ways of
-  /// two blocks together grow by no less than their motion (relative_motion).
-  std::vector<double> way;
-  double travel = 0.0;  ///< [L] no way has grown by more between two moments
-
-  /// For these blocks as they stand.
-  void start(const Blocks& blocks, bool rigid_blocks);
-  /// No arm of deformable block b has changed by more since this was its shape, [L].
-  double reshaped(int b, const Eigen::Vector4d& since) const;
-};
 
 /// What is known of a group without deciding it again. `travel` [L]: while the two
 /// blocks have moved against each other by less (relative_motion), the record
@@ -183,17 +157,6 @@ struct PairPose {
   float certain = 0.0F;  ///< [L] until the first of the pair's groups has to be decided
 };
 static_assert(sizeof(ContactPair) + sizeof(PairPose) == 60);
-/// For how long the decision about a pair as a whole may hold.
-struct PairRoom {
-  double travel = 0.0;     ///< [L] of the swing at the decision
-  unsigned char life = 6;  ///< log2 of the steps for which room is tried next
-  unsigned char wait = 0;  ///< decisions until room is tried again
-  bool by_travel = false;  ///< it depends on neighbours (moved_since)
-};
-struct PairShapes {
-  Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();
-};
-
 /// Pairs with as many contacts share a set of lanes where they are of so many in the
 /// list: the blocks of a set are near each other in the memory. One thread decides all
 /// of a window.
@@ -235,25 +198,6 @@ class StoredLanes {
   Wake places_, springs_, advanced_;
 };
 
-/// The extremes over the contacts that act in a step.
-struct Extremes {
-  double overlap = 0.0;  ///< [L] deepest
-  double spring = 0.0;   ///< [F] largest elastic normal force
-  void include(double depth, double force) {
-    overlap = depth > overlap ? depth : overlap;
-    spring = force > spring ? force : spring;
-  }
-};
-
-/// Which lanes act on each block, block after block, in the order of the list.
-struct LanesOfBlocks {
-  std::vector<int> first;  ///< (blocks + 1) where those of a block begin
-  std::vector<int> lane;
-
-  /// Makes them of the pairs that have lanes; side: &ContactPair::low or high.
-  void sort(int blocks, const std::vector<ContactPair>& pairs, int ContactPair::*side);
-};
-
 /// The groups of a list, and for how long their decisions stand.
 struct DecidedGroups {
   std::vector<ContactGroup> all;  ///< in the order of the list
@@ -273,7 +217,7 @@ struct DecidedGroups {
 
 /// The groups, and what passes between them. Working state between searches: not part
 /// of the model, and without influence on results.
-struct ContactGroups : DecidedGroups {
+struct ContactGroups : DecidedGroups, ActingLanes {
   std::vector<double> rounds;  ///< [L] (pairs / pairs_of_round, rounded up)
   /// (rounds) bit k: groups of the round's pair k are prompt
   std::vector<std::uint8_t> prompt;
@@ -282,20 +226,10 @@ struct ContactGroups : DecidedGroups {
   std::vector<int> pairs_of_corners;  ///< in which a corner has a group: their indices
   std::vector<int> first_of_corner;   ///< (corners + 1) where those of a corner begin
 
-  // For decisions pair by pair only (prepare_pairs).
-  BlockParts parts;
-  std::vector<PairRoom> pair_rooms;  ///< (pairs)
-  std::vector<int> first_of_block;   ///< (blocks + 1) where the pairs of a block begin
-  std::vector<int> pairs_of_blocks;  ///< pairs of each block: their indices
-  std::vector<PairScratch> scratch;  ///< (threads)
-
   // What acts, or is a candidate to, has a seat (ContactLanes), those of a pair in the
   // order of the list. Between load() and store() the lanes know what acts, else the
   // list does: never both.
-  ContactLanes lanes;
   std::vector<int> record;      ///< (seats) -1: none any more
-  std::vector<int> first_set;   ///< (windows + 1) in which its pairs have their lanes
-  LanesOfBlocks lows, highs;    ///< lanes of which a block is the lower, the higher one
   bool seats_complete = false;  ///< no group lacks a seat
   int times_made = 0;           ///< lanes, of this list
   double made_at = 0.0;         ///< [L] the travel (Swing) when they were made last
@@ -304,7 +238,6 @@ struct ContactGroups : DecidedGroups {
 
   std::vector<LostForce> lost;  ///< in this step
   std::vector<int> heirs;       ///< sets whose contacts were handed some of it
-  Swing swing;                  ///< of the blocks since the groups were made
   /// What one thread finds.
   struct Share {
     std::vector<LostForce> lost;
@@ -313,26 +246,11 @@ struct ContactGroups : DecidedGroups {
     unsigned long long exact_calls = 0;
   };
   std::vector<Share> shares;  ///< (threads)
-  WorkSplit split;            ///< for the threads
 
   /// Forgets all and gives its memory back, for a list that is to be made.
   void give_back();
   /// All decisions have to be renewed.
   void forget_decisions();
-  /// Calls tell(lane, is_low) for each lane that acts on block b, in the order of the
-  /// list.
-  template <class Tell> void each_lane_of(int b, const Tell& tell) const {
-    for (int k = highs.first[b]; k < highs.first[b + 1]; ++k)
-      tell(static_cast<unsigned>(highs.lane[k]), false);
-    for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
-      tell(static_cast<unsigned>(lows.lane[k]), true);
-  }
-  /// Calls visit(block) for each block that block b is paired with, in the order of the
-  /// list.
-  template <class Visit> void each_neighbour(int b, const Visit& visit) const {
-    for (int k = first_of_block[b]; k < first_of_block[b + 1]; ++k)
-      visit(pairs[pairs_of_blocks[k]].beside(b));
-  }
   /// Calls visit(block) for each convex block with edges in the list for the corner,
   /// but that of the surface.
   template <class Visit>
@@ -408,11 +326,6 @@ struct ContactGroups : DecidedGroups {
   void seat_window(int first, int last);
 };
 
-inline BlockRows rows_of(const Blocks& blocks) {
-  return {blocks.corner.data(), blocks.centroid.data(), blocks.velocity.data(),
-          blocks.spin.data(), blocks.strain_rate.data()};
-}
-
 struct EarlierGroups;
 /// Records first .. last - 1 of the list.
 struct RecordRange {
@@ -422,9 +335,6 @@ struct RecordRange {
 /// Adds the groups of these records, and their pairs. each_alone: one record each.
 void add_groups(const Blocks& blocks, const Contacts& contacts, RecordRange records,
                 ContactGroups& groups, bool each_alone = false);
-
-/// What decisions pair by pair need of a new list.
-void prepare_pairs(const Blocks& blocks, ContactGroups& groups);
 
 /// Splits the list into its groups and pairs, all to be decided, but for what is known
 /// from the list before. each_alone: one record each, for studies without the nearest

@@ -14,7 +14,7 @@
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_handover.hpp"
 #include "dynamics/contact_lanes.hpp"
-#include "dynamics/pair_decisions.hpp"
+#include "dynamics/decided_records.hpp"
 #include "dynamics/profile.hpp"
 #include "dynamics/third_travel.hpp"
 #include "dynamics/workers.hpp"
@@ -307,23 +307,15 @@ Extremes evaluate_contacts_by(const Blocks& blocks, Contacts& contacts,
     if (made && !groups.loaded)
       groups.load(blocks, contacts, settings);
     groups.read = false;
-    if constexpr (Pairwise<Rules>)
-      if (!made)
-        prepare_pairs(blocks, groups);
     // window by window: no other thread writes to the sets of a window
     workers.each(groups.split.windows, [&](int part, int first, int last) {
       const detail::ExactCalls calls(profile, groups.shares[part]);
       const int first_round = first * rounds_of_window,
                 last_round = std::min(rounds, last * rounds_of_window);
-      if constexpr (Pairwise<Rules>) {
-        detail::renew_pairs<Rules>(blocks, contacts, groups, dt, first_round,
-                                   last_round, groups.shares[part]);
-      } else {
-        for (int window = first; window < last; ++window)
-          detail::ask_thirds(blocks, groups, window);
-        detail::renew_decisions<Rules>(blocks, contacts, groups, dt, first_round,
-                                       last_round, groups.shares[part]);
-      }
+      for (int window = first; window < last; ++window)
+        detail::ask_thirds(blocks, groups, window);
+      detail::renew_decisions<Rules>(blocks, contacts, groups, dt, first_round,
+                                     last_round, groups.shares[part]);
     });
     groups.join_shares();
     if (!made || !groups.seats_complete) {

@@ -162,6 +162,20 @@ void take_over(const Blocks& blocks, Contacts& contacts, SearchBuffers& buffers)
   acting.resize(kept);
 }
 
+void adopt_counted(Model& model, SearchBuffers& buffers, double tolerance) {
+  empty_list(model.contacts, buffers.acted, buffers.earlier);
+  order_list(model.blocks, model.contacts, buffers);
+  take_over(model.blocks, model.contacts, buffers);
+  give_back(buffers.acted);
+  give_back(buffers.last_of_low);
+  update_plane_contacts(model, buffers, tolerance);
+  model.search.current = true;
+  model.search.left = tolerance;
+  ++model.search.updates;
+}
+
+}  // namespace
+
 void update_plane_contacts(Model& model, SearchBuffers& buffers, double tolerance) {
   const Blocks& blocks = model.blocks;
   const PlaneContacts& old = model.plane_contacts;
@@ -194,8 +208,6 @@ void update_plane_contacts(Model& model, SearchBuffers& buffers, double toleranc
   std::swap(model.plane_contacts, next);
 }
 
-/// [L] Half of the reach of the list: CTOL, or as far as the fastest block goes in some
-/// steps, but for a part of the size of blocks. A larger list costs each step more.
 double list_tolerance(const Model& model) {
   constexpr double steps_of_list = 250.0, part_of_size = 0.1;
   constexpr int many_blocks = 1 << 17;  // the list of more is as small as it may be
@@ -216,20 +228,6 @@ double list_tolerance(const Model& model) {
       steps_of_list * model.time_step.dt * (std::sqrt(speed) + 0.5 * spin);
   return std::max(ctol, std::min(part_of_size * size, way));  // CTOL if NaN
 }
-
-void adopt_counted(Model& model, SearchBuffers& buffers, double tolerance) {
-  empty_list(model.contacts, buffers.acted, buffers.earlier);
-  order_list(model.blocks, model.contacts, buffers);
-  take_over(model.blocks, model.contacts, buffers);
-  give_back(buffers.acted);
-  give_back(buffers.last_of_low);
-  update_plane_contacts(model, buffers, tolerance);
-  model.search.current = true;
-  model.search.left = tolerance;
-  ++model.search.updates;
-}
-
-}  // namespace
 
 void update_contacts(Model& model, SearchBuffers& buffers) {
   const double tolerance = list_tolerance(model);

@@ -10,6 +10,8 @@
 #include "dynamics/contact_groups.hpp"
 #include "dynamics/earlier_groups.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/near_pairs.hpp"
+#include "dynamics/pair_contacts.hpp"
 #include "dynamics/profile.hpp"
 #include "dynamics/workers.hpp"
 #include "model/model.hpp"
@@ -43,7 +45,19 @@ struct SearchBuffers {
   EarlierGroups earlier;               ///< while the list is brought up to date
   std::vector<Displacement> moved;     ///< (threads) in this step
   PlaneContacts next_planes;
+  // contacts decided pair by pair
+  PairContacts pairs;
+  NearSearch near;
+  std::vector<NearPair> near_pairs;
 };
+
+/// [L] Half of the reach of the list: CTOL, or as far as the fastest block goes in some
+/// steps, but for a part of the size of blocks. A larger list costs each step more.
+double list_tolerance(const Model& model);
+
+/// Corners that may touch a plane before one has gone so far, [L]. Contacts keep their
+/// springs.
+void update_plane_contacts(Model& model, SearchBuffers& buffers, double tolerance);
 
 /// Brings the list of potential contacts up to date. Listed: every corner that an edge
 /// of another block could act on before the next search, at least one of the two free

@@ -22,21 +22,6 @@ void set_rule(ContactLanes& lanes, int seat, const ContactGroup& group) {
 
 }  // namespace
 
-void LanesOfBlocks::sort(int blocks, const std::vector<ContactPair>& pairs,
-                         int ContactPair::*side) {
-  first.assign(blocks + 1, 0);
-  for (const ContactPair& pair : pairs)
-    first[pair.*side + 1] += pair.lane >= 0;
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  lane.resize(first.back());
-  for (const ContactPair& pair : pairs)
-    if (pair.lane >= 0)
-      lane[first[pair.*side]++] = pair.lane;
-  // each was moved on to where the next begins
-  std::move_backward(first.begin(), first.end() - 1, first.end());
-  first[0] = 0;
-}
-
 bool ContactGroups::keep_seat(int g) {
   const int seat = all[g].seat;
   if (seat < 0 || record[seat] != all[g].record())

@@ -74,7 +74,7 @@ void Displacement::include(const Displacement& others) {
 namespace {
 
 template <bool rigid>
-void sum_contacts_of(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+void sum_contacts_of(Blocks& blocks, const ActingLanes& acting, BlockRange range,
                      bool pushed) {
   for (int b = range.first; b < range.last; ++b) {
     double x = 0.0, y = 0.0, moment = 0.0;
@@ -84,14 +84,14 @@ void sum_contacts_of(Blocks& blocks, const ContactGroups& groups, BlockRange ran
       if (!rigid)
         applied = blocks.applied.col(b);
     }
-    groups.each_lane_of(b, [&](unsigned lane, bool low) {
-      const PairForce& of = groups.lanes.forces[lane];
+    acting.each_lane_of(b, [&](unsigned lane, bool low) {
+      const PairForce& of = acting.lanes.forces[lane];
       if (low)
         x += of.fx, y += of.fy, moment += of.moment_low;
       else
         x -= of.fx, y -= of.fy, moment += of.moment_high;
       if constexpr (!rigid) {
-        const PairStress& stress = groups.lanes.stresses[lane];
+        const PairStress& stress = acting.lanes.stresses[lane];
         applied += Eigen::Map<const Eigen::Vector4d>(low ? stress.low : stress.high);
       }
     });
@@ -104,10 +104,10 @@ void sum_contacts_of(Blocks& blocks, const ContactGroups& groups, BlockRange ran
 
 }  // namespace
 
-void sum_contacts(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+void sum_contacts(Blocks& blocks, const ActingLanes& acting, BlockRange range,
                   bool pushed, bool rigid) {
   const auto sum = rigid ? sum_contacts_of<true> : sum_contacts_of<false>;
-  sum(blocks, groups, range, pushed);
+  sum(blocks, acting, range, pushed);
 }
 
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,

@@ -2,8 +2,8 @@
 // report 2.1, 2.3, 2.4; rules 1, 3-6).
 #pragma once
 
+#include "dynamics/acting_lanes.hpp"
 #include "dynamics/block_motion.hpp"
-#include "dynamics/contact_groups.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
@@ -31,7 +31,7 @@ struct Displacement {
 /// Force and moment of the contacts in the lanes, in the order of the list; in
 /// deformable runs the applied stress (9) too: f_i x_j over the area. Added to what
 /// loads and planes do where these have pushed, else alone.
-void sum_contacts(Blocks& blocks, const ContactGroups& groups, BlockRange range,
+void sum_contacts(Blocks& blocks, const ActingLanes& acting, BlockRange range,
                   bool pushed, bool rigid);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.

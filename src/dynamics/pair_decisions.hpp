@@ -1,152 +1,145 @@
-// The contact rule pair by pair (dynamics/rules) in the step: which pairs have to be
-// decided, and for how long a decision holds.
+// Which contacts of a pair act (dynamics/rules), and for how long that holds.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
-#include "dynamics/contact_groups.hpp"
-#include "dynamics/decided_records.hpp"
+#include "dynamics/pair_contacts.hpp"
 #include "dynamics/rules/pair_rule.hpp"
 
 namespace blocks::dynamics {
 
-/// Rules that decide pair by pair, by PairRule with these predicates.
-template <class Rules>
-concept Pairwise = requires {
-  typename Rules::PairPredicates;
+/// The rule of every run. `keeps_decisions` false: every pair is decided in every step.
+struct ContactRules {
+  using Predicates = ExactPredicates;
+  static constexpr bool keeps_decisions = true;
 };
 
-namespace detail {
+/// How far two blocks move against each other in a step as they go now, [L]: to first
+/// order what PairContacts::motion_since grows by.
+inline double motion_of_step(const Blocks& blocks, const Swing& swing,
+                             const NearPair& pair, double dt) {
+  const auto arms = [&](int b) {
+    return swing.longest[b] *
+           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
+  };
+  const Vec2 apart = blocks.velocity.col(pair.low) - blocks.velocity.col(pair.high);
+  return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
+}
 
 /// Calls work(rule) with the contact rule for these predicates.
 template <class Predicates, class Work>
-auto with_pair_rule(const Blocks& blocks, const ContactGroups& groups,
-                    PairScratch& scratch, const Predicates& predicates,
-                    const Work& work) {
+void with_pair_rule(const Blocks& blocks, const PairContacts& all, PairScratch& scratch,
+                    const Predicates& predicates, const Work& work) {
   const auto neighbours = [&](int b, const auto& visit) {
-    groups.each_neighbour(b, visit);
+    all.each_neighbour(b, visit);
   };
-  PairRule<Predicates, decltype(neighbours)> rule(blocks, groups.parts, neighbours,
+  PairRule<Predicates, decltype(neighbours)> rule(blocks, all.parts, neighbours,
                                                   scratch, predicates);
-  return work(rule);
+  work(rule);
 }
 
-/// The records of a group that act, at most two.
-inline std::array<int, 2> acting_records(const Blocks& blocks, const Contacts& contacts,
-                                         const ContactGroup& group, int block,
-                                         const std::vector<CornerOnEdge>& acting) {
-  std::array<int, 2> found = {-1, -1};
-  std::size_t count = 0;
-  const std::size_t most = group.reentrant ? 2 : 1;
-  for (const CornerOnEdge& contact : acting)
-    if (contact.corner == contacts.corner[group.first] &&
-        blocks.corner_block[contact.edge] == block && count < most)
-      for (int i = group.first; i < group.last(); ++i)
-        if (contacts.edge[i] == contact.edge)
-          found[count++] = i;
-  return found;
-}
-
-/// Decides pair p. First the contacts that may act are looked for with room for so many
-/// steps of the present motion: the pair needs no other decision before. If they are in
-/// doubt, the contacts that act in this step are decided exactly; after two failures
-/// room is not tried again for some decisions.
-template <class Rules>
-void decide_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
-                 int p, double dt, ContactGroups::Share& share) {
-  constexpr unsigned char shortest = 3, longest = 14, steps_between_tries = 32;
-  ContactPair& pair = groups.pairs[p];
-  PairPose& pose = groups.poses[p];
-  PairRoom& kept = groups.pair_rooms[p];
-  PairScratch& scratch =
-      groups.scratch[static_cast<std::size_t>(&share - groups.shares.data())];
-  double room = 0.0;
-  bool by_travel = false;
-  if (Rules::keeps_decisions && kept.wait == 0) {
-    const double motion = motion_of_step(blocks, groups.swing, pair, dt);
-    const double wanted = std::ldexp(motion, kept.life);
-    with_pair_rule(blocks, groups, scratch, PredicatesWithRoom(wanted),
-                   [&](auto& rule) {
-                     if (rule.settle(pair.low, pair.high))
-                       room = wanted;
-                     by_travel = rule.predicates().asked_neighbours();
-                   });
-    if (room > 0.0) {
-      kept.life = std::min<unsigned char>(kept.life + 2, longest);
-    } else if (kept.life > shortest) {
-      kept.life = static_cast<unsigned char>(std::max<int>(kept.life - 4, shortest));
-    } else {
-      kept.wait = steps_between_tries;
-    }
-  } else if (kept.wait > 0) {
+/// Looks for the contacts of pair p that may act, with room for motion: four times as
+/// many steps of the present motion as last time, then fewer. False: all is in doubt,
+/// and is not tried again for some decisions.
+inline bool settle_pair(const Blocks& blocks, PairContacts& all, int p, double dt,
+                        PairScratch& scratch) {
+  constexpr int shortest = 3, longest = 14;  // log2 of steps
+  constexpr int decisions_between_tries = 32;
+  constexpr double part_of_size = 0x1p-7;
+  const NearPair& pair = all.pairs[p];
+  KeptDecision& kept = all.kept[p];
+  if (kept.wait > 0) {
     --kept.wait;
+    return false;
   }
-  if (!(room > 0.0)) {
-    const typename Rules::PairPredicates exact{};
-    with_pair_rule(blocks, groups, scratch, exact,
+  const double motion = motion_of_step(blocks, all.swing, pair, dt);
+  const double of_neighbours = part_of_size * std::min(all.swing.longest[pair.low],
+                                                       all.swing.longest[pair.high]);
+  for (int life = kept.life; life >= shortest; life -= 3) {
+    const double room = std::ldexp(motion, life);
+    bool settled = false;
+    with_pair_rule(blocks, all, scratch, PredicatesWithRoom(room, of_neighbours),
+                   [&](auto& rule) {
+                     settled = rule.settle(pair.low, pair.high);
+                     kept.room_of_ends = rule.ends_are_open() ? 0.0 : room;
+                     auto& asked = rule.predicates();
+                     kept.room_of_neighbours =
+                         asked.asked_neighbours() ? asked.room_of_neighbours() : 0.0;
+                   });
+    if (settled) {
+      kept.room = room;
+      kept.life = static_cast<unsigned char>(std::min(life + 2, longest));
+      return true;
+    }
+  }
+  kept.life = shortest;
+  kept.wait = decisions_between_tries;
+  return false;
+}
+
+/// Decides pair p: for some time, or for this step alone.
+template <class Rules>
+void decide_pair(const Blocks& blocks, PairContacts& all, int p, double dt,
+                 PairContacts::Share& share) {
+  const NearPair& pair = all.pairs[p];
+  KeptDecision& kept = all.kept[p];
+  const bool settled =
+      Rules::keeps_decisions && settle_pair(blocks, all, p, dt, share.scratch);
+  if (settled) {
+    all.place(blocks, p);
+  } else {
+    kept.room = kept.room_of_neighbours = 0.0;
+    with_pair_rule(blocks, all, share.scratch, typename Rules::Predicates{},
                    [&](auto& rule) { rule.decide(pair.low, pair.high); });
   }
-  kept.by_travel = by_travel && room > 0.0;
-  pose.certain = rounded_down(room);
-  if (room > 0.0) {
-    groups.take_pose(blocks, p);
-    kept.travel = groups.swing.travel;
-  }
-  for (int g = pair.first; g < groups.end_of(p); ++g) {
-    ContactGroup& group = groups.all[g];
-    if (group.of_notch)
-      continue;
-    const auto records =
-        acting_records(blocks, contacts, group, pair.edge_block(group), scratch.found);
-    for (int k = g; k <= g + static_cast<int>(group.reentrant); ++k)
-      groups.all[k].travel = pose.certain;
-    group.set_record(records[0]);
-    seat_records(blocks, contacts, groups, g, records[1], share);
-  }
+  all.seat(blocks, p, share.scratch.found, settled, share);
 }
 
-/// How far blocks have moved since the decision of pair p, [L]: its own two against
-/// each other, or any two if the decision depends on neighbours.
-inline double moved_since(const Blocks& blocks, const ContactGroups& groups, int p) {
-  return groups.pair_rooms[p].by_travel
-             ? 2.0 * (groups.swing.travel - groups.pair_rooms[p].travel)
-             : groups.relative_motion(blocks, p);
-}
-
-/// renew_decisions for rules that decide pair by pair.
+/// Decides pair p if its decision no longer holds. How far the travel (Swing) may grow
+/// before that has to be asked again, [L].
 template <class Rules>
-void renew_pairs(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
-                 double dt, int first, int last, ContactGroups::Share& share) {
-  const Swing& swing = groups.swing;
-  const int pairs = static_cast<int>(groups.pairs.size());
-  for (int round = first; round < last; ++round) {
-    if (Rules::keeps_decisions && swing.travel < groups.rounds[round])
-      continue;
-    double left_of_round = std::numeric_limits<double>::max();
-    for (int p = round * pairs_of_round;
-         p < std::min(pairs, (round + 1) * pairs_of_round); ++p) {
-      const ContactPair& pair = groups.pairs[p];
-      const float& certain = groups.poses[p].certain;
-      float& limit = groups.limits[p];
-      const double way = swing.way[pair.low] + swing.way[pair.high];
-      if (groups.pair_rooms[p].by_travel || !(way < limit)) {
-        double moved = moved_since(blocks, groups, p);
-        if (!(certain - moved > 0.0)) {
-          decide_pair<Rules>(blocks, contacts, groups, p, dt, share);
-          moved = 0.0;
-        }
-        limit = rounded_down(way + (certain - moved));
-      }
-      left_of_round = std::min(left_of_round, limit - way);
+double renew_decision(const Blocks& blocks, PairContacts& all, int p, double dt,
+                      PairContacts::Share& share) {
+  const Swing& swing = all.swing;
+  const NearPair& pair = all.pairs[p];
+  const KeptDecision& kept = all.kept[p];
+  PairLimits& limits = all.limits[p];
+  const double way = swing.way[pair.low] + swing.way[pair.high];
+  if (!(way < limits.way && swing.travel < limits.travel)) {
+    double left = all.room_left(blocks, p);
+    double left_of_neighbours = all.room_of_neighbours_left(p);
+    if (!(left > 0.0 && left_of_neighbours > 0.0)) {
+      decide_pair<Rules>(blocks, all, p, dt, share);
+      left = kept.room, left_of_neighbours = all.room_of_neighbours_left(p);
     }
-    // each of the two blocks goes as far as the travel tells
-    groups.rounds[round] = swing.travel + 0.5 * left_of_round;
+    if (left > 0.0 && !(kept.room - left < kept.room_of_ends)) {
+      all.ask_ends(blocks, p);
+      left = kept.room;
+    }
+    const double of_ends = kept.room_of_ends - (kept.room - left);
+    limits.way = way + std::min(left, of_ends);
+    limits.travel = swing.travel + left_of_neighbours / all.ways(p);
+  }
+  // each of the two blocks goes as far as the travel tells
+  return std::min(0.5 * (limits.way - way), limits.travel - swing.travel);
+}
+
+/// Decides the pairs whose decisions no longer hold, of rounds first .. last - 1.
+template <class Rules>
+void renew_decisions(const Blocks& blocks, PairContacts& all, double dt, int first,
+                     int last, PairContacts::Share& share) {
+  const int pairs = static_cast<int>(all.pairs.size());
+  for (int round = first; round < last; ++round) {
+    if (Rules::keeps_decisions && all.swing.travel < all.rounds[round])
+      continue;
+    double left = std::numeric_limits<double>::max();
+    const int begin = round * pairs_of_one_round;
+    for (int p = begin; p < std::min(pairs, begin + pairs_of_one_round); ++p)
+      left = std::min(left, renew_decision<Rules>(blocks, all, p, dt, share));
+    all.rounds[round] = all.swing.travel + left;
   }
 }
 
-}  // namespace detail
 }  // namespace blocks::dynamics

@@ -118,6 +118,11 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
 
 Displacement move(Model& model, SearchBuffers& buffers,
                   const Extremes& blocks_touching) {
+  return move(model, buffers, buffers.groups, blocks_touching);
+}
+
+Displacement move(Model& model, SearchBuffers& buffers, ActingLanes& acting,
+                  const Extremes& blocks_touching) {
   const Profile::Timer timer(buffers.profile, Profile::motion);
   Blocks& blocks = model.blocks;
   const Settings& settings = model.settings;
@@ -134,25 +139,24 @@ Displacement move(Model& model, SearchBuffers& buffers,
   add_loads(blocks, model.loads, model.time);
 
   // 4. springs, velocities, strain rates, internal stress; 5. corners
-  buffers.groups.lanes.advance_springs();
+  acting.lanes.advance_springs();
   buffers.moved.assign(buffers.workers->threads(), {});
-  buffers.workers->each(
-      buffers.groups.split.blocks, [&](int part, int first, int last) {
-        for (; first < last; first += blocks_at_once) {
-          const BlockRange range{first, std::min(last, first + blocks_at_once)};
-          sum_contacts(blocks, buffers.groups, range, pushed, settings.rigid);
-          update_velocities(blocks, range, settings.gravity, dt);
-          if (!settings.rigid) {
-            update_strain(blocks, range, settings, dt);
-          }
-          buffers.moved[part].include(
-              move_blocks(blocks, range, buffers.groups.swing, settings, dt));
-        }
-      });
+  buffers.workers->each(acting.split.blocks, [&](int part, int first, int last) {
+    for (; first < last; first += blocks_at_once) {
+      const BlockRange range{first, std::min(last, first + blocks_at_once)};
+      sum_contacts(blocks, acting, range, pushed, settings.rigid);
+      update_velocities(blocks, range, settings.gravity, dt);
+      if (!settings.rigid) {
+        update_strain(blocks, range, settings, dt);
+      }
+      buffers.moved[part].include(
+          move_blocks(blocks, range, acting.swing, settings, dt));
+    }
+  });
   Displacement moved;
   for (const Displacement& part : buffers.moved)
     moved.include(part);
-  double& travel = buffers.groups.swing.travel;
+  double& travel = acting.swing.travel;
   travel += moved.finite ? moved.way + 0x1p-52 * travel
                          : std::numeric_limits<double>::infinity();
   moved.strongest = std::max(blocks_touching.spring, planes_touching.spring);

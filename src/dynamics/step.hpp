@@ -33,5 +33,8 @@ void catch_up(Model& model, SearchBuffers& buffers);
 /// The end of a step, for whoever finds the contact forces in another way (src/study):
 /// planes, loads, motion and domain.
 Displacement move(Model& model, SearchBuffers& buffers, const Extremes& touching);
+/// The same with contacts in these lanes.
+Displacement move(Model& model, SearchBuffers& buffers, ActingLanes& acting,
+                  const Extremes& touching);
 
 }  // namespace blocks::dynamics

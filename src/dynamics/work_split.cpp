@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "dynamics/contact_groups.hpp"
-
 namespace blocks::dynamics {
 namespace {
 
@@ -16,14 +14,9 @@ int shares_of(int threads, int count, int least) {
 
 }  // namespace
 
-void WorkSplit::start(int block_count, const std::vector<ContactPair>& pairs,
-                      int thread_count) {
+void WorkSplit::split_windows(int thread_count) {
   threads_ = thread_count;
-  first_block_.clear();
-  for (std::size_t p = 0; p < pairs.size(); p += pairs_of_window)
-    first_block_.push_back(first_block_.empty() ? 0 : pairs[p].low);
-  first_block_.push_back(block_count);
-
+  const int block_count = first_block_.back();
   const int window_count = static_cast<int>(first_block_.size()) - 1;
   const int by_windows = shares_of(threads_, window_count, 1);
   windows.resize(by_windows + 1);

@@ -1,11 +1,10 @@
 // Which part of a step's work each thread begins with.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace blocks::dynamics {
-
-struct ContactPair;
 
 /// Thread k begins with items [k] .. [k + 1] - 1 of each column. Wherever as many
 /// threads take part, these are windows of pairs, the lanes of these pairs, and the
@@ -14,12 +13,21 @@ struct ContactPair;
 struct WorkSplit {
   std::vector<int> windows, sets, blocks;
 
-  /// Of a new list, whose pairs have no lanes yet.
-  void start(int block_count, const std::vector<ContactPair>& pairs, int thread_count);
+  /// Of a new list, whose pairs have no lanes yet; so many pairs to a window.
+  template <class Pair>
+  void start(int block_count, const std::vector<Pair>& pairs, int window,
+             int thread_count) {
+    first_block_.clear();
+    for (std::size_t p = 0; p < pairs.size(); p += static_cast<std::size_t>(window))
+      first_block_.push_back(first_block_.empty() ? 0 : pairs[p].low);
+    first_block_.push_back(block_count);
+    split_windows(thread_count);
+  }
   /// With the first set of each window, and the number of all.
   void split_sets(const std::vector<int>& first_set);
 
  private:
+  void split_windows(int thread_count);
   int first_window(int share, int shares) const;
 
   int threads_ = 1;

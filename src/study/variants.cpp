@@ -2,6 +2,7 @@
 
 #include "dynamics/contact_loop.hpp"
 #include "dynamics/contact_readings.hpp"
+#include "dynamics/pair_step.hpp"
 #include "dynamics/step.hpp"
 
 namespace blocks::study {
@@ -65,15 +66,16 @@ struct NoJoints : dynamics::ExactPredicates {
 struct NoFaces : dynamics::ExactPredicates {
   static constexpr bool faces = false;
 };
-template <class Predicates> struct PairRules : dynamics::ExactRules {
-  using PairPredicates = Predicates;
+template <class Given> struct PairRules {
+  using Predicates = Given;
   static constexpr bool keeps_decisions =
       std::is_same_v<Predicates, dynamics::ExactPredicates>;
 };
 template <class Predicates>
 constexpr Variant by_pairs(std::string_view name, std::string_view what) {
   Variant run = variant<ExactSigns<Ends::slack>, Use{}>(name, what);
-  run.step = step<PairRules<Predicates>>;
+  run.find = dynamics::update_pairs;
+  run.step = dynamics::step_by_pairs<PairRules<Predicates>>;
   return run;
 }
 
@@ -111,9 +113,10 @@ const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
       as_run("default", "the step of every run: exact, slack 1e-6, (20), meeting, "
                         "nearest edge, closed joints, hand-over"),
-      by_pairs<dynamics::ExactPredicates>(
-          "pairs",
-          "the least axis of a pair of blocks that is entered and not covered"),
+      by_pairs<dynamics::ExactPredicates>("pairs",
+                                          "the first entered axis of a pair of blocks, "
+                                          "or the surface of a closed joint "
+                                          "that hides it"),
       by_pairs<NoEntry>("pairs-no-entry", "pairs, whether an axis is entered or not"),
       by_pairs<NoCrossing>("pairs-no-crossing",
                            "pairs, but only corners inside a block have entered it"),

@@ -44,8 +44,14 @@ class Clusters {
     case 7:
       flush_bricks();
       break;
-    default:
+    case 8:
       notched_over_joint();
+      break;
+    case 9:
+      wedges();
+      break;
+    default:
+      prongs();
       break;
     }
     return in_frame();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dynamics/contact_groups.hpp"
+#include "dynamics/pair_step.hpp"
 #include "dynamics/work_split.hpp"
 #include "dynamics/workers.hpp"
 #include "scenes/scene.hpp"
@@ -58,7 +59,7 @@ TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
       for (int window = 0; window < windows; ++window)
         first_set.push_back(first_set.back() + 30);
       dynamics::WorkSplit split;
-      split.start(blocks, pairs, threads);
+      split.start(blocks, pairs, dynamics::pairs_of_window, threads);
       split.split_sets(first_set);
       for (const auto& [begins, count] :
            {std::pair(split.windows, windows), std::pair(split.sets, 30 * windows),
@@ -113,6 +114,75 @@ TEST(Threads, ChangeNoBit) {
       ASSERT_EQ(many.model.worst_overlap, one.model.worst_overlap) << threads;
     }
     EXPECT_GT(totals(one.model).active_contacts, 300);
+  }
+}
+
+/// Steps whose contacts are decided pair by pair. Without `readings` the list of the
+/// model is brought up to date at the end only.
+Model stepped_by_pairs(int threads, bool rigid, bool readings) {
+  Model model = heap(1, rigid).model;
+  dynamics::SearchBuffers buffers(threads);
+  dynamics::prepare(model);
+  for (int k = 0; k < 150; ++k) {
+    dynamics::advance_by_pairs<dynamics::ContactRules>(model, buffers,
+                                                       readings || k == 149, 1e300);
+    if (readings)
+      dynamics::catch_up_pairs(model, buffers);
+  }
+  dynamics::catch_up_pairs(model, buffers);
+  return model;
+}
+
+// Nor does it matter whether anybody reads the contacts.
+TEST(Threads, ChangeNoBitOfPairs) {
+  for (const bool rigid : {true, false}) {
+    const Model one = stepped_by_pairs(1, rigid, true);
+    EXPECT_GT(totals(one).active_contacts, 300);
+    for (const int threads : {1, 2, 3, 8}) {
+      const Model many = stepped_by_pairs(threads, rigid, false);
+      ASSERT_TRUE(many.blocks.corner == one.blocks.corner) << threads;
+      ASSERT_TRUE(many.blocks.velocity == one.blocks.velocity) << threads;
+      ASSERT_TRUE(many.blocks.stress == one.blocks.stress) << threads;
+      ASSERT_TRUE(many.blocks.applied == one.blocks.applied) << threads;
+      ASSERT_TRUE(many.contacts.corner == one.contacts.corner) << threads;
+      ASSERT_TRUE(many.contacts.acting == one.contacts.acting) << threads;
+      ASSERT_TRUE(many.worst_overlap == one.worst_overlap) << threads;
+    }
+  }
+}
+
+// The pairs are those of all boxes that meet, and every block pair comes once.
+TEST(NearPairs, AreThoseWhoseBoxesMeet) {
+  const Blocks& blocks = heap(1, true).model.blocks;
+  dynamics::NearSearch memory;
+  std::vector<dynamics::NearPair> found;
+  for (const double reach : {0.0, 0.02, 1.5}) {
+    dynamics::find_near_pairs(blocks, reach, memory, found);
+    ASSERT_TRUE(std::is_sorted(found.begin(), found.end()));
+    std::size_t next = 0;
+    for (int a = 0; a < blocks.size(); ++a)
+      for (int b = a + 1; b < blocks.size(); ++b) {
+        const auto range = [&](int block) {
+          return blocks.corner.middleCols(blocks.first_corner[block],
+                                          blocks.corners_of(block));
+        };
+        const Eigen::Array2d gap =
+            (range(a).rowwise().minCoeff() - range(b).rowwise().maxCoeff())
+                .array()
+                .max((range(b).rowwise().minCoeff() - range(a).rowwise().maxCoeff())
+                         .array());
+        const bool is_found =
+            next < found.size() && found[next].low == a && found[next].high == b;
+        next += is_found;
+        const bool is_free = blocks.is_free(a) || blocks.is_free(b);
+        if (is_free && gap.maxCoeff() <= 2.0 * reach) {
+          ASSERT_TRUE(is_found) << a << ' ' << b;
+        }
+        if (!is_free || gap.maxCoeff() > 2.0 * reach + 1e-3) {
+          ASSERT_FALSE(is_found) << a << ' ' << b;
+        }
+      }
+    EXPECT_EQ(next, found.size());
   }
 }
 

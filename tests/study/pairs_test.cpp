@@ -7,8 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "dynamics/contact_loop.hpp"
-#include "dynamics/step.hpp"
+#include "dynamics/pair_step.hpp"
 #include "geometry/overlap.hpp"
 #include "study/draft.hpp"
 #include "study/frame.hpp"
@@ -21,19 +20,9 @@ namespace {
 using geometry::Polygon;
 
 /// The same rule, every pair decided in every step.
-struct DecidedAnew : dynamics::ExactRules {
-  using PairPredicates = dynamics::ExactPredicates;
+struct DecidedAnew : dynamics::ContactRules {
   static constexpr bool keeps_decisions = false;
 };
-
-dynamics::Displacement step_anew(Model& model, dynamics::SearchBuffers& buffers) {
-  const dynamics::Extremes touching = dynamics::evaluate_contacts_by<DecidedAnew>(
-      model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
-      *buffers.workers);
-  const dynamics::Displacement moved = dynamics::move(model, buffers, touching);
-  dynamics::catch_up(model, buffers);
-  return moved;
-}
 
 /// Steps of both, from the same start: the same bits all the way. Returns how many
 /// pairs were taken from an earlier step, summed over the steps.
@@ -45,10 +34,9 @@ long compare(const Model& start, int steps) {
   long reused = 0;
   for (int k = 0; k < steps; ++k) {
     pairs.find(kept, a), pairs.find(anew, b);
-    pairs.step(kept, a), step_anew(anew, b);
-    for (int p = 0; p < static_cast<int>(a.groups.pairs.size()); ++p)
-      reused += a.groups.poses[p].certain >
-                dynamics::detail::moved_since(kept.blocks, a.groups, p);
+    pairs.step(kept, a), dynamics::step_by_pairs<DecidedAnew>(anew, b);
+    for (int p = 0; p < static_cast<int>(a.pairs.pairs.size()); ++p)
+      reused += a.pairs.room_left(kept.blocks, p) > 0.0;
     if (kept.blocks.corner != anew.blocks.corner ||
         kept.blocks.velocity != anew.blocks.velocity) {
       ADD_FAILURE() << "the runs part in step " << k;
@@ -76,7 +64,8 @@ TEST(Pairs, KeepDecisionsBitForBit) {
 // Stress, strain and changing shapes widen what a decision has to hold for.
 TEST(Pairs, KeepDecisionsOfDeformableBlocks) {
   long reused = 0;
-  for (const char* name : {"wall", "soft", "terrain"}) {
+  for (const char* name :
+       {"wall", "soft", "stake", "bricks", "step-slabs", "undercut"}) {
     SCOPED_TRACE(name);
     Scene varied;
     const Scene scene = make_scene(name);
@@ -84,7 +73,7 @@ TEST(Pairs, KeepDecisionsOfDeformableBlocks) {
     model.settings.rigid = false;
     reused += compare(model, 300);
   }
-  EXPECT_GT(reused, 500) << "hardly any decision is kept";
+  EXPECT_GT(reused, 1000) << "hardly any decision is kept";
 }
 
 // Each part of the rule has a scene that goes wrong without it.
@@ -94,11 +83,11 @@ TEST(Pairs, NeedEveryPartOfTheRule) {
     int frames, least;
   };
   for (const Known& known : {Known{"stake", "pairs-no-entry", 16, 4},
-                             {"nose", "pairs-no-crossing", 4, 4},
                              {"floor", "pairs-no-joints", 4, 4},
                              {"bow", "pairs-no-faces", 4, 4}}) {
     StudyChoice choice;
     choice.count = known.frames;
+    choice.frames.offset = 1e3;  // Farther off, rounding moves tips out of the slack.
     choice.variants = {find_variant(known.variant), find_variant("pairs")};
     const Study study = run_study(make_scene(known.scene), choice);
     EXPECT_GE(study.rows[0].hung, known.least) << known.variant;

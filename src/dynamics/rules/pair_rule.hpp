@@ -5,6 +5,7 @@
 // so that `blocks study` can try others.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -28,6 +29,7 @@ struct CornerOnEdge {
 struct Axis {
   Side side;
   Side corner;  ///< the side that starts in the corner
+  bool operator==(const Axis&) const = default;
 };
 
 /// Working memory of the rule, one for each thread: it grows to what the largest
@@ -52,6 +54,8 @@ template <class Predicates, class Neighbours> class PairRule {
   /// What acts between two blocks, part by part; no contact twice. Valid until the next
   /// call.
   const std::vector<CornerOnEdge>& decide(int a, int b) {
+    if (b < a)  // of equally deep axes one of the lower block comes first
+      std::swap(a, b);
     scratch_.found.clear();
     for (int p = parts_.first_part(a); p < parts_.end_part(a); ++p)
       for (int q = parts_.first_part(b); q < parts_.end_part(b); ++q)
@@ -63,6 +67,9 @@ template <class Predicates, class Neighbours> class PairRule {
   /// moves by more than the room; each contact acts if its corner is inside its edge
   /// (19). False: that is in doubt.
   bool settle(int a, int b) {
+    ends_are_open_ = false;
+    if (b < a)
+      std::swap(a, b);
     scratch_.found.clear();
     for (int p = parts_.first_part(a); p < parts_.end_part(a); ++p)
       for (int q = parts_.first_part(b); q < parts_.end_part(b); ++q)
@@ -70,88 +77,152 @@ template <class Predicates, class Neighbours> class PairRule {
           return false;
     return true;
   }
-  const Predicates& predicates() const { return ask_; }
+  /// What was settled acts only if its corner is between the ends of the edge.
+  bool ends_are_open() const { return ends_are_open_; }
+  Predicates& predicates() { return ask_; }
 
  private:
-  /// The least axis acts that is entered and not hidden and along which anything acts.
-  /// If there is none, an axis stands in whose corner is between the ends of its side:
-  /// the least entered one, with its corner alone, or else the least one.
+  /// The first entered axis acts if it is not hidden. If it is hidden, the surface of a
+  /// closed joint takes over, at most twice. Otherwise an axis stands in: the least
+  /// one, or the first entered one if the surfaces are hidden too.
   void decide_parts(int p, int q) {
     scratch_.axes.clear();
     if (!find_axes(p, q) || !find_axes(q, p))
       return;
-    std::optional<Axis> spare;
-    bool spare_is_entered = false;
-    while (!scratch_.axes.empty()) {
-      const Axis least = take_least();
-      if (!is_inside(least.corner.start, least.side)) {
-        touch(least);
+    const Axis least = take_least();
+    if (!is_inside(least.corner.start, least.side)) {
+      touch(least);
+      return;
+    }
+    std::optional<Axis> entered;
+    for (Axis axis = least;; axis = take_least()) {
+      if (!Predicates::entry || is_entered(axis)) {
+        entered = axis;
+        break;
+      }
+      if (scratch_.axes.empty())
+        break;
+    }
+    if (!entered) {
+      stand_in(least);
+      return;
+    }
+    Axis axis = *entered;
+    for (int looks = 0; looks < 3; ++looks) {
+      const std::optional<Axis> surface = surface_instead_of(axis);
+      if (!surface && is_inner(axis.side))
+        return;  // the part beside it decides
+      if (!surface) {
+        if (!touch(axis) && looks == 0)
+          stand_in(least);
         return;
       }
-      const bool entered = !Predicates::entry || is_entered(least);
-      if (entered && !(Predicates::covered_sides && is_hidden(least)) && touch(least))
-        return;
-      if (is_inner(least.side) || !is_between(least.corner.start, least.side))
-        continue;
-      if (!spare || (entered && !spare_is_entered))
-        spare = least, spare_is_entered = entered;
+      axis = *surface;
     }
-    if (!spare)
-      return;
-    if (!spare_is_entered)
-      touch(*spare);
-    else
-      add(spare->corner.start, spare->side);
+    stand_in(*entered);
+  }
+  /// Adds the corner of the axis on the axis side, if it is between the ends.
+  void stand_in(const Axis& axis) {
+    if (!is_inner(axis.side) && is_between(axis.corner.start, axis.side))
+      add(axis.corner.start, axis.side);
+  }
+  /// The least axis of the surfaces of all closed joints that hide the axis; of equal
+  /// ones, that of the joint that is considered first. None: the axis is not hidden.
+  std::optional<Axis> surface_instead_of(const Axis& axis) {
+    std::optional<Axis> found;
+    const auto consider_surface = [&](const Joint& joint, int other, bool hides) {
+      if (!hides)
+        return;
+      const Axis one = axis_of(joint.surface, other);
+      if (!found || is_less(one, *found))
+        found = one;
+    };
+    if (!Predicates::covered_sides)
+      return found;
+    const auto ends = [&](const Side& side, int other) {
+      for (const Joint& joint : {Joint{side, parts_.before(side), true},
+                                 Joint{side, parts_.after(side), false}})
+        consider_surface(joint, other, is_closed(joint, other).closed);
+    };
+    Side facing;
+    ends(axis.side, axis.corner.part);
+    if (find_facing(axis, facing))
+      ends(facing, axis.side.part);
+    const Side before = parts_.before(axis.corner);
+    for (const Joint& joint :
+         {Joint{axis.corner, before, true}, Joint{before, axis.corner, false}})
+      consider_surface(joint, axis.side.part, is_hidden_in(joint, axis.side));
+    return found;
   }
 
   /// decide_parts as long as nothing moves by more than the room of the predicates: the
   /// contacts that may act, each if its corner is inside its edge. False: that is in
-  /// doubt. Axes that may be the least one are tied; which of them is the least does
-  /// not matter if they belong to the same two faces and each is entered and not
-  /// hidden.
+  /// doubt. Let e be a side that is entered by whichever corner may be the deepest
+  /// below it. The first entered axis is that of e or one that is not certainly deeper;
+  /// which of them it is does not matter if they all belong to the same two faces and
+  /// none is hidden.
   bool settle_parts(int p, int q) {
     std::vector<Axis>& axes = scratch_.axes;
     axes.clear();
     for (const auto& [own, other] : {std::pair(p, q), std::pair(q, p)})
       for (int i = 0; i < parts_.corners(own); ++i) {
-        const std::size_t first = axes.size();
-        axes.push_back(axis_of(parts_.side(own, i), other));
-        add_ties(axes[first]);
-        bool near = false, in_doubt = false;
-        for (std::size_t k = first; k < axes.size(); ++k) {
-          ask_.forget_doubt();
-          near |= ask_.near_or_inside(at(axes[k].corner.start), start(axes[k].side),
-                                      end(axes[k].side));
-          in_doubt |= ask_.is_in_doubt();
-        }
-        if (in_doubt || !near)
-          return !in_doubt;  // certainly apart: nothing acts
+        const Axis axis = axis_of(parts_.side(own, i), other);
+        if (ask_.stays_apart(at(axis.corner.start), start(axis.side), end(axis.side)))
+          return true;  // apart: nothing acts
+        axes.push_back(axis);
+        add_ties(axis);
       }
-    Axis least = axes.front();
-    for (const Axis& axis : axes)
-      if (is_less(axis, least))
-        least = axis;
-    ask_.forget_doubt();
-    Side face_of_least;
-    const bool faces = find_facing(least, face_of_least);
+    std::size_t known = 0;
+    for (std::size_t k = 1; k < axes.size(); ++k)
+      if (is_less(axes[k], axes[known]))
+        known = k;
+    Side face;
+    const bool faces = is_certain([&] { return find_facing(axes[known], face); });
+    const auto same_faces = [&](const Axis& axis) {
+      const Axis& least = axes[known];
+      Side other;
+      return axis == least ||
+             (faces && is_certain([&] { return find_facing(axis, other); }) &&
+              ((axis.side == least.side && other == face) ||
+               (axis.side == face && other == least.side)));
+    };
+    const auto all_of = [&](const Side& side, const auto& question) {
+      return std::all_of(axes.begin(), axes.end(), [&](const Axis& axis) {
+        return !(axis.side == side) || question(axis);
+      });
+    };
+    const auto is_surely_entered_by_all = [&](const Side& side) {
+      return all_of(side, [&](const Axis& axis) { return is_surely_entered(axis); });
+    };
+    Axis first = axes[known];
+    if (!is_surely_entered_by_all(first.side)) {
+      const auto opposite =
+          std::find_if(axes.begin(), axes.end(), [&](const Axis& axis) {
+            return !(axis.side == first.side) && same_faces(axis);
+          });
+      if (opposite == axes.end() || !is_surely_entered_by_all(opposite->side))
+        return false;
+      first = *opposite;
+    }
     for (const Axis& axis : axes) {
-      if (axis.side == least.side && axis.corner == least.corner)
-        continue;
-      const bool in_doubt = ask_.is_in_doubt();
-      if (!is_less(axis, least) && ask_.is_in_doubt() == in_doubt)
-        continue;
-      Side other_face;
-      ask_.forget_doubt();
-      if (in_doubt || !faces || !find_facing(axis, other_face) ||
-          !((axis.side == least.side && other_face == face_of_least) ||
-            (axis.side == face_of_least && other_face == least.side)) ||
-          !is_entered(axis) || is_hidden(axis) || ask_.is_in_doubt())
+      const bool is_deeper =
+          !(axis.side == first.side) && all_of(first.side, [&](const Axis& one) {
+            return is_certain([&] { return is_less(one, axis); });
+          });
+      if (!is_deeper &&
+          (!same_faces(axis) || !is_certain([&] { return !is_hidden(axis); })))
         return false;
     }
-    if (!is_entered(least) || is_hidden(least) || ask_.is_in_doubt())
-      return false;
-    touch(least);
+    // if nothing acts, an axis would stand in: of the same faces, so it does not act
+    // either
+    ask_.forget_doubt();
+    touch(first);
     return !ask_.is_in_doubt();
+  }
+  /// The answer is yes, and not in doubt.
+  template <class Question> bool is_certain(const Question& question) {
+    ask_.forget_doubt();
+    return question() && !ask_.is_in_doubt();
   }
   /// Adds the axes of the same side with the other corners that may be the deepest.
   void add_ties(const Axis axis) {
@@ -219,20 +290,54 @@ template <class Predicates, class Neighbours> class PairRule {
 
   // Entry
 
-  /// The corner is inside the part of the side. Or a side at the corner faces the axis
-  /// side, and the corner is beyond an end of that, or sides cross: the corner has
-  /// passed only the next side there, and that end of the axis side has left the
-  /// corner's part.
   bool is_entered(const Axis& axis) {
-    const int c = axis.corner.start;
+    return is_inside_part(axis) ||
+           (Predicates::crossing && (is_beyond(axis) || sides_cross(axis)));
+  }
+  /// The same, and not in doubt: for one of the reasons, or the corner is well between
+  /// the ends or not, and inside its part if it is.
+  bool is_surely_entered(const Axis& axis) {
+    return is_certain([&] { return is_inside_part(axis); }) ||
+           is_certain([&] { return is_beyond(axis); }) ||
+           is_certain([&] { return sides_cross(axis); }) ||
+           is_certain([&] { return is_inside_or_beyond(axis); });
+  }
+  bool is_inside_or_beyond(const Axis& axis) {
+    Side facing;
+    if (!find_facing(axis, facing))
+      return false;
+    const Vec2 c = at(axis.corner.start);
+    for (int i = 0; i < parts_.corners(axis.side.part); ++i) {
+      const Side side = parts_.side(axis.side.part, i);
+      if (i == axis.side.index || is_inner(side) ||
+          ask_.stays_inside(c, start(side), end(side)))
+        continue;
+      const bool after = side == parts_.after(axis.side);
+      if (!(after || side == parts_.before(axis.side)) ||
+          !ask_.inside_if_well_between(c, start(axis.side), end(axis.side), start(side),
+                                       end(side), after))
+        return false;
+    }
+    return true;
+  }
+  /// The corner is inside the part of the side.
+  bool is_inside_part(const Axis& axis) {
+    Side out;
+    return sides_outside(axis.corner.start, axis.side.part, axis.side.index, out) == 0;
+  }
+  /// A side at the corner faces the axis side, and the corner is beyond an end of that.
+  bool is_beyond(const Axis& axis) {
+    Side facing;
+    return find_facing(axis, facing) &&
+           !ask_.well_between(at(axis.corner.start), start(axis.side), end(axis.side));
+  }
+  /// A side at the corner faces the axis side, and the corner has passed only the next
+  /// side there, and that end of the axis side has left the corner's part.
+  bool sides_cross(const Axis& axis) {
     Side facing, out, other;
-    const bool faces = Predicates::crossing && find_facing(axis, facing);
-    if (faces && !ask_.well_between(at(c), start(axis.side), end(axis.side)))
-      return true;
-    const int count = sides_outside(c, axis.side.part, axis.side.index, out);
-    if (count == 0 || !faces)
-      return count == 0;
-    return count == 1 &&
+    return find_facing(axis, facing) &&
+           sides_outside(axis.corner.start, axis.side.part, axis.side.index, out) ==
+               1 &&
            ((out == parts_.before(axis.side) &&
              sides_outside(axis.side.start, axis.corner.part, -1, other) > 0) ||
             (out == parts_.after(axis.side) &&
@@ -304,61 +409,74 @@ template <class Predicates, class Neighbours> class PairRule {
     return joint.surface_is_before ? turned > 0 : turned < 0;
   }
 
-  /// Whether neighbours cover the side of a joint where the other part is. An inner
-  /// side is covered by the part beside it.
+  /// Whether the centroid of the other part is outside the surface of a joint, and
+  /// neighbours cover its side where the other part is. An inner side is covered by the
+  /// part beside it.
   Closed is_closed(const Joint& joint, int other) {
     if (is_inner(joint.surface))
       return {};
-    if (is_inner(joint.side))
-      return {true, parts_.twin(joint.side)};
     if (!ask_.may_be_outside(centroid(other), start(joint.surface), end(joint.surface)))
       return {};
-    gather(joint.side.part, other);
-    if (scratch_.parts.empty())
+    if (is_inner(joint.side))
+      return {true, parts_.twin(joint.side)};
+    if (is_surely_uncovered(joint, other))
       return {};
-    const geometry::Cover found = ask_.covering(
-        {scratch_.outlines[0], joint.side.index, joint.surface_is_before},
-        scratch_.outlines[1], {scratch_.outlines.begin() + 2, scratch_.outlines.end()});
-    if (!found)
+    if constexpr (Predicates::has_room) {
+      ask_.doubt();
       return {};
-    return {true, parts_.side(scratch_.parts[static_cast<std::size_t>(found.neighbour)],
-                              found.side)};
+    } else {
+      gather(joint.side.part, other);
+      const geometry::Cover found = ask_.covering(
+          {scratch_.outlines[0], joint.side.index, joint.surface_is_before},
+          scratch_.outlines[1],
+          {scratch_.outlines.begin() + 2, scratch_.outlines.end()});
+      if (!found)
+        return {};
+      return {true,
+              parts_.side(scratch_.parts[static_cast<std::size_t>(found.neighbour)],
+                          found.side)};
+    }
   }
-  /// The outlines of the own part, of the other one, and of the parts that may cover:
-  /// of blocks that the other block is paired with, at least one of the two free, and
-  /// not so far away that no side of theirs can cover one of the own part.
-  void gather(int own, int other) {
-    if (gathered_own_ == own && gathered_other_ == other)
-      return;
-    gathered_own_ = own, gathered_other_ = other;
-    scratch_.parts.clear();
-    scratch_.outlines.clear();
-    std::size_t used = 0;
-    const auto outline = [&](int part) {
-      if (used == scratch_.polygons.size())
-        scratch_.polygons.emplace_back();
-      geometry::Polygon& polygon = scratch_.polygons[used++];
-      polygon.clear();
-      for (int i = 0; i < parts_.corners(part); ++i)
-        polygon.push_back(at(parts_.corner(part, i)));
-    };
-    outline(own);
-    outline(other);
-    const Box near_own = box_of(own).grown();
+  /// Most joints are far from closed.
+  bool is_surely_uncovered(const Joint& joint, int other) {
+    do {
+      geometry::UncoveredSide side({outline(joint.side.part, own_copy_),
+                                    joint.side.index, joint.surface_is_before},
+                                   outline(other, other_copy_), ask_.room(),
+                                   ask_.room_of_neighbours());
+      each_neighbour_part(joint.side.part, other,
+                          [&](int part) { side.add(outline(part, copy_)); });
+      if (side.is_sure())
+        return true;
+    } while (ask_.narrow_room_of_neighbours());
+    return false;
+  }
+  /// Calls visit(part) for the parts that may cover: of blocks that the other block is
+  /// paired with, at least one of the two free.
+  template <class Visit>
+  void each_neighbour_part(int own, int other, const Visit& visit) {
     const int own_block = parts_.block(own), other_block = parts_.block(other);
     neighbours_(other_block, [&](int block) {
-      if (block == own_block || block == other_block ||
-          !(blocks_.is_free(block) || blocks_.is_free(other_block)))
-        return;
-      for (int part = parts_.first_part(block); part < parts_.end_part(block); ++part)
-        if (box_of(part).meets(near_own)) {
-          scratch_.parts.push_back(part);
-          outline(part);
-        }
+      if (block != own_block && block != other_block &&
+          (blocks_.is_free(block) || blocks_.is_free(other_block)))
+        for (int part = parts_.first_part(block); part < parts_.end_part(block); ++part)
+          visit(part);
     });
-    for (std::size_t i = 0; i < used; ++i)
-      scratch_.outlines.emplace_back(scratch_.polygons[i]);
   }
+  /// The corners of a part; of a convex block as they stand in the memory.
+  geometry::Outline outline(int part, geometry::Polygon& copy) const {
+    const auto count = static_cast<std::size_t>(parts_.corners(part));
+    if (blocks_.convex[parts_.block(part)])
+      return {reinterpret_cast<const Vec2*>(blocks_.corner.data()) +
+                  parts_.corner(part, 0),
+              count};
+    copy.clear();
+    for (int i = 0; i < parts_.corners(part); ++i)
+      copy.push_back(at(parts_.corner(part, i)));
+    return copy;
+  }
+  /// The outlines of the own part, of the other one, and of the parts that may cover,
+  /// but for those that are too far away.
   struct Box {
     Vec2 lower, upper;
     bool meets(const Box& other) const {
@@ -372,6 +490,19 @@ template <class Predicates, class Neighbours> class PairRule {
       return {lower.array() - by, upper.array() + by};
     }
   };
+  void gather(int own, int other) {
+    scratch_.parts.clear();
+    scratch_.outlines.assign({outline(own, own_copy_), outline(other, other_copy_)});
+    scratch_.polygons.clear();
+    const Box near_own = box_of(own).grown();
+    each_neighbour_part(own, other, [&](int part) {
+      if (box_of(part).meets(near_own))
+        scratch_.parts.push_back(part);
+    });
+    scratch_.polygons.resize(scratch_.parts.size());
+    for (std::size_t k = 0; k < scratch_.parts.size(); ++k)
+      scratch_.outlines.push_back(outline(scratch_.parts[k], scratch_.polygons[k]));
+  }
   Box box_of(int part) const {
     Box box{at(parts_.corner(part, 0)), at(parts_.corner(part, 0))};
     for (int i = 1; i < parts_.corners(part); ++i) {
@@ -394,28 +525,20 @@ template <class Predicates, class Neighbours> class PairRule {
   // Contacts
 
   /// Adds what acts along an axis: the ends of two faces on each other, or one corner.
-  /// False: nothing acts.
+  /// The axis is not hidden, so the corners are not hidden either. False: nothing acts.
   bool touch(const Axis& axis) {
     const Side& e = axis.side;
     Side f;
-    if (!Predicates::faces || !find_facing(axis, f)) {
-      const int c = axis.corner.start;
-      if (!may_act(c, e) || !is_between(c, e) || is_inner(e))
-        return false;
-      add(c, e);
-      return true;
-    }
-    bool acts = consider(f, e);
-    acts |= consider(parts_.after(f), e);
-    acts |= consider(e, f);
-    acts |= consider(parts_.after(e), f);
+    if (!Predicates::faces || !find_facing(axis, f))
+      return consider(axis.corner.start, e);
+    bool acts = consider(f.start, e);
+    acts |= consider(f.end, e);
+    acts |= consider(e.start, f);
+    acts |= consider(e.end, f);
     return acts;
   }
-  /// The corner in which side `after` starts, on side e.
-  bool consider(const Side& after, const Side& e) {
-    const int c = after.start;
-    if (is_inner(e) || !may_act(c, e) || !is_between(c, e) ||
-        (Predicates::covered_sides && is_hidden_at_corner(after, e)))
+  bool consider(int c, const Side& e) {
+    if (is_inner(e) || !may_act(c, e))
       return false;
     add(c, e);
     return true;
@@ -430,11 +553,21 @@ template <class Predicates, class Neighbours> class PairRule {
 
   // Short names
 
-  /// The corner is inside the side; with room that is left open.
+  /// The corner is inside the side and between its ends; with room the first is left
+  /// open, and so is the second where it is in doubt.
   bool may_act(int c, const Side& s) {
-    if constexpr (Predicates::has_room)
-      return true;
-    return is_inside(c, s);
+    if constexpr (Predicates::has_room) {
+      const bool in_doubt = ask_.is_in_doubt();
+      ask_.forget_doubt();
+      const bool between = is_between(c, s), is_open = ask_.is_in_doubt();
+      ask_.forget_doubt();
+      if (in_doubt)
+        ask_.doubt();
+      ends_are_open_ = ends_are_open_ || is_open;
+      return between || is_open;
+    } else {
+      return is_inside(c, s) && is_between(c, s);
+    }
   }
 
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
@@ -462,7 +595,8 @@ template <class Predicates, class Neighbours> class PairRule {
   const Neighbours& neighbours_;
   PairScratch& scratch_;
   Predicates ask_;
-  int gathered_own_ = -1, gathered_other_ = -1;  ///< the parts in the outlines
+  bool ends_are_open_ = false;
+  geometry::Polygon own_copy_, other_copy_, copy_;  ///< of parts (outline)
 };
 
 }  // namespace blocks::dynamics

@@ -2,6 +2,7 @@
 // ones with room for motion.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -21,15 +22,20 @@ struct ExactPredicates {
   static constexpr bool faces = true;          ///< two faces act with all four ends
   static constexpr bool has_room = false;      ///< for motion (PredicatesWithRoom)
 
+  /// [L] For motion.
+  static double room() { return 0.0; }
+  static double room_of_neighbours() { return 0.0; }
+  static bool narrow_room_of_neighbours() { return false; }
+
   static int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::overlap_sign(c, p1, p2);
+  }
+  static bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+    return geometry::near_or_inside(c, p1, p2);
   }
   /// Not inside.
   static bool may_be_outside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::overlap_sign(c, p1, p2) <= 0;
-  }
-  static bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return geometry::near_or_inside(c, p1, p2);
   }
   static bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::between(c, p1, p2);
@@ -69,7 +75,9 @@ class PredicatesWithRoom {
   static constexpr bool entry = true, crossing = true, covered_sides = true,
                         faces = true, has_room = true;
 
-  explicit PredicatesWithRoom(double room) : room_((1.0 + 1e-9) * room) {}
+  PredicatesWithRoom(double room, double of_neighbours)
+      : room_((1.0 + 1e-9) * room),
+        of_neighbours_((1.0 + 1e-9) * std::max(room, of_neighbours)) {}
 
   /// Whether an answer since the last reset was in doubt.
   bool is_in_doubt() const { return in_doubt_; }
@@ -86,10 +94,36 @@ class PredicatesWithRoom {
     const auto d = geometry::filter::overlap(c, p1, p2);
     return !(d.value > d.bound + (1.0 + 1e-9) * change(size(p1, c), size(p1, p2)));
   }
-  bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
+  /// Never in doubt: false unless the corner stays inside.
+  bool stays_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) const {
+    return !may_be_outside(c, p1, p2);
+  }
+  /// Never in doubt: true only if the corner is inside the side q1 q2, which comes
+  /// after p1 p2 or before it, wherever it is inside p1 p2 and well between its ends:
+  /// the foot is slack |e| from the end that the two share, or more.
+  bool inside_if_well_between(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                              const Vec2& q1, const Vec2& q2, bool after) const {
+    const Vec2 e = p2 - p1, g = q2 - q1, shared = after ? p2 : p1;
+    const double of_e = e.norm(), of_g = g.norm();
+    const Vec2 along = (after ? -1.0 : 1.0) / of_e * e,
+               inwards(e.y() / of_e, -e.x() / of_e),
+               into_g(g.y() / of_g, -g.x() / of_g);
+    const double turning = 4.0 * room_ * (1.0 / of_e + 1.0 / of_g) + 1e-12;
+    const double of_depth =
+        2.0 * room_ * (1.0 + ((c - shared).norm() + room_) / of_e) + 1e-12 * of_e;
+    const double depth = (c - shared).dot(inwards), most = depth + of_depth;
+    const double least = std::max(0.0, depth - of_depth), slope = inwards.dot(into_g);
+    const double foot = geometry::contact_slack * (of_e - room_);
+    return most < 0.0 || foot * (along.dot(into_g) - turning) +
+                                 std::min(least * slope, most * slope) -
+                                 most * turning >
+                             1e-12 * of_e;
+  }
+  /// Never in doubt: false unless the corner stays outside by more than the slack.
+  bool stays_apart(const Vec2& c, const Vec2& p1, const Vec2& p2) const {
+    const auto d = geometry::filter::near_or_inside(c, p1, p2);
     const double e = size(p1, p2);
-    return sure(geometry::filter::near_or_inside(c, p1, p2),
-                change(size(p1, c), e) + change(e, e)) > 0;
+    return -d.value > d.bound + (1.0 + 1e-9) * (change(size(p1, c), e) + change(e, e));
   }
   bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return between_ends(c, p1, p2, geometry::contact_slack);
@@ -97,13 +131,20 @@ class PredicatesWithRoom {
   bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return between_ends(c, p1, p2, -geometry::contact_slack);
   }
+  /// By the sine: near 180 degrees the cosine of (20) tells little.
   bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
-    const double e = size(p1, p2), f = size(q1, q2);
-    // |D| <= e f and Q = |e|^2 |f|^2
-    const double of_dot = change(e, f), of_e2 = change(e, e), of_f2 = change(f, f);
-    return sure(geometry::filter::edges_face(p1, p2, q1, q2),
-                of_dot * (2.0 * e * f + of_dot) + of_e2 * f * f + of_f2 * e * e +
-                    of_e2 * of_f2) > 0;
+    constexpr double sine_of_10_degrees = 0.17364817766693033;
+    const Vec2 e = p2 - p1, f = q2 - q1;
+    const double of_e = e.norm(), of_f = f.norm(), product = of_e * of_f;
+    const double changes = (1.0 + 1e-9) * change(of_e, of_f) + 1e-12 * product;
+    const double sine = std::abs(geometry::cross(e, f)), cosine = e.dot(f);
+    const double limit = sine_of_10_degrees * product;
+    const bool face = cosine < 0.0 && sine <= limit;
+    // the limit itself changes by a part of what the sine does
+    const bool surely_face = cosine < -changes && sine + 1.2 * changes < limit;
+    const bool surely_not = cosine > changes || sine - 1.2 * changes > limit;
+    in_doubt_ = in_doubt_ || !(surely_face || surely_not);
+    return face;
   }
   int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
     return sure(geometry::filter::turn(p1, p2, q1, q2),
@@ -124,13 +165,19 @@ class PredicatesWithRoom {
                 change(p, q) * (r + room_) + p * q * room_ +
                     change(p, r) * (q + room_) + p * r * room_);
   }
-  /// It is only asked whether anything covers, and that is in doubt if it may.
-  geometry::Cover covering(const geometry::SideEnd& end, geometry::Outline other,
-                           std::span<const geometry::Outline> neighbours) {
+  void doubt() { in_doubt_ = true; }
+  double room() const { return room_; }
+  /// No corner of another block moves by more against those of the two, [L]. First much
+  /// is tried.
+  double room_of_neighbours() {
     asked_neighbours_ = true;
-    in_doubt_ =
-        in_doubt_ || !geometry::is_surely_uncovered(end, other, neighbours, room_);
-    return {};
+    return of_neighbours_;
+  }
+  /// Less than that; false: it cannot be less.
+  bool narrow_room_of_neighbours() {
+    const bool can = of_neighbours_ > room_;
+    of_neighbours_ = room_;
+    return can;
   }
 
  private:
@@ -149,7 +196,7 @@ class PredicatesWithRoom {
   }
   double change(double v, double w) const { return room_ * (v + w + room_); }
 
-  double room_;
+  double room_, of_neighbours_;
   bool in_doubt_ = false, asked_neighbours_ = false;
 };
 
