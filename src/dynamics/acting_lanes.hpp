@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -36,6 +37,18 @@ struct Swing {
   /// No arm of deformable block b has changed by more since this was its shape, [L].
   double reshaped(int b, const Eigen::Vector4d& since) const;
 };
+
+/// How far two blocks, first and second, move against each other in a step as they go
+/// now, [L]: to first order what the room of a decision loses in it.
+inline double motion_of_step(const Blocks& blocks, const Swing& swing, int first,
+                             int second, double dt) {
+  const auto arms = [&](int b) {
+    return swing.longest[b] *
+           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
+  };
+  const Vec2 apart = blocks.velocity.col(first) - blocks.velocity.col(second);
+  return dt * (apart.norm() + 2.0 * std::max(arms(first), arms(second)));
+}
 
 /// Which lanes act on each block, block after block, in the order of the list.
 struct LanesOfBlocks {

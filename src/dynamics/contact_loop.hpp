@@ -126,7 +126,7 @@ template <class Rules>
 void renew_pair(const Blocks& blocks, const Contacts& contacts, ContactGroups& groups,
                 int p, double moved, double dt, ContactGroups::Share& share) {
   ContactPair& pair = groups.pairs[p];
-  const double motion = motion_of_step(blocks, groups.swing, pair, dt);
+  const double motion = motion_of_step(blocks, groups.swing, pair.low, pair.high, dt);
   const ContactDecision<Rules> decision(blocks, contacts, groups);
   bool anew = false;
   // the other way round a NaN would let a decision stand

@@ -10,18 +10,6 @@
 
 namespace blocks::dynamics::detail {
 
-/// How far two blocks move against each other in a step as they go now, [L]: to first
-/// order what relative_motion grows by.
-inline double motion_of_step(const Blocks& blocks, const Swing& swing,
-                             const ContactPair& pair, double dt) {
-  const auto arms = [&](int b) {
-    return swing.longest[b] *
-           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
-  };
-  const Vec2 apart = blocks.velocity.col(pair.low) - blocks.velocity.col(pair.high);
-  return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
-}
-
 /// Puts what acts in group g, or may act, into its seat; `other`: and into that of the
 /// group after it, which is for the second edge of a notch. Springs of records that do
 /// so no more are lost.

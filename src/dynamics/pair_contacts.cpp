@@ -56,7 +56,6 @@ void ContactsOfPairs::add(int p, const std::vector<PairContact>& contacts) {
 void PairContacts::take(std::vector<NearPair>& found, const Blocks& blocks, bool rigid,
                         int threads, bool known, bool moved_only) {
   std::vector<KeptDecision> next(found.size());
-  std::vector<PairShapes> next_shapes(rigid ? 0 : found.size());
   std::vector<short> next_seats(found.size(), 0);
   if (known) {
     std::size_t k = 0;
@@ -68,10 +67,7 @@ void PairContacts::take(std::vector<NearPair>& found, const Blocks& blocks, bool
       if (!moved_only)
         return;
       next_seats[to] = seats[from];
-      next[to] = kept[from];
-      next[to].room = 0.0;  // there may be new neighbours
-      if (!rigid)
-        next_shapes[to] = shapes[from];
+      next[to].life = kept[from].life, next[to].wait = kept[from].wait;
     });
     std::fill(held.pair.begin() + static_cast<std::ptrdiff_t>(k), held.pair.end(), -1);
   }
@@ -80,7 +76,8 @@ void PairContacts::take(std::vector<NearPair>& found, const Blocks& blocks, bool
     parts.make(blocks);
   }
   pairs.swap(found);
-  kept.swap(next), shapes.swap(next_shapes), seats.swap(next_seats);
+  kept.swap(next), seats.swap(next_seats);
+  shapes.assign(rigid ? 0 : pairs.size(), {});
   limits.assign(pairs.size(), {});
   rounds.assign((pairs.size() + pairs_of_one_round - 1) / pairs_of_one_round, {});
   index_pairs(blocks, *this);

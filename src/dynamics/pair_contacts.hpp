@@ -89,7 +89,6 @@ struct PairContacts : ActingLanes {
     PairScratch scratch;
     std::vector<PairContact> before, now;  ///< of one pair
     Extremes extremes;
-    unsigned long long exact_calls = 0;
   };
   std::vector<Share> shares;  ///< (threads)
   // What all found together.
@@ -99,8 +98,8 @@ struct PairContacts : ActingLanes {
 
   /// Takes the pairs of a new list. `known`: `held` has the contacts of the list
   /// before; those of pairs that the new one lacks are dropped (pair -1). `moved_only`:
-  /// since then blocks have moved, and nothing else; what was decided and does not
-  /// depend on neighbours still holds.
+  /// since then blocks have moved, and nothing else. All pairs have to be decided, for
+  /// there may be new neighbours; for how long decisions held is kept.
   void take(std::vector<NearPair>& found, const Blocks& blocks, bool rigid, int threads,
             bool known, bool moved_only);
   /// Contacts of a pair, in the order of the list: what is in its seats.

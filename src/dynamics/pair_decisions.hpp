@@ -16,18 +16,6 @@ struct ContactRules {
   static constexpr bool keeps_decisions = true;
 };
 
-/// How far two blocks move against each other in a step as they go now, [L]: to first
-/// order what PairContacts::motion_since grows by.
-inline double motion_of_step(const Blocks& blocks, const Swing& swing,
-                             const NearPair& pair, double dt) {
-  const auto arms = [&](int b) {
-    return swing.longest[b] *
-           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
-  };
-  const Vec2 apart = blocks.velocity.col(pair.low) - blocks.velocity.col(pair.high);
-  return dt * (apart.norm() + 2.0 * std::max(arms(pair.low), arms(pair.high)));
-}
-
 /// Calls work(rule) with the contact rule for these predicates.
 template <class Predicates, class Work>
 void with_pair_rule(const Blocks& blocks, const PairContacts& all, PairScratch& scratch,
@@ -54,7 +42,7 @@ inline bool settle_pair(const Blocks& blocks, PairContacts& all, int p, double d
     --kept.wait;
     return false;
   }
-  const double motion = motion_of_step(blocks, all.swing, pair, dt);
+  const double motion = motion_of_step(blocks, all.swing, pair.low, pair.high, dt);
   const double of_neighbours = part_of_size * std::min(all.swing.longest[pair.low],
                                                        all.swing.longest[pair.high]);
   for (int life = kept.life; life >= shortest; life -= 3) {

@@ -1,4 +1,5 @@
-// What becomes of the spring of a contact that has ceased to act (rule 12).
+// What becomes of the spring of a contact that has ceased to act
+// (docs/theory.md#hand-over-of-springs).
 #pragma once
 
 #include "dynamics/pair_contacts.hpp"

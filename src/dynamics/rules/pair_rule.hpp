@@ -39,6 +39,7 @@ struct PairScratch {
   std::vector<CornerOnEdge> found;
   std::vector<int> parts;
   std::vector<geometry::Polygon> polygons;
+  geometry::Polygon own, other, neighbour;  ///< of parts of blocks that are not convex
   std::vector<geometry::Outline> outlines;
 };
 
@@ -440,12 +441,13 @@ template <class Predicates, class Neighbours> class PairRule {
   /// Most joints are far from closed.
   bool is_surely_uncovered(const Joint& joint, int other) {
     do {
-      geometry::UncoveredSide side({outline(joint.side.part, own_copy_),
+      geometry::UncoveredSide side({outline(joint.side.part, scratch_.own),
                                     joint.side.index, joint.surface_is_before},
-                                   outline(other, other_copy_), ask_.room(),
+                                   outline(other, scratch_.other), ask_.room(),
                                    ask_.room_of_neighbours());
-      each_neighbour_part(joint.side.part, other,
-                          [&](int part) { side.add(outline(part, copy_)); });
+      each_neighbour_part(joint.side.part, other, [&](int part) {
+        side.add(outline(part, scratch_.neighbour));
+      });
       if (side.is_sure())
         return true;
     } while (ask_.narrow_room_of_neighbours());
@@ -492,7 +494,8 @@ template <class Predicates, class Neighbours> class PairRule {
   };
   void gather(int own, int other) {
     scratch_.parts.clear();
-    scratch_.outlines.assign({outline(own, own_copy_), outline(other, other_copy_)});
+    scratch_.outlines.assign(
+        {outline(own, scratch_.own), outline(other, scratch_.other)});
     scratch_.polygons.clear();
     const Box near_own = box_of(own).grown();
     each_neighbour_part(own, other, [&](int part) {
@@ -596,7 +599,6 @@ template <class Predicates, class Neighbours> class PairRule {
   PairScratch& scratch_;
   Predicates ask_;
   bool ends_are_open_ = false;
-  geometry::Polygon own_copy_, other_copy_, copy_;  ///< of parts (outline)
 };
 
 }  // namespace blocks::dynamics
