@@ -220,6 +220,24 @@ inline Estimate edges_face(const Point& p1, const Point& p2, const Point& q1,
           unless(least(e2, f2) > 0x1p-480, u24 * q)};
 }
 
+/// 1 / |p2 - p1| for `depth`; infinite if products of such lengths leave the range of
+/// doubles.
+template <class Point> inline double per_length(const Point& p1, const Point& p2) {
+  const double length2 = squared_length(p1, p2);
+  return length2 > 0x1p-900 && length2 < 0x1p900
+             ? 1.0 / std::sqrt(length2)
+             : std::numeric_limits<double>::infinity();
+}
+
+/// The overlap d = 2A / L, [L].
+template <class Point>
+inline Estimate depth(const Point& c, const Point& p1, const Point& p2,
+                      double per_length) {
+  const Cross a = cross(c, p1, p1, p2);
+  return {a.value() * per_length,
+          (u16 * a.magnitude() + underflow) * per_length + underflow};
+}
+
 /// Positive where the first angle, between p and q, has the larger sine.
 template <class Point>
 inline Estimate slope_difference(const Point& p1, const Point& p2, const Point& q1,

@@ -7,6 +7,7 @@
 
 #include "dynamics/pair_contacts.hpp"
 #include "dynamics/rules/pair_rule.hpp"
+#include "dynamics/rules/pair_settling.hpp"
 
 namespace blocks::dynamics {
 
@@ -16,17 +17,13 @@ struct ContactRules {
   static constexpr bool keeps_decisions = true;
 };
 
-/// Calls work(rule) with the contact rule for these predicates.
-template <class Predicates, class Work>
-void with_pair_rule(const Blocks& blocks, const PairContacts& all, PairScratch& scratch,
-                    const Predicates& predicates, const Work& work) {
-  const auto neighbours = [&](int b, const auto& visit) {
-    all.each_neighbour(b, visit);
-  };
-  PairRule<Predicates, decltype(neighbours)> rule(blocks, all.parts, neighbours,
-                                                  scratch, predicates);
-  work(rule);
-}
+/// For the contact rule: the blocks that a block is paired with.
+struct Neighbours {
+  const PairContacts& all;
+  template <class Visit> void operator()(int block, const Visit& visit) const {
+    all.each_neighbour(block, visit);
+  }
+};
 
 /// Looks for the contacts of pair p that may act, with room for motion: four times as
 /// many steps of the present motion as last time, then fewer. False: all is in doubt,
@@ -45,18 +42,14 @@ inline bool settle_pair(const Blocks& blocks, PairContacts& all, int p, double d
   const double motion = motion_of_step(blocks, all.swing, pair.low, pair.high, dt);
   const double of_neighbours = part_of_size * std::min(all.swing.longest[pair.low],
                                                        all.swing.longest[pair.high]);
+  const Neighbours neighbours{all};
   for (int life = kept.life; life >= shortest; life -= 3) {
     const double room = std::ldexp(motion, life);
-    bool settled = false;
-    with_pair_rule(blocks, all, scratch, PredicatesWithRoom(room, of_neighbours),
-                   [&](auto& rule) {
-                     settled = rule.settle(pair.low, pair.high);
-                     kept.room_of_ends = rule.ends_are_open() ? 0.0 : room;
-                     auto& asked = rule.predicates();
-                     kept.room_of_neighbours =
-                         asked.asked_neighbours() ? asked.room_of_neighbours() : 0.0;
-                   });
-    if (settled) {
+    PairSettling settling(blocks, all.parts, neighbours, scratch,
+                          PredicatesWithRoom(room, of_neighbours));
+    if (settling.settle(pair.low, pair.high)) {
+      kept.room_of_ends = settling.ends_are_open() ? 0.0 : room;
+      kept.room_of_neighbours = settling.room_of_neighbours();
       kept.room = room;
       kept.life = static_cast<unsigned char>(std::min(life + 2, longest));
       return true;
@@ -79,8 +72,10 @@ void decide_pair(const Blocks& blocks, PairContacts& all, int p, double dt,
     all.place(blocks, p);
   } else {
     kept.room = kept.room_of_neighbours = 0.0;
-    with_pair_rule(blocks, all, share.scratch, typename Rules::Predicates{},
-                   [&](auto& rule) { rule.decide(pair.low, pair.high); });
+    const Neighbours neighbours{all};
+    PairRule<typename Rules::Predicates, Neighbours> rule(blocks, all.parts, neighbours,
+                                                          share.scratch);
+    rule.decide(pair.low, pair.high);
   }
   all.seat(blocks, p, share.scratch.found, settled, share);
 }

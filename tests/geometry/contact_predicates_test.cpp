@@ -37,6 +37,18 @@ void judge(const Case& k) {
   }
   EXPECT_EQ(in_reach_of_edge(k.c, k.centroid, k.p1, k.p2),
             Judge::near_or_inside(k) && Judge::between(k) && Judge::within_depth(k));
+  const auto depth_below = [](const Vec2& c, const Vec2& p1, const Vec2& p2) {
+    return filter::depth(c, p1, p2, filter::per_length(p1, p2));
+  };
+  const filter::Estimate d = depth_below(k.c, k.p1, k.p2);
+  const filter::Estimate other = depth_below(k.neighbour, k.q1, k.q2);
+  if (d.positive() || d.negative()) {
+    EXPECT_EQ(filter::sign(d.value), Judge::overlap_sign(k)) << "depth";
+  }
+  const double bound = (1.0 + 1e-9) * (d.bound + other.bound);
+  if (std::abs(d.value - other.value) > bound) {
+    EXPECT_EQ(filter::sign(d.value - other.value), Judge::compare_depths(k)) << "depth";
+  }
   ASSERT_FALSE(testing::Test::HasFailure())
       << std::hexfloat << "c " << k.c.x() << ' ' << k.c.y() << " p1 " << k.p1.x() << ' '
       << k.p1.y() << " p2 " << k.p2.x() << ' ' << k.p2.y() << " q1 " << k.q1.x() << ' '

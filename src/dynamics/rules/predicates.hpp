@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "geometry/contact_predicates.hpp"
@@ -27,8 +28,16 @@ struct ExactPredicates {
   static double room_of_neighbours() { return 0.0; }
   static bool narrow_room_of_neighbours() { return false; }
 
-  static int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return geometry::overlap_sign(c, p1, p2);
+  /// [L] The overlap, for `depth_sign` and to compare depths.
+  static geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                                          double per_length) {
+    return geometry::filter::depth(c, p1, p2, per_length);
+  }
+  static int depth_sign(const geometry::filter::Estimate& depth, const Vec2& c,
+                        const Vec2& p1, const Vec2& p2) {
+    if (depth.positive())
+      return 1;
+    return depth.negative() ? -1 : geometry::overlap_sign(c, p1, p2);
   }
   static bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::near_or_inside(c, p1, p2);
@@ -85,18 +94,27 @@ class PredicatesWithRoom {
   bool asked_neighbours() const { return asked_neighbours_; }
   void forget_doubt() { in_doubt_ = false; }
 
-  int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return sure(geometry::filter::overlap(c, p1, p2),
-                change(size(p1, c), size(p1, p2)));
+  /// [L] The bound contains what motion may add. With v = c - p1 and the normal n of a
+  /// side of length l, v . n changes by at most room + (|v| + room) |change of n|, and
+  /// n by at most room / (l - room).
+  geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                                   double per_length) const {
+    const geometry::filter::Estimate d = geometry::filter::depth(c, p1, p2, per_length);
+    const double turning = room_ * per_length < 1.0
+                               ? room_ * per_length / (1.0 - room_ * per_length)
+                               : std::numeric_limits<double>::infinity();
+    return {d.value,
+            d.bound + (1.0 + 1e-9) * (room_ + (size(p1, c) + room_) * turning)};
+  }
+  int depth_sign(const geometry::filter::Estimate& depth, const Vec2&, const Vec2&,
+                 const Vec2&) {
+    in_doubt_ = in_doubt_ || !(depth.positive() || depth.negative());
+    return depth.value > 0.0 ? 1 : -1;
   }
   /// Never in doubt: true unless the corner stays inside.
   bool may_be_outside(const Vec2& c, const Vec2& p1, const Vec2& p2) const {
     const auto d = geometry::filter::overlap(c, p1, p2);
     return !(d.value > d.bound + (1.0 + 1e-9) * change(size(p1, c), size(p1, p2)));
-  }
-  /// Never in doubt: false unless the corner stays inside.
-  bool stays_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) const {
-    return !may_be_outside(c, p1, p2);
   }
   /// Never in doubt: true only if the corner is inside the side q1 q2, which comes
   /// after p1 p2 or before it, wherever it is inside p1 p2 and well between its ends:
@@ -119,11 +137,12 @@ class PredicatesWithRoom {
                                  most * turning >
                              1e-12 * of_e;
   }
-  /// Never in doubt: false unless the corner stays outside by more than the slack.
-  bool stays_apart(const Vec2& c, const Vec2& p1, const Vec2& p2) const {
-    const auto d = geometry::filter::near_or_inside(c, p1, p2);
-    const double e = size(p1, p2);
-    return -d.value > d.bound + (1.0 + 1e-9) * (change(size(p1, c), e) + change(e, e));
+  /// Never in doubt: false unless a corner with this depth stays outside by more than
+  /// the slack.
+  bool stays_apart(const geometry::filter::Estimate& depth, const Vec2& p1,
+                   const Vec2& p2) const {
+    const double slack = geometry::contact_slack * (size(p1, p2) + room_);
+    return depth.value < -(depth.bound + (1.0 + 1e-9) * slack);
   }
   bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return between_ends(c, p1, p2, geometry::contact_slack);
@@ -149,14 +168,6 @@ class PredicatesWithRoom {
   int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
     return sure(geometry::filter::turn(p1, p2, q1, q2),
                 change(size(p1, p2), size(q1, q2)));
-  }
-  int compare_depths(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& d,
-                     const Vec2& q1, const Vec2& q2) {
-    const double p = size(p1, p2), q = size(q1, q2), a = size(p1, c) * p,
-                 b = size(q1, d) * q;
-    return sure(geometry::filter::depth_difference(c, p1, p2, d, q1, q2),
-                change(size(p1, c), p) * (q + room_) + a * room_ +
-                    change(size(q1, d), q) * (p + room_) + b * room_);
   }
   int compare_slopes(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2,
                      const Vec2& r1, const Vec2& r2) {

@@ -1,0 +1,207 @@
+// Two convex parts as the contact rule sees them: their sides, and how deep each corner
+// of one lies below each side of the other (docs/contact-rule.md#depth-and-axis).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "dynamics/rules/block_parts.hpp"
+#include "geometry/contact_predicates.hpp"
+#include "geometry/vec2.hpp"
+#include "model/blocks.hpp"
+
+namespace blocks::dynamics {
+
+using geometry::Vec2;
+
+/// A side of a part where it is now.
+struct Segment {
+  Vec2 start, end;
+  double per_length;  ///< [1/L] geometry::filter::per_length
+  int corner;         ///< number of the corner where it starts
+  bool is_inner;
+};
+
+/// Side `index` of part 0 or part 1 of a pair; also the corner where it starts.
+struct PairSide {
+  int part = 0, index = 0;
+  bool operator==(const PairSide&) const = default;
+};
+
+/// A side of one part and the corner of the other part that is deepest below it.
+struct Axis {
+  PairSide side, corner;
+  bool operator==(const Axis&) const = default;
+};
+
+/// A part and the depths below its sides.
+struct PartShape {
+  int part = -1;
+  Vec2 centroid;
+  std::vector<Segment> sides;
+  /// [L] Of corner k of the other part below side i: depths[i * corners + k].
+  std::vector<geometry::filter::Estimate> depths;
+};
+using PairMemory = std::array<PartShape, 2>;
+
+template <class Predicates> class PairShape {
+ public:
+  PairShape(PairMemory& memory, Predicates& ask) : parts_(memory), ask_(ask) {}
+
+  /// Takes the corners of two parts; depths are found side by side (find_depths).
+  void take(const Blocks& blocks, const BlockParts& parts, int p, int q) {
+    take_part(blocks, parts, p, parts_[0]);
+    take_part(blocks, parts, q, parts_[1]);
+    for (const int part : {0, 1})
+      parts_[part].depths.resize(parts_[0].sides.size() * parts_[1].sides.size());
+  }
+  int part(int k) const { return parts_[k].part; }
+  const Vec2& centroid(int k) const { return parts_[k].centroid; }
+  int corners(int k) const { return static_cast<int>(parts_[k].sides.size()); }
+  const Segment& at(const PairSide& s) const {
+    return parts_[s.part].sides[static_cast<std::size_t>(s.index)];
+  }
+  PairSide before(const PairSide& s) const {
+    return {s.part, (s.index > 0 ? s.index : corners(s.part)) - 1};
+  }
+  PairSide after(const PairSide& s) const {
+    return {s.part, s.index + 1 < corners(s.part) ? s.index + 1 : 0};
+  }
+
+  /// The axis of a side with the corner that is deepest by its rounded depth.
+  Axis find_depths(const PairSide& s) {
+    const int other = 1 - s.part, count = corners(other);
+    const Segment& e = at(s);
+    geometry::filter::Estimate* const depths = row(s);
+    int deepest = 0;
+    for (int k = 0; k < count; ++k) {
+      depths[k] = ask_.depth(at({other, k}).start, e.start, e.end, e.per_length);
+      deepest = depths[k].value > depths[deepest].value ? k : deepest;
+    }
+    return {s, {other, deepest}};
+  }
+  const geometry::filter::Estimate& depth(const PairSide& s, int corner) const {
+    return row(s)[corner];
+  }
+  const geometry::filter::Estimate& depth(const Axis& axis) const {
+    return depth(axis.side, axis.corner.index);
+  }
+  /// The axis of a side: of corners that are equally deep the first.
+  Axis axis_of(const PairSide& s) {
+    const Axis axis = find_depths(s);
+    const int other = axis.corner.part, count = corners(other);
+    bool is_certain = true;
+    for (int k = 0; k < count; ++k)
+      is_certain =
+          is_certain && (k == axis.corner.index || is_surely_deeper(axis, s, k));
+    if (is_certain)
+      return axis;
+    int deepest = 0;
+    for (int k = 1; k < count; ++k)
+      if (compare_corners(s, deepest, k) > 0)
+        deepest = k;
+    return {s, {other, deepest}};
+  }
+  /// The sign of how much deeper corner l of the other part is than corner k.
+  int compare_corners(const PairSide& s, int k, int l) {
+    const int other = 1 - s.part;
+    const Segment& e = at(s);
+    return ask_.turn_sign(at({other, k}).start, at({other, l}).start, e.start, e.end);
+  }
+  /// The deepest corner of an axis is deeper than corner k below side s. False says
+  /// nothing.
+  bool is_surely_deeper(const Axis& axis, const PairSide& s, int k) const {
+    const auto &a = depth(axis), &b = depth(s, k);
+    return a.value - b.value > (1.0 + 1e-9) * (a.bound + b.bound);
+  }
+  /// The first axis is less deep than the second one.
+  bool is_less(const Axis& a, const Axis& b) {
+    if (is_surely_deeper(b, a.side, a.corner.index))
+      return true;
+    if (is_surely_deeper(a, b.side, b.corner.index))
+      return false;
+    const Segment &e = at(a.side), &f = at(b.side);
+    return ask_.compare_depths(at(a.corner).start, e.start, e.end, at(b.corner).start,
+                               f.start, f.end) < 0;
+  }
+
+  /// A corner of the other part against a side: -1 outside, +1 inside.
+  int depth_sign(const PairSide& s, int corner) {
+    const Segment& e = at(s);
+    return ask_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start, e.start,
+                           e.end);
+  }
+  /// How many sides of a part, other than inner ones and side `except`, have a corner
+  /// of the other part outside, and one of them.
+  int sides_outside(const PairSide& corner, int except, PairSide& out) {
+    const int part = 1 - corner.part;
+    int count = 0;
+    for (int i = 0; i < corners(part); ++i)
+      if (const PairSide s{part, i};
+          i != except && !at(s).is_inner && depth_sign(s, corner.index) < 0)
+        out = s, ++count;
+    return count;
+  }
+
+  /// Of the two sides at the corner of an axis the one that faces the axis side, the
+  /// more nearly parallel one of two.
+  std::optional<PairSide> find_facing(const Axis& axis) {
+    const PairSide after = axis.corner, before = this->before(after);
+    const Segment& e = at(axis.side);
+    const Segment &b = at(before), &a = at(after);
+    const bool one = face(e, b), other = face(e, a);
+    if (one && other)
+      return ask_.compare_slopes(e.start, e.end, a.start, a.end, b.start, b.end) < 0
+                 ? after
+                 : before;
+    if (one)
+      return before;
+    return other ? std::optional(after) : std::nullopt;
+  }
+  bool face(const Segment& s, const Segment& t) {
+    return ask_.edges_face(s.start, s.end, t.start, t.end);
+  }
+  int turn(const Segment& from, const Segment& to) {
+    return ask_.turn_sign(from.start, from.end, to.start, to.end);
+  }
+
+ private:
+  static Vec2 mean(const PartShape& shape) {
+    Vec2 sum = Vec2::Zero();
+    for (const Segment& s : shape.sides)
+      sum += s.start;
+    return sum / static_cast<double>(shape.sides.size());
+  }
+  /// The centroid of a convex block is the block's own.
+  static void take_part(const Blocks& blocks, const BlockParts& parts, int part,
+                        PartShape& shape) {
+    shape.part = part;
+    shape.sides.resize(static_cast<std::size_t>(parts.corners(part)));
+    for (int i = 0; i < parts.corners(part); ++i) {
+      const Side side = parts.side(part, i);
+      const Vec2 start = blocks.corner.col(side.start),
+                 end = blocks.corner.col(side.end);
+      shape.sides[static_cast<std::size_t>(i)] = {
+          start, end, geometry::filter::per_length(start, end), side.start,
+          parts.is_inner(blocks, side)};
+    }
+    const int block = parts.block(part);
+    shape.centroid =
+        blocks.convex[block] ? Vec2(blocks.centroid.col(block)) : mean(shape);
+  }
+  geometry::filter::Estimate* row(const PairSide& s) {
+    return &parts_[s.part]
+                .depths[static_cast<std::size_t>(s.index * corners(1 - s.part))];
+  }
+  const geometry::filter::Estimate* row(const PairSide& s) const {
+    return &parts_[s.part]
+                .depths[static_cast<std::size_t>(s.index * corners(1 - s.part))];
+  }
+
+  PairMemory& parts_;
+  Predicates& ask_;
+};
+
+}  // namespace blocks::dynamics
