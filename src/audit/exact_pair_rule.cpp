@@ -109,15 +109,22 @@ std::optional<PartSide> ExactPairRule::facing_side(const Axis& axis) const {
   return std::nullopt;
 }
 
+/// Of equally deep corners, which follow each other, the last one clockwise if the side
+/// is of the part with the lower number, otherwise the first one.
 Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
   Axis axis;
   axis.side = side, axis.corner_part = other;
-  Whole deepest;
-  for (int i = 0; i < size(other); ++i) {
-    const Whole here = area2(at({other, i}), side);
-    if (i == 0 || here > deepest)
-      deepest = here, axis.corner_index = i;
-  }
+  const int count = size(other);
+  std::vector<Whole> depths;
+  for (int i = 0; i < count; ++i)
+    depths.push_back(area2(at({other, i}), side));
+  const auto most = std::max_element(depths.begin(), depths.end());
+  const Whole deepest = *most;
+  int& index = axis.corner_index;
+  index = static_cast<int>(most - depths.begin());
+  const int step = side.part < other ? 1 : count - 1;
+  for (int k = 1; k < count && depths[(index + step) % count] == deepest; ++k)
+    index = (index + step) % count;
   axis.corner = number({other, axis.corner_index});
   axis.depth = rounded(Depth{deepest, length2(side)});
   axis.depth_sign = sign(deepest);

@@ -395,9 +395,10 @@ TEST(ExactPairRule, AClosedJointIsHiddenAndTheStorySaysWhy) {
             "of block 3 on edge 2 of block 1");
   EXPECT_EQ(
       lines[1],
-      "axis of edge 3 of block 1: corner 1 of block 3 is 0.0625 deep, facing edge 1 "
-      "of block 3: entered: its corner is outside no other side; hidden by a "
-      "closed joint: at corner 3 of block 1 the surface of edge 2 of block 1 goes "
+      "axis of edge 3 of block 1: corner 2 of block 3 is 0.0625 deep, facing edge 1 "
+      "of block 3: entered: the foot of its corner is beyond an end of the side; "
+      "hidden "
+      "by a closed joint: at corner 3 of block 1 the surface of edge 2 of block 1 goes "
       "on: neighbours cover 100 % of the stretch (0.25) and 100 % of the interval "
       "(0.25) of edge 3 of block 1, most of it by edge 1 of block 2; the surface that "
       "takes over is edge 2 of block 1; does not act");

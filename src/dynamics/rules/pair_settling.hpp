@@ -39,10 +39,11 @@ template <class Neighbours> class PairSettling {
  private:
   using Facing = std::optional<PairSide>;
 
-  /// Let e be a side that is entered by whichever corner may be the deepest below it.
-  /// The first entered axis is that of e or one that is not certainly deeper; which of
-  /// them it is does not matter if they all belong to the same two faces and these are
-  /// not hidden.
+  /// Let e be the side of the least axis, and f the side that faces it. If e is entered
+  /// by whichever corner may be the deepest below it, the first entered axis is that of
+  /// e, or one that is not surely deeper. If e or f is entered, it is that of e or f,
+  /// or one that is not surely deeper than both. Which of these axes it is does not
+  /// matter if they all belong to the same two faces and these are not hidden.
   bool settle_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!find_axes())
@@ -57,12 +58,17 @@ template <class Neighbours> class PairSettling {
     const Facing face = shape_.find_facing(least);
     if (ask_.is_in_doubt())
       return false;
-    const std::optional<Axis> first = find_surely_entered(least, face);
-    if (!first)
+    const bool is_entered =
+        all_of(least.side, [&](const Axis& axis) { return is_surely_entered(axis); });
+    if (!is_entered && !(face && (is_entered_in_turn(least.side, *face) ||
+                                  is_entered_in_turn(*face, least.side))))
       return false;
-    for (const Axis& axis : axes)
-      if (!is_surely_deeper(axis, *first) && !has_same_faces(axis, least, face))
+    for (const Axis& axis : axes) {
+      const bool is_deeper = is_surely_deeper(axis, least.side) &&
+                             (is_entered || is_surely_deeper(axis, *face));
+      if (!is_deeper && !has_same_faces(axis, least, face))
         return false;
+    }
     // If nothing acts, an axis would stand in. It is of the same faces, so it does not
     // act either.
     if (!is_certain([&] { return !is_hidden(least, face); }))
@@ -100,32 +106,18 @@ template <class Neighbours> class PairSettling {
       }
     }
   }
-  /// The least axis if all axes of its side are surely entered, otherwise one of the
-  /// same faces from the opposite side.
-  std::optional<Axis> find_surely_entered(const Axis& least, const Facing& face) {
-    const std::vector<Axis>& axes = scratch_.axes;
-    const auto are_entered = [&](const PairSide& side) {
-      return std::all_of(axes.begin(), axes.end(), [&](const Axis& axis) {
-        return !(axis.side == side) || is_surely_entered(axis);
-      });
-    };
-    if (are_entered(least.side))
-      return least;
-    const auto opposite = std::find_if(axes.begin(), axes.end(), [&](const Axis& axis) {
-      return !(axis.side == least.side) && has_same_faces(axis, least, face);
-    });
-    if (opposite == axes.end() || !are_entered(opposite->side))
-      return std::nullopt;
-    return *opposite;
+  /// The answer is yes for all axes of a side.
+  template <class Question>
+  bool all_of(const PairSide& side, const Question& question) const {
+    return std::all_of(
+        scratch_.axes.begin(), scratch_.axes.end(),
+        [&](const Axis& axis) { return !(axis.side == side) || question(axis); });
   }
-  /// The axis is surely deeper than all axes of the side of another one.
-  bool is_surely_deeper(const Axis& axis, const Axis& first) {
-    return !(axis.side == first.side) &&
-           std::all_of(
-               scratch_.axes.begin(), scratch_.axes.end(), [&](const Axis& one) {
-                 return !(one.side == first.side) ||
-                        shape_.is_surely_deeper(axis, one.side, one.corner.index);
-               });
+  /// The axis is surely deeper than all axes of a side.
+  bool is_surely_deeper(const Axis& axis, const PairSide& side) const {
+    return !(axis.side == side) && all_of(side, [&](const Axis& one) {
+      return shape_.is_surely_deeper(axis, side, one.corner.index);
+    });
   }
   /// The axis is the least one, or surely belongs to the same two sides, which face
   /// each other.
@@ -142,37 +134,31 @@ template <class Neighbours> class PairSettling {
            joints_.any_hiding(axis, face, [](const PairSide&) { return true; });
   }
 
-  /// For one of the reasons of Entry, or because the corner is well between the ends or
-  /// not, and inside its part if it is.
+  /// The corner is inside the part of the axis side, or beyond an end of that side.
   bool is_surely_entered(const Axis& axis) {
-    PairSide out;
-    if (is_certain([&] { return sides_outside(axis, out) == 0; }))
-      return true;
-    if (!is_certain([&] { return shape_.find_facing(axis).has_value(); }))
+    return all_inside_but(axis, axis.side) ||
+           (is_certain([&] { return shape_.find_facing(axis).has_value(); }) &&
+            is_certain([&] { return entry_.is_beyond(axis); }));
+  }
+  /// One of two faces is entered if only the axes of ends of the other one count for
+  /// each of them (docs/contact-rule.md#decisions-that-are-kept).
+  bool is_entered_in_turn(const PairSide& side, const PairSide& face) {
+    return all_of(side, [&](const Axis& axis) {
+      if (axis.corner == face)
+        return all_inside_but(axis, shape_.after(side));
+      if (axis.corner == shape_.after(face))
+        return all_inside_but(axis, shape_.before(side));
       return false;
-    return is_certain([&] { return entry_.is_beyond(axis); }) || is_certain([&] {
-             return sides_outside(axis, out) == 1 && entry_.sides_cross(axis, out);
-           }) ||
-           is_inside_or_beyond(axis);
+    });
   }
-  int sides_outside(const Axis& axis, PairSide& out) {
-    return shape_.sides_outside(axis.corner, axis.side.index, out);
-  }
-  bool is_inside_or_beyond(const Axis& axis) {
-    const Vec2& c = shape_.at(axis.corner).start;
-    const Segment& e = shape_.at(axis.side);
-    const PairSide before = shape_.before(axis.side), after = shape_.after(axis.side);
-    for (int i = 0; i < shape_.corners(axis.side.part); ++i) {
-      const PairSide side{axis.side.part, i};
-      const Segment& g = shape_.at(side);
-      if (i == axis.side.index || g.is_inner ||
-          shape_.depth(side, axis.corner.index).positive())
-        continue;
-      if (!(side == after || side == before) ||
-          !ask_.inside_if_well_between(c, e.start, e.end, g.start, g.end,
-                                       side == after))
+  /// The corner is inside all sides of the part of the axis side but that one and
+  /// another. Inner sides do not count.
+  bool all_inside_but(const Axis& axis, const PairSide& another) const {
+    for (int i = 0; i < shape_.corners(axis.side.part); ++i)
+      if (const PairSide side{axis.side.part, i};
+          !(side == axis.side) && !(side == another) && !shape_.at(side).is_inner &&
+          !shape_.depth(side, axis.corner.index).positive())
         return false;
-    }
     return true;
   }
 

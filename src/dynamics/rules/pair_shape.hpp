@@ -88,7 +88,8 @@ template <class Predicates> class PairShape {
   const geometry::filter::Estimate& depth(const Axis& axis) const {
     return depth(axis.side, axis.corner.index);
   }
-  /// The axis of a side: of corners that are equally deep the first.
+  /// The axis of a side. Corners that are equally deep follow each other. For a side of
+  /// part 0 the last of them clockwise counts, for one of part 1 the first.
   Axis axis_of(const PairSide& s) {
     const Axis axis = find_depths(s);
     const int other = axis.corner.part, count = corners(other);
@@ -98,11 +99,17 @@ template <class Predicates> class PairShape {
           is_certain && (k == axis.corner.index || is_surely_deeper(axis, s, k));
     if (is_certain)
       return axis;
-    int deepest = 0;
+    PairSide deepest{other, 0};
     for (int k = 1; k < count; ++k)
-      if (compare_corners(s, deepest, k) > 0)
-        deepest = k;
-    return {s, {other, deepest}};
+      if (compare_corners(s, deepest.index, k) > 0)
+        deepest.index = k;
+    const auto next = [&] { return s.part == 0 ? after(deepest) : before(deepest); };
+    for (int k = 1; k < count; ++k)
+      if (compare_corners(s, deepest.index, next().index) == 0)
+        deepest = next();
+      else
+        break;
+    return {s, deepest};
   }
   /// The sign of how much deeper corner l of the other part is than corner k.
   int compare_corners(const PairSide& s, int k, int l) {

@@ -116,27 +116,6 @@ class PredicatesWithRoom {
     const auto d = geometry::filter::overlap(c, p1, p2);
     return !(d.value > d.bound + (1.0 + 1e-9) * change(size(p1, c), size(p1, p2)));
   }
-  /// Never in doubt: true only if the corner is inside the side q1 q2, which comes
-  /// after p1 p2 or before it, wherever it is inside p1 p2 and well between its ends:
-  /// the foot is slack |e| from the end that the two share, or more.
-  bool inside_if_well_between(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                              const Vec2& q1, const Vec2& q2, bool after) const {
-    const Vec2 e = p2 - p1, g = q2 - q1, shared = after ? p2 : p1;
-    const double of_e = e.norm(), of_g = g.norm();
-    const Vec2 along = (after ? -1.0 : 1.0) / of_e * e,
-               inwards(e.y() / of_e, -e.x() / of_e),
-               into_g(g.y() / of_g, -g.x() / of_g);
-    const double turning = 4.0 * room_ * (1.0 / of_e + 1.0 / of_g) + 1e-12;
-    const double of_depth =
-        2.0 * room_ * (1.0 + ((c - shared).norm() + room_) / of_e) + 1e-12 * of_e;
-    const double depth = (c - shared).dot(inwards), most = depth + of_depth;
-    const double least = std::max(0.0, depth - of_depth), slope = inwards.dot(into_g);
-    const double foot = geometry::contact_slack * (of_e - room_);
-    return most < 0.0 || foot * (along.dot(into_g) - turning) +
-                                 std::min(least * slope, most * slope) -
-                                 most * turning >
-                             1e-12 * of_e;
-  }
   /// Never in doubt: false unless a corner with this depth stays outside by more than
   /// the slack.
   bool stays_apart(const geometry::filter::Estimate& depth, const Vec2& p1,
