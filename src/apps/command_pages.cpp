@@ -36,9 +36,10 @@ const std::map<std::string, CommandPage>& command_pages() {
         "NAME.ckpt.h5 (checkpoint) and NAME.summary.json."}},
       {"why",
        {"blocks why stack.vtkhdf --block 2 --block 3", run_stack,
-        "Tells of every corner of two blocks which edge of the other one it touches, "
-        "and why the others are refused: every rule with its number, decided "
-        "exactly."}},
+        "Tells which corners of two blocks act on which edges: the axes in the order "
+        "of the choice, which of them are entered or hidden by closed joints, and the "
+        "contacts along the chosen one. Everything is decided exactly. Given one "
+        "block, it lists the blocks near it."}},
       {"check",
        {"blocks check decks/stack/stack.deck", "",
         "Reports every error of a deck in one pass and proves its layers. With "

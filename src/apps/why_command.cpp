@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <map>
+#include <limits>
 
-#include "audit/pair_audit.hpp"
+#include "audit/make_exact_rule.hpp"
 #include "run/run.hpp"
-#include "why_pair_report.hpp"
 #include "why_report.hpp"
 
 namespace blocks::apps {
@@ -35,24 +34,16 @@ template <class List, class Name> std::string some(const List& list, Name name) 
   return text;
 }
 
-/// Blocks with a corner near this one, or near its corners, and whether they touch it.
-std::string neighbours(const audit::ExactRules& rules, int block) {
-  const Blocks& blocks = rules.blocks();
-  std::map<int, bool> touching;
-  for (int c = 0; c < blocks.corners(); ++c)
-    for (const int b : rules.near(c)) {
-      const int own = blocks.corner_block[c];
-      if (own != block && b != block)
-        continue;
-      bool& touches = touching[own == block ? b : own];
-      touches = touches || rules.decide(c, b).acting >= 0;
-    }
-  if (touching.empty())
+/// "near block 3: 1 (in contact), 2", by bounding boxes.
+std::string neighbours(const audit::ExactPairRule& rule, int block) {
+  const std::vector<int>& near = rule.neighbours(block);
+  if (near.empty())
     return fmt::format("no block is near block {}", block + 1);
-  return fmt::format(
-      "near block {}: {}", block + 1, some(touching, [](const auto& one) {
-        return fmt::format("{}{}", one.first + 1, one.second ? " (in contact)" : "");
-      }));
+  return fmt::format("near block {}: {}", block + 1, some(near, [&](int other) {
+                       const bool touches = !rule.decide(block, other).contacts.empty();
+                       return fmt::format("{}{}", other + 1,
+                                          touches ? " (in contact)" : "");
+                     }));
 }
 
 }  // namespace
@@ -68,9 +59,6 @@ void add_why_options(CLI::App& command, WhyOptions& options) {
       .add_option("-b,--block", options.blocks,
                   "number of a block; give it twice, once for each")
       ->allow_extra_args(false);
-  command.add_flag("--pairs", options.pairs,
-                   "by the contact rule that decides pair by pair, which runs do not "
-                   "use yet: what would act");
   command.add_flag("--json", options.json, "the answer as one JSON object");
 }
 
@@ -121,12 +109,6 @@ int refuse_block(const WhyOptions& options, const WhyScene& scene,
                        : there);
 }
 
-std::string both_fixed(int i, int j) {
-  return fmt::format(
-      "blocks {} and {} are both fixed: there is no contact between them", i + 1,
-      j + 1);
-}
-
 }  // namespace
 
 int why(const WhyOptions& options) {
@@ -146,47 +128,36 @@ int why(const WhyOptions& options) {
     chosen.push_back(*block);
   }
 
-  double reach = scene.reach;
-  if (reach == 0.0)  // a tenth of the size of the smaller of the two
-    for (const int block : chosen) {
-      const double size = 0.1 * std::sqrt(blocks.area[block - 1]);
-      reach = reach == 0.0 ? size : std::min(reach, size);
-    }
-  const audit::ExactRules rules(blocks, reach);
-  if (chosen.size() != 2 || chosen[0] == chosen[1]) {
-    const std::string what = "a contact has two blocks: --block I --block J";
-    return refuse(what, chosen.empty() ? fmt::format("the blocks of {} are 1 to {}",
-                                                     options.file, blocks.size())
-                                       : neighbours(rules, chosen[0] - 1));
-  }
+  // Near is what is within a tenth of the size of the smaller block.
+  double reach = std::numeric_limits<double>::infinity();
+  for (const int block : chosen)
+    reach = std::min(reach, 0.1 * std::sqrt(blocks.area[block - 1]));
+  const bool two = chosen.size() == 2 && chosen[0] != chosen[1];
+  const std::string what = "a contact has two blocks: --block I --block J";
+  if (chosen.empty())
+    return refuse(
+        what, fmt::format("the blocks of {} are 1 to {}", options.file, blocks.size()));
+  const audit::ExactPairRule rule = audit::make_exact_rule(blocks, reach, scene.order);
+  if (!two)
+    return refuse(what, neighbours(rule, chosen[0] - 1));
   const int i = chosen[0] - 1, j = chosen[1] - 1;
-  if (options.pairs) {
-    if (!blocks.is_free(i) && !blocks.is_free(j))
-      return refuse(both_fixed(i, j),
-                    neighbours(rules, i) + "; " + neighbours(rules, j));
-    const audit::ExactPairRule rule =
-        audit::exact_rule(blocks, audit::cut_into_parts(blocks), reach);
-    const WhyPair pair = why_pair(rule, std::min(i, j), std::max(i, j));
-    fmt::print("{}", options.json ? json(pair, scene, rule) : text(pair, scene, rule));
-    return run::done;
-  }
-  WhyReport report = why(scene, rules, i, j);
+  const std::string beside = neighbours(rule, i) + "; " + neighbours(rule, j);
+  if (!blocks.is_free(i) && !blocks.is_free(j))
+    return refuse(
+        fmt::format("blocks {} and {} are both fixed: there is no contact between them",
+                    i + 1, j + 1),
+        beside);
+  const std::vector<int>& near = rule.neighbours(i);
+  if (std::find(near.begin(), near.end(), j) == near.end())
+    return refuse(fmt::format("blocks {} and {} are not near each other at time {:g}: "
+                              "their bounding boxes are more than {:.6g} apart",
+                              i + 1, j + 1, scene.time, reach),
+                  beside);
+  WhyReport report = why(rule, std::min(i, j), std::max(i, j));
   report.file = options.file;
   report.asked = time;
-  if (report.decisions.empty()) {
-    if (!blocks.is_free(i) && !blocks.is_free(j))
-      return refuse(both_fixed(i, j),
-                    neighbours(rules, i) + "; " + neighbours(rules, j));
-    return refuse(
-        fmt::format("blocks {} and {} have no corner near each other at time {:g}{}",
-                    i + 1, j + 1, scene.time,
-                    report.overlap ? fmt::format(", though they overlap by {:.6g}",
-                                                 report.overlap->depth)
-                                   : std::string()),
-        neighbours(rules, i) + "; " + neighbours(rules, j));
-  }
   fmt::print("{}",
-             options.json ? json(report, scene, rules) : text(report, scene, rules));
+             options.json ? json(report, scene, rule) : text(report, scene, rule));
   return run::done;
 }
 

@@ -12,13 +12,12 @@ struct WhyOptions {
   std::string file;                 ///< results or a checkpoint
   std::optional<std::string> time;  ///< the frame nearest to it; else the last
   std::vector<std::string> blocks;  ///< two numbers, from 1
-  bool pairs = false;  ///< by the contact rule of pairs of blocks
   bool json = false;
 };
 
 void add_why_options(CLI::App& command, WhyOptions& options);
 
-/// Prints the story of every corner. Returns an exit code of run::ExitCode:
+/// Prints the story of two blocks. Returns an exit code of run::ExitCode:
 /// usage_error, with what there is, for a time, a block or a pair that is not there.
 int why(const WhyOptions& options);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "audit/story.hpp"
 #include "audit/words.hpp"
 
 namespace blocks::apps {
@@ -12,8 +13,145 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-int number(const Blocks& blocks, int corner) {
-  return corner - blocks.first_corner[blocks.corner_block[corner]] + 1;
+Json place(const Blocks& blocks, int corner) {
+  return {{"block", blocks.corner_block[corner] + 1},
+          {"corner", audit::number_in_block(blocks, corner)}};
+}
+
+/// A side by its corners; an edge of a block has its number as well.
+Json side(const Blocks& blocks, const audit::PartSide& side) {
+  Json one = {{"block", blocks.corner_block[side.start] + 1},
+              {"from", audit::number_in_block(blocks, side.start)},
+              {"to", audit::number_in_block(blocks, side.end)}};
+  one["edge"] = side.inner ? Json() : Json(audit::number_in_block(blocks, side.start));
+  return one;
+}
+
+const char* word(audit::Choice choice) {
+  switch (choice) {
+  case audit::Choice::apart:
+    return "apart";
+  case audit::Choice::touching:
+    return "least axis touches";
+  case audit::Choice::entered:
+    return "first entered axis acts";
+  case audit::Choice::surface:
+    return "surface takes over";
+  case audit::Choice::inner_side:
+    return "part beside inner side decides";
+  case audit::Choice::no_entry:
+    return "no axis entered, least axis stands in";
+  case audit::Choice::no_contact:
+    return "no contact, least axis stands in";
+  case audit::Choice::still_hidden:
+    break;
+  }
+  return "surfaces hidden, first entered axis stands in";
+}
+
+const char* word(audit::Entry entry) {
+  switch (entry) {
+  case audit::Entry::inside:
+    return "inside";
+  case audit::Entry::other_end:
+    return "other end";
+  case audit::Entry::foot:
+    return "foot";
+  case audit::Entry::crossing:
+    return "crossing";
+  case audit::Entry::none:
+    break;
+  }
+  return "no";
+}
+
+const char* word(audit::HidingPlace place) {
+  switch (place) {
+  case audit::HidingPlace::axis_side:
+    return "axis side";
+  case audit::HidingPlace::facing_side:
+    return "facing side";
+  case audit::HidingPlace::corner:
+    break;
+  }
+  return "corner";
+}
+
+Json joint(const Blocks& blocks, const audit::Joint& joint) {
+  Json one = place(blocks, joint.corner);
+  one["side"] = side(blocks, joint.side);
+  one["surface"] = side(blocks, joint.surface);
+  one["stretch"] = joint.cover.stretch;
+  one["interval"] = joint.cover.interval;
+  one["share_of_stretch"] = joint.cover.share_of_stretch;
+  one["share_of_interval"] = joint.cover.share_of_interval;
+  one["covered_by"] = joint.cover.side ? side(blocks, *joint.cover.side) : Json();
+  return one;
+}
+
+Json axes(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
+  const Blocks& blocks = rule.blocks();
+  Json list = Json::array();
+  for (int i = 0; i < static_cast<int>(part.axes.size()); ++i) {
+    const audit::Axis& axis = part.axes[i];
+    Json one = {{"side", side(blocks, axis.side)},
+                {"corner", place(blocks, axis.corner)},
+                {"depth", axis.depth},
+                {"facing", axis.facing ? side(blocks, *axis.facing) : Json()},
+                {"examined", axis.examined}};
+    if (axis.examined)
+      one["entered"] = word(axis.entry);
+    if (axis.looked_at) {
+      Json joints = Json::array();
+      for (const audit::HidingJoint& hiding : axis.hidden_by) {
+        Json closed = joint(blocks, hiding.joint);
+        closed["place"] = word(hiding.place);
+        joints.push_back(closed);
+      }
+      one["hidden_by"] = joints;
+      one["taken_over_by"] = axis.taken_over_by >= 0
+                                 ? side(blocks, part.axes[axis.taken_over_by].side)
+                                 : Json();
+    }
+    one["acts"] = i == part.chosen;
+    if (axis.examined || axis.looked_at || i == part.chosen)
+      one["verdict"] = audit::verdict(rule, part, i);
+    list.push_back(one);
+  }
+  return list;
+}
+
+Json candidates(const Blocks& blocks, const audit::PartDecision& part) {
+  Json list = Json::array();
+  for (const audit::Candidate& candidate : part.candidates)
+    list.push_back({{"corner", place(blocks, candidate.corner)},
+                    {"side", side(blocks, candidate.side)},
+                    {"depth", candidate.depth},
+                    {"inside", candidate.inside},
+                    {"between", candidate.between},
+                    {"acts", candidate.acts},
+                    {"verdict", audit::verdict(candidate)}});
+  return list;
+}
+
+/// The contacts between the two blocks that the file remembers.
+std::vector<RememberedContact> remembered(const WhyReport& report,
+                                          const WhyScene& scene) {
+  std::vector<RememberedContact> found;
+  for (const RememberedContact& contact : scene.contacts)
+    if (std::minmax({scene.blocks.corner_block[contact.corner],
+                     scene.blocks.corner_block[contact.edge]}) ==
+        std::pair(report.first, report.second))
+      found.push_back(contact);
+  return found;
+}
+
+/// [L] The deepest of the contacts that act; 0: none.
+double deepest(const WhyReport& report, const audit::ExactPairRule& rule) {
+  double depth = 0.0;
+  for (const auto& [corner, edge] : report.decision.contacts)
+    depth = std::max(depth, rule.overlap(corner, edge));
+  return depth;
 }
 
 std::string kind(const Blocks& blocks, int b) {
@@ -21,122 +159,26 @@ std::string kind(const Blocks& blocks, int b) {
                      blocks.is_free(b) ? "" : "fixed, ", blocks.corners_of(b));
 }
 
-/// What the file remembers of the edges of a block against a corner.
-std::vector<std::string> remembered(const WhyScene& scene,
-                                    const audit::Decision& decision) {
-  const Blocks& blocks = scene.blocks;
-  std::vector<std::string> lines;
-  const int b = decision.block;
-  std::string unlisted;
-  for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
-    const RememberedContact* contact = scene.find(decision.corner, e);
-    if (contact == nullptr)
-      unlisted += fmt::format("{}{}", unlisted.empty() ? "" : ", ", number(blocks, e));
-    else if (contact->active)
-      lines.push_back(fmt::format("in the file: edge {} acted in the step before: "
-                                  "normal force {:.6g}, shear force {:.6g}, overlap "
-                                  "{:.6g}",
-                                  number(blocks, e), contact->normal_force,
-                                  contact->shear_force, contact->overlap));
-  }
-  if (lines.empty())
-    lines.push_back("in the file: no edge acted in the step before");
-  if (scene.listed && !unlisted.empty())
-    lines.push_back("in the file: not in the list of potential contacts: edges " +
-                    unlisted);
-  return lines;
-}
-
-/// The deepest of the contacts that act, [L]; 0: none.
-double deepest(const WhyReport& report, const audit::ExactRules& rules) {
-  double depth = 0.0;
-  for (const audit::Decision& decision : report.decisions)
-    for (const int edge : {decision.acting, decision.notch})
-      if (edge >= 0)
-        depth = std::max(depth, rules.overlap(decision.corner, edge));
-  return depth;
-}
-
-std::string explained(const WhyReport& report, const audit::ExactRules& rules) {
-  const double depth = deepest(report, rules);
-  return depth > 0.0 ? fmt::format("their deepest contact is {:.6g}", depth)
-                     : "no contact explains it";
-}
-
-const char* word(audit::Answer answer) {
-  return answer == audit::Answer::yes  ? "yes"
-         : answer == audit::Answer::no ? "no"
-                                       : "by rounding";
-}
-
-Json edge_number(const Blocks& blocks, int edge) {
-  return edge < 0 ? Json() : Json(number(blocks, edge));
-}
-
-Json edges(const WhyScene& scene, const audit::ExactRules& rules,
-           const audit::Decision& decision) {
-  const Blocks& blocks = scene.blocks;
-  Json list = Json::array();
-  const int b = decision.block;
-  for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
-    const audit::EdgeStory edge = rules.examine(decision.corner, e);
-    Json one = {{"edge", number(blocks, e)},
-                {"overlap", edge.overlap},
-                {"overlap_sign", edge.overlap_sign},
-                {"depth_limit", edge.depth_limit},
-                {"within_depth", edge.within_depth},
-                {"along", edge.along},
-                {"between", edge.between},
-                {"tangents", {edge.tangent_before, edge.tangent_after}},
-                {"facing", {edge.facing_before, edge.facing_after}},
-                {"admissible", edge.admissible},
-                {"acts", decision.acts(e)},
-                {"verdict", audit::verdict(rules, decision, edge)}};
-    const RememberedContact* contact = scene.find(decision.corner, e);
-    if (scene.listed)
-      one["listed"] = contact != nullptr;
-    one["step_before"] = contact == nullptr || !contact->active
-                             ? Json()
-                             : Json{{"normal_force", contact->normal_force},
-                                    {"shear_force", contact->shear_force},
-                                    {"overlap", contact->overlap}};
-    list.push_back(one);
-  }
-  return list;
-}
-
-Json shield(const Blocks& blocks, const audit::Shield& shield) {
-  Json answer = {{"hidden", word(shield.answer)}};
-  if (shield.third >= 0) {
-    answer["by_block"] = shield.third + 1;
-    answer["corner"] = {{"block", blocks.corner_block[shield.corner] + 1},
-                        {"corner", number(blocks, shield.corner)}};
-    answer["depth"] = shield.depth;
-    answer["reach"] = shield.reach;
-  }
-  return answer;
-}
-
-/// What closed joints hide: the nearest edge, or the corner.
-Json joints(const Blocks& blocks, const audit::Decision& decision) {
-  if (decision.possible.empty() || decision.notch >= 0)
-    return nullptr;
-  return {{"side", shield(blocks, decision.side)},
-          {"corner", shield(blocks, decision.hidden)}};
+std::string overlap_in_words(const WhyReport& report,
+                             const audit::ExactPairRule& rule) {
+  if (!report.overlap)
+    return "they do not overlap\n";
+  const double depth = deepest(report, rule);
+  return fmt::format("they overlap by {}, an area of {} near ({:.6g}, {:.6g}); {}\n",
+                     geometry::positive_text(report.overlap->depth, 6),
+                     geometry::positive_text(report.overlap->area, 6),
+                     report.overlap->place.x(), report.overlap->place.y(),
+                     depth > 0.0 ? fmt::format("their deepest contact is {:.6g}", depth)
+                                 : "no contact acts");
 }
 
 }  // namespace
 
-WhyReport why(const WhyScene& scene, const audit::ExactRules& rules, int first,
-              int second) {
-  const Blocks& blocks = scene.blocks;
+WhyReport why(const audit::ExactPairRule& rule, int first, int second) {
+  const Blocks& blocks = rule.blocks();
   WhyReport report;
   report.first = first, report.second = second;
-  for (const auto& [own, other] : {std::pair(first, second), {second, first}})
-    for (int c = blocks.first_corner[own]; c < blocks.first_corner[own + 1]; ++c)
-      for (const int b : rules.near(c))
-        if (b == other)
-          report.decisions.push_back(rules.decide(c, b));
+  report.decision = rule.decide(first, second);
   const auto overlaps =
       geometry::overlapping_pairs({blocks.outline(first), blocks.outline(second)});
   if (!overlaps.empty())
@@ -145,7 +187,7 @@ WhyReport why(const WhyScene& scene, const audit::ExactRules& rules, int first,
 }
 
 std::string text(const WhyReport& report, const WhyScene& scene,
-                 const audit::ExactRules& rules) {
+                 const audit::ExactPairRule& rule) {
   const Blocks& blocks = scene.blocks;
   std::string out = fmt::format("{}: ", report.file);
   if (scene.times.size() > 1)
@@ -153,61 +195,58 @@ std::string text(const WhyReport& report, const WhyScene& scene,
   out += fmt::format("time {:.9g} (step {})", scene.time, scene.step);
   if (report.asked && *report.asked != scene.time)
     out += fmt::format(", the nearest to {:.9g}", *report.asked);
-  out += fmt::format("\n{} and {}: what the next step decides, by the exact rules\n",
+  out += fmt::format("\n{} and {}: what the next step decides, by the exact rule\n",
                      kind(blocks, report.first), kind(blocks, report.second));
-  if (!scene.listed)
-    out +=
-        "(rebuilt from the geometry: the file holds no list of potential contacts)\n";
-  if (report.overlap)
-    out += fmt::format("they overlap by {}, an area of {} near ({:.6g}, {:.6g}); {}\n",
-                       geometry::positive_text(report.overlap->depth, 6),
-                       geometry::positive_text(report.overlap->area, 6),
-                       report.overlap->place.x(), report.overlap->place.y(),
-                       explained(report, rules));
-  else
-    out += "they do not overlap\n";
-  for (const audit::Decision& decision : report.decisions) {
-    out += '\n';
-    const auto lines = audit::story(rules, decision);
-    out += lines.front() + '\n';
-    for (std::size_t i = 1; i < lines.size(); ++i)
-      out += "  " + lines[i] + '\n';
-    for (const std::string& line : remembered(scene, decision))
-      out += "  " + line + '\n';
-  }
+  out += overlap_in_words(report, rule) + '\n';
+  const auto lines = audit::story(rule, report.first, report.second, report.decision);
+  out += lines.front() + '\n';
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    out += "  " + lines[i] + '\n';
+  const auto contacts = remembered(report, scene);
+  for (const RememberedContact& contact : contacts)
+    out += fmt::format("  in the file: {} on {} acted in the step before: normal force "
+                       "{:.6g}, shear force {:.6g}, overlap {:.6g}\n",
+                       audit::name_of(blocks, contact.corner),
+                       audit::name_of_edge(blocks, contact.edge), contact.normal_force,
+                       contact.shear_force, contact.overlap);
+  if (contacts.empty())
+    out += "  in the file: no contact acted in the step before\n";
   return out;
 }
 
 std::string json(const WhyReport& report, const WhyScene& scene,
-                 const audit::ExactRules& rules) {
+                 const audit::ExactPairRule& rule) {
   const Blocks& blocks = scene.blocks;
-  Json pairs = Json::array();
-  for (const audit::Decision& decision : report.decisions) {
-    const int c = decision.corner;
-    pairs.push_back({{"block", blocks.corner_block[c] + 1},
-                     {"corner", number(blocks, c)},
-                     {"at", {blocks.corner(0, c), blocks.corner(1, c)}},
-                     {"against", decision.block + 1},
-                     {"inside", decision.inside},
-                     {"acting", edge_number(blocks, decision.acting)},
-                     {"acting_across_notch", edge_number(blocks, decision.notch)},
-                     {"nearest", edge_number(blocks, decision.nearest)},
-                     {"next", edge_number(blocks, decision.next)},
-                     {"joints", joints(blocks, decision)},
-                     {"edges", edges(scene, rules, decision)}});
-  }
-  const Json all = {
-      {"file", report.file},
-      {"time", scene.time},
-      {"step", scene.step},
-      {"frame", scene.frame},
-      {"blocks", {report.first + 1, report.second + 1}},
-      {"contact_list", scene.listed ? "stored" : "rebuilt from the geometry"},
-      {"overlap", report.overlap ? Json{{"depth", report.overlap->depth},
-                                        {"area", report.overlap->area},
-                                        {"deepest_contact", deepest(report, rules)}}
-                                 : Json()},
-      {"corners", pairs}};
+  Json contacts = Json::array(), before = Json::array(), parts = Json::array();
+  for (const auto& [corner, edge] : report.decision.contacts)
+    contacts.push_back({{"corner", place(blocks, corner)},
+                        {"block", blocks.corner_block[edge] + 1},
+                        {"edge", audit::number_in_block(blocks, edge)},
+                        {"depth", rule.overlap(corner, edge)}});
+  for (const RememberedContact& contact : remembered(report, scene))
+    before.push_back({{"corner", place(blocks, contact.corner)},
+                      {"block", blocks.corner_block[contact.edge] + 1},
+                      {"edge", audit::number_in_block(blocks, contact.edge)},
+                      {"normal_force", contact.normal_force},
+                      {"shear_force", contact.shear_force},
+                      {"overlap", contact.overlap}});
+  for (const audit::PartDecision& part : report.decision.parts)
+    parts.push_back({{"choice", word(part.choice)},
+                     {"axes", axes(rule, part)},
+                     {"candidates", candidates(blocks, part)}});
+  const Json all = {{"file", report.file},
+                    {"time", scene.time},
+                    {"step", scene.step},
+                    {"frame", scene.frame},
+                    {"blocks", {report.first + 1, report.second + 1}},
+                    {"overlap", report.overlap
+                                    ? Json{{"depth", report.overlap->depth},
+                                           {"area", report.overlap->area},
+                                           {"deepest_contact", deepest(report, rule)}}
+                                    : Json()},
+                    {"contacts", contacts},
+                    {"step_before", before},
+                    {"parts", parts}};
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

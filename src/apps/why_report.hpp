@@ -1,11 +1,10 @@
-// The answer of `blocks why`: every corner of two blocks against the other block.
+// The answer of `blocks why`: what acts between two blocks, and why.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "audit/exact_decision.hpp"
+#include "audit/exact_pair_rule.hpp"
 #include "geometry/overlap.hpp"
 #include "why_scene.hpp"
 
@@ -13,19 +12,22 @@ namespace blocks::apps {
 
 struct WhyReport {
   std::string file;
-  std::optional<double> asked;             ///< time asked for
-  int first = 0, second = 0;               ///< blocks, from 0
-  std::vector<audit::Decision> decisions;  ///< corners of the first, then of the second
+  std::optional<double> asked;  ///< the time that the user has given
+  int first = 0, second = 0;    ///< blocks, from 0; first < second
+  audit::PairDecision decision;
   std::optional<geometry::BlockOverlap> overlap;  ///< nothing: interiors do not meet
 };
 
-/// Corners of both blocks that are near the other one; none: they have no contact.
-WhyReport why(const WhyScene& scene, const audit::ExactRules& rules, int first,
-              int second);
+/// What the judge decides about two blocks, and how they overlap.
+WhyReport why(const audit::ExactPairRule& rule, int first, int second);
 
+/// The state, the overlap, and the story of the two blocks, a line each; then the
+/// contacts that the file holds.
 std::string text(const WhyReport& report, const WhyScene& scene,
-                 const audit::ExactRules& rules);
+                 const audit::ExactPairRule& rule);
+
+/// One JSON object: contacts, and for each pair of parts axes and candidates.
 std::string json(const WhyReport& report, const WhyScene& scene,
-                 const audit::ExactRules& rules);
+                 const audit::ExactPairRule& rule);
 
 }  // namespace blocks::apps

@@ -6,6 +6,8 @@
 #include <system_error>
 
 #include "geometry/polygon.hpp"
+#include <algorithm>
+
 #include "output/checkpoint.hpp"
 #include "post/results_nearby.hpp"
 #include "post/results_reader.hpp"
@@ -24,16 +26,22 @@ std::string head_of(const std::string& path) {
   return head;
 }
 
-/// Convex is what a block was at its creation: turned and rounded, three corners on a
-/// line need not be on it any more. Here: in the first frame that holds it.
-std::vector<char> convexity(const post::ResultsReader& results, std::size_t blocks) {
+/// Restores whether blocks are convex, and their convex parts: what they were in the
+/// first frame that holds them. Turned and rounded, three corners on a line need not be
+/// on a line any more.
+void restore_shapes(const post::ResultsReader& results, Blocks& blocks) {
   std::vector<char> convex;
-  for (long i = 0; convex.size() < blocks; ++i) {
+  blocks.cuts.clear();
+  for (long i = 0; static_cast<int>(convex.size()) < blocks.size(); ++i) {
     const post::Frame frame = results.frame(i);
-    for (std::size_t b = convex.size(); b < frame.outlines.size(); ++b)
+    for (std::size_t b = convex.size();
+         b < std::min(frame.outlines.size(), blocks.convex.size()); ++b) {
       convex.push_back(geometry::check_outline(frame.outlines[b]).convex);
+      if (!convex.back())
+        blocks.cut(static_cast<int>(b), frame.outlines[b]);
+    }
   }
-  return convex;
+  blocks.convex = convex;
 }
 
 WhyScene from_results(const std::string& path, const std::optional<double>& time) {
@@ -59,15 +67,14 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
     for (int k = 0; k < blocks.corners_of(b); ++k)
       blocks.corner.col(blocks.first_corner[b] + k) = frame.outlines[b][k];
   blocks.centroid = frame.centroid;
-  blocks.convex = convexity(results, frame.outlines.size());
-  blocks.convex.resize(frame.outlines.size());
+  restore_shapes(results, blocks);
 
   const post::FrameContacts stored = results.contacts(scene.frame);
   for (int i = 0; i < stored.size(); ++i)
     if (stored.edge_block[i] != 0)  // 0: a symmetry plane
       scene.contacts.push_back(
           {blocks.first_corner[stored.corner_block[i] - 1] + stored.corner[i] - 1,
-           blocks.first_corner[stored.edge_block[i] - 1] + stored.edge[i] - 1, true,
+           blocks.first_corner[stored.edge_block[i] - 1] + stored.edge[i] - 1,
            stored.normal_force[i], stored.shear_force[i], stored.overlap[i]});
   return scene;
 }
@@ -79,25 +86,18 @@ WhyScene from_checkpoint(const std::string& path) {
   scene.blocks = model.blocks;
   scene.time = model.time, scene.step = model.steps;
   scene.times = {model.time};
-  scene.listed = model.search.current;
-  scene.reach = 2.0 * model.settings.contact_tolerance;
+  scene.order = model.order;
   const Contacts& list = model.contacts;
-  for (int i = 0; i < list.size(); ++i) {
-    const ActingContact forces = list.at(i);
-    scene.contacts.push_back({list.corner[i], list.edge[i], list.active[i] != 0,
-                              forces.normal_force, forces.shear_force, forces.overlap});
-  }
+  for (int i = 0; i < list.size(); ++i)
+    if (list.active[i]) {
+      const ActingContact forces = list.at(i);
+      scene.contacts.push_back({list.corner[i], list.edge[i], forces.normal_force,
+                                forces.shear_force, forces.overlap});
+    }
   return scene;
 }
 
 }  // namespace
-
-const RememberedContact* WhyScene::find(int corner, int edge) const {
-  for (const RememberedContact& contact : contacts)
-    if (contact.corner == corner && contact.edge == edge)
-      return &contact;
-  return nullptr;
-}
 
 std::optional<double> first_time_with(const std::string& path, int blocks) {
   if (!post::fault_of_head(path).empty())

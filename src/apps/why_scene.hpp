@@ -9,10 +9,9 @@
 
 namespace blocks::apps {
 
-/// What a file remembers of a contact of the step that led to its state.
+/// What a file remembers of a contact that acted in the step that led to its state.
 struct RememberedContact {
-  int corner = 0, edge = 0;  ///< from 0, of the whole model
-  bool active = false;
+  int corner = 0, edge = 0;                      ///< from 0, of the whole model
   double normal_force = 0.0, shear_force = 0.0;  ///< [F] with the dashpots
   double overlap = 0.0;                          ///< [L] in that step
 };
@@ -23,11 +22,8 @@ struct WhyScene {
   long step = 0;
   std::vector<double> times;  ///< of all states of the file, at least one
   long frame = 0;             ///< this one, from 0
-  bool listed = false;  ///< contacts holds the whole list, not the acting ones only
-  double reach = 0.0;   ///< [L] 2 CTOL, 0: the file does not tell
+  std::vector<int> order;     ///< Model::order; empty also if the file does not tell
   std::vector<RememberedContact> contacts;
-
-  const RememberedContact* find(int corner, int edge) const;
 };
 
 /// From which stored time on results hold that many blocks; nothing: never, or the file

@@ -6,39 +6,35 @@
 #include <set>
 
 #include "audit/common_depth.hpp"
+#include "audit/make_exact_rule.hpp"
 #include "geometry/overlap.hpp"
 #include "model/contact_blocks.hpp"
 
 namespace blocks::audit {
 namespace {
 
-using Pair = std::pair<int, int>;
+/// [L] The deepest axis that the choice has left because of a closed joint or because
+/// its side lies inside its block; 0: none.
+double depth_explained_by_joints(const PairDecision& decision) {
+  double depth = 0.0;
+  for (const PartDecision& parts : decision.parts)
+    for (const int axis : parts.path)
+      if (const Axis& left = parts.axes[axis];
+          left.side.inner || !left.hidden_by.empty())
+        depth = std::max(depth, left.depth);
+  return depth;
+}
 
 class Auditor {
  public:
   explicit Auditor(const Moment& moment)
       : blocks_(moment.blocks), contacts_(moment.contacts), settings_(moment.settings),
-        promise_(2.0 * moment.left), rules_(blocks_, promise_) {
-    for (int i = 0; i < contacts_.size(); ++i) {
-      listed_.insert({contacts_.corner[i], contacts_.edge[i]});
-      if (contacts_.active[i])
-        acting_[{contacts_.corner[i], blocks_.corner_block[contacts_.edge[i]]}]
-            .push_back(contacts_.edge[i]);
-    }
-  }
+        listed_(moment.listed),
+        // Both blocks of a pair may move that far.
+        rule_(make_exact_rule(moment.blocks, 2.0 * moment.left, moment.order)) {}
 
   Findings run() {
-    for (int c = 0; c < blocks_.corners(); ++c)
-      for (const int b : rules_.near(c)) {
-        ++found_.pairs;
-        const Decision decision = rules_.decide(c, b);
-        look_for_missed(decision);
-        compare(decision);
-      }
-    for (const auto& [pair, edges] : acting_)  // nowhere near: none may act
-      for (const int edge : edges)
-        if (!fixed(pair.first, pair.second))
-          found_.wrong.push_back({pair.first, pair.second, edge, -1});
+    look_for_faults();
     overlaps_ = overlaps();
     look_for_excess();
     look_for_deep();
@@ -46,55 +42,33 @@ class Auditor {
   }
 
  private:
-  bool fixed(int corner, int block) const {
-    return !blocks_.is_free(blocks_.corner_block[corner]) && !blocks_.is_free(block);
-  }
-
-  void look_for_missed(const Decision& decision) {
-    const int c = decision.corner, b = decision.block;
-    for (int e = blocks_.first_corner[b]; e < blocks_.first_corner[b + 1]; ++e) {
-      if (!within_promise(c, e) && !decision.acts(e) &&
-          !(decision.inside && rules_.admits(c, e)))
-        continue;
-      ++found_.records;
-      if (!listed_.contains({c, e}))
-        found_.missed.push_back({c, e, rules_.overlap(c, e), decision.allows(e)});
-    }
-  }
-
-  /// The corner is this close to the edge's segment; rounded, so a little less.
-  bool within_promise(int corner, int edge) const {
-    const Vec2 p = blocks_.corner.col(edge);
-    const Vec2 e = Vec2(blocks_.corner.col(blocks_.next[edge])) - p;
-    const Vec2 from = Vec2(blocks_.corner.col(corner)) - p;
-    const double s = std::clamp(from.dot(e) / e.squaredNorm(), 0.0, 1.0);
-    return (from - s * e).norm() <= promise_ * (1.0 - 1e-9);
-  }
-
-  void compare(const Decision& decision) {
-    found_.hanging += decision.possible.size() > 1;
-    if (decision.hidden.answer != Answer::no) {
-      double& depth =
-          by_joint_[std::minmax(blocks_.corner_block[decision.corner], decision.block)];
-      depth = std::max(depth, decision.hidden.depth);
-    }
-    const auto at = acting_.find({decision.corner, decision.block});
-    std::vector<int> edges;
-    if (at != acting_.end()) {
-      edges = at->second;
-      acting_.erase(at);
-    }
-    found_.acting += static_cast<long>(edges.size());
-    if (edges.empty() && !decision.allows(-1))
-      found_.wrong.push_back({decision.corner, decision.block, -1, decision.acting});
-    if (edges.size() == 1 && decision.notch >= 0)
-      found_.wrong.push_back({decision.corner, decision.block, -1, decision.notch});
-    // one edge of a block acts on a corner at most, or two of a notch
-    const std::size_t most = decision.notch < 0 ? 1 : 2;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (i >= most || !decision.allows(edges[i]))
-        found_.wrong.push_back(
-            {decision.corner, decision.block, edges[i], decision.acting});
+  /// Looks for missed pairs and wrong decisions.
+  void look_for_faults() {
+    std::map<BlockPair, std::vector<std::pair<int, int>>> acting;
+    for (int i = 0; i < contacts_.size(); ++i)
+      if (contacts_.active[i]) {
+        ++found_.acting;
+        acting[pair_of(blocks_, contacts_, i)].emplace_back(contacts_.corner[i],
+                                                            contacts_.edge[i]);
+      }
+    for (int a = 0; a < blocks_.size(); ++a)
+      for (const int b : rule_.neighbours(a)) {
+        if (b < a)
+          continue;
+        ++found_.pairs;
+        if (!std::binary_search(listed_.begin(), listed_.end(), BlockPair(a, b)))
+          found_.missed.emplace_back(a, b);
+        const PairDecision exact = rule_.decide(a, b);
+        by_joint_[{a, b}] = depth_explained_by_joints(exact);
+        auto by_program = std::move(acting[{a, b}]);
+        acting.erase({a, b});
+        std::sort(by_program.begin(), by_program.end());
+        if (by_program != exact.contacts)
+          found_.wrong.push_back({a, b, std::move(by_program), exact.contacts});
+      }
+    for (auto& [pair, contacts] : acting)  // They are not near each other.
+      if (blocks_.is_free(pair.first) || blocks_.is_free(pair.second))
+        found_.wrong.push_back({pair.first, pair.second, std::move(contacts), {}});
   }
 
   double shortest_edge(int block) const {
@@ -106,7 +80,7 @@ class Auditor {
     return shortest;
   }
 
-  /// [L] What depths of two blocks and of their contacts may differ by.
+  /// [L] By how much depths of two blocks and of their contacts may differ.
   double slack(int a, int b) const {
     return explained_slack * std::min(shortest_edge(a), shortest_edge(b));
   }
@@ -118,19 +92,23 @@ class Auditor {
     return geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick);
   }
 
+  /// [L] How far the spring of contact i is pressed in.
+  double pressed(int i) const {
+    return contacts_.at(i).normal_elastic / settings_.normal_stiffness;
+  }
+
   void look_for_excess() {
     struct Held {
       double depth = 0.0, pressed = 0.0;
     };
-    std::map<Pair, Held> held;
+    std::map<BlockPair, Held> held;
     for (int i = 0; i < contacts_.size(); ++i) {
       if (!contacts_.active[i])
         continue;
       Held& pair = held[pair_of(blocks_, contacts_, i)];
       pair.depth =
-          std::max(pair.depth, rules_.overlap(contacts_.corner[i], contacts_.edge[i]));
-      pair.pressed = std::max(pair.pressed, contacts_.at(i).normal_elastic /
-                                                settings_.normal_stiffness);
+          std::max(pair.depth, rule_.overlap(contacts_.corner[i], contacts_.edge[i]));
+      pair.pressed = std::max(pair.pressed, pressed(i));
     }
     for (const auto& overlap : overlaps_) {
       const int a = overlap.first, b = overlap.second;
@@ -154,7 +132,7 @@ class Auditor {
   }
 
   void look_for_deep() {
-    std::set<Pair> overlapping;
+    std::set<BlockPair> overlapping;
     for (const auto& overlap : overlaps_)
       overlapping.insert({overlap.first, overlap.second});
     const CommonDepth common(blocks_);
@@ -163,13 +141,12 @@ class Auditor {
         continue;
       const int c = contacts_.corner[i], e = contacts_.edge[i];
       const int a = blocks_.corner_block[c], b = blocks_.corner_block[e];
-      const double deep = rules_.overlap(c, e), tolerance = slack(a, b);
+      const double deep = rule_.overlap(c, e), tolerance = slack(a, b);
       if (deep <= tolerance)
         continue;
       const bool meet = overlapping.contains(pair_of(blocks_, contacts_, i));
       const DeepContact contact{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
-                                contacts_.at(i).normal_elastic /
-                                    settings_.normal_stiffness};
+                                pressed(i)};
       if (contact.excess() > found_.deepest.excess())
         found_.deepest = contact;
       if (contact.excess() > tolerance)
@@ -182,11 +159,9 @@ class Auditor {
   const Blocks& blocks_;
   const Contacts& contacts_;
   const Settings& settings_;
-  double promise_;
-  ExactRules rules_;
-  std::set<Pair> listed_;                    ///< corner, edge
-  std::map<Pair, double> by_joint_;          ///< blocks: how deep a toe is in a joint
-  std::map<Pair, std::vector<int>> acting_;  ///< corner, block: edges not seen yet
+  const std::vector<BlockPair>& listed_;
+  ExactPairRule rule_;
+  std::map<BlockPair, double> by_joint_;  ///< [L] depth_explained_by_joints
   std::vector<geometry::BlockOverlap> overlaps_;
   Findings found_;
 };

@@ -49,6 +49,13 @@ std::vector<Joint> ExactPairRule::closed_joints_of(const PartSide& side,
 
 /// The joints at the corner that hide it from a side of another part. First is the one
 /// whose covered side starts in the corner.
+/// The outline of the block turns inwards at the corner: a notch.
+bool ExactPairRule::is_re_entrant(int corner) const {
+  const Point& before = corner_[blocks_.previous[corner]];
+  return sign(cross(corner_[blocks_.next[corner]] - before, corner_[corner] - before)) <
+         0;
+}
+
 HiddenCorner ExactPairRule::hidden(const PartCorner& corner,
                                    const PartSide& from) const {
   HiddenCorner found;
@@ -61,6 +68,8 @@ HiddenCorner ExactPairRule::hidden(const PartCorner& corner,
       return sigma * sign(cross(along(w), along(from))) > 0 && !face(from, w);
     };
     if (!turns_away(here.surface))
+      continue;
+    if (g.inner && is_re_entrant(here.corner))
       continue;
     if (here.cover.side) {
       const PartSide& f = *here.cover.side;

@@ -1,5 +1,6 @@
-// The axes of two parts, which of them is entered, which one acts, and its contacts:
-// docs/contact-rule.md, but for what joints hide, which is in exact_covered_side.cpp.
+// The axes of two parts and which of them are entered (docs/contact-rule.md). The
+// choice of the axis that acts is in exact_choice.cpp, closed joints in
+// exact_covered_side.cpp.
 #include "audit/exact_pair_rule.hpp"
 
 #include <algorithm>
@@ -22,9 +23,16 @@ Vec2 mean_of_corners(const Blocks& blocks, const ConvexPart& part) {
 }  // namespace
 
 ExactPairRule::ExactPairRule(const Blocks& blocks, std::vector<ConvexPart> parts,
-                             std::vector<std::vector<int>> neighbours)
+                             std::vector<std::vector<int>> neighbours,
+                             const std::vector<int>& order)
     : blocks_(blocks), parts_(std::move(parts)), neighbours_(std::move(neighbours)),
-      slack_(slack_of_length) {
+      rank_(static_cast<std::size_t>(blocks.size())), slack_(slack_of_length) {
+  for (int i = 0; i < blocks.size(); ++i)
+    rank_[order.empty() ? i : order[i]] = i;
+  if (!order.empty())
+    for (std::vector<int>& some : neighbours_)
+      std::sort(some.begin(), some.end(),
+                [&](int a, int b) { return rank_[a] < rank_[b]; });
   first_part_.assign(static_cast<std::size_t>(blocks.size()) + 1, 0);
   for (const ConvexPart& part : parts_)
     ++first_part_[static_cast<std::size_t>(part.block) + 1];
@@ -122,7 +130,8 @@ Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
   const Whole deepest = *most;
   int& index = axis.corner_index;
   index = static_cast<int>(most - depths.begin());
-  const int step = side.part < other ? 1 : count - 1;
+  const bool is_first = rank_[parts_[side.part].block] < rank_[parts_[other].block];
+  const int step = is_first ? 1 : count - 1;
   for (int k = 1; k < count && depths[(index + step) % count] == deepest; ++k)
     index = (index + step) % count;
   axis.corner = number({other, axis.corner_index});
@@ -135,8 +144,9 @@ Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
 /// All axes of two parts, the least first.
 std::vector<Axis> ExactPairRule::axes(int part, int other) const {
   std::vector<Axis> all;
-  const int low = std::min(part, other), high = std::max(part, other);
-  for (const auto& [mine, yours] : {std::pair(low, high), std::pair(high, low)})
+  const bool in_order = rank_[parts_[part].block] < rank_[parts_[other].block];
+  const int first = in_order ? part : other, second = in_order ? other : part;
+  for (const auto& [mine, yours] : {std::pair(first, second), std::pair(second, first)})
     for (int i = 0; i < size(mine); ++i)
       all.push_back(axis_of(side(mine, i), yours));
   std::stable_sort(all.begin(), all.end(), [&](const Axis& a, const Axis& b) {
@@ -145,7 +155,7 @@ std::vector<Axis> ExactPairRule::axes(int part, int other) const {
   return all;
 }
 
-/// Outside of a side of the part; its inner sides do not count.
+/// Outside of an edge of the part.
 bool ExactPairRule::is_outside_part(const Point& point, int part) const {
   for (int i = 0; i < size(part); ++i)
     if (const PartSide s = side(part, i); !s.inner && outside(point, s))
@@ -160,18 +170,26 @@ Entry ExactPairRule::entry(const Axis& axis) const {
   std::vector<PartSide> others;  // that the corner is outside of
   for (int i = 0; i < size(part); ++i)
     if (const PartSide s = side(part, i);
-        i != axis.side.index && !s.inner && outside(corner_[axis.corner], s))
+        i != axis.side.index && outside(corner_[axis.corner], s))
       others.push_back(s);
   if (others.empty())
     return Entry::inside;
   if (!axis.facing)
     return Entry::none;
+  const Point& other_end = axis.facing->start == axis.corner
+                               ? corner_[axis.facing->end]
+                               : corner_[axis.facing->start];
+  bool is_inside = true;
+  for (int i = 0; i < size(part); ++i)
+    is_inside = is_inside && sign(area2(other_end, side(part, i))) > 0;
+  if (is_inside)
+    return Entry::other_end;
   const Whole foot =
       dot(corner_[axis.corner] - corner_[axis.side.start], along(axis.side));
   const Whole l2 = length2(axis.side), slack = slack_.numerator * l2;
   if ((foot << slack_.shift) < slack || ((l2 - foot) << slack_.shift) < slack)
     return Entry::foot;
-  if (others.size() > 1)
+  if (others.size() > 1 || others.front().inner)
     return Entry::none;
   const PartCorner start = start_of(axis.side), end = end_of(axis.side);
   const bool crossing =
@@ -179,138 +197,6 @@ Entry ExactPairRule::entry(const Axis& axis) const {
        is_outside_part(at(start), axis.corner_part)) ||
       (others.front() == side_after(end) && is_outside_part(at(end), axis.corner_part));
   return crossing ? Entry::crossing : Entry::none;
-}
-
-/// Fills in the closed joints that hide the axis and the surface that takes over.
-void ExactPairRule::look_for_joints(PartDecision& decision, int index) const {
-  Axis& axis = decision.axes[index];
-  if (axis.looked_at)
-    return;
-  axis.looked_at = true;
-  const auto axis_along = [&](const PartSide& side) {
-    const auto found = std::find_if(decision.axes.begin(), decision.axes.end(),
-                                    [&](const Axis& a) { return a.side == side; });
-    return static_cast<int>(found - decision.axes.begin());
-  };
-  const auto collect = [&](HidingPlace place, const std::vector<Joint>& joints) {
-    for (const Joint& joint : joints)
-      axis.hidden_by.push_back({place, joint, axis_along(joint.surface)});
-  };
-  collect(HidingPlace::axis_side, closed_joints_of(axis.side, axis.corner_part));
-  if (axis.facing)
-    collect(HidingPlace::facing_side, closed_joints_of(*axis.facing, axis.side.part));
-  const HiddenCorner corner = hidden({axis.corner_part, axis.corner_index}, axis.side);
-  collect(HidingPlace::corner, corner.joints);
-  axis.rise_keeps_it_visible = corner.rise_keeps_it_visible;
-  if (axis.hidden_by.empty())
-    return;
-  const auto depth = [&](const HidingJoint& hiding) {
-    return depth_of(decision.axes[hiding.surface]);
-  };
-  axis.taken_over_by =
-      std::min_element(axis.hidden_by.begin(), axis.hidden_by.end(),
-                       [&](const HidingJoint& a, const HidingJoint& b) {
-                         return compare(depth(a), depth(b)) < 0;
-                       })
-          ->surface;
-}
-
-void ExactPairRule::choose(PartDecision& decision) const {
-  std::vector<Axis>& axes = decision.axes;
-  const auto choose_axis = [&](Choice choice, int axis) {
-    decision.choice = choice, decision.chosen = axis;
-  };
-  if (axes.front().depth_sign <= 0) {
-    choose_axis(Choice::touching, 0);
-    return find_contacts(decision);
-  }
-  const auto entered = std::find_if(axes.begin(), axes.end(), [&](Axis& axis) {
-    axis.examined = true;
-    axis.entry = entry(axis);
-    return axis.entry != Entry::none;
-  });
-  if (entered == axes.end()) {
-    choose_axis(Choice::no_entry, 0);
-    return test_corner(decision);
-  }
-  constexpr std::size_t most_looks = 3;
-  decision.path = {static_cast<int>(entered - axes.begin())};
-  for (;;) {
-    look_for_joints(decision, decision.path.back());
-    const int surface = axes[decision.path.back()].taken_over_by;
-    if (surface < 0)
-      break;
-    if (decision.path.size() == most_looks) {
-      choose_axis(Choice::still_hidden, decision.path.front());
-      return test_corner(decision);
-    }
-    decision.path.push_back(surface);
-  }
-  const bool is_entered = decision.path.size() == 1;
-  if (is_entered && entered->side.inner) {
-    choose_axis(Choice::inner_side, -1);
-    return;
-  }
-  choose_axis(is_entered ? Choice::entered : Choice::surface, decision.path.back());
-  find_contacts(decision);
-  if (is_entered && std::none_of(decision.candidates.begin(), decision.candidates.end(),
-                                 [](const Candidate& c) { return c.acts; })) {
-    choose_axis(Choice::no_contact, 0);
-    test_corner(decision);
-  }
-}
-
-Candidate ExactPairRule::candidate(const PartCorner& corner,
-                                   const PartSide& side) const {
-  Candidate found;
-  found.corner = number(corner), found.side = side;
-  const Whole area = area2(at(corner), side), l2 = length2(side);
-  found.depth = rounded(Depth{area, l2});
-  found.inside = sign(area) > 0;
-  const Whole foot = dot(at(corner) - corner_[side.start], along(side));
-  const Whole slack = slack_.numerator * l2;
-  found.between =
-      (foot << slack_.shift) >= -slack && ((l2 - foot) << slack_.shift) >= -slack;
-  found.edge = !side.inner;
-  found.acts = found.inside && found.between && found.edge;
-  return found;
-}
-
-/// Whether the corner of the chosen axis acts on the axis side, and nothing else.
-void ExactPairRule::test_corner(PartDecision& decision) const {
-  const Axis& axis = decision.axes[decision.chosen];
-  decision.candidates.push_back(
-      candidate({axis.corner_part, axis.corner_index}, axis.side));
-}
-
-/// The contacts along the chosen axis.
-void ExactPairRule::find_contacts(PartDecision& decision) const {
-  const Axis& axis = decision.axes[decision.chosen];
-  if (!axis.facing)
-    return test_corner(decision);
-  const PartSide& e = axis.side;
-  const PartSide& f = *axis.facing;
-  for (const auto& [corner, side] :
-       {std::pair(start_of(f), e), std::pair(end_of(f), e), std::pair(start_of(e), f),
-        std::pair(end_of(e), f)})
-    decision.candidates.push_back(candidate(corner, side));
-}
-
-PartDecision ExactPairRule::decide_parts(int part, int other) const {
-  PartDecision decision;
-  decision.part = part, decision.other = other;
-  decision.axes = axes(part, other);
-  for (const Axis& axis : decision.axes) {
-    const Depth d = depth_of(axis);
-    if ((d.area2 << slack_.shift) < -(slack_.numerator * d.length2)) {
-      decision.choice = Choice::apart;
-      decision.separating = axis.side;
-      decision.separation = axis.depth;
-      return decision;
-    }
-  }
-  choose(decision);
-  return decision;
 }
 
 PairDecision ExactPairRule::decide(int a, int b) const {

@@ -61,7 +61,7 @@ struct Joint {
 };
 
 /// Why an axis counts as entered.
-enum class Entry { none, inside, foot, crossing };
+enum class Entry { none, inside, other_end, foot, crossing };
 
 /// The closed joints that hide a corner from a side of another part.
 struct HiddenCorner {
@@ -139,11 +139,14 @@ struct PairDecision {
 class ExactPairRule {
  public:
   /// Keeps a copy of the corners in whole numbers. All coordinates are finite. The
-  /// parts of each block are beside one another, in the order of the blocks;
-  /// `neighbours` has, for each block, the blocks it is paired with in the order of the
-  /// list of potential contacts.
+  /// parts of each block are beside one another, in the order of the blocks.
+  /// `neighbours` has, for each block, the blocks it is paired with. `order` has the
+  /// numbers of all blocks in the order in which the program steps them (Model::order);
+  /// ties go to the block that comes first in it. If it is empty, they go to the block
+  /// with the lower number, and neighbours count in the order given.
   ExactPairRule(const Blocks& blocks, std::vector<ConvexPart> parts,
-                std::vector<std::vector<int>> neighbours);
+                std::vector<std::vector<int>> neighbours,
+                const std::vector<int>& order = {});
 
   /// What acts between two different blocks. Swapping them changes nothing.
   PairDecision decide(int a, int b) const;
@@ -211,8 +214,13 @@ class ExactPairRule {
   std::optional<PartSide> facing_side(const Axis& axis) const;
   Entry entry(const Axis& axis) const;
   bool is_outside_part(const Point& point, int part) const;
+
+  // These are in exact_choice.cpp.
   void look_for_joints(PartDecision& decision, int axis) const;
   void choose(PartDecision& decision) const;
+  bool in_line(const PartSide& side, const PartSide& next) const;
+  std::vector<PartSide> sides_in_line(const PartSide& side) const;
+  Candidate candidate_on(const PartCorner& corner, const PartSide& side) const;
   Candidate candidate(const PartCorner& corner, const PartSide& side) const;
   void find_contacts(PartDecision& decision) const;
   void test_corner(PartDecision& decision) const;
@@ -221,6 +229,7 @@ class ExactPairRule {
   // These are in exact_covered_side.cpp.
   Joint joint(const PartCorner& corner, const PartSide& side, int against) const;
   std::vector<Joint> closed_joints_of(const PartSide& side, int against) const;
+  bool is_re_entrant(int corner) const;
   HiddenCorner hidden(const PartCorner& corner, const PartSide& from) const;
   Cover cover(const PartSide& side, bool from_start, int against) const;
   std::optional<PartSide> same_side_beyond(const PartSide& inner) const;
@@ -236,6 +245,7 @@ class ExactPairRule {
   std::vector<ConvexPart> parts_;
   std::vector<int> first_part_;
   std::vector<std::vector<int>> neighbours_;
+  std::vector<int> rank_;  ///< (blocks) the place of each block in the order
   Lattice lattice_;
   std::vector<Point> corner_, centroid_;  ///< The centroids are those of parts.
   Dyadic slack_;

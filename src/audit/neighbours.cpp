@@ -5,39 +5,6 @@
 
 namespace blocks::audit {
 
-std::vector<std::vector<int>> blocks_near_corners(const Blocks& blocks, double reach) {
-  std::vector<int> by_x(blocks.corners());
-  std::iota(by_x.begin(), by_x.end(), 0);
-  const auto x = [&](int c) { return blocks.corner(0, c); };
-  std::sort(by_x.begin(), by_x.end(), [&](int a, int b) { return x(a) < x(b); });
-
-  std::vector<std::vector<int>> near(blocks.corners());
-  for (int b = 0; b < blocks.size(); ++b) {
-    const auto corners =
-        blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
-    Vec2 low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
-    const double more = reach + 0.061 * (high - low).sum();
-    // and all that lies straight below an edge, as deep as the block's deepest corner
-    for (int e = blocks.first_corner[b]; e < blocks.first_corner[b + 1]; ++e) {
-      const Vec2 p = blocks.corner.col(e), q = blocks.corner.col(blocks.next[e]);
-      const Vec2 inwards = Vec2((q - p).y(), -(q - p).x()).normalized();
-      const double deep = (inwards.transpose() * (corners.colwise() - p)).maxCoeff();
-      for (const Vec2& end : {Vec2(p + deep * inwards), Vec2(q + deep * inwards)})
-        low = low.cwiseMin(end), high = high.cwiseMax(end);
-    }
-    auto at = std::lower_bound(by_x.begin(), by_x.end(), low.x() - more,
-                               [&](int c, double limit) { return x(c) < limit; });
-    for (; at != by_x.end() && x(*at) <= high.x() + more; ++at) {
-      const int other = blocks.corner_block[*at];
-      const double y = blocks.corner(1, *at);
-      if (y >= low.y() - more && y <= high.y() + more && other != b &&
-          (blocks.is_free(b) || blocks.is_free(other)))
-        near[*at].push_back(b);
-    }
-  }
-  return near;
-}
-
 std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double reach) {
   const int n = blocks.size();
   Eigen::Matrix2Xd low(2, n), high(2, n);

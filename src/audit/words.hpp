@@ -1,28 +1,32 @@
-// Decisions and findings in words and numbers. Blocks, corners and edges count from 1;
-// an edge is named by its first corner.
+// Names of corners, edges and contacts, and findings of an audit in words and numbers.
+// Blocks, corners and edges count from 1; an edge is named by its first corner.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "audit/audit.hpp"
 
 namespace blocks::audit {
 
-/// The whole story of a corner against a block: a headline with the verdict, then a
-/// line for each rule that had a say and each edge, with its numbers.
-std::vector<std::string> story(const ExactRules& rules, const Decision& decision);
-
-/// Why an edge acts or does not: "acts", "refused: ...", "farther than edge 2".
-std::string verdict(const ExactRules& rules, const Decision& decision,
-                    const EdgeStory& edge);
+/// The number of a corner or an edge in its block, from 1.
+int number_in_block(const Blocks& blocks, int corner);
 
 /// "corner 2 of block 5".
 std::string name_of(const Blocks& blocks, int corner);
 
+/// "edge 2 of block 5".
+std::string name_of_edge(const Blocks& blocks, int edge);
+
+/// "corner 2 of block 5 on edge 1 of block 3; ...", or "no contact". Each contact is a
+/// corner and an edge.
+std::string contacts_in_words(const Blocks& blocks,
+                              const std::vector<std::pair<int, int>>& contacts);
+
 /// One line each.
-std::string tell(const Blocks& blocks, const MissedPair& missed);
-std::string tell(const Blocks& blocks, const WrongDecision& wrong);
+std::string tell(const BlockPair& missed);
+std::string tell(const Blocks& blocks, const WrongPair& wrong);
 std::string tell(const ExcessOverlap& excess);
 std::string tell(const Blocks& blocks, const DeepContact& deep);
 

@@ -70,8 +70,7 @@ int ContactLanes::set_of(int slot) const {
                              bool, int, int);                                          \
   LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, bool,   \
                    int, int);                                                          \
-  bool all_stay(const WatchRow*, int, const BlockRows&, double);                       \
-  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act, all_stay};         \
+  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act};                   \
   }
 BLOCKS_DECLARE_LANES(baseline)
 #ifdef BLOCKS_X86_LANES

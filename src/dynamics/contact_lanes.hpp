@@ -40,11 +40,6 @@ struct SlotPlaces {
   LaneBits starts;  ///< did not in the step before, or took over
   LaneBits flips;   ///< the edge is the low block's
 };
-/// Corners that stay on one side of an edge, one to a lane (watch_rows.hpp).
-struct WatchRow {
-  LaneRow<int> corner, edge, edge_end;  ///< corners of the model
-  LaneBits outside;                     ///< of the edge, or else inside
-};
 /// What is kept from step to step.
 struct alignas(64) SlotSprings {
   LaneRow<double> normal_elastic, shear_elastic;  ///< [F]
@@ -156,9 +151,6 @@ struct LaneArithmetic {
   /// PairStress of rigid blocks.
   LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
                       bool readings, int first, int last);
-  /// Whether all corners of so many rows are certainly on their sides. Inside is who is
-  /// outside by no more than `slack` of the edge's length (geometry::near_or_inside).
-  bool (*all_stay)(const WatchRow*, int rows, const BlockRows&, double slack);
 };
 
 /// All that this processor can run; the first is the baseline.

@@ -11,9 +11,7 @@ namespace {
 struct Sides {
   Set xc, yc, ex, ey, cx, cy, plus, minus, value;
 
-  /// places: SlotPlaces or WatchRow.
-  template <class Places>
-  BLOCKS_INLINE Sides(const Places& places, const BlockRows& blocks, int i) {
+  BLOCKS_INLINE Sides(const SlotPlaces& places, const BlockRows& blocks, int i) {
     const Point c = gather_point<2>(blocks.corner, places.corner + i);
     const Point p1 = gather_point<2>(blocks.corner, places.edge + i);
     const Point p2 = gather_point<2>(blocks.corner, places.edge_end + i);
@@ -32,19 +30,6 @@ struct Sides {
     return (zero(cx) | zero(ey)) & (zero(cy) | zero(ex));
   }
 };
-
-/// Which corners are certainly on their sides of the edges that they stay beside:
-/// filter::near_or_inside of geometry/contact_predicates.hpp.
-BLOCKS_INLINE Bits stays(const WatchRow& row, const BlockRows& blocks, double slack,
-                         int i) {
-  const Sides sides(row, blocks, i);
-  const Set near = slack * (sides.ex * sides.ex + sides.ey * sides.ey);
-  const Set value = sides.value + near;
-  const Set magnitude = (absolute(sides.plus) + absolute(sides.minus)) + near;
-  const Set bound = 0x1p-50 * magnitude + 0x1p-1000;
-  const Bits outside = row.outside >> i & every;
-  return (outside & less(value, -bound)) | (~outside & less(bound, value));
-}
 
 /// The bits of the lanes from i on, and how they are put back.
 BLOCKS_INLINE Bits load(LaneBits bits, int i) { return bits >> i & every; }
@@ -275,14 +260,6 @@ LaneExtremes act(const LaneSets& sets, const BlockRows& blocks, const ContactLaw
            : readings ? act_sets<false, false, true>
                  : act_sets<false, false, false>;
   return all(sets, blocks, law, first, last);
-}
-
-bool all_stay(const WatchRow* rows, int count, const BlockRows& blocks, double slack) {
-  Bits left = every;
-  for (int k = 0; k < count; ++k)
-    for (int i = 0; i < lane_count; i += width)
-      left &= stays(rows[k], blocks, slack, i);
-  return left == every;
 }
 
 }  // namespace blocks::dynamics::BLOCKS_LANES

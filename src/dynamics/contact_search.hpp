@@ -1,14 +1,9 @@
-// Finds the corners that are close enough to an edge (UPDAT, report 3.2, rule 13).
+// Working memory of a run's steps, and how far ahead a search looks for contacts.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "dynamics/block_reach.hpp"
-#include "dynamics/cell_grid.hpp"
-#include "dynamics/contact_groups.hpp"
-#include "dynamics/earlier_groups.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/near_pairs.hpp"
 #include "dynamics/pair_contacts.hpp"
@@ -18,57 +13,29 @@
 
 namespace blocks::dynamics {
 
-/// Buffers of the search, kept between searches.
+/// What the steps of a run keep besides the model. It influences the run time only,
+/// never the results.
 struct SearchBuffers {
   explicit SearchBuffers(int threads = 1)
       : workers(std::make_unique<Workers>(threads)) {}
 
   std::unique_ptr<Workers> workers;
-  Profile* profile = nullptr;  ///< of the run, if it is wanted
-  CellGrid grid;
-  BlockReach reach;  ///< of one block
-  std::vector<Record> found;
-  /// Records found one after the other: of one corner, edges of one block in order.
-  struct Run {
-    std::uint64_t place;  ///< high block, corner: by these below one low block
-    int first, last;
-  };
-  std::vector<Run> runs;         ///< by low block
-  std::vector<int> last_of_low;  ///< (blocks) before this they end, then the records do
-  std::vector<Record> acted;  ///< places of what acted in the list before, in its order
-  ContactGroups groups;       ///< of the present list
-  long grouped_update = -1;   ///< NUPDAT when the groups were made
-  /// Steps done when blocks had moved too far for the list, which has been up to date
-  /// until then. -1: it is, or is old for another reason.
+  Profile* profile = nullptr;  ///< where the time of the run is counted, if at all
+  PairContacts pairs;          ///< near pairs of blocks and their contacts
+  long grouped_update = -1;    ///< SearchState::updates when the pairs were found
+  /// Model::steps when the pairs became outdated because blocks had moved; -1: they are
+  /// up to date, or outdated for another reason.
   long outdated_at = -1;
-  const double* corners_at = nullptr;  ///< of the columns that were moved to huge pages
-  EarlierGroups earlier;               ///< while the list is brought up to date
-  std::vector<Displacement> moved;     ///< (threads) in this step
-  PlaneContacts next_planes;
-  // contacts decided pair by pair
-  PairContacts pairs;
-  NearSearch near;
+  const double* corners_at = nullptr;  ///< corner column that is in huge pages
+  std::vector<Displacement> moved;     ///< (threads) motion of this step
+  PlaneContacts next_planes;           ///< memory of update_plane_contacts
+  NearSearch near;                     ///< memory of find_near_pairs
   std::vector<NearPair> near_pairs;
 };
 
-/// [L] Half of the reach of the list: CTOL, or as far as the fastest block goes in some
-/// steps, but for a part of the size of blocks. A larger list costs each step more.
+/// [L] How far corners may move before near pairs have to be found again: CTOL, or as
+/// far as the fastest block moves in 250 steps, but at most a tenth of the block size.
+/// A longer distance makes searches rarer and each step more expensive.
 double list_tolerance(const Model& model);
-
-/// Corners that may touch a plane before one has gone so far, [L]. Contacts keep their
-/// springs.
-void update_plane_contacts(Model& model, SearchBuffers& buffers, double tolerance);
-
-/// Brings the list of potential contacts up to date. Listed: every corner that an edge
-/// of another block could act on before the next search, at least one of the two free
-/// (docs/departures.md: the list holds more than the corners within 2 CTOL, so that
-/// results do not depend on CTOL), and whatever acted. Records keep their elastic
-/// forces.
-void update_contacts(Model& model, SearchBuffers& buffers);
-
-/// Makes the records in buffers.found the list until corners have gone so far, [L]: the
-/// end of update_contacts, for whoever looks for them in another way (src/study). No
-/// record twice.
-void adopt_list(Model& model, SearchBuffers& buffers, double tolerance);
 
 }  // namespace blocks::dynamics

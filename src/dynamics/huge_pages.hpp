@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "model/blocks.hpp"
 
@@ -13,13 +12,6 @@ namespace blocks::dynamics {
 /// system has some. Little memory stays as it is.
 void prefer_huge_pages(const void* first, std::size_t bytes);
 
-/// Room for so many items, which is not touched before it is used.
-template <class Item> void reserve_pages(std::vector<Item>& items, std::size_t count) {
-  if (count <= items.capacity())
-    return;
-  items.reserve(count);
-  prefer_huge_pages(items.data(), items.capacity() * sizeof(Item));
-}
 /// The columns of these blocks, which are moved there.
 void move_to_huge_pages(const Blocks& blocks);
 

@@ -9,6 +9,7 @@
 
 #include "dynamics/dashpot.hpp"
 #include "geometry/contact_predicates.hpp"
+#include "model/contact_blocks.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -113,14 +114,10 @@ void PairContacts::take_from(const Blocks& blocks, const Contacts& contacts,
   int p = 0;
   auto next = contacts.acting.begin();
   while (next != contacts.acting.end()) {
-    const auto blocks_of = [&](const ActingContact& contact) {
-      return std::minmax(int{blocks.corner_block[contacts.corner[contact.record]]},
-                         int{blocks.corner_block[contacts.edge[contact.record]]});
-    };
-    const std::pair<int, int> wanted = blocks_of(*next);
+    const auto wanted = pair_of(blocks, contacts, next->record);
     own.clear();
     for (; next != contacts.acting.end() &&
-           std::pair<int, int>(blocks_of(*next)) == wanted;
+           pair_of(blocks, contacts, next->record) == wanted;
          ++next)
       own.push_back({{contacts.corner[next->record], contacts.edge[next->record]},
                      false,
@@ -308,6 +305,7 @@ void PairContacts::ask_ends(const Blocks& blocks, int p) {
     of_pair.room_of_neighbours = room_of_neighbours_left(p);
   place(blocks, p);
   of_pair.room_of_ends = of_pair.room;
+  const double rounded = rounding(blocks, p);
   each_seat(p, [&](int seat) {
     if (is_vacant(seat))
       return;
@@ -315,7 +313,8 @@ void PairContacts::ask_ends(const Blocks& blocks, int p) {
     const auto [corner, edge] = at(seat);
     const Vec2 c = where(corner), p1 = where(edge), p2 = where(blocks.next[edge]);
     lanes.set(seat, &SlotPlaces::asked, geometry::between(c, p1, p2));
-    of_pair.room_of_ends = std::min(of_pair.room_of_ends, room_of_end(c, p1, p2));
+    of_pair.room_of_ends =
+        std::min(of_pair.room_of_ends, std::max(0.0, room_of_end(c, p1, p2) - rounded));
   });
 }
 
@@ -361,6 +360,14 @@ void PairContacts::place(const Blocks& blocks, int p) {
       .ways = kept[p].room_of_neighbours > 0.0 ? sum_of_ways(p) : 0.0};
   if (!swing.rigid)
     shapes[p] = {swing.shape.col(low), swing.shape.col(high)};
+}
+
+double PairContacts::rounding(const Blocks& blocks, int p) const {
+  double farthest = 0.0;
+  for (const int b : {pairs[p].low, pairs[p].high})
+    farthest = std::max(farthest, blocks.centroid.col(b).lpNorm<Eigen::Infinity>() +
+                                      swing.longest[b]);
+  return 0x1p-48 * farthest;
 }
 
 int PairContacts::ways(int p) const {

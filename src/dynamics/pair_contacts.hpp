@@ -89,6 +89,7 @@ struct PairContacts : ActingLanes {
     PairScratch scratch;
     std::vector<PairContact> before, now;  ///< of one pair
     Extremes extremes;
+    unsigned long long exact_calls = 0;  ///< questions left to exact arithmetic
   };
   std::vector<Share> shares;  ///< (threads)
   // What all found together.
@@ -133,6 +134,9 @@ struct PairContacts : ActingLanes {
   double room_left(const Blocks& blocks, int p) const;
   /// The same with the neighbours of the two blocks.
   double room_of_neighbours_left(int p) const;
+  /// How much more a difference of two stored corners of pair p may change, [L]: each
+  /// corner is rounded to the last place of its coordinates. The rooms do not count it.
+  double rounding(const Blocks& blocks, int p) const;
   /// How many ways of blocks count for pair p and its neighbours.
   int ways(int p) const;
 

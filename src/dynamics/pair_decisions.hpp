@@ -11,17 +11,36 @@
 
 namespace blocks::dynamics {
 
-/// The rule of every run. `keeps_decisions` false: every pair is decided in every step.
-struct ContactRules {
-  using Predicates = ExactPredicates;
-  static constexpr bool keeps_decisions = true;
-};
-
 /// For the contact rule: the blocks that a block is paired with.
 struct Neighbours {
   const PairContacts& all;
   template <class Visit> void operator()(int block, const Visit& visit) const {
     all.each_neighbour(block, visit);
+  }
+};
+
+/// Finds which contacts of pair p act by the contact rule with these predicates.
+template <class Predicates>
+void decide_exactly(const Blocks& blocks, const PairContacts& all, int p,
+                    PairScratch& scratch) {
+  const Neighbours neighbours{all};
+  PairRule<Predicates, Neighbours> rule(blocks, all.parts, neighbours, scratch);
+  rule.decide(all.pairs[p].low, all.pairs[p].high);
+}
+
+/// The contact rule of every run. `blocks study` replaces it by classes with the same
+/// members.
+struct ContactRules {
+  /// Decisions are kept while they are sure to hold (settle_pair). If false, every pair
+  /// is decided in every step.
+  static constexpr bool keeps_decisions = true;
+  /// The springs of contacts that cease to act pass to others.
+  static constexpr bool transfers_springs = true;
+
+  /// Finds which contacts of pair p act: scratch.found.
+  static void decide(const Blocks& blocks, const PairContacts& all, int p,
+                     PairScratch& scratch) {
+    decide_exactly<ExactPredicates>(blocks, all, p, scratch);
   }
 };
 
@@ -43,13 +62,14 @@ inline bool settle_pair(const Blocks& blocks, PairContacts& all, int p, double d
   const double of_neighbours = part_of_size * std::min(all.swing.longest[pair.low],
                                                        all.swing.longest[pair.high]);
   const Neighbours neighbours{all};
+  const double rounded = all.rounding(blocks, p);
   for (int life = kept.life; life >= shortest; life -= 3) {
     const double room = std::ldexp(motion, life);
     PairSettling settling(blocks, all.parts, neighbours, scratch,
-                          PredicatesWithRoom(room, of_neighbours));
+                          PredicatesWithRoom(room + rounded, of_neighbours + rounded));
     if (settling.settle(pair.low, pair.high)) {
       kept.room_of_ends = settling.ends_are_open() ? 0.0 : room;
-      kept.room_of_neighbours = settling.room_of_neighbours();
+      kept.room_of_neighbours = std::max(0.0, settling.room_of_neighbours() - rounded);
       kept.room = room;
       kept.life = static_cast<unsigned char>(std::min(life + 2, longest));
       return true;
@@ -62,9 +82,8 @@ inline bool settle_pair(const Blocks& blocks, PairContacts& all, int p, double d
 
 /// Decides pair p: for some time, or for this step alone.
 template <class Rules>
-void decide_pair(const Blocks& blocks, PairContacts& all, int p, double dt,
-                 PairContacts::Share& share) {
-  const NearPair& pair = all.pairs[p];
+void decide_pair(const Rules& rules, const Blocks& blocks, PairContacts& all, int p,
+                 double dt, PairContacts::Share& share) {
   KeptDecision& kept = all.kept[p];
   const bool settled =
       Rules::keeps_decisions && settle_pair(blocks, all, p, dt, share.scratch);
@@ -72,10 +91,7 @@ void decide_pair(const Blocks& blocks, PairContacts& all, int p, double dt,
     all.place(blocks, p);
   } else {
     kept.room = kept.room_of_neighbours = 0.0;
-    const Neighbours neighbours{all};
-    PairRule<typename Rules::Predicates, Neighbours> rule(blocks, all.parts, neighbours,
-                                                          share.scratch);
-    rule.decide(pair.low, pair.high);
+    rules.decide(blocks, all, p, share.scratch);
   }
   all.seat(blocks, p, share.scratch.found, settled, share);
 }
@@ -83,8 +99,8 @@ void decide_pair(const Blocks& blocks, PairContacts& all, int p, double dt,
 /// Decides pair p if its decision no longer holds. How far the travel (Swing) may grow
 /// before that has to be asked again, [L].
 template <class Rules>
-double renew_decision(const Blocks& blocks, PairContacts& all, int p, double dt,
-                      PairContacts::Share& share) {
+double renew_decision(const Rules& rules, const Blocks& blocks, PairContacts& all,
+                      int p, double dt, PairContacts::Share& share) {
   const Swing& swing = all.swing;
   const NearPair& pair = all.pairs[p];
   const KeptDecision& kept = all.kept[p];
@@ -94,7 +110,7 @@ double renew_decision(const Blocks& blocks, PairContacts& all, int p, double dt,
     double left = all.room_left(blocks, p);
     double left_of_neighbours = all.room_of_neighbours_left(p);
     if (!(left > 0.0 && left_of_neighbours > 0.0)) {
-      decide_pair<Rules>(blocks, all, p, dt, share);
+      decide_pair(rules, blocks, all, p, dt, share);
       left = kept.room, left_of_neighbours = all.room_of_neighbours_left(p);
     }
     if (left > 0.0 && !(kept.room - left < kept.room_of_ends)) {
@@ -111,8 +127,8 @@ double renew_decision(const Blocks& blocks, PairContacts& all, int p, double dt,
 
 /// Decides the pairs whose decisions no longer hold, of rounds first .. last - 1.
 template <class Rules>
-void renew_decisions(const Blocks& blocks, PairContacts& all, double dt, int first,
-                     int last, PairContacts::Share& share) {
+void renew_decisions(const Rules& rules, const Blocks& blocks, PairContacts& all,
+                     double dt, int first, int last, PairContacts::Share& share) {
   const int pairs = static_cast<int>(all.pairs.size());
   for (int round = first; round < last; ++round) {
     if (Rules::keeps_decisions && all.swing.travel < all.rounds[round])
@@ -120,7 +136,7 @@ void renew_decisions(const Blocks& blocks, PairContacts& all, double dt, int fir
     double left = std::numeric_limits<double>::max();
     const int begin = round * pairs_of_one_round;
     for (int p = begin; p < std::min(pairs, begin + pairs_of_one_round); ++p)
-      left = std::min(left, renew_decision<Rules>(blocks, all, p, dt, share));
+      left = std::min(left, renew_decision(rules, blocks, all, p, dt, share));
     all.rounds[round] = all.swing.travel + left;
   }
 }

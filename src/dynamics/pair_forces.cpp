@@ -38,7 +38,8 @@ void settle_set(const Blocks& blocks, PairContacts& all, int set,
 }  // namespace
 
 Extremes evaluate_pairs(const Blocks& blocks, PairContacts& all,
-                        const Settings& settings, double dt, Workers& workers) {
+                        const Settings& settings, double dt, Workers& workers,
+                        bool transfers_springs) {
   const ContactLaw law = law_of(settings, dt);
   const LaneArithmetic& arithmetic = lane_arithmetic();
   const BlockRows rows = rows_of(blocks);
@@ -62,6 +63,8 @@ Extremes evaluate_pairs(const Blocks& blocks, PairContacts& all,
     all.lost.insert(all.lost.end(), share.lost.begin(), share.lost.end());
     share.lost.clear();
   }
+  if (!transfers_springs)
+    all.lost.clear();
   transfer_springs(blocks, all, settings.normal_stiffness);
   for (const int set : all.heirs)
     act(0, set);

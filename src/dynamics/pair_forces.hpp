@@ -15,14 +15,17 @@ namespace blocks::dynamics {
 /// Decides the pairs whose decisions no longer hold. Reads corners, velocities and
 /// Swing; writes the seats.
 template <class Rules>
-void decide_contacts(const Blocks& blocks, PairContacts& all, const Settings& settings,
-                     double dt, Workers& workers) {
+void decide_contacts(const Rules& rules, const Blocks& blocks, PairContacts& all,
+                     const Settings& settings, double dt, Workers& workers) {
   constexpr int rounds_of_one = pairs_of_one_window / pairs_of_one_round;
   const int rounds = static_cast<int>(all.rounds.size());
   // window by window: no other thread writes to the sets of a window
   workers.each(all.split.windows, [&](int part, int first, int last) {
-    renew_decisions<Rules>(blocks, all, dt, first * rounds_of_one,
-                           std::min(rounds, last * rounds_of_one), all.shares[part]);
+    PairContacts::Share& share = all.shares[part];
+    const unsigned long long before = geometry::exact::calls();
+    renew_decisions(rules, blocks, all, dt, first * rounds_of_one,
+                    std::min(rounds, last * rounds_of_one), share);
+    share.exact_calls += geometry::exact::calls() - before;
   });
   if (all.join_shares()) {
     all.take_out(all.held);
@@ -32,9 +35,11 @@ void decide_contacts(const Blocks& blocks, PairContacts& all, const Settings& se
   }
 }
 
-/// Lets all contacts act: forces of the pairs, springs at the end of the step.
+/// Lets all contacts act: forces of the pairs, springs at the end of the step. Without
+/// `transfers_springs` the springs of contacts that cease to act are lost.
 Extremes evaluate_pairs(const Blocks& blocks, PairContacts& all,
-                        const Settings& settings, double dt, Workers& workers);
+                        const Settings& settings, double dt, Workers& workers,
+                        bool transfers_springs = true);
 
 /// Lets the contacts of this step act once more, and stores them with their readings in
 /// the list of the model; of rigid blocks the applied stress. Before springs advance.

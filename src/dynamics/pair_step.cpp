@@ -4,23 +4,27 @@
 #include <iterator>
 #include <utility>
 
+#include "dynamics/huge_pages.hpp"
+#include "dynamics/symmetry_planes.hpp"
+#include "model/contact_blocks.hpp"
+
 namespace blocks::dynamics {
 namespace {
 
-/// Adds the pairs whose contacts have springs, found or not: these want an heir.
-void add_pairs(std::vector<NearPair>& found, std::vector<NearPair>& of_springs) {
-  of_springs.erase(std::unique(of_springs.begin(), of_springs.end()), of_springs.end());
-  if (std::includes(found.begin(), found.end(), of_springs.begin(), of_springs.end()))
+/// Adds others, which are ordered, to the pairs found. Each pair is there once.
+void add_pairs(std::vector<NearPair>& found, const std::vector<NearPair>& others) {
+  if (std::includes(found.begin(), found.end(), others.begin(), others.end()))
     return;
   std::vector<NearPair> both;
-  std::set_union(found.begin(), found.end(), of_springs.begin(), of_springs.end(),
+  std::set_union(found.begin(), found.end(), others.begin(), others.end(),
                  std::back_inserter(both));
   found.swap(both);
 }
 
 }  // namespace
 
-void update_pairs(Model& model, SearchBuffers& buffers) {
+void update_pairs(Model& model, SearchBuffers& buffers,
+                  const std::vector<NearPair>& also) {
   PairContacts& all = buffers.pairs;
   const Blocks& blocks = model.blocks;
   const bool known = all.loaded && buffers.grouped_update == model.search.updates;
@@ -31,7 +35,7 @@ void update_pairs(Model& model, SearchBuffers& buffers) {
     model.search.left = list_tolerance(model);
     model.search.current = true;
     ++model.search.updates;
-    update_plane_contacts(model, buffers, model.search.left);
+    update_plane_contacts(model, buffers.next_planes, model.search.left);
   }
   std::vector<NearPair>& found = buffers.near_pairs;
   find_near_pairs(blocks, model.search.left, buffers.near, found);
@@ -50,7 +54,10 @@ void update_pairs(Model& model, SearchBuffers& buffers) {
         of_springs.push_back({low, high, -1});
     }
   }
+  // Pairs whose contacts have springs stay, near or not: the springs need successors.
+  of_springs.erase(std::unique(of_springs.begin(), of_springs.end()), of_springs.end());
   add_pairs(found, of_springs);
+  add_pairs(found, also);
   const bool moved_only = known && buffers.outdated_at == model.steps;
   all.take(found, blocks, model.settings.rigid, buffers.workers->threads(), known,
            moved_only);
@@ -60,6 +67,8 @@ void update_pairs(Model& model, SearchBuffers& buffers) {
   all.make_lanes(blocks, model.settings, all.held, all.unseated);
   buffers.grouped_update = model.search.updates;
   buffers.outdated_at = -1;
+  if (std::exchange(buffers.corners_at, blocks.corner.data()) != blocks.corner.data())
+    move_to_huge_pages(blocks);
 }
 
 void catch_up_pairs(Model& model, SearchBuffers& buffers) {

@@ -2,35 +2,17 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
-#include "dynamics/contact_readings.hpp"
 #include "dynamics/domain.hpp"
-#include "dynamics/huge_pages.hpp"
 #include "dynamics/loads.hpp"
+#include "dynamics/pair_decisions.hpp"
+#include "dynamics/pair_step.hpp"
+#include "dynamics/symmetry_planes.hpp"
 #include "dynamics/time_step.hpp"
 #include "model/numbering.hpp"
 
 namespace blocks::dynamics {
 namespace {
-
-/// Of more groups (100 MB, of 170,000 bricks) there is no room for those of two lists.
-constexpr std::size_t most_left = std::size_t{1} << 21;
-
-/// Leaves the groups of a list that is to be made anew, for what they know of it, or to
-/// give their memory back.
-void leave_groups(const Model& model, SearchBuffers& buffers) {
-  ContactGroups& groups = buffers.groups;
-  const bool moved_only = buffers.outdated_at == model.steps &&
-                          buffers.grouped_update == model.search.updates &&
-                          groups.swing.way.size() == model.blocks.material.size();
-  buffers.outdated_at = -1;
-  buffers.earlier.clear();
-  if (groups.all.size() > most_left)
-    groups.give_back();
-  else if (moved_only)
-    buffers.earlier.take(groups);
-}
 
 /// Before planes and loads push. Of rigid blocks the applied stress is for readers
 /// only: pushes add up there until it is read or set to 0 (catch_up).
@@ -70,55 +52,11 @@ Displacement step(Model& model, SearchBuffers& buffers) {
   return moved;
 }
 
-void catch_up(Model& model, SearchBuffers& buffers) {
-  ContactGroups& groups = buffers.groups;
-  Blocks& blocks = model.blocks;
-  if (model.settings.rigid && groups.read)
-    blocks.applied.array().rowwise() /= blocks.area.transpose().array();
-  else if (model.settings.rigid && groups.loaded)
-    blocks.applied.setZero();
-  groups.store(model.contacts);
-  groups.read = false;
-}
+void catch_up(Model& model, SearchBuffers& buffers) { catch_up_pairs(model, buffers); }
 
 Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
                      double alarm) {
-  Blocks& blocks = model.blocks;
-
-  // 1. potential contacts
-  if (!model.search.current) {
-    const Profile::Timer timer(buffers.profile, Profile::search);
-    buffers.groups.store(model.contacts);
-    leave_groups(model, buffers);
-    update_contacts(model, buffers);
-  }
-  if (buffers.grouped_update != model.search.updates) {  // a new list, or a restart
-    const Profile::Timer timer(buffers.profile, Profile::search);
-    group_contacts(blocks, model.contacts, model.settings.rigid, buffers.groups, false,
-                   buffers.workers->threads(), &buffers.earlier);
-    buffers.earlier.clear();
-    // no more than one of each group acts: no step asks for memory
-    model.contacts.acting.reserve(buffers.groups.all.size());
-    buffers.grouped_update = model.search.updates;
-    if (std::exchange(buffers.corners_at, blocks.corner.data()) != blocks.corner.data())
-      move_to_huge_pages(blocks);
-  }
-
-  // 2. contact forces
-  const Extremes touching =
-      evaluate_contacts(blocks, model.contacts, buffers.groups, model.settings,
-                        model.time_step.dt, *buffers.workers, buffers.profile);
-  if (readings || !(touching.spring <= alarm)) {
-    const Profile::Timer timer(buffers.profile, Profile::forces);
-    read_contacts(blocks, model.contacts, buffers.groups, model.settings,
-                  model.time_step.dt);
-  }
-  return move(model, buffers, touching);
-}
-
-Displacement move(Model& model, SearchBuffers& buffers,
-                  const Extremes& blocks_touching) {
-  return move(model, buffers, buffers.groups, blocks_touching);
+  return advance_by_pairs<ContactRules>(model, buffers, readings, alarm);
 }
 
 Displacement move(Model& model, SearchBuffers& buffers, ActingLanes& acting,

@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "dynamics/contact_forces.hpp"
 #include "dynamics/contact_search.hpp"
 #include "dynamics/motion.hpp"
 #include "model/model.hpp"
@@ -30,10 +29,8 @@ Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
                      double alarm = std::numeric_limits<double>::infinity());
 void catch_up(Model& model, SearchBuffers& buffers);
 
-/// The end of a step, for whoever finds the contact forces in another way (src/study):
-/// planes, loads, motion and domain.
-Displacement move(Model& model, SearchBuffers& buffers, const Extremes& touching);
-/// The same with contacts in these lanes.
+/// The end of a step, once the contact forces are known: symmetry planes, loads, motion
+/// and domain. `acting` holds the contacts.
 Displacement move(Model& model, SearchBuffers& buffers, ActingLanes& acting,
                   const Extremes& touching);
 

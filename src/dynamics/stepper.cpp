@@ -27,6 +27,17 @@ const Model& Stepper::up_to_date() {
   return model_;
 }
 
+std::vector<std::pair<int, int>> Stepper::listed_pairs() const {
+  const auto outside = [&](int b) {
+    return model_.order.empty() ? b : model_.order[b];
+  };
+  std::vector<std::pair<int, int>> listed;
+  for (const NearPair& pair : buffers_.pairs.pairs)
+    listed.push_back(std::minmax({outside(pair.low), outside(pair.high)}));
+  std::sort(listed.begin(), listed.end());
+  return listed;
+}
+
 void Stepper::bring_in() {
   if (inwards_.blocks().old_of != model_.order) {
     inwards_ = Numbering(model_.blocks, model_.order);
@@ -46,16 +57,14 @@ void Stepper::bring_in() {
   inside_.time = model_.time, inside_.time_origin = model_.time_origin;
   inside_.worst_overlap = model_.worst_overlap;
   inside_current_ = true;
-  listed_ = -1;
 }
 
 void Stepper::bring_out() {
   outwards_.renumber(inside_.blocks, model_.blocks);
   outwards_.renumber(inside_.plane_contacts, model_.plane_contacts);
-  if (listed_ != inside_.search.updates)
-    record_outside_ = outwards_.renumber_list(inside_, model_.contacts);
-  listed_ = inside_.search.updates;
-  Numbering::renumber_acting(inside_.contacts, record_outside_, model_.contacts);
+  Numbering::renumber_acting(inside_.contacts,
+                             outwards_.renumber_list(inside_, model_.contacts),
+                             model_.contacts);
   outside_current_ = true;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "dynamics/step.hpp"
 #include "model/numbering.hpp"
@@ -18,7 +20,7 @@ class Stepper {
   /// The model has been changed from outside, when it was up to date.
   void changed() {
     inside_current_ = false;
-    buffers_.outdated_at = -1;
+    buffers_.pairs.loaded = false;
   }
   /// dynamics::advance. Of the model time, steps, search, worst overlap and exits are
   /// those after it, all else stays behind.
@@ -26,6 +28,9 @@ class Stepper {
                        double alarm = std::numeric_limits<double>::infinity());
   /// The model as it stands after the last step.
   const Model& up_to_date();
+  /// The near pairs of blocks that the last step used, low < high, in the deck's
+  /// numbers and in ascending order. At least one step has been made.
+  std::vector<std::pair<int, int>> listed_pairs() const;
 
  private:
   void bring_in();
@@ -36,10 +41,8 @@ class Stepper {
   SearchBuffers& buffers_;
   Model inside_;
   Numbering inwards_, outwards_;
-  std::vector<int> record_outside_;  ///< of each record inside
-  long listed_ = -1;                 ///< NUPDAT of the list they are of
-  bool inside_current_ = false;      ///< not older than the model
-  bool outside_current_ = true;      ///< the other way round
+  bool inside_current_ = false;  ///< not older than the model
+  bool outside_current_ = true;  ///< the other way round
 };
 
 }  // namespace blocks::dynamics

@@ -13,7 +13,7 @@ struct AuditedOverlap {
   long step = 0;
   double time = 0.0;       ///< [T]
   double depth = 0.0;      ///< [L] shortest shift that separates the two
-  double explained = 0.0;  ///< [L] deepest acting contact between them
+  double explained = 0.0;  ///< [L] deepest acting contact or hidden axis
   double pressed = 0.0;    ///< [L] of its springs, FN / Kn
   double excess() const { return depth - explained; }
 };
@@ -33,12 +33,10 @@ struct AuditedContact {
 struct AuditTotals {
   long every = 0;        ///< steps between audits
   long moments = 0;      ///< audits made
-  long pairs = 0;        ///< corners near a block, looked at one by one, all moments
-  long records = 0;      ///< corners and edges the list had to hold
+  long pairs = 0;        ///< pairs of blocks that the list had to hold, all moments
   long acting = 0;       ///< acting contacts
-  long hanging = 0;      ///< decisions by the rounding of the shield's question
-  long missed = 0;       ///< pairs the list misses
-  long wrong = 0;        ///< decisions that are not the exact ones
+  long missed = 0;       ///< pairs of blocks that the list lacked
+  long wrong = 0;        ///< pairs of blocks whose contacts were not the exact ones
   AuditedOverlap worst;  ///< of all pairs, a finding or not; excess() 0: none
   std::vector<AuditedOverlap> excess;  ///< findings, a pair once, the worst first
   AuditedContact deepest;              ///< a finding or not; excess() 0: none

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry/convex_parts.hpp"
 #include "geometry/polygon.hpp"
 
 namespace blocks {
@@ -61,6 +62,8 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     const int first = first_corner.back(),
               count = static_cast<int>(block.outline.size());
     convex.push_back(geometry::check_outline(block.outline).convex ? 1 : 0);
+    if (!convex.back())
+      cut(b, block.outline);
     int c = first;
     for (const Vec2& point : block.outline) {
       corner.col(c) = point;
@@ -72,6 +75,14 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     }
     first_corner.push_back(c);
     ++b;
+  }
+}
+
+void Blocks::cut(int b, const geometry::Polygon& outline) {
+  for (const std::vector<int>& part : geometry::convex_parts(outline)) {
+    cuts.push_back(b);
+    cuts.push_back(static_cast<int>(part.size()));
+    cuts.insert(cuts.end(), part.begin(), part.end());
   }
 }
 

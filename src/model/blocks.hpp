@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "geometry/vec2.hpp"
@@ -37,18 +38,22 @@ struct Blocks {
   std::vector<int> material;   ///< (n) the deck's material number, MAT
   std::vector<Fixity> fixity;  ///< (n) FIXED
   std::vector<char> convex;    ///< (n) 1: no corner turns inwards (exact, at creation)
-  std::vector<int> layer;      ///< (n) which LAYER card made it, from 1; 0: none
-  Eigen::VectorXd area;        ///< [L^2] (n) at creation
-  Eigen::VectorXd mass;        ///< [M] (n) > 0
-  Eigen::VectorXd inertia;     ///< [M L^2] (n) about the centroid, RMOI
-  Eigen::Matrix2Xd centroid;   ///< [L] (2, n) XC, YC
-  Eigen::Matrix2Xd velocity;   ///< [L/T] (2, n) VX, VY
-  Eigen::VectorXd angle;       ///< rad (n) accumulated, for output
-  Eigen::VectorXd spin;        ///< rad/T (n) TDOT
-  Eigen::Matrix2Xd force;      ///< [F] (2, n) FX, FY of the last step, without gravity
-  Eigen::VectorXd moment;      ///< [F L] (n) MOM of the last step
-  Eigen::Matrix4Xd applied;    ///< [F/L^2] (4, n) applied stress (9), TAUA
-  Eigen::Matrix4Xd stress;     ///< [F/L^2] (4, n) internal stress (12), TAUI; 12 = 21
+  /// The convex parts of the blocks that are not convex, cut when the block is made:
+  /// for each part its block, its number of corners, and where these are in the block,
+  /// clockwise, from 0.
+  std::vector<int> cuts;
+  std::vector<int> layer;     ///< (n) which LAYER card made it, from 1; 0: none
+  Eigen::VectorXd area;       ///< [L^2] (n) at creation
+  Eigen::VectorXd mass;       ///< [M] (n) > 0
+  Eigen::VectorXd inertia;    ///< [M L^2] (n) about the centroid, RMOI
+  Eigen::Matrix2Xd centroid;  ///< [L] (2, n) XC, YC
+  Eigen::Matrix2Xd velocity;  ///< [L/T] (2, n) VX, VY
+  Eigen::VectorXd angle;      ///< rad (n) accumulated, for output
+  Eigen::VectorXd spin;       ///< rad/T (n) TDOT
+  Eigen::Matrix2Xd force;     ///< [F] (2, n) FX, FY of the last step, without gravity
+  Eigen::VectorXd moment;     ///< [F L] (n) MOM of the last step
+  Eigen::Matrix4Xd applied;   ///< [F/L^2] (4, n) applied stress (9), TAUA
+  Eigen::Matrix4Xd stress;    ///< [F/L^2] (4, n) internal stress (12), TAUI; 12 = 21
   Eigen::Matrix4Xd strain_rate;  ///< 1/T (4, n) (10), EDOT; 12 = 21
 
   int size() const { return static_cast<int>(material.size()); }
@@ -60,8 +65,20 @@ struct Blocks {
   geometry::Polygon outline(int b) const;
 
   /// Appends blocks at rest. Throws std::invalid_argument when a corner is not finite,
-  /// an area or density is not positive or a block has more than geometry::most_corners.
+  /// an area or density is not positive or a block has more than
+  /// geometry::most_corners.
   void append(const std::vector<NewBlock>& blocks);
+
+  /// Calls visit(block, corners) for the convex parts in `cuts`; corners are a
+  /// std::span<const int>.
+  template <class Visit> void each_cut(const Visit& visit) const {
+    for (std::size_t k = 0; k < cuts.size();
+         k += 2 + static_cast<std::size_t>(cuts[k + 1]))
+      visit(cuts[k],
+            std::span(cuts).subspan(k + 2, static_cast<std::size_t>(cuts[k + 1])));
+  }
+  /// Adds the cuts of block b, which is not convex, for this outline.
+  void cut(int b, const geometry::Polygon& outline);
 
   /// Stops block b for good: velocities, spin and strain rates zero (rules 14, 22).
   void fix(int b, Fixity why);

@@ -1,4 +1,4 @@
-// The list of potential contacts (report 3.2, Appendix D), as structure of arrays.
+// The contacts that act (report 3.2, Appendix D), as structure of arrays.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,7 @@
 
 namespace blocks {
 
-/// What a record that acts has besides its place: 4 of 5 records of a list do not.
+/// The forces of a contact.
 struct ActingContact {
   int record = 0;               ///< index in the list
   double normal_elastic = 0.0;  ///< [F] FN, spring only, >= 0
@@ -17,10 +17,12 @@ struct ActingContact {
   bool operator==(const ActingContact&) const = default;
 };
 
-/// Records (corner, edge), ordered by pair of blocks (lower number first), then corner,
-/// then edge, so that sums over the list do not depend on how it was found. k records.
+/// Contacts (corner, edge) of the last step, ordered by pair of blocks (lower number
+/// first), then corner, then edge. Of k contacts those that are not active have ended;
+/// a step lists active ones only. What may act next is working state of the step
+/// (dynamics/pair_contacts.hpp).
 struct Contacts {
-  std::vector<int> corner;            ///< (k) corner that may penetrate, NPC
+  std::vector<int> corner;            ///< (k) corner that penetrates, NPC
   std::vector<int> edge;              ///< (k) first corner of the edge, NPE
   std::vector<bool> active;           ///< (k) acted in the last step
   std::vector<ActingContact> acting;  ///< of the active ones, in the order of the list

@@ -126,6 +126,10 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
             &Blocks::moment, &Blocks::applied, &Blocks::stress, &Blocks::strain_rate);
   for (int& block : to.corner_block)
     block = blocks_.new_of[block];
+  to.cuts = from.cuts;
+  for (std::size_t k = 0; k < to.cuts.size();
+       k += 2 + static_cast<std::size_t>(to.cuts[k + 1]))
+    to.cuts[k] = blocks_.new_of[to.cuts[k]];
   for (std::vector<int>* beside : {&to.next, &to.previous})
     for (int& corner : *beside)
       corner = corners_.new_of[corner];

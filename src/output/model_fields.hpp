@@ -58,7 +58,7 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
 
 template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   auto& [first_corner, corner_block, next, previous, arm, corner, material, fixity,
-         convex, layer, area, mass, inertia, centroid, velocity, angle, spin, force,
+         convex, cuts, layer, area, mass, inertia, centroid, velocity, angle, spin, force,
          moment, applied, stress, strain_rate] = blocks;
   ar("blocks/first_corner", first_corner);
   ar("blocks/corner_block", corner_block);
@@ -69,6 +69,7 @@ template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   ar("blocks/material", material);
   ar("blocks/fixity", fixity);
   ar("blocks/convex", convex);
+  ar("blocks/cuts", cuts);
   ar("blocks/layer", layer);
   ar("blocks/area", area);
   ar("blocks/mass", mass);

@@ -144,6 +144,25 @@ void expect_corners(const Blocks& b) {
                                c - first + 1, k + 1));
 }
 
+/// Convex parts of blocks that are not convex, each with three corners or more.
+void expect_cuts(const Blocks& b) {
+  const auto refuse = [] { impossible("blocks/cuts holds no convex parts"); };
+  std::vector<char> is_cut(b.convex.begin(), b.convex.end());
+  for (std::size_t k = 0; k < b.cuts.size();) {
+    const std::size_t left = b.cuts.size() - k;
+    if (left < 2 || b.cuts[k] < 0 || b.cuts[k] >= b.size() || b.convex[b.cuts[k]] ||
+        b.cuts[k + 1] < 3 || static_cast<std::size_t>(b.cuts[k + 1]) > left - 2)
+      refuse();
+    is_cut[b.cuts[k]] = 1;
+    for (int i = 0; i < b.cuts[k + 1]; ++i)
+      if (const int c = b.cuts[k + 2 + i]; c < 0 || c >= b.corners_of(b.cuts[k]))
+        refuse();
+    k += 2 + static_cast<std::size_t>(b.cuts[k + 1]);
+  }
+  if (std::find(is_cut.begin(), is_cut.end(), 0) != is_cut.end())
+    refuse();
+}
+
 void expect_blocks(const Blocks& b, const Settings& settings) {
   expect_corners(b);
   const Eigen::Index n = b.size(), m = b.corners();
@@ -155,6 +174,7 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
           fmt::format("blocks/material names material {}, which is not there", number));
   expect_all("blocks/fixity", b.fixity, n, {0.0, 2.0, "0, 1 or 2"});
   expect_all("blocks/convex", b.convex, n, yes_or_no);
+  expect_cuts(b);
   expect_all("blocks/layer", b.layer, n, not_negative);
   for (const auto& [name, column] : {std::pair{"blocks/area", &b.area},
                                      {"blocks/mass", &b.mass},

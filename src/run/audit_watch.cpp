@@ -5,48 +5,53 @@
 #include <algorithm>
 
 #include "audit/audit.hpp"
+#include "audit/make_exact_rule.hpp"
+#include "audit/story.hpp"
 #include "audit/words.hpp"
+#include "dynamics/contact_search.hpp"
 
 namespace blocks::run {
 namespace {
 
-/// More say no more.
+/// Faults of one moment that are reported; more of them tell the user nothing new.
 constexpr std::size_t most_faults = 10;
 
 }  // namespace
 
 void AuditWatch::before(const Model& model) {
   blocks_ = model.blocks;
-  // a list that is not current is made anew where the blocks now stand
-  left_ = model.search.current ? model.search.left : model.settings.contact_tolerance;
+  // The step makes a new list first if the present one is not current.
+  left_ = model.search.current ? model.search.left : dynamics::list_tolerance(model);
 }
 
-AuditWatch::Verdict AuditWatch::after(const Model& model) {
-  const audit::Findings found =
-      audit::audit({blocks_, model.contacts, model.settings, left_});
+AuditWatch::Verdict AuditWatch::after(const Model& model,
+                                      std::vector<audit::BlockPair> listed) {
+  const audit::Moment moment{blocks_, model.contacts,    model.settings,
+                             left_,   std::move(listed), model.order};
+  const audit::Findings found = audit::audit(moment);
   const long step = model.steps;
   const double time = model.time - model.time_step.dt;  // when it was decided
   ++totals_.moments;
-  totals_.pairs += found.pairs, totals_.records += found.records;
-  totals_.acting += found.acting, totals_.hanging += found.hanging;
+  totals_.pairs += found.pairs, totals_.acting += found.acting;
   totals_.missed += static_cast<long>(found.missed.size());
   totals_.wrong += static_cast<long>(found.wrong.size());
 
   Verdict verdict;
-  const auto fault = [&](const std::string& text, int corner, int block) {
+  const auto fault = [&](const std::string& text, int first, int second) {
     if (verdict.faults.size() == most_faults)
       return;
     verdict.faults.push_back(
         fmt::format("at time {:g} (step {}) audit: {}", time, step, text));
-    const audit::ExactRules rules(blocks_, 2.0 * model.settings.contact_tolerance);
-    for (const std::string& line : audit::story(rules, rules.decide(corner, block)))
+    const audit::ExactPairRule rule =
+        audit::make_exact_rule(blocks_, 0.0, moment.order);
+    for (const std::string& line :
+         audit::story(rule, first, second, rule.decide(first, second)))
       verdict.stories.push_back("  " + line);
   };
-  for (const auto& missed : found.missed)
-    fault(audit::tell(blocks_, missed), missed.corner,
-          blocks_.corner_block[missed.edge]);
-  for (const auto& wrong : found.wrong)
-    fault(audit::tell(blocks_, wrong), wrong.corner, wrong.block);
+  for (const audit::BlockPair& missed : found.missed)
+    fault(audit::tell(missed), missed.first, missed.second);
+  for (const audit::WrongPair& wrong : found.wrong)
+    fault(audit::tell(blocks_, wrong), wrong.first, wrong.second);
   totals_.faults.insert(totals_.faults.end(), verdict.faults.begin(),
                         verdict.faults.end());
 
@@ -102,16 +107,13 @@ AuditWatch::Verdict AuditWatch::after(const Model& model) {
 
 std::string AuditWatch::closing() const {
   return fmt::format(
-      "audit every {} steps: {} moments, {} pairs of a corner and a block, {} records "
-      "due "
-      "in the list, {} acting contacts; pairs missed: {}; wrong decisions: {}; decided "
-      "by "
-      "rounding at a closed joint: {}; pairs of blocks that overlap more than their "
-      "contacts explain: {} (worst {:.3g}); contacts deeper than the overlap of their "
-      "blocks: {} (worst {:.3g})",
-      totals_.every, totals_.moments, totals_.pairs, totals_.records, totals_.acting,
-      totals_.missed, totals_.wrong, totals_.hanging, totals_.excess.size(),
-      totals_.worst.excess(), totals_.deep.size(), totals_.deepest.excess());
+      "audit every {} steps: {} moments, {} pairs of blocks near each other, {} acting "
+      "contacts; pairs missed: {}; wrong decisions: {}; pairs of blocks that overlap "
+      "more than their contacts explain: {} (worst {:.3g}); contacts deeper than the "
+      "overlap of their blocks: {} (worst {:.3g})",
+      totals_.every, totals_.moments, totals_.pairs, totals_.acting, totals_.missed,
+      totals_.wrong, totals_.excess.size(), totals_.worst.excess(), totals_.deep.size(),
+      totals_.deepest.excess());
 }
 
 }  // namespace blocks::run

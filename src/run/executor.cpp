@@ -220,7 +220,8 @@ void Executor::watch(const dynamics::Displacement& moved) {
 /// Tells what the audit of the step just made found. False: a decision was wrong, or
 /// the list misses a pair.
 bool Executor::passes_audit() {
-  const AuditWatch::Verdict verdict = audit_.after(stepper_.up_to_date());
+  const AuditWatch::Verdict verdict =
+      audit_.after(stepper_.up_to_date(), stepper_.listed_pairs());
   for (const auto* told : {&verdict.overlaps, &verdict.deep})
     for (const std::string& line : *told)
       files_.message(line);

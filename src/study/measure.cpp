@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <memory>
 
 #include "dynamics/step.hpp"
 #include "geometry/overlap.hpp"
-#include "model/contact_blocks.hpp"
+#include "study/exact_judge.hpp"
 
 namespace blocks::study {
 namespace {
@@ -72,71 +72,6 @@ bool passes_through(const Scene& scene, double scale, const Blocks& blocks,
 bool is_checkpoint(long k, long steps, long looks) {
   return (k + 1) % ((steps + looks - 1) / looks) == 0 || k + 1 == steps;
 }
-
-/// (pair, corner, edge): the order of lists.
-using Key = std::tuple<int, int, int, int>;
-Key key(const Blocks& blocks, const Contacts& contacts, int i) {
-  const auto [low, high] = pair_of(blocks, contacts, i);
-  return {low, high, contacts.corner[i], contacts.edge[i]};
-}
-
-/// The default rules on a list of their own, at the positions of another run. The list
-/// reaches twice as far and is found without boxes.
-class ExactJudge {
- public:
-  explicit ExactJudge(const Model& model) : shadow_(model) {
-    shadow_.settings.contact_tolerance *= 2.0;
-    shadow_.settings.boxes_x = shadow_.settings.boxes_y = 1;
-  }
-
-  /// Decides where the blocks stand.
-  void decide(const Model& model) {
-    if (model.search.updates != seen_) {
-      shadow_.blocks = model.blocks;
-      shadow_.search.current = false;
-      find_contacts(shadow_, buffers_, List::reach, false);
-      seen_ = model.search.updates;
-    }
-    acting_.clear();
-    const dynamics::ContactDecision<dynamics::ExactRules> decision(
-        model.blocks, shadow_.contacts, buffers_.groups);
-    for (const dynamics::ContactGroup& group : buffers_.groups.all) {
-      if (group.of_notch)  // with the group before
-        continue;
-      const int block = edge_block(shadow_.blocks, shadow_.contacts, group);
-      const int i = decision.acting_record(group, block);
-      for (const int record : {i, decision.notch_record(group, block, i)})
-        if (record >= 0)
-          acting_.push_back(key(shadow_.blocks, shadow_.contacts, record));
-    }
-    std::sort(acting_.begin(), acting_.end());
-  }
-
-  /// Compares with the contacts that acted in the step from there.
-  void compare(const Contacts& contacts, Outcome& outcome) const {
-    auto exact = acting_.begin();
-    long right = 0, acted = 0;
-    for (int i = 0; i < contacts.size(); ++i) {
-      if (!contacts.active[i])
-        continue;
-      ++acted;
-      const Key k = key(shadow_.blocks, contacts, i);
-      while (exact != acting_.end() && *exact < k)
-        ++exact;
-      right += exact != acting_.end() && *exact == k;
-    }
-    outcome.acting += acted;
-    outcome.phantom += acted - right;
-    outcome.exact += static_cast<long>(acting_.size());
-    outcome.missed += static_cast<long>(acting_.size()) - right;
-  }
-
- private:
-  Model shadow_;
-  dynamics::SearchBuffers buffers_;
-  long seen_ = -1;
-  std::vector<Key> acting_;
-};
 
 std::uint64_t hash_acting(const Contacts& contacts) {
   std::uint64_t state = 0xCBF29CE484222325ULL;
@@ -239,7 +174,8 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   Outcome outcome;
   Model model = place(scene.model, frame, variant.corners);
   dynamics::SearchBuffers buffers;
-  ExactJudge judge(model);
+  const std::unique_ptr<VariantRun> run = variant.start();
+  ExactJudge judge;
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
   const double energy_at_start = total_energy(model, start);
@@ -248,11 +184,11 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   Pace pace(scene, frame);
   const bool leads = trace.empty(), follows = variant.corners == Corners::sharp;
   for (long k = 0; k < steps; ++k) {
-    variant.find(model, buffers);
+    run->find(model, buffers);
     judge.decide(model);
-    variant.judge_signs(model, outcome.signs);
-    const bool finite = variant.step(model, buffers).finite;
-    judge.compare(model.contacts, outcome);
+    variant.judge_signs(model.blocks, buffers.pairs, outcome.signs);
+    const bool finite = run->step(model, buffers).finite;
+    judge.compare(model.blocks, model.contacts, outcome);
     const std::uint64_t hash = hash_acting(model.contacts);
     if (leads)
       trace.push_back(hash);
@@ -286,6 +222,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
 std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
   Model model = place(scene.model, Frame{}, variant.corners);
   dynamics::SearchBuffers buffers;
+  const std::unique_ptr<VariantRun> run = variant.start();
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
   const SharedByPair shared_at_start = shared_by_pair(model.blocks);
@@ -296,8 +233,8 @@ std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
                                  : std::numeric_limits<double>::infinity();
   std::string doubt;
   for (long k = 0; k < steps && doubt.empty(); ++k) {
-    variant.find(model, buffers);
-    if (!variant.step(model, buffers).finite)
+    run->find(model, buffers);
+    if (!run->step(model, buffers).finite)
       doubt = fmt::format("is unsound: numbers are not finite after step {}", k + 1);
     else if (total_energy(model, start) - energy_at_start > most_gained &&
              most_gained > 0.0)

@@ -1,59 +1,28 @@
 #include "study/variants.hpp"
 
-#include "dynamics/contact_loop.hpp"
-#include "dynamics/contact_readings.hpp"
+#include <algorithm>
+
 #include "dynamics/pair_step.hpp"
-#include "dynamics/step.hpp"
+#include "study/corner_rules/corner_rules.hpp"
+#include "study/near_corners.hpp"
+#include "study/signs.hpp"
 
 namespace blocks::study {
 namespace {
 
-template <class Rules>
-dynamics::Displacement step(Model& model, dynamics::SearchBuffers& buffers) {
-  const dynamics::Extremes touching = dynamics::evaluate_contacts_by<Rules>(
-      model.blocks, model.contacts, buffers.groups, model.settings, model.time_step.dt,
-      *buffers.workers);
-  dynamics::read_contacts(model.blocks, model.contacts, buffers.groups, model.settings,
-                          model.time_step.dt);
-  const dynamics::Displacement moved = dynamics::move(model, buffers, touching);
-  dynamics::catch_up(model, buffers);
-  return moved;
-}
+using dynamics::PairContacts;
+using dynamics::PairScratch;
+using dynamics::SearchBuffers;
 
-template <class Signs> void judge_signs(const Model& model, SignTally& tally) {
-  const Blocks& blocks = model.blocks;
-  const Contacts& contacts = model.contacts;
-  for (int i = 0; i < contacts.size(); ++i) {
-    const int k = contacts.corner[i], e = contacts.edge[i];
-    const Vec2 c = blocks.corner.col(k), p1 = blocks.corner.col(e);
-    const Vec2 p2 = blocks.corner.col(blocks.next[e]);
-    ++tally.areas;
-    tally.wrong_areas +=
-        Signs::overlap_sign(c, p1, p2) != geometry::exact::overlap_sign(c, p1, p2);
-    for (const int n : {blocks.previous[k], blocks.next[k]}) {
-      const Vec2 neighbour = blocks.corner.col(n);
-      ++tally.tangents;
-      // judged with the filter, proved and tested: (20) is slow without
-      tally.wrong_tangents += Signs::faces_edge(c, neighbour, p1, p2) !=
-                              geometry::faces_edge(c, neighbour, p1, p2);
-    }
+/// The contact rule with other predicates. Every pair is decided in every step.
+template <class Predicates, bool transfers = true> struct PairRules {
+  static constexpr bool keeps_decisions = false, transfers_springs = transfers;
+  static void decide(const Blocks& blocks, const PairContacts& all, int p,
+                     PairScratch& scratch) {
+    dynamics::decide_exactly<Predicates>(blocks, all, p, scratch);
   }
-}
+};
 
-template <class Signs, Use use>
-constexpr Variant variant(std::string_view name, std::string_view what,
-                          Corners corners = Corners::sharp) {
-  return {name,
-          what,
-          corners,
-          [](Model& model, dynamics::SearchBuffers& buffers) {
-            find_contacts(model, buffers, use.list, !use.nearest_edge);
-          },
-          step<VariantRules<Signs, use>>,
-          judge_signs<Signs>};
-}
-
-/// Decided pair by pair.
 struct NoEntry : dynamics::ExactPredicates {
   static constexpr bool entry = false;
 };
@@ -66,103 +35,159 @@ struct NoJoints : dynamics::ExactPredicates {
 struct NoFaces : dynamics::ExactPredicates {
   static constexpr bool faces = false;
 };
-template <class Given> struct PairRules {
-  using Predicates = Given;
-  static constexpr bool keeps_decisions =
-      std::is_same_v<Predicates, dynamics::ExactPredicates>;
+
+/// The rules of the report (3.2, 3.3): of the listed corners each is decided with each
+/// edge by itself.
+template <class Signs, bool keeps_list> class ReportRules {
+ public:
+  static constexpr bool keeps_decisions = false, transfers_springs = false;
+
+  void find(Model& model, SearchBuffers& buffers) {
+    const double tolerance = model.settings.contact_tolerance;
+    update_pairs(model, buffers,
+                 keeps_list ? near_.pairs(model.blocks)
+                            : std::vector<dynamics::NearPair>());
+    if (model.search.updates == listed_)
+      return;
+    near_.find(model, buffers.pairs, 2.0 * tolerance, keeps_list);
+    model.search.left = std::min(model.search.left, tolerance);
+    listed_ = model.search.updates;
+  }
+  void decide(const Blocks& blocks, const PairContacts& all, int p,
+              PairScratch& scratch) const {
+    scratch.found.clear();
+    for (const dynamics::CornerOnEdge& one :
+         near_.of(all.pairs[p].low, all.pairs[p].high))
+      if (acts(blocks, one.corner, one.edge))
+        scratch.found.push_back(one);
+  }
+
+ private:
+  static bool acts(const Blocks& blocks, int corner, int edge) {
+    const auto at = [&](int k) { return Vec2(blocks.corner.col(k)); };
+    const Vec2 c = at(corner), p1 = at(edge), p2 = at(blocks.next[edge]);
+    return Signs::overlap_sign(c, p1, p2) > 0 && Signs::between(c, p1, p2) &&
+           Signs::faces_edge(c, at(blocks.previous[corner]), p1, p2) &&
+           Signs::faces_edge(c, at(blocks.next[corner]), p1, p2);
+  }
+
+  NearCorners near_;
+  long listed_ = -1;  ///< NUPDAT when the list was made
 };
-template <class Predicates>
-constexpr Variant by_pairs(std::string_view name, std::string_view what) {
-  Variant run = variant<ExactSigns<Ends::slack>, Use{}>(name, what);
-  run.find = dynamics::update_pairs;
-  run.step = dynamics::step_by_pairs<PairRules<Predicates>>;
-  return run;
+
+/// Rules may have a find() of their own.
+template <class Rules> class RunBy : public VariantRun {
+ public:
+  void find(Model& model, SearchBuffers& buffers) override {
+    if constexpr (requires { rules_.find(model, buffers); })
+      rules_.find(model, buffers);
+    else
+      update_pairs(model, buffers);
+  }
+  dynamics::Displacement step(Model& model, SearchBuffers& buffers) override {
+    return step_by_pairs(model, buffers, rules_);
+  }
+
+ private:
+  Rules rules_;
+};
+
+template <class Signs>
+void judge_signs(const Blocks& blocks, const PairContacts& all, SignTally& tally) {
+  const auto judge = [&](int k, int e) {
+    const Vec2 c = blocks.corner.col(k), p1 = blocks.corner.col(e);
+    const Vec2 p2 = blocks.corner.col(blocks.next[e]);
+    ++tally.areas;
+    tally.wrong_areas +=
+        Signs::overlap_sign(c, p1, p2) != geometry::exact::overlap_sign(c, p1, p2);
+    for (const int n : {blocks.previous[k], blocks.next[k]}) {
+      const Vec2 neighbour = blocks.corner.col(n);
+      ++tally.tangents;
+      // The exact answer has the proved filter here: without it (20) is slow.
+      tally.wrong_tangents += Signs::faces_edge(c, neighbour, p1, p2) !=
+                              geometry::faces_edge(c, neighbour, p1, p2);
+    }
+  };
+  const auto judge_all = [&](int own, int other) {
+    for (int c = blocks.first_corner[own]; c < blocks.first_corner[own + 1]; ++c)
+      for (int e = blocks.first_corner[other]; e < blocks.first_corner[other + 1]; ++e)
+        judge(c, e);
+  };
+  for (const dynamics::NearPair& pair : all.pairs)
+    judge_all(pair.low, pair.high), judge_all(pair.high, pair.low);
 }
 
-/// The step of every run itself, its list already up to date.
-constexpr Variant as_run(std::string_view name, std::string_view what) {
-  Variant run = variant<ExactSigns<Ends::slack>, Use{}>(name, what);
-  run.step = dynamics::step;
-  return run;
+template <class Rules, class Signs = ExactSigns<Ends::slack>>
+constexpr Variant variant(std::string_view name, std::string_view what,
+                          Corners corners = Corners::sharp) {
+  return {
+      name, what, corners,
+      []() -> std::unique_ptr<VariantRun> { return std::make_unique<RunBy<Rules>>(); },
+      judge_signs<Signs>};
+}
+template <class Signs>
+constexpr Variant other_signs(std::string_view name, std::string_view what) {
+  return variant<PairRules<Signs>, Signs>(name, what);
+}
+template <class Signs, bool keeps_list>
+constexpr Variant by_report(std::string_view name, std::string_view what) {
+  return variant<ReportRules<Signs, keeps_list>, Signs>(name, what);
 }
 
-using Exact = ExactSigns<Ends::slack>;
-template <class Area> using Plain = PlainSigns<Area, Ends::slack>;
-
-/// Ours, but every decision taken anew in every step.
-constexpr Use ours = {};
-/// Ours but for one rule.
-constexpr Use no_facing = {.facing = false};
-constexpr Use no_nearest = {.nearest_edge = false};
-constexpr Use bare = {.far_edges_meet = false, .facing = false, .nearest_edge = false};
-/// The shape of the corners, not (20), says which edge a corner can meet.
-constexpr Use shaped = {.far_edges_meet = false, .facing = false, .shield = false};
-constexpr Use no_meeting = {.far_edges_meet = false};
-constexpr Use no_shield = {.shield = false};
-constexpr Use no_hand_over = {.hands_over = false};
-constexpr Use by_edge = {.whole_block = false};
-constexpr Use kept_list = [] {
-  Use use = report_rules;
-  use.list = List::kept;
-  return use;
-}();
+using Differences = TranslatedArea<double>;
+using LongDifferences = TranslatedArea<long double>;
 
 }  // namespace
 
 const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
-      as_run("default", "the step of every run: exact, slack 1e-6, (20), meeting, "
-                        "nearest edge, closed joints, hand-over"),
-      by_pairs<dynamics::ExactPredicates>("pairs",
-                                          "the first entered axis of a pair of blocks, "
-                                          "or the surface of a closed joint "
-                                          "that hides it"),
-      by_pairs<NoEntry>("pairs-no-entry", "pairs, whether an axis is entered or not"),
-      by_pairs<NoCrossing>("pairs-no-crossing",
-                           "pairs, but only corners inside a block have entered it"),
-      by_pairs<NoJoints>("pairs-no-joints", "pairs without what closed joints hide"),
-      by_pairs<NoFaces>("pairs-no-faces",
-                        "pairs, but of two faces one corner acts, the deepest"),
+      variant<dynamics::ContactRules>(
+          "default", "the contact rule of every run: the first entered "
+                     "axis of a pair of blocks, or the surface of a "
+                     "closed joint that hides it"),
+      // parts left out
+      variant<PairRules<NoEntry>>("no-entry",
+                                  "default, whether an axis is entered or not"),
+      variant<PairRules<NoCrossing>>(
+          "no-crossing", "default, but only corners inside a block have entered it"),
+      variant<PairRules<NoJoints>>("no-joints",
+                                   "default without what closed joints hide"),
+      variant<PairRules<NoFaces>>(
+          "no-faces", "default, but of two faces one corner acts, the deepest"),
+      variant<PairRules<dynamics::ExactPredicates, false>>(
+          "no-hand-over", "default, but springs do not pass to other contacts"),
       // arithmetic
-      variant<Plain<PrintedArea>, ours>(
-          "printed",
-          "default, but (19) as printed, in doubles and absolute coordinates"),
-      variant<Plain<TranslatedArea<double>>, ours>(
+      other_signs<PlainSigns<PrintedArea, Ends::slack>>(
+          "printed", "default, but (19) as printed, in doubles and absolute "
+                     "coordinates"),
+      other_signs<PlainSigns<Differences, Ends::slack>>(
           "double", "default, but plain doubles on differences of coordinates"),
-      variant<Plain<TranslatedArea<long double>>, ours>(
+      other_signs<PlainSigns<LongDifferences, Ends::slack>>(
           "long-double", "the same in long doubles (64 bits of mantissa)"),
       // ends of an edge
-      variant<ExactSigns<Ends::strict>, ours>(
+      other_signs<ExactSigns<Ends::strict>>(
           "strict", "default, but without slack: on the limit is outside"),
-      variant<ExactSigns<Ends::inclusive>, ours>(
+      other_signs<ExactSigns<Ends::inclusive>>(
           "inclusive", "default, but without slack: on the limit is inside"),
-      variant<Exact, by_edge>(
-          "edge", "default, but \"between\" asked of the edge, not of the whole block"),
-      // rules left out
-      variant<Exact, no_facing>("no-20", "default without (20)"),
-      variant<Exact, no_nearest>("no-nearest", "default without the nearest edge"),
-      variant<Exact, bare>("bare", "default without (20), nearest edge and meeting"),
-      variant<Exact, no_meeting>(
-          "no-meeting", "default, but far edges also act on blocks that do not "
-                        "reach them"),
-      variant<Exact, no_shield>("no-shield", "default without what closed joints hide"),
-      variant<Exact, no_hand_over>("no-hand-over", "default without hand-over"),
+      // another rule
+      variant<CornerRules>("corners",
+                           "the rules of runs until 2026: each corner by itself, (20), "
+                           "nearest edge, closed joints, exact"),
       // 1982
-      variant<PlainSigns<PrintedArea, Ends::inclusive>, report_rules>(
+      by_report<PlainSigns<PrintedArea, Ends::inclusive>, false>(
           "report", "the report's rules in doubles, (19) as printed"),
-      variant<ExactSigns<Ends::inclusive>, report_rules>(
+      by_report<ExactSigns<Ends::inclusive>, false>(
           "report-exact", "the report's rules decided exactly"),
-      variant<ExactSigns<Ends::inclusive>, kept_list>(
+      by_report<ExactSigns<Ends::inclusive>, true>(
           "keep", "report-exact, and a pair once listed stays for ever"),
-      // other codes: other corners instead of (20)
-      variant<Exact, shaped>("chamfer",
-                             "no-20, no joints; corners cut by 1 % of a side",
-                             Corners::chamfered),
-      variant<Exact, shaped>("rounded", "the same; corners rounded over 1 % of a side",
-                             Corners::rounded),
-      variant<Exact, shaped>("skin",
-                             "the same; outlines moved inwards by 0.1 % of the size",
-                             Corners::skinned),
+      // other codes: other corners
+      variant<PairRules<NoJoints>>("chamfer", "no-joints; corners cut by 1 % of a side",
+                                   Corners::chamfered),
+      variant<PairRules<NoJoints>>(
+          "rounded", "no-joints; corners rounded over 1 % of a side", Corners::rounded),
+      variant<PairRules<NoJoints>>(
+          "skin", "no-joints; outlines moved inwards by 0.1 % of the size",
+          Corners::skinned),
   };
   return all;
 }

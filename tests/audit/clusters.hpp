@@ -66,8 +66,23 @@ class Clusters {
   using Polygon = geometry::Polygon;
 
   void add(Polygon outline) {
+    if (one_in(5))
+      outline = with_straight_corner(outline);
     if (clockwise_area(outline) > 1e-9)
       outlines_.push_back(std::move(outline));
+  }
+  /// One side becomes two or three sides in line.
+  Polygon with_straight_corner(Polygon outline) {
+    const std::size_t i =
+        static_cast<std::size_t>(whole(static_cast<int>(outline.size())));
+    const Vec2 from = outline[i], to = outline[(i + 1) % outline.size()];
+    const double place = one_in(2) ? 0.5 : uniform(0.1, 0.9);
+    std::vector<Vec2> between = {from + place * (to - from)};
+    if (one_in(3))
+      between.push_back(between[0] + 0.25 * (to - between[0]));
+    outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                   between.begin(), between.end());
+    return outline;
   }
   void box(double x, double y, double w, double h) {
     add({{x, y}, {x, y + h}, {x + w, y + h}, {x + w, y}});

@@ -14,7 +14,8 @@
 #include <sstream>
 
 #include "audit/clusters.hpp"
-#include "audit/pair_words.hpp"
+#include "audit/story.hpp"
+#include "audit/words.hpp"
 #include "dynamics/rules/pair_rule.hpp"
 
 namespace blocks {
@@ -121,7 +122,7 @@ std::string disagreement(const std::vector<NewBlock>& made, std::uint64_t seed,
       const ContactSet program = cluster.by_program(a, b);
       if (program == decision.contacts)
         continue;
-      found += audit::tell_wrong_pair(cluster.blocks, a, b, program, decision.contacts);
+      found += audit::tell(cluster.blocks, {a, b, program, decision.contacts});
       for (const std::string& line : audit::story(judge, a, b, decision))
         found += "\n  " + line;
       found += "\n";
@@ -157,6 +158,7 @@ struct Branches {
       for (const audit::Axis& axis : part.axes)
         if (axis.looked_at)
           add_joints(axis, part);
+      count["face of several sides in line"] += part.candidates.size() > 5;
       for (const audit::Candidate& candidate : part.candidates) {
         count["contacts"] += candidate.acts;
         count["candidate between but not inside"] +=
@@ -204,6 +206,9 @@ struct Branches {
     case Entry::inside:
       ++count["entered inside"];
       break;
+    case Entry::other_end:
+      ++count["entered by the other end"];
+      break;
     case Entry::foot:
       ++count["entered by the foot"];
       break;
@@ -249,19 +254,21 @@ const std::map<std::string, int> least_count = {
     {"covered joint at the facing side", 200},
     {"entered by crossing", 500},
     {"entered by the foot", 2000},
+    {"entered by the other end", 200},
     {"entered inside", 10000},
+    {"face of several sides in line", 200},
     {"first entered axis acts", 10000},
     {"hidden by two or more joints", 500},
     {"inner side that is not hidden", 500},
     {"joint of an inner side at the axis side", 500},
-    {"joint of an inner side at the corner", 500},
+    {"joint of an inner side at the corner", 200},
     {"joint of an inner side at the facing side", 200},
     {"least axis touches", 2000},
     {"not entered", 5000},
     {"pairs", 10000},
     {"second surface acts", 50},
     {"stands in without contact, acts", 200},
-    {"stands in without contact, nothing acts", 100},
+    {"stands in without contact, nothing acts", 50},
     {"stands in without entry, acts", 200},
     {"stands in without entry, nothing acts", 50},
     {"stands in, surfaces hidden, acts", 100},
@@ -396,8 +403,7 @@ TEST(ExactPairRule, AClosedJointIsHiddenAndTheStorySaysWhy) {
   EXPECT_EQ(
       lines[1],
       "axis of edge 3 of block 1: corner 2 of block 3 is 0.0625 deep, facing edge 1 "
-      "of block 3: entered: the foot of its corner is beyond an end of the side; "
-      "hidden "
+      "of block 3: entered: the other end of its facing side is inside; hidden "
       "by a closed joint: at corner 3 of block 1 the surface of edge 2 of block 1 goes "
       "on: neighbours cover 100 % of the stretch (0.25) and 100 % of the interval "
       "(0.25) of edge 3 of block 1, most of it by edge 1 of block 2; the surface that "

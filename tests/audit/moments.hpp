@@ -4,28 +4,47 @@
 #include <random>
 
 #include "audit/audit.hpp"
+#include "audit/make_exact_rule.hpp"
+#include "dynamics/contact_search.hpp"
+#include "dynamics/stepper.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks::testing {
 
-/// One step: the blocks before it, for what was decided in it.
-struct AuditedStep {
+/// A model that is stepped, with all that the audit has to know of its last step. The
+/// model may have an order of its own.
+class AuditedRun {
+ public:
+  explicit AuditedRun(Model& stepped) : model(stepped), stepper_(stepped, buffers_) {}
+
+  void step() {
+    before = stepper_.up_to_date().blocks;
+    left = model.search.current ? model.search.left : dynamics::list_tolerance(model);
+    stepper_.advance(true);
+    stepper_.up_to_date();
+    listed = stepper_.listed_pairs();
+  }
+  /// Judges the last step.
+  audit::Findings audit() const {
+    return audit::audit(
+        {before, model.contacts, model.settings, left, listed, model.order});
+  }
+
+  Model& model;
   Blocks before;
   double left = 0.0;
+  std::vector<audit::BlockPair> listed;
 
-  explicit AuditedStep(scenes::Scene& scene)
-      : before(scene.model.blocks),
-        left(scene.model.search.current ? scene.model.search.left
-                                        : scene.model.settings.contact_tolerance) {
-    scene.step();
-  }
-  audit::Findings audit(const scenes::Scene& scene) const {
-    return audit::audit({before, scene.model.contacts, scene.model.settings, left});
-  }
+ private:
+  dynamics::SearchBuffers buffers_;
+  dynamics::Stepper stepper_;
 };
 
 inline audit::Findings audited_step(scenes::Scene& scene) {
-  return AuditedStep(scene).audit(scene);
+  scene.prepare();
+  AuditedRun run(scene.model);
+  run.step();
+  return run.audit();
 }
 
 /// Regular and squeezed polygons of 3 to 7 corners, clockwise, and stars, dropped

@@ -4,10 +4,8 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <fstream>
 #include <vector>
 
-#include "dynamics/give_back.hpp"
 #include "sanitized.hpp"
 #include "scenes/scene.hpp"
 
@@ -42,18 +40,19 @@ TEST(Step, AllocatesNothing) {
     scene.plane({-9, 5}, {-9, -5});
     scene.gravity(0.5, -10);
     scene.run(0.3);
-    long searches = 0, quiet = 0;
+    long searches = 0, quiet = 0, grown = 0;
     for (int i = 0; i < 2000; ++i) {
       const long updates = scene.model.search.updates, before = asked;
       scene.step();
-      if (scene.model.search.updates != updates) {
+      if (scene.model.search.updates != updates)
         ++searches;
-        continue;
-      }
-      ++quiet;
-      ASSERT_EQ(asked, before) << "step " << i;
+      else if (asked != before)
+        ++grown;  // A pair has got more contacts than it ever had since the search.
+      else
+        ++quiet;
     }
     EXPECT_GT(quiet, 1500);
+    EXPECT_LT(grown, 40);
     EXPECT_GT(totals(scene.model).active_contacts, 20);
     EXPECT_LT(searches, 200);
     EXPECT_GT(asked, 0);  // the count itself
@@ -73,7 +72,6 @@ TEST(Step, AllocatesNothingWithoutSeats) {
     scene.step();
     ASSERT_EQ(asked, before) << "step " << i;
   }
-  EXPECT_GT(scene.model.contacts.size(), 0);
   EXPECT_EQ(scene.model.search.updates, 1);
 }
 
@@ -112,44 +110,20 @@ TEST(Memory, OfABrickInAWall) {
   EXPECT_GT(each, 1000.0);
 }
 
-// A million contacts stand in the lanes or in the list, whose memory is given back
-// while the other's grows: there is no room for both.
-TEST(Memory, WhatActsStandsInOnePlace) {
+// The list of contacts is made only when it is read.
+TEST(Memory, ContactsAreListedWhenTheyAreRead) {
   scenes::Scene scene;
   Model& model = scene.model;
   scene.box(-5, -1, 10, 1, true);
   scene.box(-1, 0, 2, 1);
   scene.gravity(0, -10);
-  scene.steps(20);
+  scene.prepare();
   dynamics::SearchBuffers buffers;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 20; ++k)
     dynamics::advance(model, buffers, false);
-    EXPECT_TRUE(buffers.groups.loaded);
-    EXPECT_TRUE(model.contacts.acting.empty());
-    dynamics::advance(model, buffers, true);
-    EXPECT_FALSE(buffers.groups.loaded);
-    EXPECT_EQ(model.contacts.acting.size(), 2U);
-  }
-}
-
-double resident_bytes() {
-  long all = 0, resident = 0;
-  std::ifstream("/proc/self/statm") >> all >> resident;
-  return 4096.0 * static_cast<double>(resident);  // no page is smaller
-}
-
-TEST(Memory, IsGivenBackBehindAReader) {
-  const std::size_t megabytes = 64, numbers = (megabytes << 20) / sizeof(int);
-  std::vector<int> column(numbers, 1);
-  const double before = resident_bytes();
-  dynamics::Wake wake(column.data());
-  for (std::size_t i = 0; i <= numbers / 2; i += 1024)
-    wake.passed(column.data() + i);
-  EXPECT_LT(resident_bytes(), before - 0.4 * (megabytes << 20));
-  EXPECT_EQ(column[numbers / 2], 1);  // not yet passed
-  EXPECT_EQ(column[numbers - 1], 1);
-  column.assign(numbers, 2);  // the column is still there
-  EXPECT_EQ(column[0], 2);
+  EXPECT_TRUE(model.contacts.acting.empty());
+  dynamics::catch_up(model, buffers);
+  EXPECT_EQ(model.contacts.acting.size(), 2U);
 }
 
 }  // namespace

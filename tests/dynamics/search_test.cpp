@@ -1,6 +1,4 @@
-// What a search makes of the list before: the order of the new one, and what acts.
-#include "dynamics/contact_search.hpp"
-
+// What a search for near pairs makes of the contacts before, and how rare it is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,101 +24,58 @@ scenes::Scene settled_wall() {
   return scene;
 }
 
-std::vector<std::tuple<int, int, int, int>> places(const Model& model) {
+// A new search of near pairs, when nothing has moved, changes neither the contacts nor
+// their springs.
+TEST(Search, KeepsContactsAndSprings) {
+  scenes::Scene scene = settled_wall();
+  Model again = scene.model;
+  ASSERT_GT(again.contacts.acting.size(), 60U);
+  dynamics::SearchBuffers buffers;
+  for (int i = 0; i < 20; ++i) {
+    scene.step();
+    again.search.current = false;
+    dynamics::step(again, buffers);
+    ASSERT_EQ(again.contacts.corner, scene.model.contacts.corner);
+    ASSERT_EQ(again.contacts.edge, scene.model.contacts.edge);
+    ASSERT_EQ(again.contacts.acting, scene.model.contacts.acting);
+    ASSERT_EQ(again.blocks.corner, scene.model.blocks.corner);
+  }
+}
+
+// Contacts are listed by their blocks (the lower number first), corner and edge.
+TEST(Search, ListsContactsInOrder) {
+  const Model model = settled_wall().model;
   const Contacts& list = model.contacts;
-  std::vector<std::tuple<int, int, int, int>> all;
+  std::vector<std::tuple<int, int, int, int>> places;
   for (int i = 0; i < list.size(); ++i) {
     const auto [low, high] = std::minmax(model.blocks.corner_block[list.corner[i]],
                                          model.blocks.corner_block[list.edge[i]]);
-    all.emplace_back(low, high, list.corner[i], list.edge[i]);
+    places.emplace_back(low, high, list.corner[i], list.edge[i]);
   }
-  return all;
+  EXPECT_GT(places.size(), 60U);
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
 }
 
-// A list that is made again where nothing has moved is the same list, and what acts
-// keeps its forces.
-TEST(Search, MadeAgainKeepsWhatActs) {
+// A block that has been moved far away loses its contacts. Contacts between fixed
+// blocks end, too.
+TEST(Search, DropsContactsOfBlocksThatAreGone) {
   Model model = settled_wall().model;
-  const Contacts before = model.contacts;
-  ASSERT_GT(before.acting.size(), 60U);
-  dynamics::SearchBuffers buffers;
-  dynamics::update_contacts(model, buffers);
-  EXPECT_EQ(model.contacts.corner, before.corner);
-  EXPECT_EQ(model.contacts.edge, before.edge);
-  EXPECT_EQ(model.contacts.active, before.active);
-  EXPECT_EQ(model.contacts.acting, before.acting);
-}
-
-// Sums over the list do not depend on how its records were found.
-TEST(Search, OrdersTheListHoweverItWasFound) {
-  Model model = settled_wall().model;
-  const Contacts before = model.contacts;
-  const auto ordered = places(model);
-  EXPECT_TRUE(std::is_sorted(ordered.begin(), ordered.end()));
-  dynamics::SearchBuffers buffers;
-  for (int i = 0; i < before.size(); ++i)
-    buffers.found.push_back({before.corner[i], before.edge[i]});
-  std::shuffle(buffers.found.begin(), buffers.found.end(), std::mt19937(1982));
-  dynamics::adopt_list(model, buffers, 0.1);
-  EXPECT_EQ(places(model), ordered);
-  EXPECT_EQ(model.contacts.active, before.active);
-  EXPECT_EQ(model.contacts.acting, before.acting);
-}
-
-// What acts stays listed though its block is far away, until it has been found not to
-// act (rule 13): its spring may find an heir.
-TEST(Search, KeepsWhatActsUntilItActsNoMore) {
-  scenes::Scene scene = settled_wall();
-  Model& model = scene.model;
-  const Contacts before = model.contacts;
   const int gone = 20;
   model.blocks.corner.middleCols(model.blocks.first_corner[gone], 4).array() += 50.0;
   model.blocks.centroid.col(gone).array() += 50.0;
-  const auto of_gone = [&](const Contacts& list, int i) {
-    return model.blocks.corner_block[list.corner[i]] == gone ||
-           model.blocks.corner_block[list.edge[i]] == gone;
-  };
-  dynamics::SearchBuffers buffers;
-  dynamics::update_contacts(model, buffers);
-  const Contacts after = model.contacts;
-  ASSERT_EQ(after.acting.size(), before.acting.size());
-  const auto ordered = places(model);
-  EXPECT_TRUE(std::is_sorted(ordered.begin(), ordered.end()));
-  long far = 0;
-  for (std::size_t k = 0; k < before.acting.size(); ++k) {
-    ActingContact expected = before.acting[k];
-    const int now = after.acting[k].record, then = expected.record;
-    EXPECT_EQ(after.active[now], 1);
-    EXPECT_EQ(after.corner[now], before.corner[then]);
-    EXPECT_EQ(after.edge[now], before.edge[then]);
-    expected.record = now;
-    EXPECT_EQ(after.acting[k], expected);
-    far += of_gone(after, now) ? 1 : 0;
-  }
-  EXPECT_GT(far, 3);
-  EXPECT_EQ(std::count(after.active.begin(), after.active.end(), true),
-            std::ssize(after.acting));
-  for (int i = 0; i < after.size(); ++i)
-    EXPECT_TRUE(after.active[i] || !of_gone(after, i));
-  dynamics::step(model, buffers);
-  for (const ActingContact& contact : model.contacts.acting)
-    EXPECT_FALSE(of_gone(model.contacts, contact.record));
   model.search.current = false;
+  dynamics::SearchBuffers buffers;
   dynamics::step(model, buffers);
-  for (int i = 0; i < model.contacts.size(); ++i)
-    EXPECT_FALSE(of_gone(model.contacts, i));
-}
-
-// Nothing moves where both blocks are fixed.
-TEST(Search, ForgetsWhatActsBetweenFixedBlocks) {
-  Model model = settled_wall().model;
+  EXPECT_GT(model.contacts.size(), 50);
+  for (int i = 0; i < model.contacts.size(); ++i) {
+    EXPECT_NE(model.blocks.corner_block[model.contacts.corner[i]], gone);
+    EXPECT_NE(model.blocks.corner_block[model.contacts.edge[i]], gone);
+  }
   for (int b = 0; b < model.blocks.size(); ++b)
     model.blocks.fix(b, Fixity::by_user);
-  ASSERT_GT(model.contacts.acting.size(), 60U);
-  dynamics::SearchBuffers buffers;
-  dynamics::update_contacts(model, buffers);
+  dynamics::SearchBuffers others;
+  dynamics::step(model, others);
   EXPECT_EQ(model.contacts.size(), 0);
-  EXPECT_TRUE(model.contacts.acting.empty());
 }
 
 // Blocks that go by a good part of their size in a step feel each other the same

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/contact_groups.hpp"
 #include "dynamics/pair_step.hpp"
 #include "dynamics/work_split.hpp"
 #include "dynamics/workers.hpp"
@@ -40,8 +39,8 @@ TEST(Workers, DoEveryItemOnce) {
 }
 
 /// Pairs of each block with the next three.
-std::vector<dynamics::ContactPair> neighbours(int blocks) {
-  std::vector<dynamics::ContactPair> pairs;
+std::vector<dynamics::NearPair> neighbours(int blocks) {
+  std::vector<dynamics::NearPair> pairs;
   for (int b = 0; b < blocks; ++b)
     for (int other = b + 1; other < std::min(blocks, b + 4); ++other)
       pairs.push_back({.low = b, .high = other});
@@ -53,13 +52,13 @@ TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
     for (const int threads : {1, 2, 3, 8}) {
       const auto pairs = neighbours(blocks);
       const int windows =
-          (static_cast<int>(pairs.size()) + dynamics::pairs_of_window - 1) /
-          dynamics::pairs_of_window;
+          (static_cast<int>(pairs.size()) + dynamics::pairs_of_one_window - 1) /
+          dynamics::pairs_of_one_window;
       std::vector<int> first_set = {0};  // 30 sets each
       for (int window = 0; window < windows; ++window)
         first_set.push_back(first_set.back() + 30);
       dynamics::WorkSplit split;
-      split.start(blocks, pairs, dynamics::pairs_of_window, threads);
+      split.start(blocks, pairs, dynamics::pairs_of_one_window, threads);
       split.split_sets(first_set);
       for (const auto& [begins, count] :
            {std::pair(split.windows, windows), std::pair(split.sets, 30 * windows),
@@ -75,7 +74,7 @@ TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
       ASSERT_EQ(split.windows.size(), threads + 1U);
       for (int k = 1; k < threads; ++k) {
         EXPECT_EQ(split.sets[k], first_set[split.windows[k]]);
-        const int pair = dynamics::pairs_of_window * split.windows[k];
+        const int pair = dynamics::pairs_of_one_window * split.windows[k];
         EXPECT_EQ(split.blocks[k], pairs[pair].low);
         EXPECT_NEAR(split.blocks[k], 1.0 * blocks * k / threads, 100.0);
       }

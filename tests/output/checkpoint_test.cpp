@@ -225,14 +225,15 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   overwrite(path, "START\n");
   EXPECT_THAT(error(), HasSubstr("not a checkpoint of BLOCKS"));
   write_checkpoint(path, samples::two_blocks(), info);
-  std::string bytes = contents(path);
-  const auto written_by = [&](char format) {
-    bytes[bytes.find("format ") + 7] = format;
-    overwrite(path, bytes);
+  const std::string bytes = contents(path);
+  const auto written_by = [&](const std::string& format) {
+    std::string other = bytes;
+    other.replace(bytes.find("format ") + 7, 1, format);
+    overwrite(path, other);
     return error();
   };
-  EXPECT_THAT(written_by('9'), HasSubstr("newer version"));
-  EXPECT_THAT(written_by('1'), HasSubstr("older version"));
+  EXPECT_THAT(written_by("99"), HasSubstr("newer version"));
+  EXPECT_THAT(written_by("1"), HasSubstr("older version"));
 }
 
 // The last two are kept: a run killed between two checkpoints loses one at most.

@@ -63,7 +63,8 @@ class Forger {
       (*this)(name, value);
       place = value;
     }
-    if (name == "output/blocks")  // may have any length
+    // May have any length, or is empty because all blocks are convex.
+    if (name == "output/blocks" || name == "blocks/cuts")
       return;
     if (how_ == How::longer && now(name))
       column.push_back(column.back());

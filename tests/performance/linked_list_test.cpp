@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "blocks_code.hpp"
+#include "dynamics/pair_step.hpp"
 #include "linked_list.hpp"
-#include "study/variants.hpp"
+#include "study/corner_rules/corner_rules.hpp"
 #include "wall.hpp"
 
 namespace blocks {
@@ -16,27 +17,29 @@ double largest_difference(const Eigen::Matrix2Xd& a, const Eigen::Matrix2Xd& b) 
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-// Springs that pass from one contact to another are not of 1982. Without them every
-// contact is the same in both codes, so only the order of sums differs.
+/// Linked lists decide corner by corner, and a spring ends with its contact.
+struct CornersWithoutTransfer : study::CornerRules {
+  static constexpr bool transfers_springs = false;
+};
+
+// By these rules every contact is the same in both codes, so only the order of sums
+// differs.
 TEST(LinkedLists, MoveTheWallAsTheProgramDoesWithoutHandOver) {
   Model wall = bench::wall_of_power(2);
   bench::LinkedListCode lists(wall);
-  const study::Variant& ours = *study::find_variant("no-hand-over");
   dynamics::SearchBuffers buffers;
   dynamics::prepare(wall);
   const Eigen::Matrix2Xd start = wall.blocks.corner;
-  for (int i = 0; i < 500; ++i) {
-    if (!wall.search.current)
-      ours.find(wall, buffers);
-    ours.step(wall, buffers);
-  }
+  for (int i = 0; i < 500; ++i)
+    dynamics::step_by_pairs<CornersWithoutTransfer>(wall, buffers);
   lists.run(500);
   EXPECT_GT(largest_difference(start, lists.corners()), 1e-5);
   EXPECT_EQ(lists.acting_contacts(), totals(wall).active_contacts);
   EXPECT_LT(largest_difference(wall.blocks.corner, lists.corners()), 1e-13);
 }
 
-// With the whole of the program's rules what differs is small against the movement.
+// With the contact rule of runs and the transfer of springs, what differs is small
+// against the movement.
 TEST(LinkedLists, MoveTheWallNearlyAsTheProgramDoes) {
   bench::BlocksCode ours(bench::wall_of_power(2));
   bench::LinkedListCode lists(bench::wall_of_power(2));
@@ -45,7 +48,7 @@ TEST(LinkedLists, MoveTheWallNearlyAsTheProgramDoes) {
   lists.run(300);
   const double moved = largest_difference(start, lists.corners());
   EXPECT_LT(largest_difference(ours.model().blocks.corner, lists.corners()),
-            0.01 * moved);
+            0.05 * moved);
 }
 
 // A code that starts in the middle of a run takes over the springs.

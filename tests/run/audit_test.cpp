@@ -1,10 +1,12 @@
-// `blocks run --audit` as a user sees it: what it counts, and how a run ends whose
-// contacts are wrong.
+// `blocks run --audit` as a user sees it: what it counts, and what it tells of contacts
+// that are wrong.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "output/checkpoint.hpp"
+#include "dynamics/stepper.hpp"
+#include "run/audit_watch.hpp"
 #include "run/program.hpp"
+#include "scenes/scene.hpp"
 
 namespace blocks::testing {
 namespace {
@@ -55,57 +57,57 @@ TEST(RunAudit, CraterIsCleanWhileBlocksFly) {
   EXPECT_EQ(audit["excess_pairs"], 0);
 }
 
-/// A state in which the list has lost the records of the square's first corner.
-void lose_records(const TemporaryFolder& folder) {
-  const std::string path = (folder / "squares.ckpt.h5").string();
-  output::CheckpointInfo info;
-  Model model = output::read_checkpoint(path, info);
-  ASSERT_TRUE(model.search.current);
-  Contacts& all = model.contacts;
-  Contacts rest;
-  int kept = 0;
-  rest.resize(all.size());
-  for (int i = 0; i < all.size(); ++i) {
-    if (all.corner[i] == 4)
-      continue;
-    rest.corner[kept] = all.corner[i], rest.edge[kept] = all.edge[i];
-    rest.active[kept] = all.active[i];
-    if (all.active[i]) {
-      rest.acting.push_back(all.at(i));
-      rest.acting.back().record = kept;
-    }
-    ++kept;
+/// A square that rests on a floor, and a watch that has seen a step of it.
+class WatchedStep : public ::testing::Test {
+ protected:
+  WatchedStep() : watch(1) {
+    scene.model.settings.damping = 0.3;
+    scene.box(-2, -1, 4, 1, true);
+    scene.box(-0.5, 0, 1, 1);
+    scene.gravity(0, -10);
+    scene.run(0.4);
+    dynamics::SearchBuffers buffers;
+    dynamics::Stepper stepper(scene.model, buffers);
+    watch.before(stepper.up_to_date());
+    stepper.advance(true);
+    stepper.up_to_date();
+    listed = stepper.listed_pairs();
   }
-  ASSERT_LT(kept, all.size());
-  for (auto* column : {&rest.corner, &rest.edge})
-    column->resize(kept);
-  rest.active.resize(kept);
-  all = rest;
-  output::write_checkpoint(path, model, info);
+  scenes::Scene scene;
+  run::AuditWatch watch;
+  std::vector<std::pair<int, int>> listed;
+};
+
+TEST_F(WatchedStep, TellsNothingOfASoundStep) {
+  const auto verdict = watch.after(scene.model, listed);
+  EXPECT_TRUE(verdict.faults.empty());
+  EXPECT_TRUE(verdict.stories.empty());
+  EXPECT_EQ(watch.totals().pairs, 1);
+  EXPECT_EQ(watch.totals().acting, 2);
+  EXPECT_THAT(watch.closing(),
+              HasSubstr("audit every 1 steps: 1 moments, 1 pairs of blocks near each "
+                        "other, 2 acting contacts; pairs missed: 0; wrong decisions: "
+                        "0; "));
 }
 
-// A list that misses a contact ends the run, with the story of that contact.
-TEST(RunAudit, AMissedContactIsUnsound) {
-  const TemporaryFolder folder;
-  run_text(folder, "squares", pair_of_squares + "MOTION, 0.4\nSTOP\n");
-  lose_records(folder);
-  folder.write("on.deck", "RESTART, squares.ckpt.h5\nCYCLE, 10\nSTOP\n");
-
-  const Outcome blind = blocks("run on.deck -o blind", folder.path());
-  EXPECT_EQ(blind.code, 0) << "unseen without audit: " << blind.err;
-
-  const Outcome run = blocks("run on.deck --audit=1", folder.path());
-  EXPECT_EQ(run.code, 4);
-  EXPECT_THAT(run.err, HasSubstr("audit: the contact list misses corner 1 of block 2 "
-                                 "against edge 2 of block 1, which acts"));
-  EXPECT_THAT(run.err, HasSubstr("audit: wrong decision: corner 1 of block 2 against "
-                                 "block 1: no edge acts, exactly it is edge 2"));
-  EXPECT_THAT(run.err, HasSubstr("nearest of those admitted, acts"));  // the story
-  const auto json = summary(folder, "on");
-  EXPECT_EQ(json["status"], "unsound");
-  EXPECT_EQ(json["audit"]["wrong_decisions"], 1);
-  EXPECT_EQ(json["steps"], summary(folder, "squares")["steps"].get<long>() + 1);
-  EXPECT_THAT(slurp(folder / "on.out"), HasSubstr("the contact list misses"));
+// A list that misses a pair, and a contact that does not act though it should, are
+// faults, with the story of the two blocks.
+TEST_F(WatchedStep, TellsMissedPairsAndWrongDecisions) {
+  listed.clear();
+  scene.model.contacts.active[0] = false;
+  const auto verdict = watch.after(scene.model, listed);
+  ASSERT_EQ(verdict.faults.size(), 2U);
+  EXPECT_THAT(verdict.faults[0],
+              HasSubstr("audit: the list of near pairs misses blocks 1 and 2"));
+  EXPECT_THAT(verdict.faults[1],
+              HasSubstr("audit: wrong decision about blocks 1 and 2: the program has "
+                        "corner 4 of block 2 on edge 2 of block 1; exact is corner 1 "
+                        "of block 2 on edge 2 of block 1; corner 4 of block 2 on edge "
+                        "2 of block 1"));
+  EXPECT_THAT(verdict.stories, ::testing::Contains(HasSubstr("entered")));
+  EXPECT_EQ(watch.totals().missed, 1);
+  EXPECT_EQ(watch.totals().wrong, 1);
+  EXPECT_EQ(watch.totals().faults, verdict.faults);
 }
 
 TEST(RunAudit, EveryIsAWholeNumberOfSteps) {

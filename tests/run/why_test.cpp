@@ -9,7 +9,6 @@ namespace blocks::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 using Json = nlohmann::json;
 
 /// A floor of two boxes, 1 and 2; block 3 rests on both, block 4 flies, block 5 is
@@ -37,29 +36,20 @@ class Why : public ::testing::Test {
   TemporaryFolder folder;
 };
 
-TEST_F(Why, TellsEveryRuleOfAContact) {
+TEST_F(Why, TellsTheChoiceAndTheContacts) {
   const Outcome answer = why("scene.vtkhdf --block 3 --block 1");
   ASSERT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("frame 5 of 5"));
-  EXPECT_THAT(answer.out, HasSubstr("corner 1 of block 3 at (-1, "));
-  EXPECT_THAT(answer.out, HasSubstr("against block 1: edge 2 acts"));
-  EXPECT_THAT(answer.out, HasSubstr("nearest of those admitted, acts"));
-  EXPECT_THAT(answer.out, HasSubstr("deeper than the centroid of the block"));
-  EXPECT_THAT(answer.out, HasSubstr("points into the block"));
-  EXPECT_THAT(answer.out, HasSubstr("in the file: edge 2 acted in the step before"));
-}
-
-// The rule that decides pair by pair: axes in order, and the contacts along the chosen
-// one.
-TEST_F(Why, TellsAxesOfAPair) {
-  const Outcome answer = why("scene.vtkhdf --block 3 --block 1 --pairs");
-  ASSERT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("axis"));
-  EXPECT_THAT(answer.out, HasSubstr("entered"));
-  const Outcome as_json = why("scene.vtkhdf --block 1 --block 3 --pairs --json");
-  ASSERT_EQ(as_json.code, 0) << as_json.err;
-  const Json pair = Json::parse(as_json.out);
-  EXPECT_FALSE(pair["contacts"].empty());
+  EXPECT_THAT(answer.out, HasSubstr("scene.vtkhdf: frame 5 of 5, time 0.4"));
+  EXPECT_THAT(answer.out, HasSubstr("block 1 (fixed, 4 corners) and block 3"));
+  EXPECT_THAT(answer.out, HasSubstr("they overlap by "));
+  EXPECT_THAT(answer.out, HasSubstr("their deepest contact is "));
+  EXPECT_THAT(answer.out, HasSubstr("blocks 1 and 3: "));
+  EXPECT_THAT(answer.out, HasSubstr("corner 1 of block 3 on edge 2 of block 1"));
+  EXPECT_THAT(answer.out, HasSubstr("axis of edge 2 of block 1: "));
+  EXPECT_THAT(answer.out, HasSubstr("entered: "));
+  EXPECT_THAT(answer.out, HasSubstr("refused: "));
+  EXPECT_THAT(answer.out, HasSubstr("in the file: corner 1 of block 3 on edge 2 of "
+                                    "block 1 acted in the step before: normal force "));
 }
 
 // The same answer in both forms, and both from the results and from the checkpoint.
@@ -69,26 +59,13 @@ TEST_F(Why, ResultsAndCheckpointAgree) {
   ASSERT_EQ(results.code, 0) << results.err;
   ASSERT_EQ(checkpoint.code, 0) << checkpoint.err;
   Json one = Json::parse(results.out), other = Json::parse(checkpoint.out);
-  EXPECT_EQ(one["contact_list"], "rebuilt from the geometry");
-  EXPECT_EQ(other["contact_list"], "stored");
-  EXPECT_EQ(one["step"], other["step"]);
-  int acting = 0, compared = 0;
-  for (const Json& a : one["corners"])
-    for (Json& b : other["corners"]) {
-      if (a["block"] != b["block"] || a["corner"] != b["corner"])
-        continue;
-      for (Json& edge : b["edges"]) {
-        EXPECT_TRUE(edge["listed"].get<bool>() || !edge["admissible"].get<bool>());
-        edge.erase("listed");
-      }
-      EXPECT_EQ(a, b);
-      acting += a["acting"] == 2;
-      ++compared;
-    }
-  EXPECT_EQ(acting, 1);
-  EXPECT_GE(compared, 2);
+  EXPECT_FALSE(one["contacts"].empty());
+  EXPECT_EQ(one["contacts"].size(), one["step_before"].size());
   EXPECT_NEAR(one["overlap"]["depth"].get<double>(),
               one["overlap"]["deepest_contact"].get<double>(), 1e-15);
+  for (const char* own : {"file", "frame"})
+    one.erase(own), other.erase(own);
+  EXPECT_EQ(one, other);
 }
 
 TEST_F(Why, TakesTheNearestFrameAndSaysSo) {
@@ -99,8 +76,9 @@ TEST_F(Why, TakesTheNearestFrameAndSaysSo) {
   // at the start nothing overlaps: no contact, but a story all the same
   const Outcome start = why("scene.vtkhdf --time 0 --block 3 --block 2");
   EXPECT_THAT(start.out, HasSubstr("they do not overlap"));
-  EXPECT_THAT(start.out, HasSubstr("nearest, but no overlap"));
-  EXPECT_THAT(start.out, Not(HasSubstr(" acts")));
+  EXPECT_THAT(start.out, HasSubstr("blocks 2 and 3: no contact"));
+  EXPECT_THAT(start.out, HasSubstr("not deeper than zero"));
+  EXPECT_THAT(start.out, HasSubstr("refused: the corner is not inside the side"));
 }
 
 TEST_F(Why, SaysWhatThereIs) {
@@ -116,7 +94,7 @@ TEST_F(Why, SaysWhatThereIs) {
   refused("scene.vtkhdf --block 0 --block 1", "there is no block 0",
           "its blocks are 1 to 5");
   refused("scene.vtkhdf --block 3 --block 4",
-          "blocks 3 and 4 have no corner near each other",
+          "blocks 3 and 4 are not near each other at time 0.4",
           "near block 3: 1 (in contact), 2 (in contact); no block is near block 4");
   refused("scene.vtkhdf --block 1 --block 5", "blocks 1 and 5 are both fixed",
           "near block 1: 3 (in contact); no block is near block 5");

@@ -78,9 +78,6 @@ class Scene {
       step();
   }
 
-  /// Every contact is decided anew in the next step.
-  void forget_decisions() { buffers_.groups.forget_decisions(); }
-
   double dt() const { return model.time_step.dt; }
   double weight(int b) const { return model.blocks.mass[b] * model.settings.gravity.norm(); }
   /// Position, velocity in the scene's own frame.

@@ -60,7 +60,7 @@ TEST(StudyCommand, SaysWhatThereIs) {
       blocks("study contacts tee --variants default,exakt", folder.path());
   EXPECT_EQ(variant.code, 2);
   EXPECT_THAT(variant.err, HasSubstr("there is no variant 'exakt'"));
-  EXPECT_THAT(variant.err, HasSubstr("\n  no-nearest "));
+  EXPECT_THAT(variant.err, HasSubstr("\n  no-joints "));
   EXPECT_EQ(blocks("study contacts", folder.path()).code, 2);
   const Outcome seed = blocks("study contacts tee --seed -1", folder.path());
   EXPECT_EQ(seed.code, 2);

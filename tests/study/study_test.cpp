@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <set>
 
-#include "dynamics/step.hpp"
+#include "dynamics/pair_step.hpp"
 #include "study/report.hpp"
+#include "study/signs.hpp"
 #include "study/study.hpp"
 
 namespace blocks::study {
@@ -112,23 +114,23 @@ TEST(ExactSigns, BetweenWithoutSlack) {
   EXPECT_GT(on_limit, 500);
 }
 
-// Runs keep decisions over steps and find their lists themselves; a study finds them
+// Runs keep decisions over steps and find their pairs themselves; a study finds them
 // before the step. The same bits, or the study would be of something else.
 TEST(DefaultVariant, IsWhatRunsDo) {
-  const Variant& variant = all_variants().front();
   long kept = 0;
   for (const std::string_view name : scene_names()) {
     const Scene scene = make_scene(name);
     const Frame frame = random_frame({}, 4, scene.size);
     Model run = place(scene.model, frame, Corners::sharp), studied = run;
     dynamics::SearchBuffers a, b;
+    const std::unique_ptr<VariantRun> variant = all_variants().front().start();
     dynamics::prepare(run), dynamics::prepare(studied);
     for (int k = 0; k < 600; ++k) {
       dynamics::step(run, a);
-      variant.find(studied, b);
-      variant.step(studied, b);
-      for (const dynamics::ContactGroup& group : b.groups.all)
-        kept += group.certain();
+      variant->find(studied, b);
+      variant->step(studied, b);
+      for (const dynamics::KeptDecision& decision : b.pairs.kept)
+        kept += decision.room > 0.0;
     }
     EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
     EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;
@@ -145,16 +147,14 @@ struct KnownFailure {
   double most_energy;  ///< worst error
 };
 constexpr std::array known_failures = {
-    // a tip at a closed joint is thrown aside: one frame of fifty
-    KnownFailure{"stake", 0, 0.0, 0.06},
-    // tips that cross sideways have no edge that they face: two frames of a thousand
+    // far from the origin, rounding moves a tip out of the slack of a closed joint
+    KnownFailure{"stake", 1, 0.0, 0.5},
+    // tips that cross sideways have no edge that they face
     KnownFailure{"triangles", 0, 0.0, 0.06},
-    // a front corner deep in a floor snags at the joints
-    KnownFailure{"soft4", 12, 0.46, 1e-4}, KnownFailure{"soft8", 12, 0.58, 1e-4},
     // a side that lies down on a joint feels the corners there as well as its own
     KnownFailure{"roller", 2, 0.05, 1e-4},
-    // within the slack of a joint a toe is held by one piece or by none
-    KnownFailure{"toe", 0, 0.0, 0.1},
+    // a toe that slides out of the slack of a joint loses a spring
+    KnownFailure{"toe", 0, 0.0, 0.12},
     // no rule of geometry says on which of two bricks with flush undersides one rests
     KnownFailure{"bricks", 10, 0.9, 0.002}};
 
@@ -228,16 +228,14 @@ TEST(Variants, FailWhereTheyMust) {
     int frames = 6;
   };
   for (const Known& known :
-       {Known{"figure4b", "bare", true},  // section 3.3
-        Known{"diagonal", "no-nearest", true}, Known{"floor", "report-exact", true},
-        Known{"floor", "no-nearest", true}, Known{"floor", "no-shield", true},
-        Known{"soft", "no-shield", true}, Known{"needle", "no-meeting", true},
-        Known{"slab", "keep", true}, Known{"stack", "no-20", false, 12}}) {
+       {Known{"floor", "report-exact", true}, Known{"floor", "no-joints", true},
+        Known{"soft", "no-joints", true}, Known{"bow", "no-faces", true},
+        Known{"slab", "keep", true}, Known{"soft4", "corners", true}}) {
     const Row row =
         run_study(make_scene(known.scene), choice_of({known.variant}, known.frames))
             .rows[0];
     EXPECT_GE(known.hangs ? row.hung : row.fell, 5) << known.scene << known.variant;
-    EXPECT_GT(row.phantom.value, 0.0);
+    EXPECT_GT(row.phantom.value + row.missed.value, 0.0);
   }
   const Row printed = run_study(make_scene("tee"), choice_of({"printed"}, 6)).rows[0];
   EXPECT_GT(printed.wrong_signs.value, 0.05);
@@ -264,7 +262,7 @@ TEST(Place, CornersOfOtherCodes) {
 // the impulse of friction is mu times that of the normal force.)
 TEST(Floor, SeesTheSnagOfAJoint) {
   const Study study =
-      run_study(make_scene("floor"), choice_of({"default", "no-shield"}, 3));
+      run_study(make_scene("floor"), choice_of({"default", "no-joints"}, 3));
   EXPECT_NEAR(study.rows[0].speed_lost.value, 0.0, 0.001);
   EXPECT_GT(study.rows[1].speed_lost.value, 0.1);
   EXPECT_EQ(study.rows[1].hung, 3);

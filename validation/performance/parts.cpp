@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "dynamics/contact_search.hpp"
+#include "dynamics/near_pairs.hpp"
 #include "dynamics/step.hpp"
 #include "generation.hpp"
 #include "kernels.hpp"
@@ -16,7 +16,7 @@
 namespace blocks::bench {
 namespace {
 
-/// The search for potential contacts of a wall, again and again.
+/// The search for near pairs of blocks in a wall, again and again.
 class Search : public Contestant {
  public:
   explicit Search(int power) : model_(wall_of_power(power)) {
@@ -26,12 +26,14 @@ class Search : public Contestant {
   double work_per_step() const override { return model_.blocks.size() - 3; }
   void run(long searches) override {
     for (long i = 0; i < searches; ++i)
-      dynamics::update_contacts(model_, buffers_);
+      dynamics::find_near_pairs(model_.blocks, model_.settings.contact_tolerance,
+                                memory_, pairs_);
   }
 
  private:
   Model model_;
-  dynamics::SearchBuffers buffers_;
+  dynamics::NearSearch memory_;
+  std::vector<dynamics::NearPair> pairs_;
 };
 
 }  // namespace
@@ -41,7 +43,7 @@ const std::vector<Part>& parts() {
       {"wall", "a wall of bricks that settles, against other codes", run_wall},
       {"pile", "a pile of random polygons, against other codes", run_pile},
       {"decks", "whole runs of the subsidence and crater decks", run_decks},
-      {"search", "the search for potential contacts alone", run_search},
+      {"search", "the search for near pairs of blocks alone", run_search},
       {"predicates", "contact predicates and contact law alone", run_predicates},
       {"generation", "random layers cut and certified", run_generation}};
   return all;

@@ -1,6 +1,8 @@
 #include "dynamics/rules/block_parts.hpp"
 
-#include "geometry/convex_parts.hpp"
+#include <algorithm>
+#include <span>
+#include <utility>
 
 namespace blocks::dynamics {
 
@@ -13,18 +15,22 @@ void BlockParts::make(const Blocks& blocks) {
     block_.push_back(b);
     first_corner_.push_back(static_cast<int>(corner_.size()));
   };
+  std::vector<std::pair<int, std::span<const int>>> cuts;
+  blocks.each_cut([&](int b, auto corners) { cuts.emplace_back(b, corners); });
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [](const auto& l, const auto& r) { return l.first < r.first; });
+  auto cut = cuts.begin();
   for (int b = 0; b < blocks.size(); ++b) {
     const int first = blocks.first_corner[b];
     if (blocks.convex[b]) {
       for (int c = first; c < blocks.first_corner[b + 1]; ++c)
         corner_.push_back(c);
       end_part(b);
-    } else {
-      for (const std::vector<int>& part : geometry::convex_parts(blocks.outline(b))) {
-        for (const int c : part)
-          corner_.push_back(first + c);
-        end_part(b);
-      }
+    }
+    for (; cut != cuts.end() && cut->first == b; ++cut) {
+      for (const int c : cut->second)
+        corner_.push_back(first + c);
+      end_part(b);
     }
     first_part_.push_back(static_cast<int>(block_.size()));
   }

@@ -75,6 +75,9 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     const Segment& surface = shape_.at(joint.surface);
     if (!turns_away(surface, e, joint))
       return false;
+    const Segment& g = shape_.at(joint.side);
+    if (g.is_inner && is_notch(joint.surface_is_before ? g.corner : surface.corner))
+      return false;
     const Closed found = find_closed(joint);
     if (!found.closed)
       return false;
@@ -84,6 +87,11 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     const int ridge = shape_.turn(surface, next);
     return (joint.surface_is_before ? ridge >= 0 : ridge <= 0) ||
            turns_away(next, e, joint);
+  }
+  /// The outline of the block turns inwards at a corner.
+  bool is_notch(int corner) {
+    return ask_.re_entrant(at(blocks_.previous[corner]), at(corner),
+                           at(blocks_.next[corner]));
   }
   /// From the surface to the side e, run backwards, the direction turns away from the
   /// block of the surface by more than ten degrees and less than 180.

@@ -16,28 +16,39 @@ template <class Predicates> class Entry {
   bool is_entered(const Axis& axis) {
     PairSide out;
     const int outside = shape_.sides_outside(axis.corner, axis.side.index, out);
-    return outside == 0 ||
-           (Predicates::crossing && shape_.find_facing(axis) &&
-            (is_beyond(axis) || (outside == 1 && sides_cross(axis, out))));
+    if (outside == 0)
+      return true;
+    const std::optional<PairSide> facing = shape_.find_facing(axis);
+    return facing && (is_inside(axis.side.part, other_end(*facing, axis.corner)) ||
+                      (Predicates::crossing &&
+                       (is_beyond(axis) || (outside == 1 && sides_cross(axis, out)))));
+  }
+  /// A corner of the other part is inside a part.
+  bool is_inside(int part, const PairSide& corner) {
+    for (int i = 0; i < shape_.corners(part); ++i)
+      if (shape_.depth_sign({part, i}, corner.index) <= 0)
+        return false;
+    return true;
   }
   /// The corner is beyond an end of the axis side, or within the slack of one.
   bool is_beyond(const Axis& axis) {
     const Segment& e = shape_.at(axis.side);
     return !ask_.well_between(shape_.at(axis.corner).start, e.start, e.end);
   }
-  /// The corner has passed only the side `out`. It is next to the axis side, and the
-  /// end that the two share has left the corner's part.
+  /// The corner has passed only the side `out`. It is an edge next to the axis side,
+  /// and the end that the two share has left the corner's part.
   bool sides_cross(const Axis& axis, const PairSide& out) {
-    const auto has_left = [&](const PairSide& end) {
-      PairSide other;
-      return shape_.sides_outside(end, -1, other) > 0;
-    };
     const PairSide next = shape_.after(axis.side);
-    return (out == shape_.before(axis.side) && has_left(axis.side)) ||
-           (out == next && has_left(next));
+    return !shape_.at(out).is_inner &&
+           ((out == shape_.before(axis.side) && shape_.has_left(axis.side)) ||
+            (out == next && shape_.has_left(next)));
   }
 
  private:
+  PairSide other_end(const PairSide& side, const PairSide& end) const {
+    return end == side ? shape_.after(side) : side;
+  }
+
   PairShape<Predicates>& shape_;
   Predicates& ask_;
 };

@@ -52,21 +52,24 @@ void each_pair_of_parts(const BlockParts& parts, int a, int b, const Visit& visi
 }
 
 /// Calls visit(corner, side) for what may act along an axis: the ends of two faces on
-/// each other, or one corner. Inner sides do not act.
+/// each other, or one corner. A face may consist of several sides in line; the ends of
+/// inner sides do not count.
 template <class Predicates, class Visit>
-void each_along(const PairShape<Predicates>& shape, const Axis& axis,
+void each_along(PairShape<Predicates>& shape, const Axis& axis,
                 const std::optional<PairSide>& facing, const Visit& visit) {
   const PairSide& e = axis.side;
-  const auto consider = [&](const PairSide& corner, const PairSide& side) {
-    if (!shape.at(side).is_inner)
-      visit(corner, side);
-  };
   if (!facing)
-    return consider(axis.corner, e);
-  consider(*facing, e);
-  consider(shape.after(*facing), e);
-  consider(e, *facing);
-  consider(shape.after(e), *facing);
+    return visit(axis.corner, e);
+  shape.each_in_line(*facing, [&](const PairSide& side) {
+    visit(side, e);
+    visit(shape.after(side), e);
+  });
+  shape.each_in_line(e, [&](const PairSide& side) {
+    if (shape.at(side).is_inner)
+      return;
+    visit(side, *facing);
+    visit(shape.after(side), *facing);
+  });
 }
 
 /// Neighbours: see ClosedJoints.
@@ -107,10 +110,9 @@ template <class Predicates, class Neighbours> class PairRule {
     for (int looks = 0; looks < 3; ++looks) {
       const std::optional<PairSide> facing = shape_.find_facing(axis);
       const std::optional<Axis> surface = surface_instead_of(axis, facing);
-      if (!surface && shape_.at(axis.side).is_inner)
-        return;  // the part beside it decides
       if (!surface) {
-        if (!touch(axis, facing) && looks == 0)
+        // Below an inner side the part beside it decides.
+        if (!touch(axis, facing) && looks == 0 && !shape_.at(axis.side).is_inner)
           stand_in(least);
         return;
       }
@@ -179,9 +181,11 @@ template <class Predicates, class Neighbours> class PairRule {
     bool acts = false;
     each_along(shape_, axis, Predicates::faces ? facing : std::nullopt,
                [&](const PairSide& corner, const PairSide& side) {
-                 if (shape_.depth_sign(side, corner.index) > 0 &&
-                     is_between(corner, side)) {
-                   add(corner, side);
+                 const PairSide below = find_side_below(corner, side);
+                 if (!shape_.at(below).is_inner &&
+                     shape_.depth_sign(below, corner.index) > 0 &&
+                     is_between(corner, below)) {
+                   add(corner, below);
                    acts = true;
                  }
                });
@@ -189,8 +193,21 @@ template <class Predicates, class Neighbours> class PairRule {
   }
   /// Adds the corner of the axis on the axis side, if it is between the ends.
   void stand_in(const Axis& axis) {
-    if (!shape_.at(axis.side).is_inner && is_between(axis.corner, axis.side))
-      add(axis.corner, axis.side);
+    const PairSide side = find_side_below(axis.corner, axis.side);
+    if (!shape_.at(side).is_inner && is_between(axis.corner, side))
+      add(axis.corner, side);
+  }
+  /// The side between whose ends the corner is, of a side and those in line with it;
+  /// the side itself if there is none.
+  PairSide find_side_below(const PairSide& corner, const PairSide& side) {
+    if (is_between(corner, side))
+      return side;
+    std::optional<PairSide> found;
+    shape_.each_in_line(side, [&](const PairSide& one) {
+      if (!found && is_between(corner, one))
+        found = one;
+    });
+    return found.value_or(side);
   }
   bool is_between(const PairSide& corner, const PairSide& side) {
     const Segment& e = shape_.at(side);

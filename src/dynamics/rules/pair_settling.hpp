@@ -71,7 +71,8 @@ template <class Neighbours> class PairSettling {
     }
     // If nothing acts, an axis would stand in. It is of the same faces, so it does not
     // act either.
-    if (!is_certain([&] { return !is_hidden(least, face); }))
+    if (!is_certain([&] { return !is_hidden(least, face); }) ||
+        !is_certain([&] { return has_no_side_in_line(least, face); }))
       return false;
     touch(least, face);
     return true;
@@ -129,6 +130,14 @@ template <class Neighbours> class PairSettling {
     const PairSide& other = axis.side == least.side ? *face : least.side;
     return is_certain([&] { return shape_.find_facing(axis) == other; });
   }
+  /// In doubt if a side may be in line with one of these.
+  bool has_no_side_in_line(const Axis& axis, const Facing& face) {
+    const auto pass = [](const PairSide&) {};
+    shape_.each_in_line(axis.side, pass);
+    if (face)
+      shape_.each_in_line(*face, pass);
+    return true;
+  }
   bool is_hidden(const Axis& axis, const Facing& face) {
     return shape_.at(axis.side).is_inner || (face && shape_.at(*face).is_inner) ||
            joints_.any_hiding(axis, face, [](const PairSide&) { return true; });
@@ -152,11 +161,11 @@ template <class Neighbours> class PairSettling {
     });
   }
   /// The corner is inside all sides of the part of the axis side but that one and
-  /// another. Inner sides do not count.
+  /// another.
   bool all_inside_but(const Axis& axis, const PairSide& another) const {
     for (int i = 0; i < shape_.corners(axis.side.part); ++i)
       if (const PairSide side{axis.side.part, i};
-          !(side == axis.side) && !(side == another) && !shape_.at(side).is_inner &&
+          !(side == axis.side) && !(side == another) &&
           !shape_.depth(side, axis.corner.index).positive())
         return false;
     return true;

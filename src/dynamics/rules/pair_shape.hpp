@@ -140,16 +140,35 @@ template <class Predicates> class PairShape {
     return ask_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start, e.start,
                            e.end);
   }
-  /// How many sides of a part, other than inner ones and side `except`, have a corner
-  /// of the other part outside, and one of them.
+  /// How many sides of a part, other than side `except`, have a corner of the other
+  /// part outside, and one of them.
   int sides_outside(const PairSide& corner, int except, PairSide& out) {
     const int part = 1 - corner.part;
     int count = 0;
     for (int i = 0; i < corners(part); ++i)
-      if (const PairSide s{part, i};
-          i != except && !at(s).is_inner && depth_sign(s, corner.index) < 0)
+      if (const PairSide s{part, i}; i != except && depth_sign(s, corner.index) < 0)
         out = s, ++count;
     return count;
+  }
+  /// A corner of the other part is outside of an edge of a part.
+  bool has_left(const PairSide& corner) {
+    const int part = 1 - corner.part;
+    for (int i = 0; i < corners(part); ++i)
+      if (const PairSide s{part, i}; !at(s).is_inner && depth_sign(s, corner.index) < 0)
+        return true;
+    return false;
+  }
+  /// Visits a side and the sides of its part in line with it: those before it, then
+  /// those after it.
+  template <class Visit> void each_in_line(const PairSide& s, const Visit& visit) {
+    const auto run_on = [&](const PairSide& first, const PairSide& next) {
+      return ask_.in_line(at(first).start, at(first).end, at(next).end);
+    };
+    visit(s);
+    for (PairSide side = before(s); run_on(side, after(side)); side = before(side))
+      visit(side);
+    for (PairSide side = after(s); run_on(before(side), side); side = after(side))
+      visit(side);
   }
 
   /// Of the two sides at the corner of an axis the one that faces the axis side, the

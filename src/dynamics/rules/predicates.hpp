@@ -67,6 +67,16 @@ struct ExactPredicates {
                             const Vec2& q2, const Vec2& r1, const Vec2& r2) {
     return geometry::compare_slopes(p1, p2, q1, q2, r1, r2);
   }
+  /// Whether the side p2 q of a convex part runs on in line with the side p1 p2: either
+  /// far corner is within the slack of the other side's line.
+  static bool in_line(const Vec2& p1, const Vec2& p2, const Vec2& q) {
+    return (p2 - p1).dot(q - p2) > 0.0 && geometry::near_or_inside(q, p2, p1) &&
+           geometry::near_or_inside(p1, q, p2);
+  }
+  /// The outline of a block, clockwise, turns inwards at corner c.
+  static bool re_entrant(const Vec2& before, const Vec2& c, const Vec2& after) {
+    return geometry::overlap_sign(after, before, c) < 0;
+  }
   static geometry::Cover covering(const geometry::SideEnd& end, geometry::Outline other,
                                   std::span<const geometry::Outline> neighbours) {
     return geometry::covering(end, other, neighbours);
@@ -143,6 +153,23 @@ class PredicatesWithRoom {
     const bool surely_not = cosine > changes || sine - 1.2 * changes > limit;
     in_doubt_ = in_doubt_ || !(surely_face || surely_not);
     return face;
+  }
+  /// A part keeps its shape, so its motion does not matter. Sides that may be in line
+  /// are left in doubt.
+  bool in_line(const Vec2& p1, const Vec2& p2, const Vec2& q) {
+    const Vec2 e = p2 - p1, g = q - p2;
+    const double slack = 2.0 * geometry::contact_slack;
+    in_doubt_ = in_doubt_ || (e.dot(g) > 0.0 &&
+                              std::abs(geometry::cross(e, g)) <=
+                                  slack * std::min(e.squaredNorm(), g.squaredNorm()));
+    return false;
+  }
+  bool re_entrant(const Vec2& before, const Vec2& c, const Vec2& after) {
+    const Vec2 e = c - before, g = after - c;
+    const double turn = geometry::cross(g, e);
+    in_doubt_ = in_doubt_ ||
+                std::abs(turn) <= 2.0 * geometry::contact_slack * e.norm() * g.norm();
+    return turn < 0.0;
   }
   int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
     return sure(geometry::filter::turn(p1, p2, q1, q2),

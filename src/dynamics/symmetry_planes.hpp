@@ -1,0 +1,18 @@
+// Symmetry planes (SPLANE, report 2.5): which corners may touch one, and its forces.
+#pragma once
+
+#include "dynamics/acting_lanes.hpp"
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// Finds the corners of free blocks that may touch a plane before a corner has moved by
+/// `tolerance`, [L]. Contacts keep their springs. `memory` is kept between calls.
+void update_plane_contacts(Model& model, PlaneContacts& memory, double tolerance);
+
+/// Adds the forces of the planes to the blocks. A plane is frictionless, has infinite
+/// mass and takes no tension.
+Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
+                          const Settings& settings, double dt);
+
+}  // namespace blocks::dynamics

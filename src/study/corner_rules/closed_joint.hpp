@@ -1,0 +1,225 @@
+// What a closed joint hides by the variant `corners`: where the surface of a block goes
+// on in the block beside it, the side between them is no surface and the corner at its
+// end no corner. Decided in doubles.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dynamics/pair_contacts.hpp"
+#include "geometry/contact_predicates.hpp"
+#include "study/corner_rules/place_in_block.hpp"
+
+namespace blocks::study::corner_rules {
+
+/// As parts of the length of the surface: how deep below it a joint hides anything at
+/// most, and how far away the block beside the joint is asked.
+inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
+/// Sine of the least angle between a surface and a side of the joint; and of that
+/// between the surface and a flank, 1.1 degrees: a base lies flat on the joint's
+/// corners and feels them. Cosine of the greatest angle between the surfaces of two
+/// blocks, 18 degrees.
+inline constexpr double least_slope = 0.25, least_flank = 0.02, least_cosine = 0.95;
+
+/// How far beyond a side the surface is looked for, and how far up to the surface the
+/// corner's block, as parts of the depth.
+inline constexpr std::array joint_gaps = {1.0, 0.25, 0.0625};
+inline constexpr std::array joint_heights = {0.05, 0.3, 0.75, 0.97};
+
+class ClosedJoint {
+ public:
+  ClosedJoint(const Blocks& blocks, const dynamics::PairContacts& all)
+      : blocks_(blocks), all_(all) {}
+
+  /// Not too deep below the edge for a joint to hide anything.
+  bool shallow(int c, int edge) const {
+    return depth_below(c, edge) <= shielded_depth * (end(edge) - at(edge)).norm();
+  }
+
+  /// Edge e is hidden from corner c, which slides along f, the surface: beyond e the
+  /// surface goes on in a third block, and the corner's own block lies over it, or
+  /// holds the vertex of e and f, deeper than the joint is wide.
+  bool hides_side(int c, int e, int f) const {
+    if (!shallow(c, f))
+      return false;
+    const Slide slide(*this, c, e, f);
+    const double depth = slide.depth;
+    // seldom does the surface go on: asked first
+    for (const double part : joint_gaps)
+      if (goes_on(slide, part * depth, true) && reaches_over(slide, part * depth))
+        return true;
+    const int vertex = blocks_.next[e] == f ? f : blocks_.next[f] == e ? e : -1;
+    const double closed =
+        vertex < 0 ? 0.0 : std::min(depth, inside_by(vertex, blocks_.corner_block[c]));
+    return closed > 0.0 && goes_on(slide, closed, true);
+  }
+
+  /// Corner c is hidden from edge e, a flank that slopes to the surface of c's block:
+  /// beyond a side of c the surface goes on in a third block, and the toe below the
+  /// flank is in one of the two. Narrower than c overlaps, the joint is closed; else
+  /// the flank's block has to lie over it.
+  bool hides_corner(int c, int e) const {
+    const int before = blocks_.previous[c];
+    return hidden(c, e, before, c) || hidden(c, e, c, before);
+  }
+
+ private:
+  Vec2 at(int corner) const { return blocks_.corner.col(corner); }
+  Vec2 end(int edge) const { return at(blocks_.next[edge]); }
+  Vec2 unit_along(int edge) const { return (end(edge) - at(edge)).normalized(); }
+  static Vec2 outwards(const Vec2& along) { return {-along.y(), along.x()}; }
+  double depth_below(int c, int edge) const {
+    return geometry::cross(at(c) - at(edge), unit_along(edge));
+  }
+  bool holds(const Vec2& point, int block) const {
+    return PlaceInBlock(blocks_).holds(point, block);
+  }
+
+  /// How deep a corner is in a convex block; of others nothing is said, 0.
+  double inside_by(int corner, int block) const {
+    if (!blocks_.convex[block])
+      return 0.0;
+    double least = depth_below(corner, blocks_.first_corner[block]);
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      least = std::min(least, depth_below(corner, e));
+    return least;
+  }
+
+  /// `hides_corner` for one way to read the two edges that meet in c.
+  bool hidden(int c, int e, int side, int surface) const {
+    if (std::abs(geometry::cross(unit_along(e), unit_along(surface))) < least_flank)
+      return false;
+    const int toe = toe_of(e, surface);
+    if (toe < 0 || !shallow(toe, surface))
+      return false;
+    const Slide slide(*this, toe, side, surface);
+    const double depth = slide.depth;
+    if (!(depth > 0.0))
+      return false;
+    const double closed = std::min(depth, depth_below(c, e));
+    const bool narrow = goes_on(slide, closed, true);
+    const bool wide = closed < depth ? goes_on(slide, depth, true) : narrow;
+    if (!narrow && !wide)
+      return false;
+    const bool inside = holds(at(toe), blocks_.corner_block[c]);
+    return (narrow && (inside || goes_on(slide, closed, false))) ||
+           (wide && inside && reaches_over(slide, depth));
+  }
+
+  /// From the end of edge e that lies deeper below the surface on, the first corner of
+  /// its block that faces the surface by (20); -1: none.
+  int toe_of(int e, int surface) const {
+    const int next = blocks_.next[e];
+    const bool forward = depth_below(next, surface) > depth_below(e, surface);
+    const Vec2 p1 = at(surface), p2 = end(surface);
+    int toe = forward ? next : e;
+    for (int left = blocks_.corners_of(blocks_.corner_block[e]); left > 0; --left) {
+      if (geometry::faces_edge(at(toe), at(blocks_.previous[toe]), p1, p2) &&
+          geometry::faces_edge(at(toe), at(blocks_.next[toe]), p1, p2))
+        return toe;
+      toe = forward ? blocks_.next[toe] : blocks_.previous[toe];
+    }
+    return -1;
+  }
+
+  /// Corner c below a surface that a side ends.
+  struct Slide {
+    int c, side, surface;
+    Vec2 along;     ///< the surface, unit vector
+    double depth;   ///< [L] of c below the surface
+    double beyond;  ///< [L] of c below the side
+    double slope;   ///< sine of the angle from the side to the surface
+    double most;    ///< [L] a longer way along the surface is of no use
+
+    Slide(const ClosedJoint& joint, int corner, int side_edge, int surface_edge)
+        : c(corner), side(side_edge), surface(surface_edge),
+          along(joint.unit_along(surface)), depth(joint.depth_below(c, surface)),
+          beyond(joint.depth_below(c, side)),
+          slope(geometry::cross(joint.unit_along(side), along)),
+          most(shielded_way * (joint.end(surface) - joint.at(surface)).norm()) {}
+
+    /// From the corner along the surface to `gap` beyond the side, [L].
+    double way(double gap) const { return (beyond + gap) / slope; }
+    /// Not where the side does not slope to the surface or where that is too far.
+    bool possible(double way) const {
+      return std::abs(slope) >= least_slope && std::abs(way) <= most;
+    }
+  };
+
+  /// Whether beyond the side the surface goes on in a third block that is paired with
+  /// the block of corner c; it has to hold the corner unless the block itself does.
+  bool goes_on(const Slide& slide, double gap, bool inside) const {
+    const double way = slide.way(gap);
+    if (!slide.possible(way))
+      return false;
+    const int c = slide.c, own = blocks_.corner_block[slide.side];
+    const Vec2 point = at(c) + way * slide.along;
+    bool found = false;
+    all_.each_neighbour(blocks_.corner_block[c], [&](int third) {
+      found = found ||
+              (third != own && blocks_.convex[third] && near(point, third) &&
+               has_surface(third, point, slide.along, slide.depth, std::abs(way)) &&
+               (inside || holds(at(c), third)));
+    });
+    return found;
+  }
+
+  /// False only of points that are farther from the centroid than any corner: those of
+  /// a rigid block stay where they were when the pairs were found.
+  bool near(const Vec2& point, int block) const {
+    const double reach = all_.swing.longest[block];
+    return !all_.swing.rigid ||
+           (point - blocks_.centroid.col(block)).squaredNorm() <= 1.1 * reach * reach;
+  }
+
+  /// Whether the point is inside a block, and about as deep below an edge of it that
+  /// runs along the surface; the way there is short.
+  bool has_surface(int block, const Vec2& point, const Vec2& surface, double depth,
+                   double way) const {
+    bool found = false;
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1];
+         ++e) {
+      const Vec2 edge = end(e) - at(e);
+      const double product = geometry::cross(point - at(e), edge);
+      if (!(product >= 0.0))
+        return false;
+      const double parallel = edge.dot(surface);
+      if (!(parallel > 0.0))
+        continue;
+      const double length = edge.norm(), below = product / length;
+      found |= parallel > least_cosine * length && below >= 0.5 * depth &&
+               below <= 2.0 * depth && way <= shielded_way * length;
+    }
+    return found;
+  }
+
+  /// Whether the block of corner c lies over the place beyond the side, seen at some
+  /// heights up to the surface: its face may lean, its nose be sharp.
+  bool reaches_over(const Slide& slide, double gap) const {
+    const double way = slide.way(gap);
+    if (!slide.possible(way))
+      return false;
+    const Vec2 point = at(slide.c) + way * slide.along;
+    const Vec2 to_surface = slide.depth * outwards(slide.along);
+    for (const double part : joint_heights)
+      if (reaches(blocks_.corner_block[slide.c], point + part * to_surface))
+        return true;
+    return false;
+  }
+
+  /// Whether a point is in a block, rounded.
+  bool reaches(int block, const Vec2& point) const {
+    if (!blocks_.convex[block])
+      return holds(point, block);
+    for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e)
+      if (!(geometry::cross(point - at(e), end(e) - at(e)) >= 0.0))
+        return false;
+    return true;
+  }
+
+  const Blocks& blocks_;
+  const dynamics::PairContacts& all_;
+};
+
+}  // namespace blocks::study::corner_rules

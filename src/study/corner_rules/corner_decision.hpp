@@ -1,0 +1,73 @@
+// Which edge of a block acts on a corner by the variant `corners`: the rules of runs
+// before the contact rule decided pairs of blocks. Exact, with slack.
+#pragma once
+
+#include "dynamics/pair_contacts.hpp"
+#include "study/corner_rules/closed_joint.hpp"
+#include "study/corner_rules/place_in_block.hpp"
+
+namespace blocks::study::corner_rules {
+
+/// A pure function of the corner, the block, and the blocks that are paired with the
+/// corner's block.
+class CornerDecision {
+ public:
+  CornerDecision(const Blocks& blocks, const dynamics::PairContacts& all)
+      : blocks_(blocks), place_(blocks), joint_(blocks, all) {}
+
+  /// The edge of the block that acts on corner c, or -1: the admissible edge with the
+  /// least depth, if the corner is inside it. Admissible: (20) holds for both tangents
+  /// of the corner, the depth is at most that of the block's centroid, and the corner
+  /// is inside all edges of the block, or outside of one that a side of its own block
+  /// crosses. Where another edge of the block is nearer, the edge has to meet the
+  /// corner's block; of several, one that meets it comes first. Blocks that are not
+  /// convex: ReentrantBlock.
+  ///
+  /// What closed joints hide does not act (ClosedJoint): the next nearest edge acts in
+  /// place of a hidden side, and in place of a flank that a hidden corner does not
+  /// touch, unless that slopes as well.
+  int acting_edge(int c, int block) const;
+
+  /// The edge that acts as well if `acting` does, because the corner is in a notch, or
+  /// -1.
+  int notch_edge(int c, int block, int acting) const;
+
+ private:
+  static constexpr int none = PlaceInBlock::none, several = PlaceInBlock::several;
+
+  Vec2 at(int corner) const { return blocks_.corner.col(corner); }
+  Vec2 end(int edge) const { return at(blocks_.next[edge]); }
+  int first(int block) const { return blocks_.first_corner[block]; }
+  int last(int block) const { return blocks_.first_corner[block + 1]; }
+  bool reentrant(int block) const { return !blocks_.convex[block]; }
+  bool inside(int c, int edge) const {
+    return geometry::overlap_sign(at(c), at(edge), end(edge)) > 0;
+  }
+  bool nearer(int c, int edge, int other) const {
+    return geometry::compare_depth(at(c), at(edge), end(edge), at(other), end(other)) <
+           0;
+  }
+
+  int place(int c, int block) const;
+  bool faces(int c, int edge) const;
+  bool meets(int edge, int block) const;
+  bool nearly_meets(int edge, int block) const;
+  template <bool nearly> bool meets_convex(int edge, int block) const;
+  bool meets_reentrant(int edge, int block) const;
+  bool nearer_edge(int c, int edge) const;
+  bool comes_through(int c, int edge) const;
+  bool admissible(int c, int edge, int block) const;
+  bool acts_beside_crossing(int c, int edge, int out) const;
+  bool may_act(int c, int edge, int block, int out) const;
+  int seen_edge(int c, int block, int out, int nearest) const;
+  int depth_edge(int c, int edge) const;
+  bool precedes(int c, int edge, int other) const;
+  int nearest_edge(int c, int block, int out) const;
+  int next_edge(int c, int block, int out, int nearest) const;
+
+  const Blocks& blocks_;
+  const PlaceInBlock place_;
+  const ClosedJoint joint_;
+};
+
+}  // namespace blocks::study::corner_rules

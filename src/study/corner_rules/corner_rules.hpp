@@ -1,0 +1,15 @@
+// The rules of runs before the contact rule, for the step by pairs.
+#pragma once
+
+#include "dynamics/pair_contacts.hpp"
+
+namespace blocks::study {
+
+/// Members as in dynamics::ContactRules. Each corner is decided by itself.
+struct CornerRules {
+  static constexpr bool keeps_decisions = false, transfers_springs = true;
+  static void decide(const Blocks& blocks, const dynamics::PairContacts& all, int p,
+                     dynamics::PairScratch& scratch);
+};
+
+}  // namespace blocks::study

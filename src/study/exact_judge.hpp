@@ -1,0 +1,31 @@
+// Whether the contacts that acted in a step are those of the default rules.
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "dynamics/pair_contacts.hpp"
+#include "study/measure.hpp"
+
+namespace blocks::study {
+
+/// The default rules at the positions of another run: every pair is decided in every
+/// step, in a list of pairs of its own that reaches twice as far.
+class ExactJudge {
+ public:
+  /// Decides where the blocks are.
+  void decide(const Model& model);
+  /// Compares with the contacts that acted in the step from there.
+  void compare(const Blocks& blocks, const Contacts& contacts, Outcome& outcome) const;
+
+ private:
+  using Key = std::tuple<int, int, int, int>;  ///< two blocks, corner, edge
+
+  dynamics::PairContacts all_;
+  dynamics::NearSearch near_;
+  dynamics::PairScratch scratch_;
+  long seen_ = -1;  ///< NUPDAT when the pairs were found
+  std::vector<Key> acting_;
+};
+
+}  // namespace blocks::study

@@ -1,0 +1,191 @@
+// The audit finds what is put wrong on purpose.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "audit/audit.hpp"
+#include "audit/moments.hpp"
+#include "model/contact_blocks.hpp"
+
+namespace blocks {
+namespace {
+
+using audit::BlockPair;
+using audit::Findings;
+using scenes::Scene;
+using testing::AuditedRun;
+
+/// Adds a contact that acts, without forces.
+void add_contact(Contacts& contacts, int corner, int edge) {
+  contacts.corner.push_back(corner);
+  contacts.edge.push_back(edge);
+  contacts.active.push_back(true);
+}
+
+class InjectedFault : public ::testing::Test {
+ protected:
+  InjectedFault() : scene(testing::rubble(1)), run(scene.model) {
+    scene.run(1.0);
+    run.step();
+  }
+  Contacts& contacts() { return scene.model.contacts; }
+  /// Some contact that acts.
+  int acting() { return contacts().size() / 2; }
+  BlockPair blocks_of(int contact) { return pair_of(run.before, contacts(), contact); }
+  /// Takes a pair of blocks from the list.
+  void drop(const BlockPair& pair) {
+    auto& pairs = run.listed;
+    pairs.erase(std::remove(pairs.begin(), pairs.end(), pair), pairs.end());
+  }
+  bool acts(const BlockPair& pair) {
+    for (int i = 0; i < contacts().size(); ++i)
+      if (blocks_of(i) == pair)
+        return true;
+    return false;
+  }
+
+  Scene scene;
+  AuditedRun run;
+};
+
+TEST_F(InjectedFault, NothingIsWrongWithout) {
+  const Findings found = run.audit();
+  EXPECT_TRUE(found.sound());
+  EXPECT_GT(found.acting, 10);
+  EXPECT_EQ(found.acting, contacts().size());
+}
+
+TEST_F(InjectedFault, MissedPairThatTouches) {
+  const BlockPair pair = blocks_of(acting());
+  drop(pair);
+  const Findings found = run.audit();
+  EXPECT_EQ(found.missed, std::vector{pair});
+  EXPECT_TRUE(found.wrong.empty());
+}
+
+// The list promises more than the contacts of this moment.
+TEST_F(InjectedFault, MissedPairThatDoesNotTouchYet) {
+  const auto pairs = run.listed;
+  int missed = 0;
+  for (const BlockPair& pair : pairs) {
+    if (acts(pair))
+      continue;
+    drop(pair);
+    const Findings found = run.audit();
+    run.listed = pairs;
+    // The list may hold more than it has to.
+    if (found.missed.empty())
+      continue;
+    EXPECT_EQ(found.missed, std::vector{pair});
+    EXPECT_TRUE(found.wrong.empty());
+    ++missed;
+  }
+  EXPECT_GT(missed, 0);
+}
+
+TEST_F(InjectedFault, ContactThatShouldNotAct) {
+  const int i = acting(), corner = contacts().corner[i];
+  const int other = run.before.next[contacts().edge[i]];
+  const BlockPair pair = blocks_of(i);
+  add_contact(contacts(), corner, other);
+  const Findings found = run.audit();
+  ASSERT_EQ(found.wrong.size(), 1U);
+  const audit::WrongPair& wrong = found.wrong[0];
+  EXPECT_EQ(BlockPair(wrong.first, wrong.second), pair);
+  EXPECT_EQ(wrong.acting.size(), wrong.exact.size() + 1);
+  EXPECT_TRUE(std::count(wrong.acting.begin(), wrong.acting.end(),
+                         std::pair(corner, other)) == 1);
+  EXPECT_TRUE(found.missed.empty());
+}
+
+// Blocks 8 and 11 are walls on either side; a wall and a brick far away from it.
+TEST_F(InjectedFault, ContactOfBlocksThatAreFarApart) {
+  const Blocks& blocks = run.before;
+  const auto far = [&](int b) {
+    return (blocks.centroid.col(b) - blocks.centroid.col(8)).norm() > 4.0 &&
+           blocks.is_free(b);
+  };
+  int b = 0;
+  while (!far(b))
+    ++b;
+  add_contact(contacts(), blocks.first_corner[b], blocks.first_corner[8]);
+  const Findings found = run.audit();
+  ASSERT_EQ(found.wrong.size(), 1U);
+  EXPECT_EQ(found.wrong[0].acting.size(), 1U);
+  EXPECT_TRUE(found.wrong[0].exact.empty());
+}
+
+TEST_F(InjectedFault, ContactThatShouldAct) {
+  const int i = acting();
+  const std::pair contact(contacts().corner[i], contacts().edge[i]);
+  contacts().active[i] = false;
+  const Findings found = run.audit();
+  ASSERT_EQ(found.wrong.size(), 1U);
+  const auto &exact = found.wrong[0].exact, &program = found.wrong[0].acting;
+  EXPECT_TRUE(std::count(exact.begin(), exact.end(), contact) == 1);
+  EXPECT_TRUE(std::count(program.begin(), program.end(), contact) == 0);
+  EXPECT_TRUE(found.missed.empty());
+}
+
+// Of crossed bars no contact acts. Only the overlap tells how deep they are.
+TEST(LostContacts, DoNotExplainTheOverlap) {
+  Scene scene;
+  scene.box(-2, -0.5, 4, 1, true);
+  scene.box(-0.25, -2, 0.5, 4);
+  scene.prepare();
+  AuditedRun run(scene.model);
+  run.step();
+  scene.model.contacts.resize(0);
+  const Findings found = run.audit();
+  EXPECT_EQ(found.acting, 0);
+  EXPECT_EQ(found.wrong.size(), 1U);
+  ASSERT_EQ(found.excess.size(), 1U);
+  EXPECT_DOUBLE_EQ(found.excess[0].depth, 2.25);  // sideways, to the end of the bar
+  EXPECT_DOUBLE_EQ(found.excess[0].area, 0.5);
+  EXPECT_EQ(found.excess[0].explained, 0.0);
+}
+
+// A contact is put between blocks that are 0.1 apart, and one on the far side of a
+// block. Neither depth is that of the overlap of the two blocks.
+TEST(InjectedContact, IsDeeperThanItsBlocksOverlap) {
+  for (const auto& frame : {scenes::Frame{}, scenes::Frame{0.7, Vec2(3e3, -2e3)}}) {
+    Scene scene(frame);
+    scene.box(-2, -1, 4, 1, true);
+    scene.box(-0.5, -0.01, 1, 1);
+    scene.box(0.6, -0.01, 1, 1);
+    scene.prepare();
+    AuditedRun run(scene.model);
+    run.step();
+    const Findings sound = run.audit();
+    EXPECT_TRUE(sound.deep.empty());
+    EXPECT_EQ(sound.acting, 4);
+    EXPECT_LT(sound.deepest.excess(), 1e-12);
+    const auto found_with = [&](int corner, int edge) {
+      const Contacts whole = scene.model.contacts;
+      add_contact(scene.model.contacts, corner, edge);
+      const Findings found = run.audit();
+      scene.model.contacts = whole;
+      return found;
+    };
+    // Corner 1 of the third block is 0.1 beyond side 3 of the second: it is not deep,
+    // but a wrong decision.
+    const Findings apart = found_with(8, 6);
+    EXPECT_TRUE(apart.deep.empty());
+    EXPECT_FALSE(apart.wrong.empty());
+    // The same corner is below the top edge, as deep as that block is high.
+    const Findings top = found_with(8, 5);
+    ASSERT_EQ(top.deep.size(), 1U);
+    EXPECT_NEAR(top.deep[0].overlap, 1.0, 1e-9);
+    EXPECT_EQ(top.deep[0].common, 0.0);
+    // The bottom edge of the floor is 0.99 from the corner, and 0.01 are in common.
+    const Findings bottom = found_with(4, 3);
+    ASSERT_EQ(bottom.deep.size(), 1U);
+    EXPECT_NEAR(bottom.deep[0].overlap, 0.99, 1e-9);
+    EXPECT_NEAR(bottom.deep[0].common, 0.01, 1e-9);
+    EXPECT_EQ(bottom.deep[0].corner, 4);
+    EXPECT_EQ(bottom.deep[0].edge, 3);
+  }
+}
+
+}  // namespace
+}  // namespace blocks
