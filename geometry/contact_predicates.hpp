@@ -319,7 +319,7 @@ inline bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 }
 
 /// The overlap of c is at most the distance of the edge from its block's centroid:
-/// 2A(c) <= 2A(centroid) (rule "not deeper than the centroid", docs/departures.md).
+/// 2A(c) <= 2A(centroid). The study's variant `corners` asks this.
 /// True when equally deep; of (c, g) and (g, c) at least one is true.
 inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                          const Vec2& p2) {
@@ -360,7 +360,7 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
 }
 
 /// Sign of (overlap of c with p1 -> p2) - (overlap of c with q1 -> q2), both with their
-/// sign: -1 when edge p is the nearer one (docs/departures.md, nearest edge), 0 when
+/// sign: -1 when edge p is the nearer one, 0 when
 /// exactly equal. Swapping the edges changes the sign; a common corner of two edges is
 /// equally deep, 0, in both.
 inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,

@@ -53,7 +53,7 @@ void each_pair_of_parts(const BlockParts& parts, int a, int b, const Visit& visi
 
 /// Calls visit(corner, side) for what may act along an axis: the ends of two faces on
 /// each other, or one corner. A face may consist of several sides in line; the ends of
-/// inner sides do not count.
+/// inner sides on the face of the axis side do not count.
 template <class Predicates, class Visit>
 void each_along(PairShape<Predicates>& shape, const Axis& axis,
                 const std::optional<PairSide>& facing, const Visit& visit) {
