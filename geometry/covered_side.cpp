@@ -148,7 +148,8 @@ void UncoveredSide::add(Outline neighbour) {
     const double begin = (near - first_).dot(along_), last = begin + product;
     const double from = std::max(0.0, to_begin(begin, last)), to = to_last(begin, last);
     const double least = std::max(least_, gap), most = std::min(most_, reach);
-    if (least > most || from >= most || to <= 0.0 || is_outside(near, far_end))
+    if (least > most || from >= most || to <= 0.0 ||
+        (gap > 0.0 && is_outside(near, far_end)))
       continue;
     // It covers (min(h, to) - from) / h of the stretch: most of it if h is `to`.
     const double h = std::clamp(to, least, most);

@@ -38,7 +38,9 @@ struct Cover {
 ///   touch, or are apart, along these sides,
 /// - the gap between the two sides in the middle of what is covered of the stretch is
 ///   at most h,
-/// - `other` reaches at least h below the covering side, and holds a part of that side.
+/// - `other` reaches at least h below the covering side,
+/// - `other` holds a part of the covering side, or the two sides overlap there, by at
+///   most h.
 /// The neighbours cover the side if they cover half of the stretch and half of the
 /// interval. The answer is the neighbour that covers the longest part of the stretch;
 /// of equals, the first.

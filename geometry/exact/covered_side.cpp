@@ -188,14 +188,15 @@ template <class Number> class Question {
     if (CGAL::certainly(gap > h))
       return none;
     const Part<Number> inside = part_in(neighbour, f, other_);
-    if (inside.is_empty())
+    const auto overlap = (gap <= 0) & (-gap <= h);
+    if (inside.is_empty() && CGAL::certainly(!overlap))
       return none;
     const auto touches = touch_along(neighbour, f);
     if (CGAL::certainly(!touches))
       return none;
     const bool sure = CGAL::certainly(faces) && CGAL::certainly(reaches) &&
-                      CGAL::certainly(gap <= h) && !inside.may_be_empty() &&
-                      CGAL::certainly(touches);
+                      CGAL::certainly(gap <= h) && CGAL::certainly(touches) &&
+                      (!inside.may_be_empty() || CGAL::certainly(overlap));
     if constexpr (std::is_same_v<Number, Interval>)
       if (!sure)  // perhaps nothing
         return {covered.from, range(covered.from, covered.to)};

@@ -63,7 +63,7 @@ void ExactPairRule::choose(PartDecision& decision) const {
   for (;;) {
     look_for_joints(decision, decision.path.back());
     const int surface = axes[decision.path.back()].taken_over_by;
-    if (surface < 0)
+    if (surface < 0 || surface == decision.path.front())
       break;
     if (decision.path.size() == most_looks) {
       choose_axis(Choice::still_hidden, decision.path.front());

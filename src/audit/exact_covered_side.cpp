@@ -145,10 +145,10 @@ bool ExactPairRule::touch_along(const PartSide& f, const PartSide& g) const {
   return true;
 }
 
-/// The gap between f and g is at most `stretch` times the length of g. It is measured
-/// at right angles to g at the place `middle` along g, and negative where they overlap.
-bool ExactPairRule::gap_at_most(const PartSide& f, const PartSide& g,
-                                const Ratio& middle, const Ratio& stretch) const {
+/// The gap between f and g as a part of the length of g. It is measured at right angles
+/// to g at the place `middle` along g, and negative where they overlap.
+Ratio ExactPairRule::gap(const PartSide& f, const PartSide& g,
+                         const Ratio& middle) const {
   const Whole l2 = length2(g);
   const Point from = corner_[f.start] - corner_[g.start], f_along = along(f);
   // The place u along f whose foot on g is `middle`.
@@ -156,7 +156,7 @@ bool ExactPairRule::gap_at_most(const PartSide& f, const PartSide& g,
       (middle * Ratio(l2) - Ratio(dot(from, along(g)))) / Ratio(dot(f_along, along(g)));
   const Ratio depth =
       Ratio(cross(from, along(g))) + u * Ratio(cross(f_along, along(g)));
-  return -depth <= stretch * Ratio(l2);
+  return -depth / Ratio(l2);
 }
 
 /// Some corner of the part is at least `stretch` times the length of g below f.
@@ -192,9 +192,12 @@ Cover ExactPairRule::cover(const PartSide& g, bool from_start, int against) cons
         if (!face(f, g))
           continue;
         const Stretch covered = common(projection(f, g), stretch);
-        if (covered.empty() || !touch_along(f, g) ||
-            !gap_at_most(f, g, (covered.begin + covered.end) / 2, h) ||
-            !reaches_below(f, against, g, h) || part_inside(f, against).empty())
+        if (covered.empty() || !touch_along(f, g))
+          continue;
+        const Ratio apart = gap(f, g, (covered.begin + covered.end) / 2);
+        const bool overlap = apart <= 0 && -apart <= h;
+        if (apart > h || !reaches_below(f, against, g, h) ||
+            (part_inside(f, against).empty() && !overlap))
           continue;
         of_stretch += covered.length();
         of_interval += common(covered, interval).length();

@@ -236,8 +236,7 @@ class ExactPairRule {
   Stretch part_inside(const PartSide& side, int part) const;
   Stretch projection(const PartSide& f, const PartSide& g) const;
   bool touch_along(const PartSide& f, const PartSide& g) const;
-  bool gap_at_most(const PartSide& f, const PartSide& g, const Ratio& middle,
-                   const Ratio& stretch) const;
+  Ratio gap(const PartSide& f, const PartSide& g, const Ratio& middle) const;
   bool reaches_below(const PartSide& f, int part, const PartSide& g,
                      const Ratio& stretch) const;
 

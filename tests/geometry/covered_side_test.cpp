@@ -128,7 +128,7 @@ bool face(const Point& e, const Point& f) {
   return Wide(dot(e, f)) <= -cos10 * sqrt(Wide(Rational(dot(e, e) * dot(f, f))));
 }
 
-/// What one side of a neighbour would cover, and the four conditions of the rule.
+/// What one side of a neighbour would cover, and the conditions of the rule.
 struct Candidate {
   Cover cover;
   Rational of_stretch, of_interval;
@@ -186,7 +186,9 @@ class Oracle {
                        limit = h2 * reach.length2;
         c.holds[3] = reach2 >= limit;
         reach_ties += reach2 == limit;
-        c.holds[4] = part_inside(f, other).length() > 0;
+        c.holds[4] = part_inside(f, other).length() > 0 ||
+                     (gap <= 0 && -gap <= stretch_ * length2);
+        overlap_ties += -gap == stretch_ * length2;
         candidates_.push_back(std::move(c));
       }
     }
@@ -225,6 +227,7 @@ class Oracle {
                  : i == 6 ? "interval"
                           : conditions[static_cast<std::size_t>(i)]];
     counts["gap equals h"] += gap_ties;
+    counts["overlap equals h"] += overlap_ties;
     counts["reach equals h"] += reach_ties;
     Rational of_stretch = 0, of_interval = 0, longest = 0;
     int sides = 0, equals = 0;
@@ -258,7 +261,7 @@ class Oracle {
 
   Rational interval_ = 0, stretch_ = 0;
   std::vector<Candidate> candidates_;
-  int gap_ties = 0, reach_ties = 0;
+  int gap_ties = 0, overlap_ties = 0, reach_ties = 0;
 };
 
 // The scenes
@@ -437,13 +440,14 @@ TEST(CoveredSide, DecidesTiesOfBricks) {
                    {"several cover", 1500},
                    {"equal rivals", 500},
                    {"gap equals h", 1000},
+                   {"overlap equals h", 50},
                    {"reach equals h", 700},
                    {"half of the stretch", 200},
                    {"half of the interval", 200},
                    {"face", 700},
                    {"gap", 250},
                    {"reach", 900},
-                   {"inside", 100},
+                   {"inside", 30},
                    {"stretch", 60},
                    {"interval", 30},
                    {"rationals", 500}});

@@ -110,7 +110,7 @@ template <class Predicates, class Neighbours> class PairRule {
     for (int looks = 0; looks < 3; ++looks) {
       const std::optional<PairSide> facing = shape_.find_facing(axis);
       const std::optional<Axis> surface = surface_instead_of(axis, facing);
-      if (!surface) {
+      if (!surface || surface->side == entered->side) {
         // Below an inner side the part beside it decides.
         if (!touch(axis, facing) && looks == 0 && !shape_.at(axis.side).is_inner)
           stand_in(least);
