@@ -151,8 +151,6 @@ constexpr std::array known_failures = {
     KnownFailure{"stake", 1, 0.0, 0.5},
     // tips that cross sideways have no edge that they face
     KnownFailure{"triangles", 0, 0.0, 0.06},
-    // a side that lies down on a joint feels the corners there as well as its own
-    KnownFailure{"roller", 2, 0.05, 1e-4},
     // a toe that slides out of the slack of a joint loses a spring
     KnownFailure{"toe", 0, 0.0, 0.12},
     // no rule of geometry says on which of two bricks with flush undersides one rests
