@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+"""How far may the three constants of the contact rule be changed until something fails?
+
+sweep_constants.py [FRAMES] builds a copy of the program that takes the slack, the ten degrees and
+the half of covered sides from the environment, runs the study of contact detection for each value,
+and writes CONSTANTS.csv here and docs/images/constants.svg. 10 frames take ten minutes on two
+cores. The chart is drawn again from the table with --draw.
+"""
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+TABLE, FIGURE = HERE / "CONSTANTS.csv", ROOT / "docs/images/constants.svg"
+
+sys.path.insert(0, str(HERE.parent / "problems"))
+from suite.chart import Chart  # noqa: E402
+
+CONSTANTS = {
+    "slack": (1e-6, [1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 0.7e-6, 1e-6, 1.3e-6, 1e-5, 1e-4, 1e-3, 1e-2,
+                     1e-1]),
+    "degrees": (10, [1, 3, 5, 7, 10, 13, 15, 20, 30, 45, 60, 80]),
+    "share": (0.5, [0.01, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.0, 1.1, 1.5])}
+MAY_FAIL = ("stake", "toe", "bricks")
+
+FROM_ENVIRONMENT = """
+inline double from_environment(const char* name, double otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::strtod(text, nullptr) : otherwise;
+}
+inline const double contact_slack = from_environment("SWEEP_SLACK", 1e-6);
+inline const double sine_of_facing =
+    std::sin(from_environment("SWEEP_DEGREES", 10) * 3.14159265358979323846 / 180);
+inline const double share_of_cover = from_environment("SWEEP_SHARE", 0.5);
+"""
+CHANGES = {
+    "geometry/contact_predicates.hpp": [
+        ("inline constexpr double contact_slack = 1e-6;", FROM_ENVIRONMENT),
+        ("inline constexpr double sin10_squared = 0.030153689607045807973;",
+         "inline const double sin10_squared = sine_of_facing * sine_of_facing;"),
+        ("inline constexpr double cos10_squared = 0.969846310392954192027;",
+         "inline const double cos10_squared = 1.0 - sin10_squared;"),
+        ("#pragma once\n", "#pragma once\n#include <cmath>\n#include <cstdlib>\n")],
+    "geometry/exact/contact_predicates_exact.cpp": [
+        ("  const Number a2 = a * a;\n",
+         "  return sign(a - Number(filter::sin10_squared) * q) <= 0;\n"
+         "  const Number a2 = a * a;\n")],
+    "geometry/exact/covered_side.cpp": [
+        ("Number(2) * of_stretch >= stretch.length()",
+         "of_stretch >= Number(share_of_cover) * stretch.length()"),
+        ("Number(2) * of_interval >= interval.length()",
+         "of_interval >= Number(share_of_cover) * interval.length()"),
+        ("(a * (Number(64) * a * a - Number(96) * a * q + Number(36) * q * q) <=\n"
+         "            q * q * q)", "(a <= Number(filter::sin10_squared) * q)"),
+        ('#include "geometry/exact/kernels.hpp"',
+         '#include "geometry/contact_predicates.hpp"\n#include "geometry/exact/kernels.hpp"')],
+    "geometry/covered_side.hpp": [
+        ("share_ < 0.5", "share_ < share_of_cover"),
+        ("#include <span>", '#include <span>\n#include "geometry/contact_predicates.hpp"')],
+    "geometry/covered_side.cpp": [
+        ("0.95 * of_across",
+         "0.9645 * std::sqrt(1.0 - sine_of_facing * sine_of_facing) * of_across")],
+    "src/dynamics/rules/predicates.hpp": [
+        ("constexpr double sine_of_10_degrees = 0.17364817766693033;",
+         "const double sine_of_10_degrees = geometry::sine_of_facing;")]}
+
+
+def build(folder):
+    """The program with constants from the environment."""
+    left_out = shutil.ignore_patterns("build", ".git")
+    shutil.copytree(ROOT, folder, dirs_exist_ok=True, ignore=left_out)
+    for name, changes in CHANGES.items():
+        text = (folder / name).read_text()
+        for old, new in changes:
+            if text.count(old) != 1:
+                raise SystemExit(f"{name}: {text.count(old)} times instead of once: {old}")
+            text = text.replace(old, new)
+        (folder / name).write_text(text)
+    subprocess.run(["cmake", "-S", folder, "-B", folder / "build", "-G", "Ninja",
+                    "-DCMAKE_BUILD_TYPE=Release"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", folder / "build", "--target", "blocks"], check=True,
+                   stdout=subprocess.DEVNULL)
+    return folder / "build/src/blocks"
+
+
+def study(program, frames, **constants):
+    """Rows of all scenes with these constants."""
+    with tempfile.NamedTemporaryFile(suffix=".csv") as table:
+        environment = os.environ | {f"SWEEP_{k.upper()}": repr(v) for k, v in constants.items()}
+        subprocess.run([program, "study", "contacts", "all", "--variants", "default", "--frames",
+                        str(frames), "-j", str(os.cpu_count()), "--csv", table.name], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                       env=environment)
+        with open(table.name, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+
+def sweep(frames):
+    """The table of all values, written after each one."""
+    columns = ["constant", "value", "scene", "frames", "hang_ups", "fall_throughs"]
+    with tempfile.TemporaryDirectory() as folder, open(TABLE, "w", encoding="utf-8") as file:
+        program = build(Path(folder))
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(columns)
+        for constant, (_, values) in CONSTANTS.items():
+            for value in values:
+                for row in study(program, frames, **{constant: value}):
+                    out.writerow([constant, value, row["scene"], frames,
+                                  row["hang_ups_count"] or 0, row["fall_throughs_count"] or 0])
+                file.flush()
+                print(constant, value, flush=True)
+
+
+def charts():
+    """Share of the frames that fail against each constant."""
+    with open(TABLE, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    groups = [("scenes that must pass", lambda scene: scene not in MAY_FAIL)] + [
+        (scene, lambda name, scene=scene: name == scene) for scene in MAY_FAIL if scene != "bricks"]
+    labels = {"slack": ("Slack: 1e-6 in the rule", "slack, part of an edge's length"),
+              "degrees": ("Facing sides: ten degrees in the rule",
+                          "largest angle between them, degrees"),
+              "share": ("Covered sides: half in the rule",
+                        "share of a side that has to be covered")}
+    for constant, (_, values) in CONSTANTS.items():
+        chart = Chart(*labels[constant], "frames that fail, per cent",
+                      log="x" if constant == "slack" else "")
+        for label, belongs in groups:
+            share = []
+            for value in values:
+                mine = [r for r in rows if r["constant"] == constant and float(r["value"]) == value
+                        and belongs(r["scene"])]
+                failed = sum(int(r["hang_ups"]) + int(r["fall_throughs"]) for r in mine)
+                share.append(100.0 * failed / max(1, sum(int(r["frames"]) for r in mine)))
+            chart.ours(values, share, label, line=True)
+        yield chart
+
+
+def draw():
+    """The three charts one below the other."""
+    pictures = [chart.svg() for chart in charts()]
+    height = 400
+    body = "".join(f'<g transform="translate(0 {i * height})">{picture}</g>'
+                   for i, picture in enumerate(pictures))
+    FIGURE.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 {3 * height}" '
+                      f'width="640" height="{3 * height}">{body}</svg>\n', encoding="utf-8")
+
+
+if __name__ == "__main__":
+    arguments = sys.argv[1:]
+    if arguments != ["--draw"]:
+        sweep(int(arguments[0]) if arguments else 10)
+    draw()
