@@ -23,10 +23,9 @@ sys.path.insert(0, str(HERE.parent / "problems"))
 from suite.chart import Chart  # noqa: E402
 
 CONSTANTS = {
-    "slack": (1e-6, [1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 0.7e-6, 1e-6, 1.3e-6, 1e-5, 1e-4, 1e-3, 1e-2,
-                     1e-1]),
-    "degrees": (10, [1, 3, 5, 7, 10, 13, 15, 20, 30, 45, 60, 80]),
-    "share": (0.5, [0.01, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.0, 1.1, 1.5])}
+    "slack": [1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 0.7e-6, 1e-6, 1.3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1],
+    "degrees": [1, 3, 5, 7, 10, 13, 15, 20, 30, 45, 60, 80],
+    "share": [0.01, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.0, 1.1, 1.5]}
 MAY_FAIL = ("stake", "toe", "bricks")
 
 FROM_ENVIRONMENT = """
@@ -108,7 +107,7 @@ def sweep(frames):
         program = build(Path(folder))
         out = csv.writer(file, lineterminator="\n")
         out.writerow(columns)
-        for constant, (_, values) in CONSTANTS.items():
+        for constant, values in CONSTANTS.items():
             for value in values:
                 for row in study(program, frames, **{constant: value}):
                     out.writerow([constant, value, row["scene"], frames,
@@ -128,7 +127,7 @@ def charts():
                           "largest angle between them, degrees"),
               "share": ("Covered sides: half in the rule",
                         "share of a side that has to be covered")}
-    for constant, (_, values) in CONSTANTS.items():
+    for constant, values in CONSTANTS.items():
         chart = Chart(*labels[constant], "frames that fail, per cent",
                       log="x" if constant == "slack" else "")
         for label, belongs in groups:
