@@ -143,13 +143,20 @@ void UncoveredSide::add(Outline neighbour) {
       distance = std::max(distance, (corner - far_end).lpNorm<1>());
     }
     reach += error_of(distance, of_across, of_neighbours_);
-    const double gap =
-        std::min(cross(along_, near - first_), cross(along_, far_end - first_)) - error;
+    const double gap_at_near = cross(along_, near - first_),
+                 gap_at_far = cross(along_, far_end - first_);
+    const double gap = std::min(gap_at_near, gap_at_far) - error,
+                 overlap = -std::max(gap_at_near, gap_at_far) - error;
     const double begin = (near - first_).dot(along_), last = begin + product;
     const double from = std::max(0.0, to_begin(begin, last)), to = to_last(begin, last);
-    const double least = std::max(least_, gap), most = std::min(most_, reach);
-    if (least > most || from >= most || to <= 0.0 ||
-        (gap > 0.0 && is_outside(near, far_end)))
+    double least = std::max(least_, gap);
+    const double most = std::min(most_, reach);
+    if (is_outside(near, far_end)) {
+      if (gap > 0.0)
+        continue;
+      least = std::max(least, overlap);
+    }
+    if (least > most || from >= most || to <= 0.0)
       continue;
     // It covers (min(h, to) - from) / h of the stretch: most of it if h is `to`.
     const double h = std::clamp(to, least, most);
