@@ -47,13 +47,15 @@ struct PartBehind {
 constexpr double smallest = 1e-140, largest = 1e140, lost = 1e-150;
 
 /// What the place of a point across or along a side may be wrong by, if the point is
-/// `distance` away from an end of the side. The ends move against each other and
-/// against the point by at most `room` = r. Then the point moves by r, and the unit
-/// vector along a side of length l changes by at most 2 r / l: together r + 2 r
-/// distance / l. Rounding errors are below 1e-15 distance.
-double error_of(double distance, double length, double room) {
-  return (1e-12 * distance + 3.0 * room + lost) *
-         (1.0 + 2.0 * (distance + room) / length);
+/// `distance` away from an end of the side and moves against it by `of_point`, and the
+/// ends of the side move against each other by `of_side`: unit vectors along a and b
+/// differ by at most |a - b| / sqrt(|a| |b|). Rounding errors are below 1e-15 distance.
+double error_of(double distance, double of_point, double length, double of_side) {
+  if (!(of_side < 0.5 * length))
+    return std::numeric_limits<double>::infinity();
+  return (1.0 + 1e-9) *
+             (of_point + (distance + of_point) * of_side / (length - of_side)) +
+         1e-12 * distance + lost;
 }
 
 }  // namespace
@@ -74,9 +76,9 @@ UncoveredSide::UncoveredSide(const SideEnd& end, Outline other, double room,
     farthest = std::max(farthest, from.lpNorm<1>());
     const double depth = cross(from, line) / of_line;
     interval.cut(depth, depth + cross(edge, line) / of_line,
-                 error_of(from.lpNorm<1>() + length_, of_line, room));
+                 error_of(from.lpNorm<1>() + length_, room, of_line, room));
   }
-  const double error = error_of(length_, length_, room);
+  const double error = error_of(length_, room, length_, room);
   least_ =
       length_ * (end.at_start ? interval.to.low : 1.0 - interval.from.high) - error;
   most_ = length_ * (end.at_start ? interval.to.high : 1.0 - interval.from.low) + error;
@@ -92,8 +94,7 @@ bool UncoveredSide::is_outside(const Vec2& start, const Vec2& end) const {
     const auto outside = [&](const Vec2& corner) {
       const Vec2 from = corner - start_of(other_, k);
       return cross(from, line) / of_line <
-             -of_neighbours_ -
-                 error_of(from.lpNorm<1>() + of_neighbours_, of_line, room_);
+             -error_of(from.lpNorm<1>(), of_neighbours_, of_line, room_);
     };
     if (outside(start) && outside(end))
       return true;
@@ -104,17 +105,19 @@ bool UncoveredSide::is_outside(const Vec2& start, const Vec2& end) const {
 void UncoveredSide::add(Outline neighbour) {
   if (!is_sure() || is_empty_)
     return;
-  double low = std::numeric_limits<double>::infinity(), high = -low, far = 0.0;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double low = infinite, high = -infinite, nearest = infinite, farthest = -infinite;
   for (const Vec2& corner : neighbour) {
-    const double at = (corner - first_).dot(along_);
+    const Vec2 from = corner - first_;
+    const double at = from.dot(along_), away = cross(along_, from);
     low = std::min(low, at), high = std::max(high, at);
-    far = std::max(far, (corner - first_).lpNorm<1>());
+    nearest = std::min(nearest, away), farthest = std::max(farthest, away);
   }
+  const double far = std::max(high, -low) + std::max(farthest, -nearest);
   if (!(far < largest))
     return give_up();
   // The last term is the rounding error of the length.
-  const double error =
-      of_neighbours_ + error_of(far + of_neighbours_, length_, room_) + 1e-12 * length_;
+  const double error = error_of(far, of_neighbours_, length_, room_) + 1e-12 * length_;
   // Places along the side, from the end that is asked about.
   const auto to_begin = [&](double begin, double last) {
     return (at_start_ ? begin : length_ - last) - error;
@@ -122,45 +125,63 @@ void UncoveredSide::add(Outline neighbour) {
   const auto to_last = [&](double begin, double last) {
     return (at_start_ ? last : length_ - begin) + error;
   };
-  if (to_begin(low, high) >= most_ || to_last(low, high) <= 0.0)
+  const double first = std::max(0.0, to_begin(low, high)),
+               last_of_all = to_last(low, high);
+  if (first >= most_ || last_of_all <= 0.0 || nearest - error > most_)
     return;
+  // Little may be covered, and need not be known better while it adds up to little.
+  const double bound = std::min(most_, last_of_all) - first;
+  constexpr double little = 0x1p-3;
+  if (least_ > 0.0 && share_ + bound / least_ < little) {
+    share_ += bound / least_;
+    return;
+  }
   for (std::size_t f = 0; f < neighbour.size(); ++f) {
     const Vec2 &near = end_of(neighbour, f), &far_end = start_of(neighbour, f);
-    const Vec2 across =
-        far_end - near;  // runs along the side if the two face each other
-    const double product = across.dot(along_), of_across = across.norm();
-    if (!(of_across > smallest))
-      return give_up();
+    // runs along the side if the two face each other
+    const Vec2 across = far_end - near;
     // The cosine of 10 degrees is 0.985. If the two sides face each other after the
     // motion, `product` + 1.985 of_neighbours + 2 room of_across / length is at least
     // that part of `of_across`.
-    if (product + 2.0 * (of_neighbours_ + room_ * of_across / length_) <
-        0.95 * of_across)
+    const double product = across.dot(along_), square = across.squaredNorm();
+    if (!(square > smallest * smallest))
+      return give_up();
+    const double facing = product + 2.0 * of_neighbours_,
+                 part = 0.95 - 2.0 * room_ / length_;
+    if (facing < 0.0 || (part > 0.0 && facing * facing < part * part * square))
       continue;
+    const double begin = (near - first_).dot(along_), last = begin + product;
+    const double from = std::max(0.0, to_begin(begin, last)), to = to_last(begin, last);
+    const double gap_at_near = cross(along_, near - first_),
+                 gap_at_far = cross(along_, far_end - first_);
+    const double gap = std::min(gap_at_near, gap_at_far) - error,
+                 overlap = -std::max(gap_at_near, gap_at_far) - error;
+    double least = std::max(least_, gap), most = most_;
+    if (least > most || from >= most || to <= 0.0)
+      continue;
+    // It covers (min(h, to) - from) / h of the stretch: most of it if h is `to`.
+    const auto share = [&] {
+      const double h = std::clamp(to, least, most);
+      return std::max(0.0, std::min(h, to) - from) / h;
+    };
+    const double of_across = std::sqrt(square);
     double reach = -std::numeric_limits<double>::infinity(), distance = 0.0;
     for (const Vec2& corner : other_) {
       reach = std::max(reach, cross(across, corner - far_end) / of_across);
       distance = std::max(distance, (corner - far_end).lpNorm<1>());
     }
-    reach += error_of(distance, of_across, of_neighbours_);
-    const double gap_at_near = cross(along_, near - first_),
-                 gap_at_far = cross(along_, far_end - first_);
-    const double gap = std::min(gap_at_near, gap_at_far) - error,
-                 overlap = -std::max(gap_at_near, gap_at_far) - error;
-    const double begin = (near - first_).dot(along_), last = begin + product;
-    const double from = std::max(0.0, to_begin(begin, last)), to = to_last(begin, last);
-    double least = std::max(least_, gap);
-    const double most = std::min(most_, reach);
+    most = std::min(
+        most, reach + error_of(distance, of_neighbours_, of_across, of_neighbours_));
+    if (least > most || from >= most)
+      continue;
     if (is_outside(near, far_end)) {
       if (gap > 0.0)
         continue;
       least = std::max(least, overlap);
+      if (least > most)
+        continue;
     }
-    if (least > most || from >= most || to <= 0.0)
-      continue;
-    // It covers (min(h, to) - from) / h of the stretch: most of it if h is `to`.
-    const double h = std::clamp(to, least, most);
-    share_ += std::max(0.0, std::min(h, to) - from) / h;
+    share_ += share();
   }
 }
 

@@ -14,41 +14,22 @@
 
 namespace blocks::dynamics {
 
-/// How far the arms of each block may have turned and strained, and how far the block
-/// has gone. Between two moments no arm of a block has changed by more than `sum` has
-/// grown and, of a rigid block, `longest` times the change of its angle; of a
-/// deformable one, `longest` times that of its shape: a block that sways about a place
-/// stays near.
+/// How far each block has gone since decisions began to be kept.
 struct Swing {
   bool rigid = true;
   std::vector<double> longest;  ///< (n) [L] longest arm at the start, rounded up
   std::vector<double> sum;      ///< (n) [L] round-off; only grows
   // deformable blocks only
   Eigen::Matrix4Xd shape;  ///< (4, n) by columns: arms over those at the start
-  Eigen::Matrix2Xd reach;  ///< [L] (2, n) no arm had larger components at the start
   // all blocks
-  /// (n) [L] Way of the centroid and twice that of the arms, rounded up: the ways of
-  /// two blocks together grow by no less than their motion (PairPose::motion).
+  /// (n) [L] Way of the centroid and twice that of an arm `longest` long in any
+  /// direction, rounded up.
   std::vector<double> way;
   double travel = 0.0;  ///< [L] no way has grown by more between two moments
 
   /// For these blocks as they stand.
   void start(const Blocks& blocks, bool rigid_blocks);
-  /// No arm of deformable block b has changed by more since this was its shape, [L].
-  double reshaped(int b, const Eigen::Vector4d& since) const;
 };
-
-/// How far two blocks, first and second, move against each other in a step as they go
-/// now, [L]: to first order what the room of a decision loses in it.
-inline double motion_of_step(const Blocks& blocks, const Swing& swing, int first,
-                             int second, double dt) {
-  const auto arms = [&](int b) {
-    return swing.longest[b] *
-           (std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm());
-  };
-  const Vec2 apart = blocks.velocity.col(first) - blocks.velocity.col(second);
-  return dt * (apart.norm() + 2.0 * std::max(arms(first), arms(second)));
-}
 
 /// Which lanes act on each block, block after block, in the order of the list.
 struct LanesOfBlocks {
@@ -70,11 +51,6 @@ struct LanesOfBlocks {
     std::move_backward(first.begin(), first.end() - 1, first.end());
     first[0] = 0;
   }
-};
-
-/// Shapes (Swing) of the two blocks of a pair.
-struct PairShapes {
-  Eigen::Vector4d low = Eigen::Vector4d::Zero(), high = Eigen::Vector4d::Zero();
 };
 
 /// The extremes over the contacts that act in a step.

@@ -49,6 +49,7 @@ struct Cayley {
 /// How far the arms of a set of blocks have swung, and what of Swing follows from it.
 struct Swung {
   Set arm;      ///< [L] no arm has changed by more
+  Set any_arm;  ///< [L] nor would one `longest` long in any direction
   Set rounded;  ///< [L] what the sum grows by
   Set stretch;  ///< no arm is longer than `longest` times that, and the sum
 };
@@ -58,7 +59,8 @@ BLOCKS_INLINE Swung swung_rigidly(Set turn, Set angle, Set longest) {
   const Set beside = longest * (absolute(turn * turn * turn) / 12.0 +
                                 0x1p-50 * (1.0 + absolute(angle)));
   const Set rounded = turn != 0.0 ? beside : Set{};
-  return {longest * absolute(turn) + rounded, rounded, Set{} + 1.0};
+  const Set arm = longest * absolute(turn) + rounded;
+  return {arm, arm, rounded, Set{} + 1.0};
 }
 
 /// Of deformable blocks: shape = transform shape, whose columns 11, 21, 12, 22 are
@@ -75,7 +77,11 @@ BLOCKS_INLINE Swung swung_in_shape(const SwingColumns& swing, int b, Lanes lanes
   store_rows(swing.shape, b, lanes, select(free, shape, before));
   const Set stretch = root((shape[0] * shape[0] + shape[2] * shape[2]) +
                            (shape[1] * shape[1] + shape[3] * shape[3]));
-  return {root(farthest), 0x1p-49 * longest * stretch, stretch};
+  const Set x = transform[0] - 1.0, y = transform[3] - 1.0;
+  const Set strain = root((x * x + y * y) +
+                          (transform[1] * transform[1] + transform[2] * transform[2]));
+  const Set rounded = 0x1p-49 * longest * stretch;
+  return {root(farthest), longest * strain + rounded, rounded, stretch};
 }
 
 /// The extremes of Moved, lane by lane.
@@ -159,7 +165,7 @@ BLOCKS_INLINE void move_set(const BlockColumns& blocks, const SwingColumns& swin
   const Set sum_before = load(swing.sum + b, lanes), sum = sum_before + swung.rounded;
   store(swing.sum + b, lanes, free ? sum : sum_before);
   const Set way_before = load(swing.way + b, lanes);
-  const Set way = 1.0000001 * (went + 2.0 * swung.arm) + 0x1p-52 * way_before;
+  const Set way = 1.0000001 * (went + 2.0 * swung.any_arm) + 0x1p-52 * way_before;
   const Set way_after = way_before + way;
   store(swing.way + b, lanes, free ? way_after : way_before);
 

@@ -70,7 +70,8 @@ int ContactLanes::set_of(int slot) const {
                              bool, int, int);                                          \
   LaneExtremes act(const LaneSets&, const BlockRows&, const ContactLaw&, bool, bool,   \
                    int, int);                                                          \
-  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act};                   \
+  void find_faces(const PartPairs&, const BlockRows&, FacingAnswers&);                 \
+  constexpr LaneArithmetic arithmetic = {#name, touch_and_act, act, find_faces};       \
   }
 BLOCKS_DECLARE_LANES(baseline)
 #ifdef BLOCKS_X86_LANES

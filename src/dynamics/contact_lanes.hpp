@@ -33,7 +33,7 @@ struct alignas(64) LanePairs {
 struct SlotPlaces {
   LaneRow<int> corner, edge, edge_end;  ///< corners of the model
   // how it is known whether the contact acts; neither: it does not
-  LaneBits asked;    ///< if the corner is inside the edge, (19)
+  LaneBits asked;    ///< if the corner is inside the edge, (19), and between its ends
   LaneBits decided;  ///< it does
   // whether it does in this step
   LaneBits touches;
@@ -139,6 +139,9 @@ struct LaneExtremes {
   double overlap, spring;
 };
 
+struct PartPairs;
+struct FacingAnswers;
+
 /// The computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
@@ -151,6 +154,8 @@ struct LaneArithmetic {
   /// PairStress of rigid blocks.
   LaneExtremes (*act)(const LaneSets&, const BlockRows&, const ContactLaw&, bool rigid,
                       bool readings, int first, int last);
+  /// Which faces of pairs of parts act (facing_lanes.hpp).
+  void (*find_faces)(const PartPairs&, const BlockRows&, FacingAnswers&);
 };
 
 /// All that this processor can run; the first is the baseline.

@@ -6,10 +6,10 @@
 namespace blocks::dynamics::BLOCKS_LANES {
 namespace {
 
-/// Corners against edges: 2A of (19), and filter::overlap of
+/// Corners against edges: 2A of (19), filter::overlap and filter::between of
 /// geometry/contact_predicates.hpp.
 struct Sides {
-  Set xc, yc, ex, ey, cx, cy, plus, minus, value;
+  Set xc, yc, ex, ey, cx, cy, plus, minus, value, square;
 
   BLOCKS_INLINE Sides(const SlotPlaces& places, const BlockRows& blocks, int i) {
     const Point c = gather_point<2>(blocks.corner, places.corner + i);
@@ -20,6 +20,15 @@ struct Sides {
     cx = xc - p1[0], cy = yc - p1[1];
     plus = cx * ey, minus = cy * ex;
     value = plus - minus;
+    square = ex * ex + ey * ey;
+  }
+  /// How far the corner is between the ends, with slack, [L^2].
+  BLOCKS_INLINE Set between(Set& bound) const {
+    constexpr double slack = 1e-6;  // geometry::contact_slack
+    const Set x = cx * ex, y = cy * ey, foot = x + y, room = slack * square;
+    bound = 0x1p-50 * ((absolute(x) + absolute(y)) + square) + 0x1p-1000;
+    const Set from = foot + room, to = (square - foot) + room;
+    return from < to ? from : to;
   }
   BLOCKS_INLINE Set bound() const {
     return 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
@@ -49,6 +58,11 @@ BLOCKS_INLINE void find_touching(SlotPlaces& slot, const Sides& sides, int i,
     const Bits tie = sides.tie();
     inside &= ~tie, open &= ~tie;
   }
+  Set error;
+  const Set between = sides.between(error);
+  inside &= ~less(between, -error);
+  open &= inside;
+  open |= asked & inside & ~less(error, between);
   const Bits touch = load(slot.decided, i) | (asked & inside);
   store(slot.touches, i, touch);
   store(slot.starts, i, touch & ~before);
@@ -115,7 +129,7 @@ BLOCKS_INLINE Frame frame_of(SlotPlaces& slot, const BlockRows& blocks, int i,
   const Sides sides(slot, blocks, i);
   if constexpr (find)
     find_touching(slot, sides, i, look);
-  const Set per_length = 1.0 / root(sides.ex * sides.ex + sides.ey * sides.ey);
+  const Set per_length = 1.0 / root(sides.square);
   const Set depth = sides.value * per_length;
   const Set turned = where(choice_of(load(slot.flips, i)), -per_length, per_length);
   return {sides.xc, sides.yc, sides.ex * turned, sides.ey * turned,

@@ -56,7 +56,6 @@ void ContactsOfPairs::add(int p, const std::vector<PairContact>& contacts) {
 
 void PairContacts::take(std::vector<NearPair>& found, const Blocks& blocks, bool rigid,
                         int threads, bool known, bool moved_only) {
-  std::vector<KeptDecision> next(found.size());
   std::vector<short> next_seats(found.size(), 0);
   if (known) {
     std::size_t k = 0;
@@ -65,10 +64,8 @@ void PairContacts::take(std::vector<NearPair>& found, const Blocks& blocks, bool
         held.pair[k++] = -1;  // it has no spring
       if (k < held.pair.size() && held.pair[k] == from)
         held.pair[k++] = to;
-      if (!moved_only)
-        return;
-      next_seats[to] = seats[from];
-      next[to].life = kept[from].life, next[to].wait = kept[from].wait;
+      if (moved_only)
+        next_seats[to] = seats[from];
     });
     std::fill(held.pair.begin() + static_cast<std::ptrdiff_t>(k), held.pair.end(), -1);
   }
@@ -77,8 +74,7 @@ void PairContacts::take(std::vector<NearPair>& found, const Blocks& blocks, bool
     parts.make(blocks);
   }
   pairs.swap(found);
-  kept.swap(next), seats.swap(next_seats);
-  shapes.assign(rigid ? 0 : pairs.size(), {});
+  seats.swap(next_seats);
   limits.assign(pairs.size(), {});
   rounds.assign((pairs.size() + pairs_of_one_round - 1) / pairs_of_one_round, {});
   index_pairs(blocks, *this);
@@ -284,47 +280,6 @@ void PairContacts::seat(const Blocks& blocks, int p,
   });
 }
 
-namespace {
-
-/// How far a corner and the ends of an edge may move against each other before
-/// `between` changes, [L]. The foot moves by less than twice that and turning together.
-double room_of_end(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-  const Vec2 e = p2 - p1;
-  const double length = e.norm(), slack = geometry::contact_slack * length;
-  const double from = (c - p1).dot(e) / length + slack;
-  const double to = (p2 - c).dot(e) / length + slack;
-  return std::max(0.0, 0.25 * std::min(std::abs(from), std::abs(to)) - 1e-12 * length);
-}
-
-}  // namespace
-
-void PairContacts::ask_ends(const Blocks& blocks, int p) {
-  KeptDecision& of_pair = kept[p];
-  of_pair.room = room_left(blocks, p);
-  if (of_pair.room_of_neighbours > 0.0)
-    of_pair.room_of_neighbours = room_of_neighbours_left(p);
-  place(blocks, p);
-  of_pair.room_of_ends = of_pair.room;
-  const double rounded = rounding(blocks, p);
-  each_seat(p, [&](int seat) {
-    if (is_vacant(seat))
-      return;
-    const auto where = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
-    const auto [corner, edge] = at(seat);
-    const Vec2 c = where(corner), p1 = where(edge), p2 = where(blocks.next[edge]);
-    lanes.set(seat, &SlotPlaces::asked, geometry::between(c, p1, p2));
-    of_pair.room_of_ends =
-        std::min(of_pair.room_of_ends, std::max(0.0, room_of_end(c, p1, p2) - rounded));
-  });
-}
-
-void PairContacts::open_ends(const Blocks& blocks, int p) {
-  if (kept[p].room > 0.0)
-    ask_ends(blocks, p);
-  limits[p] = {};
-  rounds[p / pairs_of_one_round] = 0.0;
-}
-
 bool PairContacts::join_shares() {
   unseated.clear();
   lost.clear();
@@ -349,66 +304,29 @@ bool PairContacts::join_shares() {
   return true;
 }
 
-void PairContacts::place(const Blocks& blocks, int p) {
-  const auto [low, high, lane] = pairs[p];
-  static_cast<PairPlacement&>(kept[p]) = {
-      .x = blocks.centroid(0, low) - blocks.centroid(0, high),
-      .y = blocks.centroid(1, low) - blocks.centroid(1, high),
-      .angle_low = blocks.angle[low],
-      .angle_high = blocks.angle[high],
-      .sum = swing.sum[low] + swing.sum[high],
-      .ways = kept[p].room_of_neighbours > 0.0 ? sum_of_ways(p) : 0.0};
-  if (!swing.rigid)
-    shapes[p] = {swing.shape.col(low), swing.shape.col(high)};
-}
-
-double PairContacts::rounding(const Blocks& blocks, int p) const {
-  double farthest = 0.0;
-  for (const int b : {pairs[p].low, pairs[p].high})
-    farthest = std::max(farthest, blocks.centroid.col(b).lpNorm<Eigen::Infinity>() +
-                                      swing.longest[b]);
-  return 0x1p-48 * farthest;
-}
-
-int PairContacts::ways(int p) const {
+int PairContacts::neighbours_of(int p) const {
   const auto [low, high, lane] = pairs[p];
   return first_of_block[low + 1] - first_of_block[low] + first_of_block[high + 1] -
          first_of_block[high];
 }
 
-/// Each of the two is a neighbour of the other.
-double PairContacts::sum_of_ways(int p) const {
+double PairContacts::ways_of_neighbours(int p) const {
   double sum = 0.0;
   for (const int block : {pairs[p].low, pairs[p].high})
     each_neighbour(block, [&](int other) { sum += swing.way[other]; });
   return sum;
 }
 
-double PairContacts::room_of_neighbours_left(int p) const {
-  if (!(kept[p].room_of_neighbours > 0.0))
-    return std::numeric_limits<double>::infinity();
-  const double ways = sum_of_ways(p);
-  return kept[p].room_of_neighbours - (ways - kept[p].ways + 0x1p-48 * ways);
-}
-
-double PairContacts::room_left(const Blocks& blocks, int p) const {
-  const KeptDecision& since = kept[p];
-  if (!(since.room > 0.0))
-    return 0.0;
-  const auto [low, high, lane] = pairs[p];
-  const double x = blocks.centroid(0, low) - blocks.centroid(0, high) - since.x;
-  const double y = blocks.centroid(1, low) - blocks.centroid(1, high) - since.y;
-  double arm_low = 0.0, arm_high = 0.0;
-  if (swing.rigid) {
-    arm_low = swing.longest[low] * std::abs(blocks.angle[low] - since.angle_low);
-    arm_high = swing.longest[high] * std::abs(blocks.angle[high] - since.angle_high);
-  } else {
-    arm_low = swing.reshaped(low, shapes[p].low);
-    arm_high = swing.reshaped(high, shapes[p].high);
+double PairContacts::left_of(int p) {
+  DecisionLimits& limit = limits[p];
+  // each of the two blocks goes as far as the travel tells
+  const double left = 0.5 * (limit.way - ways_of_two(p));
+  if (left > 0.0 && !(swing.travel < limit.travel)) {
+    const double ways = ways_of_neighbours(p);
+    const double more = limit.ways - ways - 0x1p-48 * ways;
+    limit.travel = swing.travel + more / neighbours_of(p);
   }
-  const double rounded = swing.sum[low] + swing.sum[high] - since.sum;
-  return since.room - (std::sqrt(x * x + y * y) +
-                       2.0 * ((arm_low > arm_high ? arm_low : arm_high) + rounded));
+  return std::min(left, limit.travel - swing.travel);
 }
 
 }  // namespace blocks::dynamics

@@ -7,35 +7,20 @@
 #include <vector>
 
 #include "dynamics/acting_lanes.hpp"
+#include "dynamics/certain_decisions.hpp"
 #include "dynamics/near_pairs.hpp"
 #include "dynamics/rules/pair_rule.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
 
-/// How two blocks stood to each other when something was decided of them.
-struct PairPlacement {
-  double x = 0.0, y = 0.0;                   ///< [L] between the centroids
-  double angle_low = 0.0, angle_high = 0.0;  ///< rad
-  double sum = 0.0;                          ///< [L] of both blocks' swing
-  double ways = 0.0;  ///< [L] of all blocks with which either of them is paired
-};
-/// For how long a decision holds.
-struct DecisionRoom {
-  double room = 0.0;       ///< [L] while blocks have moved by less; 0: for one step
-  unsigned char life = 6;  ///< log2 of the steps for which room is tried next
-  unsigned char wait = 0;  ///< decisions until room is tried again
-  /// [L] Likewise, while blocks have moved by less against their neighbours; 0: they do
-  /// not count.
-  double room_of_neighbours = 0.0;
-  /// [L] Likewise, for what corners are between the ends of their edges (ask_ends).
-  double room_of_ends = 0.0;
-};
-struct KeptDecision : PairPlacement, DecisionRoom {};
-/// [L] A decision has not to be looked at before the ways of its two blocks (Swing) add
-/// up to `way`, or the travel has grown to `travel`.
-struct PairLimits {
-  double way = 0.0, travel = 0.0;
+/// Until when the decision of a pair holds (pair_decisions.hpp), [L].
+struct DecisionLimits {
+  double way = 0.0;  ///< until the ways (Swing) of its two blocks add up to this
+  /// Until the ways of all blocks that either of them is paired with add up to this;
+  /// infinite: they do not count.
+  double ways = 0.0;
+  double travel = 0.0;  ///< which they cannot before the travel is this
 };
 /// A contact of a pair, apart from its seat.
 struct PairContact {
@@ -71,9 +56,7 @@ struct PairContacts : ActingLanes {
   std::vector<int> pairs_of_blocks;  ///< pairs of each block: their indices
   BlockParts parts;
 
-  std::vector<KeptDecision> kept;  ///< (pairs)
-  std::vector<PairShapes> shapes;  ///< (pairs) deformable blocks only
-  std::vector<PairLimits> limits;  ///< (pairs)
+  std::vector<DecisionLimits> limits;  ///< (pairs)
   std::vector<double> rounds;  ///< [L] (pairs / pairs_of_one_round, rounded up) travel
                                ///< (Swing) before which nothing has to be looked at
   std::vector<short> seats;    ///< (pairs) that its lane has to have
@@ -88,6 +71,8 @@ struct PairContacts : ActingLanes {
     ContactsOfPairs unseated;  ///< decided, and more than their lanes have seats
     PairScratch scratch;
     std::vector<PairContact> before, now;  ///< of one pair
+    std::vector<int> due;                  ///< pairs whose decisions no longer hold
+    CertainDecisions decisions;
     Extremes extremes;
     unsigned long long exact_calls = 0;  ///< questions left to exact arithmetic
   };
@@ -100,7 +85,7 @@ struct PairContacts : ActingLanes {
   /// Takes the pairs of a new list. `known`: `held` has the contacts of the list
   /// before; those of pairs that the new one lacks are dropped (pair -1). `moved_only`:
   /// since then blocks have moved, and nothing else. All pairs have to be decided, for
-  /// there may be new neighbours; for how long decisions held is kept.
+  /// there may be new neighbours.
   void take(std::vector<NearPair>& found, const Blocks& blocks, bool rigid, int threads,
             bool known, bool moved_only);
   /// Contacts of a pair, in the order of the list: what is in its seats.
@@ -118,27 +103,20 @@ struct PairContacts : ActingLanes {
   /// inside. Springs of others are lost.
   void seat(const Blocks& blocks, int p, const std::vector<CornerOnEdge>& found,
             bool asked, Share& share);
-  /// Finds which contacts in the seats of pair p, which is settled, are between the
-  /// ends of their edges: no others may act. What is left of its rooms counts from here
-  /// on.
-  void ask_ends(const Blocks& blocks, int p);
-  /// The same for a pair that has been decided in this step and got its seats only now.
-  void open_ends(const Blocks& blocks, int p);
   /// Joins what the threads found; true: some pairs have no seats yet.
   bool join_shares();
 
-  /// The decision of pair p counts from here on.
-  void place(const Blocks& blocks, int p);
-  /// What is left of the room of a pair: no difference of two corners of its blocks, or
-  /// of a corner and a centroid, can have changed by more than the rest, [L].
-  double room_left(const Blocks& blocks, int p) const;
-  /// The same with the neighbours of the two blocks.
-  double room_of_neighbours_left(int p) const;
-  /// How much more a difference of two stored corners of pair p may change, [L]: each
-  /// corner is rounded to the last place of its coordinates. The rooms do not count it.
-  double rounding(const Blocks& blocks, int p) const;
-  /// How many ways of blocks count for pair p and its neighbours.
-  int ways(int p) const;
+  /// The ways of the two blocks of pair p together, [L].
+  double ways_of_two(int p) const {
+    return swing.way[pairs[p].low] + swing.way[pairs[p].high];
+  }
+  /// Those of all blocks that either of them is paired with, each of the two among
+  /// them; how many these are.
+  double ways_of_neighbours(int p) const;
+  int neighbours_of(int p) const;
+  /// By how much the travel may grow before the decision of pair p has to be looked at
+  /// again, [L]; not positive: it no longer holds.
+  double left_of(int p);
 
   /// What acts becomes the list of the model; forces and overlaps of the last step, or
   /// 0 without readings.
@@ -173,7 +151,14 @@ struct PairContacts : ActingLanes {
  private:
   void set_seat(const Blocks& blocks, int p, int seat, const PairContact& contact);
   void make_sets_of_window(int first, int last);
-  double sum_of_ways(int p) const;
+};
+
+/// For the contact rule: the blocks that a block is paired with.
+struct Neighbours {
+  const PairContacts& all;
+  template <class Visit> void operator()(int block, const Visit& visit) const {
+    all.each_neighbour(block, visit);
+  }
 };
 
 }  // namespace blocks::dynamics

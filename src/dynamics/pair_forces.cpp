@@ -21,9 +21,10 @@ void settle_set(const Blocks& blocks, PairContacts& all, int set,
     SlotSprings& springs = lanes.springs[slot];
     for (int k = 0; k < lane_count; ++k) {
       const int seat = slot * lane_count + k;
+      const Vec2 c = at(places.corner[k]), p1 = at(places.edge[k]),
+                 p2 = at(places.edge_end[k]);
       if (lanes.is(seat, &SlotPlaces::asked) && lanes.is(seat, &SlotPlaces::touches) &&
-          geometry::overlap_sign(at(places.corner[k]), at(places.edge[k]),
-                                 at(places.edge_end[k])) <= 0)
+          !(geometry::overlap_sign(c, p1, p2) > 0 && geometry::between(c, p1, p2)))
         lanes.set(seat, &SlotPlaces::touches, false);
       if (lanes.is(seat, &SlotPlaces::touches))
         continue;

@@ -30,8 +30,6 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, PairContacts& all
   if (all.join_shares()) {
     all.take_out(all.held);
     all.make_lanes(blocks, settings, all.held, all.unseated);
-    for (const int p : all.unseated.pair)
-      all.open_ends(blocks, p);
   }
 }
 

@@ -93,22 +93,28 @@ void move_block(Blocks& blocks, int b, Swing& swing, const Settings& settings,
     blocks.arm.col(c) = arm;
     blocks.corner.col(c) = centroid + arm;
   }
-  double swung = std::sqrt(farthest);
+  double swung = std::sqrt(farthest), any_arm = 0.0;
   if (settings.rigid) {
     const double beside =
         turn != 0.0 ? swing.longest[b] * (std::abs(turn * turn * turn) / 12.0 +
                                           0x1p-50 * (1.0 + std::abs(blocks.angle[b])))
                     : 0.0;
-    swung = swing.longest[b] * std::abs(turn) + beside;
+    swung = any_arm = swing.longest[b] * std::abs(turn) + beside;
     swing.sum[b] += beside;
   } else {
     Eigen::Map<Eigen::Matrix2d> shape(swing.shape.col(b).data());
     shape = (transform * shape).eval();
     stretch = shape.norm();
-    swing.sum[b] += 0x1p-49 * swing.longest[b] * stretch;
+    const double rounded = 0x1p-49 * swing.longest[b] * stretch;
+    swing.sum[b] += rounded;
+    const double x = transform(0, 0) - 1.0, y = transform(1, 1) - 1.0;
+    const double strain =
+        std::sqrt((x * x + y * y) + (transform(0, 1) * transform(0, 1) +
+                                     transform(1, 0) * transform(1, 0)));
+    any_arm = swing.longest[b] * strain + rounded;
   }
   const double moved = went + swung;
-  const double way = 1.0000001 * (went + 2.0 * swung) + 0x1p-52 * swing.way[b];
+  const double way = 1.0000001 * (went + 2.0 * any_arm) + 0x1p-52 * swing.way[b];
   swing.way[b] += way;
   result.way = std::max(result.way, way + 0x1p-52 * swing.way[b]);
   sum += moved + transform.sum();

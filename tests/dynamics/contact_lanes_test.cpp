@@ -182,14 +182,16 @@ TEST(ContactLanes, WhatTouchesIsDecidedExactly) {
     }
     lane_arithmetic().touch_and_act(lanes, rows, {1.0, 1.0, 1.0, 1.0}, true, 0, 1);
     for (int k = 0; k < lane_count; ++k) {
-      const int sign = geometry::exact::overlap_sign(
-          at(slot.corner[k]), at(slot.edge[k]), at(slot.edge_end[k]));
+      const Vec2 c = at(slot.corner[k]), p1 = at(slot.edge[k]),
+                 p2 = at(slot.edge_end[k]);
+      const int sign = geometry::exact::overlap_sign(c, p1, p2);
+      const bool acts = sign > 0 && geometry::exact::between(c, p1, p2);
       const bool touches = lanes.is(k, &SlotPlaces::touches);
       if (!touches || lanes.pairs[0].look == 0) {
-        ASSERT_EQ(touches, sign > 0) << trial;
+        ASSERT_EQ(touches, acts) << trial;
       }
       ties += !touches && sign == 0;
-      open += touches && sign <= 0;
+      open += touches && !acts;
     }
   }
   EXPECT_GT(ties, 2000);

@@ -37,7 +37,7 @@ long compare(const Model& start, int steps) {
     run->find(kept, a), run->find(anew, b);
     run->step(kept, a), dynamics::step_by_pairs<DecidedAnew>(anew, b);
     for (int p = 0; p < static_cast<int>(a.pairs.pairs.size()); ++p)
-      reused += a.pairs.room_left(kept.blocks, p) > 0.0;
+      reused += a.pairs.left_of(p) > 0.0;
     if (kept.blocks.corner != anew.blocks.corner ||
         kept.blocks.velocity != anew.blocks.velocity) {
       ADD_FAILURE() << "the runs part in step " << k;

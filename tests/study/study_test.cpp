@@ -129,8 +129,8 @@ TEST(DefaultVariant, IsWhatRunsDo) {
       dynamics::step(run, a);
       variant->find(studied, b);
       variant->step(studied, b);
-      for (const dynamics::KeptDecision& decision : b.pairs.kept)
-        kept += decision.room > 0.0;
+      for (int p = 0; p < static_cast<int>(b.pairs.pairs.size()); ++p)
+        kept += b.pairs.left_of(p) > 0.0;
     }
     EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
     EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;

@@ -1,8 +1,11 @@
 #include "dynamics/rules/block_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
+
+#include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
 
@@ -34,6 +37,46 @@ void BlockParts::make(const Blocks& blocks) {
     }
     first_part_.push_back(static_cast<int>(block_.size()));
   }
+  find_plain_sides(blocks);
+}
+
+void BlockParts::find_plain_sides(const Blocks& blocks) {
+  is_plain_.resize(corner_.size());
+  for (int part = 0; part < static_cast<int>(block_.size()); ++part)
+    for (int i = 0; i < corners(part); ++i) {
+      const Side own = side(part, i);
+      is_plain_[first_corner_[part] + i] = !is_inner(blocks, own) &&
+                                           !may_be_in_line(blocks, before(own), own) &&
+                                           !may_be_in_line(blocks, own, after(own));
+    }
+}
+
+namespace {
+
+Vec2 along(const Blocks& blocks, const Side& side) {
+  return blocks.corner.col(side.end) - blocks.corner.col(side.start);
+}
+
+}  // namespace
+
+bool BlockParts::may_be_in_line(const Blocks& blocks, const Side& first,
+                                const Side& next) {
+  constexpr double slack = 4.0 * geometry::contact_slack;
+  const Vec2 e = along(blocks, first), g = along(blocks, next);
+  return e.dot(g) > 0.0 && std::abs(geometry::cross(e, g)) <=
+                               slack * std::min(e.squaredNorm(), g.squaredNorm());
+}
+
+geometry::Outline BlockParts::outline(const Blocks& blocks, int part,
+                                      geometry::Polygon& copy) const {
+  const auto count = static_cast<std::size_t>(corners(part));
+  if (blocks.convex[block(part)])
+    return {reinterpret_cast<const Vec2*>(blocks.corner.data()) + corner(part, 0),
+            count};
+  copy.clear();
+  for (int i = 0; i < corners(part); ++i)
+    copy.push_back(blocks.corner.col(corner(part, i)));
+  return copy;
 }
 
 Side BlockParts::twin(const Side& inner) const {

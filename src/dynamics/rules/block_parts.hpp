@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/covered_side.hpp"
+#include "geometry/polygon.hpp"
 #include "model/blocks.hpp"
 
 namespace blocks::dynamics {
@@ -47,15 +49,28 @@ class BlockParts {
   bool is_inner(const Blocks& blocks, const Side& side) const {
     return blocks.next[side.start] != side.end;
   }
+  /// An edge with which no side of the part is in line, nor nearly so.
+  bool is_plain(int part, int index) const {
+    return is_plain_[first_corner_[part] + index];
+  }
+  /// The corners of a part: of a convex block as they stand in the memory, else in
+  /// `copy`.
+  geometry::Outline outline(const Blocks& blocks, int part,
+                            geometry::Polygon& copy) const;
   /// The same inner side seen from the part beside it (geometry::convex_parts: every
   /// inner side has one).
   Side twin(const Side& inner) const;
 
  private:
+  void find_plain_sides(const Blocks& blocks);
+  /// With room for what strain may change.
+  static bool may_be_in_line(const Blocks& blocks, const Side& first, const Side& next);
+
   std::vector<int> first_part_ = {0};    ///< (blocks + 1)
   std::vector<int> block_;               ///< (parts)
   std::vector<int> first_corner_ = {0};  ///< (parts + 1)
   std::vector<int> corner_;              ///< corner numbers of each part, clockwise
+  std::vector<char> is_plain_;           ///< of the side that starts at each of them
 };
 
 }  // namespace blocks::dynamics

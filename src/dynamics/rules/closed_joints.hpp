@@ -28,6 +28,45 @@ struct JointScratch {
   std::vector<geometry::Outline> outlines;
 };
 
+/// Calls visit(part) for the parts that may cover a side of part `own` where part
+/// `other` is: those of blocks that the other block is paired with, at least one of the
+/// two free. Neighbours: see ClosedJoints.
+template <class Neighbours, class Visit>
+void each_covering_part(const Blocks& blocks, const BlockParts& parts,
+                        const Neighbours& neighbours, int own, int other,
+                        const Visit& visit) {
+  const int own_block = parts.block(own), other_block = parts.block(other);
+  neighbours(other_block, [&](int block) {
+    if (block != own_block && block != other_block &&
+        (blocks.is_free(block) || blocks.is_free(other_block)))
+      for (int part = parts.first_part(block); part < parts.end_part(block); ++part)
+        visit(part);
+  });
+}
+
+/// A side of a part, one of its ends, and the other part.
+struct SideOfJoint {
+  int part, side;
+  bool at_start;
+  int other;
+};
+
+/// Whether neighbours certainly do not cover the side of a joint, now and after any
+/// motion that leaves room (geometry::UncoveredSide).
+template <class Neighbours>
+bool is_surely_uncovered(const Blocks& blocks, const BlockParts& parts,
+                         const Neighbours& neighbours, const SideOfJoint& of,
+                         double room, double of_neighbours, JointScratch& scratch) {
+  geometry::UncoveredSide side(
+      {parts.outline(blocks, of.part, scratch.own), of.side, of.at_start},
+      parts.outline(blocks, of.other, scratch.other), room, of_neighbours);
+  each_covering_part(blocks, parts, neighbours, of.part, of.other, [&](int part) {
+    if (side.is_sure())
+      side.add(parts.outline(blocks, part, scratch.neighbour));
+  });
+  return side.is_sure();
+}
+
 /// Neighbours: `neighbours(b, visit)` calls visit(block) for each block that block b is
 /// paired with, in a fixed order.
 template <class Predicates, class Neighbours> class ClosedJoints {
@@ -118,59 +157,20 @@ template <class Predicates, class Neighbours> class ClosedJoints {
       return {true, parts_.twin(parts_.side(part, joint.side.index))};
     if (is_surely_uncovered(joint, part, other))
       return {};
-    if constexpr (Predicates::has_room) {
-      ask_.doubt();
+    gather(part, other);
+    const geometry::Cover found = ask_.covering(
+        {scratch_.outlines[0], joint.side.index, joint.surface_is_before},
+        scratch_.outlines[1], {scratch_.outlines.begin() + 2, scratch_.outlines.end()});
+    if (!found)
       return {};
-    } else {
-      gather(part, other);
-      const geometry::Cover found = ask_.covering(
-          {scratch_.outlines[0], joint.side.index, joint.surface_is_before},
-          scratch_.outlines[1],
-          {scratch_.outlines.begin() + 2, scratch_.outlines.end()});
-      if (!found)
-        return {};
-      return {true,
-              parts_.side(scratch_.parts[static_cast<std::size_t>(found.neighbour)],
-                          found.side)};
-    }
+    return {true, parts_.side(scratch_.parts[static_cast<std::size_t>(found.neighbour)],
+                              found.side)};
   }
   /// Most joints are far from closed.
   bool is_surely_uncovered(const Joint& joint, int part, int other) {
-    do {
-      geometry::UncoveredSide side(
-          {outline(part, scratch_.own), joint.side.index, joint.surface_is_before},
-          outline(other, scratch_.other), ask_.room(), ask_.room_of_neighbours());
-      each_neighbour_part(part, other, [&](int neighbour) {
-        side.add(outline(neighbour, scratch_.neighbour));
-      });
-      if (side.is_sure())
-        return true;
-    } while (ask_.narrow_room_of_neighbours());
-    return false;
-  }
-  /// Calls visit(part) for the parts that may cover: of blocks that the other block is
-  /// paired with, at least one of the two free.
-  template <class Visit>
-  void each_neighbour_part(int own, int other, const Visit& visit) {
-    const int own_block = parts_.block(own), other_block = parts_.block(other);
-    neighbours_(other_block, [&](int block) {
-      if (block != own_block && block != other_block &&
-          (blocks_.is_free(block) || blocks_.is_free(other_block)))
-        for (int part = parts_.first_part(block); part < parts_.end_part(block); ++part)
-          visit(part);
-    });
-  }
-  /// The corners of a part; of a convex block as they stand in the memory.
-  geometry::Outline outline(int part, geometry::Polygon& copy) const {
-    const auto count = static_cast<std::size_t>(parts_.corners(part));
-    if (blocks_.convex[parts_.block(part)])
-      return {reinterpret_cast<const Vec2*>(blocks_.corner.data()) +
-                  parts_.corner(part, 0),
-              count};
-    copy.clear();
-    for (int i = 0; i < parts_.corners(part); ++i)
-      copy.push_back(at(parts_.corner(part, i)));
-    return copy;
+    return dynamics::is_surely_uncovered(
+        blocks_, parts_, neighbours_,
+        {part, joint.side.index, joint.surface_is_before, other}, 0.0, 0.0, scratch_);
   }
   struct Box {
     Vec2 lower, upper;
@@ -189,17 +189,18 @@ template <class Predicates, class Neighbours> class ClosedJoints {
   /// but for those that are too far away.
   void gather(int own, int other) {
     scratch_.parts.clear();
-    scratch_.outlines.assign(
-        {outline(own, scratch_.own), outline(other, scratch_.other)});
+    scratch_.outlines.assign({parts_.outline(blocks_, own, scratch_.own),
+                              parts_.outline(blocks_, other, scratch_.other)});
     scratch_.polygons.clear();
     const Box near_own = box_of(own).grown();
-    each_neighbour_part(own, other, [&](int part) {
+    each_covering_part(blocks_, parts_, neighbours_, own, other, [&](int part) {
       if (box_of(part).meets(near_own))
         scratch_.parts.push_back(part);
     });
     scratch_.polygons.resize(scratch_.parts.size());
     for (std::size_t k = 0; k < scratch_.parts.size(); ++k)
-      scratch_.outlines.push_back(outline(scratch_.parts[k], scratch_.polygons[k]));
+      scratch_.outlines.push_back(
+          parts_.outline(blocks_, scratch_.parts[k], scratch_.polygons[k]));
   }
   Box box_of(int part) const {
     Box box{at(parts_.corner(part, 0)), at(parts_.corner(part, 0))};

@@ -1,10 +1,6 @@
-// The predicates that the contact rule asks: the exact ones of every run, and the same
-// ones with room for motion.
+// The predicates that the contact rule asks: the exact ones of every run.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <span>
 
 #include "geometry/contact_predicates.hpp"
@@ -21,12 +17,6 @@ struct ExactPredicates {
   static constexpr bool crossing = true;       ///< also where sides cross
   static constexpr bool covered_sides = true;  ///< closed joints hide axes
   static constexpr bool faces = true;          ///< two faces act with all four ends
-  static constexpr bool has_room = false;      ///< for motion (PredicatesWithRoom)
-
-  /// [L] For motion.
-  static double room() { return 0.0; }
-  static double room_of_neighbours() { return 0.0; }
-  static bool narrow_room_of_neighbours() { return false; }
 
   /// [L] The overlap, for `depth_sign` and to compare depths.
   static geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
@@ -81,140 +71,6 @@ struct ExactPredicates {
                                   std::span<const geometry::Outline> neighbours) {
     return geometry::covering(end, other, neighbours);
   }
-};
-
-/// The same answers as long as no difference of two corners, or of a corner and a
-/// centroid, changes by more than `room`: a value counts only if it is farther from
-/// zero than its rounding error and what the motion may add together. If one is not,
-/// the answer is in doubt. With v and w such differences, |v x w| and |v . w| change by
-/// at most room (|v| + |w| + room); lengths are bounded from above by sums of
-/// components.
-class PredicatesWithRoom {
- public:
-  static constexpr bool entry = true, crossing = true, covered_sides = true,
-                        faces = true, has_room = true;
-
-  PredicatesWithRoom(double room, double of_neighbours)
-      : room_((1.0 + 1e-9) * room),
-        of_neighbours_((1.0 + 1e-9) * std::max(room, of_neighbours)) {}
-
-  /// Whether an answer since the last reset was in doubt.
-  bool is_in_doubt() const { return in_doubt_; }
-  /// Whether an answer depended on where neighbours are.
-  bool asked_neighbours() const { return asked_neighbours_; }
-  void forget_doubt() { in_doubt_ = false; }
-
-  /// [L] The bound contains what motion may add. With v = c - p1 and the normal n of a
-  /// side of length l, v . n changes by at most room + (|v| + room) |change of n|, and
-  /// n by at most room / (l - room).
-  geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                                   double per_length) const {
-    const geometry::filter::Estimate d = geometry::filter::depth(c, p1, p2, per_length);
-    const double turning = room_ * per_length < 1.0
-                               ? room_ * per_length / (1.0 - room_ * per_length)
-                               : std::numeric_limits<double>::infinity();
-    return {d.value,
-            d.bound + (1.0 + 1e-9) * (room_ + (size(p1, c) + room_) * turning)};
-  }
-  int depth_sign(const geometry::filter::Estimate& depth, const Vec2&, const Vec2&,
-                 const Vec2&) {
-    in_doubt_ = in_doubt_ || !(depth.positive() || depth.negative());
-    return depth.value > 0.0 ? 1 : -1;
-  }
-  /// Never in doubt: true unless the corner stays inside.
-  bool may_be_outside(const Vec2& c, const Vec2& p1, const Vec2& p2) const {
-    const auto d = geometry::filter::overlap(c, p1, p2);
-    return !(d.value > d.bound + (1.0 + 1e-9) * change(size(p1, c), size(p1, p2)));
-  }
-  /// Never in doubt: false unless a corner with this depth stays outside by more than
-  /// the slack.
-  bool stays_apart(const geometry::filter::Estimate& depth, const Vec2& p1,
-                   const Vec2& p2) const {
-    const double slack = geometry::contact_slack * (size(p1, p2) + room_);
-    return depth.value < -(depth.bound + (1.0 + 1e-9) * slack);
-  }
-  bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return between_ends(c, p1, p2, geometry::contact_slack);
-  }
-  bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return between_ends(c, p1, p2, -geometry::contact_slack);
-  }
-  /// By the sine: near 180 degrees the cosine of (20) tells little.
-  bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
-    constexpr double sine_of_10_degrees = 0.17364817766693033;
-    const Vec2 e = p2 - p1, f = q2 - q1;
-    const double of_e = e.norm(), of_f = f.norm(), product = of_e * of_f;
-    const double changes = (1.0 + 1e-9) * change(of_e, of_f) + 1e-12 * product;
-    const double sine = std::abs(geometry::cross(e, f)), cosine = e.dot(f);
-    const double limit = sine_of_10_degrees * product;
-    const bool face = cosine < 0.0 && sine <= limit;
-    // the limit itself changes by a part of what the sine does
-    const bool surely_face = cosine < -changes && sine + 1.2 * changes < limit;
-    const bool surely_not = cosine > changes || sine - 1.2 * changes > limit;
-    in_doubt_ = in_doubt_ || !(surely_face || surely_not);
-    return face;
-  }
-  /// A part keeps its shape, so its motion does not matter. Sides that may be in line
-  /// are left in doubt.
-  bool in_line(const Vec2& p1, const Vec2& p2, const Vec2& q) {
-    const Vec2 e = p2 - p1, g = q - p2;
-    const double slack = 2.0 * geometry::contact_slack;
-    in_doubt_ = in_doubt_ || (e.dot(g) > 0.0 &&
-                              std::abs(geometry::cross(e, g)) <=
-                                  slack * std::min(e.squaredNorm(), g.squaredNorm()));
-    return false;
-  }
-  bool re_entrant(const Vec2& before, const Vec2& c, const Vec2& after) {
-    const Vec2 e = c - before, g = after - c;
-    const double turn = geometry::cross(g, e);
-    in_doubt_ = in_doubt_ ||
-                std::abs(turn) <= 2.0 * geometry::contact_slack * e.norm() * g.norm();
-    return turn < 0.0;
-  }
-  int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
-    return sure(geometry::filter::turn(p1, p2, q1, q2),
-                change(size(p1, p2), size(q1, q2)));
-  }
-  int compare_slopes(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2,
-                     const Vec2& r1, const Vec2& r2) {
-    const double p = size(p1, p2), q = size(q1, q2), r = size(r1, r2);
-    return sure(geometry::filter::slope_difference(p1, p2, q1, q2, r1, r2),
-                change(p, q) * (r + room_) + p * q * room_ +
-                    change(p, r) * (q + room_) + p * r * room_);
-  }
-  void doubt() { in_doubt_ = true; }
-  double room() const { return room_; }
-  /// No corner of another block moves by more against those of the two, [L]. First much
-  /// is tried.
-  double room_of_neighbours() {
-    asked_neighbours_ = true;
-    return of_neighbours_;
-  }
-  /// Less than that; false: it cannot be less.
-  bool narrow_room_of_neighbours() {
-    const bool can = of_neighbours_ > room_;
-    of_neighbours_ = room_;
-    return can;
-  }
-
- private:
-  int sure(const geometry::filter::Estimate& d, double changes) {
-    const double bound = d.bound + (1.0 + 1e-9) * changes;
-    in_doubt_ = in_doubt_ || !(std::abs(d.value) > bound);
-    return d.value > 0.0 ? 1 : -1;
-  }
-  bool between_ends(const Vec2& c, const Vec2& p1, const Vec2& p2, double part) {
-    const double e = size(p1, p2);
-    return sure(geometry::filter::between(c, p1, p2, part),
-                change(size(p1, c), e) + 2.0 * change(e, e)) > 0;
-  }
-  static double size(const Vec2& from, const Vec2& to) {
-    return std::abs(to.x() - from.x()) + std::abs(to.y() - from.y());
-  }
-  double change(double v, double w) const { return room_ * (v + w + room_); }
-
-  double room_, of_neighbours_;
-  bool in_doubt_ = false, asked_neighbours_ = false;
 };
 
 }  // namespace blocks::dynamics

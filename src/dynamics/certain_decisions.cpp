@@ -1,0 +1,186 @@
+#include "dynamics/certain_decisions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/pair_contacts.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// Takes what the lanes tell of two parts into the decision of their blocks.
+class LaneDecision {
+ public:
+  LaneDecision(const Blocks& blocks, const PairContacts& all, int p,
+               const FacingAnswers& answers, int lane, const int* part,
+               JointScratch& scratch, double dt)
+      : blocks_(blocks), all_(all), answers_(answers), lane_(lane), scratch_(scratch),
+        own_(part[answers.own[lane] > 0.0]), other_(part[answers.own[lane] <= 0.0]),
+        side_(static_cast<int>(answers.side[lane])),
+        facing_(static_cast<int>(answers.facing[lane])),
+        corner_(static_cast<int>(answers.corner[lane])),
+        room_of_neighbours_(std::numeric_limits<double>::infinity()) {
+    const NearPair& pair = all.pairs[p];
+    const auto step = [&](int b) {
+      const double arms = std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm();
+      return dt * (blocks.velocity.col(b).norm() + 2.0 * all.swing.longest[b] * arms);
+    };
+    few_steps_ = 8.0 * (step(pair.low) + step(pair.high));
+    part_of_size_ =
+        0x1p-6 * std::min(all.swing.longest[pair.low], all.swing.longest[pair.high]);
+    double farthest = 0.0;
+    for (const int b : {pair.low, pair.high})
+      farthest = std::max(farthest, blocks.centroid.col(b).lpNorm<Eigen::Infinity>() +
+                                        all.swing.longest[b]);
+    rounding_ = 0x1p-46 * farthest;
+  }
+
+  void take(CertainDecision& decision) {
+    const double apart = answers_.apart[lane_];
+    room_ = answers_.faces[lane_];
+    // near parts get contacts before they touch
+    if (apart > 0.0 && apart > 0.25 * room_) {
+      decision.room = std::min(decision.room, apart);
+      return;
+    }
+    if (!(room_ > 0.0) || !sides_are_plain() || !joints_are_open()) {
+      decision.room = 0.0;
+      return;
+    }
+    add_contacts(decision.contacts);
+    decision.room = std::min(decision.room, room_);
+    decision.room_of_neighbours =
+        std::min(decision.room_of_neighbours, room_of_neighbours_);
+  }
+
+ private:
+  bool sides_are_plain() const {
+    return all_.parts.is_plain(own_, side_) &&
+           (facing_ < 0 || all_.parts.is_plain(other_, facing_));
+  }
+  int before(int part, int k) const {
+    return (k > 0 ? k : all_.parts.corners(part)) - 1;
+  }
+  bool joints_are_open() {
+    return is_open(0, {own_, side_, true, other_}) &&
+           is_open(1, {own_, side_, false, other_}) &&
+           is_open(2, {other_, facing_ < 0 ? corner_ : facing_, true, own_}) &&
+           is_open(3, {other_, facing_ < 0 ? before(other_, corner_) : facing_, false,
+                       own_});
+  }
+  /// A joint is open while the other centroid is inside its surface, or neighbours do
+  /// not cover its side. An inner side is left in doubt.
+  bool is_open(int k, const SideOfJoint& joint) {
+    if (all_.parts.is_inner(blocks_, all_.parts.side(joint.part, joint.side)))
+      return false;
+    const bool is_convex = blocks_.convex[all_.parts.block(own_)] &&
+                           blocks_.convex[all_.parts.block(other_)];
+    const double inside = is_convex ? answers_.joint[k][lane_] : 0.0;
+    if (inside > 0.25 * room_) {
+      room_ = std::min(room_, inside);
+      return true;
+    }
+    for (const double room : {room_, 0x1p-4 * room_, few_steps_}) {
+      const double of_neighbours =
+          room == few_steps_ ? room : std::max(room, part_of_size_);
+      if (!(room > 0.0) || room > room_ ||
+          !is_surely_uncovered(blocks_, all_.parts, Neighbours{all_}, joint,
+                               room + rounding_, of_neighbours + rounding_, scratch_))
+        continue;
+      room_ = room;
+      room_of_neighbours_ = std::min(room_of_neighbours_, of_neighbours);
+      return true;
+    }
+    room_ = std::min(room_, inside);
+    return inside > 0.0;
+  }
+  void add_contacts(std::vector<CornerOnEdge>& contacts) {
+    const auto corner = [&](int part, int k) {
+      return all_.parts.corner(part, k < all_.parts.corners(part) ? k : 0);
+    };
+    const auto add = [&](int k, int at, int edge) {
+      const double beyond = answers_.beyond[k][lane_];
+      if (beyond > 0.25 * room_)
+        room_ = std::min(room_, beyond);
+      else if (std::find(contacts.begin(), contacts.end(), CornerOnEdge{at, edge}) ==
+               contacts.end())
+        contacts.push_back({at, edge});
+    };
+    const int e = corner(own_, side_);
+    if (facing_ < 0)
+      return add(0, corner(other_, corner_), e);
+    const int f = corner(other_, facing_);
+    add(0, f, e);
+    add(1, corner(other_, facing_ + 1), e);
+    add(2, e, f);
+    add(3, corner(own_, side_ + 1), f);
+  }
+
+  const Blocks& blocks_;
+  const PairContacts& all_;
+  const FacingAnswers& answers_;
+  int lane_;
+  JointScratch& scratch_;
+  int own_, other_;  ///< parts
+  int side_, facing_, corner_;
+  double room_ = 0.0, room_of_neighbours_, few_steps_, part_of_size_, rounding_;
+};
+
+}  // namespace
+
+void CertainDecisions::find(const Blocks& blocks, const PairContacts& all,
+                            const std::vector<int>& due, double dt) {
+  decisions_.resize(std::max(decisions_.size(), due.size()));
+  parts_.clear();
+  for (std::size_t k = 0; k < due.size(); ++k) {
+    decisions_[k].contacts.clear();
+    decisions_[k].room = decisions_[k].room_of_neighbours =
+        std::numeric_limits<double>::infinity();
+    const NearPair& pair = all.pairs[due[k]];
+    each_pair_of_parts(all.parts, pair.low, pair.high, [&](int p, int q) {
+      if (std::max(all.parts.corners(p), all.parts.corners(q)) <=
+          PartPairs::most_corners)
+        parts_.push_back({static_cast<int>(k), {p, q}});
+      else
+        decisions_[k].room = 0.0;
+    });
+  }
+  for (std::size_t first = 0; first < parts_.size(); first += lane_count)
+    decide_lanes(blocks, all, due, first, dt);
+}
+
+void CertainDecisions::decide_lanes(const Blocks& blocks, const PairContacts& all,
+                                    const std::vector<int>& due, std::size_t first,
+                                    double dt) {
+  const int count =
+      static_cast<int>(std::min<std::size_t>(lane_count, parts_.size() - first));
+  lanes_.most = 0;
+  lanes_.rigid = all.swing.rigid;
+  for (int i = 0; i < lane_count; ++i) {
+    const Parts& two = parts_[first + (i < count ? i : 0)];
+    for (int k = 0; k < 2; ++k) {
+      const int part = two.part[k], block = all.parts.block(part);
+      lanes_.block[k][i] = block;
+      lanes_.corners[k][i] = all.parts.corners(part);
+      lanes_.longest[k][i] = all.swing.longest[block];
+      lanes_.most = std::max(lanes_.most, all.parts.corners(part));
+    }
+  }
+  for (int i = 0; i < lane_count; ++i)
+    for (int k = 0; k < 2; ++k) {
+      const int part = parts_[first + (i < count ? i : 0)].part[k];
+      const int corners = all.parts.corners(part);
+      for (int c = 0; c < lanes_.most; ++c)
+        lanes_.corner[k][c][i] = all.parts.corner(part, c < corners ? c : 0);
+    }
+  lane_arithmetic().find_faces(lanes_, rows_of(blocks), answers_);
+  for (int i = 0; i < count; ++i) {
+    const Parts& two = parts_[first + i];
+    CertainDecision& decision = decisions_[two.of];
+    if (decision.room > 0.0)
+      LaneDecision(blocks, all, due[two.of], answers_, i, two.part, scratch_, dt)
+          .take(decision);
+  }
+}
+
+}  // namespace blocks::dynamics
