@@ -11,6 +11,7 @@
 // exactly that.
 #pragma once
 
+#include "geometry/contact_slack.hpp"
 #include "geometry/vec2.hpp"
 
 #include <cfloat>
@@ -25,10 +26,6 @@ namespace blocks::geometry {
 
 static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
               "the error bounds need IEEE doubles without extra precision");
-
-/// Slack of "between" and of the nearest edge, as a part of the edge's length
-/// (docs/departures.md). The double nearest 1e-6, taken as an exact number.
-inline constexpr double contact_slack = 1e-6;
 
 /// The same predicates without the filter, for the cases it leaves open.
 namespace exact {

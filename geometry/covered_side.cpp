@@ -50,6 +50,7 @@ constexpr double smallest = 1e-140, largest = 1e140, lost = 1e-150;
 /// `distance` away from an end of the side and moves against it by `of_point`, and the
 /// ends of the side move against each other by `of_side`: unit vectors along a and b
 /// differ by at most |a - b| / sqrt(|a| |b|). Rounding errors are below 1e-15 distance.
+/// Infinite if the side may turn by any angle.
 double error_of(double distance, double of_point, double length, double of_side) {
   if (!(of_side < 0.5 * length))
     return std::numeric_limits<double>::infinity();
@@ -118,6 +119,8 @@ void UncoveredSide::add(Outline neighbour) {
     return give_up();
   // The last term is the rounding error of the length.
   const double error = error_of(far, of_neighbours_, length_, room_) + 1e-12 * length_;
+  if (!(error < largest))
+    return give_up();
   // Places along the side, from the end that is asked about.
   const auto to_begin = [&](double begin, double last) {
     return (at_start_ ? begin : length_ - last) - error;
@@ -125,17 +128,9 @@ void UncoveredSide::add(Outline neighbour) {
   const auto to_last = [&](double begin, double last) {
     return (at_start_ ? last : length_ - begin) + error;
   };
-  const double first = std::max(0.0, to_begin(low, high)),
-               last_of_all = to_last(low, high);
-  if (first >= most_ || last_of_all <= 0.0 || nearest - error > most_)
+  if (to_begin(low, high) >= most_ || to_last(low, high) <= 0.0 ||
+      nearest - error > most_)
     return;
-  // Little may be covered, and need not be known better while it adds up to little.
-  const double bound = std::min(most_, last_of_all) - first;
-  constexpr double little = 0x1p-3;
-  if (least_ > 0.0 && share_ + bound / least_ < little) {
-    share_ += bound / least_;
-    return;
-  }
   for (std::size_t f = 0; f < neighbour.size(); ++f) {
     const Vec2 &near = end_of(neighbour, f), &far_end = start_of(neighbour, f);
     // runs along the side if the two face each other
@@ -148,7 +143,7 @@ void UncoveredSide::add(Outline neighbour) {
       return give_up();
     const double facing = product + 2.0 * of_neighbours_,
                  part = 0.95 - 2.0 * room_ / length_;
-    if (facing < 0.0 || (part > 0.0 && facing * facing < part * part * square))
+    if (part > 0.0 && (facing < 0.0 || facing * facing < part * part * square))
       continue;
     const double begin = (near - first_).dot(along_), last = begin + product;
     const double from = std::max(0.0, to_begin(begin, last)), to = to_last(begin, last);

@@ -18,22 +18,7 @@ class LaneDecision {
         own_(part[answers.own[lane] > 0.0]), other_(part[answers.own[lane] <= 0.0]),
         side_(static_cast<int>(answers.side[lane])),
         facing_(static_cast<int>(answers.facing[lane])),
-        corner_(static_cast<int>(answers.corner[lane])),
-        room_of_neighbours_(std::numeric_limits<double>::infinity()) {
-    const NearPair& pair = all.pairs[p];
-    const auto step = [&](int b) {
-      const double arms = std::abs(blocks.spin[b]) + blocks.strain_rate.col(b).norm();
-      return dt * (blocks.velocity.col(b).norm() + 2.0 * all.swing.longest[b] * arms);
-    };
-    few_steps_ = 8.0 * (step(pair.low) + step(pair.high));
-    part_of_size_ =
-        0x1p-6 * std::min(all.swing.longest[pair.low], all.swing.longest[pair.high]);
-    double farthest = 0.0;
-    for (const int b : {pair.low, pair.high})
-      farthest = std::max(farthest, blocks.centroid.col(b).lpNorm<Eigen::Infinity>() +
-                                        all.swing.longest[b]);
-    rounding_ = 0x1p-46 * farthest;
-  }
+        corner_(static_cast<int>(answers.corner[lane])), pair_(all.pairs[p]), dt_(dt) {}
 
   void take(CertainDecision& decision) {
     const double apart = answers_.apart[lane_];
@@ -80,12 +65,17 @@ class LaneDecision {
       room_ = std::min(room_, inside);
       return true;
     }
-    for (const double room : {room_, 0x1p-4 * room_, few_steps_}) {
+    const auto& longest = all_.swing.longest;
+    const double part_of_size =
+        0x1p-6 * std::min(longest[pair_.low], longest[pair_.high]);
+    const double few_steps = 8.0 * (way_of_step(pair_.low) + way_of_step(pair_.high));
+    const double rounding = answers_.rounding[lane_];
+    for (const double room : {room_, 0x1p-4 * room_, few_steps}) {
       const double of_neighbours =
-          room == few_steps_ ? room : std::max(room, part_of_size_);
+          room == few_steps ? room : std::max(room, part_of_size);
       if (!(room > 0.0) || room > room_ ||
           !is_surely_uncovered(blocks_, all_.parts, Neighbours{all_}, joint,
-                               room + rounding_, of_neighbours + rounding_, scratch_))
+                               room + rounding, of_neighbours + rounding, scratch_))
         continue;
       room_ = room;
       room_of_neighbours_ = std::min(room_of_neighbours_, of_neighbours);
@@ -93,6 +83,11 @@ class LaneDecision {
     }
     room_ = std::min(room_, inside);
     return inside > 0.0;
+  }
+  /// How far a block goes in a step as it moves now, [L].
+  double way_of_step(int b) const {
+    const double arms = std::abs(blocks_.spin[b]) + blocks_.strain_rate.col(b).norm();
+    return dt_ * (blocks_.velocity.col(b).norm() + 2.0 * all_.swing.longest[b] * arms);
   }
   void add_contacts(std::vector<CornerOnEdge>& contacts) {
     const auto corner = [&](int part, int k) {
@@ -123,7 +118,10 @@ class LaneDecision {
   JointScratch& scratch_;
   int own_, other_;  ///< parts
   int side_, facing_, corner_;
-  double room_ = 0.0, room_of_neighbours_, few_steps_, part_of_size_, rounding_;
+  const NearPair& pair_;
+  double dt_;
+  double room_ = 0.0;
+  double room_of_neighbours_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // namespace of its own; calls nothing that is not compiled here.
 #include "dynamics/contact_lanes.hpp"
 #include "dynamics/lane_set.hpp"
+#include "geometry/contact_slack.hpp"
 
 namespace blocks::dynamics::BLOCKS_LANES {
 namespace {
@@ -24,8 +25,8 @@ struct Sides {
   }
   /// How far the corner is between the ends, with slack, [L^2].
   BLOCKS_INLINE Set between(Set& bound) const {
-    constexpr double slack = 1e-6;  // geometry::contact_slack
-    const Set x = cx * ex, y = cy * ey, foot = x + y, room = slack * square;
+    const Set x = cx * ex, y = cy * ey, foot = x + y,
+              room = geometry::contact_slack * square;
     bound = 0x1p-50 * ((absolute(x) + absolute(y)) + square) + 0x1p-1000;
     const Set from = foot + room, to = (square - foot) + room;
     return from < to ? from : to;

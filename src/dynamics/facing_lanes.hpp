@@ -28,8 +28,9 @@ struct alignas(64) FacingAnswers {
   LaneRow<double> apart;  ///< margin: the parts are apart by more than the slack
   /// Margin: unless a joint hides them, the faces below act and no others.
   LaneRow<double> faces;
-  LaneRow<double> own;   ///< 0 or 1: the part of the axis side
-  LaneRow<double> side;  ///< index of the axis side
+  LaneRow<double> rounding;  ///< [L] no depth or place is wrong by more
+  LaneRow<double> own;       ///< 0 or 1: the part of the axis side
+  LaneRow<double> side;      ///< index of the axis side
   /// Index of the side of the other part that faces it; -1: none, one corner acts.
   LaneRow<double> facing;
   LaneRow<double> corner;  ///< index of the deepest corner, the start of a side

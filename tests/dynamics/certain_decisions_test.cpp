@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "audit/clusters.hpp"
@@ -90,15 +91,11 @@ struct Count {
   long pairs = 0, certain = 0, acting = 0, moved = 0, changed = 0;
 };
 
-/// BLOCKS_CLUSTERS=n: so many clusters instead of a slice of them.
-std::uint64_t clusters_to_try() {
-  const char* wanted = std::getenv("BLOCKS_CLUSTERS");
-  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 30000;
-}
-
 TEST(CertainDecisions, AreThoseOfTheExactRuleWhileTheirRoomLasts) {
+  const std::uint64_t clusters =
+      std::getenv("BLOCKS_THOROUGH") != nullptr ? 1'000'000 : 30'000;
   Count count;
-  for (std::uint64_t number = 0; number < clusters_to_try(); ++number) {
+  for (std::uint64_t number = 0; number < clusters; ++number) {
     SCOPED_TRACE(number);
     Cluster cluster(number);
     const PairContacts& all = cluster.buffers.pairs;

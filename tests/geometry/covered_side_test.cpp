@@ -638,6 +638,21 @@ TEST(CoveredSide, QuickQuestionIsNeverWrong) {
   EXPECT_GT(sure_with_room, 0.8 * uncovered_with_room) << "of " << uncovered_with_room;
 }
 
+// Nothing is certain of sides that the room lets turn by any angle.
+TEST(CoveredSide, QuickQuestionGivesUpOnSidesShorterThanTheRoom) {
+  const auto box = [](double left, double bottom, double right, double top) {
+    return Polygon{{left, bottom}, {left, top}, {right, top}, {right, bottom}};
+  };
+  // two slivers side by side, and a box on both of them
+  const Polygon own = box(0, 0, 1, 0.1), beside = box(1, 0, 2, 0.1),
+                other = box(0.5, 0.05, 1.5, 1);
+  for (const double room : {0.0, 0.04, 0.051, 0.1, 1.0}) {
+    UncoveredSide side({own, 2, true}, other, room, room);
+    side.add(beside);
+    EXPECT_FALSE(side.is_sure()) << room;
+  }
+}
+
 // No size of coordinates makes the quick question sure of something wrong.
 TEST(CoveredSide, QuickQuestionHoldsForAnyMagnitude) {
   Random random;
