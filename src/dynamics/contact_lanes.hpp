@@ -27,7 +27,8 @@ struct alignas(64) LanePairs {
   LaneRow<int> low, high;
   LaneRow<double> damping;  ///< [F T/L] C of (18), one for all contacts of a pair
   int first_slot, slots;    ///< the contacts of the set
-  int look;                 ///< 1: a sign is in doubt, or a spring has lost its contact
+  bool ends;                ///< a contact of the set has ceased to act
+  bool in_doubt;            ///< a sign is too near zero for the lanes
 };
 /// A slot: one contact of each pair of a set.
 struct SlotPlaces {
@@ -37,8 +38,10 @@ struct SlotPlaces {
   LaneBits decided;  ///< it does
   // whether it does in this step
   LaneBits touches;
-  LaneBits starts;  ///< did not in the step before, or took over
-  LaneBits flips;   ///< the edge is the low block's
+  LaneBits starts;    ///< did not in the step before, or took over
+  LaneBits ends;      ///< did in the step before, and does not now
+  LaneBits in_doubt;  ///< taken to touch, but (19) or "between" is too near zero
+  LaneBits flips;     ///< the edge is the low block's
 };
 /// What is kept from step to step.
 struct alignas(64) SlotSprings {
@@ -145,9 +148,9 @@ struct FacingAnswers;
 /// The computations for one instruction set, for the sets of lanes first .. last-1.
 struct LaneArithmetic {
   std::string_view name;  ///< baseline, avx2, avx512
-  /// Which contacts touch, `touches`, `starts` and `look`, and what they do. A sign in
-  /// doubt is taken to touch: sets with `look` have to be settled and to act again;
-  /// they are not among the extremes.
+  /// Which contacts touch, `touches`, `starts`, `ends` and `in_doubt`, and what they
+  /// do. Sets in doubt have to be settled and to act again; they are not among the
+  /// extremes.
   LaneExtremes (*touch_and_act)(const LaneSets&, const BlockRows&, const ContactLaw&,
                                 bool rigid, int first, int last);
   /// What those do that touch: a.-e. of rule 7. readings: also SlotReadings, and

@@ -47,10 +47,8 @@ BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
   bits = static_cast<LaneBits>((bits & ~(every << i)) | part << i);
 }
 
-/// Which lanes touch. A sign in doubt is taken to, until it is looked at: adds to
-/// `look` whose sign is in doubt, or who does not touch any more.
-BLOCKS_INLINE void find_touching(SlotPlaces& slot, const Sides& sides, int i,
-                                 Bits& look) {
+/// Which lanes touch. A sign in doubt is taken to, and marked.
+BLOCKS_INLINE void find_touching(SlotPlaces& slot, const Sides& sides, int i) {
   const Set bound = sides.bound();
   const Bits asked = load(slot.asked, i), before = load(slot.touches, i);
   Bits inside = ~less(sides.value, -bound);
@@ -67,7 +65,8 @@ BLOCKS_INLINE void find_touching(SlotPlaces& slot, const Sides& sides, int i,
   const Bits touch = load(slot.decided, i) | (asked & inside);
   store(slot.touches, i, touch);
   store(slot.starts, i, touch & ~before);
-  look |= open | (before & ~touch);
+  store(slot.ends, i, before & ~touch);
+  store(slot.in_doubt, i, open);
 }
 
 /// Two blocks of each lane: where they are, and how the high one sees the low one move.
@@ -123,13 +122,12 @@ struct Frame {
                 ///< below zero
 };
 
-/// Adds to `look` as find_touching does; find: false: what touches is known.
+/// find: false: what touches is known.
 template <bool find>
-BLOCKS_INLINE Frame frame_of(SlotPlaces& slot, const BlockRows& blocks, int i,
-                             Bits& look) {
+BLOCKS_INLINE Frame frame_of(SlotPlaces& slot, const BlockRows& blocks, int i) {
   const Sides sides(slot, blocks, i);
   if constexpr (find)
-    find_touching(slot, sides, i, look);
+    find_touching(slot, sides, i);
   const Set per_length = 1.0 / root(sides.square);
   const Set depth = sides.value * per_length;
   const Set turned = where(choice_of(load(slot.flips, i)), -per_length, per_length);
@@ -199,10 +197,9 @@ BLOCKS_INLINE void act_slot(const LaneSets& sets, int s, const Pairs<rigid>& two
   }
 }
 
-/// Adds to `look` as find_touching does; find: false: what touches is known.
 template <bool find, bool rigid, bool readings>
 BLOCKS_INLINE Most act_set(const LaneSets& sets, int set, const BlockRows& blocks,
-                           const ContactLaw& law, int i, Bits& look) {
+                           const ContactLaw& law, int i) {
   constexpr bool stresses = readings || !rigid;
   const LanePairs& pairs = sets.pairs[set];
   const Pairs<rigid> two(pairs, blocks, i);
@@ -217,7 +214,7 @@ BLOCKS_INLINE Most act_set(const LaneSets& sets, int set, const BlockRows& block
   for (int first = pairs.first_slot; first < end; first += at_once) {
     const int last = first + at_once < end ? first + at_once : end;
     for (int s = first; s < last; ++s)
-      frames[s - first] = frame_of<find>(sets.places[s], blocks, i, look);
+      frames[s - first] = frame_of<find>(sets.places[s], blocks, i);
     for (int s = first; s < last; ++s)
       act_slot<rigid, readings>(sets, s, two, frames[s - first], damping, law, i, sums,
                                 most);
@@ -240,16 +237,21 @@ LaneExtremes act_sets(const LaneSets& sets, const BlockRows& blocks,
                       const ContactLaw& law, int first, int last) {
   Most all;
   for (int set = first; set < last; ++set) {
-    Bits look = 0;
     Most most;
     for (int i = 0; i < lane_count; i += width) {
-      const Most part = act_set<find, rigid, readings>(sets, set, blocks, law, i, look);
+      const Most part = act_set<find, rigid, readings>(sets, set, blocks, law, i);
       most.include(part.overlap, part.spring);
     }
-    if constexpr (find)
-      sets.pairs[set].look = look != 0;
-    if (look == 0)
-      all.include(most.overlap, most.spring);
+    if constexpr (find) {
+      LanePairs& pairs = sets.pairs[set];
+      LaneBits ends = 0, in_doubt = 0;
+      for (int s = pairs.first_slot; s < pairs.first_slot + pairs.slots; ++s)
+        ends |= sets.places[s].ends, in_doubt |= sets.places[s].in_doubt;
+      pairs.ends = ends != 0, pairs.in_doubt = in_doubt != 0;
+      if (pairs.in_doubt)
+        continue;
+    }
+    all.include(most.overlap, most.spring);
   }
   LaneExtremes extremes = {0.0, 0.0};
   for (int k = 0; k < width; ++k) {

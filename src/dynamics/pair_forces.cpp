@@ -1,6 +1,7 @@
 #include "dynamics/pair_forces.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace blocks::dynamics {
 namespace {
@@ -9,31 +10,42 @@ ContactLaw law_of(const Settings& settings, double dt) {
   return {settings.normal_stiffness, settings.shear_stiffness, settings.friction, dt};
 }
 
-/// Exactly what touches in the lanes of a set where that was left open, and which
-/// springs have lost their contact.
-void settle_set(const Blocks& blocks, PairContacts& all, int set,
-                std::vector<LostSpring>& lost) {
-  ContactLanes& lanes = all.lanes;
+/// Calls visit(seat) for each seat of a set whose bit is set.
+template <class Visit>
+void each_marked(const ContactLanes& lanes, int set, LaneBits SlotPlaces::*marks,
+                 const Visit& visit) {
   const LanePairs& pairs = lanes.pairs[set];
-  const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
-  for (int slot = pairs.first_slot; slot < pairs.first_slot + pairs.slots; ++slot) {
-    const SlotPlaces& places = lanes.places[slot];
-    SlotSprings& springs = lanes.springs[slot];
-    for (int k = 0; k < lane_count; ++k) {
-      const int seat = slot * lane_count + k;
-      const Vec2 c = at(places.corner[k]), p1 = at(places.edge[k]),
-                 p2 = at(places.edge_end[k]);
-      if (lanes.is(seat, &SlotPlaces::asked) && lanes.is(seat, &SlotPlaces::touches) &&
-          !(geometry::overlap_sign(c, p1, p2) > 0 && geometry::between(c, p1, p2)))
-        lanes.set(seat, &SlotPlaces::touches, false);
-      if (lanes.is(seat, &SlotPlaces::touches))
-        continue;
-      if (springs.normal_elastic[k] > 0.0)
-        lost.push_back({all.pair_of_lane[set * lane_count + k], all.at(seat),
-                        springs.normal_elastic[k], springs.shear_elastic[k]});
-      springs.normal_elastic[k] = springs.shear_elastic[k] = 0.0;
-    }
-  }
+  for (int slot = pairs.first_slot; slot < pairs.first_slot + pairs.slots; ++slot)
+    for (unsigned bits = lanes.places[slot].*marks; bits != 0; bits &= bits - 1)
+      visit(slot * lane_count + std::countr_zero(bits));
+}
+
+/// Decides exactly which contacts of a set touch where the lanes were in doubt.
+void settle_doubts(const Blocks& blocks, ContactLanes& lanes, int set) {
+  each_marked(lanes, set, &SlotPlaces::in_doubt, [&](int seat) {
+    const auto at = [&](LaneRow<int> SlotPlaces::*which) {
+      return Vec2(blocks.corner.col(lanes.at(seat, which)));
+    };
+    const Vec2 c = at(&SlotPlaces::corner), p1 = at(&SlotPlaces::edge),
+               p2 = at(&SlotPlaces::edge_end);
+    if (geometry::overlap_sign(c, p1, p2) > 0 && geometry::between(c, p1, p2))
+      return;
+    lanes.set(seat, &SlotPlaces::touches, false);
+    if (!lanes.is(seat, &SlotPlaces::starts))
+      lanes.set(seat, &SlotPlaces::ends, true), lanes.pairs[set].ends = true;
+  });
+}
+
+/// The springs of contacts of a set that have ceased to act.
+void collect_lost(const PairContacts& all, int set, std::vector<LostSpring>& lost) {
+  const ContactLanes& lanes = all.lanes;
+  each_marked(lanes, set, &SlotPlaces::ends, [&](int seat) {
+    if (const double normal = lanes.at(seat, &SlotSprings::normal_elastic);
+        normal > 0.0)
+      lost.push_back({all.pair_of_lane[set * lane_count + seat % lane_count],
+                      all.at(seat), normal,
+                      lanes.at(seat, &SlotSprings::shear_elastic)});
+  });
 }
 
 }  // namespace
@@ -54,11 +66,14 @@ Extremes evaluate_pairs(const Blocks& blocks, PairContacts& all,
   workers.each(all.split.sets, [&](int part, int first, int last) {
     include(part, arithmetic.touch_and_act(all.lanes, rows, law, settings.rigid, first,
                                            last));
-    for (int set = first; set < last; ++set)
-      if (all.lanes.pairs[set].look) {
-        settle_set(blocks, all, set, all.shares[part].lost);
+    for (int set = first; set < last; ++set) {
+      if (all.lanes.pairs[set].in_doubt) {
+        settle_doubts(blocks, all.lanes, set);
         act(part, set);
       }
+      if (all.lanes.pairs[set].ends)
+        collect_lost(all, set, all.shares[part].lost);
+    }
   });
   for (PairContacts::Share& share : all.shares) {
     all.lost.insert(all.lost.end(), share.lost.begin(), share.lost.end());
