@@ -5,6 +5,7 @@
 // Shares no code with src/dynamics.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "contestant.hpp"
@@ -20,14 +21,14 @@ enum class Checks {
 
 class LinkedListCode : public Contestant {
  public:
-  /// Starts from the model's present state, springs of its contacts included. Rigid
-  /// blocks without planes and loads only: throws std::invalid_argument otherwise.
+  /// Rigid blocks without planes and loads only.
+  static bool can_step(const Model& model);
+
+  /// Starts from the model's present state, springs of its contacts included. Throws
+  /// std::invalid_argument unless can_step().
   explicit LinkedListCode(const Model& start, Checks checks = Checks::program);
 
-  std::string name() const override {
-    return checks_ == Checks::report ? "linked lists of 1982"
-                                     : "linked lists, the program's rules";
-  }
+  std::string name() const override { return "linked lists of 1982"; }
   double work_per_step() const override { return free_; }  ///< block-steps
   void run(long steps) override;
 
@@ -72,7 +73,12 @@ class LinkedListCode : public Contestant {
   Corner& corner(int b, int k) { return corners_[b * most_corners_ + k]; }
   int after(int b, int k) const { return k + 1 == blocks_[b].corners ? 0 : k + 1; }
   int before(int b, int k) const { return (k == 0 ? blocks_[b].corners : k) - 1; }
-  int box_of(double x, double y) const;
+  int box_of(double x, double y) const {
+    const int i = static_cast<int>((x - settings_.lower.x()) * boxes_per_length_.x()),
+              j = static_cast<int>((y - settings_.lower.y()) * boxes_per_length_.y());
+    return std::clamp(j, 0, settings_.boxes_y - 1) * settings_.boxes_x +
+           std::clamp(i, 0, settings_.boxes_x - 1);
+  }
 
   void step();
   void find_contacts();  ///< UPDAT
