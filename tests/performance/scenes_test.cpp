@@ -1,14 +1,40 @@
 // The scenes of the benchmark are what their names say.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
 
 #include "blocks_code.hpp"
 #include "pile.hpp"
+#include "scenes.hpp"
 #include "wall.hpp"
 
 namespace blocks {
 namespace {
+
+using ContactSet = std::set<std::pair<int, int>>;  // corner and edge
+
+ContactSet acting(const Model& model) {
+  ContactSet found;
+  for (int i = 0; i < model.contacts.size(); ++i)
+    if (model.contacts.active[i])
+      found.emplace(model.contacts.corner[i], model.contacts.edge[i]);
+  return found;
+}
+
+/// Share of the acting contacts that begin or end in the next step.
+double changing_contacts(bench::BlocksCode& code) {
+  const ContactSet before = acting(code.model());
+  code.run(1);
+  const ContactSet after = acting(code.model());
+  ContactSet changed;
+  std::set_symmetric_difference(before.begin(), before.end(), after.begin(),
+                                after.end(), std::inserter(changed, changed.end()));
+  return static_cast<double>(changed.size()) / static_cast<double>(before.size());
+}
 
 TEST(Scenes, WallHasAPowerOfTenOfBricksThatTouchAndFillIt) {
   for (const int power : {1, 2, 3}) {
@@ -40,6 +66,49 @@ TEST(Scenes, PileFallsTogetherAndStaysInItsBox) {
   }
   EXPECT_LT(after, 0.95 * before);
   EXPECT_GT(totals(code.model()).active_contacts, 60);
+}
+
+// Chatter that dies away would be timed as a calm wall, at its price.
+TEST(Scenes, ChatteringWallRattlesOnAndCalmWallDoesNot) {
+  for (const bool rigid : {true, false}) {
+    bench::BlocksCode calm(bench::advanced(bench::calm_wall(2), rigid));
+    bench::BlocksCode chatter(bench::advanced(bench::chattering_wall(2), rigid));
+    EXPECT_GT(changing_contacts(chatter), 0.1);
+    calm.run(3000);
+    chatter.run(3000);
+    EXPECT_LT(changing_contacts(calm), 0.02);
+    EXPECT_GT(changing_contacts(chatter), 0.1);
+  }
+}
+
+// Layers that stuck together would be timed as a wall that moves.
+TEST(Scenes, LayersOfTheSlopeSlideOnTheFloorAndOnEachOther) {
+  const bench::Scene scene = bench::slope_scene();
+  bench::BlocksCode code(bench::advanced(scene, true));
+  EXPECT_EQ(bench::free_blocks(code.model()), 1000);
+  while (code.model().time < 0.2)
+    code.run(100);
+  const Blocks& blocks = code.model().blocks;
+  double slowest = 0.0;  // of the layer below
+  const int first = blocks.size() - 1000;
+  for (int layer = 0, b = first; layer < 4; ++layer) {
+    const int bricks = 280 - 20 * layer;
+    const double speed = blocks.velocity.middleCols(b, bricks).colwise().norm().mean();
+    EXPECT_GT(speed, slowest + 0.8) << layer;
+    slowest = speed;
+    b += bricks;
+  }
+}
+
+// The blast is over when the window is, and no block has a number that is none.
+TEST(Scenes, DecksMove) {
+  for (const bench::Scene& scene : {bench::crater_scene(), bench::subsidence_scene()}) {
+    bench::BlocksCode code(bench::advanced(scene, true));
+    const double end = code.model().time + scene.window;
+    while (code.model().time < end)
+      code.run(100);
+    EXPECT_GT(totals(code.model()).fastest, 1.0) << scene.name;
+  }
 }
 
 }  // namespace

@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "geometry/numeric_environment.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "parts.hpp"
+#include "scene_table.hpp"
 
 namespace {
 
@@ -67,6 +69,11 @@ Plan plan_of(const Options& options) {
   return plan;
 }
 
+bool is_asked_for(const Part& part, const Options& options) {
+  return options.parts.empty() || std::find(options.parts.begin(), options.parts.end(),
+                                            part.name) != options.parts.end();
+}
+
 int run(const Options& options) {
   // known before ten minutes have gone by
   blocks::output::check_outputs(
@@ -86,11 +93,14 @@ int run(const Options& options) {
       "rounds in which the codes take turns; one thread on processor time, more, "
       "and one beside them, on the clock.\n",
       plan.rounds));
+  bool headed = false;
   for (const Part& part : parts())
-    if (options.parts.empty() || std::find(options.parts.begin(), options.parts.end(),
-                                           part.name) != options.parts.end()) {
+    if (is_asked_for(part, options)) {
       part.run(plan, report);
-      say(table_of(report, std::string(part.name)));
+      const std::string name(part.name);
+      if (part.scenes && !std::exchange(headed, true))
+        say(heading_of_scenes());
+      say(part.scenes ? rows_of_scenes(report, name) : table_of(report, name));
     }
   say(table_of_targets(report));
   for (const std::string& note : report.notes)
@@ -98,7 +108,7 @@ int run(const Options& options) {
   if (!write(options.output + ".json", to_json(report).dump(2) + "\n") ||
       !write(options.output + ".md", text))
     return 5;
-  const bool drawn = draw(report, options.output + ".png");
+  const bool drawn = draw_scenes(report, options.output + ".png");
   fmt::print(stderr, "wrote {0}.md, {0}.json{1}\n", options.output,
              drawn ? ", " + options.output + ".png" : "");
   return 0;

@@ -28,6 +28,21 @@ void BlocksCode::run(long steps) {
   }
 }
 
+Phases BlocksCode::run_phases(long steps) {
+  using dynamics::Profile;
+  Profile profile;
+  buffers_.profile = &profile;
+  run(steps);
+  buffers_.profile = nullptr;
+  double all = 0.0;
+  for (const double seconds : profile.seconds)
+    all += seconds;
+  return {.decisions = profile.seconds[Profile::decisions] / all,
+          .forces = profile.seconds[Profile::forces] / all,
+          .motion = profile.seconds[Profile::motion] / all,
+          .search = profile.seconds[Profile::search] / all};
+}
+
 const Model& BlocksCode::model() {
   dynamics::catch_up(model_, buffers_);
   return model_;

@@ -4,6 +4,7 @@
 #include "contestant.hpp"
 #include "dynamics/step.hpp"
 #include "model/model.hpp"
+#include "timing.hpp"
 
 namespace blocks::bench {
 
@@ -20,6 +21,8 @@ class BlocksCode : public Contestant {
   double work_per_step() const override { return free_; }  ///< block-steps
   /// Throws std::runtime_error when a corner is no longer a number.
   void run(long steps) override;
+  /// Runs that many steps. Returns how the time of a step divides: shares of 1.
+  Phases run_phases(long steps);
 
   const Model& model();
   /// The next step begins with a search.

@@ -37,6 +37,15 @@ class Box2dCode : public Contestant {
       world_.CreateBody(&body)->CreateFixture(&fixture);
       free_ += blocks.is_free(b) ? 1 : 0;
     }
+    for (const Plane& plane : start.settings.planes) {
+      b2EdgeShape shape;
+      shape.SetTwoSided(vector(plane.a), vector(plane.b));
+      b2FixtureDef fixture;
+      fixture.shape = &shape;
+      fixture.friction = 0.0f;  // Box2D takes the geometric mean of both sides
+      const b2BodyDef body;
+      world_.CreateBody(&body)->CreateFixture(&fixture);
+    }
   }
 
   std::string name() const override { return "Box2D 2.4.1"; }
@@ -56,10 +65,14 @@ class Box2dCode : public Contestant {
 
 }  // namespace
 
+bool has_box2d() { return true; }
+
 std::unique_ptr<Contestant> box2d_code(const Model& start) {
-  return std::make_unique<Box2dCode>(start);
+  return start.loads.none() ? std::make_unique<Box2dCode>(start) : nullptr;
 }
 #else
+bool has_box2d() { return false; }
+
 std::unique_ptr<Contestant> box2d_code(const Model&) { return nullptr; }
 #endif
 

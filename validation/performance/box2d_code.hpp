@@ -9,10 +9,13 @@
 
 namespace blocks::bench {
 
-/// The model's blocks, gravity and friction as they stand, stepped by 1/60 [T] with 8
-/// velocity and 3 position iterations; nothing sleeps, and no time of impact is sought.
-/// Its work is counted in body-iterations, 8 a step. Null where Box2D was not found
-/// when this was compiled.
+/// Whether Box2D was found when this was compiled.
+bool has_box2d();
+
+/// The model's blocks, gravity, friction and symmetry planes, without loads, stepped by
+/// 1/60 [T] with 8 velocity and 3 position iterations. Nothing sleeps, and no time of
+/// impact is sought. Its work is counted in body-iterations, 8 a step. Null without
+/// Box2D and for a model with loads.
 std::unique_ptr<Contestant> box2d_code(const Model& start);
 
 }  // namespace blocks::bench

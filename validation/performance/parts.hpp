@@ -21,6 +21,7 @@ struct Plan {
 struct Part {
   std::string_view name, what;
   void (*run)(const Plan&, Report&);
+  bool scenes = false;  ///< its rows are scenes in a state
 };
 
 /// In the order of the report.
@@ -31,6 +32,9 @@ void announce(const std::string& what);
 
 void run_wall(const Plan& plan, Report& report);
 void run_pile(const Plan& plan, Report& report);
+void run_slope(const Plan& plan, Report& report);
+void run_crater(const Plan& plan, Report& report);
+void run_subsidence(const Plan& plan, Report& report);
 void run_decks(const Plan& plan, Report& report);
 void run_search(const Plan& plan, Report& report);
 void run_predicates(const Plan& plan, Report& report);

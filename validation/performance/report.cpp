@@ -3,51 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "post/line_chart.hpp"
-
 namespace blocks::bench {
-namespace {
-
-std::string number(double value) {
-  return fmt::format("{:.{}f}", value, value < 10 ? 2 : value < 100 ? 1 : 0);
-}
-
-std::string in_words(const std::optional<Ratio>& ratio) {
-  if (!ratio)
-    return "";
-  if (ratio->least == ratio->most)
-    return number(ratio->middle);
-  return fmt::format("{} ({} to {})", number(ratio->middle), number(ratio->least),
-                     number(ratio->most));
-}
-
-std::string legend(const Row& row) {
-  return row.threads == 1 ? row.code
-                          : fmt::format("{}, {} threads", row.code, row.threads);
-}
-
-void add_point(post::ChartPanel& panel, const Row& row, double y) {
-  const std::string name = legend(row);
-  auto line = std::find_if(panel.lines.begin(), panel.lines.end(),
-                           [&](const auto& one) { return one.legend == name; });
-  if (line == panel.lines.end())
-    line = panel.lines.insert(line, {name, {}, {}});
-  line->x.push_back(std::log10(row.blocks));
-  line->y.push_back(y);
-}
-
-}  // namespace
-
-const Row* Report::find(const std::string& part, const std::string& scene,
-                        const std::string& code) const {
+const Row* Report::find(const std::string& scene, const std::string& state,
+                        const std::string& code, int threads) const {
   for (const Row& row : rows)
-    if (row.part == part && row.scene == scene && row.code == code)
+    if (row.scene == scene && row.state == state && row.code == code &&
+        row.threads == threads)
       return &row;
   return nullptr;
+}
+
+void Report::note(const std::string& text) {
+  if (std::find(notes.begin(), notes.end(), text) == notes.end())
+    notes.push_back(text);
 }
 
 std::string grouped(long number) {
@@ -55,6 +26,19 @@ std::string grouped(long number) {
   for (int i = static_cast<int>(text.size()) - 3; i > 0; i -= 3)
     text.insert(static_cast<std::size_t>(i), ",");
   return text;
+}
+
+std::string short_number(double value) {
+  return fmt::format("{:.{}f}", value, value < 10 ? 2 : value < 100 ? 1 : 0);
+}
+
+std::string in_words(const std::optional<Ratio>& ratio) {
+  if (!ratio)
+    return "";
+  if (ratio->least == ratio->most)
+    return short_number(ratio->middle);
+  return fmt::format("{} ({} to {})", short_number(ratio->middle),
+                     short_number(ratio->least), short_number(ratio->most));
 }
 
 std::string table_of(const Report& report, const std::string& part) {
@@ -65,9 +49,10 @@ std::string table_of(const Report& report, const std::string& part) {
                   part);
   for (const Row& row : report.rows)
     if (row.part == part)
-      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.scene,
-                          row.code, row.threads, number(row.cost), row.unit,
-                          number(1e3 / row.cost), row.against, in_words(row.ratio));
+      text +=
+          fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.scene,
+                      row.code, row.threads, short_number(row.cost), row.unit,
+                      short_number(1e3 / row.cost), row.against, in_words(row.ratio));
   return text;
 }
 
@@ -80,9 +65,10 @@ std::string table_of_targets(const Report& report) {
     const double missing =
         one.at_least ? one.limit / one.measured : one.measured / one.limit;
     text += fmt::format(
-        "| {} | {}{} | {} {}{} | {} |\n", one.what, number(one.measured), one.unit,
-        one.at_least ? "at least" : "at most", one.limit, one.unit,
-        one.met() ? "met" : fmt::format("missed by a factor of {}", number(missing)));
+        "| {} | {}{} | {} {}{} | {} |\n", one.what, short_number(one.measured),
+        one.unit, one.at_least ? "at least" : "at most", one.limit, one.unit,
+        one.met() ? "met"
+                  : fmt::format("missed by a factor of {}", short_number(missing)));
   }
   return text;
 }
@@ -94,6 +80,13 @@ nlohmann::json to_json(const Report& report) {
                           {"code", row.code},       {"threads", row.threads},
                           {"blocks", row.blocks},   {"unit", row.unit},
                           {"nanoseconds", row.cost}};
+    if (!row.state.empty())
+      one["state"] = row.state;
+    if (row.phases)
+      one["phases"] = {{"decisions", row.phases->decisions},
+                       {"forces", row.phases->forces},
+                       {"motion", row.phases->motion},
+                       {"search", row.phases->search}};
     if (row.ratio)
       one["ratio"] = {{"over", row.against},
                       {"median", row.ratio->middle},
@@ -115,26 +108,6 @@ nlohmann::json to_json(const Report& report) {
           {"rows", rows},
           {"targets", targets},
           {"notes", report.notes}};
-}
-
-bool draw(const Report& report, const std::string& path) {
-  post::Chart chart{
-      "Cost of a wall of bricks",
-      "one step of one block; Box2D: one of the eight iterations of a step",
-      "blocks, as a power of ten",
-      {{"nanoseconds", {}}, {"cost over that of blocks", {}}}};
-  for (const Row& row : report.rows)
-    if (row.part == "wall") {
-      add_point(chart.panels[0], row, row.cost);
-      add_point(chart.panels[1], row,
-                row.ratio && (row.against == "blocks" || row.threads > 1)
-                    ? row.ratio->middle
-                    : 1.0);
-    }
-  if (chart.panels[0].lines.empty() || chart.panels[0].lines.front().x.size() < 2)
-    return false;
-  post::draw_chart(path, chart, 1200);
-  return true;
 }
 
 }  // namespace blocks::bench

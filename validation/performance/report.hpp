@@ -1,4 +1,4 @@
-// What a benchmark found: rows for the terminal, JSON and a chart.
+// What a benchmark found: rows and targets, as tables and JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,6 +19,8 @@ struct Row {
   double cost = 0.0;                ///< nanoseconds, median
   std::optional<Ratio> ratio = {};  ///< this code's cost over that of `against`
   std::string against = {};
+  std::string state = {};             ///< of the scene: "calm"; empty: it has none
+  std::optional<Phases> phases = {};  ///< nanoseconds, together about the cost
 };
 
 /// What was to be reached.
@@ -38,22 +40,26 @@ struct Report {
   std::vector<Target> targets;
   std::vector<std::string> notes;  ///< what was left out, and why
 
-  /// The row of this part, scene and code, or null.
-  const Row* find(const std::string& part, const std::string& scene,
-                  const std::string& code) const;
+  /// The row of this scene, state, code and number of threads, or null.
+  const Row* find(const std::string& scene, const std::string& state,
+                  const std::string& code, int threads = 1) const;
+  /// Adds a note unless it is there.
+  void note(const std::string& text);
 };
 
 /// 10,000.
 std::string grouped(long number);
+
+/// Three digits or so: "4.66", "64.4", "300".
+std::string short_number(double value);
+
+/// "4.66 (3.93 to 5.32)"; empty where there is none.
+std::string in_words(const std::optional<Ratio>& ratio);
 
 /// Tables of Markdown: a part's heading and rows; the targets.
 std::string table_of(const Report& report, const std::string& part);
 std::string table_of_targets(const Report& report);
 
 nlohmann::json to_json(const Report& report);
-
-/// Cost of a block-step of the wall against blocks, a line for each code and number of
-/// threads, and what each costs over the program. False: fewer than two sizes were run.
-bool draw(const Report& report, const std::string& path);
 
 }  // namespace blocks::bench

@@ -14,6 +14,11 @@ double seconds_of_run(Contestant& code, long steps);
 
 double median(std::vector<double> values);
 
+/// What the phases of a step take.
+struct Phases {
+  double decisions = 0.0, forces = 0.0, motion = 0.0, search = 0.0;
+};
+
 /// What one code took, round by round, in nanoseconds for each unit of work.
 struct Times {
   long steps = 0;  ///< of a round

@@ -1,0 +1,113 @@
+#include "scenes.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "blocks_code.hpp"
+#include "deck_model.hpp"
+#include "geometry/random.hpp"
+#include "pile.hpp"
+#include "report.hpp"
+#include "slope.hpp"
+#include "wall.hpp"
+
+namespace blocks::bench {
+namespace {
+
+constexpr long batch = 100;               // steps between two looks at the time
+constexpr double chatter_fraction = 0.1;  // FRACTION
+constexpr long wall_steps = 100;          // in which the bricks meet
+constexpr double kick = 0.02;             // [L/T] largest first velocity of a brick
+constexpr double pile_time = 1.5;         // [T] the layers fall less than 3 [L]
+constexpr double pile_window = 0.1;       // [T]
+constexpr long slope_steps = 1000;        // in which the layers settle on the floor
+constexpr double slope_window = 0.5;      // [T]
+constexpr double blast_window = 0.01;     // [T] in which the deck's pressure ends
+constexpr double cave_in_time = 0.6;      // [T] the roof falls
+constexpr double cave_in_window = 0.2;    // [T] after it the roof hits the floor
+
+/// All bricks rattle at once; otherwise the weight has to reach them first.
+void kick_bricks(Blocks& blocks) {
+  for (int b = 0; b < blocks.size(); ++b)
+    for (int axis = 0; axis < 2 && blocks.is_free(b); ++axis) {
+      const auto bits =
+          geometry::random_53_bits({1982, 0}, static_cast<std::uint64_t>(b),
+                                   static_cast<std::uint32_t>(axis), 0);
+      blocks.velocity(axis, b) =
+          kick * (2.0 * static_cast<double>(bits) * 0x1p-53 - 1.0);
+    }
+}
+
+Scene deck_scene(const std::string& name, const std::string& state) {
+  Scene scene{.part = name, .name = {}, .state = state, .start = deck_model(name)};
+  scene.name = name + " deck, " + grouped(free_blocks(scene.start)) + " blocks";
+  return scene;
+}
+
+}  // namespace
+
+Model advanced(const Scene& scene, bool rigid) {
+  Model start = scene.start;
+  start.settings.rigid = rigid;
+  BlocksCode code(std::move(start));
+  code.run(scene.steps);
+  while (code.model().time < scene.time)
+    code.run(batch);
+  return code.model();
+}
+
+std::string wall_name(int power) {
+  return "wall, " + grouped(std::lround(std::pow(10.0, power))) + " bricks";
+}
+
+Scene calm_wall(int power) {
+  return {.part = "wall",
+          .name = wall_name(power),
+          .state = calm_state,
+          .start = wall_of_power(power),
+          .steps = wall_steps};
+}
+
+Scene chattering_wall(int power) {
+  Scene scene = calm_wall(power);
+  scene.state = chatter_state;
+  scene.start.settings.fraction = chatter_fraction;
+  kick_bricks(scene.start.blocks);
+  return scene;
+}
+
+Scene settling_pile(int polygons) {
+  return {.part = "pile",
+          .name = "pile, " + grouped(polygons) + " polygons",
+          .state = "settling",
+          .start = loose_pile(polygons),
+          .time = pile_time,
+          .window = pile_window};
+}
+
+Scene slope_scene() {
+  Scene scene{.part = "slope",
+              .name = {},
+              .state = "sliding",
+              .start = sliding_slope(),
+              .steps = slope_steps,
+              .window = slope_window};
+  scene.name = "slope, " + grouped(free_blocks(scene.start)) + " bricks";
+  return scene;
+}
+
+Scene crater_scene() {
+  Scene scene = deck_scene("crater", "blast");
+  scene.window = blast_window;
+  return scene;
+}
+
+Scene subsidence_scene() {
+  Scene scene = deck_scene("subsidence", "cave-in");
+  scene.time = cave_in_time;
+  scene.window = cave_in_window;
+  return scene;
+}
+
+}  // namespace blocks::bench
