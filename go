@@ -36,9 +36,10 @@ usage() {
   ./go study [N]            N frames (1000) of every scene of contact detection by the
                             rules of every run: no hang-up, no fall-through where these
                             rules are known to pass; every decision exact
-  ./go bench [PART...]      times, against other codes on the same scenes (3 minutes;
-                            --quick: one): wall, pile, decks, search, predicates,
-                            generation; writes bench.md, .json, .png beside you
+  ./go bench [PART...]      times of scenes in several states, against other codes (6 minutes;
+                            --quick: one): wall, pile, slope, crater, subsidence, decks,
+                            search, predicates, generation; writes bench.md, .json, .png
+                            beside you
   ./go bench exactness      whole runs with exact predicates against plain doubles
   ./go asan                 every test under the address and undefined sanitizers
   ./go tsan                 every test under the thread sanitizer

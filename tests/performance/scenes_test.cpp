@@ -86,7 +86,7 @@ TEST(Scenes, LayersOfTheSlopeSlideOnTheFloorAndOnEachOther) {
   const bench::Scene scene = bench::slope_scene();
   bench::BlocksCode code(bench::advanced(scene, true));
   EXPECT_EQ(bench::free_blocks(code.model()), 1000);
-  while (code.model().time < 0.2)
+  while (code.model().time < 0.1)
     code.run(100);
   const Blocks& blocks = code.model().blocks;
   double slowest = 0.0;  // of the layer below

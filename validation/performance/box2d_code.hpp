@@ -9,7 +9,7 @@
 
 namespace blocks::bench {
 
-/// Whether Box2D was found when this was compiled.
+/// Returns whether Box2D was found when this was compiled.
 bool has_box2d();
 
 /// The model's blocks, gravity, friction and symmetry planes, without loads, stepped by

@@ -17,13 +17,15 @@ namespace {
 
 using Code = std::unique_ptr<Contestant>;
 
-constexpr long least_profiled = 50;  // steps
-constexpr long box2d_steps = 20;     // not timed: Box2D comes to rest in its own way
+// A profile of fewer steps depends on whether a search is among them.
+constexpr long least_profiled = 30;
+// These steps are not timed, because Box2D comes to rest in its own way.
+constexpr long box2d_steps = 20;
 
 using Start = std::function<Code()>;
 
-/// A code that starts over after a number of steps: an event can be timed for as long
-/// as a turn lasts.
+/// Starts a code over after a number of steps, so that a short event can be timed for
+/// as long as a turn lasts.
 class Replay : public Contestant {
  public:
   Replay(Start start, long window)
@@ -47,11 +49,11 @@ class Replay : public Contestant {
 
  private:
   Start start_;
-  long window_, made_ = 0;  ///< steps
+  long window_, made_ = 0;  ///< in steps
   Code code_;
 };
 
-/// One thread by the clock, as two are timed.
+/// Times one thread by the clock, as two are timed.
 class ByClock : public Contestant {
  public:
   explicit ByClock(Contestant& code) : code_(code) {}
@@ -64,17 +66,18 @@ class ByClock : public Contestant {
   Contestant& code_;
 };
 
-/// Steps of the scene's window; 0: it has none.
+/// Returns the steps of the scene's window, 0 where it has none.
 long window_steps(const Scene& scene, const Model& state) {
   return std::lround(scene.window / state.time_step.dt);
 }
 
-/// The state outlives the code.
+/// Returns the code, replayed where the scene has a window.
 Code replayed(const Scene& scene, const Model& state, const Start& start) {
   const long window = window_steps(scene, state);
   return window > 0 ? std::make_unique<Replay>(start, window) : start();
 }
 
+/// Returns the program; it refers to the state, which must live longer.
 Code program(const Scene& scene, const Model& state, int threads) {
   return replayed(scene, state, [&state, threads] {
     return std::make_unique<BlocksCode>(
@@ -82,10 +85,10 @@ Code program(const Scene& scene, const Model& state, int threads) {
   });
 }
 
-/// A code in the turns, and which of them it is compared with.
+/// An entry is a code in the turns and the number of the one it is compared with.
 struct Entry {
   Contestant* code;
-  std::size_t against;  ///< its own number: with none
+  std::size_t against;  ///< Its own number means that it is compared with none.
 };
 
 /// Times the codes in turns and adds a row for each.
@@ -112,7 +115,7 @@ void time_entries(const Plan& plan, const Scene& scene, double blocks,
   }
 }
 
-/// Turns of their own, in which no other code shares the cores.
+/// Times threads in turns of their own, in which no other code shares the cores.
 void time_threads(const Plan& plan, const Scene& scene, const Code& rigid,
                   const Model& rigid_state, const Code& deformable,
                   const Model& deformable_state, Report& report) {
@@ -131,8 +134,8 @@ void time_threads(const Plan& plan, const Scene& scene, const Code& rigid,
                report);
 }
 
-/// Nanoseconds by phase of a block-step that costs `cost` of them. A window is profiled
-/// from its start, otherwise steps that follow on as many others.
+/// Divides the `cost` of a block-step, in nanoseconds, by phase. A window is profiled
+/// from its start; otherwise as many steps are made before those that are profiled.
 Phases profiled(const Plan& plan, const Scene& scene, const Model& state, double cost) {
   BlocksCode code(state);
   long steps = window_steps(scene, state);

@@ -1,4 +1,4 @@
-// One scene in one state, stepped by every code that can step it.
+// A scene is stepped by every code that can step it, and timed.
 #pragma once
 
 #include "parts.hpp"
@@ -7,7 +7,7 @@
 
 namespace blocks::bench {
 
-/// Names of the program in rows.
+/// Rows have these names of codes.
 constexpr const char* rigid_blocks = "blocks";
 constexpr const char* deformable_blocks = "blocks, deformable";
 constexpr const char* linked_lists = "linked lists of 1982";

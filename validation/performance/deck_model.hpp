@@ -1,4 +1,4 @@
-// The example decks as models.
+// The example decks become models here.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace blocks::bench {
 
-/// The path of an example deck: "crater".
+/// Returns the path of an example deck, such as "crater".
 std::string deck_path(const std::string& name);
 
-/// The model of an example deck before its first step. Throws std::runtime_error when
-/// the deck has faults.
+/// Returns the model of an example deck before its first step. Throws
+/// std::runtime_error when the deck has faults.
 Model deck_model(const std::string& name);
 
 }  // namespace blocks::bench

@@ -11,8 +11,8 @@ namespace blocks::bench {
 /// How much is run.
 struct Plan {
   int rounds = 5;
-  double seconds = 0.25;  ///< least length of a code's turn
-  int smallest = 3;       ///< power of ten of blocks
+  double seconds = 0.2;  ///< least length of a code's turn
+  int smallest = 3;      ///< power of ten of blocks
   int largest = 6;
   int polygons = 1000;
   bool whole_decks = true;  ///< else: their first tenth of a second

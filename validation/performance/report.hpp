@@ -1,4 +1,4 @@
-// What a benchmark found: rows and targets, as tables and JSON.
+// A report holds what a benchmark found; it becomes tables and JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -19,7 +19,7 @@ struct Row {
   double cost = 0.0;                ///< nanoseconds, median
   std::optional<Ratio> ratio = {};  ///< this code's cost over that of `against`
   std::string against = {};
-  std::string state = {};             ///< of the scene: "calm"; empty: it has none
+  std::string state = {};             ///< "calm"; empty where the scene has none
   std::optional<Phases> phases = {};  ///< nanoseconds, together about the cost
 };
 
@@ -40,7 +40,7 @@ struct Report {
   std::vector<Target> targets;
   std::vector<std::string> notes;  ///< what was left out, and why
 
-  /// The row of this scene, state, code and number of threads, or null.
+  /// Returns the row of this scene, state, code and number of threads, or null.
   const Row* find(const std::string& scene, const std::string& state,
                   const std::string& code, int threads = 1) const;
   /// Adds a note unless it is there.
@@ -50,10 +50,10 @@ struct Report {
 /// 10,000.
 std::string grouped(long number);
 
-/// Three digits or so: "4.66", "64.4", "300".
+/// Returns about three digits: "4.66", "64.4", "300".
 std::string short_number(double value);
 
-/// "4.66 (3.93 to 5.32)"; empty where there is none.
+/// Returns "4.66 (3.93 to 5.32)", or nothing where there is no ratio.
 std::string in_words(const std::optional<Ratio>& ratio);
 
 /// Tables of Markdown: a part's heading and rows; the targets.

@@ -1,4 +1,4 @@
-// The chart of the scenes: phases of a step as bars, ratios of codes as marks.
+// The chart shows phases of a step as bars and ratios of codes as marks.
 #include <cairo.h>
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ constexpr std::array phases{Phase{"decisions", &Phases::decisions, {0.00, 0.36, 
                             Phase{"motion", &Phases::motion, {0.66, 0.73, 0.62}},
                             Phase{"search", &Phases::search, {0.85, 0.66, 0.25}}};
 
-/// A code beside the program; corners of its mark, 0: a circle.
+/// This is a code beside the program; its mark has so many corners, 0 means a circle.
 struct Other {
   const char* legend;
   const char* code;
@@ -79,7 +79,8 @@ class SceneDrawing {
     pen_.text("one step of one block; Box2D: one of the eight iterations of a step", 24,
               64, 15, post::muted, 0, 1);
     draw_panel(bars_left, bars_right, "nanoseconds of a rigid block, one thread");
-    draw_panel(marks_left, marks_right, "cost over that of the program (left of 1: faster)");
+    draw_panel(marks_left, marks_right,
+               "cost over that of the program (left of 1: faster)");
     draw_bar_ticks();
     draw_mark_ticks();
     draw_legends();
@@ -93,7 +94,8 @@ class SceneDrawing {
  private:
   static constexpr double bars_left = 330, bars_right = 700;
   static constexpr double marks_left = 750, marks_right = 1170;
-  static constexpr double longest_bar = 3.0;  // of the median: longer ones are cut
+  // Bars longer than so many medians are cut: one slow scene would hide the others.
+  static constexpr double longest_bar = 3.0;
 
   const Row* find(const Row& row, const Other& other) const {
     const Row* one = report_.find(row.scene, row.state, other.code, other.threads);
@@ -184,7 +186,7 @@ class SceneDrawing {
     scene_ = row.scene;
     pen_.text(row.state, bars_left - 12, y, 14, post::muted, 1, 0.5, 76);
     draw_bar(row, y);
-    double at = y - 9;  // ranges of different codes do not cover each other
+    double at = y - 9;  // Ranges of different codes must not cover each other.
     for (const Other& other : others) {
       if (const Row* one = find(row, other)) {
         line(mark_x(one->ratio->least), at, mark_x(one->ratio->most), at, 2.4,

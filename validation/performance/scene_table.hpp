@@ -1,4 +1,4 @@
-// The scenes of a report in one table and one chart: a row for each scene and state.
+// The scenes of a report become one table and one chart.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace blocks::bench {
 
-/// Heading of the Markdown table.
+/// Returns the heading of the Markdown table.
 std::string heading_of_scenes();
 
-/// The rows of a part below that heading.
+/// Returns the rows of a part below that heading, one for each scene and state.
 std::string rows_of_scenes(const Report& report, const std::string& part);
 
 /// Draws the rows of all parts: phases of a step as bars, ratios of codes as marks.
-/// Returns false when there is none. Throws as post::write_page.
+/// Returns false when there is none. Throws what post::write_page throws.
 bool draw_scenes(const Report& report, const std::string& path);
 
 }  // namespace blocks::bench

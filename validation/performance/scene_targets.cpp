@@ -12,7 +12,7 @@ namespace {
 /// it did `v3_over_2_4` times the iterations of 2.4.1 in the same time.
 struct Box2dTarget {
   int power;
-  double times_v3;  ///< so many block-steps for each body-substep of v3
+  double times_v3;  ///< So many block-steps shall cost as much as a body-substep of v3.
   double v3_over_2_4;
 };
 constexpr Box2dTarget box2d_targets[] = {{3, 1.8, 3.5}, {4, 2.5, 3.3}, {5, 8.0, 11.0}};
@@ -38,7 +38,7 @@ void add_wall_targets(Report& report) {
     const Row* deformable = report.find(scene, calm, deformable_blocks);
     add_ratio_target(report, deformable, "cost of deformable blocks over rigid ones",
                      1.5, false);
-    // RIGID saves 10 % of the time, says the report
+    // The report says that RIGID saves 10 % of the time.
     add_ratio_target(report, deformable, "cost of deformable blocks over rigid ones",
                      1.11, true);
   }

@@ -1,4 +1,4 @@
-// What the scenes were to reach.
+// These are the targets of the scenes.
 #pragma once
 
 #include "report.hpp"

@@ -15,19 +15,32 @@
 namespace blocks::bench {
 namespace {
 
-constexpr long batch = 100;               // steps between two looks at the time
-constexpr double chatter_fraction = 0.1;  // FRACTION
-constexpr long wall_steps = 100;          // in which the bricks meet
-constexpr double kick = 0.02;             // [L/T] largest first velocity of a brick
-constexpr double pile_time = 1.5;         // [T] the layers fall less than 3 [L]
-constexpr double pile_window = 0.1;       // [T]
-constexpr long slope_steps = 1000;        // in which the layers settle on the floor
-constexpr double slope_window = 0.5;      // [T]
-constexpr double blast_window = 0.01;     // [T] in which the deck's pressure ends
-constexpr double cave_in_time = 0.6;      // [T] the roof falls
-constexpr double cave_in_window = 0.2;    // [T] after it the roof hits the floor
+constexpr long batch = 100;  // So many steps pass between two looks at the time.
 
-/// All bricks rattle at once; otherwise the weight has to reach them first.
+// At a FRACTION of 0.1 and half of critical damping a wall never comes to rest.
+constexpr double chatter_fraction = 0.1;
+// Bricks meet within so many steps; later they settle.
+constexpr long wall_steps = 100;
+// [L/T] The first velocity of a brick is at most this; a larger one opens joints.
+constexpr double kick = 0.02;
+
+// [T] The layers fall less than 3 [L] in this time and have met.
+constexpr double pile_time = 1.5;
+// [T] The pile changes little in this time; it is nearly at rest after 2.
+constexpr double pile_window = 0.1;
+
+// The layers settle on the floor in so many steps.
+constexpr long slope_steps = 1000;
+// [T] The slope gains 0.8 [L/T] in this time.
+constexpr double slope_window = 0.5;
+
+constexpr double blast_window = 0.01;  // [T] The deck's pressure ends then.
+
+// [T] The roof falls fastest from then on, for the time of the window.
+constexpr double cave_in_time = 0.6;
+constexpr double cave_in_window = 0.2;
+
+/// Makes all bricks rattle at once; otherwise the weight has to reach them first.
 void kick_bricks(Blocks& blocks) {
   for (int b = 0; b < blocks.size(); ++b)
     for (int axis = 0; axis < 2 && blocks.is_free(b); ++axis) {

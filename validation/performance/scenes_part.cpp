@@ -1,4 +1,5 @@
-// The scenes against other codes, and walls of several sizes against each other.
+// The scenes are timed against other codes, and walls of several sizes against each
+// other.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,16 +15,18 @@
 namespace blocks::bench {
 namespace {
 
-constexpr int largest_compared = 5;  // power of ten of bricks for the other codes
-constexpr long million_steps = 40;   // before the timing: chatter has begun
-constexpr long million_turn = 4;     // steps
+// Other codes step at most 10^5 bricks: they would take minutes for more.
+constexpr int largest_compared = 5;
+// Steps before the timing of the largest wall: chatter has begun.
+constexpr long million_steps = 40;
+constexpr long million_turn = 2;  // A turn of the largest wall has so many steps.
 
 void add_chatter_target(const std::string& scene, const Ratio& ratio, Report& report) {
   report.targets.push_back({scene + ": cost of a chattering block over a calm one",
                             ratio.middle, 2, false, " times"});
 }
 
-/// Calm and chattering bricks in the same turns.
+/// Times calm and chattering bricks in the same turns.
 void compare_states(const Plan& plan, const Scene& calm, const Scene& chatter,
                     Report& report) {
   BlocksCode at_rest(advanced(calm, true)), rattling(advanced(chatter, true));
@@ -31,8 +34,8 @@ void compare_states(const Plan& plan, const Scene& calm, const Scene& chatter,
   add_chatter_target(calm.name, ratio(times[0], times[1]), report);
 }
 
-/// A wall so large that only the program steps it, calm and chattering, and 10,000
-/// bricks in the same steps.
+/// Times a wall so large that only the program steps it, calm and chattering, beside
+/// 10,000 bricks in the same steps.
 void compare_sizes(const Plan& plan, int power, Report& report) {
   constexpr int small = 4;
   std::vector<Scene> scenes{calm_wall(small), calm_wall(power), chattering_wall(small),

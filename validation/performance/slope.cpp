@@ -11,10 +11,14 @@ namespace {
 
 constexpr double angle = 20.0 * std::numbers::pi / 180.0;
 constexpr int layers = 4;
-constexpr int longest = 280, shorter = 20;  // bricks: 280 + 260 + 240 + 220
-constexpr double height = 0.5;              // of a layer, [L]
-constexpr double shift = 10.5;              // of a layer against the one below, [L]
-constexpr double piece = 20.0, before = 20.0, after = 500.0;  // of the floor, [L]
+// The layers have 280, 260, 240 and 220 bricks.
+constexpr int longest = 280, shorter = 20;
+constexpr double height = 0.5;  // [L] A layer is as high as this.
+// [L] A layer begins so far down the one below and ends as far before its end, for it
+// slides. The half makes a running bond.
+constexpr double shift = 10.5;
+// [L] The floor has pieces of this length, before and after the bricks, too.
+constexpr double piece = 20.0, before = 20.0, after = 500.0;
 
 /// Inclines an upright block. The floor ends at y = 0 and begins at x = 0.
 NewBlock inclined(NewBlock block) {

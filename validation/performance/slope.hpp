@@ -1,4 +1,4 @@
-// A slope of bricks that slides: contacts pass from brick to brick in every layer.
+// On a sliding slope contacts pass from brick to brick in every layer.
 #pragma once
 
 #include "model/model.hpp"

@@ -14,7 +14,7 @@ double seconds_of_run(Contestant& code, long steps);
 
 double median(std::vector<double> values);
 
-/// What the phases of a step take.
+/// These are the times of the phases of a step.
 struct Phases {
   double decisions = 0.0, forces = 0.0, motion = 0.0, search = 0.0;
 };
