@@ -51,35 +51,52 @@ constexpr double smallest = 1e-140, largest = 1e140, lost = 1e-150;
 /// ends of the side move against each other by `of_side`: unit vectors along a and b
 /// differ by at most |a - b| / sqrt(|a| |b|). Rounding errors are below 1e-15 distance.
 /// Infinite if the side may turn by any angle.
+double error_of(double distance, double of_point, double turn) {
+  return (1.0 + 1e-9) * (of_point + (distance + of_point) * turn) + 1e-12 * distance +
+         lost;
+}
+/// By how much the side may turn, or infinity for any angle.
+double turn_of(double length, double of_side) {
+  return of_side < 0.5 * length ? of_side / (length - of_side)
+                                : std::numeric_limits<double>::infinity();
+}
 double error_of(double distance, double of_point, double length, double of_side) {
-  if (!(of_side < 0.5 * length))
+  return error_of(distance, of_point, turn_of(length, of_side));
+}
+/// At least the length of `line` times the error of a place across it, without a root.
+/// The line turns by at most of_side / (length - of_side) <= 2 of_side / length.
+double scaled_error_of(double distance, double of_point, const Vec2& line,
+                       double of_side) {
+  if (!(of_side < 0.5 * line.lpNorm<Eigen::Infinity>()))
     return std::numeric_limits<double>::infinity();
   return (1.0 + 1e-9) *
-             (of_point + (distance + of_point) * of_side / (length - of_side)) +
-         1e-12 * distance + lost;
+             (of_point * line.lpNorm<1>() + (distance + of_point) * (2.0 * of_side)) +
+         (1e-12 * distance + lost) * line.lpNorm<1>();
 }
 
 }  // namespace
 
 UncoveredSide::UncoveredSide(const SideEnd& end, Outline other, double room,
                              double of_neighbours)
-    : other_(other), first_(start_of(end.polygon, static_cast<std::size_t>(end.side))),
-      room_(room), of_neighbours_(of_neighbours), at_start_(end.at_start) {
+    : end_(end), other_(other),
+      first_(start_of(end.polygon, static_cast<std::size_t>(end.side))), room_(room),
+      of_neighbours_(of_neighbours), at_start_(end.at_start) {
   const Vec2 edge = end_of(end.polygon, static_cast<std::size_t>(end.side)) - first_;
   length_ = edge.norm();
   along_ = edge / length_;
+  turn_ = turn_of(length_, room);
   PartBehind interval;
   double farthest = length_;
   for (std::size_t k = 0; k < other.size(); ++k) {
     const Vec2 line = end_of(other, k) - start_of(other, k);
     const Vec2 from = first_ - start_of(other, k);
-    const double of_line = line.norm();
     farthest = std::max(farthest, from.lpNorm<1>());
-    const double depth = cross(from, line) / of_line;
-    interval.cut(depth, depth + cross(edge, line) / of_line,
-                 error_of(from.lpNorm<1>() + length_, room, of_line, room));
+    // Depths times the length of the line: only their ratio counts.
+    const double depth = cross(from, line);
+    interval.cut(depth, depth + cross(edge, line),
+                 scaled_error_of(from.lpNorm<1>() + length_, room, line, room));
   }
-  const double error = error_of(length_, room, length_, room);
+  const double error = error_of(length_, room, turn_);
   least_ =
       length_ * (end.at_start ? interval.to.low : 1.0 - interval.from.high) - error;
   most_ = length_ * (end.at_start ? interval.to.high : 1.0 - interval.from.low) + error;
@@ -91,13 +108,31 @@ UncoveredSide::UncoveredSide(const SideEnd& end, Outline other, double room,
 bool UncoveredSide::is_outside(const Vec2& start, const Vec2& end) const {
   for (std::size_t k = 0; k < other_.size(); ++k) {
     const Vec2 line = end_of(other_, k) - start_of(other_, k);
-    const double of_line = line.norm();
     const auto outside = [&](const Vec2& corner) {
       const Vec2 from = corner - start_of(other_, k);
-      return cross(from, line) / of_line <
-             -error_of(from.lpNorm<1>(), of_neighbours_, of_line, room_);
+      return cross(from, line) <
+             -scaled_error_of(from.lpNorm<1>(), of_neighbours_, line, room_);
     };
     if (outside(start) && outside(end))
+      return true;
+  }
+  return false;
+}
+
+bool UncoveredSide::is_less_deep(Outline neighbour, double depth) const {
+  const Outline own = end_.polygon;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    if (static_cast<int>(k) == end_.side)
+      continue;
+    const Vec2& start = start_of(own, k);
+    const Vec2 line = end_of(own, k) - start;
+    double deepest = -std::numeric_limits<double>::infinity(), distance = 0.0;
+    for (const Vec2& corner : neighbour) {
+      deepest = std::max(deepest, cross(corner - start, line));
+      distance = std::max(distance, (corner - start).lpNorm<1>());
+    }
+    const double of_line = line.norm();
+    if (deepest / of_line + error_of(distance, of_neighbours_, of_line, room_) < depth)
       return true;
   }
   return false;
@@ -118,18 +153,18 @@ void UncoveredSide::add(Outline neighbour) {
   if (!(far < largest))
     return give_up();
   // The last term is the rounding error of the length.
-  const double error = error_of(far, of_neighbours_, length_, room_) + 1e-12 * length_;
-  if (!(error < largest))
+  const double any_error = error_of(far, of_neighbours_, turn_) + 1e-12 * length_;
+  if (!(any_error < largest))
     return give_up();
   // Places along the side, from the end that is asked about.
-  const auto to_begin = [&](double begin, double last) {
+  const auto to_begin = [&](double begin, double last, double error) {
     return (at_start_ ? begin : length_ - last) - error;
   };
-  const auto to_last = [&](double begin, double last) {
+  const auto to_last = [&](double begin, double last, double error) {
     return (at_start_ ? last : length_ - begin) + error;
   };
-  if (to_begin(low, high) >= most_ || to_last(low, high) <= 0.0 ||
-      nearest - error > most_)
+  if (to_begin(low, high, any_error) >= most_ || to_last(low, high, any_error) <= 0.0 ||
+      nearest - any_error > most_)
     return;
   for (std::size_t f = 0; f < neighbour.size(); ++f) {
     const Vec2 &near = end_of(neighbour, f), &far_end = start_of(neighbour, f);
@@ -145,10 +180,27 @@ void UncoveredSide::add(Outline neighbour) {
                  part = 0.95 - 2.0 * room_ / length_;
     if (part > 0.0 && (facing < 0.0 || facing * facing < part * part * square))
       continue;
-    const double begin = (near - first_).dot(along_), last = begin + product;
-    const double from = std::max(0.0, to_begin(begin, last)), to = to_last(begin, last);
-    const double gap_at_near = cross(along_, near - first_),
-                 gap_at_far = cross(along_, far_end - first_);
+    // Of a long side only the part counts that can come to lie along the side.
+    const double start = (near - first_).dot(along_);
+    double first_part = 0.0, last_part = 1.0;
+    if (product > 2.0 * length_)
+      first_part = std::max(0.0, (-length_ - start) / product),
+      last_part = std::min(1.0, (2.0 * length_ - start) / product);
+    const Vec2 nearest_part = near + first_part * across - first_,
+               farthest_part = near + last_part * across - first_;
+    const double error =
+        error_of(std::max(nearest_part.lpNorm<1>(), farthest_part.lpNorm<1>()),
+                 of_neighbours_, turn_) +
+        1e-12 * length_;
+    if (product > 2.0 * length_ && !(error < length_))
+      return give_up();
+    if (first_part >= last_part)
+      continue;
+    const double begin = nearest_part.dot(along_), last = farthest_part.dot(along_);
+    const double from = std::max(0.0, to_begin(begin, last, error)),
+                 to = to_last(begin, last, error);
+    const double gap_at_near = cross(along_, nearest_part),
+                 gap_at_far = cross(along_, farthest_part);
     const double gap = std::min(gap_at_near, gap_at_far) - error,
                  overlap = -std::max(gap_at_near, gap_at_far) - error;
     double least = std::max(least_, gap), most = most_;
@@ -168,6 +220,9 @@ void UncoveredSide::add(Outline neighbour) {
     most = std::min(
         most, reach + error_of(distance, of_neighbours_, of_across, of_neighbours_));
     if (least > most || from >= most)
+      continue;
+    // The two do not touch along these sides.
+    if (overlap > 0.0 && is_less_deep(neighbour, overlap))
       continue;
     if (is_outside(near, far_end)) {
       if (gap > 0.0)

@@ -47,9 +47,9 @@ struct Cover {
 Cover covering(const SideEnd& end, Outline other, std::span<const Outline> neighbours);
 
 /// The quick half of the question, in plain doubles with room for rounding and for
-/// motion: whether neighbours certainly do not cover the side. It needs no memory. Only
-/// the share of the stretch is bounded; that the sides touch and the share of the
-/// interval are not tested.
+/// motion: whether neighbours certainly do not cover the side. It needs no memory. The
+/// share of the stretch is bounded. That two sides touch is tested only where they
+/// overlap, and the share of the interval is not tested.
 class UncoveredSide {
  public:
   /// [L] No difference of two corners of the polygon and `other` changes by more than
@@ -65,12 +65,17 @@ class UncoveredSide {
  private:
   /// Both ends of a neighbour's side are outside the same side of `other`.
   bool is_outside(const Vec2& start, const Vec2& end) const;
+  /// A neighbour is outside a side of the own polygon, other than the side itself, or
+  /// inside it by less than `depth`.
+  bool is_less_deep(Outline neighbour, double depth) const;
   /// The numbers are too large or too small for doubles.
   void give_up() { share_ = 1.0; }
 
+  SideEnd end_;
   Outline other_;
   Vec2 first_, along_;                    ///< the side: its start, a unit vector
   double length_, room_, of_neighbours_;  ///< [L]
+  double turn_;  ///< by how much the side may turn against a neighbour
   bool at_start_;
   double least_, most_;  ///< [L] bounds of h
   bool is_empty_;        ///< No part of the side lies in `other`.

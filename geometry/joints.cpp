@@ -40,7 +40,8 @@ double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
     return exact::Vector(exact::Rational(to.x()) - exact::Rational(from.x()),
                          exact::Rational(to.y()) - exact::Rational(from.y()));
   };
-  return exact::nearest(exact::cross(vector(a, b), vector(a, corner))) / (b - a).stableNorm();
+  return exact::nearest(exact::cross(vector(a, b), vector(a, corner))) /
+         (b - a).stableNorm();
 }
 
 /// A slit and three points in the middle of it, along its length.

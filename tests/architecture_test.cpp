@@ -57,11 +57,27 @@ TEST(Architecture, SourcesAreThere) {
   std::set<std::string> folders;
   for (const Include& include : includes())
     folders.insert(include.folder);
-  EXPECT_EQ(folders, (std::set<std::string>{"apps", "audit", "deck", "dynamics",
-                                            "dynamics/rules", "exchange", "geometry",
-                                            "geometry/exact", "library",
-                                            "library/blocks", "model", "output", "post",
-                                            "run", "study", "study/corner_rules"}));
+  EXPECT_EQ(folders, (std::set<std::string>{"apps",
+                                            "audit",
+                                            "deck",
+                                            "dynamics",
+                                            "dynamics/contacts",
+                                            "dynamics/decisions",
+                                            "dynamics/kernels",
+                                            "dynamics/rules",
+                                            "dynamics/search",
+                                            "dynamics/support",
+                                            "exchange",
+                                            "geometry",
+                                            "geometry/exact",
+                                            "library",
+                                            "library/blocks",
+                                            "model",
+                                            "output",
+                                            "post",
+                                            "run",
+                                            "study",
+                                            "study/corner_rules"}));
 }
 
 // CGAL compiles slowly and changes rounding flags: it stays behind geometry's headers.
@@ -114,19 +130,50 @@ TEST(Architecture, FoldersIncludeOnlyWhatTheyMay) {
   }
 }
 
-// The contact rule is a function of blocks and their neighbours: it compiles without
-// the list, the arrays of contacts and the time loop.
-TEST(Architecture, ContactRuleSeesBlocksOnly) {
+// The folders of a step. The contact rule is a function of blocks and their neighbours:
+// it compiles without pairs, arrays and the time loop. Kernels see columns of numbers.
+TEST(Architecture, FoldersOfTheStepIncludeOnlyWhatTheyMay) {
+  const std::map<std::string, std::set<std::string>> may = {
+      {"support", {"support"}},
+      {"kernels", {"kernels"}},
+      {"rules", {"rules"}},
+      {"search", {"search"}},
+      {"contacts", {"contacts", "kernels", "rules", "search", "support"}},
+      {"decisions", {"decisions", "contacts", "kernels", "rules", "search", "support"}},
+  };
   int headers = 0;
-  for (const Include& include : includes())
-    if (include.folder == "dynamics/rules" && !folder_of(include.target).empty()) {
-      ++headers;
-      EXPECT_TRUE(include.target.starts_with("dynamics/rules/") ||
-                  include.target == "model/blocks.hpp" ||
-                  folder_of(include.target) == "geometry")
+  const std::string step = "dynamics/";
+  for (const Include& include : includes()) {
+    if (!include.folder.starts_with(step) || !include.target.starts_with(step))
+      continue;
+    ++headers;
+    const auto rule = may.find(include.folder.substr(step.size()));
+    ASSERT_NE(rule, may.end()) << include.folder;
+    const std::string rest = include.target.substr(step.size());
+    EXPECT_TRUE(rule->second.contains(rest.substr(0, rest.find('/'))))
+        << include.file << " includes " << include.target;
+  }
+  EXPECT_GT(headers, 40);
+}
+
+// Outside of the step, the contact rule needs blocks and geometry, kernels the
+// constants of geometry, and support nothing.
+TEST(Architecture, RulesKernelsAndSupportSeeNoModel) {
+  for (const Include& include : includes()) {
+    const std::string folder = folder_of(include.target);
+    if (folder.empty() || folder == "dynamics")
+      continue;
+    if (include.folder == "dynamics/rules") {
+      EXPECT_TRUE(include.target == "model/blocks.hpp" || folder == "geometry")
           << include.file << " includes " << include.target;
     }
-  EXPECT_GT(headers, 0);
+    if (include.folder == "dynamics/kernels") {
+      EXPECT_EQ(include.target, "geometry/contact_slack.hpp") << include.file;
+    }
+    if (include.folder == "dynamics/support") {
+      ADD_FAILURE() << include.file << " includes " << include.target;
+    }
+  }
 }
 
 // What is installed needs nothing of ours that is not.

@@ -17,7 +17,7 @@
 #include "check_command.hpp"
 #include "command_pages.hpp"
 #include "deck/cards_text.hpp"
-#include "dynamics/contact_lanes.hpp"
+#include "dynamics/kernels/kernels.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "history_command.hpp"
@@ -341,7 +341,7 @@ int main(int argc, char** argv) {
   blocks::output::tell_crashes_of_files(blocks::run::file_error);
 #endif
   try {
-    blocks::dynamics::lane_arithmetic();
+    blocks::dynamics::kernels();
   } catch (const std::invalid_argument& error) {
     tell("error", error.what());
     return blocks::run::usage_error;

@@ -54,9 +54,9 @@ std::string italic(std::string_view words) { return "\\fI" + text(words) + "\\fR
 
 std::string head(std::string_view name, int section, std::string_view version,
                  std::string_view volume, std::string_view meaning) {
-  return fmt::format(".TH {} {} \"\" \"BLOCKS {}\" \"{}\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n",
-                     capitals(name), section, version, volume, text(name),
-                     text(meaning));
+  return fmt::format(
+      ".TH {} {} \"\" \"BLOCKS {}\" \"{}\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n",
+      capitals(name), section, version, volume, text(name), text(meaning));
 }
 
 std::string section(std::string_view title) {

@@ -24,4 +24,13 @@ int fix_outside_domain(Model& model) {
   return fixed;
 }
 
+void update_domain(Model& model, bool left_domain, double largest) {
+  if (left_domain)
+    fix_outside_domain(model);
+  SearchState& search = model.search;
+  search.left -= largest;
+  if (search.left < 0.0)
+    search.current = false, search.left = 0.0;
+}
+
 }  // namespace blocks::dynamics

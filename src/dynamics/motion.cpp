@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace blocks::dynamics {
 namespace {
@@ -19,6 +20,7 @@ BlockColumns columns_of(Blocks& blocks) {
           .arm = blocks.arm.data(),
           .corner = blocks.corner.data(),
           .centroid = blocks.centroid.data(),
+          .gradient = blocks.gradient.data(),
           .angle = blocks.angle.data(),
           .velocity = blocks.velocity.data(),
           .spin = blocks.spin.data(),
@@ -28,8 +30,8 @@ BlockColumns columns_of(Blocks& blocks) {
 
 /// Calls work(first, last) for parts of a range that arithmetic takes at a time.
 template <class Work> void each_part(BlockRange range, const Work& work) {
-  for (int first = range.first; first < range.last; first += most_at_once)
-    work(first, std::min(range.last, first + most_at_once));
+  for (int first = range.begin; first < range.end; first += most_at_once)
+    work(first, std::min(range.end, first + most_at_once));
 }
 
 /// Of each block of a part. Those of fixed blocks have no meaning.
@@ -66,7 +68,7 @@ void Displacement::include(const Displacement& others) {
   // the same block in whatever order parts come
   if (others.largest > largest || (others.largest == largest && others.block < block))
     largest = others.largest, block = others.block;
-  way = std::max(way, others.way);
+  bound = std::max(bound, others.bound);
   finite = finite && others.finite;
   left_domain = left_domain || others.left_domain;
 }
@@ -74,24 +76,24 @@ void Displacement::include(const Displacement& others) {
 namespace {
 
 template <bool rigid>
-void sum_contacts_of(Blocks& blocks, const ActingLanes& acting, BlockRange range,
-                     bool pushed) {
-  for (int b = range.first; b < range.last; ++b) {
+void sum_contacts_of(Blocks& blocks, const ContactArrays& contacts, BlockRange range,
+                     bool loaded) {
+  for (int b = range.begin; b < range.end; ++b) {
     double x = 0.0, y = 0.0, moment = 0.0;
     Eigen::Vector4d applied = Eigen::Vector4d::Zero();
-    if (pushed) {
+    if (loaded) {
       x = blocks.force(0, b), y = blocks.force(1, b), moment = blocks.moment[b];
       if (!rigid)
         applied = blocks.applied.col(b);
     }
-    acting.each_lane_of(b, [&](unsigned lane, bool low) {
-      const PairForce& of = acting.lanes.forces[lane];
+    contacts.each_lane_of(b, [&](unsigned lane, bool low) {
+      const PairForce& of = contacts.batches.forces[lane];
       if (low)
         x += of.fx, y += of.fy, moment += of.moment_low;
       else
         x -= of.fx, y -= of.fy, moment += of.moment_high;
       if constexpr (!rigid) {
-        const PairStress& stress = acting.lanes.stresses[lane];
+        const PairStress& stress = contacts.batches.stresses[lane];
         applied += Eigen::Map<const Eigen::Vector4d>(low ? stress.low : stress.high);
       }
     });
@@ -104,41 +106,38 @@ void sum_contacts_of(Blocks& blocks, const ActingLanes& acting, BlockRange range
 
 }  // namespace
 
-void sum_contacts(Blocks& blocks, const ActingLanes& acting, BlockRange range,
-                  bool pushed, bool rigid) {
+void sum_contacts(Blocks& blocks, const ContactArrays& contacts, BlockRange range,
+                  bool loaded, bool rigid) {
   const auto sum = rigid ? sum_contacts_of<true> : sum_contacts_of<false>;
-  sum(blocks, acting, range, pushed);
+  sum(blocks, contacts, range, loaded);
 }
 
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
-                       const MotionArithmetic& by) {
-  by.update_velocities(columns_of(blocks), range.first, range.last, gravity.x(),
+                       const Kernels& by) {
+  by.update_velocities(columns_of(blocks), range.begin, range.end, gravity.x(),
                        gravity.y(), dt);
 }
 
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double dt, const MotionArithmetic& by) {
+                   double dt, const Kernels& by) {
   each_part(range, [&](int first, int last) {
     const ModuliOfBlocks moduli(blocks, first, last, settings);
     by.update_strain(columns_of(blocks), moduli.columns(), first, last, dt);
   });
 }
 
-Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
-                         const Settings& settings, double dt,
-                         const MotionArithmetic& by) {
+Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& bounds,
+                          const Settings& settings, double dt, const Kernels& by) {
   const BlockColumns columns = columns_of(blocks);
-  const SwingColumns swings = {swing.longest.data(), swing.sum.data(), swing.way.data(),
-                               swing.shape.data()};
   const Rectangle domain = {settings.lower.x(), settings.lower.y(), settings.upper.x(),
                             settings.upper.y()};
   Displacement result;
   each_part(range, [&](int first, int last) {
-    const Moved moved =
-        by.move(columns, swings, domain, settings.rigid, first, last, dt);
+    const Moved moved = by.move(columns, bounds.longest.data(), domain, settings.rigid,
+                                first, last, dt);
     Displacement part{.largest = moved.largest,
                       .block = moved.block,
-                      .way = moved.way,
+                      .bound = moved.bound,
                       .finite = std::isfinite(moved.sum)};
     for (std::uint64_t left = moved.near_edge; left != 0; left &= left - 1)
       if (!inside(blocks, first + std::countr_zero(left), settings))
@@ -146,6 +145,31 @@ Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
     result.include(part);
   });
   return result;
+}
+
+Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
+                         bool loaded, const ContactArrays& contacts,
+                         MotionBounds& bounds, const std::vector<int>& shares,
+                         Workers& workers, std::vector<Displacement>& threads) {
+  // What one part of the computation has read is still in the cache for the next.
+  constexpr int blocks_at_once = 64;
+  threads.assign(threads.size(), {});
+  workers.each(shares, [&](int thread, int begin, int end) {
+    for (; begin < end; begin += blocks_at_once) {
+      const BlockRange range{begin, std::min(end, begin + blocks_at_once)};
+      sum_contacts(blocks, contacts, range, loaded, settings.rigid);
+      update_velocities(blocks, range, settings.gravity, dt);
+      if (!settings.rigid)
+        update_strain(blocks, range, settings, dt);
+      threads[thread].include(move_corners(blocks, range, bounds, settings, dt));
+    }
+  });
+  Displacement all;
+  for (const Displacement& part : threads)
+    all.include(part);
+  bounds.most += all.finite ? all.bound + 0x1p-52 * bounds.most
+                            : std::numeric_limits<double>::infinity();
+  return all;
 }
 
 }  // namespace blocks::dynamics

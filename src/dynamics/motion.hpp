@@ -1,54 +1,67 @@
 // Equations of motion, strain rates, internal stress and corners (MOTION and STRESS,
-// report 2.1, 2.3, 2.4; rules 1, 3-6).
+// report 2.1, 2.3, 2.4): the fifth call of a step.
 #pragma once
 
-#include "dynamics/acting_lanes.hpp"
-#include "dynamics/block_motion.hpp"
+#include <vector>
+
+#include "dynamics/contacts/contact_arrays.hpp"
+#include "dynamics/decisions/motion_bounds.hpp"
+#include "dynamics/kernels/kernels.hpp"
+#include "dynamics/support/workers.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
 
-/// Blocks first .. last - 1: what one thread moves.
+/// Blocks begin .. end - 1.
 struct BlockRange {
-  int first = 0, last = 0;
+  int begin = 0, end = 0;
 };
 inline BlockRange all_of(const Blocks& blocks) { return {0, blocks.size()}; }
 
-/// What one step of motion did.
+/// How far blocks moved in a step.
 struct Displacement {
-  double largest = 0.0;      ///< [L] no corner has moved by more (UDMAX): way of the
-                             ///< centroid and change of the longest arm
-  int block = -1;            ///< the block of which that is said
-  double way = 0.0;          ///< [L] no block's way (Swing) has grown by more
-  bool finite = true;        ///< false: some corner is no longer a number
+  double largest = 0.0;  ///< [L] UDMAX: no corner moved by more. It is the distance
+                         ///< moved by the centroid plus the change of the longest arm.
+  int block = -1;        ///< the first block that reached `largest`
+  double bound = 0.0;    ///< [L] no MotionBounds::moved grew by more
+  bool finite = true;    ///< false: some corner is no longer a number
   bool left_domain = false;  ///< some corner lies outside the domain
-  double strongest = 0.0;    ///< [F] largest elastic normal force of a contact
 
-  /// With what became of blocks behind these.
+  /// Joins what other blocks did.
   void include(const Displacement& others);
 };
 
-/// Force and moment of the contacts in the lanes, in the order of the list; in
-/// deformable runs the applied stress (9) too: f_i x_j over the area. Added to what
-/// loads and planes do where these have pushed, else alone.
-void sum_contacts(Blocks& blocks, const ActingLanes& acting, BlockRange range,
-                  bool pushed, bool rigid);
+/// Sums the forces of contacts block by block, in the order of the pairs, and moves all
+/// blocks by one step. If `loaded`, blocks.force, moment and applied hold the loads;
+/// otherwise they are overwritten. Reads forces of pairs and settings; writes blocks
+/// and bounds.
+Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
+                         bool loaded, const ContactArrays& contacts,
+                         MotionBounds& bounds, const std::vector<int>& shares,
+                         Workers& workers, std::vector<Displacement>& threads);
+
+// The parts of move_blocks, for a range of blocks.
+
+/// (9): force and moment of the contacts; in deformable runs the applied stress, the
+/// sum of f_i x_j over the area, too.
+void sum_contacts(Blocks& blocks, const ContactArrays& contacts, BlockRange range,
+                  bool loaded, bool rigid);
 
 /// (1), (2): velocities and spin of free blocks from force, moment and gravity.
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
-                       const MotionArithmetic& by = motion_arithmetic());
+                       const Kernels& by = kernels());
 
 /// (10): strain rates of free blocks, driven by the symmetric part of applied -
 /// internal stress over the effective mass l_j^2 M / (4 A); then (12): their internal
 /// stress by plane strain elasticity. Deformable runs only.
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double dt, const MotionArithmetic& by = motion_arithmetic());
+                   double dt, const Kernels& by = kernels());
 
 /// (3), (13)-(15): centroids, angles and corners; arm = R (I + strain rate dt) arm with
 /// the Cayley rotation R of spin dt, which also turns stress and strain rate. Adds to
-/// swing.
-Displacement move_blocks(Blocks& blocks, BlockRange range, Swing& swing,
-                         const Settings& settings, double dt,
-                         const MotionArithmetic& by = motion_arithmetic());
+/// the bounds.
+Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& bounds,
+                          const Settings& settings, double dt,
+                          const Kernels& by = kernels());
 
 }  // namespace blocks::dynamics

@@ -9,98 +9,121 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Looks for the contact that can take most of one lost spring.
-class Heir {
+/// Finds the contact that can take most of one released spring.
+class Successor {
  public:
-  Heir(const Blocks& blocks, const PairContacts& all, const LostSpring& lost,
-       double stiffness)
-      : blocks_(blocks), all_(all), lanes_(all.lanes), lost_(lost),
-        stiffness_(stiffness),
-        along_(unit_along(lost.at.edge, blocks.next[lost.at.edge])) {}
+  Successor(const Blocks& blocks, const PairIndex& index, const ContactArrays& arrays,
+            const ReleasedSpring& released, double stiffness)
+      : blocks_(blocks), index_(index), arrays_(arrays), released_(released),
+        stiffness_(stiffness), block_(blocks.corner_block[released.at.corner]),
+        along_(along(released.at.edge)) {}
 
-  void look() {
-    const int block = blocks_.corner_block[lost_.at.corner];
-    for (int k = all_.first_of_block[block]; k < all_.first_of_block[block + 1]; ++k)
-      all_.each_seat(all_.pairs_of_blocks[k], [&](int seat) {
-        if (touches(seat) && all_.at(seat).corner == lost_.at.corner)
-          consider(seat);
+  void find() {
+    for (int k = index_.first_of_block[block_]; k < index_.first_of_block[block_ + 1];
+         ++k)
+      each_touching(index_.pairs_of_blocks[k], [&](int row, int lane) {
+        const ContactRow& contacts = arrays_.batches.contacts[row];
+        if (contacts.corner[lane] == released_.at.corner)
+          consider(row, lane, 0.0);
       });
-    all_.each_seat(lost_.pair, [&](int seat) {
-      if (touches(seat) && cosine(seat) > 0.95)
-        consider(seat);
-    });
+    each_touching(released_.pair,
+                  [&](int row, int lane) { consider(row, lane, 0.95); });
   }
 
-  /// Its seat, or -1.
-  int seat() const { return heir_; }
+  /// The slot, or -1 if no contact can take anything.
+  int slot() const { return slot_; }
   double normal() const { return normal_; }
-  double shear() const { return cosine(heir_) * lost_.shear; }
+  double shear() const { return shear_; }
 
  private:
-  bool touches(int seat) const { return lanes_.is(seat, &SlotPlaces::touches); }
-  /// Of the angle between the old edge and the seat's; the edges of two blocks run in
-  /// opposite senses.
-  double cosine(int seat) const {
-    const double c =
-        along_.dot(unit_along(all_.at(seat).edge, blocks_.next[all_.at(seat).edge]));
-    return blocks_.corner_block[all_.at(seat).corner] ==
-                   blocks_.corner_block[lost_.at.corner]
-               ? c
-               : -c;
+  /// Calls visit(row, lane) for the contacts of a pair that act.
+  template <class Visit> void each_touching(int p, const Visit& visit) const {
+    const int lane = arrays_.lane_of_pair[p];
+    if (lane < 0)
+      return;
+    const BatchPairs& batch = arrays_.batches.pairs[lane / lane_count];
+    for (int row = batch.first_row; row < batch.first_row + batch.rows; ++row)
+      if ((arrays_.batches.bits[row].touches >> lane % lane_count & 1U) != 0)
+        visit(row, lane % lane_count);
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
-  Vec2 unit_along(int p1, int p2) const { return (at(p2) - at(p1)).normalized(); }
-  double overlap(int seat) const {
-    const auto [corner, edge] = all_.at(seat);
-    return std::max(0.0, geometry::cross(at(corner) - at(edge),
-                                         unit_along(edge, blocks_.next[edge])));
+  /// Unit vector along an edge.
+  Vec2 along(int edge) const {
+    return (at(blocks_.next[edge]) - at(edge)).normalized();
   }
-  void consider(int seat) {
-    const double own = lanes_.at(seat, &SlotSprings::normal_elastic);
-    const double handed = std::max(0.0, cosine(seat)) * lost_.normal;
+  /// Takes a contact if its spring would be strengthened most. The cosine is that of
+  /// the angle between the old edge and its own; the edges of two blocks run in
+  /// opposite senses.
+  void consider(int row, int lane, double least_cosine) {
+    const ContactRow& contacts = arrays_.batches.contacts[row];
+    const int corner = contacts.corner[lane];
+    const Vec2 edge = along(contacts.edge[lane]);
+    const double sense = blocks_.corner_block[corner] == block_ ? 1.0 : -1.0;
+    const double cosine = sense * along_.dot(edge);
+    if (cosine <= least_cosine)
+      return;
+    const double own = arrays_.batches.springs[row].normal_elastic[lane];
+    const double received = cosine * released_.normal;
+    const double overlap =
+        std::max(0.0, geometry::cross(at(corner) - at(contacts.edge[lane]), edge));
     const double both =
-        std::min(std::sqrt(handed * handed + own * own), stiffness_ * overlap(seat));
-    if (both - own > gain_)
-      heir_ = seat, normal_ = both, gain_ = both - own;
+        std::min(std::sqrt(received * received + own * own), stiffness_ * overlap);
+    if (both - own > gain_) {
+      slot_ = row * lane_count + lane, gain_ = both - own;
+      normal_ = both, shear_ = cosine * released_.shear;
+    }
   }
 
   const Blocks& blocks_;
-  const PairContacts& all_;
-  const ContactLanes& lanes_;
-  const LostSpring& lost_;
+  const PairIndex& index_;
+  const ContactArrays& arrays_;
+  const ReleasedSpring& released_;
   double stiffness_;
+  int block_;  ///< of the corner
   Vec2 along_;
-  int heir_ = -1;
-  double normal_ = 0.0, gain_ = 0.0;
+  int slot_ = -1;
+  double normal_ = 0.0, shear_ = 0.0, gain_ = 0.0;
 };
+
+/// The batch with this row.
+int batch_of_row(const ContactArrays& arrays, int row) {
+  const BatchPairs* const first = arrays.batches.pairs;
+  const auto after = std::upper_bound(
+      first, first + arrays.batches.batches(), row,
+      [](int wanted, const BatchPairs& batch) { return wanted < batch.first_row; });
+  return static_cast<int>(after - first) - 1;
+}
 
 }  // namespace
 
-void transfer_springs(const Blocks& blocks, PairContacts& all,
-                      double normal_stiffness) {
-  // in the order of the list, whichever thread found them
-  std::sort(all.lost.begin(), all.lost.end(),
-            [](const LostSpring& l, const LostSpring& r) {
-              return std::tie(l.pair, l.at.corner, l.at.edge) <
-                     std::tie(r.pair, r.at.corner, r.at.edge);
+void transfer_springs(const Blocks& blocks, const PairIndex& index,
+                      ContactArrays& arrays, double normal_stiffness,
+                      std::vector<ReleasedSpring>& released,
+                      std::vector<int>& successors) {
+  ContactBatches& batches = arrays.batches;
+  successors.clear();
+  const auto order = [](const ReleasedSpring& spring) {
+    return std::tuple(spring.pair, spring.at.corner, spring.at.edge);
+  };
+  std::sort(released.begin(), released.end(),
+            [&](const ReleasedSpring& l, const ReleasedSpring& r) {
+              return order(l) < order(r);
             });
-  ContactLanes& lanes = all.lanes;
-  all.heirs.clear();
-  for (const LostSpring& lost : all.lost) {
-    Heir heir(blocks, all, lost, normal_stiffness);
-    heir.look();
-    const int seat = heir.seat();
-    if (seat < 0)
+  for (const ReleasedSpring& spring : released) {
+    Successor successor(blocks, index, arrays, spring, normal_stiffness);
+    successor.find();
+    const int slot = successor.slot();
+    if (slot < 0)
       continue;
-    lanes.set(seat, &SlotPlaces::starts, true);  // anew, with what it was handed
-    lanes.at(seat, &SlotSprings::normal_elastic) = heir.normal();
-    if (lanes.at(seat, &SlotSprings::shear_elastic) == 0.0)
-      lanes.at(seat, &SlotSprings::shear_elastic) = heir.shear();
-    all.heirs.push_back(lanes.set_of(seat / lane_count));
+    batches.set(slot, &ContactBits::starts, true);
+    batches.at(slot, &SpringRow::normal_elastic) = successor.normal();
+    if (batches.at(slot, &SpringRow::shear_elastic) == 0.0)
+      batches.at(slot, &SpringRow::shear_elastic) = successor.shear();
+    successors.push_back(batch_of_row(arrays, slot / lane_count));
   }
-  all.lost.clear();
-  std::sort(all.heirs.begin(), all.heirs.end());
-  all.heirs.erase(std::unique(all.heirs.begin(), all.heirs.end()), all.heirs.end());
+  released.clear();
+  std::sort(successors.begin(), successors.end());
+  successors.erase(std::unique(successors.begin(), successors.end()), successors.end());
 }
 
 }  // namespace blocks::dynamics

@@ -1,14 +1,21 @@
-// What becomes of the spring of a contact that has ceased to act
-// (docs/theory.md#hand-over-of-springs).
+// Springs of contacts that have ceased to act pass to other contacts of the same corner
+// or of the same faces (docs/departures.md#hand-over-of-springs).
 #pragma once
 
-#include "dynamics/pair_contacts.hpp"
+#include <vector>
+
+#include "dynamics/contacts/contact_arrays.hpp"
 
 namespace blocks::dynamics {
 
-/// Each lost spring goes to the acting contact that can take most of it: of the same
-/// corner, or of the same two blocks if the force keeps its direction. `heirs` become
-/// the sets whose contacts were handed some.
-void transfer_springs(const Blocks& blocks, PairContacts& all, double normal_stiffness);
+/// Gives each released spring to the contact whose spring it strengthens most: one of
+/// the same corner, or one of the same pair whose edge is nearly parallel. Springs are
+/// taken in the order of pair, corner and edge, whatever order they come in. Returns in
+/// `successors` the batches whose contacts have received some of them, in ascending
+/// order. normal_stiffness: [F/L].
+void transfer_springs(const Blocks& blocks, const PairIndex& index,
+                      ContactArrays& arrays, double normal_stiffness,
+                      std::vector<ReleasedSpring>& released,
+                      std::vector<int>& successors);
 
 }  // namespace blocks::dynamics

@@ -1,37 +1,103 @@
-// One time step: the numbered list of calls of docs/architecture.md.
+// One time step: the numbered calls of docs/architecture.md#one-step.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
-#include "dynamics/contact_search.hpp"
+#include "dynamics/contact_forces.hpp"
+#include "dynamics/decisions/decide_contacts.hpp"
+#include "dynamics/domain.hpp"
+#include "dynamics/loads.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/update_pairs.hpp"
+#include "dynamics/workspace.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
 
-/// Makes a model ready to step after cards have acted: first boxing, time step, order
-/// (which step() and advance() leave to the Stepper). Call before the first step and
-/// whenever cards changed the model between steps.
+/// What a step did. If it is not `finite`, the state is lost and the run must stop.
+struct StepResult : Displacement {
+  double strongest = 0.0;  ///< [F] largest elastic normal force of a contact
+};
+
+/// Makes a model ready to step after cards have acted: domain, time step and, for the
+/// Stepper, the order of the blocks. Call it before the first step and whenever cards
+/// have changed the model between steps.
 void prepare(Model& model);
 
-/// The model's time after one step more.
+/// The model's time after one more step.
 double time_after_step(const Model& model);
 
-/// Advances the model by one step of model.time_step.dt. No input or output.
-/// Returns what moved; not finite: the state is lost and the run must stop.
-Displacement step(Model& model, SearchBuffers& buffers);
+/// Advances the model by one step of model.time_step.dt, without input or output. The
+/// list of contacts is out of date until catch_up(), which must be called before
+/// anything else reads or changes the model. Forces and overlaps of contacts, and the
+/// applied stress of rigid blocks, are computed only with `readings`, or if a contact
+/// spring exceeds `alarm`, [F]; otherwise they are 0.
+StepResult advance(Model& model, Workspace& work, bool readings,
+                   double alarm = std::numeric_limits<double>::infinity());
+/// Brings the list of contacts up to date.
+void catch_up(Model& model, Workspace& work);
 
-/// The same, but the list of contacts stays behind until catch_up(), which must come
-/// before anything else reads or changes the model; without `readings` forces and
-/// overlaps of contacts and the applied stress of rigid blocks are not found in this
-/// step, and are 0 then, unless a contact is pressed by more than `alarm`, [F].
-Displacement advance(Model& model, SearchBuffers& buffers, bool readings,
-                     double alarm = std::numeric_limits<double>::infinity());
-void catch_up(Model& model, SearchBuffers& buffers);
+/// Makes a step with readings and catches up.
+StepResult step(Model& model, Workspace& work);
 
-/// The end of a step, once the contact forces are known: symmetry planes, loads, motion
-/// and domain. `acting` holds the contacts.
-Displacement move(Model& model, SearchBuffers& buffers, ActingLanes& acting,
-                  const Extremes& touching);
+/// The step by any rules with the members of ContactRules.
+template <class Rules>
+StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool readings,
+                      double alarm) {
+  Blocks& blocks = model.blocks;
+  const Settings& settings = model.settings;
+  const double dt = model.time_step.dt;
+
+  // 1. Which pairs of blocks may touch. Blocks, springs -> pairs, arrays.
+  update_pairs(model, work);
+
+  // 2. Which contacts may act. Blocks, bounds -> decisions, slots of the arrays.
+  Profile::Timer timer(work.profile, Profile::decisions);
+  decide_contacts(rules, blocks, settings, dt, work.index, work.decisions,
+                  work.contacts, work.split, *work.workers, work.deciding,
+                  work.forces.released);
+  work.count_exact_calls();
+
+  // 3. What they do. Blocks, springs -> springs, forces of pairs, the list if read.
+  timer.next(Profile::forces);
+  const Extremes at_contacts = find_contact_forces(
+      blocks, settings, dt, work.index, work.contacts, Rules::transfers_springs,
+      work.split, *work.workers, work.forces);
+  const bool reads = readings || !(at_contacts.spring <= alarm);
+  if (reads)
+    read_contacts(blocks, model.contacts, settings, dt, work.index, work.contacts);
+  work.springs = reads ? SpringOwner::both : SpringOwner::arrays;
+
+  // 4. Symmetry planes and loads. Blocks, time -> block forces, applied stress.
+  timer.next(Profile::motion);
+  const bool loaded = has_loads(model);
+  const Extremes at_planes = loaded ? add_loads(model) : Extremes{};
+
+  // 5. Motion. Forces -> velocities, strain, stress, corners, bounds.
+  work.contacts.batches.advance_springs();
+  const Displacement moved =
+      move_blocks(blocks, settings, dt, loaded, work.contacts, work.decisions.bounds,
+                  work.split.blocks, *work.workers, work.moved);
+  if (settings.rigid && reads)
+    blocks.applied.array().rowwise() /= blocks.area.transpose().array();
+  model.time = time_after_step(model);
+  ++model.steps;
+
+  // 6. Blocks that left the domain, and when to search again. Corners -> search.
+  update_domain(model, moved.left_domain, moved.largest);
+
+  Extremes all = at_contacts;
+  all.include(at_planes);
+  model.worst_overlap = std::max(model.worst_overlap, all.overlap);
+  return {moved, all.spring};
+}
+
+template <class Rules>
+StepResult step_by(const Rules& rules, Model& model, Workspace& work) {
+  const StepResult made = advance_by(rules, model, work, true, 0.0);
+  catch_up(model, work);
+  return made;
+}
 
 }  // namespace blocks::dynamics

@@ -4,12 +4,12 @@
 
 namespace blocks::dynamics {
 
-Displacement Stepper::advance(bool readings, double alarm) {
+StepResult Stepper::advance(bool readings, double alarm) {
   if (model_.order.empty())
-    return dynamics::advance(model_, buffers_, readings, alarm);
+    return dynamics::advance(model_, work_, readings, alarm);
   if (!inside_current_)
     bring_in();
-  Displacement moved = dynamics::advance(inside_, buffers_, readings, alarm);
+  StepResult moved = dynamics::advance(inside_, work_, readings, alarm);
   if (moved.block >= 0)
     moved.block = outwards_.blocks().new_of[moved.block];
   outside_current_ = false;
@@ -19,9 +19,9 @@ Displacement Stepper::advance(bool readings, double alarm) {
 
 const Model& Stepper::up_to_date() {
   if (model_.order.empty()) {
-    catch_up(model_, buffers_);
+    catch_up(model_, work_);
   } else if (!outside_current_) {
-    catch_up(inside_, buffers_);
+    catch_up(inside_, work_);
     bring_out();
   }
   return model_;
@@ -32,7 +32,7 @@ std::vector<std::pair<int, int>> Stepper::listed_pairs() const {
     return model_.order.empty() ? b : model_.order[b];
   };
   std::vector<std::pair<int, int>> listed;
-  for (const NearPair& pair : buffers_.pairs.pairs)
+  for (const NearPair& pair : work_.index.pairs)
     listed.push_back(std::minmax({outside(pair.low), outside(pair.high)}));
   std::sort(listed.begin(), listed.end());
   return listed;
@@ -42,7 +42,6 @@ void Stepper::bring_in() {
   if (inwards_.blocks().old_of != model_.order) {
     inwards_ = Numbering(model_.blocks, model_.order);
     outwards_ = inwards_.reverse();
-    buffers_.grouped_update = -1;  // other numbers in the list
   }
   inwards_.renumber(model_.blocks, inside_.blocks);
   inwards_.renumber(model_.plane_contacts, inside_.plane_contacts);
@@ -56,6 +55,7 @@ void Stepper::bring_in() {
   inside_.steps = model_.steps, inside_.step_origin = model_.step_origin;
   inside_.time = model_.time, inside_.time_origin = model_.time_origin;
   inside_.worst_overlap = model_.worst_overlap;
+  work_.springs = SpringOwner::list;
   inside_current_ = true;
 }
 

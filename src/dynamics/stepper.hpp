@@ -15,17 +15,17 @@ namespace blocks::dynamics {
 /// in that order, is stepped, and stays as it is whoever reads in between.
 class Stepper {
  public:
-  Stepper(Model& model, SearchBuffers& buffers) : model_(model), buffers_(buffers) {}
+  Stepper(Model& model, Workspace& work) : model_(model), work_(work) {}
 
   /// The model has been changed from outside, when it was up to date.
   void changed() {
     inside_current_ = false;
-    buffers_.pairs.loaded = false;
+    work_.springs = SpringOwner::list;
   }
   /// dynamics::advance. Of the model time, steps, search, worst overlap and exits are
   /// those after it, all else stays behind.
-  Displacement advance(bool readings,
-                       double alarm = std::numeric_limits<double>::infinity());
+  StepResult advance(bool readings,
+                     double alarm = std::numeric_limits<double>::infinity());
   /// The model as it stands after the last step.
   const Model& up_to_date();
   /// The near pairs of blocks that the last step used, low < high, in the deck's
@@ -38,7 +38,7 @@ class Stepper {
   void bring_out_time();
 
   Model& model_;  ///< in the deck's numbers
-  SearchBuffers& buffers_;
+  Workspace& work_;
   Model inside_;
   Numbering inwards_, outwards_;
   bool inside_current_ = false;  ///< not older than the model

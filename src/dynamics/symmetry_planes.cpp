@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dynamics/applied_force.hpp"
-#include "dynamics/contact_law.hpp"
-#include "dynamics/dashpot.hpp"
+#include "dynamics/contacts/dashpot.hpp"
+#include "dynamics/kernels/contact_law.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
@@ -72,7 +72,7 @@ Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
     const double length = along.norm();
     const Vec2 n(-along.y() / length, along.x() / length);
     const double overlap = std::max(0.0, geometry::cross(at - plane.a, along) / length);
-    const Vec2 arm = blocks.arm.col(c);
+    const Vec2 arm = blocks.present_arm(c);
     const double damping = damping_against_fixed(settings, blocks.mass[b]);
     double shear_elastic = 0.0, normal = 0.0, shear = 0.0;
     apply(law, contacts.normal_elastic[i], shear_elastic,
@@ -82,7 +82,7 @@ Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
     contacts.normal_force[i] = normal;
     contacts.overlap[i] = overlap;
     add_force(blocks, b, arm, normal * n);
-    extremes.include(overlap, contacts.normal_elastic[i]);
+    extremes.include({overlap, contacts.normal_elastic[i]});
   }
   return extremes;
 }

@@ -1,7 +1,7 @@
 // Symmetry planes (SPLANE, report 2.5): which corners may touch one, and its forces.
 #pragma once
 
-#include "dynamics/acting_lanes.hpp"
+#include "dynamics/kernels/contact_batch.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {

@@ -7,21 +7,24 @@
 namespace blocks::dynamics {
 
 Vec2 extent(const Blocks& blocks, int b) {
-  const auto arms = blocks.arm.middleCols(blocks.first_corner[b], blocks.corners_of(b));
-  return arms.rowwise().maxCoeff() - arms.rowwise().minCoeff();
+  const auto corners =
+      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  return corners.rowwise().maxCoeff() - corners.rowwise().minCoeff();
 }
 
 double least_width(const Blocks& blocks, int b) {
-  const auto arms = blocks.arm.middleCols(blocks.first_corner[b], blocks.corners_of(b));
-  const int n = static_cast<int>(arms.cols());
+  const auto corners =
+      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  const int n = static_cast<int>(corners.cols());
   // flush with a side of the convex hull, which joins two corners
   const int reach = blocks.convex[b] ? 1 : n - 1;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i)
     for (int k = 1; k <= reach; ++k) {
-      const Vec2 along = (arms.col((i + k) % n) - arms.col(i)).normalized();
+      const Vec2 along = (corners.col((i + k) % n) - corners.col(i)).normalized();
       const Vec2 normal(-along.y(), along.x());
-      const Eigen::VectorXd across = arms.transpose() * normal;
+      const Eigen::RowVectorXd across =
+          normal.transpose() * (corners.colwise() - blocks.centroid.col(b));
       least = std::min(least, across.maxCoeff() - across.minCoeff());
     }
   return least;

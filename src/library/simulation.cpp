@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "deck/parser.hpp"
-#include "dynamics/contact_lanes.hpp"
+#include "dynamics/contacts/contact_batches.hpp"
 #include "dynamics/stepper.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "library/results_in_use.hpp"
@@ -59,10 +59,10 @@ int checked(int threads) {
 struct Simulation::State {
   State(std::string deck_name, std::string deck_folder, std::string deck, int threads)
       : name(std::move(deck_name)), folder(std::move(deck_folder)),
-        text(std::move(deck)), buffers(checked(threads)) {
+        text(std::move(deck)), work(checked(threads)) {
     if (const std::string fault = geometry::check_numeric_environment(); !fault.empty())
       throw std::runtime_error(fault);
-    dynamics::lane_arithmetic();
+    dynamics::kernels();
     deck::Diagnostics said(name, text);
     act(deck::parse(name, text, said), said);
   }
@@ -77,8 +77,8 @@ struct Simulation::State {
 
   std::string name, folder, text;
   Model model;
-  dynamics::SearchBuffers buffers;
-  dynamics::Stepper stepper{model, buffers};
+  dynamics::Workspace work;
+  dynamics::Stepper stepper{model, work};
   std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
   std::vector<std::string> warnings;
   std::string unsound;  ///< why a step was, or ""
@@ -181,7 +181,7 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
 void Simulation::State::step(long count) {
   const double half_depth = run::half_depth(model.blocks);
   for (long i = 1; i <= count; ++i) {
-    const dynamics::Displacement moved =
+    const dynamics::StepResult moved =
         stepper.advance(i == count, model.settings.normal_stiffness * half_depth);
     for (std::string& told : watch_.after(model, moved))
       warnings.push_back(std::move(told));

@@ -43,8 +43,10 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     grow_vector(*vector);
   for (Eigen::Matrix2Xd* column : {&centroid, &velocity, &force})
     grow(*column);
-  for (Eigen::Matrix4Xd* column : {&applied, &stress, &strain_rate})
+  for (Eigen::Matrix4Xd* column : {&gradient, &applied, &stress, &strain_rate})
     grow(*column);
+  gradient.rightCols(new_blocks - old_blocks).colwise() =
+      Eigen::Vector4d(1.0, 0.0, 0.0, 1.0);
 
   int b = old_blocks;
   for (const NewBlock& block : added) {

@@ -32,8 +32,8 @@ struct Blocks {
   std::vector<int> corner_block;        ///< (m) block of each corner
   std::vector<int> next;                ///< (m) the corner after, clockwise, same block
   std::vector<int> previous;            ///< (m) the corner before, same block
-  Eigen::Matrix2Xd arm;                 ///< [L] (2, m) corner - centroid (13)
-  Eigen::Matrix2Xd corner;              ///< [L] (2, m) centroid + arm (15)
+  Eigen::Matrix2Xd arm;                 ///< [L] (2, m) corner - centroid, as made (13)
+  Eigen::Matrix2Xd corner;              ///< [L] (2, m) centroid + gradient arm (15)
 
   std::vector<int> material;   ///< (n) the deck's material number, MAT
   std::vector<Fixity> fixity;  ///< (n) FIXED
@@ -48,12 +48,15 @@ struct Blocks {
   Eigen::VectorXd inertia;    ///< [M L^2] (n) about the centroid, RMOI
   Eigen::Matrix2Xd centroid;  ///< [L] (2, n) XC, YC
   Eigen::Matrix2Xd velocity;  ///< [L/T] (2, n) VX, VY
-  Eigen::VectorXd angle;      ///< rad (n) accumulated, for output
-  Eigen::VectorXd spin;       ///< rad/T (n) TDOT
-  Eigen::Matrix2Xd force;     ///< [F] (2, n) FX, FY of the last step, without gravity
-  Eigen::VectorXd moment;     ///< [F L] (n) MOM of the last step
-  Eigen::Matrix4Xd applied;   ///< [F/L^2] (4, n) applied stress (9), TAUA
-  Eigen::Matrix4Xd stress;    ///< [F/L^2] (4, n) internal stress (12), TAUI; 12 = 21
+  /// (4, n) deformation gradient since the block was made: the present arm of a corner
+  /// is gradient * arm. Of a rigid block it is a rotation.
+  Eigen::Matrix4Xd gradient;
+  Eigen::VectorXd angle;     ///< rad (n) accumulated, for output
+  Eigen::VectorXd spin;      ///< rad/T (n) TDOT
+  Eigen::Matrix2Xd force;    ///< [F] (2, n) FX, FY of the last step, without gravity
+  Eigen::VectorXd moment;    ///< [F L] (n) MOM of the last step
+  Eigen::Matrix4Xd applied;  ///< [F/L^2] (4, n) applied stress (9), TAUA
+  Eigen::Matrix4Xd stress;   ///< [F/L^2] (4, n) internal stress (12), TAUI; 12 = 21
   Eigen::Matrix4Xd strain_rate;  ///< 1/T (4, n) (10), EDOT; 12 = 21
 
   int size() const { return static_cast<int>(material.size()); }
@@ -61,7 +64,12 @@ struct Blocks {
   int corners_of(int b) const { return first_corner[b + 1] - first_corner[b]; }
   bool is_free(int b) const { return fixity[b] == Fixity::free; }
 
-  /// The outline of block b as it stands.
+  /// The corner's place from the centroid of its block at present, [L].
+  Vec2 present_arm(int c) const {
+    return corner.col(c) - centroid.col(corner_block[c]);
+  }
+
+  /// The outline of block b as it is at present.
   geometry::Polygon outline(int b) const;
 
   /// Appends blocks at rest. Throws std::invalid_argument when a corner is not finite,

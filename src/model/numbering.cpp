@@ -122,8 +122,9 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
              &Blocks::corner);
   of_blocks(&Blocks::material, &Blocks::fixity, &Blocks::convex, &Blocks::layer,
             &Blocks::area, &Blocks::mass, &Blocks::inertia, &Blocks::centroid,
-            &Blocks::velocity, &Blocks::angle, &Blocks::spin, &Blocks::force,
-            &Blocks::moment, &Blocks::applied, &Blocks::stress, &Blocks::strain_rate);
+            &Blocks::gradient, &Blocks::velocity, &Blocks::angle, &Blocks::spin,
+            &Blocks::force, &Blocks::moment, &Blocks::applied, &Blocks::stress,
+            &Blocks::strain_rate);
   for (int& block : to.corner_block)
     block = blocks_.new_of[block];
   to.cuts = from.cuts;

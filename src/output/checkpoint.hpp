@@ -40,7 +40,7 @@ struct CheckpointInfo {
 };
 
 /// Of the files that are written and read.
-inline constexpr int checkpoint_format = 9;
+inline constexpr int checkpoint_format = 10;
 
 /// Writes to a temporary name beside `path`, syncs, renames. Throws FileError.
 void write_checkpoint(const std::string& path, const Model& model,

@@ -58,8 +58,8 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
 
 template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   auto& [first_corner, corner_block, next, previous, arm, corner, material, fixity,
-         convex, cuts, layer, area, mass, inertia, centroid, velocity, angle, spin, force,
-         moment, applied, stress, strain_rate] = blocks;
+         convex, cuts, layer, area, mass, inertia, centroid, velocity, gradient, angle,
+         spin, force, moment, applied, stress, strain_rate] = blocks;
   ar("blocks/first_corner", first_corner);
   ar("blocks/corner_block", corner_block);
   ar("blocks/next", next);
@@ -76,6 +76,7 @@ template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
   ar("blocks/inertia", inertia);
   ar("blocks/centroid", centroid);
   ar("blocks/velocity", velocity);
+  ar("blocks/gradient", gradient);
   ar("blocks/angle", angle);
   ar("blocks/spin", spin);
   ar("blocks/force", force);

@@ -188,15 +188,21 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
                                      {"blocks/velocity", &b.velocity},
                                      {"blocks/force", &b.force}})
     expect_all(name, *column, n, finite);
-  for (const auto& [name, column] : {std::pair{"blocks/applied", &b.applied},
+  for (const auto& [name, column] : {std::pair{"blocks/gradient", &b.gradient},
+                                     {"blocks/applied", &b.applied},
                                      {"blocks/stress", &b.stress},
                                      {"blocks/strain_rate", &b.strain_rate}})
     expect_all(name, *column, n, finite);
   for (int c = 0; c < b.corners(); ++c) {
-    const Vec2 there = b.centroid.col(b.corner_block[c]) + b.arm.col(c);
-    const double size = there.cwiseAbs().maxCoeff() + b.arm.col(c).norm();
+    const auto gradient = b.gradient.col(b.corner_block[c]);
+    const Vec2 made = b.arm.col(c);
+    const Vec2 arm(gradient[0] * made.x() + gradient[1] * made.y(),
+                   gradient[2] * made.x() + gradient[3] * made.y());
+    const Vec2 there = b.centroid.col(b.corner_block[c]) + arm;
+    const double size = there.cwiseAbs().maxCoeff() + arm.norm();
     if (!((there - b.corner.col(c)).norm() <= 1e-9 * size))
-      impossible(fmt::format("blocks/corner: value {} is not centroid and arm", c + 1));
+      impossible(fmt::format("blocks/corner: value {} is not centroid and deformed arm",
+                             c + 1));
   }
 }
 

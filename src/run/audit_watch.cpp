@@ -8,7 +8,7 @@
 #include "audit/make_exact_rule.hpp"
 #include "audit/story.hpp"
 #include "audit/words.hpp"
-#include "dynamics/contact_search.hpp"
+#include "dynamics/search/list_tolerance.hpp"
 
 namespace blocks::run {
 namespace {

@@ -31,10 +31,10 @@ long steps_for(double interval, double dt) {
 Executor::Executor(Model& model, RunFiles& files, Console& console,
                    const RunOptions& options)
     : model_(model), files_(files), console_(console), options_(options),
-      buffers_(threads_of(options)), stepper_(model, buffers_),
-      audit_(options.audit_every), watch_(model) {
+      work_(threads_of(options)), stepper_(model, work_), audit_(options.audit_every),
+      watch_(model) {
   if (options.profile)
-    buffers_.profile = &profile_;
+    work_.profile = &profile_;
 }
 
 void Executor::resume(const output::Progress& progress) {
@@ -142,7 +142,7 @@ Outcome Executor::march(long steps) {
       audit_.before(stepper_.up_to_date());
     const bool read = audited || row || moment || output_due();
     const double limit = model_.settings.normal_stiffness * half_depth_;
-    const dynamics::Displacement moved = stepper_.advance(read, limit);
+    const dynamics::StepResult moved = stepper_.advance(read, limit);
     if (may_be_unsound(model_.settings, moved, half_depth_)) {
       if (const std::string fault = unsound(stepper_.up_to_date(), moved, half_depth_);
           !fault.empty()) {
@@ -199,7 +199,7 @@ bool Executor::output_due() const {
 }
 
 void Executor::output_if_due() {
-  const dynamics::Profile::Timer timer(buffers_.profile, dynamics::Profile::output);
+  const dynamics::Profile::Timer timer(work_.profile, dynamics::Profile::output);
   const auto due = [&](OutputClock& clock) {
     const bool is = is_due(clock, model_.time, model_.time_step.dt);
     if (is)
@@ -212,7 +212,7 @@ void Executor::output_if_due() {
     files_.table(stepper_.up_to_date());
 }
 
-void Executor::watch(const dynamics::Displacement& moved) {
+void Executor::watch(const dynamics::StepResult& moved) {
   for (const std::string& message : watch_.after(model_, moved))
     warn(message);
 }
@@ -278,12 +278,12 @@ long Executor::save_good_state() {
 }
 
 void Executor::tell_profile() {
-  if (buffers_.profile == nullptr)
+  if (work_.profile == nullptr)
     return;
   const double whole = seconds_since(started_);
   console_.clear_progress();
   for (const std::string& line :
-       profile_table(profile_, whole, steps_made_, model_, buffers_.workers->threads()))
+       profile_table(profile_, whole, steps_made_, model_, work_.workers->threads()))
     console_.note(line);
 }
 

@@ -46,7 +46,7 @@ class Executor {
   /// A deck in which no time passed is echoed all the same.
   void finish();
   /// Of the run, if it is wanted, else null.
-  dynamics::Profile* profile() { return buffers_.profile; }
+  dynamics::Profile* profile() { return work_.profile; }
   /// --profile: where the time went.
   void tell_profile();
 
@@ -78,7 +78,7 @@ class Executor {
   /// By the step that comes.
   bool output_due() const;
   void output_if_due();
-  void watch(const dynamics::Displacement& moved);
+  void watch(const dynamics::StepResult& moved);
   void warn(const std::string& message);
   Outcome pressed_for_time();
   bool keeps_good_states() const;
@@ -94,7 +94,7 @@ class Executor {
   RunFiles& files_;
   Console& console_;
   const RunOptions& options_;
-  dynamics::SearchBuffers buffers_;
+  dynamics::Workspace work_;
   dynamics::Stepper stepper_;
   dynamics::Profile profile_;
   AuditWatch audit_;

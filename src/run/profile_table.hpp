@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/profile.hpp"
+#include "dynamics/support/profile.hpp"
 #include "model/model.hpp"
 
 namespace blocks::run {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "dynamics/give_back.hpp"
+#include "dynamics/support/memory_pages.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
 #include "run/deck_file.hpp"
@@ -269,7 +269,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
         outcome = Outcome::unsound_deck;
         break;
       }
-      dynamics::give_back_what_is_free();
+      dynamics::release_free_pages();
       if (builder.certificate())
         executor.set_overlaps(builder.certificate()->overlaps);
       executor.set_share(motion / motions, (motion + 1.0) / motions);

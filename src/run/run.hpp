@@ -32,12 +32,12 @@ struct RunOptions {
   std::optional<std::string> restart;  ///< checkpoint of a RESTART deck
   std::string tape9 = "tape9";
   std::vector<deck::Override> overrides;
-  double time_limit = 0.0;        ///< seconds of wall clock, 0: none
-  long stop_after = 0;            ///< steps of this run, 0: no limit
+  double time_limit = 0.0;          ///< seconds of wall clock, 0: none
+  long stop_after = 0;              ///< steps of this run, 0: no limit
   double checkpoint_every = 600.0;  ///< seconds of wall clock
-  int threads = 0;                ///< 0: as many as the machine runs at once
-  long audit_every = 0;           ///< steps between audits of the contacts, 0: none
-  bool profile = false;           ///< tell where the time went
+  int threads = 0;                  ///< 0: as many as the machine runs at once
+  long audit_every = 0;             ///< steps between audits of the contacts, 0: none
+  bool profile = false;             ///< tell where the time went
   bool quiet = false;
   bool verbose = false;
   bool json = false;  ///< the summary on standard output instead of the table

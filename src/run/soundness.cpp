@@ -45,13 +45,13 @@ double half_depth(const Blocks& blocks) {
   return 0.5 * std::max(least, 0.0);
 }
 
-bool may_be_unsound(const Settings& settings, const dynamics::Displacement& moved,
+bool may_be_unsound(const Settings& settings, const dynamics::StepResult& moved,
                     double half_depth) {
   return !moved.finite || moved.strongest > settings.normal_stiffness * half_depth ||
          moved.largest > std::max(settings.contact_tolerance, half_depth);
 }
 
-std::string unsound(const Model& model, const dynamics::Displacement& moved,
+std::string unsound(const Model& model, const dynamics::StepResult& moved,
                     double half_depth) {
   const Blocks& blocks = model.blocks;
   const int lost = moved.finite ? -1 : first_without_place(blocks);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dynamics/motion.hpp"
+#include "dynamics/step.hpp"
 #include "model/model.hpp"
 
 namespace blocks::run {
@@ -13,7 +13,7 @@ namespace blocks::run {
 double half_depth(const Blocks& blocks);
 
 /// Whether a step has to be judged. False: it is sound.
-bool may_be_unsound(const Settings& settings, const dynamics::Displacement& moved,
+bool may_be_unsound(const Settings& settings, const dynamics::StepResult& moved,
                     double half_depth);
 
 /// Why the step just made is unsound, or "": some position is no longer a number; a
@@ -21,7 +21,7 @@ bool may_be_unsound(const Settings& settings, const dynamics::Displacement& move
 /// block; or a contact of a convex block is pressed in by more than half of what the
 /// block is deep, or a quarter of what the other measures across the edge or plane.
 /// Springs of the list must be up to date if the strongest exceeds Kn times half_depth.
-std::string unsound(const Model& model, const dynamics::Displacement& moved,
+std::string unsound(const Model& model, const dynamics::StepResult& moved,
                     double half_depth);
 
 }  // namespace blocks::run

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/pair_decisions.hpp"
+#include "dynamics/decisions/decide_contacts.hpp"
 #include "model/contact_blocks.hpp"
 
 namespace blocks::study {
@@ -12,15 +12,17 @@ void ExactJudge::decide(const Model& model) {
   if (model.search.updates != seen_) {
     std::vector<dynamics::NearPair> found;
     dynamics::find_near_pairs(blocks, 2.0 * model.search.left, near_, found);
-    const bool known = seen_ >= 0;  // The blocks have only moved since then.
-    all_.take(found, blocks, model.settings.rigid, 1, known, known);
+    if (seen_ < 0)
+      parts_.make(blocks);
+    index_.take(found, blocks.size());
     seen_ = model.search.updates;
   }
   acting_.clear();
-  for (int p = 0; p < static_cast<int>(all_.pairs.size()); ++p) {
-    dynamics::ContactRules::decide(blocks, all_, p, scratch_);
+  for (int p = 0; p < index_.size(); ++p) {
+    dynamics::ContactRules::decide(blocks, parts_, index_, p, scratch_);
     for (const dynamics::CornerOnEdge& at : scratch_.found)
-      acting_.emplace_back(all_.pairs[p].low, all_.pairs[p].high, at.corner, at.edge);
+      acting_.emplace_back(index_.pairs[p].low, index_.pairs[p].high, at.corner,
+                           at.edge);
   }
   std::sort(acting_.begin(), acting_.end());
 }

@@ -4,7 +4,8 @@
 #include <tuple>
 #include <vector>
 
-#include "dynamics/pair_contacts.hpp"
+#include "dynamics/rules/pair_rule.hpp"
+#include "dynamics/search/pair_index.hpp"
 #include "study/measure.hpp"
 
 namespace blocks::study {
@@ -21,7 +22,8 @@ class ExactJudge {
  private:
   using Key = std::tuple<int, int, int, int>;  ///< two blocks, corner, edge
 
-  dynamics::PairContacts all_;
+  dynamics::PairIndex index_;
+  dynamics::BlockParts parts_;
   dynamics::NearSearch near_;
   dynamics::PairScratch scratch_;
   long seen_ = -1;  ///< NUPDAT when the pairs were found

@@ -173,7 +173,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
                 long steps, Trace& trace) {
   Outcome outcome;
   Model model = place(scene.model, frame, variant.corners);
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   const std::unique_ptr<VariantRun> run = variant.start();
   ExactJudge judge;
   dynamics::prepare(model);
@@ -184,10 +184,10 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
   Pace pace(scene, frame);
   const bool leads = trace.empty(), follows = variant.corners == Corners::sharp;
   for (long k = 0; k < steps; ++k) {
-    run->find(model, buffers);
+    run->find(model, work);
     judge.decide(model);
-    variant.judge_signs(model.blocks, buffers.pairs, outcome.signs);
-    const bool finite = run->step(model, buffers).finite;
+    variant.judge_signs(model.blocks, work.index, outcome.signs);
+    const bool finite = run->step(model, work).finite;
     judge.compare(model.blocks, model.contacts, outcome);
     const std::uint64_t hash = hash_acting(model.contacts);
     if (leads)
@@ -221,7 +221,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
 
 std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
   Model model = place(scene.model, Frame{}, variant.corners);
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   const std::unique_ptr<VariantRun> run = variant.start();
   dynamics::prepare(model);
   const Eigen::Matrix2Xd start = model.blocks.centroid;
@@ -233,8 +233,8 @@ std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
                                  : std::numeric_limits<double>::infinity();
   std::string doubt;
   for (long k = 0; k < steps && doubt.empty(); ++k) {
-    run->find(model, buffers);
-    if (!run->step(model, buffers).finite)
+    run->find(model, work);
+    if (!run->step(model, work).finite)
       doubt = fmt::format("is unsound: numbers are not finite after step {}", k + 1);
     else if (total_energy(model, start) - energy_at_start > most_gained &&
              most_gained > 0.0)

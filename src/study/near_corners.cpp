@@ -13,12 +13,12 @@ double distance_to_segment(const Vec2& c, const Vec2& p1, const Vec2& p2) {
 
 }  // namespace
 
-void NearCorners::find(const Model& model, const dynamics::PairContacts& all,
+void NearCorners::find(const Model& model, const dynamics::PairIndex& index,
                        double reach, bool keep) {
   const Blocks& blocks = model.blocks;
   if (!keep)
     listed_.clear();
-  for (const dynamics::NearPair& pair : all.pairs) {
+  for (const dynamics::NearPair& pair : index.pairs) {
     add_near(blocks, pair.low, pair.high, reach);
     add_near(blocks, pair.high, pair.low, reach);
   }

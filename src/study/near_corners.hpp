@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/pair_contacts.hpp"
+#include "dynamics/rules/pair_rule.hpp"
+#include "dynamics/search/pair_index.hpp"
+#include "model/model.hpp"
 
 namespace blocks::study {
 
@@ -18,7 +20,7 @@ class NearCorners {
 
   /// Makes the list: corners within `reach` of an edge, [L]. The pairs have to hold all
   /// blocks that are so near. keep: what was in the list before stays in it.
-  void find(const Model& model, const dynamics::PairContacts& all, double reach,
+  void find(const Model& model, const dynamics::PairIndex& index, double reach,
             bool keep);
   /// What is listed for a pair of blocks, low < high.
   const Corners& of(int low, int high) const;

@@ -168,13 +168,13 @@ Scene roller(Draws& draw) {
   const double floor = draw.between(-1.25, -1.0);
   Draft draft = rolling_on_pieces(corners, floor);
   Model single = rolling_on_one_block(corners, floor).model();
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   dynamics::prepare(single);
   const Vec2 start = single.blocks.centroid.col(0);
   std::vector<Vec2> way = {Vec2(0, 0)};
   Scene scene = draft.rests(1.0);
   for (long k = 0; k < scene.steps; ++k) {
-    dynamics::step(single, buffers);
+    dynamics::step(single, work);
     way.push_back(Vec2(single.blocks.centroid.col(0)) - start);
   }
   scene = draft.moves(0, [way](long k, double) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/pair_step.hpp"
+#include "dynamics/step.hpp"
 #include "study/corner_rules/corner_rules.hpp"
 #include "study/near_corners.hpp"
 #include "study/signs.hpp"
@@ -10,16 +10,18 @@
 namespace blocks::study {
 namespace {
 
-using dynamics::PairContacts;
+using dynamics::BlockParts;
+using dynamics::PairIndex;
 using dynamics::PairScratch;
-using dynamics::SearchBuffers;
+using dynamics::Workspace;
 
 /// The contact rule with other predicates. Every pair is decided in every step.
 template <class Predicates, bool transfers = true> struct PairRules {
   static constexpr bool keeps_decisions = false, transfers_springs = transfers;
-  static void decide(const Blocks& blocks, const PairContacts& all, int p,
-                     PairScratch& scratch) {
-    dynamics::decide_exactly<Predicates>(blocks, all, p, scratch);
+  static void decide(const Blocks& blocks, const BlockParts& parts,
+                     const PairIndex& index, int p, PairScratch& scratch) {
+    dynamics::ContactRules::decide_exactly<Predicates>(blocks, parts, index, p,
+                                                       scratch);
   }
 };
 
@@ -42,22 +44,22 @@ template <class Signs, bool keeps_list> class ReportRules {
  public:
   static constexpr bool keeps_decisions = false, transfers_springs = false;
 
-  void find(Model& model, SearchBuffers& buffers) {
+  void find(Model& model, Workspace& work) {
     const double tolerance = model.settings.contact_tolerance;
-    update_pairs(model, buffers,
+    update_pairs(model, work,
                  keeps_list ? near_.pairs(model.blocks)
                             : std::vector<dynamics::NearPair>());
     if (model.search.updates == listed_)
       return;
-    near_.find(model, buffers.pairs, 2.0 * tolerance, keeps_list);
+    near_.find(model, work.index, 2.0 * tolerance, keeps_list);
     model.search.left = std::min(model.search.left, tolerance);
     listed_ = model.search.updates;
   }
-  void decide(const Blocks& blocks, const PairContacts& all, int p,
+  void decide(const Blocks& blocks, const BlockParts&, const PairIndex& index, int p,
               PairScratch& scratch) const {
     scratch.found.clear();
     for (const dynamics::CornerOnEdge& one :
-         near_.of(all.pairs[p].low, all.pairs[p].high))
+         near_.of(index.pairs[p].low, index.pairs[p].high))
       if (acts(blocks, one.corner, one.edge))
         scratch.found.push_back(one);
   }
@@ -78,14 +80,14 @@ template <class Signs, bool keeps_list> class ReportRules {
 /// Rules may have a find() of their own.
 template <class Rules> class RunBy : public VariantRun {
  public:
-  void find(Model& model, SearchBuffers& buffers) override {
-    if constexpr (requires { rules_.find(model, buffers); })
-      rules_.find(model, buffers);
+  void find(Model& model, Workspace& work) override {
+    if constexpr (requires { rules_.find(model, work); })
+      rules_.find(model, work);
     else
-      update_pairs(model, buffers);
+      update_pairs(model, work);
   }
-  dynamics::Displacement step(Model& model, SearchBuffers& buffers) override {
-    return step_by_pairs(model, buffers, rules_);
+  dynamics::StepResult step(Model& model, Workspace& work) override {
+    return step_by(rules_, model, work);
   }
 
  private:
@@ -93,7 +95,7 @@ template <class Rules> class RunBy : public VariantRun {
 };
 
 template <class Signs>
-void judge_signs(const Blocks& blocks, const PairContacts& all, SignTally& tally) {
+void judge_signs(const Blocks& blocks, const PairIndex& index, SignTally& tally) {
   const auto judge = [&](int k, int e) {
     const Vec2 c = blocks.corner.col(k), p1 = blocks.corner.col(e);
     const Vec2 p2 = blocks.corner.col(blocks.next[e]);
@@ -113,7 +115,7 @@ void judge_signs(const Blocks& blocks, const PairContacts& all, SignTally& tally
       for (int e = blocks.first_corner[other]; e < blocks.first_corner[other + 1]; ++e)
         judge(c, e);
   };
-  for (const dynamics::NearPair& pair : all.pairs)
+  for (const dynamics::NearPair& pair : index.pairs)
     judge_all(pair.low, pair.high), judge_all(pair.high, pair.low);
 }
 

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dynamics/contact_search.hpp"
-#include "dynamics/motion.hpp"
+#include "dynamics/step.hpp"
 #include "study/scene.hpp"
 
 namespace blocks::study {
@@ -23,10 +22,9 @@ class VariantRun {
  public:
   virtual ~VariantRun() = default;
   /// Brings the pairs of blocks up to date.
-  virtual void find(Model& model, dynamics::SearchBuffers& buffers) = 0;
+  virtual void find(Model& model, dynamics::Workspace& work) = 0;
   /// One step, after find().
-  virtual dynamics::Displacement step(Model& model,
-                                      dynamics::SearchBuffers& buffers) = 0;
+  virtual dynamics::StepResult step(Model& model, dynamics::Workspace& work) = 0;
 };
 
 struct Variant {
@@ -35,7 +33,7 @@ struct Variant {
   std::unique_ptr<VariantRun> (*start)();
   /// Compares the arithmetic of the variant with the exact one: every corner of a pair
   /// of near blocks against every edge of the other block.
-  void (*judge_signs)(const Blocks&, const dynamics::PairContacts&, SignTally&);
+  void (*judge_signs)(const Blocks&, const dynamics::PairIndex&, SignTally&);
 };
 
 /// In the order of the tables; the first is the rules of every run.

@@ -5,8 +5,9 @@
 
 #include "audit/audit.hpp"
 #include "audit/make_exact_rule.hpp"
-#include "dynamics/contact_search.hpp"
+#include "dynamics/search/list_tolerance.hpp"
 #include "dynamics/stepper.hpp"
+#include "dynamics/workspace.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks::testing {
@@ -15,7 +16,7 @@ namespace blocks::testing {
 /// model may have an order of its own.
 class AuditedRun {
  public:
-  explicit AuditedRun(Model& stepped) : model(stepped), stepper_(stepped, buffers_) {}
+  explicit AuditedRun(Model& stepped) : model(stepped), stepper_(stepped, work_) {}
 
   void step() {
     before = stepper_.up_to_date().blocks;
@@ -36,7 +37,7 @@ class AuditedRun {
   std::vector<audit::BlockPair> listed;
 
  private:
-  dynamics::SearchBuffers buffers_;
+  dynamics::Workspace work_;
   dynamics::Stepper stepper_;
 };
 

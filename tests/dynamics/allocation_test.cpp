@@ -118,11 +118,11 @@ TEST(Memory, ContactsAreListedWhenTheyAreRead) {
   scene.box(-1, 0, 2, 1);
   scene.gravity(0, -10);
   scene.prepare();
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   for (int k = 0; k < 20; ++k)
-    dynamics::advance(model, buffers, false);
+    dynamics::advance(model, work, false);
   EXPECT_TRUE(model.contacts.acting.empty());
-  dynamics::catch_up(model, buffers);
+  dynamics::catch_up(model, work);
   EXPECT_EQ(model.contacts.acting.size(), 2U);
 }
 

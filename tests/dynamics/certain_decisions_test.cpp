@@ -1,6 +1,6 @@
 // What is certain of a pair of blocks against the exact rule, at once and after motion
 // within the room.
-#include "dynamics/certain_decisions.hpp"
+#include "dynamics/decisions/certain_decisions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "audit/clusters.hpp"
-#include "dynamics/pair_decisions.hpp"
-#include "dynamics/pair_step.hpp"
+#include "dynamics/decisions/decide_contacts.hpp"
+#include "dynamics/step.hpp"
 #include "study/draft.hpp"
 
 namespace blocks::dynamics {
@@ -39,14 +39,14 @@ struct Cluster {
     if (model.blocks.size() < 2)
       return;
     prepare(model);
-    update_pairs(model, buffers);
-    std::vector<int> due(buffers.pairs.pairs.size());
+    update_pairs(model, work);
+    std::vector<int> due(work.index.pairs.size());
     std::iota(due.begin(), due.end(), 0);
-    certain.find(model.blocks, buffers.pairs, due, model.time_step.dt);
+    certain.find(model.blocks, work.index, work.decisions, due, model.time_step.dt);
   }
 
   Contacts exact(int p) {
-    decide_exactly<ExactPredicates>(model.blocks, buffers.pairs, p, scratch);
+    ContactRules::decide(model.blocks, work.decisions.parts, work.index, p, scratch);
     Contacts found = scratch.found;
     sort(found);
     return found;
@@ -64,25 +64,27 @@ struct Cluster {
     sort(found);
     return found;
   }
-  /// Moves a block rigidly by a way of this length (Swing).
-  void move(int b, double way) {
+  /// Moves a block rigidly: its centroid and an arm as long as the longest one, twice,
+  /// together by this length.
+  void move(int b, double length) {
     Blocks& blocks = model.blocks;
     const double share = clusters.uniform(0.0, 1.0);
     const double angle = clusters.uniform(0.0, 6.283);
-    const double turn = (clusters.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * share * way /
-                        (2.0 * buffers.pairs.swing.longest[b]);
-    const Vec2 shift = (1.0 - share) * way * Vec2(std::cos(angle), std::sin(angle));
-    const Eigen::Rotation2D<double> rotation(turn);
-    const Vec2 centroid = blocks.centroid.col(b);
+    const double turn = (clusters.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * share *
+                        length / (2.0 * work.decisions.bounds.longest[b]);
+    const Vec2 shift = (1.0 - share) * length * Vec2(std::cos(angle), std::sin(angle));
+    const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
+    blocks.gradient.col(b) << rotation(0, 0), rotation(0, 1), rotation(1, 0),
+        rotation(1, 1);
+    blocks.centroid.col(b) += shift;
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
       blocks.corner.col(c) =
-          centroid + shift + rotation * (blocks.corner.col(c) - centroid);
-    blocks.centroid.col(b) = centroid + shift;
+          blocks.centroid.col(b) + rotation * Vec2(blocks.arm.col(c));
   }
 
   Model model;
   testing::Clusters clusters;
-  SearchBuffers buffers;
+  Workspace work;
   CertainDecisions certain;
   PairScratch scratch;
 };
@@ -98,8 +100,8 @@ TEST(CertainDecisions, AreThoseOfTheExactRuleWhileTheirRoomLasts) {
   for (std::uint64_t number = 0; number < clusters; ++number) {
     SCOPED_TRACE(number);
     Cluster cluster(number);
-    const PairContacts& all = cluster.buffers.pairs;
-    for (int p = 0; p < static_cast<int>(all.pairs.size()); ++p) {
+    const PairIndex& index = cluster.work.index;
+    for (int p = 0; p < static_cast<int>(index.pairs.size()); ++p) {
       ++count.pairs;
       const CertainDecision& decision = cluster.certain[static_cast<std::size_t>(p)];
       if (!(decision.room > 0.0))
@@ -109,26 +111,26 @@ TEST(CertainDecisions, AreThoseOfTheExactRuleWhileTheirRoomLasts) {
       ASSERT_EQ(cluster.acting(p), before) << "pair " << p;
       count.acting += !before.empty();
       const Blocks start = cluster.model.blocks;
+      Blocks& blocks = cluster.model.blocks;
+      Decisions& decisions = cluster.work.decisions;
+      decisions.keep(blocks, index, p, {decision.room, decision.room_of_neighbours});
       for (int trial = 0; trial < 2; ++trial) {
-        // the blocks of the pair together by less than the room, and others by less
-        // than theirs, in all
         const double own = cluster.clusters.uniform(0.0, 0.999) * decision.room;
         const double share = cluster.clusters.uniform(0.0, 1.0);
-        const NearPair& pair = all.pairs[p];
+        const NearPair& pair = index.pairs[p];
         cluster.move(pair.low, share * own);
         cluster.move(pair.high, (1.0 - share) * own);
-        // the ways of the two count twice among those of the neighbours
-        const double left = std::min(1.0, decision.room_of_neighbours) - 2.0 * own;
+        const double left = std::min(1.0, decision.room_of_neighbours) - own;
         for (int b = 0; b < start.size(); ++b)
           if (b != pair.low && b != pair.high && left > 0.0)
-            cluster.move(b, left / (2.0 * start.size()));
-        const Contacts after = cluster.exact(p);
-        if (left > 0.0) {
+            cluster.move(b, cluster.clusters.uniform(0.0, 0.7) * left);
+        if (decisions.left_of(blocks, index, p) > 0.0) {
+          const Contacts after = cluster.exact(p);
           ASSERT_EQ(cluster.acting(p), after) << "pair " << p << " moved by " << own;
           ++count.moved;
           count.changed += before != after;
         }
-        cluster.model.blocks = start;
+        blocks = start;
       }
     }
   }

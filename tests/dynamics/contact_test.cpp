@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dynamics/contact_law.hpp"
+#include "dynamics/kernels/contact_law.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {

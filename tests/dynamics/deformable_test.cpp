@@ -48,10 +48,10 @@ TEST(Deformable, StressTurnsWithTheBlock) {
   const double turn = 0.3;
   scene.velocity(b, 0, 0, 1.0);
   // isolated from the dynamics: only the rotation of one long step is looked at
-  dynamics::Swing swing;
-  swing.start(scene.model.blocks, scene.model.settings.rigid);
-  dynamics::move_blocks(scene.model.blocks, dynamics::all_of(scene.model.blocks), swing,
-                        scene.model.settings, turn);
+  dynamics::MotionBounds bounds;
+  bounds.start(scene.model.blocks, scene.model.settings.rigid);
+  dynamics::move_corners(scene.model.blocks, dynamics::all_of(scene.model.blocks),
+                         bounds, scene.model.settings, turn);
   const double c = (1 - 0.0225) / (1 + 0.0225), s = 0.3 / (1 + 0.0225);
   const auto stress = scene.model.blocks.stress.col(b);
   EXPECT_NEAR(stress[0], c * c * 4e6 - 2 * c * s * 1e6 + s * s * -2e6, 1e-6);

@@ -44,7 +44,7 @@ TEST(Spin, TurnsCornersByTheAccumulatedAngle) {
   const int b = scene.box(-0.5, -0.5, 1, 1);
   scene.velocity(b, 0, 0, 2.0);
   scene.run(0.5);
-  const Vec2 arm = scene.model.blocks.arm.col(0);
+  const Vec2 arm = scene.model.blocks.present_arm(0);
   const double turned = std::atan2(arm.y(), arm.x()) - std::atan2(-0.5, -0.5);
   const double lag = std::pow(2.0 * scene.dt(), 2) / 12.0;
   EXPECT_NEAR(turned, 2.0 * scene.model.time,
@@ -53,21 +53,24 @@ TEST(Spin, TurnsCornersByTheAccumulatedAngle) {
 
 // Decisions are kept while blocks have not gone far. Far from the origin a step of half
 // a unit in the last place makes a whole one.
-TEST(Swing, WayIsNoLessThanTheMotion) {
+TEST(MotionBounds, BoundIsNoLessThanTheMotion) {
   Scene scene;
   const double far = 0x1p30, unit = 0x1p-22;
   const int b = scene.box(far, 0, 1, 1);
   Blocks& blocks = scene.model.blocks;
   scene.model.settings.rigid = true;
   scene.velocity(b, 0.51 * unit, 0, 0);
-  dynamics::Swing swing;
-  swing.start(blocks, true);
+  dynamics::MotionBounds bounds;
+  bounds.start(blocks, true);
+  double bound = 0.0;
   const double from = blocks.centroid(0, b);
   for (int i = 0; i < 1000; ++i)
-    dynamics::move_blocks(blocks, dynamics::all_of(blocks), swing, scene.model.settings,
-                          1.0);
+    bound += dynamics::move_corners(blocks, dynamics::all_of(blocks), bounds,
+                                    scene.model.settings, 1.0)
+                 .bound;
   EXPECT_EQ(blocks.centroid(0, b) - from, 1000 * unit);
-  EXPECT_GE(swing.way[b], 1000 * unit);
+  EXPECT_EQ(bounds.shift(blocks, b), Vec2(1000 * unit, 0.0));
+  EXPECT_GE(bound, 1000 * unit);
 }
 
 // Rule 14: a corner strictly outside fixes the block; one on the border does not.

@@ -30,11 +30,11 @@ TEST(Search, KeepsContactsAndSprings) {
   scenes::Scene scene = settled_wall();
   Model again = scene.model;
   ASSERT_GT(again.contacts.acting.size(), 60U);
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   for (int i = 0; i < 20; ++i) {
     scene.step();
     again.search.current = false;
-    dynamics::step(again, buffers);
+    dynamics::step(again, work);
     ASSERT_EQ(again.contacts.corner, scene.model.contacts.corner);
     ASSERT_EQ(again.contacts.edge, scene.model.contacts.edge);
     ASSERT_EQ(again.contacts.acting, scene.model.contacts.acting);
@@ -64,8 +64,8 @@ TEST(Search, DropsContactsOfBlocksThatAreGone) {
   model.blocks.corner.middleCols(model.blocks.first_corner[gone], 4).array() += 50.0;
   model.blocks.centroid.col(gone).array() += 50.0;
   model.search.current = false;
-  dynamics::SearchBuffers buffers;
-  dynamics::step(model, buffers);
+  dynamics::Workspace work;
+  dynamics::step(model, work);
   EXPECT_GT(model.contacts.size(), 50);
   for (int i = 0; i < model.contacts.size(); ++i) {
     EXPECT_NE(model.blocks.corner_block[model.contacts.corner[i]], gone);
@@ -73,7 +73,7 @@ TEST(Search, DropsContactsOfBlocksThatAreGone) {
   }
   for (int b = 0; b < model.blocks.size(); ++b)
     model.blocks.fix(b, Fixity::by_user);
-  dynamics::SearchBuffers others;
+  dynamics::Workspace others;
   dynamics::step(model, others);
   EXPECT_EQ(model.contacts.size(), 0);
 }

@@ -54,8 +54,8 @@ constexpr int steps = 600;
 template <class Between>
 std::map<std::string, std::string> stepped(Model model, int threads,
                                            Between&& between) {
-  dynamics::SearchBuffers buffers(threads);
-  dynamics::Stepper stepper(model, buffers);
+  dynamics::Workspace work(threads);
+  dynamics::Stepper stepper(model, work);
   for (int i = 1; i <= steps; ++i) {
     stepper.advance(i == steps);
     between(i, stepper);
@@ -90,8 +90,8 @@ TEST(Stepper, GoesOnFromTheModelAlone) {
     const auto straight = stepped(heap(rigid));
     Model model = heap(rigid);
     for (int i = 1; i <= steps; ++i) {
-      dynamics::SearchBuffers buffers;
-      dynamics::Stepper stepper(model, buffers);
+      dynamics::Workspace work;
+      dynamics::Stepper stepper(model, work);
       stepper.advance(i == steps);
       stepper.up_to_date();
     }
@@ -106,20 +106,20 @@ TEST(Stepper, WithoutAnOrderIsTheStep) {
   Model model = heap(true);
   model.order.clear();
   const auto stepped_so = stepped(model);
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   for (int i = 1; i <= steps; ++i)
-    dynamics::step(model, buffers);
+    dynamics::step(model, work);
   EXPECT_EQ(fields(model), stepped_so);
 }
 
 // The order enters through sums of forces alone.
 TEST(Stepper, ChangesResultsByRoundOffOnly) {
   Model inside = heap(true), outside = heap(true);
-  dynamics::SearchBuffers buffers, others;
-  dynamics::Stepper stepper(inside, buffers);
+  dynamics::Workspace work, others;
+  dynamics::Stepper stepper(inside, work);
   for (int i = 0; i < 100; ++i) {
-    const dynamics::Displacement moved = stepper.advance(true);
-    const dynamics::Displacement told = dynamics::step(outside, others);
+    const dynamics::StepResult moved = stepper.advance(true);
+    const dynamics::StepResult told = dynamics::step(outside, others);
     EXPECT_NEAR(moved.largest, told.largest, 1e-12);
   }
   stepper.up_to_date();
@@ -142,8 +142,8 @@ TEST(Stepper, TellsTheNumbersOutside) {
   scene.velocity(1, 1e9, 0);
   scene.prepare();
   scene.model.order = {5, 4, 3, 2, 1, 0};
-  dynamics::SearchBuffers buffers;
-  dynamics::Stepper stepper(scene.model, buffers);
+  dynamics::Workspace work;
+  dynamics::Stepper stepper(scene.model, work);
   EXPECT_EQ(stepper.advance(false).block, 4);
   ASSERT_EQ(scene.model.exits.size(), 2U);
   EXPECT_EQ(scene.model.exits[0].block, 1);

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/pair_step.hpp"
-#include "dynamics/work_split.hpp"
-#include "dynamics/workers.hpp"
+#include "dynamics/step.hpp"
+#include "dynamics/support/work_split.hpp"
+#include "dynamics/support/workers.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {
@@ -52,16 +52,16 @@ TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
     for (const int threads : {1, 2, 3, 8}) {
       const auto pairs = neighbours(blocks);
       const int windows =
-          (static_cast<int>(pairs.size()) + dynamics::pairs_of_one_window - 1) /
-          dynamics::pairs_of_one_window;
-      std::vector<int> first_set = {0};  // 30 sets each
+          (static_cast<int>(pairs.size()) + dynamics::pairs_of_window - 1) /
+          dynamics::pairs_of_window;
+      std::vector<int> first_batch = {0};  // 30 batches each
       for (int window = 0; window < windows; ++window)
-        first_set.push_back(first_set.back() + 30);
+        first_batch.push_back(first_batch.back() + 30);
       dynamics::WorkSplit split;
-      split.start(blocks, pairs, dynamics::pairs_of_one_window, threads);
-      split.split_sets(first_set);
+      split.start(blocks, pairs, dynamics::pairs_of_window, threads);
+      split.split_batches(first_batch);
       for (const auto& [begins, count] :
-           {std::pair(split.windows, windows), std::pair(split.sets, 30 * windows),
+           {std::pair(split.windows, windows), std::pair(split.batches, 30 * windows),
             std::pair(split.blocks, blocks)}) {
         ASSERT_EQ(begins.front(), 0);
         ASSERT_EQ(begins.back(), count);
@@ -73,8 +73,8 @@ TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
         continue;
       ASSERT_EQ(split.windows.size(), threads + 1U);
       for (int k = 1; k < threads; ++k) {
-        EXPECT_EQ(split.sets[k], first_set[split.windows[k]]);
-        const int pair = dynamics::pairs_of_one_window * split.windows[k];
+        EXPECT_EQ(split.batches[k], first_batch[split.windows[k]]);
+        const int pair = dynamics::pairs_of_window * split.windows[k];
         EXPECT_EQ(split.blocks[k], pairs[pair].low);
         EXPECT_NEAR(split.blocks[k], 1.0 * blocks * k / threads, 100.0);
       }
@@ -116,19 +116,18 @@ TEST(Threads, ChangeNoBit) {
   }
 }
 
-/// Steps whose contacts are decided pair by pair. Without `readings` the list of the
+/// Steps whose contacts are certain pair by pair. Without `readings` the list of the
 /// model is brought up to date at the end only.
 Model stepped_by_pairs(int threads, bool rigid, bool readings) {
   Model model = heap(1, rigid).model;
-  dynamics::SearchBuffers buffers(threads);
+  dynamics::Workspace work(threads);
   dynamics::prepare(model);
   for (int k = 0; k < 150; ++k) {
-    dynamics::advance_by_pairs<dynamics::ContactRules>(model, buffers,
-                                                       readings || k == 149, 1e300);
+    dynamics::advance(model, work, readings || k == 149);
     if (readings)
-      dynamics::catch_up_pairs(model, buffers);
+      dynamics::catch_up(model, work);
   }
-  dynamics::catch_up_pairs(model, buffers);
+  dynamics::catch_up(model, work);
   return model;
 }
 

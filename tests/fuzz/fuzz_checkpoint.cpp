@@ -23,9 +23,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       Model model = output::read_checkpoint(file.path(), info);
       if (model.blocks.size() == 0)
         continue;
-      dynamics::SearchBuffers buffers;
+      dynamics::Workspace work;
       dynamics::prepare(model);
-      dynamics::Stepper stepper(model, buffers);
+      dynamics::Stepper stepper(model, work);
       stepper.advance(true);
       stepper.up_to_date();
     } catch (const output::FileError&) {

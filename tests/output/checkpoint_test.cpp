@@ -228,12 +228,12 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   const std::string bytes = contents(path);
   const auto written_by = [&](const std::string& format) {
     std::string other = bytes;
-    other.replace(bytes.find("format ") + 7, 1, format);
+    other.replace(bytes.find("format ") + 7, 2, format);
     overwrite(path, other);
     return error();
   };
   EXPECT_THAT(written_by("99"), HasSubstr("newer version"));
-  EXPECT_THAT(written_by("1"), HasSubstr("older version"));
+  EXPECT_THAT(written_by("09"), HasSubstr("older version"));
 }
 
 // The last two are kept: a run killed between two checkpoints loses one at most.

@@ -149,9 +149,9 @@ template <class Judge> long forge_all(Forger::How how, Judge&& judge) {
     std::string reason;
     try {
       expect_possible(model, {});
-      dynamics::SearchBuffers buffers;
+      dynamics::Workspace work;
       dynamics::prepare(model);
-      dynamics::Stepper stepper(model, buffers);
+      dynamics::Stepper stepper(model, work);
       stepper.advance(true);
       stepper.up_to_date();
     } catch (const hdf5::Failure& refusal) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "blocks_code.hpp"
-#include "dynamics/pair_step.hpp"
+#include "dynamics/step.hpp"
 #include "linked_list.hpp"
 #include "study/corner_rules/corner_rules.hpp"
 #include "wall.hpp"
@@ -27,11 +27,11 @@ struct CornersWithoutTransfer : study::CornerRules {
 TEST(LinkedLists, MoveTheWallAsTheProgramDoesWithoutHandOver) {
   Model wall = bench::wall_of_power(2);
   bench::LinkedListCode lists(wall);
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   dynamics::prepare(wall);
   const Eigen::Matrix2Xd start = wall.blocks.corner;
   for (int i = 0; i < 500; ++i)
-    dynamics::step_by_pairs<CornersWithoutTransfer>(wall, buffers);
+    dynamics::step_by(CornersWithoutTransfer(), wall, work);
   lists.run(500);
   EXPECT_GT(largest_difference(start, lists.corners()), 1e-5);
   EXPECT_EQ(lists.acting_contacts(), totals(wall).active_contacts);

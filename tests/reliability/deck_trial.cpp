@@ -34,7 +34,7 @@ Verdict try_deck(const std::string& text, const std::string& folder, int steps) 
   Model model;
   run::Builder builder(model, told, cards.commands,
                        {.seed = {}, .tape9 = "tape9", .folder = folder, .unread = {}});
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   for (const deck::Command& command : cards.commands) {
     builder.apply(command);
     if (told.has_errors())
@@ -46,7 +46,7 @@ Verdict try_deck(const std::string& text, const std::string& folder, int steps) 
       return refused(told);
     dynamics::prepare(model);
     for (int i = 0; i < steps; ++i)
-      if (!dynamics::step(model, buffers).finite)
+      if (!dynamics::step(model, work).finite)
         return Verdict::unsound;
   }
   builder.check_output_blocks();

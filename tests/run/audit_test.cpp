@@ -66,8 +66,8 @@ class WatchedStep : public ::testing::Test {
     scene.box(-0.5, 0, 1, 1);
     scene.gravity(0, -10);
     scene.run(0.4);
-    dynamics::SearchBuffers buffers;
-    dynamics::Stepper stepper(scene.model, buffers);
+    dynamics::Workspace work;
+    dynamics::Stepper stepper(scene.model, work);
     watch.before(stepper.up_to_date());
     stepper.advance(true);
     stepper.up_to_date();

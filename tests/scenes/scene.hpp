@@ -11,7 +11,8 @@
 
 namespace blocks::scenes {
 
-/// A frame turned by `angle` (anticlockwise) and shifted: physics must not depend on it.
+/// A frame turned by `angle` (anticlockwise) and shifted: physics must not depend on
+/// it.
 struct Frame {
   double angle = 0.0;
   Vec2 offset = Vec2::Zero();
@@ -24,10 +25,10 @@ struct Frame {
   Vec2 place(const Vec2& p) const { return turn(p) + offset; }
 };
 
-/// A model with its search buffers; lengths in m, masses in kg, times in s.
+/// A model with its working memory; lengths in m, masses in kg, times in s.
 class Scene {
  public:
-  explicit Scene(Frame frame = {}, int threads = 1) : frame_(frame), buffers_(threads) {
+  explicit Scene(Frame frame = {}, int threads = 1) : frame_(frame), work_(threads) {
     Settings& s = model.settings;
     s.max_blocks = 1000000;
     s.max_corners = 100;
@@ -41,9 +42,12 @@ class Scene {
     s.materials[1] = {1e10, 4e9, 2000.0};
   }
 
-  /// Adds a block of material 1; corners clockwise in the scene's own frame. Returns its index.
+  /// Adds a block of material 1; corners clockwise in the scene's own frame. Returns
+  /// its index.
   int add(const geometry::Polygon& corners, bool fixed = false) {
-    NewBlock block{{}, 1, model.settings.materials.at(1).density,
+    NewBlock block{{},
+                   1,
+                   model.settings.materials.at(1).density,
                    fixed ? Fixity::by_user : Fixity::free};
     for (const Vec2& p : corners)
       block.outline.push_back(frame_.place(p));
@@ -65,7 +69,7 @@ class Scene {
   }
 
   void prepare() { dynamics::prepare(model); }
-  dynamics::Displacement step() { return dynamics::step(model, buffers_); }
+  dynamics::StepResult step() { return dynamics::step(model, work_); }
   void steps(long n) {
     prepare();
     for (long i = 0; i < n; ++i)
@@ -79,16 +83,20 @@ class Scene {
   }
 
   double dt() const { return model.time_step.dt; }
-  double weight(int b) const { return model.blocks.mass[b] * model.settings.gravity.norm(); }
+  double weight(int b) const {
+    return model.blocks.mass[b] * model.settings.gravity.norm();
+  }
   /// Position, velocity in the scene's own frame.
-  Vec2 centroid(int b) const { return frame_.back(Vec2(model.blocks.centroid.col(b)) - frame_.offset); }
+  Vec2 centroid(int b) const {
+    return frame_.back(Vec2(model.blocks.centroid.col(b)) - frame_.offset);
+  }
   Vec2 velocity(int b) const { return frame_.back(model.blocks.velocity.col(b)); }
 
   Model model;
 
  private:
   Frame frame_;
-  dynamics::SearchBuffers buffers_;
+  dynamics::Workspace work_;
 };
 
 /// 40 frames: random rotations, offsets 0, 1, 1e3 and 1e6 in random directions.

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "dynamics/pair_step.hpp"
+#include "dynamics/update_pairs.hpp"
 #include "geometry/overlap.hpp"
 #include "study/draft.hpp"
 #include "study/frame.hpp"
@@ -30,14 +30,14 @@ struct DecidedAnew : dynamics::ContactRules {
 long compare(const Model& start, int steps) {
   const std::unique_ptr<VariantRun> run = find_variant("default")->start();
   Model kept = start, anew = start;
-  dynamics::SearchBuffers a, b;
+  dynamics::Workspace a, b;
   dynamics::prepare(kept), dynamics::prepare(anew);
   long reused = 0;
   for (int k = 0; k < steps; ++k) {
     run->find(kept, a), run->find(anew, b);
-    run->step(kept, a), dynamics::step_by_pairs<DecidedAnew>(anew, b);
-    for (int p = 0; p < static_cast<int>(a.pairs.pairs.size()); ++p)
-      reused += a.pairs.left_of(p) > 0.0;
+    run->step(kept, a), dynamics::step_by(DecidedAnew(), anew, b);
+    for (int p = 0; p < a.index.size(); ++p)
+      reused += a.decisions.left_of(kept.blocks, a.index, p) > 0.0;
     if (kept.blocks.corner != anew.blocks.corner ||
         kept.blocks.velocity != anew.blocks.velocity) {
       ADD_FAILURE() << "the runs part in step " << k;
@@ -208,13 +208,13 @@ TEST(Pairs, HoldUpBlocksOfEveryShape) {
       draft.gravity(0, -scenes::g);
       Model model = draft.model();
       model.settings.normal_stiffness = model.settings.shear_stiffness = 1e8;
-      dynamics::SearchBuffers buffers;
+      dynamics::Workspace work;
       const std::unique_ptr<VariantRun> run = find_variant("default")->start();
       dynamics::prepare(model);
       double shared = 0.0;
       for (int k = 0; k < 4000; ++k) {
-        run->find(model, buffers);
-        ASSERT_TRUE(run->step(model, buffers).finite) << shape.name << turn;
+        run->find(model, work);
+        ASSERT_TRUE(run->step(model, work).finite) << shape.name << turn;
         if (k % 500 == 499)
           shared = std::max(shared, most_shared(model.blocks));
       }

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "dynamics/pair_step.hpp"
+#include "dynamics/update_pairs.hpp"
 #include "study/report.hpp"
 #include "study/signs.hpp"
 #include "study/study.hpp"
@@ -122,15 +122,15 @@ TEST(DefaultVariant, IsWhatRunsDo) {
     const Scene scene = make_scene(name);
     const Frame frame = random_frame({}, 4, scene.size);
     Model run = place(scene.model, frame, Corners::sharp), studied = run;
-    dynamics::SearchBuffers a, b;
+    dynamics::Workspace a, b;
     const std::unique_ptr<VariantRun> variant = all_variants().front().start();
     dynamics::prepare(run), dynamics::prepare(studied);
     for (int k = 0; k < 600; ++k) {
       dynamics::step(run, a);
       variant->find(studied, b);
       variant->step(studied, b);
-      for (int p = 0; p < static_cast<int>(b.pairs.pairs.size()); ++p)
-        kept += b.pairs.left_of(p) > 0.0;
+      for (int p = 0; p < b.index.size(); ++p)
+        kept += b.decisions.left_of(studied.blocks, b.index, p) > 0.0;
     }
     EXPECT_EQ(run.blocks.corner, studied.blocks.corner) << name;
     EXPECT_EQ(run.blocks.velocity, studied.blocks.velocity) << name;

@@ -25,15 +25,15 @@ void say(const std::string& words, std::string& report) {
 
 int make_steps(Model& model, long steps, const Study& study, Watch& watch,
                std::string& report) {
-  dynamics::SearchBuffers buffers;
+  dynamics::Workspace work;
   dynamics::prepare(model);
   watch.start(model);
   say(study.columns + "\n" + study.ruler + "\n", report);
   for (long i = 1; i <= steps; ++i) {
     const bool told = i * rows / steps != (i - 1) * rows / steps;
-    const auto made = dynamics::advance(model, buffers, told);
+    const auto made = dynamics::advance(model, work, told);
     if (told)
-      dynamics::catch_up(model, buffers);
+      dynamics::catch_up(model, work);
     if (!made.finite) {
       say(text("\n**Step %ld: not a number.**\n", i), report);
       return run::unsound_run;

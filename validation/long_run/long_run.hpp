@@ -31,7 +31,7 @@ class Watch {
   virtual void start(const Model& model) = 0;
   /// A row of the table, after step `step` = 1, 2, ...
   virtual std::string row(long step, const Model& model,
-                          const dynamics::Displacement& made) = 0;
+                          const dynamics::StepResult& made) = 0;
   virtual Verdict verdict(long steps, const Model& model) const = 0;
 };
 

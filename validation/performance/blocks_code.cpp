@@ -13,7 +13,7 @@ int free_blocks(const Model& model) {
 }
 
 BlocksCode::BlocksCode(Model start, std::string name, int threads)
-    : model_(std::move(start)), buffers_(threads), name_(std::move(name)),
+    : model_(std::move(start)), work_(threads), name_(std::move(name)),
       free_(free_blocks(model_)) {
   dynamics::prepare(model_);
 }
@@ -21,19 +21,19 @@ BlocksCode::BlocksCode(Model start, std::string name, int threads)
 void BlocksCode::run(long steps) {
   for (long i = 0; i < steps; ++i) {
     const bool read = ++made_ % 64 == 0;  // as a run does
-    if (!dynamics::advance(model_, buffers_, read).finite)
+    if (!dynamics::advance(model_, work_, read).finite)
       throw std::runtime_error(name_ + ": a corner is no longer a number");
     if (read)
-      dynamics::catch_up(model_, buffers_);
+      dynamics::catch_up(model_, work_);
   }
 }
 
 Phases BlocksCode::run_phases(long steps) {
   using dynamics::Profile;
   Profile profile;
-  buffers_.profile = &profile;
+  work_.profile = &profile;
   run(steps);
-  buffers_.profile = nullptr;
+  work_.profile = nullptr;
   double all = 0.0;
   for (const double seconds : profile.seconds)
     all += seconds;
@@ -44,7 +44,7 @@ Phases BlocksCode::run_phases(long steps) {
 }
 
 const Model& BlocksCode::model() {
-  dynamics::catch_up(model_, buffers_);
+  dynamics::catch_up(model_, work_);
   return model_;
 }
 

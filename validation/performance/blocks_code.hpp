@@ -17,7 +17,7 @@ class BlocksCode : public Contestant {
   explicit BlocksCode(Model start, std::string name = "blocks", int threads = 1);
 
   std::string name() const override { return name_; }
-  int threads() const override { return buffers_.workers->threads(); }
+  int threads() const override { return work_.workers->threads(); }
   double work_per_step() const override { return free_; }  ///< block-steps
   /// Throws std::runtime_error when a corner is no longer a number.
   void run(long steps) override;
@@ -31,7 +31,7 @@ class BlocksCode : public Contestant {
  private:
   Model model_;
   long made_ = 0;  ///< steps
-  dynamics::SearchBuffers buffers_;
+  dynamics::Workspace work_;
   std::string name_;
   int free_;
 };

@@ -27,7 +27,7 @@ class Box2dCode : public Contestant {
       body.angularVelocity = static_cast<float>(blocks.spin[b]);
       std::vector<b2Vec2> corners;
       for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
-        corners.push_back(vector(blocks.arm.col(c)));
+        corners.push_back(vector(blocks.present_arm(c)));
       b2PolygonShape shape;
       shape.Set(corners.data(), static_cast<int32>(corners.size()));
       b2FixtureDef fixture;

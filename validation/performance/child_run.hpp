@@ -11,8 +11,8 @@ struct RunSeconds {
   double user = 0.0, clock = 0.0;
 };
 
-/// What `words` (program, then arguments) took. Throws std::runtime_error when it cannot
-/// be started or fails.
+/// What `words` (program, then arguments) took. Throws std::runtime_error when it
+/// cannot be started or fails.
 RunSeconds run_child(std::vector<std::string> words);
 
 }  // namespace blocks::bench

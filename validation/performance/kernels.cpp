@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <map>
 
-#include "dynamics/contact_law.hpp"
+#include "dynamics/kernels/contact_law.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "geometry/random.hpp"
 

@@ -58,8 +58,8 @@ LinkedListCode::LinkedListCode(const Model& start, Checks checks)
       Corner& own = corner(b, k);
       own = {from.corner(0, c),
              from.corner(1, c),
-             from.arm(0, c),
-             from.arm(1, c),
+             from.present_arm(c).x(),
+             from.present_arm(c).y(),
              0,
              none};
       own.box = box_of(own.x, own.y);

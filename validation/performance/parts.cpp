@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "dynamics/near_pairs.hpp"
+#include "dynamics/search/near_pairs.hpp"
 #include "dynamics/step.hpp"
 #include "generation.hpp"
 #include "kernels.hpp"

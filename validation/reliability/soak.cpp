@@ -40,7 +40,7 @@ class Soak : public blocks::long_run::Watch {
   }
 
   std::string row(long step, const Model& model,
-                  const blocks::dynamics::Displacement&) override {
+                  const blocks::dynamics::StepResult&) override {
     const double above = energy(model) - start_;
     highest_ = std::max(highest_, above);
     const auto way = moved(model.blocks, before_);

@@ -36,7 +36,7 @@ class Rest : public blocks::long_run::Watch {
   void start(const Model& model) override { before_ = model.blocks.corner; }
 
   std::string row(long step, const Model& model,
-                  const blocks::dynamics::Displacement& made) override {
+                  const blocks::dynamics::StepResult& made) override {
     energy_ = kinetic_energy(model.blocks);
     rounding_ = energy_of_rounding(model);
     drift_ = (model.blocks.corner - before_).colwise().norm().maxCoeff();

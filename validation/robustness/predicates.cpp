@@ -94,7 +94,8 @@ class Examination {
             [](K k) { return g::compare_depth(k.c, k.p1, k.p2, k.q1, k.q2); },
             g::batch::compare_depth(c_, p1_, p2_, q1_, q2_),
             [](K k) {
-              return f::sign(f::depth_difference(k.c, k.p1, k.p2, k.c, k.q1, k.q2).value);
+              return f::sign(
+                  f::depth_difference(k.c, k.p1, k.p2, k.c, k.q1, k.q2).value);
             });
   }
 

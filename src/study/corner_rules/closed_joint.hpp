@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "dynamics/pair_contacts.hpp"
+#include "dynamics/search/pair_index.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "study/corner_rules/place_in_block.hpp"
 
@@ -29,8 +29,8 @@ inline constexpr std::array joint_heights = {0.05, 0.3, 0.75, 0.97};
 
 class ClosedJoint {
  public:
-  ClosedJoint(const Blocks& blocks, const dynamics::PairContacts& all)
-      : blocks_(blocks), all_(all) {}
+  ClosedJoint(const Blocks& blocks, const dynamics::PairIndex& index)
+      : blocks_(blocks), index_(index) {}
 
   /// Not too deep below the edge for a joint to hide anything.
   bool shallow(int c, int edge) const {
@@ -156,7 +156,7 @@ class ClosedJoint {
     const int c = slide.c, own = blocks_.corner_block[slide.side];
     const Vec2 point = at(c) + way * slide.along;
     bool found = false;
-    all_.each_neighbour(blocks_.corner_block[c], [&](int third) {
+    index_.each_neighbour(blocks_.corner_block[c], [&](int third) {
       found = found ||
               (third != own && blocks_.convex[third] && near(point, third) &&
                has_surface(third, point, slide.along, slide.depth, std::abs(way)) &&
@@ -165,12 +165,12 @@ class ClosedJoint {
     return found;
   }
 
-  /// False only of points that are farther from the centroid than any corner: those of
-  /// a rigid block stay where they were when the pairs were found.
+  /// False only of points that are farther from the centroid than any corner.
   bool near(const Vec2& point, int block) const {
-    const double reach = all_.swing.longest[block];
-    return !all_.swing.rigid ||
-           (point - blocks_.centroid.col(block)).squaredNorm() <= 1.1 * reach * reach;
+    double reach = 0.0;
+    for (int c = blocks_.first_corner[block]; c < blocks_.first_corner[block + 1]; ++c)
+      reach = std::max(reach, blocks_.present_arm(c).squaredNorm());
+    return (point - blocks_.centroid.col(block)).squaredNorm() <= 1.1 * reach;
   }
 
   /// Whether the point is inside a block, and about as deep below an edge of it that
@@ -219,7 +219,7 @@ class ClosedJoint {
   }
 
   const Blocks& blocks_;
-  const dynamics::PairContacts& all_;
+  const dynamics::PairIndex& index_;
 };
 
 }  // namespace blocks::study::corner_rules

@@ -2,7 +2,7 @@
 // before the contact rule decided pairs of blocks. Exact, with slack.
 #pragma once
 
-#include "dynamics/pair_contacts.hpp"
+#include "dynamics/search/pair_index.hpp"
 #include "study/corner_rules/closed_joint.hpp"
 #include "study/corner_rules/place_in_block.hpp"
 
@@ -12,8 +12,8 @@ namespace blocks::study::corner_rules {
 /// corner's block.
 class CornerDecision {
  public:
-  CornerDecision(const Blocks& blocks, const dynamics::PairContacts& all)
-      : blocks_(blocks), place_(blocks), joint_(blocks, all) {}
+  CornerDecision(const Blocks& blocks, const dynamics::PairIndex& index)
+      : blocks_(blocks), place_(blocks), joint_(blocks, index) {}
 
   /// The edge of the block that acts on corner c, or -1: the admissible edge with the
   /// least depth, if the corner is inside it. Admissible: (20) holds for both tangents

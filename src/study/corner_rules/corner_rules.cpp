@@ -6,10 +6,11 @@
 
 namespace blocks::study {
 
-void CornerRules::decide(const Blocks& blocks, const dynamics::PairContacts& all, int p,
+void CornerRules::decide(const Blocks& blocks, const dynamics::BlockParts&,
+                         const dynamics::PairIndex& index, int p,
                          dynamics::PairScratch& scratch) {
-  const corner_rules::CornerDecision decision(blocks, all);
-  const auto [low, high, lane] = all.pairs[p];
+  const corner_rules::CornerDecision decision(blocks, index);
+  const auto [low, high] = index.pairs[p];
   scratch.found.clear();
   for (const auto& [own, other] : {std::pair(low, high), std::pair(high, low)})
     for (int c = blocks.first_corner[own]; c < blocks.first_corner[own + 1]; ++c) {

@@ -1,0 +1,130 @@
+#include "dynamics/contact_forces.hpp"
+
+#include <bit>
+
+#include "dynamics/contacts/contact_list.hpp"
+#include "dynamics/kernels/kernels.hpp"
+#include "dynamics/spring_transfer.hpp"
+#include "geometry/contact_predicates.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+ContactLaw law_of(const Settings& settings, double dt) {
+  return {settings.normal_stiffness, settings.shear_stiffness, settings.friction, dt};
+}
+
+/// Calls visit(slot) for each slot of a batch whose bit is set.
+template <class Visit>
+void each_marked(const ContactBatches& batches, int batch, LaneBits ContactBits::*marks,
+                 const Visit& visit) {
+  const BatchPairs& pairs = batches.pairs[batch];
+  for (int row = pairs.first_row; row < pairs.first_row + pairs.rows; ++row)
+    for (unsigned bits = batches.bits[row].*marks; bits != 0; bits &= bits - 1)
+      visit(row * lane_count + std::countr_zero(bits));
+}
+
+/// Decides exactly which contacts of a batch act where the kernel was in doubt.
+void settle_doubts(const Blocks& blocks, ContactBatches& batches, int batch) {
+  each_marked(batches, batch, &ContactBits::in_doubt, [&](int slot) {
+    const auto at = [&](PerLane<int> ContactRow::*which) {
+      return Vec2(blocks.corner.col(batches.at(slot, which)));
+    };
+    const Vec2 c = at(&ContactRow::corner), p1 = at(&ContactRow::edge),
+               p2 = at(&ContactRow::edge_end);
+    if (geometry::overlap_sign(c, p1, p2) > 0 && geometry::between(c, p1, p2))
+      return;
+    batches.set(slot, &ContactBits::touches, false);
+    if (!batches.is(slot, &ContactBits::starts))
+      batches.set(slot, &ContactBits::ends, true), batches.pairs[batch].ends = true;
+  });
+}
+
+/// Collects the springs of contacts of a batch that have ceased to act.
+void release_springs(const ContactArrays& arrays, int batch,
+                     std::vector<ReleasedSpring>& released) {
+  const ContactBatches& batches = arrays.batches;
+  each_marked(batches, batch, &ContactBits::ends, [&](int slot) {
+    if (const double normal = batches.at(slot, &SpringRow::normal_elastic);
+        normal > 0.0)
+      released.push_back({arrays.pair_of_lane[batch * lane_count + slot % lane_count],
+                          arrays.at(slot), normal,
+                          batches.at(slot, &SpringRow::shear_elastic)});
+  });
+}
+
+}  // namespace
+
+Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, double dt,
+                             const PairIndex& index, ContactArrays& arrays,
+                             bool transfers_springs, const WorkSplit& split,
+                             Workers& workers, ForceMemory& memory) {
+  const ContactLaw law = law_of(settings, dt);
+  const BlockState state = state_of(blocks);
+  ContactBatches& batches = arrays.batches;
+  const auto act = [&](int batch) {
+    return kernels().act(batches, state, law, settings.rigid, false, batch, batch + 1);
+  };
+  workers.each(split.batches, [&](int k, int begin, int end) {
+    ForceThread& thread = memory.threads[k];
+    thread.extremes.include(
+        kernels().touch_and_act(batches, state, law, settings.rigid, begin, end));
+    for (int batch = begin; batch < end; ++batch) {
+      if (batches.pairs[batch].in_doubt) {
+        settle_doubts(blocks, batches, batch);
+        thread.extremes.include(act(batch));
+      }
+      if (batches.pairs[batch].ends)
+        release_springs(arrays, batch, thread.released);
+    }
+  });
+  Extremes extremes;
+  for (ForceThread& thread : memory.threads) {
+    memory.released.insert(memory.released.end(), thread.released.begin(),
+                           thread.released.end());
+    thread.released.clear();
+    extremes.include(thread.extremes);
+    thread.extremes = {};
+  }
+  if (!transfers_springs)
+    memory.released.clear();
+  transfer_springs(blocks, index, arrays, settings.normal_stiffness, memory.released,
+                   memory.successors);
+  for (const int batch : memory.successors)
+    extremes.include(act(batch));
+  return extremes;
+}
+
+void read_contacts(Blocks& blocks, Contacts& list, const Settings& settings, double dt,
+                   const PairIndex& index, ContactArrays& arrays) {
+  ContactBatches& batches = arrays.batches;
+  if (settings.rigid)
+    blocks.applied.setZero();
+  kernels().act(batches, state_of(blocks), law_of(settings, dt), settings.rigid, true,
+                0, batches.batches());
+  write_list(arrays, list);
+  auto contact = list.acting.begin();
+  for (int p = 0; p < index.size(); ++p) {
+    arrays.each_slot(p, [&](int slot) {
+      if (!batches.is(slot, &ContactBits::touches))
+        return;
+      const int row = slot / lane_count, k = slot % lane_count;
+      const ReadingRow& reading = batches.readings[row];
+      contact->normal_elastic = batches.advanced[row].normal_elastic[k];
+      contact->shear_elastic = batches.advanced[row].shear_elastic[k];
+      contact->normal_force = reading.normal_force[k];
+      contact->shear_force = reading.shear_force[k];
+      contact->overlap = reading.overlap[k];
+      ++contact;
+    });
+    if (settings.rigid && arrays.lane_of_pair[p] >= 0) {
+      const PairStress& of = batches.stresses[arrays.lane_of_pair[p]];
+      for (int i = 0; i < 4; ++i) {
+        blocks.applied(i, index.pairs[p].low) += of.low[i];
+        blocks.applied(i, index.pairs[p].high) += of.high[i];
+      }
+    }
+  }
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,200 @@
+#include "dynamics/contacts/contact_arrays.hpp"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "dynamics/contacts/dashpot.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+auto as_pair(const CornerOnEdge& at) { return std::pair(at.corner, at.edge); }
+
+/// Contacts in ascending order of corner and edge, without springs.
+void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
+                   std::vector<PairContact>& sorted) {
+  sorted.clear();
+  for (const CornerOnEdge& at : found)
+    sorted.push_back({.at = at, .tested = tested, .certain = !tested});
+  std::sort(sorted.begin(), sorted.end(),
+            [](const PairContact& l, const PairContact& r) {
+              return as_pair(l.at) < as_pair(r.at);
+            });
+}
+
+}  // namespace
+
+void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const {
+  contacts.clear();
+  each_slot(p, [&](int slot) {
+    if (is_vacant(slot))
+      return;
+    const bool touches = batches.is(slot, &ContactBits::touches);
+    contacts.push_back({at(slot), batches.is(slot, &ContactBits::tested),
+                        batches.is(slot, &ContactBits::certain), touches,
+                        touches ? batches.at(slot, &SpringRow::normal_elastic) : 0.0,
+                        touches ? batches.at(slot, &SpringRow::shear_elastic) : 0.0});
+  });
+}
+
+void ContactArrays::take_out(ContactsOfPairs& all) const {
+  all.clear();
+  std::vector<PairContact> own;
+  for (int p = 0; p < static_cast<int>(lane_of_pair.size()); ++p)
+    if (contacts_of(p, own); !own.empty())
+      all.add(p, own);
+}
+
+void ContactArrays::require_slots(const ContactsOfPairs& some, bool grown) {
+  constexpr int contacts_of_two_faces = 4;
+  for (std::size_t k = 0; k < some.pair.size(); ++k) {
+    if (some.pair[k] < 0)
+      continue;
+    short& slots = slots_of_pair[some.pair[k]];
+    const int count = some.first[k + 1] - some.first[k];
+    // A pair that has outgrown its slots is likely to need more of them again.
+    const int wanted =
+        grown && slots > 0 ? std::max(count, contacts_of_two_faces) : count;
+    slots = static_cast<short>(std::max<int>(slots, wanted));
+  }
+}
+
+void ContactArrays::reserve(int pairs) {
+  int all_batches = 0, all_rows = 0;
+  each_window(pairs, [&](int begin, int end) {
+    int sum = 0, most = 0;
+    for (int p = begin; p < end; ++p)
+      sum += slots_of_pair[p], most = std::max<int>(most, slots_of_pair[p]);
+    all_batches += (end - begin + lane_count - 1) / lane_count;
+    all_rows += sum / lane_count + most + 1;
+  });
+  batches.reserve(all_batches, all_rows);
+}
+
+/// Pairs with equally many slots share a batch.
+void ContactArrays::make_window(const PairIndex& index, int begin, int end) {
+  std::array<std::pair<int, int>, pairs_of_window> order;  // -slots, pair
+  int count = 0;
+  for (int p = begin; p < end; ++p) {
+    lane_of_pair[p] = -1;
+    if (slots_of_pair[p] > 0)
+      order[count++] = {-slots_of_pair[p], p};
+  }
+  std::sort(order.begin(), order.begin() + count);
+  for (int i = 0; i < count; ++i) {
+    const int k = i % lane_count, p = order[i].second;
+    if (k == 0)
+      batches.add_batch(-order[i].first);
+    const int batch = batches.batches() - 1;
+    batches.pairs[batch].low[k] = index.pairs[p].low;
+    batches.pairs[batch].high[k] = index.pairs[p].high;
+    lane_of_pair[p] = batch * lane_count + k;
+    pair_of_lane.resize(static_cast<std::size_t>(batch + 1) * lane_count, -1);
+    pair_of_lane[lane_of_pair[p]] = p;
+  }
+  first_batch.push_back(batches.batches());
+}
+
+void ContactArrays::make(const Blocks& blocks, const Settings& settings,
+                         const PairIndex& index, const ContactsOfPairs& kept,
+                         const ContactsOfPairs& grown) {
+  const int pairs = index.size();
+  lane_of_pair.resize(static_cast<std::size_t>(pairs));
+  require_slots(kept, false);
+  require_slots(grown, true);
+  batches.clear();
+  reserve(pairs);
+  pair_of_lane.clear();
+  first_batch.assign(1, 0);
+  each_window(pairs, [&](int begin, int end) { make_window(index, begin, end); });
+  for (int batch = 0; batch < batches.batches(); ++batch) {
+    BatchPairs& two = batches.pairs[batch];
+    for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
+      two.damping[k] = contact_damping(settings, blocks, two.low[k], two.high[k]);
+  }
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < kept.pair.size(); ++k) {
+    while (next < grown.pair.size() && grown.pair[next] < kept.pair[k])
+      ++next;
+    const bool replaced = next < grown.pair.size() && grown.pair[next] == kept.pair[k];
+    if (kept.pair[k] >= 0 && !replaced)
+      fill_slots(blocks, index, kept, k);
+  }
+  for (std::size_t k = 0; k < grown.pair.size(); ++k)
+    fill_slots(blocks, index, grown, k);
+  lows.make(blocks.size(), index.pairs, lane_of_pair, &NearPair::low);
+  highs.make(blocks.size(), index.pairs, lane_of_pair, &NearPair::high);
+}
+
+void ContactArrays::fill_slots(const Blocks& blocks, const PairIndex& index,
+                               const ContactsOfPairs& some, std::size_t k) {
+  const int p = some.pair[k];
+  int i = some.first[k];
+  each_slot(p, [&](int slot) {
+    if (i < some.first[k + 1])
+      fill_slot(blocks, index.pairs[p].low, slot, some.all[i++]);
+  });
+}
+
+void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
+                              const PairContact& contact) {
+  const bool vacant = contact.at.corner < 0;
+  const int row = slot / lane_count, k = slot % lane_count;
+  ContactRow& to = batches.contacts[row];
+  to.corner[k] = vacant ? 0 : contact.at.corner;
+  to.edge[k] = vacant ? 0 : contact.at.edge;
+  to.edge_end[k] = vacant ? 0 : blocks.next[contact.at.edge];
+  batches.set(slot, &ContactBits::flips,
+              !vacant && blocks.corner_block[contact.at.edge] == low);
+  batches.set(slot, &ContactBits::tested, contact.tested);
+  batches.set(slot, &ContactBits::certain, contact.certain);
+  batches.set(slot, &ContactBits::touches, contact.touches);
+  batches.set(slot, &ContactBits::starts, false);
+  batches.springs[row].normal_elastic[k] = contact.normal;
+  batches.springs[row].shear_elastic[k] = contact.shear;
+}
+
+void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
+                           const std::vector<CornerOnEdge>& found, bool tested,
+                           ContactChanges& changes) {
+  std::vector<PairContact>& now = changes.now;
+  sort_contacts(found, tested, now);
+  bool same = true;
+  std::size_t slots = 0;
+  each_slot(p, [&](int slot) {
+    same = same && (slots < now.size() ? at(slot) == now[slots].at : is_vacant(slot));
+    ++slots;
+  });
+  const bool fits = now.size() <= slots;
+  std::size_t k = 0;
+  if (same && fits) {
+    each_slot(p, [&](int slot) {
+      batches.set(slot, &ContactBits::tested, tested && k < now.size());
+      batches.set(slot, &ContactBits::certain, !tested && k < now.size());
+      ++k;
+    });
+    return;
+  }
+  contacts_of(p, changes.before);
+  auto next = now.begin();
+  for (const PairContact& old : changes.before) {
+    while (next != now.end() && as_pair(next->at) < as_pair(old.at))
+      ++next;
+    if (next != now.end() && next->at == old.at)
+      next->touches = old.touches, next->normal = old.normal, next->shear = old.shear;
+    else if (old.normal > 0.0)
+      changes.released.push_back({p, old.at, old.normal, old.shear});
+  }
+  if (!fits) {
+    changes.grown.add(p, now);
+    return;
+  }
+  each_slot(p, [&](int slot) {
+    fill_slot(blocks, index.pairs[p].low, slot,
+              k < now.size() ? now[k] : PairContact{});
+    ++k;
+  });
+}
+
+}  // namespace blocks::dynamics

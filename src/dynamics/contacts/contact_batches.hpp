@@ -1,0 +1,58 @@
+// The memory of all batches of contacts.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "dynamics/kernels/contact_batch.hpp"
+
+namespace blocks::dynamics {
+
+/// Batches, their rows, and the memory of both. Pair k of a batch has lane number
+/// 8 batch + k. Its contact in a row has slot number 8 row + k.
+class ContactBatches : public BatchArrays {
+ public:
+  int batches() const { return batches_; }
+  int rows() const { return rows_; }
+  /// Reserves memory, which is not touched before it is used.
+  void reserve(int batches, int rows);
+  /// Removes all batches.
+  void clear() { batches_ = rows_ = 0; }
+  /// Adds a batch with idle lanes and vacant slots, and returns its number.
+  int add_batch(int rows);
+
+  /// Makes the springs at the end of the step those at the start of the next.
+  void advance_springs() { std::swap(springs, advanced); }
+
+  /// A number of one lane or slot: at(slot, &ContactRow::corner).
+  template <class Part, class Number>
+  Number& at(int i, PerLane<Number> Part::*row) const {
+    return (part(static_cast<Part*>(nullptr))[i / lane_count].*row)[i % lane_count];
+  }
+  /// A bit of one slot.
+  bool is(int slot, LaneBits ContactBits::*which) const {
+    return (bits[slot / lane_count].*which >> slot % lane_count & 1U) != 0;
+  }
+  void set(int slot, LaneBits ContactBits::*which, bool yes) {
+    LaneBits& all = bits[slot / lane_count].*which;
+    const unsigned bit = 1U << slot % lane_count;
+    all = static_cast<LaneBits>(yes ? all | bit : all & ~bit);
+  }
+
+ private:
+  BatchPairs* part(BatchPairs*) const { return pairs; }
+  ContactRow* part(ContactRow*) const { return contacts; }
+  SpringRow* part(SpringRow*) const { return springs; }
+
+  int batches_ = 0, rows_ = 0;
+  int room_for_batches_ = 0, room_for_rows_ = 0;
+  std::unique_ptr<BatchPairs[]> own_pairs_;
+  std::unique_ptr<PairForce[]> own_forces_;
+  std::unique_ptr<PairStress[]> own_stresses_;
+  std::unique_ptr<ContactRow[]> own_contacts_;
+  std::unique_ptr<ContactBits[]> own_bits_;
+  std::unique_ptr<SpringRow[]> own_springs_, own_advanced_;
+  std::unique_ptr<ReadingRow[]> own_readings_;
+};
+
+}  // namespace blocks::dynamics

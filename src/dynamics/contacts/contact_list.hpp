@@ -1,0 +1,17 @@
+// Contacts between the arrays of a step and the list of the model (Model::contacts).
+#pragma once
+
+#include "dynamics/contacts/contact_arrays.hpp"
+#include "model/contacts.hpp"
+
+namespace blocks::dynamics {
+
+/// Reads the contacts that act from the list, for these pairs, which hold all of them.
+void read_list(const Blocks& blocks, const Contacts& list, const PairIndex& index,
+               ContactsOfPairs& all);
+
+/// Writes the contacts that act to the list, in the order of the pairs, with their
+/// springs. Forces and overlaps are 0.
+void write_list(const ContactArrays& arrays, Contacts& list);
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,52 @@
+// Pairs of blocks certain eight at a time (facing_lanes.hpp), where that is certain,
+// and for how long (docs/contact-rule.md#kept-decisions).
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "dynamics/decisions/decisions.hpp"
+#include "dynamics/kernels/face_kernel.hpp"
+#include "dynamics/rules/closed_joints.hpp"
+#include "dynamics/rules/pair_rule.hpp"
+#include "model/blocks.hpp"
+
+namespace blocks::dynamics {
+
+/// What is certain of a pair.
+struct CertainDecision {
+  /// The contacts that may act; each does if its corner is inside its edge (19) and
+  /// between its ends.
+  std::vector<CornerOnEdge> contacts;
+  /// [L] The ways of the two blocks may grow by so much together; 0: in doubt.
+  double room = 0.0;
+  /// [L] Likewise those of all their neighbours; infinite: these do not count.
+  double room_of_neighbours = std::numeric_limits<double>::infinity();
+};
+
+/// Decides some pairs. Working memory of one thread.
+class CertainDecisions {
+ public:
+  /// Finds what is certain of the pairs that are due, for steps of dt.
+  void find(const Blocks& blocks, const PairIndex& index, const Decisions& decisions,
+            const std::vector<int>& due, double dt);
+  /// The decision of due pair k.
+  const CertainDecision& operator[](std::size_t k) const { return decisions_[k]; }
+
+ private:
+  /// Two parts of the blocks of due pair `of`.
+  struct Parts {
+    int of, part[2];
+  };
+  void decide_lanes(const Blocks& blocks, const PairIndex& index,
+                    const Decisions& decisions, const std::vector<int>& due,
+                    std::size_t first, double dt);
+
+  std::vector<CertainDecision> decisions_;
+  std::vector<Parts> parts_;
+  PartPairs lanes_;
+  FacingAnswers answers_;
+  JointScratch scratch_;
+};
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,130 @@
+// Which contacts of each pair may act, and for how long that holds: the second call of
+// a step.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "dynamics/contacts/contact_arrays.hpp"
+#include "dynamics/decisions/certain_decisions.hpp"
+#include "dynamics/decisions/decisions.hpp"
+#include "dynamics/rules/pair_rule.hpp"
+#include "dynamics/support/work_split.hpp"
+#include "dynamics/support/workers.hpp"
+#include "geometry/contact_predicates.hpp"
+
+namespace blocks::dynamics {
+
+/// The contact rule of every run. `blocks study` replaces it by classes with the same
+/// members.
+struct ContactRules {
+  /// Decisions are kept while they are certain to hold (certain_decisions.hpp). If
+  /// false, every pair is decided in every step.
+  static constexpr bool keeps_decisions = true;
+  /// The springs of contacts that cease to act pass to others.
+  static constexpr bool transfers_springs = true;
+
+  /// Finds which contacts of pair p act: scratch.found.
+  static void decide(const Blocks& blocks, const BlockParts& parts,
+                     const PairIndex& index, int p, PairScratch& scratch) {
+    decide_exactly<ExactPredicates>(blocks, parts, index, p, scratch);
+  }
+
+  /// The contact rule with these predicates.
+  template <class Predicates>
+  static void decide_exactly(const Blocks& blocks, const BlockParts& parts,
+                             const PairIndex& index, int p, PairScratch& scratch) {
+    const Neighbours neighbours{index};
+    PairRule<Predicates, Neighbours> rule(blocks, parts, neighbours, scratch);
+    rule.decide(index.pairs[p].low, index.pairs[p].high);
+  }
+};
+
+/// What one thread needs and finds.
+struct DecisionThread {
+  std::vector<int> due;  ///< pairs whose decisions have ended
+  CertainDecisions certain;
+  PairScratch scratch;
+  ContactChanges changes;
+  unsigned long long exact_calls = 0;  ///< questions left to exact arithmetic
+};
+
+/// Working memory of decide_contacts.
+struct DecisionMemory {
+  std::vector<DecisionThread> threads;
+  ContactsOfPairs grown;  ///< pairs that have outgrown their slots, in order
+  ContactsOfPairs kept;   ///< all contacts while the arrays are made again
+};
+
+/// Decides the due pairs of a thread: until blocks have moved by some room, or for this
+/// step alone.
+template <class Rules>
+void decide_due(const Rules& rules, const Blocks& blocks, const PairIndex& index,
+                Decisions& decisions, ContactArrays& arrays, double dt,
+                DecisionThread& thread) {
+  if (Rules::keeps_decisions)
+    thread.certain.find(blocks, index, decisions, thread.due, dt);
+  for (std::size_t k = 0; k < thread.due.size(); ++k) {
+    const int p = thread.due[k];
+    if (Rules::keeps_decisions && thread.certain[k].room > 0.0) {
+      const CertainDecision& decision = thread.certain[k];
+      decisions.keep(blocks, index, p, {decision.room, decision.room_of_neighbours});
+      arrays.assign(blocks, index, p, decision.contacts, true, thread.changes);
+    } else {
+      rules.decide(blocks, decisions.parts, index, p, thread.scratch);
+      arrays.assign(blocks, index, p, thread.scratch.found, false, thread.changes);
+      decisions.limits[p] = {}, decisions.next_check[p] = 0.0;
+    }
+  }
+}
+
+/// Finds those of the pairs begin .. end - 1 whose decisions have ended.
+template <class Rules>
+void find_due(const Blocks& blocks, const PairIndex& index, Decisions& decisions,
+              int begin, int end, std::vector<int>& due) {
+  const double most = decisions.bounds.most;
+  due.clear();
+  for (int p = begin; p < end; ++p) {
+    if (Rules::keeps_decisions && most < decisions.next_check[p])
+      continue;
+    const double left =
+        Rules::keeps_decisions ? decisions.left_of(blocks, index, p) : 0.0;
+    if (left > 0.0)
+      decisions.next_check[p] = most + left;
+    else
+      due.push_back(p);
+  }
+}
+
+/// Joins what the threads found: pairs that have outgrown their slots, in order, and
+/// released springs.
+void join_changes(DecisionMemory& memory, std::vector<ReleasedSpring>& released);
+
+/// Decides the pairs whose decisions have ended, and assigns their contacts to slots.
+/// Reads blocks and motion bounds; writes decisions and arrays. Springs of contacts
+/// that are gone are added to `released`, in any order.
+template <class Rules>
+void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& settings,
+                     double dt, const PairIndex& index, Decisions& decisions,
+                     ContactArrays& arrays, WorkSplit& split, Workers& workers,
+                     DecisionMemory& memory, std::vector<ReleasedSpring>& released) {
+  decisions.renew_phase(blocks, index);
+  // No other thread writes to the batches of a window.
+  workers.each(split.windows, [&](int k, int begin, int end) {
+    DecisionThread& thread = memory.threads[k];
+    const unsigned long long before = geometry::exact::calls();
+    find_due<Rules>(blocks, index, decisions, begin * pairs_of_window,
+                    std::min(index.size(), end * pairs_of_window), thread.due);
+    decide_due(rules, blocks, index, decisions, arrays, dt, thread);
+    thread.exact_calls += geometry::exact::calls() - before;
+  });
+  join_changes(memory, released);
+  if (memory.grown.pair.empty())
+    return;
+  arrays.take_out(memory.kept);
+  arrays.make(blocks, settings, index, memory.kept, memory.grown);
+  split.split_batches(arrays.first_batch);
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,45 @@
+// How long the decision of each pair of blocks holds
+// (docs/contact-rule.md#kept-decisions). Working state, without influence on results.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/decisions/motion_bounds.hpp"
+#include "dynamics/rules/block_parts.hpp"
+#include "dynamics/search/pair_index.hpp"
+
+namespace blocks::dynamics {
+
+/// The motion that matters to the decision of a pair, or limits of it, [L].
+struct PairMotion {
+  double two = 0.0;         ///< of its blocks against each other
+  double neighbours = 0.0;  ///< of their neighbours against them, both included
+};
+
+struct Decisions {
+  BlockParts parts;
+  MotionBounds bounds;
+  /// (pairs) The decision of a pair holds while its motion is below these limits.
+  /// Infinite: neighbours do not matter.
+  std::vector<PairMotion> limits;
+  /// (pairs) [L] The decision holds while MotionBounds::most is less.
+  std::vector<double> next_check;
+
+  /// Forgets all decisions and begins a phase.
+  void forget(const Blocks& blocks, int pairs);
+  /// Begins a phase, if the present one has become too long, and keeps the decisions.
+  void renew_phase(const Blocks& blocks, const PairIndex& index);
+
+  /// The net motion of pair p since the beginning of the phase, [L]. Without
+  /// `neighbours` only that of its two blocks.
+  PairMotion motion_of(const Blocks& blocks, const PairIndex& index, int p,
+                       bool neighbours) const;
+  /// By how much MotionBounds::most may grow before the decision of pair p may end,
+  /// [L]. If it is not positive, the decision has ended.
+  double left_of(const Blocks& blocks, const PairIndex& index, int p) const;
+  /// The decision of pair p, made now, holds for motions less than these.
+  void keep(const Blocks& blocks, const PairIndex& index, int p,
+            const PairMotion& room);
+};
+
+}  // namespace blocks::dynamics

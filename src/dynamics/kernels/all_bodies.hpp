@@ -1,0 +1,22 @@
+// All kernels for one instruction set. The including file defines the namespace,
+// BLOCKS_INSTRUCTION_SET, and the numbers in a register, BLOCKS_LANES_AT_ONCE.
+#include "dynamics/kernels/contact_kernel_body.hpp"
+#include "dynamics/kernels/face_kernel_body.hpp"
+#include "dynamics/kernels/kernels.hpp"
+#include "dynamics/kernels/motion_kernel_body.hpp"
+
+#define BLOCKS_STRING(name) #name
+#define BLOCKS_NAME_OF(name) BLOCKS_STRING(name)
+
+namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
+
+extern const Kernels kernels;
+constinit const Kernels kernels = {BLOCKS_NAME_OF(BLOCKS_INSTRUCTION_SET),
+                                   touch_and_act,
+                                   act,
+                                   find_faces,
+                                   update_velocities,
+                                   update_strain,
+                                   move};
+
+}  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

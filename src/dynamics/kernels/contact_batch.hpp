@@ -1,0 +1,89 @@
+// Contacts as the kernels see them: a batch is eight pairs of blocks, one pair to a
+// SIMD lane. The contacts of a pair are in the rows of its batch, in its lane.
+#pragma once
+
+#include <cstdint>
+
+namespace blocks::dynamics {
+
+/// Lanes of a batch: one register of AVX-512, two of AVX2.
+inline constexpr int lane_count = 8;
+
+/// One bit for each lane of a batch: bit k belongs to lane k.
+using LaneBits = std::uint8_t;
+/// One number for each lane of a batch.
+template <class Number> using PerLane = Number[lane_count];
+
+/// The pairs of a batch. Idle lanes have low = high.
+struct alignas(64) BatchPairs {
+  PerLane<int> low, high;   ///< the two blocks, the lower number first
+  PerLane<double> damping;  ///< [F T/L] C of (18), the same for all contacts of a pair
+  int first_row, rows;      ///< the contacts of the batch
+  bool ends;                ///< a contact of the batch has ceased to act in this step
+  bool in_doubt;            ///< the kernel left a sign of the batch undecided
+};
+
+/// One contact of each pair of a batch: corner numbers of the model. A contact whose
+/// corner equals its edge is vacant.
+struct ContactRow {
+  PerLane<int> corner, edge, edge_end;
+};
+/// What is known of the contacts of a row.
+struct ContactBits {
+  // How it is known whether a contact acts. With neither bit it does not act.
+  LaneBits tested;   ///< it acts if its corner is inside (19) and between the ends
+  LaneBits certain;  ///< it acts: the exact rule decided this step
+  // What the kernel finds in each step.
+  LaneBits touches;   ///< it acts in this step
+  LaneBits starts;    ///< it did not act in the step before, or has taken over a spring
+  LaneBits ends;      ///< it acted in the step before and does not act now
+  LaneBits in_doubt;  ///< taken as acting, but a sign is too near zero for doubles
+  LaneBits flips;     ///< the edge belongs to the low block
+};
+/// The springs of the contacts of a row, kept from step to step.
+struct alignas(64) SpringRow {
+  PerLane<double> normal_elastic, shear_elastic;  ///< [F]
+};
+/// What the contacts of a pair do to its two blocks in a step.
+struct alignas(32) PairForce {
+  double fx, fy;                   ///< [F] on the low block
+  double moment_low, moment_high;  ///< [F L] about the two centroids
+};
+/// Sums of f_i x_j in the order 11, 12, 21, 22, arms from the two centroids, [F L].
+struct alignas(64) PairStress {
+  double low[4], high[4];
+};
+/// What only readers of the model need.
+struct alignas(64) ReadingRow {
+  PerLane<double> overlap;                    ///< [L] >= 0
+  PerLane<double> normal_force, shear_force;  ///< [F] 0 where the contact does not act
+};
+
+/// The arrays of all batches. The memory belongs to ContactBatches.
+struct BatchArrays {
+  BatchPairs* pairs = nullptr;     ///< (batches)
+  PairForce* forces = nullptr;     ///< (batches * lane_count)
+  PairStress* stresses = nullptr;  ///< (batches * lane_count) rigid: for readers only
+  ContactRow* contacts = nullptr;  ///< (rows)
+  ContactBits* bits = nullptr;     ///< (rows)
+  SpringRow* springs = nullptr;    ///< (rows) at the start of the step
+  SpringRow* advanced = nullptr;   ///< (rows) at its end
+  ReadingRow* readings = nullptr;  ///< (rows) for readers only
+};
+
+/// The largest values over the contacts that act in a step.
+struct Extremes {
+  double overlap = 0.0;  ///< [L]
+  double spring = 0.0;   ///< [F] elastic normal force
+  void include(const Extremes& other) {
+    overlap = other.overlap > overlap ? other.overlap : overlap;
+    spring = other.spring > spring ? other.spring : spring;
+  }
+};
+
+/// The columns of Blocks that contacts are computed from.
+struct BlockState {
+  const double *corner, *centroid, *velocity, *spin, *strain_rate;
+};
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,288 @@
+// The computations of contact_batch.hpp. Included once for each instruction set, in a
+// namespace of its own; calls nothing that is not compiled here.
+#include "dynamics/kernels/contact_batch.hpp"
+#include "dynamics/kernels/contact_law.hpp"
+#include "dynamics/kernels/simd_lanes.hpp"
+#include "geometry/contact_slack.hpp"
+
+namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
+namespace {
+
+/// Corners against edges: 2A of (19), filter::overlap and filter::between of
+/// geometry/contact_predicates.hpp.
+struct Sides {
+  Pack xc, yc, ex, ey, cx, cy, plus, minus, value, square;
+
+  BLOCKS_INLINE Sides(const ContactRow& contacts, const BlockState& blocks, int i) {
+    const Point c = gather_point<2>(blocks.corner, contacts.corner + i);
+    const Point p1 = gather_point<2>(blocks.corner, contacts.edge + i);
+    const Point p2 = gather_point<2>(blocks.corner, contacts.edge_end + i);
+    xc = c[0], yc = c[1];
+    ex = p2[0] - p1[0], ey = p2[1] - p1[1];
+    cx = xc - p1[0], cy = yc - p1[1];
+    plus = cx * ey, minus = cy * ex;
+    value = plus - minus;
+    square = ex * ex + ey * ey;
+  }
+  /// How far the corner is between the ends, with slack, [L^2].
+  BLOCKS_INLINE Pack between(Pack& bound) const {
+    const Pack x = cx * ex, y = cy * ey, foot = x + y,
+               room = geometry::contact_slack * square;
+    bound = 0x1p-50 * ((absolute(x) + absolute(y)) + square) + 0x1p-1000;
+    const Pack from = foot + room, to = (square - foot) + room;
+    return from < to ? from : to;
+  }
+  BLOCKS_INLINE Pack bound() const {
+    return 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
+  }
+  /// 2A is 0, for a factor of either product is: of bricks that touch as they were
+  /// made.
+  BLOCKS_INLINE Bits tie() const {
+    return (zero(cx) | zero(ey)) & (zero(cy) | zero(ex));
+  }
+};
+
+/// The bits of the lanes from i on, and how they are put back.
+BLOCKS_INLINE Bits load(LaneBits bits, int i) { return bits >> i & every; }
+BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
+  bits = static_cast<LaneBits>((bits & ~(every << i)) | part << i);
+}
+
+/// Which lanes touch. A sign in doubt is taken to, and marked.
+BLOCKS_INLINE void find_touching(ContactBits& row, const Sides& sides, int i) {
+  const Pack bound = sides.bound();
+  const Bits tested = load(row.tested, i), before = load(row.touches, i);
+  Bits inside = ~less(sides.value, -bound);
+  Bits open = tested & inside & ~less(bound, sides.value);
+  if (open != 0) {
+    const Bits tie = sides.tie();
+    inside &= ~tie, open &= ~tie;
+  }
+  Pack error;
+  const Pack between = sides.between(error);
+  inside &= ~less(between, -error);
+  open &= inside;
+  open |= tested & inside & ~less(error, between);
+  const Bits touch = load(row.certain, i) | (tested & inside);
+  store(row.touches, i, touch);
+  store(row.starts, i, touch & ~before);
+  store(row.ends, i, before & ~touch);
+  store(row.in_doubt, i, open);
+}
+
+/// Two blocks of each lane: where they are, and how the high one sees the low one move.
+template <bool rigid> struct Pairs {
+  Pack low_x, low_y, high_x, high_y;  ///< centroids
+  Pack vx, vy;                        ///< relative velocity at the low one
+  Pack g11, g12, g21, g22;  ///< how it changes with the place; rigid: g21 = -g12 only
+
+  BLOCKS_INLINE Pairs(const BatchPairs& pairs, const BlockState& blocks, int i) {
+    const int *const a = pairs.low + i, *const b = pairs.high + i;
+    const Point low = gather_point<2>(blocks.centroid, a);
+    const Point high = gather_point<2>(blocks.centroid, b);
+    const Point va = gather_point<2>(blocks.velocity, a);
+    const Point vb = gather_point<2>(blocks.velocity, b);
+    const Pack spin_a = gather(blocks.spin, a), spin_b = gather(blocks.spin, b);
+    low_x = low[0], low_y = low[1], high_x = high[0], high_y = high[1];
+    const Pack x = low_x - high_x, y = low_y - high_y;
+    vx = va[0] - (vb[0] - spin_b * y), vy = va[1] - (vb[1] + spin_b * x);
+    g21 = spin_a - spin_b, g12 = -g21;
+    if constexpr (!rigid) {
+      const double* const rate = blocks.strain_rate;
+      const Point a1 = gather_point<4>(rate, a, 0), a2 = gather_point<4>(rate, a, 2);
+      const Point b1 = gather_point<4>(rate, b, 0), b2 = gather_point<4>(rate, b, 2);
+      vx -= b1[0] * x + b1[1] * y, vy -= b2[0] * x + b2[1] * y;
+      g11 = a1[0] - b1[0], g12 += a1[1] - b1[1];
+      g21 += a2[0] - b2[0], g22 = a2[1] - b2[1];
+    }
+  }
+  /// Relative velocity (14) at an arm from the low block's centroid.
+  BLOCKS_INLINE Point velocity(Pack x, Pack y) const {
+    if constexpr (rigid)
+      return {vx + g12 * y, vy + g21 * x};
+    else
+      return {vx + (g11 * x + g12 * y), vy + (g21 * x + g22 * y)};
+  }
+};
+
+/// Deepest overlap and strongest spring, lane by lane.
+struct Most {
+  Pack overlap = {}, spring = {};
+  BLOCKS_INLINE void include(Pack depth, Pack force) {
+    overlap = depth > overlap ? depth : overlap;
+    spring = force > spring ? force : spring;
+  }
+};
+
+/// a. A contact as geometry: the corner, the frame of the edge, the overlap.
+struct Frame {
+  Pack x, y;     ///< the corner
+  Pack tx, ty;   ///< unit tangent, turned where the force on the low block is that on
+                 ///< the edge
+  Pack overlap;  ///< its sign is certain exactly; rounded, a tiny depth may come out
+                 ///< below zero
+};
+
+/// find: false: what touches is known.
+template <bool find>
+BLOCKS_INLINE Frame frame_of(const ContactRow& contacts, ContactBits& row,
+                             const BlockState& blocks, int i) {
+  const Sides sides(contacts, blocks, i);
+  if constexpr (find)
+    find_touching(row, sides, i);
+  const Pack per_length = 1.0 / root(sides.square);
+  const Pack depth = sides.value * per_length;
+  const Pack turned = where(choice_of(load(row.flips, i)), -per_length, per_length);
+  return {sides.xc, sides.yc, sides.ex * turned, sides.ey * turned,
+          depth > 0.0 ? depth : Pack{}};
+}
+
+/// What the contacts of a pair come to, summed row by row.
+template <bool stresses> struct Sums {
+  Pack x = {}, y = {}, moment_low = {}, moment_high = {};
+  Pack low[stresses ? 4 : 1] = {}, high[stresses ? 4 : 1] = {};
+
+  /// A force on the low block at arms from both centroids.
+  BLOCKS_INLINE void add(Pack fx, Pack fy, Pack low_x, Pack low_y, Pack high_x,
+                         Pack high_y) {
+    x += fx, y += fy;
+    moment_low += low_x * fy - low_y * fx, moment_high += high_y * fx - high_x * fy;
+    if constexpr (stresses) {
+      low[0] += fx * low_x, high[0] -= fx * high_x;
+      low[1] += fx * low_y, high[1] -= fx * high_y;
+      low[2] += fy * low_x, high[2] -= fy * high_x;
+      low[3] += fy * low_y, high[3] -= fy * high_y;
+    }
+  }
+};
+
+/// b.-e. of row s.
+template <bool rigid, bool readings, class Sums>
+BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& two,
+                           const Frame& at, Pack damping, const ContactLaw& law, int i,
+                           Sums& sums, Most& most) {
+  const ContactBits& row = batches.bits[s];
+  const Choice acts = choice_of(load(row.touches, i));
+  const Bits starts = load(row.starts, i);
+  const Pack nx = -at.ty, ny = at.tx;
+  const Pack x = at.x - two.low_x, y = at.y - two.low_y;
+  const Point v = two.velocity(x, y);
+  const Pack vx = v[0], vy = v[1];
+
+  // b.-d.
+  const SpringRow& springs = batches.springs[s];
+  Pack normal_elastic = load(springs.normal_elastic, i);
+  Pack shear_elastic = load(springs.shear_elastic, i);
+  Pack normal, shear;
+  const Pack closing = -(vx * nx + vy * ny), sliding = vx * at.tx + vy * at.ty;
+  if (starts != 0)
+    apply(law, normal_elastic, shear_elastic, closing, sliding, at.overlap, damping,
+          where(choice_of(starts), all_of(1.0)), normal, shear);
+  else
+    apply<false>(law, normal_elastic, shear_elastic, closing, sliding, at.overlap,
+                 damping, Pack{}, normal, shear);
+  normal_elastic = where(acts, normal_elastic);
+  SpringRow& advanced = batches.advanced[s];
+  store(advanced.normal_elastic, i, normal_elastic);
+  store(advanced.shear_elastic, i, where(acts, shear_elastic));
+  const Pack reached = where(acts, at.overlap);
+  most.include(reached, normal_elastic);
+
+  // e. equal and opposite at one point
+  const Pack fx = where(acts, normal * nx - shear * at.tx);
+  const Pack fy = where(acts, normal * ny - shear * at.ty);
+  sums.add(fx, fy, x, y, at.x - two.high_x, at.y - two.high_y);
+  if constexpr (readings) {
+    ReadingRow& read = batches.readings[s];
+    store(read.overlap, i, reached);
+    store(read.normal_force, i, where(acts, normal));
+    store(read.shear_force, i, where(acts, shear));
+  }
+}
+
+template <bool find, bool rigid, bool readings>
+BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
+                             const BlockState& blocks, const ContactLaw& law, int i) {
+  constexpr bool stresses = readings || !rigid;
+  const BatchPairs& pairs = batches.pairs[batch];
+  const Pairs<rigid> two(pairs, blocks, i);
+  const Pack damping = load(pairs.damping, i);
+  Sums<stresses> sums;
+  Most most;
+  // Some frames before what acts in them: a root and a division take long, those of
+  // several rows not much longer.
+  constexpr int at_once = 4;
+  Frame frames[at_once];
+  const int end = pairs.first_row + pairs.rows;
+  for (int first = pairs.first_row; first < end; first += at_once) {
+    const int last = first + at_once < end ? first + at_once : end;
+    for (int s = first; s < last; ++s)
+      frames[s - first] =
+          frame_of<find>(batches.contacts[s], batches.bits[s], blocks, i);
+    for (int s = first; s < last; ++s)
+      act_row<rigid, readings>(batches, s, two, frames[s - first], damping, law, i,
+                               sums, most);
+  }
+  PairForce* const forces = batches.forces + batch * lane_count + i;
+  store_point(&forces->fx, 4, sums.x, sums.y);
+  store_point(&forces->moment_low, 4, sums.moment_low, sums.moment_high);
+  if constexpr (stresses) {
+    PairStress* const of = batches.stresses + batch * lane_count + i;
+    for (int k = 0; k < 4; k += 2) {
+      store_point(&of->low[k], 8, sums.low[k], sums.low[k + 1]);
+      store_point(&of->high[k], 8, sums.high[k], sums.high[k + 1]);
+    }
+  }
+  return most;
+}
+
+template <bool find, bool rigid, bool readings>
+Extremes act_batches(const BatchArrays& batches, const BlockState& blocks,
+                     const ContactLaw& law, int first, int last) {
+  Most all;
+  for (int batch = first; batch < last; ++batch) {
+    Most most;
+    for (int i = 0; i < lane_count; i += width) {
+      const Most part =
+          act_batch<find, rigid, readings>(batches, batch, blocks, law, i);
+      most.include(part.overlap, part.spring);
+    }
+    if constexpr (find) {
+      BatchPairs& pairs = batches.pairs[batch];
+      LaneBits ends = 0, in_doubt = 0;
+      for (int s = pairs.first_row; s < pairs.first_row + pairs.rows; ++s)
+        ends |= batches.bits[s].ends, in_doubt |= batches.bits[s].in_doubt;
+      pairs.ends = ends != 0, pairs.in_doubt = in_doubt != 0;
+      if (pairs.in_doubt)
+        continue;
+    }
+    all.include(most.overlap, most.spring);
+  }
+  Extremes extremes = {0.0, 0.0};
+  for (int k = 0; k < width; ++k) {
+    extremes.overlap =
+        all.overlap[k] > extremes.overlap ? all.overlap[k] : extremes.overlap;
+    extremes.spring = all.spring[k] > extremes.spring ? all.spring[k] : extremes.spring;
+  }
+  return extremes;
+}
+
+}  // namespace
+
+Extremes touch_and_act(const BatchArrays& batches, const BlockState& blocks,
+                       const ContactLaw& law, bool rigid, int first, int last) {
+  const auto all =
+      rigid ? act_batches<true, true, false> : act_batches<true, false, false>;
+  return all(batches, blocks, law, first, last);
+}
+
+Extremes act(const BatchArrays& batches, const BlockState& blocks,
+             const ContactLaw& law, bool rigid, bool readings, int first, int last) {
+  const auto all = rigid      ? readings ? act_batches<false, true, true>
+                                         : act_batches<false, true, false>
+                        : readings ? act_batches<false, false, true>
+                              : act_batches<false, false, false>;
+  return all(batches, blocks, law, first, last);
+}
+
+}  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

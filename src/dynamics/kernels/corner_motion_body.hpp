@@ -1,0 +1,150 @@
+// Corners of blocks for block_motion_body.hpp: a register holds x, y of a few corners
+// as they stand in the memory.
+#pragma once
+
+#include "dynamics/kernels/motion_kernel.hpp"
+#include "dynamics/kernels/simd.hpp"
+
+namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
+namespace {
+
+template <class Number> BLOCKS_INLINE Number* at_corner(Number* corners, int c) {
+  return corners + 2 * static_cast<std::ptrdiff_t>(c);
+}
+
+/// Whether there is a whole set of blocks, of four corners each (and all of them free):
+/// the corners fill eight registers, in the order of the blocks.
+template <class Lanes>
+BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes lanes,
+                                     bool and_free) {
+  if (lanes.count < width)
+    return false;
+  const int* const first = blocks.first_corner + b;
+  const Ints unlike =
+      load_ints(first + 1, AllLanes{}) - load_ints(first, AllLanes{}) - 4;
+  return !any(and_free ? unlike | load_ints(blocks.fixity + b, AllLanes{}) : unlike);
+}
+
+/// Calls work(count, c) for corners c .. c + count - 1 of a block, as many at a time as
+/// a register holds, then what is left.
+template <class Work>
+BLOCKS_INLINE void each_piece(int first, int last, const Work& work) {
+  int c = first;
+  for (; c + width / 2 <= last; c += width / 2)
+    work(std::integral_constant<int, width / 2>(), c);
+  if constexpr (width > 4)
+    if (c + 2 <= last) {
+      work(std::integral_constant<int, 2>(), c);
+      c += 2;
+    }
+  if constexpr (width > 2)
+    if (c < last)
+      work(std::integral_constant<int, 1>(), c);
+}
+
+/// x, y of one corner out of several, each of them as `choose` takes it of two.
+template <int corners, class Choose>
+BLOCKS_INLINE Numbers<2> one_of(Numbers<2 * corners> x, const Choose& choose) {
+  if constexpr (corners == 1)
+    return x;
+  else if constexpr (corners == 2)
+    return choose(__builtin_shufflevector(x, x, 0, 1),
+                  __builtin_shufflevector(x, x, 2, 3));
+  else
+    return one_of<2>(choose(__builtin_shufflevector(x, x, 0, 1, 2, 3),
+                            __builtin_shufflevector(x, x, 4, 5, 6, 7)),
+                     choose);
+}
+/// One number out of four of each block.
+template <class Choose>
+BLOCKS_INLINE Pack one_of_four(const Rows<4>& of, const Choose& choose) {
+  return choose(choose(of[0], of[1]), choose(of[2], of[3]));
+}
+
+/// Extents of the blocks b .. of a set along both axes, [L].
+template <class Lanes>
+BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
+  if (four_corners_each(blocks, b, lanes, false)) {
+    const Columns<8> corners = load_columns<8>(
+        at_corner(blocks.corner, blocks.first_corner[b]), 0, AllLanes{});
+    Columns<4> of_x, of_y;
+    for (int i = 0; i < 4; ++i) {
+      const Point two = rows_of(corners.part[2 * i], corners.part[2 * i + 1]);
+      of_x.part[i] = two[0], of_y.part[i] = two[1];
+    }
+    const Rows<4> x = rows_of(of_x), y = rows_of(of_y);
+    return {one_of_four(x, larger) - one_of_four(x, smaller),
+            one_of_four(y, larger) - one_of_four(y, smaller)};
+  }
+  alignas(64) double extent[2 * width] = {};
+  for (int k = 0; k < lanes.count; ++k) {
+    Numbers<2> least = Numbers<2>{} + __builtin_inf(), most = -least;
+    each_piece(
+        blocks.first_corner[b + k], blocks.first_corner[b + k + 1],
+        [&](auto corners, int c) __attribute__((always_inline)) {
+          const auto at = load<2 * corners>(at_corner(blocks.corner, c));
+          least = smaller(one_of<corners>(at, smaller), least);
+          most = larger(one_of<corners>(at, larger), most);
+        });
+    store<2>(extent + 2 * k, most - least);
+  }
+  return load_rows<2>(extent, 0, AllLanes{});
+}
+
+/// y, x of each corner.
+template <std::size_t... k, class Corners>
+BLOCKS_INLINE Corners swapped(Corners x, std::index_sequence<k...>) {
+  return __builtin_shufflevector(x, x, (k ^ 1)...);
+}
+
+/// Computes the corners of a pack of blocks.
+struct CornerMotion {
+  alignas(64) double g11[width], g12[width], g21[width], g22[width];  ///< gradient
+  alignas(64) double centroid[2 * width];  ///< [L] x, y of each block
+
+  /// corner = centroid + gradient arm for a few corners of block k of the pack, which
+  /// are so many numbers.
+  template <int numbers>
+  BLOCKS_INLINE void move(int k, const double* arm_at, double* corner_at) const {
+    constexpr auto each = std::make_index_sequence<numbers>();
+    const auto same = in_turn(g11[k], g22[k], each);
+    const auto cross = in_turn(g12[k], g21[k], each);
+    const auto from = in_turn(centroid[2 * k], centroid[2 * k + 1], each);
+    const Numbers<numbers> arm = load<numbers>(arm_at);
+    store<numbers>(corner_at, from + (same * arm + cross * swapped(arm, each)));
+  }
+};
+
+/// (13)-(15) for the corners of the blocks b .. of a pack that are free.
+template <class Lanes>
+BLOCKS_INLINE void move_corners(const BlockColumns& blocks, int b, Lanes lanes,
+                                const Tensor& gradient, const Points& centroid) {
+  CornerMotion motion;
+  store<width>(motion.g11, gradient[0]), store<width>(motion.g12, gradient[1]);
+  store<width>(motion.g21, gradient[2]), store<width>(motion.g22, gradient[3]);
+  store_columns(motion.centroid, 0, AllLanes{}, centroid);
+
+  if (four_corners_each(blocks, b, lanes, true)) {
+    const int c = blocks.first_corner[b];
+    const double* const arms = at_corner(blocks.arm, c);
+    double* const corners = at_corner(blocks.corner, c);
+    // A loop that is not unrolled: it fetches the numbers of a block from memory, which
+    // is faster than shuffles.
+#pragma GCC unroll 1
+    for (int k = 0; k < width; ++k)
+      for (int i = k * 8 / width; i < (k + 1) * 8 / width; ++i)
+        motion.move<width>(k, arms + i * width, corners + i * width);
+    return;
+  }
+  for (int k = 0; k < lanes.count; ++k)
+    if (blocks.fixity[b + k] == Fixity{})
+      each_piece(
+          blocks.first_corner[b + k], blocks.first_corner[b + k + 1],
+          [&](auto corners, int c) __attribute__((always_inline)) {
+            motion.move<2 * corners>(k, at_corner(blocks.arm, c),
+                                     at_corner(blocks.corner, c));
+          });
+}
+
+}  // namespace
+}  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

@@ -1,0 +1,254 @@
+// Two convex parts in each lane, and the margins of single questions about them
+// (docs/contact-rule.md#kept-decisions). Included once for each instruction set.
+#include "dynamics/kernels/face_kernel.hpp"
+#include "dynamics/kernels/simd_lanes.hpp"
+#include "geometry/contact_slack.hpp"
+
+namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
+namespace {
+
+constexpr double never = 1e300;
+constexpr double smallest = 1e-140, largest = 1e140;  // [L]
+constexpr double slack = geometry::contact_slack;
+constexpr double sine_of_10_degrees = 0.17364817766693033;
+
+BLOCKS_INLINE Pack least(Pack a, Pack b) { return a < b ? a : b; }
+BLOCKS_INLINE Pack most(Pack a, Pack b) { return a > b ? a : b; }
+
+/// Corner k of a part and the side that starts there.
+struct FacingSide {
+  Pack x, y;    ///< [L] of the corner
+  Pack ux, uy;  ///< unit vector along the side; 0 beyond the last side
+  Pack length;  ///< [L]
+  /// How much of its distance from the other block a depth of the corner keeps when
+  /// the blocks move: by the motion w the depth changes by at most w / hold.
+  Pack hold;
+  Pack depth, hold_of_depth;  ///< [L] of the axis of the side
+};
+
+struct Part {
+  FacingSide side[PartPairs::most_corners];
+  Pack corners;
+  Pack x, y;      ///< [L] centroid of the block
+  Pack shortest;  ///< [L] of the sides
+};
+
+BLOCKS_INLINE Pack depth_below(const FacingSide& e, Pack x, Pack y) {
+  return (x - e.x) * e.uy - (y - e.y) * e.ux;
+}
+BLOCKS_INLINE Pack along(const FacingSide& e, Pack x, Pack y) {
+  return (x - e.x) * e.ux + (y - e.y) * e.uy;
+}
+
+/// The side with this number, which differs from lane to lane.
+BLOCKS_INLINE FacingSide pick(const Part& part, Pack number, int count) {
+  FacingSide found = part.side[0];
+  for (int k = 1; k < count; ++k) {
+    const FacingSide& s = part.side[k];
+    const Mask it = number == static_cast<double>(k);
+    found.x = it ? s.x : found.x, found.y = it ? s.y : found.y;
+    found.ux = it ? s.ux : found.ux, found.uy = it ? s.uy : found.uy;
+    found.length = it ? s.length : found.length;
+    found.hold = it ? s.hold : found.hold;
+    found.depth = it ? s.depth : found.depth;
+    found.hold_of_depth = it ? s.hold_of_depth : found.hold_of_depth;
+  }
+  return found;
+}
+BLOCKS_INLINE Pack before(Pack number, Pack corners) {
+  return number > 0.0 ? number - 1.0 : corners - 1.0;
+}
+BLOCKS_INLINE Pack after(Pack number, Pack corners) {
+  return number + 1.0 < corners ? number + 1.0 : Pack{};
+}
+
+/// Margins of one comparison: `value` > 0 after rounding and motion.
+struct Margins {
+  Pack rounding;  ///< [L]
+  BLOCKS_INLINE Pack of(Pack value, Pack hold) const {
+    return (value - rounding) * hold;
+  }
+  /// One depth is larger than another one.
+  BLOCKS_INLINE Pack deeper(Pack one, Pack hold, Pack other, Pack other_hold) const {
+    return of(one - other, 0.5 * least(hold, other_hold));
+  }
+};
+
+/// How two sides run against each other.
+struct Slope {
+  Pack sine, cosine;  ///< sine without its sign
+  BLOCKS_INLINE Slope(const FacingSide& e, const FacingSide& f)
+      : sine(absolute(e.ux * f.uy - e.uy * f.ux)), cosine(e.ux * f.ux + e.uy * f.uy) {}
+  BLOCKS_INLINE Mask face() const {
+    return (cosine < 0.0) & (sine <= sine_of_10_degrees);
+  }
+  /// By how much the sine is above another one that faces.
+  BLOCKS_INLINE Pack steeper_than(Pack other) const {
+    return cosine < 0.0 ? sine - other : Pack{} + 0.5;
+  }
+};
+
+BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, int part,
+                             int i, Part& to) {
+  to.corners = load(pairs.corners[part], i);
+  const Point centroid = gather_point<2>(blocks.centroid, pairs.block[part] + i);
+  to.x = centroid[0], to.y = centroid[1];
+  for (int k = 0; k < pairs.most; ++k) {
+    const Point at = gather_point<2>(blocks.corner, pairs.corner[part][k] + i);
+    to.side[k].x = at[0], to.side[k].y = at[1];
+  }
+  to.shortest = Pack{} + never;
+  for (int k = 0; k < pairs.most; ++k) {
+    FacingSide& s = to.side[k];
+    const FacingSide& next = to.side[k + 1 < pairs.most ? k + 1 : 0];
+    const Pack x = next.x - s.x, y = next.y - s.y;
+    s.length = root(x * x + y * y);
+    const Mask is_side = static_cast<double>(k) < to.corners;
+    const Pack per_length = is_side ? 1.0 / s.length : Pack{};
+    s.ux = x * per_length, s.uy = y * per_length;
+    to.shortest = is_side ? least(to.shortest, s.length) : to.shortest;
+  }
+}
+
+/// By the motion w of two blocks the place of a corner in the frame of the other block
+/// changes by at most w max(1, d / 2r): d from that block's centroid, r its longest
+/// arm.
+BLOCKS_INLINE Pack hold_of(Pack x, Pack y, const Part& other, Pack longest,
+                           Pack strict) {
+  const Pack distance = absolute(x - other.x) + absolute(y - other.y);
+  return strict * least(Pack{} + 1.0, 2.0 * longest / distance);
+}
+
+/// The depth of the axis of each side of `own`, and the least of them. Returns the
+/// margin by which one of them keeps the parts apart.
+BLOCKS_INLINE Pack find_axes(Part& own, const Part& other, int count,
+                             const Margins& margins, Pack number_of_part, Pack& depth,
+                             Pack& part, Pack& side) {
+  Pack apart = Pack{} - never;
+  for (int k = 0; k < count; ++k) {
+    FacingSide& s = own.side[k];
+    Pack deepest = Pack{} - never, hold = {}, away = Pack{} + never;
+    for (int j = 0; j < count; ++j) {
+      const FacingSide& c = other.side[j];
+      const Pack d = depth_below(s, c.x, c.y);
+      away = least(away, margins.of(-d - slack * s.length, c.hold));
+      const Mask deeper = d > deepest;
+      deepest = deeper ? d : deepest, hold = deeper ? c.hold : hold;
+    }
+    const Mask is_side = static_cast<double>(k) < own.corners;
+    s.depth = is_side ? deepest : Pack{} + never, s.hold_of_depth = hold;
+    apart = is_side ? most(apart, away) : apart;
+    const Mask less = s.depth < depth;
+    depth = less ? s.depth : depth;
+    part = less ? number_of_part : part;
+    side = less ? Pack{} + static_cast<double>(k) : side;
+  }
+  return apart;
+}
+
+BLOCKS_INLINE void choose(Mask second, const Part& a, const Part& b, int count,
+                          Part& to) {
+  to.corners = second ? b.corners : a.corners;
+  to.x = second ? b.x : a.x, to.y = second ? b.y : a.y;
+  for (int k = 0; k < count; ++k) {
+    const FacingSide &p = a.side[k], &q = b.side[k];
+    to.side[k] = {
+        second ? q.x : p.x,           second ? q.y : p.y,
+        second ? q.ux : p.ux,         second ? q.uy : p.uy,
+        second ? q.length : p.length, second ? q.hold : p.hold,
+        second ? q.depth : p.depth,   second ? q.hold_of_depth : p.hold_of_depth};
+  }
+}
+
+/// The two ends of a side as corners of one part below a side of the other part.
+struct EndsBelow {
+  Pack depth[2], hold[2];
+  Pack deepest;  ///< [L]
+  /// Margin: one of the ends is the deepest corner of its part.
+  Pack are_deepest;
+  /// Margins: an end is not the deepest corner.
+  Pack is_not_deepest[2];
+
+  BLOCKS_INLINE EndsBelow(const Part& part, int count, Pack start, Pack end,
+                          const FacingSide& first, const FacingSide& last,
+                          const FacingSide& e, const Margins& margins) {
+    depth[0] = depth_below(e, first.x, first.y), hold[0] = first.hold;
+    depth[1] = depth_below(e, last.x, last.y), hold[1] = last.hold;
+    const Mask swapped = depth[1] > depth[0];
+    deepest = swapped ? depth[1] : depth[0];
+    const Pack hold_of_deepest = swapped ? hold[1] : hold[0];
+    are_deepest = Pack{} + never;
+    for (int j = 0; j < count; ++j) {
+      const FacingSide& c = part.side[j];
+      const Pack number = Pack{} + static_cast<double>(j);
+      const Mask other = (number != start) & (number != end) & (number < part.corners);
+      const Pack margin =
+          margins.deeper(deepest, hold_of_deepest, depth_below(e, c.x, c.y), c.hold);
+      are_deepest = other ? least(are_deepest, margin) : are_deepest;
+    }
+    is_not_deepest[0] = margins.deeper(depth[1], hold[1], depth[0], hold[0]);
+    is_not_deepest[1] = margins.deeper(depth[0], hold[0], depth[1], hold[1]);
+  }
+  /// Margin: an axis is deeper than both ends.
+  BLOCKS_INLINE Pack less_than(Pack axis, Pack hold_of_axis,
+                               const Margins& margins) const {
+    return least(margins.deeper(axis, hold_of_axis, depth[0], hold[0]),
+                 margins.deeper(axis, hold_of_axis, depth[1], hold[1]));
+  }
+};
+
+/// Margins: a corner is inside all sides of a part but two of them, and inside
+/// the second of these.
+struct InsideBut {
+  Pack others, second;
+  BLOCKS_INLINE InsideBut(const Part& part, int count, Pack first, Pack second_one,
+                          const FacingSide& corner, const Margins& margins)
+      : others(Pack{} + never), second(Pack{} + never) {
+    for (int k = 0; k < count; ++k) {
+      const Pack number = Pack{} + static_cast<double>(k);
+      const Pack margin =
+          margins.of(depth_below(part.side[k], corner.x, corner.y), corner.hold);
+      const Mask counts = (number < part.corners) & (number != first);
+      const Mask is_second = number == second_one;
+      others = counts & ~is_second ? least(others, margin) : others;
+      second = is_second ? margin : second;
+    }
+  }
+  BLOCKS_INLINE Pack all() const { return least(others, second); }
+};
+
+/// Margin: all axes are deeper than the two ends, but those of two sides.
+BLOCKS_INLINE Pack all_deeper(const Part& own, Pack side, const Part& other,
+                              Pack facing, int count, const EndsBelow& ends,
+                              const Margins& margins) {
+  Pack all = Pack{} + never;
+  for (int k = 0; k < count; ++k) {
+    const Pack number = Pack{} + static_cast<double>(k);
+    const FacingSide &s = own.side[k], &t = other.side[k];
+    const Pack of_own = ends.less_than(s.depth, s.hold_of_depth, margins);
+    const Pack of_other = ends.less_than(t.depth, t.hold_of_depth, margins);
+    all = (number < own.corners) & (number != side) ? least(all, of_own) : all;
+    all = (number < other.corners) & (number != facing) ? least(all, of_other) : all;
+  }
+  return all;
+}
+
+/// Margin: a corner is beyond one end of a side, by more than the slack.
+BLOCKS_INLINE Pack beyond(const FacingSide& e, const FacingSide& corner,
+                          const Margins& margins) {
+  const Pack foot = along(e, corner.x, corner.y);
+  return margins.of(most(-foot, foot - e.length) - slack * e.length, corner.hold);
+}
+
+/// Margin: a corner's foot is not near an end of a long side, where the slack of the
+/// long side may be more than that of a short one.
+BLOCKS_INLINE Pack off_ends(const FacingSide& e, const FacingSide& corner,
+                            const Margins& margins) {
+  const Pack foot = along(e, corner.x, corner.y);
+  return margins.of(least(absolute(foot), absolute(foot - e.length)) -
+                        2.0 * slack * e.length,
+                    corner.hold);
+}
+
+}  // namespace
+}  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

@@ -1,0 +1,245 @@
+// The computations of block_motion.hpp. Included once for each instruction set, in a
+// namespace of its own; calls nothing that is not compiled here.
+#include "dynamics/kernels/corner_motion_body.hpp"
+#include "dynamics/kernels/motion_kernel.hpp"
+#include "dynamics/kernels/simd.hpp"
+
+namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
+namespace {
+
+/// Which lanes hold a block that moves.
+template <class Lanes>
+BLOCKS_INLINE Mask free_lanes(const BlockColumns& blocks, int b, Lanes lanes) {
+  return __builtin_convertvector(load_ints(blocks.fixity + b, lanes) == 0, Mask);
+}
+
+/// `changed` where a block is free, `kept` elsewhere.
+BLOCKS_INLINE Points select(Mask free, const Points& changed, const Points& kept) {
+  return {low_turns(free, free, EachLane()) ? changed.part[0] : kept.part[0],
+          high_turns(free, free, EachLane()) ? changed.part[1] : kept.part[1]};
+}
+BLOCKS_INLINE Tensor select(Mask free, const Tensor& changed, const Tensor& kept) {
+  Tensor all;
+  for (int i = 0; i < 4; ++i)
+    all[i] = free ? changed[i] : kept[i];
+  return all;
+}
+
+/// Orthogonal to round-off and free of trigonometry: h = spin dt / 2 (rule 6).
+struct Cayley {
+  Pack c, s;
+  BLOCKS_INLINE explicit Cayley(Pack turn) {
+    const Pack h = 0.5 * turn, scale = 1.0 / (1.0 + h * h);
+    c = (1.0 - h * h) * scale, s = 2.0 * h * scale;
+  }
+  /// R m.
+  BLOCKS_INLINE Tensor times(const Tensor& m) const {
+    return {c * m[0] - s * m[2], c * m[1] - s * m[3], s * m[0] + c * m[2],
+            s * m[1] + c * m[3]};
+  }
+  /// R m R^T of a symmetric tensor.
+  BLOCKS_INLINE Tensor turned(const Tensor& m) const {
+    const Tensor t = times({m[0], m[1], m[1], m[3]});
+    const Pack t12 = t[0] * s + t[1] * c, t21 = t[2] * c - t[3] * s;
+    const Pack shear = 0.5 * (t12 + t21);
+    return {t[0] * c - t[1] * s, shear, shear, t[2] * s + t[3] * c};
+  }
+};
+
+/// What the step does to the arms of a pack of blocks.
+struct ArmMotion {
+  Tensor gradient;  ///< the new deformation gradient
+  Pack stretch;     ///< no arm is longer than `longest` times this
+  Pack change;      ///< [L] no arm as long as `longest` changes by more
+};
+
+/// Of rigid blocks. The Cayley rotation turns by 2 atan(turn / 2), which is less than
+/// `turn`. The scale keeps the gradient a rotation, whatever the number of steps.
+BLOCKS_INLINE ArmMotion move_rigid_arms(const Tensor& before, const Cayley& rotation,
+                                        Pack turn, Pack longest) {
+  const Pack c = rotation.c * before[0] - rotation.s * before[2];
+  const Pack s = rotation.s * before[0] + rotation.c * before[2];
+  const Pack scale = 1.5 - 0.5 * (c * c + s * s);
+  const Mask turns = turn != 0.0;
+  const Pack cosine = turns ? c * scale : before[0];
+  const Pack sine = turns ? s * scale : before[2];
+  return {{cosine, -sine, sine, cosine},
+          Pack{} + 1.0,
+          longest * (absolute(turn) + (turns ? Pack{} + 0x1p-49 : Pack{}))};
+}
+
+/// Of deformable blocks: gradient = R (I + strain rate dt) gradient. `stretch` is its
+/// largest singular value, rounded up.
+BLOCKS_INLINE ArmMotion move_deformable_arms(const Tensor& before,
+                                             const Cayley& rotation, const Tensor& rate,
+                                             double dt, Pack longest) {
+  const Tensor step = rotation.times(
+      {1.0 + dt * rate[0], dt * rate[1], dt * rate[2], 1.0 + dt * rate[3]});
+  const Tensor g = {step[0] * before[0] + step[1] * before[2],
+                    step[0] * before[1] + step[1] * before[3],
+                    step[2] * before[0] + step[3] * before[2],
+                    step[2] * before[1] + step[3] * before[3]};
+  const Pack squares = (g[0] * g[0] + g[1] * g[1]) + (g[2] * g[2] + g[3] * g[3]);
+  const Pack twice_area = 2.0 * (g[0] * g[3] - g[1] * g[2]);
+  const Pack gap = (squares - twice_area) * (squares + twice_area);
+  const Pack stretch = 1.0000001 * root(0.5 * (squares + root(larger(gap, Pack{}))));
+  const Pack x = step[0] - 1.0, y = step[3] - 1.0;
+  const Pack strain = root((x * x + y * y) + (step[1] * step[1] + step[2] * step[2]));
+  return {g, stretch, longest * stretch * (strain + 0x1p-49)};
+}
+
+/// The extremes of Moved, lane by lane.
+struct MovedLanes {
+  Pack largest = {}, bound = {}, sum = {};
+  Mask block = Mask{} - 1;
+  std::uint64_t near_edge = 0;
+
+  BLOCKS_INLINE Moved all() const {
+    Moved moved;
+    for (int k = 0; k < width; ++k) {
+      const int in_lane = static_cast<int>(block[k]);
+      if (largest[k] > moved.largest ||
+          (largest[k] == moved.largest && in_lane < moved.block))
+        moved.largest = largest[k], moved.block = in_lane;
+      moved.bound = bound[k] > moved.bound ? bound[k] : moved.bound;
+      moved.sum += sum[k];
+    }
+    moved.near_edge = near_edge;
+    return moved;
+  }
+};
+
+/// Bit k: all that is within reach of the centroid of block k may not be inside the
+/// domain.
+BLOCKS_INLINE std::uint64_t near_edge(Mask free, const Points& centroid, Pack reach,
+                                      const Rectangle& domain) {
+  const Points least = centroid - twice(reach), most = centroid + twice(reach);
+  const Points lower = everywhere(domain.lower_x, domain.lower_y);
+  const Points upper = everywhere(domain.upper_x, domain.upper_y);
+  Mask inside[2];
+  for (int i = 0; i < 2; ++i)
+    inside[i] = (least.part[i] >= lower.part[i]) & (most.part[i] <= upper.part[i]);
+  if (!any(~(inside[0] & inside[1])))
+    return 0;
+  const Mask outside = free & ~(even(inside[0], inside[1], EachLane()) &
+                                odd(inside[0], inside[1], EachLane()));
+  std::uint64_t bits = 0;
+  for (int k = 0; k < width; ++k)
+    bits |= static_cast<std::uint64_t>(outside[k] & 1) << k;
+  return bits;
+}
+
+/// Moves the blocks b .. of a pack.
+template <bool rigid, class Lanes>
+BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_arm,
+                             const Rectangle& domain, int first, int b, Lanes lanes,
+                             double dt, MovedLanes& moved) {
+  const Mask free = free_lanes(blocks, b, lanes);
+  // (3). The distance is that of the stored centroids: rounding may make it larger than
+  // velocity times dt.
+  const Points from = load_columns<2>(blocks.centroid, b, lanes);
+  const Points centroid = from + dt * load_columns<2>(blocks.velocity, b, lanes);
+  const Pack went = root(squared_norm(centroid - from));
+  store_columns(blocks.centroid, b, lanes, select(free, centroid, from));
+  const Pack turn = dt * load(blocks.spin + b, lanes);
+  const Pack angle = load(blocks.angle + b, lanes);
+  store(blocks.angle + b, lanes, free ? angle + turn : angle);
+
+  // (13)-(15)
+  const Cayley rotation(turn);
+  const Pack longest = load(longest_arm + b, lanes);
+  const Tensor before = load_rows<4>(blocks.gradient, b, lanes);
+  ArmMotion arms;
+  if constexpr (rigid) {
+    arms = move_rigid_arms(before, rotation, turn, longest);
+  } else {
+    const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
+    store_rows(blocks.stress, b, lanes, select(free, rotation.turned(stress), stress));
+    const Tensor rate = load_rows<4>(blocks.strain_rate, b, lanes);
+    store_rows(blocks.strain_rate, b, lanes, select(free, rotation.turned(rate), rate));
+    arms = move_deformable_arms(before, rotation, rate, dt, longest);
+  }
+  store_rows(blocks.gradient, b, lanes, select(free, arms.gradient, before));
+  move_corners(blocks, b, lanes, arms.gradient, centroid);
+
+  const Pack bound = 1.0000001 * (went + 2.0 * arms.change);
+  moved.bound = larger(free ? bound : Pack{}, moved.bound);
+  const Pack distance = went + arms.change, reached = free ? distance : Pack{};
+  const Mask farther = reached > moved.largest;
+  moved.largest = farther ? reached : moved.largest;
+  moved.block = farther ? b + number_of_each_lane(EachLane()) : moved.block;
+  // A turn that overflows gives NaN in the gradient, but not in the distance.
+  const Tensor& g = arms.gradient;
+  const Pack numbers = distance + ((g[0] + g[1]) + (g[2] + g[3]));
+  moved.sum += free ? numbers : Pack{};
+  moved.near_edge |= near_edge(free, centroid, longest * arms.stretch, domain)
+                     << (b - first);
+}
+
+template <bool rigid>
+Moved move_range(const BlockColumns blocks, const double* longest_arm,
+                 const Rectangle domain, int first, int last, double dt) {
+  MovedLanes moved;
+  each_pack(
+      first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
+        move_pack<rigid>(blocks, longest_arm, domain, first, b, lanes, dt, moved);
+      });
+  return moved.all();
+}
+
+}  // namespace
+
+void update_velocities(const BlockColumns& blocks, int first, int last,
+                       double gravity_x, double gravity_y, double dt) {
+  const Points gravity = everywhere(gravity_x, gravity_y);
+  each_pack(
+      first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
+        const Mask free = free_lanes(blocks, b, lanes);
+        const Points mass = twice(load(blocks.mass + b, lanes));
+        const Points force = load_columns<2>(blocks.force, b, lanes);
+        const Points velocity = load_columns<2>(blocks.velocity, b, lanes);
+        store_columns(blocks.velocity, b, lanes,
+                      select(free, velocity + dt * (force / mass + gravity), velocity));
+        const Pack moment = load(blocks.moment + b, lanes);
+        const Pack spin = load(blocks.spin + b, lanes);
+        const Pack faster = spin + dt * (moment / load(blocks.inertia + b, lanes));
+        store(blocks.spin + b, lanes, free ? faster : spin);
+      });
+}
+
+void update_strain(const BlockColumns& blocks, const Moduli& moduli, int first,
+                   int last, double dt) {
+  each_pack(
+      first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
+        const Mask free = free_lanes(blocks, b, lanes);
+        // (10)
+        const Point l = extents(blocks, b, lanes);
+        const Pack mass_per_area =
+            0.25 * load(blocks.mass + b, lanes) / load(blocks.area + b, lanes);
+        const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
+        const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
+        const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
+        const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
+        const Pack shear = 0.5 * (applied[1] + applied[2]) - stress[1];
+        const Pack rate12 = before[1] + dt * shear / (0.5 * (m11 + m22));
+        const Tensor rate = {before[0] + dt * (applied[0] - stress[0]) / m11, rate12,
+                             rate12, before[3] + dt * (applied[3] - stress[3]) / m22};
+        store_rows(blocks.strain_rate, b, lanes, select(free, rate, before));
+        // (12)
+        const Pack c11 = load(moduli.c11 + (b - first), lanes);
+        const Pack c12 = load(moduli.c12 + (b - first), lanes);
+        const Pack twice_shear = load(moduli.twice_shear + (b - first), lanes);
+        const Pack s12 = stress[1] + dt * twice_shear * rate[1];
+        const Tensor after = {stress[0] + dt * (c11 * rate[0] + c12 * rate[3]), s12,
+                              s12, stress[3] + dt * (c12 * rate[0] + c11 * rate[3])};
+        store_rows(blocks.stress, b, lanes, select(free, after, stress));
+      });
+}
+
+Moved move(const BlockColumns& blocks, const double* longest_arm,
+           const Rectangle& domain, bool rigid, int first, int last, double dt) {
+  const auto move_all = rigid ? move_range<true> : move_range<false>;
+  return move_all(blocks, longest_arm, domain, first, last, dt);
+}
+
+}  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

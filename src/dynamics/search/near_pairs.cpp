@@ -1,0 +1,117 @@
+#include "dynamics/search/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/contact_predicates.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+constexpr double cells_per_block = 2.0;  ///< at most
+
+/// Square cells over all boxes, of the size of a block or larger.
+class Grid {
+ public:
+  Grid(const Blocks& blocks, const NearSearch& boxes) {
+    if (blocks.size() == 0)
+      return;
+    lower_ = boxes.lower.front();
+    Vec2 upper = boxes.upper.front();
+    for (int b = 1; b < blocks.size(); ++b)
+      lower_ = lower_.cwiseMin(boxes.lower[b]), upper = upper.cwiseMax(boxes.upper[b]);
+    const Vec2 extent = upper - lower_;
+    const double most = std::max(1.0, cells_per_block * blocks.size());
+    const double side =
+        std::max({1.5 * blocks.area.array().sqrt().mean(),
+                  std::sqrt(extent.x() * extent.y() / most), extent.maxCoeff() / most});
+    per_length_ = side > 0.0 ? 1.0 / side : 0.0;
+    columns = index(extent.x(), 1 << 30) + 1;
+    rows = index(extent.y(), 1 << 30) + 1;
+  }
+  int column(double x) const { return index(x - lower_.x(), columns); }
+  int row(double y) const { return index(y - lower_.y(), rows); }
+  /// Calls visit(cell) for the cells that a box touches.
+  template <class Visit>
+  void each(const Vec2& lower, const Vec2& upper, const Visit& visit) const {
+    const int last = column(upper.x()), top = row(upper.y());
+    for (int j = row(lower.y()); j <= top; ++j)
+      for (int i = column(lower.x()); i <= last; ++i)
+        visit(j * columns + i);
+  }
+  int columns = 1, rows = 1;
+
+ private:
+  int index(double distance, int count) const {
+    const double at = distance * per_length_;
+    return at > 0.0 ? static_cast<int>(std::min(at, count - 1.0)) : 0;  // also if NaN
+  }
+  Vec2 lower_ = Vec2::Zero();
+  double per_length_ = 0.0;
+};
+
+void find_boxes(const Blocks& blocks, double reach, NearSearch& memory) {
+  memory.lower.resize(static_cast<std::size_t>(blocks.size()));
+  memory.upper.resize(static_cast<std::size_t>(blocks.size()));
+  for (int b = 0; b < blocks.size(); ++b) {
+    Vec2 lower = blocks.corner.col(blocks.first_corner[b]), upper = lower;
+    for (int c = blocks.first_corner[b] + 1; c < blocks.first_corner[b + 1]; ++c) {
+      const Vec2 corner = blocks.corner.col(c);
+      lower = lower.cwiseMin(corner), upper = upper.cwiseMax(corner);
+    }
+    // what is outside of an edge by less than its slack still touches it
+    const double by = reach + 2.0 * geometry::contact_slack * (upper - lower).sum();
+    memory.lower[b] = lower.array() - by, memory.upper[b] = upper.array() + by;
+  }
+}
+
+/// Sorts the blocks into the cells that their boxes touch: count, sum, place.
+void fill_cells(const Grid& grid, NearSearch& memory) {
+  std::vector<int>& first = memory.first;
+  first.assign(static_cast<std::size_t>(grid.columns) * grid.rows + 1, 0);
+  const int blocks = static_cast<int>(memory.lower.size());
+  for (int b = 0; b < blocks; ++b)
+    grid.each(memory.lower[b], memory.upper[b], [&](int cell) { ++first[cell + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  memory.in_cell.resize(static_cast<std::size_t>(first.back()));
+  for (int b = 0; b < blocks; ++b)
+    grid.each(memory.lower[b], memory.upper[b],
+              [&](int cell) { memory.in_cell[first[cell]++] = b; });
+  // each was moved on to where the next begins
+  std::move_backward(first.begin(), first.end() - 1, first.end());
+  first[0] = 0;
+}
+
+}  // namespace
+
+void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
+                     std::vector<NearPair>& pairs) {
+  find_boxes(blocks, reach, memory);
+  const Grid grid(blocks, memory);
+  fill_cells(grid, memory);
+  pairs.clear();
+  const auto meet = [&](int a, int b) {
+    return ((memory.lower[a].x() <= memory.upper[b].x()) &
+            (memory.lower[b].x() <= memory.upper[a].x()) &
+            (memory.lower[a].y() <= memory.upper[b].y()) &
+            (memory.lower[b].y() <= memory.upper[a].y())) != 0;
+  };
+  for (int a = 0; a < blocks.size(); ++a) {
+    const std::size_t before = pairs.size();
+    grid.each(memory.lower[a], memory.upper[a], [&](int cell) {
+      for (int k = memory.first[cell]; k < memory.first[cell + 1]; ++k) {
+        const int b = memory.in_cell[k];
+        if (b <= a || !meet(a, b) || !(blocks.is_free(a) || blocks.is_free(b)))
+          continue;
+        // two boxes may have many cells in common: the first of these counts
+        const Vec2 corner = memory.lower[a].cwiseMax(memory.lower[b]);
+        if (grid.row(corner.y()) * grid.columns + grid.column(corner.x()) == cell)
+          pairs.push_back({.low = a, .high = b});
+      }
+    });
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
+  }
+}
+
+}  // namespace blocks::dynamics

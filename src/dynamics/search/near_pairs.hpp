@@ -1,0 +1,32 @@
+// Which blocks are near enough to touch before the next search (UPDAT, report 3.2).
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "model/blocks.hpp"
+
+namespace blocks::dynamics {
+
+/// Two blocks, low < high, at least one of them free.
+struct NearPair {
+  int low = 0, high = 0;
+  auto operator<=>(const NearPair& other) const = default;
+  /// The other block of the pair.
+  int other(int block) const { return low == block ? high : low; }
+};
+
+/// Working memory of the search. It is kept between searches so that they need not
+/// allocate.
+struct NearSearch {
+  std::vector<Vec2> lower, upper;   ///< (blocks) [L] of their grown boxes
+  std::vector<int> first, in_cell;  ///< cells and the blocks in them
+};
+
+/// Finds all pairs whose bounding boxes meet when each box is grown by `reach`, [L].
+/// The pairs are ordered by low, then by high. No other blocks can touch before a
+/// corner has moved by `reach`.
+void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
+                     std::vector<NearPair>& pairs);
+
+}  // namespace blocks::dynamics

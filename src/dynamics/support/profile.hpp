@@ -1,0 +1,44 @@
+// Where the time of a run goes: `blocks run --profile`.
+#pragma once
+
+#include <array>
+#include <chrono>
+
+namespace blocks::dynamics {
+
+/// Wall clock of the phases of a run, most of them of a step, and how often the filters
+/// of the predicates left a decision to exact arithmetic.
+struct Profile {
+  enum Phase { building, search, decisions, forces, motion, output, phases };
+
+  std::array<double, phases> seconds{};
+  unsigned long long exact_calls = 0;
+
+  /// Adds time to one phase after the other, until it is destroyed. With a null profile
+  /// it does nothing.
+  class Timer {
+   public:
+    Timer(Profile* profile, Phase phase) : profile_(profile), phase_(phase) {
+      if (profile_ != nullptr)
+        began_ = std::chrono::steady_clock::now();
+    }
+    ~Timer() { next(phase_); }
+    /// Ends the present phase and begins another one.
+    void next(Phase phase) {
+      if (profile_ == nullptr)
+        return;
+      const auto now = std::chrono::steady_clock::now();
+      profile_->seconds[phase_] += std::chrono::duration<double>(now - began_).count();
+      phase_ = phase, began_ = now;
+    }
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+   private:
+    Profile* profile_;
+    Phase phase_;
+    std::chrono::steady_clock::time_point began_;
+  };
+};
+
+}  // namespace blocks::dynamics

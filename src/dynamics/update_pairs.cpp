@@ -1,0 +1,132 @@
+#include "dynamics/update_pairs.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "dynamics/contacts/contact_list.hpp"
+#include "dynamics/search/list_tolerance.hpp"
+#include "dynamics/support/memory_pages.hpp"
+#include "dynamics/symmetry_planes.hpp"
+#include "model/contact_blocks.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// Adds other pairs, which are ordered, to those found. Each pair is there once.
+void add_pairs(std::vector<NearPair>& found, const std::vector<NearPair>& others) {
+  if (std::includes(found.begin(), found.end(), others.begin(), others.end()))
+    return;
+  std::vector<NearPair> both;
+  std::set_union(found.begin(), found.end(), others.begin(), others.end(),
+                 std::back_inserter(both));
+  found.swap(both);
+}
+
+/// The pairs whose contacts have springs, in order.
+std::vector<NearPair> pairs_with_springs(const PairIndex& index,
+                                         const ContactsOfPairs& contacts) {
+  std::vector<NearPair> found;
+  for (std::size_t k = 0; k < contacts.pair.size(); ++k)
+    if (std::any_of(contacts.all.begin() + contacts.first[k],
+                    contacts.all.begin() + contacts.first[k + 1],
+                    [](const PairContact& contact) { return contact.normal > 0.0; }))
+      found.push_back(index.pairs[contacts.pair[k]]);
+  return found;
+}
+std::vector<NearPair> pairs_with_springs(const Blocks& blocks, const Contacts& list) {
+  std::vector<NearPair> found;
+  for (const ActingContact& contact : list.acting) {
+    const auto [low, high] = pair_of(blocks, list, contact.record);
+    if (blocks.is_free(low) || blocks.is_free(high))
+      found.push_back({low, high});
+  }
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// Renumbers contacts, and the slots that pairs have, from the old pairs to the new
+/// ones. Contacts of pairs that the new list lacks get the number -1.
+void renumber(const std::vector<NearPair>& old, const std::vector<NearPair>& now,
+              ContactsOfPairs& contacts, std::vector<short>& slots) {
+  std::vector<short> new_slots(now.size(), 0);
+  std::size_t next = 0, k = 0;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    while (k < now.size() && now[k] < old[i])
+      ++k;
+    const bool stays = k < now.size() && now[k] == old[i];
+    if (stays)
+      new_slots[k] = slots[i];
+    if (next < contacts.pair.size() && contacts.pair[next] == static_cast<int>(i))
+      contacts.pair[next++] = stays ? static_cast<int>(k) : -1;
+  }
+  slots.swap(new_slots);
+}
+
+/// A step reads and writes most columns of the blocks in an order of its own.
+void move_to_huge_pages(const Blocks& blocks) {
+  const auto move = [](const auto&... columns) {
+    (dynamics::move_to_huge_pages(columns.data(),
+                                  static_cast<std::size_t>(columns.size()) *
+                                      sizeof *columns.data()),
+     ...);
+  };
+  move(blocks.first_corner, blocks.corner_block, blocks.next, blocks.previous);
+  move(blocks.arm, blocks.corner, blocks.centroid, blocks.velocity, blocks.force);
+  move(blocks.area, blocks.mass, blocks.inertia, blocks.angle, blocks.spin,
+       blocks.moment);
+  move(blocks.gradient, blocks.applied, blocks.stress, blocks.strain_rate);
+}
+
+/// Blocks were added or taken away since the arrays were made.
+bool fits(const Workspace& work, const Blocks& blocks) {
+  return work.index.first_of_block.size() ==
+         static_cast<std::size_t>(blocks.size()) + 1;
+}
+
+}  // namespace
+
+void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& also) {
+  const Blocks& blocks = model.blocks;
+  if (!fits(work, blocks))
+    work.springs = SpringOwner::list;
+  const bool from_list = work.springs == SpringOwner::list;
+  if (model.search.current && !from_list)
+    return;
+  const Profile::Timer timer(work.profile, Profile::search);
+  if (!model.search.current) {
+    model.search.left = list_tolerance(model);
+    model.search.current = true;
+    ++model.search.updates;
+    update_plane_contacts(model, work.plane_contacts, model.search.left);
+  }
+  std::vector<NearPair>& found = work.near_pairs;
+  find_near_pairs(blocks, model.search.left, work.search, found);
+  ContactsOfPairs contacts;
+  if (!from_list)
+    work.contacts.take_out(contacts);
+  add_pairs(found, from_list ? pairs_with_springs(blocks, model.contacts)
+                             : pairs_with_springs(work.index, contacts));
+  add_pairs(found, also);
+  work.index.take(found, blocks.size());
+  if (from_list) {
+    read_list(blocks, model.contacts, work.index, contacts);
+    work.contacts.slots_of_pair.assign(work.index.pairs.size(), 0);
+    work.decisions.bounds.start(blocks, model.settings.rigid);
+    work.decisions.parts.make(blocks);
+  } else {
+    renumber(found, work.index.pairs, contacts, work.contacts.slots_of_pair);
+  }
+  work.decisions.forget(blocks, work.index.size());
+  work.split.start(blocks.size(), work.index.pairs, pairs_of_window,
+                   work.workers->threads());
+  work.contacts.make(blocks, model.settings, work.index, contacts, {});
+  work.split.split_batches(work.contacts.first_batch);
+  if (from_list)
+    work.springs = SpringOwner::both;
+  if (std::exchange(work.corners_in_huge_pages, blocks.corner.data()) !=
+      blocks.corner.data())
+    move_to_huge_pages(blocks);
+}
+
+}  // namespace blocks::dynamics

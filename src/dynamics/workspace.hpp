@@ -1,0 +1,66 @@
+// Working memory of a run's steps.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "dynamics/contact_forces.hpp"
+#include "dynamics/contacts/contact_arrays.hpp"
+#include "dynamics/decisions/decide_contacts.hpp"
+#include "dynamics/decisions/decisions.hpp"
+#include "dynamics/motion.hpp"
+#include "dynamics/search/near_pairs.hpp"
+#include "dynamics/search/pair_index.hpp"
+#include "dynamics/support/profile.hpp"
+#include "dynamics/support/work_split.hpp"
+#include "dynamics/support/workers.hpp"
+#include "model/contacts.hpp"
+
+namespace blocks::dynamics {
+
+/// Which of the two holds the springs of contacts: the list (Model::contacts) or the
+/// arrays.
+enum class SpringOwner {
+  list,    ///< the model was made, read or changed from outside
+  arrays,  ///< a step has been made since the list was written
+  both     ///< the list was written after the last step
+};
+
+/// What the steps of a run keep besides the model. It influences run time, never
+/// results.
+struct Workspace {
+  explicit Workspace(int threads = 1)
+      : workers(std::make_unique<Workers>(threads)),
+        moved(static_cast<std::size_t>(threads)) {
+    deciding.threads.resize(static_cast<std::size_t>(threads));
+    forces.threads.resize(static_cast<std::size_t>(threads));
+  }
+
+  std::unique_ptr<Workers> workers;
+  Profile* profile = nullptr;  ///< where the time of the run is counted, if at all
+  WorkSplit split;
+
+  SpringOwner springs = SpringOwner::list;
+  PairIndex index;
+  Decisions decisions;
+  ContactArrays contacts;
+
+  /// Adds what the last decisions left to exact arithmetic to the profile.
+  void count_exact_calls() {
+    for (DecisionThread& thread : deciding.threads)
+      if (const auto calls = std::exchange(thread.exact_calls, 0); profile != nullptr)
+        profile->exact_calls += calls;
+  }
+
+  // memory of single calls
+  NearSearch search;
+  std::vector<NearPair> near_pairs;
+  PlaneContacts plane_contacts;
+  const double* corners_in_huge_pages = nullptr;  ///< the column that was moved
+  DecisionMemory deciding;
+  ForceMemory forces;
+  std::vector<Displacement> moved;  ///< (threads)
+};
+
+}  // namespace blocks::dynamics

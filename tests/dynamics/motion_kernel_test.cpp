@@ -1,0 +1,329 @@
+// Motion in registers gives the bits of the equations block by block, on every
+// instruction set.
+#include "dynamics/kernels/motion_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "dynamics/motion.hpp"
+#include "dynamics/time_step.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+// The equations, one block after the other.
+namespace plain {
+
+Eigen::Matrix2d cayley_rotation(double turn) {
+  const double h = 0.5 * turn, scale = 1.0 / (1.0 + h * h);
+  const double c = (1.0 - h * h) * scale, s = 2.0 * h * scale;
+  return (Eigen::Matrix2d() << c, -s, s, c).finished();
+}
+
+void rotate_symmetric(Eigen::Ref<Eigen::Vector4d> s, const Eigen::Matrix2d& r) {
+  const Eigen::Matrix2d t =
+      r * (Eigen::Matrix2d() << s[0], s[1], s[1], s[3]).finished() * r.transpose();
+  const double shear = 0.5 * (t(0, 1) + t(1, 0));
+  s << t(0, 0), shear, shear, t(1, 1);
+}
+
+void update_velocities(Blocks& blocks, int b, const Vec2& gravity, double dt) {
+  blocks.velocity.col(b) += dt * (blocks.force.col(b) / blocks.mass[b] + gravity);
+  blocks.spin[b] += dt * (blocks.moment[b] / blocks.inertia[b]);
+}
+
+void update_strain_rates(Blocks& blocks, int b, double dt) {
+  const Vec2 l = extent(blocks, b);
+  const double mass_per_area = 0.25 * blocks.mass[b] / blocks.area[b];
+  const double m11 = l.x() * l.x() * mass_per_area;
+  const double m22 = l.y() * l.y() * mass_per_area;
+  const auto applied = blocks.applied.col(b), internal = blocks.stress.col(b);
+  auto rate = blocks.strain_rate.col(b);
+  const double shear = 0.5 * (applied[1] + applied[2]) - internal[1];
+  rate[0] += dt * (applied[0] - internal[0]) / m11;
+  rate[1] += dt * shear / (0.5 * (m11 + m22));
+  rate[2] = rate[1];
+  rate[3] += dt * (applied[3] - internal[3]) / m22;
+}
+
+void update_stress(Blocks& blocks, int b, const Settings& settings, double dt) {
+  const Material& m = settings.materials.at(blocks.material[b]);
+  const auto rate = blocks.strain_rate.col(b);
+  auto stress = blocks.stress.col(b);
+  stress[0] += dt * (m.c11() * rate[0] + m.c12() * rate[3]);
+  stress[1] += dt * (2.0 * m.shear_modulus) * rate[1];
+  stress[2] = stress[1];
+  stress[3] += dt * (m.c12() * rate[0] + m.c11() * rate[3]);
+}
+
+bool inside(const Blocks& blocks, int b, const Settings& settings) {
+  const auto corners =
+      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  return (corners.rowwise().minCoeff().array() >= settings.lower.array()).all() &&
+         (corners.rowwise().maxCoeff().array() <= settings.upper.array()).all();
+}
+
+using Tensor = Eigen::Matrix<double, 2, 2, Eigen::RowMajor>;
+
+/// The new gradient; `change`: no arm as long as `longest` changes by more.
+Tensor move_arms(const Blocks& blocks, int b, const Tensor& step, double turn,
+                 double longest, bool rigid, double& change) {
+  Tensor before;
+  before << blocks.gradient(0, b), blocks.gradient(1, b), blocks.gradient(2, b),
+      blocks.gradient(3, b);
+  if (rigid) {
+    if (turn == 0.0) {
+      change = longest * std::abs(turn);
+      return (Tensor() << before(0, 0), -before(1, 0), before(1, 0), before(0, 0))
+          .finished();
+    }
+    change = longest * (std::abs(turn) + 0x1p-49);
+    const double c = step(0, 0) * before(0, 0) - step(1, 0) * before(1, 0);
+    const double s = step(1, 0) * before(0, 0) + step(0, 0) * before(1, 0);
+    const double scale = 1.5 - 0.5 * (c * c + s * s);
+    return (Tensor() << c * scale, -(s * scale), s * scale, c * scale).finished();
+  }
+  const Tensor g = step * before;
+  const double squares =
+      (g(0, 0) * g(0, 0) + g(0, 1) * g(0, 1)) + (g(1, 0) * g(1, 0) + g(1, 1) * g(1, 1));
+  const double twice_area = 2.0 * (g(0, 0) * g(1, 1) - g(0, 1) * g(1, 0));
+  const double gap = (squares - twice_area) * (squares + twice_area);
+  const double stretch =
+      1.0000001 * std::sqrt(0.5 * (squares + std::sqrt(gap > 0.0 ? gap : 0.0)));
+  const double x = step(0, 0) - 1.0, y = step(1, 1) - 1.0;
+  const double strain =
+      std::sqrt((x * x + y * y) + (step(0, 1) * step(0, 1) + step(1, 0) * step(1, 0)));
+  change = longest * stretch * (strain + 0x1p-49);
+  return g;
+}
+
+/// sum: carries a NaN that a maximum would drop.
+void move_block(Blocks& blocks, int b, const MotionBounds& bounds,
+                const Settings& settings, double dt, Displacement& result,
+                double& sum) {
+  const Vec2 shift = dt * blocks.velocity.col(b);
+  const Vec2 centroid = blocks.centroid.col(b) + shift;
+  const double went = (centroid - blocks.centroid.col(b)).norm();
+  const double turn = dt * blocks.spin[b];
+  const Eigen::Matrix2d rotation = cayley_rotation(turn);
+  Tensor step = rotation;
+  if (!settings.rigid) {
+    rotate_symmetric(blocks.stress.col(b), rotation);
+    auto rate = blocks.strain_rate.col(b);
+    step = rotation * (Eigen::Matrix2d() << 1.0 + dt * rate[0], dt * rate[1],
+                       dt * rate[2], 1.0 + dt * rate[3])
+                          .finished();
+    rotate_symmetric(rate, rotation);
+  }
+  blocks.centroid.col(b) = centroid;
+  blocks.angle[b] += turn;
+  double change = 0.0;
+  const Tensor transform =
+      move_arms(blocks, b, step, turn, bounds.longest[b], settings.rigid, change);
+  blocks.gradient.col(b) << transform(0, 0), transform(0, 1), transform(1, 0),
+      transform(1, 1);
+  for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
+    blocks.corner.col(c) = centroid + transform * Vec2(blocks.arm.col(c));
+  const double moved = went + change;
+  result.bound = std::max(result.bound, 1.0000001 * (went + 2.0 * change));
+  sum += moved + transform.sum();
+  if (moved > result.largest)
+    result.largest = moved, result.block = b;
+  if (!inside(blocks, b, settings))
+    result.left_domain = true;
+}
+
+}  // namespace plain
+
+/// Blocks of no shape in particular, some of them fixed.
+struct Scene {
+  std::mt19937_64 random;
+  Blocks blocks;
+  MotionBounds bounds;
+  Settings settings;
+  BlockRange range;
+
+  explicit Scene(unsigned seed) : random(seed) {
+    settings.rigid = seed % 2 == 0;
+    settings.materials[1] = {3.0, 1.25, 1.0};
+    settings.materials[2] = {7.0, 2.75, 1.0};
+    settings.gravity = {number(), number()};
+    settings.lower = {-10.0, -11.0}, settings.upper = {12.0, 10.0};
+    const int count = 1 + below(seed % 10 == 0 ? 200 : 40);
+    for (int b = 0; b < count; ++b) {
+      blocks.first_corner.push_back(blocks.corners() + 3 +
+                                    below(below(8) == 0 ? 125 : 4));
+      blocks.material.push_back(1 + below(2));
+      blocks.fixity.push_back(below(6) == 0 ? Fixity::by_user : Fixity::free);
+    }
+    range.begin = below(count);
+    range.end = range.begin + below(count - range.begin + 1);
+    const int corners = blocks.corners();
+    fill(blocks.arm, 2, corners), fill(blocks.corner, 2, corners);
+    for (auto* row : {&blocks.area, &blocks.mass, &blocks.inertia}) {
+      fill(*row, count, 1);
+      *row = row->cwiseAbs().array() + 0.125;
+    }
+    for (auto* row : {&blocks.angle, &blocks.spin, &blocks.moment})
+      fill(*row, count, 1);
+    for (auto* rows : {&blocks.velocity, &blocks.force, &blocks.centroid})
+      fill(*rows, 2, count);
+    for (auto* rows : {&blocks.applied, &blocks.stress, &blocks.strain_rate})
+      fill(*rows, 4, count);
+    blocks.centroid *= 3.0;
+    fill(blocks.gradient, 4, count);
+    for (int b = 0; settings.rigid && b < count; ++b) {
+      const double angle = number();
+      blocks.gradient.col(b) << std::cos(angle), -std::sin(angle), std::sin(angle),
+          std::cos(angle);
+    }
+    bounds.start(blocks_with_owners(), settings.rigid);
+    if (seed % 3 == 0)
+      spoil();
+  }
+  int below(int count) { return static_cast<int>(random() % count); }
+
+ private:
+  /// A zero now and then.
+  double number() {
+    return below(10) == 0 ? 0.0 : std::uniform_real_distribution(-4.0, 4.0)(random);
+  }
+  template <class Matrix> void fill(Matrix& matrix, int rows, int columns) {
+    matrix.resize(rows, columns);
+    for (double& x : matrix.reshaped())
+      x = number();
+  }
+  const Blocks& blocks_with_owners() {
+    for (int b = 0; b < blocks.size(); ++b)
+      blocks.corner_block.insert(blocks.corner_block.end(), blocks.corners_of(b), b);
+    return blocks;
+  }
+  /// What a run that has failed may hold, at one place of a free block or of a fixed
+  /// one.
+  void spoil() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double bad[] = {1e150,     -1e160,   1e200,       1e308,
+                              -infinity, infinity, std::nan("")};
+    const double x = bad[below(7)];
+    const int b = below(blocks.size());
+    switch (below(4)) {
+    case 0:
+      blocks.velocity(below(2), b) = x;
+      break;
+    case 1:
+      blocks.spin[b] = x;
+      break;
+    case 2:
+      blocks.centroid(below(2), b) = x;
+      break;
+    default:
+      blocks.strain_rate(below(4), b) = x;
+    }
+  }
+};
+
+/// All that motion writes; a NaN is a NaN, for its sign is not defined.
+std::vector<std::uint64_t> bits(const Blocks& blocks) {
+  std::vector<std::uint64_t> found;
+  const auto add = [&](const double* from, std::ptrdiff_t count) {
+    for (const double* x = from; x < from + count; ++x) {
+      std::uint64_t word;
+      std::memcpy(&word, x, sizeof word);
+      found.push_back(std::isnan(*x) ? 1 : word);
+    }
+  };
+  for (const auto* rows : {&blocks.corner, &blocks.centroid, &blocks.velocity})
+    add(rows->data(), rows->size());
+  for (const auto* rows :
+       {&blocks.gradient, &blocks.applied, &blocks.stress, &blocks.strain_rate})
+    add(rows->data(), rows->size());
+  for (const auto* row : {&blocks.angle, &blocks.spin})
+    add(row->data(), row->size());
+  return found;
+}
+
+Displacement step_plainly(Scene& scene, double dt) {
+  Displacement result;
+  double sum = 0.0;
+  for (int b = scene.range.begin; b < scene.range.end; ++b) {
+    if (!scene.blocks.is_free(b))
+      continue;
+    plain::update_velocities(scene.blocks, b, scene.settings.gravity, dt);
+    if (!scene.settings.rigid) {
+      plain::update_strain_rates(scene.blocks, b, dt);
+      plain::update_stress(scene.blocks, b, scene.settings, dt);
+    }
+    plain::move_block(scene.blocks, b, scene.bounds, scene.settings, dt, result, sum);
+  }
+  result.finite = std::isfinite(sum);
+  return result;
+}
+
+Displacement step_by(const Kernels& by, Scene& scene, double dt) {
+  Blocks& blocks = scene.blocks;
+  update_velocities(blocks, scene.range, scene.settings.gravity, dt, by);
+  if (!scene.settings.rigid) {
+    update_strain(blocks, scene.range, scene.settings, dt, by);
+  }
+  return move_corners(blocks, scene.range, scene.bounds, scene.settings, dt, by);
+}
+
+TEST(MotionKernel, GivesTheBitsOfThePlainEquations) {
+  int left = 0, stayed = 0, failed = 0;
+  for (unsigned seed = 0; seed < 4000; ++seed) {
+    const Scene scene(seed);
+    for (const Kernels& by : all_kernels()) {
+      Scene expected = scene, found = scene;
+      bool finite = true;
+      for (int k = 0; k < 3 && finite; ++k) {
+        const double dt = 0.125 / (1 << k);
+        const Displacement wanted = step_plainly(expected, dt);
+        const Displacement moved = step_by(by, found, dt);
+        ASSERT_EQ(bits(found.blocks), bits(expected.blocks)) << by.name << ' ' << seed;
+        ASSERT_EQ(moved.largest, wanted.largest) << seed;
+        ASSERT_EQ(moved.block, wanted.block) << seed;
+        ASSERT_EQ(moved.bound, wanted.bound) << seed;
+        ASSERT_EQ(moved.finite, wanted.finite) << seed;
+        finite = moved.finite;
+        if (finite) {
+          ASSERT_EQ(moved.left_domain, wanted.left_domain) << seed;
+        }
+        left += wanted.left_domain, stayed += !wanted.left_domain, failed += !finite;
+      }
+    }
+  }
+  EXPECT_GT(left, 1000);
+  EXPECT_GT(stayed, 1000);
+  EXPECT_GT(failed, 100);
+}
+
+// Of blocks that are equally fast the first is named, in whatever lanes they stand.
+TEST(MotionKernel, NamesTheFirstOfTheFastest) {
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    Scene scene(10 * seed);
+    scene.settings.rigid = true;
+    const int count = scene.blocks.size();
+    scene.blocks.fixity.assign(count, Fixity::free);
+    scene.blocks.force.setZero(), scene.blocks.moment.setZero();
+    scene.blocks.spin.setZero(), scene.blocks.velocity.setZero();
+    scene.blocks.centroid.setZero();
+    scene.settings.gravity = {0, 0};
+    const int first = scene.below(count), second = scene.below(count);
+    scene.blocks.velocity(0, first) = scene.blocks.velocity(1, second) = 1.0;
+    scene.range = {0, count};
+    for (const Kernels& by : all_kernels()) {
+      Scene found = scene;
+      const int named = step_by(by, found, 0.5).block;
+      if (first != second) {
+        ASSERT_EQ(named, std::min(first, second));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blocks::dynamics
