@@ -87,13 +87,9 @@ WhyScene from_checkpoint(const std::string& path) {
   scene.time = model.time, scene.step = model.steps;
   scene.times = {model.time};
   scene.order = model.order;
-  const Contacts& list = model.contacts;
-  for (int i = 0; i < list.size(); ++i)
-    if (list.active[i]) {
-      const ActingContact forces = list.at(i);
-      scene.contacts.push_back({list.corner[i], list.edge[i], forces.normal_force,
-                                forces.shear_force, forces.overlap});
-    }
+  for (const Contact& contact : model.contacts)
+    scene.contacts.push_back({contact.corner, contact.edge, contact.normal_force,
+                              contact.shear_force, contact.overlap});
   return scene;
 }
 

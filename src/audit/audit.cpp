@@ -8,7 +8,6 @@
 #include "audit/common_depth.hpp"
 #include "audit/make_exact_rule.hpp"
 #include "geometry/overlap.hpp"
-#include "model/contact_blocks.hpp"
 
 namespace blocks::audit {
 namespace {
@@ -45,12 +44,9 @@ class Auditor {
   /// Looks for missed pairs and wrong decisions.
   void look_for_faults() {
     std::map<BlockPair, std::vector<std::pair<int, int>>> acting;
-    for (int i = 0; i < contacts_.size(); ++i)
-      if (contacts_.active[i]) {
-        ++found_.acting;
-        acting[pair_of(blocks_, contacts_, i)].emplace_back(contacts_.corner[i],
-                                                            contacts_.edge[i]);
-      }
+    found_.acting = static_cast<long>(contacts_.size());
+    for (const Contact& contact : contacts_)
+      acting[pair_of(blocks_, contact)].emplace_back(contact.corner, contact.edge);
     for (int a = 0; a < blocks_.size(); ++a)
       for (const int b : rule_.neighbours(a)) {
         if (b < a)
@@ -92,9 +88,9 @@ class Auditor {
     return geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick);
   }
 
-  /// [L] How far the spring of contact i is pressed in.
-  double pressed(int i) const {
-    return contacts_.at(i).normal_elastic / settings_.normal_stiffness;
+  /// [L] How far the spring of a contact is pressed in.
+  double pressed(const Contact& contact) const {
+    return contact.normal_elastic / settings_.normal_stiffness;
   }
 
   void look_for_excess() {
@@ -102,13 +98,10 @@ class Auditor {
       double depth = 0.0, pressed = 0.0;
     };
     std::map<BlockPair, Held> held;
-    for (int i = 0; i < contacts_.size(); ++i) {
-      if (!contacts_.active[i])
-        continue;
-      Held& pair = held[pair_of(blocks_, contacts_, i)];
-      pair.depth =
-          std::max(pair.depth, rule_.overlap(contacts_.corner[i], contacts_.edge[i]));
-      pair.pressed = std::max(pair.pressed, pressed(i));
+    for (const Contact& contact : contacts_) {
+      Held& pair = held[pair_of(blocks_, contact)];
+      pair.depth = std::max(pair.depth, rule_.overlap(contact.corner, contact.edge));
+      pair.pressed = std::max(pair.pressed, pressed(contact));
     }
     for (const auto& overlap : overlaps_) {
       const int a = overlap.first, b = overlap.second;
@@ -136,28 +129,26 @@ class Auditor {
     for (const auto& overlap : overlaps_)
       overlapping.insert({overlap.first, overlap.second});
     const CommonDepth common(blocks_);
-    for (int i = 0; i < contacts_.size(); ++i) {
-      if (!contacts_.active[i])
-        continue;
-      const int c = contacts_.corner[i], e = contacts_.edge[i];
+    for (const Contact& contact : contacts_) {
+      const int c = contact.corner, e = contact.edge;
       const int a = blocks_.corner_block[c], b = blocks_.corner_block[e];
       const double deep = rule_.overlap(c, e), tolerance = slack(a, b);
       if (deep <= tolerance)
         continue;
-      const bool meet = overlapping.contains(pair_of(blocks_, contacts_, i));
-      const DeepContact contact{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
-                                pressed(i)};
-      if (contact.excess() > found_.deepest.excess())
-        found_.deepest = contact;
-      if (contact.excess() > tolerance)
-        found_.deep.push_back(contact);
+      const bool meet = overlapping.contains(pair_of(blocks_, contact));
+      const DeepContact found{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
+                              pressed(contact)};
+      if (found.excess() > found_.deepest.excess())
+        found_.deepest = found;
+      if (found.excess() > tolerance)
+        found_.deep.push_back(found);
     }
     std::sort(found_.deep.begin(), found_.deep.end(),
               [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
   }
 
   const Blocks& blocks_;
-  const Contacts& contacts_;
+  const std::vector<Contact>& contacts_;
   const Settings& settings_;
   const std::vector<BlockPair>& listed_;
   ExactPairRule rule_;

@@ -59,8 +59,8 @@ struct Findings {
 /// The state in which a step decided its contacts, and what it decided. All numbers of
 /// blocks and corners are those of `blocks`.
 struct Moment {
-  const Blocks& blocks;      ///< before they moved
-  const Contacts& contacts;  ///< after the step: which contacts acted
+  const Blocks& blocks;                  ///< before they moved
+  const std::vector<Contact>& contacts;  ///< after the step: those that acted
   const Settings& settings;
   double left = 0.0;  ///< [L] how far corners may still go before the next list
   std::vector<BlockPair> listed;  ///< the program's near pairs, in ascending order

@@ -95,15 +95,15 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
   return extremes;
 }
 
-void read_contacts(Blocks& blocks, Contacts& list, const Settings& settings, double dt,
-                   const PairIndex& index, ContactArrays& arrays) {
+void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& settings,
+                   double dt, const PairIndex& index, ContactArrays& arrays) {
   ContactBatches& batches = arrays.batches;
   if (settings.rigid)
     blocks.applied.setZero();
   kernels().act(batches, state_of(blocks), law_of(settings, dt), settings.rigid, true,
                 0, batches.batches());
   write_list(arrays, list);
-  auto contact = list.acting.begin();
+  auto contact = list.begin();
   for (int p = 0; p < index.size(); ++p) {
     arrays.each_slot(p, [&](int slot) {
       if (!batches.is(slot, &ContactBits::touches))

@@ -35,7 +35,7 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
 /// model with springs at the end of the step, forces and overlaps, and of rigid blocks
 /// the sums f_i x_j of the contacts to `applied`. Call it after find_contact_forces and
 /// before springs advance.
-void read_contacts(Blocks& blocks, Contacts& list, const Settings& settings, double dt,
-                   const PairIndex& index, ContactArrays& arrays);
+void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& settings,
+                   double dt, const PairIndex& index, ContactArrays& arrays);
 
 }  // namespace blocks::dynamics

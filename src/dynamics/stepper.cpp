@@ -45,9 +45,7 @@ void Stepper::bring_in() {
   }
   inwards_.renumber(model_.blocks, inside_.blocks);
   inwards_.renumber(model_.plane_contacts, inside_.plane_contacts);
-  Numbering::renumber_acting(model_.contacts,
-                             inwards_.renumber_list(model_, inside_.contacts),
-                             inside_.contacts);
+  inwards_.renumber(model_.contacts, inside_.blocks, inside_.contacts);
   inside_.loads = inwards_.renumbered(model_.loads);
   inside_.settings = model_.settings;
   inside_.time_step = model_.time_step;
@@ -62,9 +60,7 @@ void Stepper::bring_in() {
 void Stepper::bring_out() {
   outwards_.renumber(inside_.blocks, model_.blocks);
   outwards_.renumber(inside_.plane_contacts, model_.plane_contacts);
-  Numbering::renumber_acting(inside_.contacts,
-                             outwards_.renumber_list(inside_, model_.contacts),
-                             model_.contacts);
+  outwards_.renumber(inside_.contacts, model_.blocks, model_.contacts);
   outside_current_ = true;
 }
 

@@ -8,7 +8,6 @@
 #include "dynamics/search/list_tolerance.hpp"
 #include "dynamics/support/memory_pages.hpp"
 #include "dynamics/symmetry_planes.hpp"
-#include "model/contact_blocks.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -34,10 +33,11 @@ std::vector<NearPair> pairs_with_springs(const PairIndex& index,
       found.push_back(index.pairs[contacts.pair[k]]);
   return found;
 }
-std::vector<NearPair> pairs_with_springs(const Blocks& blocks, const Contacts& list) {
+std::vector<NearPair> pairs_with_springs(const Blocks& blocks,
+                                         const std::vector<Contact>& list) {
   std::vector<NearPair> found;
-  for (const ActingContact& contact : list.acting) {
-    const auto [low, high] = pair_of(blocks, list, contact.record);
+  for (const Contact& contact : list) {
+    const auto [low, high] = pair_of(blocks, contact);
     if (blocks.is_free(low) || blocks.is_free(high))
       found.push_back({low, high});
   }

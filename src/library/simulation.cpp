@@ -292,9 +292,8 @@ std::vector<ContactForce> Simulation::contacts() const {
     return corner - all.first_corner[all.corner_block[corner]] + 1;
   };
   std::vector<ContactForce> acting;
-  const Contacts& list = model.contacts;
-  for (const ActingContact& contact : list.acting) {
-    const int i = contact.record, c = list.corner[i], e = list.edge[i];
+  for (const Contact& contact : model.contacts) {
+    const int c = contact.corner, e = contact.edge;
     acting.push_back({all.corner_block[c] + 1, number(c), all.corner_block[e] + 1,
                       number(e), all.corner.col(c),
                       left_of(all.corner.col(e), all.corner.col(all.next[e])),

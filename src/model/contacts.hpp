@@ -1,38 +1,43 @@
-// The contacts that act (report 3.2, Appendix D), as structure of arrays.
+// The contacts that act (report 3.2, Appendix D).
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <tuple>
+#include <utility>
 #include <vector>
+
+#include "model/blocks.hpp"
 
 namespace blocks {
 
-/// The forces of a contact.
-struct ActingContact {
-  int record = 0;               ///< index in the list
+/// A corner that acts on an edge of another block, and its forces in the last step.
+/// What may act next is working state of the step, not of the model.
+struct Contact {
+  int corner = 0;               ///< corner that penetrates, NPC
+  int edge = 0;                 ///< first corner of the edge, NPE
   double normal_elastic = 0.0;  ///< [F] FN, spring only, >= 0
   double shear_elastic = 0.0;   ///< [F] FS, spring only
-  double normal_force = 0.0;    ///< [F] with the dashpot, >= 0, last step
-  double shear_force = 0.0;     ///< [F] with the dashpot, last step
+  double normal_force = 0.0;    ///< [F] with the dashpot, >= 0
+  double shear_force = 0.0;     ///< [F] with the dashpot
   double overlap = 0.0;         ///< [L] depth >= 0
-  bool operator==(const ActingContact&) const = default;
+  bool operator==(const Contact&) const = default;
 };
 
-/// Contacts (corner, edge) of the last step, ordered by pair of blocks (lower number
-/// first), then corner, then edge. Of k contacts those that are not active have ended;
-/// a step lists active ones only. What may act next is working state of the step
-/// (dynamics/pair_contacts.hpp).
-struct Contacts {
-  std::vector<int> corner;            ///< (k) corner that penetrates, NPC
-  std::vector<int> edge;              ///< (k) first corner of the edge, NPE
-  std::vector<bool> active;           ///< (k) acted in the last step
-  std::vector<ActingContact> acting;  ///< of the active ones, in the order of the list
+/// The two blocks of a contact, the lower number first.
+inline std::pair<int, int> pair_of(const Blocks& blocks, const Contact& contact) {
+  const int a = blocks.corner_block[contact.corner];
+  const int b = blocks.corner_block[contact.edge];
+  return {std::min(a, b), std::max(a, b)};
+}
 
-  int size() const { return static_cast<int>(corner.size()); }
-  /// So many records; none acts.
-  void resize(int k);
-  /// Forces and overlap of record i: all 0 where it does not act.
-  ActingContact at(int i) const;
-};
+/// Lists of contacts ascend in this key: pair of blocks, corner, edge. No two contacts
+/// of a list have the same key.
+inline std::tuple<int, int, int, int> sort_key(const Blocks& blocks,
+                                               const Contact& contact) {
+  const auto [low, high] = pair_of(blocks, contact);
+  return {low, high, contact.corner, contact.edge};
+}
 
 /// Records (plane, corner), ordered by plane, then corner. Frictionless (SPLANE, rule
 /// 21).

@@ -55,7 +55,7 @@ struct LayerRecord {
 struct Model {
   Settings settings;
   Blocks blocks;
-  Contacts contacts;
+  std::vector<Contact> contacts;  ///< those that act, ascending in sort_key
   PlaneContacts plane_contacts;
   Loads loads;
   TimeStep time_step;
@@ -82,7 +82,7 @@ struct ModelTotals {
   Vec2 momentum = Vec2::Zero();
   double angular_momentum = 0.0;  ///< about the origin
   int active_contacts = 0;        ///< corner-edge and corner-plane
-  int listed_contacts = 0;
+  int listed_contacts = 0;        ///< and corners near planes that do not act
   double worst_overlap = 0.0;
   double fastest = 0.0;  ///< largest speed of a centroid, [L/T]
 };

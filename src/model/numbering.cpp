@@ -7,8 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "model/contact_blocks.hpp"
-
 namespace blocks {
 namespace {
 
@@ -139,68 +137,16 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
     to.first_corner.push_back(to.first_corner.back() + from.corners_of(b));
 }
 
-namespace {
-
-/// Records first .. last - 1 of a list, and the new numbers of their blocks.
-struct PairOfList {
-  int low, high, first, last;
-  bool operator<(const PairOfList& other) const {
-    return low != other.low ? low < other.low : high < other.high;
+void Numbering::renumber(const std::vector<Contact>& from, const Blocks& blocks,
+                         std::vector<Contact>& to) const {
+  to = from;
+  for (Contact& contact : to) {
+    contact.corner = corners_.new_of[contact.corner];
+    contact.edge = corners_.new_of[contact.edge];
   }
-};
-
-std::vector<PairOfList> pairs_of(const Model& model, const NewNumbers& blocks) {
-  const Contacts& list = model.contacts;
-  std::vector<PairOfList> pairs;
-  for (int i = 0; i < list.size(); ++i) {
-    const auto [a, b] = pair_of(model.blocks, list, i);
-    const auto [low, high] = std::minmax(blocks.new_of[a], blocks.new_of[b]);
-    if (pairs.empty() || pairs.back().low != low || pairs.back().high != high)
-      pairs.push_back({low, high, i, i});
-    pairs.back().last = i + 1;
-  }
-  return pairs;
-}
-
-}  // namespace
-
-std::vector<int> Numbering::renumber_list(const Model& from, Contacts& to) const {
-  const Contacts& list = from.contacts;
-  std::vector<PairOfList> pairs = pairs_of(from, blocks_);
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<int> new_of(list.size());
-  to.resize(list.size());
-  int next = 0;
-  const auto put = [&](int first, int last) {
-    for (int old = first; old < last; ++old, ++next) {
-      to.corner[next] = corners_.new_of[list.corner[old]];
-      to.edge[next] = corners_.new_of[list.edge[old]];
-      new_of[old] = next;
-    }
-  };
-  for (const PairOfList& pair : pairs) {
-    // corners of the lower block first, of each in the order they have
-    int middle = pair.first;
-    while (middle < pair.last &&
-           from.blocks.corner_block[list.corner[middle]] != blocks_.old_of[pair.low])
-      ++middle;
-    put(middle, pair.last);
-    put(pair.first, middle);
-  }
-  return new_of;
-}
-
-void Numbering::renumber_acting(const Contacts& from, const std::vector<int>& new_of,
-                                Contacts& to) {
-  for (const ActingContact& before : to.acting)
-    to.active[before.record] = 0;
-  to.acting = from.acting;
-  for (ActingContact& contact : to.acting) {
-    contact.record = new_of[contact.record];
-    to.active[contact.record] = 1;
-  }
-  std::sort(to.acting.begin(), to.acting.end(),
-            [](const auto& l, const auto& r) { return l.record < r.record; });
+  std::sort(to.begin(), to.end(), [&](const Contact& l, const Contact& r) {
+    return sort_key(blocks, l) < sort_key(blocks, r);
+  });
 }
 
 void Numbering::renumber(const PlaneContacts& from, PlaneContacts& to) const {

@@ -44,15 +44,13 @@ class Numbering {
   const NewNumbers& corners() const { return corners_; }
 
   void renumber(const Blocks& from, Blocks& to) const;
+  /// Renumbers corners and edges, and sorts the list by sort_key. blocks: the
+  /// renumbered ones.
+  void renumber(const std::vector<Contact>& from, const Blocks& blocks,
+                std::vector<Contact>& to) const;
   void renumber(const PlaneContacts& from, PlaneContacts& to) const;
   /// Loads act in the order they had.
   Loads renumbered(Loads loads) const;
-  /// The records of the list, in the order that lists have; none acts yet. Returns the
-  /// new number of each.
-  std::vector<int> renumber_list(const Model& from, Contacts& to) const;
-  /// Those that act. new_of: by renumber_list.
-  static void renumber_acting(const Contacts& from, const std::vector<int>& new_of,
-                              Contacts& to);
 
  private:
   NewNumbers blocks_, corners_;

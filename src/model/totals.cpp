@@ -17,12 +17,13 @@ ModelTotals totals(const Model& model) {
                             blocks.inertia[b] * blocks.spin[b];
     sum.fastest = std::max(sum.fastest, v.norm());
   }
-  sum.listed_contacts = model.contacts.size() + model.plane_contacts.size();
+  sum.listed_contacts =
+      static_cast<int>(model.contacts.size()) + model.plane_contacts.size();
   const auto count = [&](double overlap) {
     ++sum.active_contacts;
     sum.worst_overlap = std::max(sum.worst_overlap, overlap);
   };
-  for (const ActingContact& contact : model.contacts.acting)
+  for (const Contact& contact : model.contacts)
     count(contact.overlap);
   const PlaneContacts& on_planes = model.plane_contacts;
   for (int i = 0; i < on_planes.size(); ++i)

@@ -77,7 +77,6 @@ std::string boxes_dump(const Model& model) {
 
 std::string contacts_dump(const Model& model) {
   const Blocks& blocks = model.blocks;
-  const Contacts& list = model.contacts;
   std::string text = over_whole("block") + over_whole("corner") + over_whole("block") +
                      over_whole("edge") + over_whole("active") + over_number("FN") +
                      over_number("FS") + over_number("normal force") +
@@ -87,14 +86,11 @@ std::string contacts_dump(const Model& model) {
     return whole(b + 1) +
            whole(c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
   };
-  for (int i = 0; i < list.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const ActingContact contact = list.at(i);
-    text += named(list.corner[k]) + named(list.edge[k]) +
-            over_whole(list.active[k] ? "yes" : "no") + number(contact.normal_elastic) +
-            number(contact.shear_elastic) + number(contact.normal_force) +
-            number(contact.shear_force) + number(contact.overlap) + "\n";
-  }
+  for (const Contact& contact : model.contacts)
+    text += named(contact.corner) + named(contact.edge) + over_whole("yes") +
+            number(contact.normal_elastic) + number(contact.shear_elastic) +
+            number(contact.normal_force) + number(contact.shear_force) +
+            number(contact.overlap) + "\n";
   return text;
 }
 

@@ -87,14 +87,11 @@ template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
 }
 
 template <class C, class Archive> void visit_contacts(C& contacts, Archive& ar) {
-  auto& [corner, edge, active, acting] = contacts;
-  ar("contacts/corner", corner);
-  ar("contacts/edge", edge);
-  ar("contacts/active", active);
-  ar.records("contacts/acting", acting, [](auto& column, auto& contact) {
-    auto& [record, normal_elastic, shear_elastic, normal_force, shear_force, overlap] =
-        contact;
-    column("record", record);
+  ar.records("contacts", contacts, [](auto& column, auto& contact) {
+    auto& [corner, edge, normal_elastic, shear_elastic, normal_force, shear_force,
+           overlap] = contact;
+    column("corner", corner);
+    column("edge", edge);
     column("normal_elastic", normal_elastic);
     column("shear_elastic", shear_elastic);
     column("normal_force", normal_force);

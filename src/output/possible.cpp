@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "model/contact_blocks.hpp"
 #include "output/hdf5_handle.hpp"
 
 namespace blocks::output {
@@ -206,41 +205,27 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
   }
 }
 
-void expect_contacts(const Contacts& c, const Blocks& b) {
-  const std::size_t k = c.corner.size();
-  expect_indices("contacts/corner", c.corner, k, b.corners());
-  expect_indices("contacts/edge", c.edge, k, b.corners());
-  const auto place = [&](std::size_t i) {
-    const auto [low, high] = pair_of(b, c, static_cast<int>(i));
-    return std::tuple(low, high, c.corner[i], c.edge[i]);
-  };
-  for (std::size_t i = 0; i < k; ++i)
-    if (std::get<0>(place(i)) == std::get<1>(place(i)))
+void expect_contacts(const std::vector<Contact>& contacts, const Blocks& b) {
+  for (const Contact& contact : contacts) {
+    expect_index("contacts/corner", contact.corner, b.corners());
+    expect_index("contacts/edge", contact.edge, b.corners());
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
+    const auto [low, high] = pair_of(b, contact);
+    if (low == high)
       impossible(fmt::format("contact {} is of one block alone", i + 1));
-  for (std::size_t i = 1; i < k; ++i)
-    if (!(place(i - 1) < place(i)))
+    if (i > 0 && !(sort_key(b, contacts[i - 1]) < sort_key(b, contact)))
       impossible(fmt::format("contact {} is out of order", i + 1));
-  if (c.active.size() != k)
-    impossible(
-        fmt::format("contacts/active has {} rows, expected {}", c.active.size(), k));
-  auto next = c.acting.begin();
-  for (int i = 0; i < c.size(); ++i) {
-    if (c.active[i] == 0)
-      continue;
-    if (next == c.acting.end() || next->record != i)
-      impossible(fmt::format("contact {} acts without its forces", i + 1));
     for (const auto& [name, value, range] :
-         {std::tuple{"normal_elastic", next->normal_elastic, &not_negative},
-          {"normal_force", next->normal_force, &not_negative},
-          {"overlap", next->overlap, &not_negative},
-          {"shear_elastic", next->shear_elastic, &finite},
-          {"shear_force", next->shear_force, &finite}})
+         {std::tuple{"normal_elastic", contact.normal_elastic, &not_negative},
+          {"normal_force", contact.normal_force, &not_negative},
+          {"overlap", contact.overlap, &not_negative},
+          {"shear_elastic", contact.shear_elastic, &finite},
+          {"shear_force", contact.shear_force, &finite}})
       if (!holds(*range, value))
         expect(fmt::format("contact {}: {}", i + 1, name), value, *range);
-    ++next;
   }
-  if (next != c.acting.end())
-    impossible(fmt::format("contact {} has forces and does not act", next->record + 1));
 }
 
 void expect_plane_contacts(const PlaneContacts& c, const Model& model) {

@@ -27,15 +27,13 @@ Vec2 left_of(const Vec2& from, const Vec2& to) {
   return {-t.y(), t.x()};
 }
 
-Rows between_blocks(const Model& model, std::size_t first, std::size_t last) {
+Rows between_blocks(const Model& model, std::size_t begin, std::size_t end) {
   const Blocks& blocks = model.blocks;
   Rows rows;
-  const Contacts& list = model.contacts;
-  for (std::size_t a = first; a < last; ++a) {
-    const ActingContact& contact = list.acting[a];
-    const auto k = static_cast<std::size_t>(contact.record);
-    const int e = list.edge[k], b = blocks.corner_block[e];
-    rows.add(blocks, list.corner[k],
+  for (std::size_t i = begin; i < end; ++i) {
+    const Contact& contact = model.contacts[i];
+    const int e = contact.edge, b = blocks.corner_block[e];
+    rows.add(blocks, contact.corner,
              left_of(blocks.corner.col(e), blocks.corner.col(blocks.next[e])),
              contact.normal_force, contact.shear_force, contact.overlap);
     rows.edge_block.push_back(b + 1);
@@ -97,7 +95,7 @@ void ContactColumns::put(long frame, const Model& model) {
     overlap_.put(next, rows.overlap.data(), added);
     next += added;
   };
-  const std::size_t acting = model.contacts.acting.size();
+  const std::size_t acting = model.contacts.size();
   for (std::size_t done = 0; done < acting; done += contacts_at_once)
     add(between_blocks(model, done, std::min(acting, done + contacts_at_once)));
   add(against_planes(model));

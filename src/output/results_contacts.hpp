@@ -1,5 +1,4 @@
-// Contacts of each frame under /BLOCKS/contacts: active records only, one after
-// another.
+// Contacts of each frame under /BLOCKS/contacts: those that act, one after another.
 #pragma once
 
 #include <functional>

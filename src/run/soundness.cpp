@@ -76,7 +76,6 @@ std::string unsound(const Model& model, const dynamics::StepResult& moved,
   const double stiffness = model.settings.normal_stiffness;
   if (!(moved.strongest > stiffness * half_depth))
     return "";
-  const Contacts& contacts = model.contacts;
   const PlaneContacts& on_planes = model.plane_contacts;
   for (int i = 0; i < on_planes.size(); ++i) {
     if (!on_planes.active[i])
@@ -93,10 +92,9 @@ std::string unsound(const Model& model, const dynamics::StepResult& moved,
           "raise STIFF, or lower FRACTION if the run is unstable",
           model.time, model.steps, block + 1, pressed, above);
   }
-  for (const ActingContact& contact : contacts.acting) {
-    const int i = contact.record;
-    const int edge = contacts.edge[i], block = blocks.corner_block[edge];
-    const int other = blocks.corner_block[contacts.corner[i]];
+  for (const Contact& contact : model.contacts) {
+    const int edge = contact.edge, block = blocks.corner_block[edge];
+    const int other = blocks.corner_block[contact.corner];
     const double pressed = contact.normal_elastic / stiffness;
     const double behind = depth_of_middle(blocks, edge, block);
     const double above =

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "dynamics/decisions/decide_contacts.hpp"
-#include "model/contact_blocks.hpp"
 
 namespace blocks::study {
 
@@ -27,16 +26,13 @@ void ExactJudge::decide(const Model& model) {
   std::sort(acting_.begin(), acting_.end());
 }
 
-void ExactJudge::compare(const Blocks& blocks, const Contacts& contacts,
+void ExactJudge::compare(const Blocks& blocks, const std::vector<Contact>& contacts,
                          Outcome& outcome) const {
   auto exact = acting_.begin();
-  long right = 0, acted = 0;
-  for (int i = 0; i < contacts.size(); ++i) {
-    if (!contacts.active[i])
-      continue;
-    ++acted;
-    const auto [low, high] = pair_of(blocks, contacts, i);
-    const Key key(low, high, contacts.corner[i], contacts.edge[i]);
+  const long acted = static_cast<long>(contacts.size());
+  long right = 0;
+  for (const Contact& contact : contacts) {
+    const Key key = sort_key(blocks, contact);
     while (exact != acting_.end() && *exact < key)
       ++exact;
     right += exact != acting_.end() && *exact == key;

@@ -17,7 +17,8 @@ class ExactJudge {
   /// Decides where the blocks are.
   void decide(const Model& model);
   /// Compares with the contacts that acted in the step from there.
-  void compare(const Blocks& blocks, const Contacts& contacts, Outcome& outcome) const;
+  void compare(const Blocks& blocks, const std::vector<Contact>& contacts,
+               Outcome& outcome) const;
 
  private:
   using Key = std::tuple<int, int, int, int>;  ///< two blocks, corner, edge

@@ -25,7 +25,7 @@ double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
     energy -= blocks.mass[b] *
               s.gravity.dot(Vec2(blocks.centroid.col(b)) - Vec2(start.col(b)) -
                             0.5 * model.time_step.dt * Vec2(blocks.velocity.col(b)));
-  for (const ActingContact& contact : model.contacts.acting)
+  for (const Contact& contact : model.contacts)
     energy +=
         0.5 * contact.normal_elastic * contact.normal_elastic / s.normal_stiffness +
         0.5 * contact.shear_elastic * contact.shear_elastic / s.shear_stiffness;
@@ -73,12 +73,11 @@ bool is_checkpoint(long k, long steps, long looks) {
   return (k + 1) % ((steps + looks - 1) / looks) == 0 || k + 1 == steps;
 }
 
-std::uint64_t hash_acting(const Contacts& contacts) {
+std::uint64_t hash_acting(const std::vector<Contact>& contacts) {
   std::uint64_t state = 0xCBF29CE484222325ULL;
-  for (int i = 0; i < contacts.size(); ++i)
-    if (contacts.active[i])
-      for (const int number : {contacts.corner[i], contacts.edge[i]})
-        state = (state ^ static_cast<std::uint64_t>(number)) * 0x100000001B3ULL;
+  for (const Contact& contact : contacts)
+    for (const int number : {contact.corner, contact.edge})
+      state = (state ^ static_cast<std::uint64_t>(number)) * 0x100000001B3ULL;
   return state;
 }
 

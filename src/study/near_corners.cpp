@@ -22,9 +22,8 @@ void NearCorners::find(const Model& model, const dynamics::PairIndex& index,
     add_near(blocks, pair.low, pair.high, reach);
     add_near(blocks, pair.high, pair.low, reach);
   }
-  const Contacts& contacts = model.contacts;
-  for (const ActingContact& contact : contacts.acting)
-    add(blocks, contacts.corner[contact.record], contacts.edge[contact.record]);
+  for (const Contact& contact : model.contacts)
+    add(blocks, contact.corner, contact.edge);
 }
 
 void NearCorners::add(const Blocks& blocks, int corner, int edge) {

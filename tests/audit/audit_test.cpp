@@ -10,7 +10,6 @@
 #include "audit/clusters.hpp"
 #include "audit/moments.hpp"
 #include "audit/words.hpp"
-#include "model/contact_blocks.hpp"
 #include "model/numbering.hpp"
 #include "study/draft.hpp"
 
@@ -89,8 +88,8 @@ TEST(Audit, SlidingOverJointsIsClean) {
 long deep_contacts(const Model& model) {
   const Blocks& blocks = model.blocks;
   long deep = 0;
-  for (const ActingContact& contact : model.contacts.acting) {
-    const auto [a, b] = pair_of(blocks, model.contacts, contact.record);
+  for (const Contact& contact : model.contacts) {
+    const auto [a, b] = pair_of(blocks, contact);
     deep +=
         contact.overlap > 0.05 * std::sqrt(std::min(blocks.area[a], blocks.area[b]));
   }

@@ -5,7 +5,6 @@
 
 #include "audit/audit.hpp"
 #include "audit/moments.hpp"
-#include "model/contact_blocks.hpp"
 
 namespace blocks {
 namespace {
@@ -15,33 +14,25 @@ using audit::Findings;
 using scenes::Scene;
 using testing::AuditedRun;
 
-/// Adds a contact that acts, without forces.
-void add_contact(Contacts& contacts, int corner, int edge) {
-  contacts.corner.push_back(corner);
-  contacts.edge.push_back(edge);
-  contacts.active.push_back(true);
-}
-
 class InjectedFault : public ::testing::Test {
  protected:
   InjectedFault() : scene(testing::rubble(1)), run(scene.model) {
     scene.run(1.0);
     run.step();
   }
-  Contacts& contacts() { return scene.model.contacts; }
-  /// Some contact that acts.
-  int acting() { return contacts().size() / 2; }
-  BlockPair blocks_of(int contact) { return pair_of(run.before, contacts(), contact); }
+  std::vector<Contact>& contacts() { return scene.model.contacts; }
+  /// The contact in the middle of the list.
+  Contact some_contact() { return contacts()[contacts().size() / 2]; }
+  BlockPair blocks_of(const Contact& contact) { return pair_of(run.before, contact); }
   /// Takes a pair of blocks from the list.
   void drop(const BlockPair& pair) {
     auto& pairs = run.listed;
     pairs.erase(std::remove(pairs.begin(), pairs.end(), pair), pairs.end());
   }
   bool acts(const BlockPair& pair) {
-    for (int i = 0; i < contacts().size(); ++i)
-      if (blocks_of(i) == pair)
-        return true;
-    return false;
+    return std::any_of(
+        contacts().begin(), contacts().end(),
+        [&](const Contact& contact) { return blocks_of(contact) == pair; });
   }
 
   Scene scene;
@@ -52,11 +43,11 @@ TEST_F(InjectedFault, NothingIsWrongWithout) {
   const Findings found = run.audit();
   EXPECT_TRUE(found.sound());
   EXPECT_GT(found.acting, 10);
-  EXPECT_EQ(found.acting, contacts().size());
+  EXPECT_EQ(found.acting, std::ssize(contacts()));
 }
 
 TEST_F(InjectedFault, MissedPairThatTouches) {
-  const BlockPair pair = blocks_of(acting());
+  const BlockPair pair = blocks_of(some_contact());
   drop(pair);
   const Findings found = run.audit();
   EXPECT_EQ(found.missed, std::vector{pair});
@@ -84,10 +75,10 @@ TEST_F(InjectedFault, MissedPairThatDoesNotTouchYet) {
 }
 
 TEST_F(InjectedFault, ContactThatShouldNotAct) {
-  const int i = acting(), corner = contacts().corner[i];
-  const int other = run.before.next[contacts().edge[i]];
-  const BlockPair pair = blocks_of(i);
-  add_contact(contacts(), corner, other);
+  const Contact contact = some_contact();
+  const int corner = contact.corner, other = run.before.next[contact.edge];
+  const BlockPair pair = blocks_of(contact);
+  contacts().push_back({corner, other});
   const Findings found = run.audit();
   ASSERT_EQ(found.wrong.size(), 1U);
   const audit::WrongPair& wrong = found.wrong[0];
@@ -108,7 +99,7 @@ TEST_F(InjectedFault, ContactOfBlocksThatAreFarApart) {
   int b = 0;
   while (!far(b))
     ++b;
-  add_contact(contacts(), blocks.first_corner[b], blocks.first_corner[8]);
+  contacts().push_back({blocks.first_corner[b], blocks.first_corner[8]});
   const Findings found = run.audit();
   ASSERT_EQ(found.wrong.size(), 1U);
   EXPECT_EQ(found.wrong[0].acting.size(), 1U);
@@ -116,9 +107,9 @@ TEST_F(InjectedFault, ContactOfBlocksThatAreFarApart) {
 }
 
 TEST_F(InjectedFault, ContactThatShouldAct) {
-  const int i = acting();
-  const std::pair contact(contacts().corner[i], contacts().edge[i]);
-  contacts().active[i] = false;
+  const auto dropped = contacts().begin() + std::ssize(contacts()) / 2;
+  const std::pair contact(dropped->corner, dropped->edge);
+  contacts().erase(dropped);
   const Findings found = run.audit();
   ASSERT_EQ(found.wrong.size(), 1U);
   const auto &exact = found.wrong[0].exact, &program = found.wrong[0].acting;
@@ -135,7 +126,7 @@ TEST(LostContacts, DoNotExplainTheOverlap) {
   scene.prepare();
   AuditedRun run(scene.model);
   run.step();
-  scene.model.contacts.resize(0);
+  scene.model.contacts.clear();
   const Findings found = run.audit();
   EXPECT_EQ(found.acting, 0);
   EXPECT_EQ(found.wrong.size(), 1U);
@@ -161,8 +152,8 @@ TEST(InjectedContact, IsDeeperThanItsBlocksOverlap) {
     EXPECT_EQ(sound.acting, 4);
     EXPECT_LT(sound.deepest.excess(), 1e-12);
     const auto found_with = [&](int corner, int edge) {
-      const Contacts whole = scene.model.contacts;
-      add_contact(scene.model.contacts, corner, edge);
+      const std::vector<Contact> whole = scene.model.contacts;
+      scene.model.contacts.push_back({corner, edge});
       const Findings found = run.audit();
       scene.model.contacts = whole;
       return found;

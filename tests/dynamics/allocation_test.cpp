@@ -121,9 +121,9 @@ TEST(Memory, ContactsAreListedWhenTheyAreRead) {
   dynamics::Workspace work;
   for (int k = 0; k < 20; ++k)
     dynamics::advance(model, work, false);
-  EXPECT_TRUE(model.contacts.acting.empty());
+  EXPECT_TRUE(model.contacts.empty());
   dynamics::catch_up(model, work);
-  EXPECT_EQ(model.contacts.acting.size(), 2U);
+  EXPECT_EQ(model.contacts.size(), 2U);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ TEST(SlantedJoint, HoldsALowerNeighbour) {
     scene.add({{3.13 - in, -down}, {3.0 - in, 2 - down}, {6, 2 - down}, {6, -down}});
     scene.steps(1);
     std::vector<std::pair<int, int>> acting;  // corner, edge
-    for (int i = 0; i < scene.model.contacts.size(); ++i)
-      acting.emplace_back(scene.model.contacts.corner[i], scene.model.contacts.edge[i]);
+    for (const Contact& contact : scene.model.contacts)
+      acting.emplace_back(contact.corner, contact.edge);
     EXPECT_EQ(acting, (std::vector<std::pair<int, int>>{{2, 4}, {4, 2}}))
         << frame.angle;
   }

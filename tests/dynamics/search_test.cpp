@@ -29,15 +29,13 @@ scenes::Scene settled_wall() {
 TEST(Search, KeepsContactsAndSprings) {
   scenes::Scene scene = settled_wall();
   Model again = scene.model;
-  ASSERT_GT(again.contacts.acting.size(), 60U);
+  ASSERT_GT(again.contacts.size(), 60U);
   dynamics::Workspace work;
   for (int i = 0; i < 20; ++i) {
     scene.step();
     again.search.current = false;
     dynamics::step(again, work);
-    ASSERT_EQ(again.contacts.corner, scene.model.contacts.corner);
-    ASSERT_EQ(again.contacts.edge, scene.model.contacts.edge);
-    ASSERT_EQ(again.contacts.acting, scene.model.contacts.acting);
+    ASSERT_EQ(again.contacts, scene.model.contacts);
     ASSERT_EQ(again.blocks.corner, scene.model.blocks.corner);
   }
 }
@@ -45,15 +43,14 @@ TEST(Search, KeepsContactsAndSprings) {
 // Contacts are listed by their blocks (the lower number first), corner and edge.
 TEST(Search, ListsContactsInOrder) {
   const Model model = settled_wall().model;
-  const Contacts& list = model.contacts;
-  std::vector<std::tuple<int, int, int, int>> places;
-  for (int i = 0; i < list.size(); ++i) {
-    const auto [low, high] = std::minmax(model.blocks.corner_block[list.corner[i]],
-                                         model.blocks.corner_block[list.edge[i]]);
-    places.emplace_back(low, high, list.corner[i], list.edge[i]);
+  std::vector<std::tuple<int, int, int, int>> keys;
+  for (const Contact& contact : model.contacts) {
+    const auto [low, high] = std::minmax(model.blocks.corner_block[contact.corner],
+                                         model.blocks.corner_block[contact.edge]);
+    keys.emplace_back(low, high, contact.corner, contact.edge);
   }
-  EXPECT_GT(places.size(), 60U);
-  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+  EXPECT_GT(keys.size(), 60U);
+  EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
 }
 
 // A block that has been moved far away loses its contacts. Contacts between fixed
@@ -66,16 +63,16 @@ TEST(Search, DropsContactsOfBlocksThatAreGone) {
   model.search.current = false;
   dynamics::Workspace work;
   dynamics::step(model, work);
-  EXPECT_GT(model.contacts.size(), 50);
-  for (int i = 0; i < model.contacts.size(); ++i) {
-    EXPECT_NE(model.blocks.corner_block[model.contacts.corner[i]], gone);
-    EXPECT_NE(model.blocks.corner_block[model.contacts.edge[i]], gone);
+  EXPECT_GT(model.contacts.size(), 50U);
+  for (const Contact& contact : model.contacts) {
+    EXPECT_NE(model.blocks.corner_block[contact.corner], gone);
+    EXPECT_NE(model.blocks.corner_block[contact.edge], gone);
   }
   for (int b = 0; b < model.blocks.size(); ++b)
     model.blocks.fix(b, Fixity::by_user);
   dynamics::Workspace others;
   dynamics::step(model, others);
-  EXPECT_EQ(model.contacts.size(), 0);
+  EXPECT_TRUE(model.contacts.empty());
 }
 
 // Blocks that go by a good part of their size in a step feel each other the same

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -12,7 +13,6 @@
 #include <set>
 #include <tuple>
 
-#include "model/contact_blocks.hpp"
 #include "output/fields.hpp"
 
 namespace blocks {
@@ -118,23 +118,15 @@ Model random_model(Dice& dice) {
     if (low != high)
       places.emplace(low, high, c, e);
   }
-  Contacts& list = model.contacts;
-  list.resize(static_cast<int>(places.size()));
-  int i = 0;
-  for (const auto& [low, high, corner, edge] : places) {
-    list.corner[i] = corner, list.edge[i] = edge;
-    if (dice.below(3) == 0) {
-      list.active[i] = 1;
-      list.acting.push_back({i, dice.number(), dice.number(), dice.number()});
-    }
-    ++i;
-  }
+  for (const auto& [low, high, corner, edge] : places)
+    model.contacts.push_back(
+        {corner, edge, dice.number(), dice.number(), dice.number()});
   PlaneContacts& planes = model.plane_contacts;
   std::set<std::pair<int, int>> on_planes;
   for (int k = dice.below(20); k > 0; --k)
     on_planes.emplace(dice.below(2), dice.below(blocks.corners()));
   planes.resize(static_cast<int>(on_planes.size()));
-  i = 0;
+  int i = 0;
   for (const auto& [plane, corner] : on_planes) {
     planes.plane[i] = plane, planes.corner[i] = corner;
     planes.active[i] = static_cast<char>(dice.below(2));
@@ -151,19 +143,18 @@ Model random_model(Dice& dice) {
 Model renumbered(const Model& from, const Numbering& by) {
   Model to;
   by.renumber(from.blocks, to.blocks);
+  by.renumber(from.contacts, to.blocks, to.contacts);
   by.renumber(from.plane_contacts, to.plane_contacts);
   to.loads = by.renumbered(from.loads);
-  const std::vector<int> new_of = by.renumber_list(from, to.contacts);
-  Numbering::renumber_acting(from.contacts, new_of, to.contacts);
   return to;
 }
 
-/// Corners and edge of what acts by their places, and its force.
+/// Corner and edge of each contact by their coordinates, and its forces.
 std::multiset<std::vector<double>> acting(const Model& model) {
   std::multiset<std::vector<double>> all;
-  for (const ActingContact& contact : model.contacts.acting) {
-    const Vec2 corner = model.blocks.corner.col(model.contacts.corner[contact.record]);
-    const Vec2 edge = model.blocks.corner.col(model.contacts.edge[contact.record]);
+  for (const Contact& contact : model.contacts) {
+    const Vec2 corner = model.blocks.corner.col(contact.corner);
+    const Vec2 edge = model.blocks.corner.col(contact.edge);
     all.insert({corner.x(), corner.y(), edge.x(), edge.y(), contact.normal_elastic,
                 contact.shear_elastic, contact.normal_force});
   }
@@ -171,16 +162,10 @@ std::multiset<std::vector<double>> acting(const Model& model) {
 }
 
 bool in_order(const Model& model) {
-  const auto place = [&](int i) {
-    return std::tuple(pair_of(model.blocks, model.contacts, i),
-                      model.contacts.corner[i], model.contacts.edge[i]);
-  };
-  for (int i = 1; i < model.contacts.size(); ++i)
-    if (!(place(i - 1) < place(i)))
-      return false;
-  return std::is_sorted(
-      model.contacts.acting.begin(), model.contacts.acting.end(),
-      [](const auto& l, const auto& r) { return l.record < r.record; });
+  return std::is_sorted(model.contacts.begin(), model.contacts.end(),
+                        [&](const Contact& l, const Contact& r) {
+                          return sort_key(model.blocks, l) < sort_key(model.blocks, r);
+                        });
 }
 
 TEST(Numbering, ThereAndBackIsTheSameModel) {

@@ -148,12 +148,9 @@ TEST(Checkpoint, KeepsEveryFieldBitByBit) {
 // Long lists are written in pieces.
 TEST(Checkpoint, KeepsLongListsBitByBit) {
   Model model = filled_model();
-  Contacts& list = model.contacts;
-  list.resize(200000);
-  for (int i = 0; i < list.size(); ++i)
-    list.corner[i] = i % 7, list.edge[i] = -i, list.active[i] = i % 3 == 0;
-  for (int i = 0; i < 150000; ++i)
-    list.acting.push_back({i, 0.1 * i, -0.3 * i, 1.0 / (i + 1), 7.0 + i, 1e-9 * i});
+  for (int i = 0; i < 200000; ++i)
+    model.contacts.push_back(
+        {i % 7, -i, 0.1 * i, -0.3 * i, 1.0 / (i + 1), 7.0 + i, 1e-9 * i});
   expect_kept(model);
 }
 

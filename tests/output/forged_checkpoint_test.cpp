@@ -27,6 +27,7 @@ using ::testing::Not;
 /// Something in every list.
 Model full_model() {
   Model model = samples::two_blocks();
+  model.contacts.push_back({7, 1});
   model.settings.merge_ratio = *geometry::Decimal::parse("0.2");
   model.loads.function = {{0, 1}, {1, 0}};
   model.loads.pressures = {{1, 2, 5, 6, 0.5}};
@@ -208,19 +209,15 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
   };
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.mass[1] = -3; }),
             "blocks/mass: value 2 is -3, expected a number above 0");
-  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.edge[1] = 99; }),
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1].edge = 99; }),
             "contacts/edge names number 100 of 8");
-  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.edge[1] = 5; }),
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1].edge = 5; }),
             "contact 2 is of one block alone");
-  EXPECT_EQ(message([](Model& m, auto&) {
-              std::swap(m.contacts.corner[0], m.contacts.corner[1]);
-            }),
+  EXPECT_EQ(message([](Model& m, auto&) { std::swap(m.contacts[0], m.contacts[1]); }),
             "contact 2 is out of order");
-  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.active[1] = 1; }),
-            "contact 2 acts without its forces");
-  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.acting.push_back({1}); }),
-            "contact 2 has forces and does not act");
-  EXPECT_EQ(message([](Model& m, auto&) { m.contacts.acting[0].overlap = -1; }),
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1] = m.contacts[0]; }),
+            "contact 2 is out of order");
+  EXPECT_EQ(message([](Model& m, auto&) { m.contacts[0].overlap = -1; }),
             "contact 1: overlap is -1, expected a number from 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.next[3] = 1; }),
             "corner 4 of block 1 is out of its place");

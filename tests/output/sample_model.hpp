@@ -51,15 +51,7 @@ inline Model two_blocks() {
   s.planes.push_back({{-5, 1}, {-5, 0}});
   add_box(model, -4, -1, 8, 1, Fixity::by_user);
   add_box(model, -1, -0.0625, 2, 2);
-  Contacts& list = model.contacts;
-  list.resize(2);
-  for (int i = 0; i < 2; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    list.corner[k] = i == 0 ? 4 : 7;
-    list.edge[k] = 1;
-    list.active[k] = i == 0;
-  }
-  list.acting = {{0, 0.5, 0.0, 0.75, -0.125, 0.0625}};
+  model.contacts = {{4, 1, 0.5, 0.0, 0.75, -0.125, 0.0625}};
   model.plane_contacts.resize(1);
   model.plane_contacts.plane[0] = 0;
   model.plane_contacts.corner[0] = 0;

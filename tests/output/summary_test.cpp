@@ -42,7 +42,7 @@ TEST(Summary, HoldsWhatScriptsAskFor) {
             json({{"value", 0.001}, {"block", 2}, {"limit", "contact"}}));
   EXPECT_EQ(summary["blocks"], 2);
   EXPECT_EQ(summary["corners"], 8);
-  EXPECT_EQ(summary["contacts"], json({{"listed", 3}, {"active", 1}}));
+  EXPECT_EQ(summary["contacts"], json({{"listed", 2}, {"active", 1}}));
   EXPECT_EQ(summary["kinetic_energy"], 0.5 * 8 * 0.3125);  // mass 8, v^2 = 0.3125
   EXPECT_EQ(summary["momentum"], json({4.0, -2.0}));
   EXPECT_EQ(summary["worst_overlap"], json({{"end", 0.0625}, {"ever", 0.5}}));

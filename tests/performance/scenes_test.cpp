@@ -19,9 +19,8 @@ using ContactSet = std::set<std::pair<int, int>>;  // corner and edge
 
 ContactSet acting(const Model& model) {
   ContactSet found;
-  for (int i = 0; i < model.contacts.size(); ++i)
-    if (model.contacts.active[i])
-      found.emplace(model.contacts.corner[i], model.contacts.edge[i]);
+  for (const Contact& contact : model.contacts)
+    found.emplace(contact.corner, contact.edge);
   return found;
 }
 

@@ -81,12 +81,20 @@ TEST(View, WritesOnePageAndKeepsTheOlder) {
   EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
-ActingContact touching(int record) { return {record, 0.0, 0.0, 1e5, 2e4, 0.0}; }
+Contact touching(int corner, int edge) {
+  return {corner, edge, 0.0, 0.0, 1e5, 2e4, 0.0};
+}
+
+/// A contact that acts in some of the frames.
+struct PassingContact {
+  Contact contact;
+  bool acts = true;
+};
 
 /// Whatever is drawn at random has six digits in every frame and no pattern:
 /// velocities, spins, forces, stresses. Places go on as the velocities say; contacts
 /// last.
-void jolt(Model& model, std::mt19937_64& random) {
+void jolt(Model& model, std::vector<PassingContact>& passing, std::mt19937_64& random) {
   std::uniform_real_distribution<double> any(-1, 1);
   const auto shake = [&](auto& values, double scale) {
     for (double& value : values.reshaped())
@@ -113,18 +121,17 @@ void jolt(Model& model, std::mt19937_64& random) {
   shake(blocks.force, 1e6);
   shake(blocks.moment, 1e5);
   shake(blocks.stress, 1e7);
-  Contacts& list = model.contacts;
-  std::vector<ActingContact> acting;
-  for (int i = 0; i < list.size(); ++i) {
-    ActingContact contact = list.active[i] ? list.at(i) : touching(i);
+  model.contacts.clear();
+  for (auto& [contact, acts] : passing) {
+    if (!acts)
+      contact = touching(contact.corner, contact.edge);
     if (any(random) > 0.8)
-      list.active[i] = !list.active[i];
+      acts = !acts;
     contact.normal_force *= 1 + 0.3 * any(random);
     contact.overlap = 1e-3 * (1 + any(random));
-    if (list.active[i])
-      acting.push_back(contact);
+    if (acts)
+      model.contacts.push_back(contact);
   }
-  list.acting = acting;
 }
 
 // 850 blocks x 100 frames in full motion, deformable: the requirement is 5 MB.
@@ -135,19 +142,17 @@ TEST(View, AHundredFramesOfMotionStayBelowFiveMegabytes) {
     Model model = samples::no_blocks();
     for (int b = 0; b < 850; ++b)
       samples::add_box(model, 2 * (b % 34), 2 * (b / 34), 1.9, 1.9);
-    Contacts& list = model.contacts;
-    list.resize(3400);
-    for (int i = 0; i < list.size(); ++i) {
+    std::vector<PassingContact> passing;
+    for (int i = 0; i < 3400; ++i) {
       const int b = i / 4, other = b == 0 ? 1 : b - 1;
-      list.corner[i] = i, list.edge[i] = 4 * other + i % 4;
-      list.active[i] = 1;
-      list.acting.push_back(touching(i));
+      model.contacts.push_back(touching(i, 4 * other + i % 4));
+      passing.push_back({model.contacts.back()});
     }
     std::mt19937_64 random(850);
     output::ResultsWriter results(path, {});
     for (int frame = 0; frame < 100; ++frame) {
       results.write(model);
-      jolt(model, random);
+      jolt(model, passing, random);
     }
   }
   const post::ViewData page = post::view_data(post::ResultsReader(path), 1, {});

@@ -52,14 +52,8 @@ Model state(int i) {
   model.steps = 10L * i;
   model.time = 0.25 * i;
   model.blocks.spin.setConstant(i + 1);
-  Contacts& list = model.contacts;
-  list.resize(199);
-  for (int k = 0; k < 199; ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    list.corner[n] = 4 * k + 4, list.edge[n] = 4 * k + 2;
-    list.active[n] = 1;
-    list.acting.push_back({k, 0.0, 0.0, i + 1.0, 0.0, 0.0});
-  }
+  for (int k = 0; k < 199; ++k)
+    model.contacts.push_back({4 * k + 4, 4 * k + 2, 0.0, 0.0, i + 1.0, 0.0, 0.0});
   return model;
 }
 

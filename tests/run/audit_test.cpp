@@ -94,7 +94,7 @@ TEST_F(WatchedStep, TellsNothingOfASoundStep) {
 // faults, with the story of the two blocks.
 TEST_F(WatchedStep, TellsMissedPairsAndWrongDecisions) {
   listed.clear();
-  scene.model.contacts.active[0] = false;
+  scene.model.contacts.erase(scene.model.contacts.begin());
   const auto verdict = watch.after(scene.model, listed);
   ASSERT_EQ(verdict.faults.size(), 2U);
   EXPECT_THAT(verdict.faults[0],

@@ -67,18 +67,17 @@ LinkedListCode::LinkedListCode(const Model& start, Checks checks)
     }
   }
   find_contacts();
-  for (int i = 0; i < start.contacts.size(); ++i) {
-    const int b = from.corner_block[start.contacts.edge[i]];
-    const int other = from.corner_block[start.contacts.corner[i]];
+  for (const blocks::Contact& contact : start.contacts) {
+    const int b = from.corner_block[contact.edge];
+    const int other = from.corner_block[contact.corner];
     for (int address = blocks_[b].contact; address != none;
          address = contacts_[address].link) {
       Contact& record = contacts_[address];
-      if (record.block == other &&
-          record.edge == start.contacts.edge[i] - from.first_corner[b] &&
-          record.corner == start.contacts.corner[i] - from.first_corner[other]) {
-        record.active = start.contacts.active[i] != 0;
-        record.fn = start.contacts.at(i).normal_elastic;
-        record.fs = start.contacts.at(i).shear_elastic;
+      if (record.block == other && record.edge == contact.edge - from.first_corner[b] &&
+          record.corner == contact.corner - from.first_corner[other]) {
+        record.active = true;
+        record.fn = contact.normal_elastic;
+        record.fs = contact.shear_elastic;
       }
     }
   }

@@ -10,11 +10,6 @@ namespace {
 using blocks::Model;
 using blocks::long_run::text;
 
-long acting(const Model& model) {
-  return std::count_if(model.contacts.active.begin(), model.contacts.active.end(),
-                       [](auto active) { return active != 0; });
-}
-
 double kinetic_energy(const blocks::Blocks& b) {
   double energy = 0.0;
   for (int k = 0; k < b.size(); ++k)
@@ -28,7 +23,7 @@ double kinetic_energy(const blocks::Blocks& b) {
 double energy_of_rounding(const Model& model) {
   const double rounding = 0x1p-53 * model.blocks.corner.cwiseAbs().maxCoeff();
   return 0.5 * model.settings.normal_stiffness * rounding * rounding *
-         static_cast<double>(acting(model));
+         static_cast<double>(model.contacts.size());
 }
 
 class Rest : public blocks::long_run::Watch {
@@ -42,7 +37,8 @@ class Rest : public blocks::long_run::Watch {
     drift_ = (model.blocks.corner - before_).colwise().norm().maxCoeff();
     before_ = model.blocks.corner;
     return text("| %ld | %.2e | %.1e | %.1e | %.1e | %ld | %ld |\n", step, energy_,
-                rounding_, made.largest, drift_, acting(model), model.search.updates);
+                rounding_, made.largest, drift_, model.contacts.size(),
+                model.search.updates);
   }
 
   blocks::long_run::Verdict verdict(long steps, const Model&) const override {

@@ -6,12 +6,12 @@
 
 namespace blocks::dynamics {
 
-/// Reads the contacts that act from the list, for these pairs, which hold all of them.
-void read_list(const Blocks& blocks, const Contacts& list, const PairIndex& index,
-               ContactsOfPairs& all);
+/// Reads the contacts of the list, for these pairs, which hold all of them.
+void read_list(const Blocks& blocks, const std::vector<Contact>& list,
+               const PairIndex& index, ContactsOfPairs& all);
 
 /// Writes the contacts that act to the list, in the order of the pairs, with their
 /// springs. Forces and overlaps are 0.
-void write_list(const ContactArrays& arrays, Contacts& list);
+void write_list(const ContactArrays& arrays, std::vector<Contact>& list);
 
 }  // namespace blocks::dynamics
