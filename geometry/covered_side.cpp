@@ -180,7 +180,8 @@ void UncoveredSide::add(Outline neighbour) {
                  part = 0.95 - 2.0 * room_ / length_;
     if (part > 0.0 && (facing < 0.0 || facing * facing < part * part * square))
       continue;
-    // Of a long side only the part counts that can come to lie along the side.
+    // Of a long side only the part counts that can come to lie along the side: it moves
+    // by less than `error`, which is less than the length of the side.
     const double start = (near - first_).dot(along_);
     double first_part = 0.0, last_part = 1.0;
     if (product > 2.0 * length_)
@@ -221,8 +222,10 @@ void UncoveredSide::add(Outline neighbour) {
         most, reach + error_of(distance, of_neighbours_, of_across, of_neighbours_));
     if (least > most || from >= most)
       continue;
-    // The two do not touch along these sides.
-    if (overlap > 0.0 && is_less_deep(neighbour, overlap))
+    // The two do not touch along these sides if another axis is less deep than both
+    // that of the side and that of f. A point that is above f by y, across the side, is
+    // below f by at least y cos 10 degrees.
+    if (overlap > 0.0 && is_less_deep(neighbour, 0.98 * overlap))
       continue;
     if (is_outside(near, far_end)) {
       if (gap > 0.0)

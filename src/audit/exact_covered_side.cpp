@@ -99,6 +99,22 @@ std::optional<PartSide> ExactPairRule::same_side_beyond(const PartSide& inner) c
   return std::nullopt;
 }
 
+/// The bounding boxes of two parts meet, borders included: along both axes no part is
+/// wholly beyond the other.
+bool ExactPairRule::boxes_meet(int part, int other) const {
+  const auto all_below = [&](int low, int high, Whole Point::*along) {
+    for (int i = 0; i < size(low); ++i)
+      for (int k = 0; k < size(high); ++k)
+        if (!(at({low, i}).*along < at({high, k}).*along))
+          return false;
+    return true;
+  };
+  for (Whole Point::*along : {&Point::x, &Point::y})
+    if (all_below(part, other, along) || all_below(other, part, along))
+      return false;
+  return true;
+}
+
 /// The part of the side that lies in the convex part, borders included.
 ExactPairRule::Stretch ExactPairRule::part_inside(const PartSide& g, int part) const {
   Stretch inside{0, 1};
@@ -187,7 +203,7 @@ Cover ExactPairRule::cover(const PartSide& g, bool from_start, int against) cons
     if (block == parts_[g.part].block)
       continue;
     for (int t = first_part_[block]; t < first_part_[block + 1]; ++t)
-      for (int i = 0; i < size(t); ++i) {
+      for (int i = 0; boxes_meet(t, against) && i < size(t); ++i) {
         const PartSide f = side(t, i);
         if (!face(f, g))
           continue;

@@ -233,6 +233,7 @@ class ExactPairRule {
   HiddenCorner hidden(const PartCorner& corner, const PartSide& from) const;
   Cover cover(const PartSide& side, bool from_start, int against) const;
   std::optional<PartSide> same_side_beyond(const PartSide& inner) const;
+  bool boxes_meet(int part, int other) const;
   Stretch part_inside(const PartSide& side, int part) const;
   Stretch projection(const PartSide& f, const PartSide& g) const;
   bool touch_along(const PartSide& f, const PartSide& g) const;

@@ -167,8 +167,7 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
   Displacement all;
   for (const Displacement& part : threads)
     all.include(part);
-  bounds.most += all.finite ? all.bound + 0x1p-52 * bounds.most
-                            : std::numeric_limits<double>::infinity();
+  bounds.grow(all.finite ? all.bound : std::numeric_limits<double>::infinity());
   return all;
 }
 

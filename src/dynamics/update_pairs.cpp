@@ -48,8 +48,8 @@ std::vector<NearPair> pairs_with_springs(const Blocks& blocks,
 /// Renumbers contacts, and the slots that pairs have, from the old pairs to the new
 /// ones. Contacts of pairs that the new list lacks get the number -1.
 void renumber(const std::vector<NearPair>& old, const std::vector<NearPair>& now,
-              ContactsOfPairs& contacts, std::vector<short>& slots) {
-  std::vector<short> new_slots(now.size(), 0);
+              ContactsOfPairs& contacts, std::vector<int>& slots) {
+  std::vector<int> new_slots(now.size(), 0);
   std::size_t next = 0, k = 0;
   for (std::size_t i = 0; i < old.size(); ++i) {
     while (k < now.size() && now[k] < old[i])
@@ -63,8 +63,8 @@ void renumber(const std::vector<NearPair>& old, const std::vector<NearPair>& now
   slots.swap(new_slots);
 }
 
-/// A step reads and writes most columns of the blocks in an order of its own.
-void move_to_huge_pages(const Blocks& blocks) {
+/// Columns are read out of order, so huge pages save time.
+void move_columns(const Blocks& blocks) {
   const auto move = [](const auto&... columns) {
     (dynamics::move_to_huge_pages(columns.data(),
                                   static_cast<std::size_t>(columns.size()) *
@@ -78,7 +78,7 @@ void move_to_huge_pages(const Blocks& blocks) {
   move(blocks.gradient, blocks.applied, blocks.stress, blocks.strain_rate);
 }
 
-/// Blocks were added or taken away since the arrays were made.
+/// Whether the arrays were made for as many blocks as there are.
 bool fits(const Workspace& work, const Blocks& blocks) {
   return work.index.first_of_block.size() ==
          static_cast<std::size_t>(blocks.size()) + 1;
@@ -126,7 +126,7 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
     work.springs = SpringOwner::both;
   if (std::exchange(work.corners_in_huge_pages, blocks.corner.data()) !=
       blocks.corner.data())
-    move_to_huge_pages(blocks);
+    move_columns(blocks);
 }
 
 }  // namespace blocks::dynamics

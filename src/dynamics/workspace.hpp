@@ -27,8 +27,8 @@ enum class SpringOwner {
   both     ///< the list was written after the last step
 };
 
-/// What the steps of a run keep besides the model. It influences run time, never
-/// results.
+/// What the steps of a run keep besides the model. After catch_up() it may be lost:
+/// then it influences run time, never results.
 struct Workspace {
   explicit Workspace(int threads = 1)
       : workers(std::make_unique<Workers>(threads)),

@@ -97,7 +97,7 @@ Tensor move_arms(const Blocks& blocks, int b, const Tensor& step, double turn,
   const double x = step(0, 0) - 1.0, y = step(1, 1) - 1.0;
   const double strain =
       std::sqrt((x * x + y * y) + (step(0, 1) * step(0, 1) + step(1, 0) * step(1, 0)));
-  change = longest * stretch * (strain + 0x1p-49);
+  change = longest * stretch * (strain + 0x1p-49) * (1.0 + 2.0 * strain);
   return g;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <boost/math/constants/constants.hpp>
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -548,6 +550,32 @@ bool is_surely_uncovered(const Scene& s, double room) {
   for (const Polygon& neighbour : s.neighbours)
     side.add(neighbour);
   return side.is_sure();
+}
+
+// A polygon turned by almost ten degrees overlaps the side deeply. Across the side it
+// is deeper than below another side of the own polygon, below its own side it is not:
+// the two touch along these sides, and it covers.
+TEST(UncoveredSide, MeasuresOverlapBelowTheCoveringSide) {
+  Scene s;
+  s.own = {{-0.238115, -0.039847}, {0, 0}, {5, 0}, {5, -5}, {-5, -5}};
+  s.side = 1;
+  s.at_start = true;
+  s.other = {{-0.01, -1.2}, {-0.01, 0.1}, {0.02, 0.1}, {0.02, -1.2}};
+  // Sides around a centre, the first one a little nearer than the others.
+  const auto normal = [](int k) {
+    const double angle = (-80.1 - 10.0 * k) * std::numbers::pi / 180.0;
+    return Vec2(std::cos(angle), std::sin(angle));
+  };
+  const auto distance = [](int k) { return k % 36 == 0 ? 1.0 : 1.00001; };
+  Polygon disc;
+  for (int k = 0; k < 36; ++k) {
+    Eigen::Matrix2d normals;
+    normals << normal(k + 35).transpose(), normal(k).transpose();
+    disc.push_back(s.own[0] + normals.inverse() * Vec2(distance(k + 35), distance(k)));
+  }
+  s.neighbours = {disc};
+  EXPECT_TRUE(ask(s));
+  EXPECT_FALSE(is_surely_uncovered(s, 0.0));
 }
 
 /// A wall of bricks beside the side that is nearly flush with it, turned a little, and

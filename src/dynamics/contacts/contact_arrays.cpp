@@ -51,12 +51,12 @@ void ContactArrays::require_slots(const ContactsOfPairs& some, bool grown) {
   for (std::size_t k = 0; k < some.pair.size(); ++k) {
     if (some.pair[k] < 0)
       continue;
-    short& slots = slots_of_pair[some.pair[k]];
+    int& slots = slots_of_pair[some.pair[k]];
     const int count = some.first[k + 1] - some.first[k];
     // A pair that has outgrown its slots is likely to need more of them again.
     const int wanted =
         grown && slots > 0 ? std::max(count, contacts_of_two_faces) : count;
-    slots = static_cast<short>(std::max<int>(slots, wanted));
+    slots = std::max(slots, wanted);
   }
 }
 
@@ -65,14 +65,14 @@ void ContactArrays::reserve(int pairs) {
   each_window(pairs, [&](int begin, int end) {
     int sum = 0, most = 0;
     for (int p = begin; p < end; ++p)
-      sum += slots_of_pair[p], most = std::max<int>(most, slots_of_pair[p]);
+      sum += slots_of_pair[p], most = std::max(most, slots_of_pair[p]);
     all_batches += (end - begin + lane_count - 1) / lane_count;
     all_rows += sum / lane_count + most + 1;
   });
   batches.reserve(all_batches, all_rows);
 }
 
-/// Pairs with equally many slots share a batch.
+/// Pairs are put into batches in the order of their slots, so that few stay vacant.
 void ContactArrays::make_window(const PairIndex& index, int begin, int end) {
   std::array<std::pair<int, int>, pairs_of_window> order;  // -slots, pair
   int count = 0;
@@ -149,7 +149,7 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
               !vacant && blocks.corner_block[contact.at.edge] == low);
   batches.set(slot, &ContactBits::tested, contact.tested);
   batches.set(slot, &ContactBits::certain, contact.certain);
-  batches.set(slot, &ContactBits::touches, contact.touches);
+  batches.set(slot, &ContactBits::touches, contact.acted);
   batches.set(slot, &ContactBits::starts, false);
   batches.springs[row].normal_elastic[k] = contact.normal;
   batches.springs[row].shear_elastic[k] = contact.shear;
@@ -182,7 +182,7 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
     while (next != now.end() && as_pair(next->at) < as_pair(old.at))
       ++next;
     if (next != now.end() && next->at == old.at)
-      next->touches = old.touches, next->normal = old.normal, next->shear = old.shear;
+      next->acted = old.acted, next->normal = old.normal, next->shear = old.shear;
     else if (old.normal > 0.0)
       changes.released.push_back({p, old.at, old.normal, old.shear});
   }

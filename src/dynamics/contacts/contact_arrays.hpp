@@ -1,5 +1,5 @@
 // The contacts of all pairs in batches of SIMD lanes, and which pair has which lane.
-// Working state: not part of the model, and without influence on results.
+// The arrangement has no influence on results.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,15 @@ inline constexpr int pairs_of_window = 256;
 
 struct ContactArrays {
   ContactBatches batches;
-  std::vector<int> lane_of_pair;     ///< -1: the pair has had no contacts
-  std::vector<int> pair_of_lane;     ///< -1: the lane is idle
-  std::vector<short> slots_of_pair;  ///< slots that the pair's lane has to have
-  std::vector<int> first_batch;      ///< (windows + 1) where those of a window begin
-  LanesOfBlocks lows, highs;         ///< lanes in which a block is the lower or higher
+  std::vector<int> lane_of_pair;   ///< -1: the pair has had no contacts
+  std::vector<int> pair_of_lane;   ///< -1: the lane is idle
+  std::vector<int> slots_of_pair;  ///< least number of slots of the pair's lane
+  std::vector<int> first_batch;    ///< (windows + 1) where those of a window begin
+  LanesOfBlocks lows, highs;       ///< lanes in which a block is the lower or higher
 
   /// Makes batches for these pairs and puts contacts into them. `grown` replaces all
-  /// contacts of its pairs. No pair is twice in either; negative ones are left out.
+  /// contacts of its pairs. No pair is listed twice; entries with a negative pair are
+  /// ignored.
   void make(const Blocks& blocks, const Settings& settings, const PairIndex& index,
             const ContactsOfPairs& kept, const ContactsOfPairs& grown);
   /// Gives pair p these contacts. If `tested`, those of them act that are inside and
@@ -34,7 +35,7 @@ struct ContactArrays {
   void assign(const Blocks& blocks, const PairIndex& index, int p,
               const std::vector<CornerOnEdge>& found, bool tested,
               ContactChanges& changes);
-  /// Takes the contacts of all pairs out of their slots.
+  /// Copies the contacts of all pairs.
   void take_out(ContactsOfPairs& all) const;
 
   /// Calls visit(slot) for each slot of a pair, in ascending order.

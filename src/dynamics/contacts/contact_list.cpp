@@ -16,7 +16,7 @@ void read_list(const Blocks& blocks, const std::vector<Contact>& list,
     for (; next != list.end() && pair_of(blocks, *next) == wanted; ++next)
       own.push_back({.at = {next->corner, next->edge},
                      .certain = true,
-                     .touches = true,
+                     .acted = true,
                      .normal = next->normal_elastic,
                      .shear = next->shear_elastic});
     const auto blocks_of = [&] {

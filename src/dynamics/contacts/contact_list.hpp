@@ -6,7 +6,7 @@
 
 namespace blocks::dynamics {
 
-/// Reads the contacts of the list, for these pairs, which hold all of them.
+/// Reads the contacts of the list. Those of other pairs are left out.
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
                const PairIndex& index, ContactsOfPairs& all);
 

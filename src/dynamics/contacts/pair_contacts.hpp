@@ -12,7 +12,7 @@ struct PairContact {
   CornerOnEdge at;
   bool tested = false;   ///< it acts if its corner is inside (19), and between
   bool certain = false;  ///< it acts
-  bool touches = false;  ///< it acted in the step before
+  bool acted = false;    ///< in the step before
   double normal = 0.0, shear = 0.0;  ///< [F] of its springs
 };
 

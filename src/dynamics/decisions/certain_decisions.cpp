@@ -16,9 +16,9 @@ class LaneDecision {
                int p, const FacingAnswers& answers, int lane, const int* part,
                JointScratch& scratch, double dt)
       : blocks_(blocks), index_(index), parts_(decisions.parts),
-        longest_(decisions.bounds.longest), answers_(answers), lane_(lane),
-        scratch_(scratch), own_(part[answers.own[lane] > 0.0]),
-        other_(part[answers.own[lane] <= 0.0]),
+        longest_(decisions.bounds.longest), rounding_(decisions.bounds.rounding),
+        answers_(answers), lane_(lane), scratch_(scratch),
+        own_(part[answers.own[lane] > 0.0]), other_(part[answers.own[lane] <= 0.0]),
         side_(static_cast<int>(answers.side[lane])),
         facing_(static_cast<int>(answers.facing[lane])),
         corner_(static_cast<int>(answers.corner[lane])), pair_(index.pairs[p]),
@@ -68,9 +68,9 @@ class LaneDecision {
       return true;
     }
     const double part_of_size =
-        0x1p-6 * std::min(longest_[pair_.low], longest_[pair_.high]);
+        0x1p-5 * std::min(longest_[pair_.low], longest_[pair_.high]);
     const double few_steps = 8.0 * (way_of_step(pair_.low) + way_of_step(pair_.high));
-    const double rounding = answers_.rounding[lane_];
+    const double rounding = answers_.rounding[lane_] + rounding_;
     for (const double room : {room_, 0x1p-4 * room_, few_steps}) {
       const double of_neighbours =
           room == few_steps ? room : std::max(room, part_of_size);
@@ -116,6 +116,7 @@ class LaneDecision {
   const PairIndex& index_;
   const BlockParts& parts_;
   const std::vector<double>& longest_;
+  double rounding_;  ///< [L] MotionBounds::rounding
   const FacingAnswers& answers_;
   int lane_;
   JointScratch& scratch_;

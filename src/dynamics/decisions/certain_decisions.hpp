@@ -1,5 +1,5 @@
-// Pairs of blocks certain eight at a time (facing_lanes.hpp), where that is certain,
-// and for how long (docs/contact-rule.md#kept-decisions).
+// Decides pairs of blocks by the kernel of face_kernel.hpp where doubles are certain,
+// and tells for how long that holds (docs/contact-rule.md#kept-decisions).
 #pragma once
 
 #include <limits>
@@ -15,12 +15,13 @@ namespace blocks::dynamics {
 
 /// What is certain of a pair.
 struct CertainDecision {
-  /// The contacts that may act; each does if its corner is inside its edge (19) and
-  /// between its ends.
+  /// The contacts that may act. Each acts if its corner is inside its edge (19) and
+  /// between the ends of the edge.
   std::vector<CornerOnEdge> contacts;
-  /// [L] The ways of the two blocks may grow by so much together; 0: in doubt.
+  /// [L] The decision holds for motions of the two blocks (PairMotion::two) less than
+  /// this; 0: it is in doubt.
   double room = 0.0;
-  /// [L] Likewise those of all their neighbours; infinite: these do not count.
+  /// [L] Likewise for motions of neighbours; infinite: these do not count.
   double room_of_neighbours = std::numeric_limits<double>::infinity();
 };
 

@@ -109,13 +109,21 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
                      double dt, const PairIndex& index, Decisions& decisions,
                      ContactArrays& arrays, WorkSplit& split, Workers& workers,
                      DecisionMemory& memory, std::vector<ReleasedSpring>& released) {
-  decisions.renew_phase(blocks, index);
+  const auto pairs_until = [&](int window) {
+    return std::min(index.size(), window * pairs_of_window);
+  };
+  if (Rules::keeps_decisions && decisions.phase_is_over()) {
+    workers.each(split.windows, [&](int, int begin, int end) {
+      decisions.carry_over(blocks, index, pairs_until(begin), pairs_until(end));
+    });
+    decisions.bounds.begin_phase(blocks);
+  }
   // No other thread writes to the batches of a window.
   workers.each(split.windows, [&](int k, int begin, int end) {
     DecisionThread& thread = memory.threads[k];
     const unsigned long long before = geometry::exact::calls();
-    find_due<Rules>(blocks, index, decisions, begin * pairs_of_window,
-                    std::min(index.size(), end * pairs_of_window), thread.due);
+    find_due<Rules>(blocks, index, decisions, pairs_until(begin), pairs_until(end),
+                    thread.due);
     decide_due(rules, blocks, index, decisions, arrays, dt, thread);
     thread.exact_calls += geometry::exact::calls() - before;
   });

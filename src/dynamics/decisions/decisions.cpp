@@ -10,8 +10,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The growth of MotionBounds::most before a pair can move by as much as this. While
-/// `most` grows by d, a shift grows by at most d and a turn by at most 2 d (its norm is
-/// at most twice that of a tensor), and no sum has more than four of either.
+/// `most` grows by d, shift and turn of one block together grow by at most 2 d, because
+/// `turn` is at most twice the motion of an arm. So the motion of two blocks grows by
+/// at most 4 d, and that of a neighbour against one of them adds less than 4 d.
 double growth_until(const PairMotion& left) {
   return std::max(0.0, std::min(0.25 * left.two, 0.125 * left.neighbours));
 }
@@ -58,16 +59,14 @@ void Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
                                               limits[p].neighbours - now.neighbours});
 }
 
-void Decisions::renew_phase(const Blocks& blocks, const PairIndex& index) {
-  if (!(bounds.most > bounds.phase_length))
-    return;
-  for (int p = 0; p < index.size(); ++p) {
-    const PairMotion now = motion_of(blocks, index, p, limits[p].neighbours < infinite);
+void Decisions::carry_over(const Blocks& blocks, const PairIndex& index, int begin,
+                           int end) {
+  for (int p = begin; p < end; ++p) {
     PairMotion& limit = limits[p];
+    const PairMotion now = motion_of(blocks, index, p, limit.neighbours < infinite);
     limit.two -= now.two, limit.neighbours -= now.neighbours;
     next_check[p] = growth_until(limit);
   }
-  bounds.begin_phase(blocks);
 }
 
 }  // namespace blocks::dynamics

@@ -27,8 +27,11 @@ struct Decisions {
 
   /// Forgets all decisions and begins a phase.
   void forget(const Blocks& blocks, int pairs);
-  /// Begins a phase, if the present one has become too long, and keeps the decisions.
-  void renew_phase(const Blocks& blocks, const PairIndex& index);
+  /// Whether the phase has become too long. If so, `carry_over` all pairs, and then
+  /// begin a phase.
+  bool phase_is_over() const { return bounds.most > bounds.phase_length; }
+  /// Keeps the decisions of pairs begin .. end - 1 for a phase that begins now.
+  void carry_over(const Blocks& blocks, const PairIndex& index, int begin, int end);
 
   /// The net motion of pair p since the beginning of the phase, [L]. Without
   /// `neighbours` only that of its two blocks.

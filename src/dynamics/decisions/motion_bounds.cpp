@@ -16,8 +16,11 @@ void MotionBounds::start(const Blocks& blocks, bool rigid_blocks) {
   // The harmonic mean: that of many small blocks and a large one is small.
   constexpr double part_of_arm = 1.0 / 128.0;
   double sum = 0.0;
-  for (const double arm : longest)
+  rounding = 0.0;
+  for (const double arm : longest) {
     sum += 1.0 / arm;
+    rounding = std::max(rounding, 0x1p-50 * arm);
+  }
   phase_length = part_of_arm * static_cast<double>(longest.size()) / sum;
   begin_phase(blocks);
 }

@@ -14,13 +14,16 @@ namespace blocks::dynamics {
 struct MotionBounds {
   bool rigid = true;
   std::vector<double> longest;  ///< (n) [L] longest arm as made, rounded up
-  double phase_length = 0.0;    ///< [L] a phase ends when `most` exceeds this
+  double rounding = 0.0;  ///< [L] no corner is off its place by more because of its arm
+  double phase_length = 0.0;  ///< [L] a phase ends when `most` exceeds this
   /// [L] No block has moved by more: the sum over the steps of the largest motion of a
   /// centroid plus twice that of the longest arm.
   double most = 0.0;
   Eigen::Matrix2Xd centroid;  ///< [L] (2, n) at the beginning
   Eigen::Matrix4Xd gradient;  ///< (4, n) at the beginning
 
+  /// Adds a step to `most`. bound: Displacement::bound; infinite if it is not finite.
+  void grow(double bound) { most += bound + 0x1p-52 * most; }
   /// Takes the shapes of these blocks and begins a phase.
   void start(const Blocks& blocks, bool rigid_blocks);
   /// Begins a phase where the blocks are.

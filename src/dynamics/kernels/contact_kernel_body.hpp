@@ -1,5 +1,6 @@
-// The computations of contact_batch.hpp. Included once for each instruction set, in a
-// namespace of its own; calls nothing that is not compiled here.
+// The forces of batches of contacts (kernels.hpp), in the order a. to e. of
+// docs/theory.md#the-force-in-its-order. Included once for each instruction set, in a
+// namespace of its own; it calls nothing that is not compiled here.
 #include "dynamics/kernels/contact_batch.hpp"
 #include "dynamics/kernels/contact_law.hpp"
 #include "dynamics/kernels/simd_lanes.hpp"

@@ -18,9 +18,10 @@ struct ContactLaw {
 /// closing, sliding: relative velocity of the corner against the edge, inwards and
 /// along the edge [L/T]; overlap: depth [L] > 0; damping: C of (18) [F T/L]; starting:
 /// 1 if the contact did not act in the step before, or was handed a force in this one,
-/// else 0; may_start: false where it is known to be 0. Numbers of one contact, or of
-/// the lanes of a set (contact_lanes.hpp): no branches; inlined wherever it is used, so
-/// that no instruction set leaks into another's code.
+/// else 0; may_start: false where it is known to be 0. The numbers
+/// are those of one contact, or of the lanes of a vector (simd.hpp): there is no
+/// branch. It is inlined wherever it is used, so that code for one instruction set
+/// never runs on a processor without it.
 template <bool may_start = true, class Number>
 [[gnu::always_inline]] inline void apply(const ContactLaw& law, Number& normal_elastic,
                                          Number& shear_elastic, const Number& closing,

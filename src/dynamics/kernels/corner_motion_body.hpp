@@ -1,5 +1,5 @@
-// Corners of blocks for block_motion_body.hpp: a register holds x, y of a few corners
-// as they stand in the memory.
+// Corners of blocks for motion_kernel_body.hpp. A register holds x and y of a few
+// corners in the order of memory.
 #pragma once
 
 #include "dynamics/kernels/motion_kernel.hpp"
@@ -12,8 +12,8 @@ template <class Number> BLOCKS_INLINE Number* at_corner(Number* corners, int c) 
   return corners + 2 * static_cast<std::ptrdiff_t>(c);
 }
 
-/// Whether there is a whole set of blocks, of four corners each (and all of them free):
-/// the corners fill eight registers, in the order of the blocks.
+/// Whether there is a whole pack of blocks, of four corners each (and all of them
+/// free): the corners fill eight registers, in the order of the blocks.
 template <class Lanes>
 BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes lanes,
                                      bool and_free) {
@@ -61,7 +61,7 @@ BLOCKS_INLINE Pack one_of_four(const Rows<4>& of, const Choose& choose) {
   return choose(choose(of[0], of[1]), choose(of[2], of[3]));
 }
 
-/// Extents of the blocks b .. of a set along both axes, [L].
+/// Extents of the blocks b .. of a pack along both axes, [L].
 template <class Lanes>
 BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
   if (four_corners_each(blocks, b, lanes, false)) {

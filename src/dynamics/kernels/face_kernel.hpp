@@ -1,7 +1,6 @@
-// Which two faces of two convex parts act, eight pairs of parts at a time, and how far
-// the blocks may move before that can change (docs/contact-rule.md#kept-decisions).
-// Plain arithmetic, compiled for each instruction set; no answer is given where
-// rounding or a neighbour could change it.
+// Which two faces of two convex parts act, and how far the blocks may move before that
+// can change (docs/contact-rule.md#kept-decisions). The kernel computes eight pairs of
+// parts at a time. It gives no answer where rounding or a neighbour could change it.
 #pragma once
 
 #include "dynamics/kernels/contact_batch.hpp"
@@ -22,9 +21,9 @@ struct alignas(64) PartPairs {
   bool rigid = true;
 };
 
-/// What is certain of each pair. A margin is how far the two ways (MotionBounds) may
-/// grow together before the answer can change, [L]; not positive: the answer is in
-/// doubt.
+/// What is certain of each pair. A margin is the motion of the two blocks
+/// (PairMotion::two) below which the answer cannot change, [L]. If it is not positive,
+/// the answer is in doubt.
 struct alignas(64) FacingAnswers {
   PerLane<double> apart;  ///< margin: the parts are apart by more than the slack
   /// Margin: unless a joint hides them, the faces below act and no others.

@@ -1,5 +1,5 @@
-// The computation of facing_lanes.hpp. Included once for each instruction set, in a
-// namespace of its own; calls nothing that is not compiled here.
+// The computation of face_kernel.hpp. Included once for each instruction set, in a
+// namespace of its own; it calls nothing that is not compiled here.
 #include "dynamics/kernels/face_questions_body.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {

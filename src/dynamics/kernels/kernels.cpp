@@ -20,10 +20,16 @@ const std::vector<Kernels>& all_kernels() {
   static const std::vector<Kernels> all = [] {
     std::vector<Kernels> found = {baseline::kernels};
 #ifdef BLOCKS_X86_KERNELS
-    if (__builtin_cpu_supports("avx2"))
+    // what the compiler may use of x86-64-v3 and -v4 (CMakeLists.txt)
+    const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+    const bool v4 =
+        v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+        __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl");
+    if (v3)
       found.push_back(avx2::kernels);
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
+    if (v4)
       found.push_back(avx512::kernels);
 #endif
     return found;

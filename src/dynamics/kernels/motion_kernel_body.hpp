@@ -1,5 +1,5 @@
-// The computations of block_motion.hpp. Included once for each instruction set, in a
-// namespace of its own; calls nothing that is not compiled here.
+// The motion of blocks (kernels.hpp). Included once for each instruction set, in a
+// namespace of its own; it calls nothing that is not compiled here.
 #include "dynamics/kernels/corner_motion_body.hpp"
 #include "dynamics/kernels/motion_kernel.hpp"
 #include "dynamics/kernels/simd.hpp"
@@ -85,7 +85,8 @@ BLOCKS_INLINE ArmMotion move_deformable_arms(const Tensor& before,
   const Pack stretch = 1.0000001 * root(0.5 * (squares + root(larger(gap, Pack{}))));
   const Pack x = step[0] - 1.0, y = step[3] - 1.0;
   const Pack strain = root((x * x + y * y) + (step[1] * step[1] + step[2] * step[2]));
-  return {g, stretch, longest * stretch * (strain + 0x1p-49)};
+  // The step acts on arms that may have been longer than now, by strain / (1 - strain).
+  return {g, stretch, longest * stretch * (strain + 0x1p-49) * (1.0 + 2.0 * strain)};
 }
 
 /// The extremes of Moved, lane by lane.

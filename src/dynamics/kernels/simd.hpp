@@ -39,7 +39,7 @@ struct FewLanes {
   int count;
 };
 
-/// Calls work(b, lanes) for the blocks b .. b + lanes.count - 1 of each set.
+/// Calls work(b, lanes) for the blocks b .. b + lanes.count - 1 of each pack.
 template <class Work>
 BLOCKS_INLINE void each_pack(int first, int last, const Work& work) {
   int b = first;
@@ -65,7 +65,7 @@ template <std::size_t... k>
 BLOCKS_INLINE Mask number_of_each_lane(std::index_sequence<k...>) {
   return Mask{k...};
 }
-/// Of two sets in a row: every other number, from the first on or from the second.
+/// Of two packs in a row: every other number, from the first on or from the second.
 template <class Vector, std::size_t... k>
 BLOCKS_INLINE Vector even(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (2 * k)...);
@@ -74,7 +74,7 @@ template <class Vector, std::size_t... k>
 BLOCKS_INLINE Vector odd(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (2 * k + 1)...);
 }
-/// Of two sets: number by number in turn, the lower lanes or the upper ones.
+/// Of two packs: number by number in turn, the lower lanes or the upper ones.
 template <class Vector, std::size_t... k>
 BLOCKS_INLINE Vector low_turns(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (k / 2 + k % 2 * width)...);

@@ -1,5 +1,5 @@
-// What lanes of contacts want besides simd_set.hpp: numbers fetched by index, and yes
-// or no as bits. Included once for each instruction set; calls nothing that is not
+// What kernels of contacts need besides simd.hpp: numbers fetched by index, and yes or
+// no as bits. Included once for each instruction set; it calls nothing that is not
 // compiled here.
 #pragma once
 

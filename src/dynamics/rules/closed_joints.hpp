@@ -1,5 +1,5 @@
-// Which closed joints hide an axis (docs/contact-rule.md#closed-joints and the two
-// sections after it).
+// Which closed joints hide an axis (docs/contact-rule.md#closed-joints, #covered-sides
+// and #hidden-axes).
 #pragma once
 
 #include <cstddef>
@@ -185,19 +185,21 @@ template <class Predicates, class Neighbours> class ClosedJoints {
       return {lower.array() - by, upper.array() + by};
     }
   };
-  /// The outlines of the own part, of the other one, and of the parts that may cover,
-  /// but for those that are too far away.
+  /// The outlines of the own part, of the other one, and of the parts that may cover:
+  /// their boxes meet that of the other part, whatever list they are from. Parts that
+  /// are too far away are left out.
   void gather(int own, int other) {
     scratch_.parts.clear();
     scratch_.outlines.assign({parts_.outline(blocks_, own, scratch_.own),
                               parts_.outline(blocks_, other, scratch_.other)});
-    scratch_.polygons.clear();
-    const Box near_own = box_of(own).grown();
+    const Box near_own = box_of(own).grown(), of_other = box_of(other);
     each_covering_part(blocks_, parts_, neighbours_, own, other, [&](int part) {
-      if (box_of(part).meets(near_own))
+      const Box box = box_of(part);
+      if (box.meets(of_other) && box.meets(near_own))
         scratch_.parts.push_back(part);
     });
-    scratch_.polygons.resize(scratch_.parts.size());
+    if (scratch_.polygons.size() < scratch_.parts.size())
+      scratch_.polygons.resize(scratch_.parts.size());
     for (std::size_t k = 0; k < scratch_.parts.size(); ++k)
       scratch_.outlines.push_back(
           parts_.outline(blocks_, scratch_.parts[k], scratch_.polygons[k]));

@@ -191,10 +191,12 @@ template <class Predicates, class Neighbours> class PairRule {
                });
     return acts;
   }
-  /// Adds the corner of the axis on the axis side, if it is between the ends.
+  /// Adds the corner of the axis on the axis side, if it is inside and between the
+  /// ends.
   void stand_in(const Axis& axis) {
     const PairSide side = find_side_below(axis.corner, axis.side);
-    if (!shape_.at(side).is_inner && is_between(axis.corner, side))
+    if (!shape_.at(side).is_inner && shape_.depth_sign(side, axis.corner.index) > 0 &&
+        is_between(axis.corner, side))
       add(axis.corner, side);
   }
   /// The side between whose ends the corner is, of a side and those in line with it;

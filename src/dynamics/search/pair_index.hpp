@@ -24,7 +24,6 @@ struct PairIndex {
     for (int k = first_of_block[b]; k < first_of_block[b + 1]; ++k)
       visit(neighbours[k]);
   }
-  int neighbours_of(int b) const { return first_of_block[b + 1] - first_of_block[b]; }
 };
 
 /// The neighbours of a block, as the contact rule asks for them.
