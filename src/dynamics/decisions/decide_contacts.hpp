@@ -3,7 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 #include <vector>
 
 #include "dynamics/contacts/contact_arrays.hpp"
@@ -47,6 +47,7 @@ struct DecisionThread {
   CertainDecisions certain;
   PairScratch scratch;
   ContactChanges changes;
+  long spoiled = 0;                    ///< see Decisions
   unsigned long long exact_calls = 0;  ///< questions left to exact arithmetic
 };
 
@@ -69,7 +70,8 @@ void decide_due(const Rules& rules, const Blocks& blocks, const PairIndex& index
     const int p = thread.due[k];
     if (Rules::keeps_decisions && thread.certain[k].room > 0.0) {
       const CertainDecision& decision = thread.certain[k];
-      decisions.keep(blocks, index, p, {decision.room, decision.room_of_neighbours});
+      thread.spoiled += decisions.keep(blocks, index, p,
+                                       {decision.room, decision.room_of_neighbours});
       arrays.assign(blocks, index, p, decision.contacts, true, thread.changes);
     } else {
       rules.decide(blocks, decisions.parts, index, p, thread.scratch);
@@ -116,7 +118,7 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
     workers.each(split.windows, [&](int, int begin, int end) {
       decisions.carry_over(blocks, index, pairs_until(begin), pairs_until(end));
     });
-    decisions.bounds.begin_phase(blocks);
+    decisions.begin_phase(blocks);
   }
   // No other thread writes to the batches of a window.
   workers.each(split.windows, [&](int k, int begin, int end) {
@@ -127,6 +129,8 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
     decide_due(rules, blocks, index, decisions, arrays, dt, thread);
     thread.exact_calls += geometry::exact::calls() - before;
   });
+  for (DecisionThread& thread : memory.threads)
+    decisions.spoiled += std::exchange(thread.spoiled, 0);
   join_changes(memory, released);
   if (memory.grown.pair.empty())
     return;

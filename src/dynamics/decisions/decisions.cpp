@@ -19,8 +19,13 @@ double growth_until(const PairMotion& left) {
 
 }  // namespace
 
-void Decisions::forget(const Blocks& blocks, int pairs) {
+void Decisions::begin_phase(const Blocks& blocks) {
   bounds.begin_phase(blocks);
+  spoiled = 0;
+}
+
+void Decisions::forget(const Blocks& blocks, int pairs) {
+  begin_phase(blocks);
   limits.assign(static_cast<std::size_t>(pairs), {});
   next_check.assign(static_cast<std::size_t>(pairs), 0.0);
 }
@@ -50,13 +55,14 @@ double Decisions::left_of(const Blocks& blocks, const PairIndex& index, int p) c
   return growth_until({limits[p].two - now.two, limits[p].neighbours - now.neighbours});
 }
 
-void Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
+bool Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
                      const PairMotion& room) {
   // From now on, motion is at most the sum of that until now and that until then.
   const PairMotion now = motion_of(blocks, index, p, room.neighbours < infinite);
   limits[p] = {room.two - now.two, room.neighbours - now.neighbours};
   next_check[p] = bounds.most + growth_until({limits[p].two - now.two,
                                               limits[p].neighbours - now.neighbours});
+  return limits[p].two < 0.5 * room.two || limits[p].neighbours < 0.5 * room.neighbours;
 }
 
 void Decisions::carry_over(const Blocks& blocks, const PairIndex& index, int begin,

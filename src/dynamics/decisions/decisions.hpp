@@ -24,12 +24,19 @@ struct Decisions {
   std::vector<PairMotion> limits;
   /// (pairs) [L] The decision holds while MotionBounds::most is less.
   std::vector<double> next_check;
+  long spoiled = 0;  ///< decisions of this phase of which the phase has spoiled half
+  /// A spoiled decision costs as much as this many pairs that are carried over to a new
+  /// phase: it has to be made again and again until the phase ends.
+  static constexpr int cost_of_decision = 64;
 
   /// Forgets all decisions and begins a phase.
   void forget(const Blocks& blocks, int pairs);
-  /// Whether the phase has become too long. If so, `carry_over` all pairs, and then
-  /// begin a phase.
-  bool phase_is_over() const { return bounds.most > bounds.phase_length; }
+  /// Whether the decisions that the phase has spoiled cost more than a new phase. If
+  /// so, `carry_over` all pairs, and then begin a phase.
+  bool phase_is_over() const {
+    return spoiled * cost_of_decision > static_cast<long>(limits.size());
+  }
+  void begin_phase(const Blocks& blocks);
   /// Keeps the decisions of pairs begin .. end - 1 for a phase that begins now.
   void carry_over(const Blocks& blocks, const PairIndex& index, int begin, int end);
 
@@ -40,8 +47,9 @@ struct Decisions {
   /// By how much MotionBounds::most may grow before the decision of pair p may end,
   /// [L]. If it is not positive, the decision has ended.
   double left_of(const Blocks& blocks, const PairIndex& index, int p) const;
-  /// The decision of pair p, made now, holds for motions less than these.
-  void keep(const Blocks& blocks, const PairIndex& index, int p,
+  /// The decision of pair p, made now, holds for motions less than these. Returns
+  /// whether the motion of the phase until now has spoiled half of one of them.
+  bool keep(const Blocks& blocks, const PairIndex& index, int p,
             const PairMotion& room);
 };
 

@@ -13,15 +13,9 @@ void MotionBounds::start(const Blocks& blocks, bool rigid_blocks) {
     double& arm = longest[blocks.corner_block[c]];
     arm = std::max(arm, 1.0001 * blocks.arm.col(c).norm());
   }
-  // The harmonic mean: that of many small blocks and a large one is small.
-  constexpr double part_of_arm = 1.0 / 128.0;
-  double sum = 0.0;
-  rounding = 0.0;
-  for (const double arm : longest) {
-    sum += 1.0 / arm;
-    rounding = std::max(rounding, 0x1p-50 * arm);
-  }
-  phase_length = part_of_arm * static_cast<double>(longest.size()) / sum;
+  rounding = longest.empty()
+                 ? 0.0
+                 : 0x1p-50 * *std::max_element(longest.begin(), longest.end());
   begin_phase(blocks);
 }
 

@@ -15,7 +15,6 @@ struct MotionBounds {
   bool rigid = true;
   std::vector<double> longest;  ///< (n) [L] longest arm as made, rounded up
   double rounding = 0.0;  ///< [L] no corner is off its place by more because of its arm
-  double phase_length = 0.0;  ///< [L] a phase ends when `most` exceeds this
   /// [L] No block has moved by more: the sum over the steps of the largest motion of a
   /// centroid plus twice that of the longest arm.
   double most = 0.0;
