@@ -23,20 +23,21 @@ class Successor {
          ++k)
       each_touching(index_.pairs_of_blocks[k], [&](int row, int lane) {
         const ContactRow& contacts = arrays_.batches.contacts[row];
-        if (contacts.corner[lane] == released_.at.corner)
+        if (contacts.corner[lane % lane_count] == released_.at.corner)
           consider(row, lane, 0.0);
       });
     each_touching(released_.pair,
                   [&](int row, int lane) { consider(row, lane, 0.95); });
   }
 
-  /// The slot, or -1 if no contact can take anything.
+  /// The slot, or -1 if no contact can take anything, and its batch.
   int slot() const { return slot_; }
+  int batch() const { return batch_; }
   double normal() const { return normal_; }
   double shear() const { return shear_; }
 
  private:
-  /// Calls visit(row, lane) for the contacts of a pair that act.
+  /// Calls visit(row, lane of the pair) for the contacts of a pair that act.
   template <class Visit> void each_touching(int p, const Visit& visit) const {
     const int lane = arrays_.lane_of_pair[p];
     if (lane < 0)
@@ -44,7 +45,7 @@ class Successor {
     const BatchPairs& batch = arrays_.batches.pairs[lane / lane_count];
     for (int row = batch.first_row; row < batch.first_row + batch.rows; ++row)
       if ((arrays_.batches.bits[row].touches >> lane % lane_count & 1U) != 0)
-        visit(row, lane % lane_count);
+        visit(row, lane);
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   /// Unit vector along an edge.
@@ -54,7 +55,8 @@ class Successor {
   /// Takes a contact if its spring would be strengthened most. The cosine is that of
   /// the angle between the old edge and its own; the edges of two blocks run in
   /// opposite senses.
-  void consider(int row, int lane, double least_cosine) {
+  void consider(int row, int lane_of_pair, double least_cosine) {
+    const int lane = lane_of_pair % lane_count;
     const ContactRow& contacts = arrays_.batches.contacts[row];
     const int corner = contacts.corner[lane];
     const Vec2 edge = along(contacts.edge[lane]);
@@ -69,7 +71,8 @@ class Successor {
     const double both =
         std::min(std::sqrt(received * received + own * own), stiffness_ * overlap);
     if (both - own > gain_) {
-      slot_ = row * lane_count + lane, gain_ = both - own;
+      slot_ = row * lane_count + lane, batch_ = lane_of_pair / lane_count;
+      gain_ = both - own;
       normal_ = both, shear_ = cosine * released_.shear;
     }
   }
@@ -81,18 +84,9 @@ class Successor {
   double stiffness_;
   int block_;  ///< of the corner
   Vec2 along_;
-  int slot_ = -1;
+  int slot_ = -1, batch_ = -1;
   double normal_ = 0.0, shear_ = 0.0, gain_ = 0.0;
 };
-
-/// The batch with this row.
-int batch_of_row(const ContactArrays& arrays, int row) {
-  const BatchPairs* const first = arrays.batches.pairs;
-  const auto after = std::upper_bound(
-      first, first + arrays.batches.batches(), row,
-      [](int wanted, const BatchPairs& batch) { return wanted < batch.first_row; });
-  return static_cast<int>(after - first) - 1;
-}
 
 }  // namespace
 
@@ -119,7 +113,7 @@ void transfer_springs(const Blocks& blocks, const PairIndex& index,
     batches.at(slot, &SpringRow::normal_elastic) = successor.normal();
     if (batches.at(slot, &SpringRow::shear_elastic) == 0.0)
       batches.at(slot, &SpringRow::shear_elastic) = successor.shear();
-    successors.push_back(batch_of_row(arrays, slot / lane_count));
+    successors.push_back(successor.batch());
   }
   released.clear();
   std::sort(successors.begin(), successors.end());

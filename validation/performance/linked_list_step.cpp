@@ -9,7 +9,7 @@
 namespace blocks::bench {
 namespace {
 
-constexpr double slack = 1e-6;                         // of an edge's length (rule 10)
+constexpr double slack = 1e-6;                         // of an edge's length
 constexpr double sin_minus_10 = -0.17364817766693035;  // (20)
 constexpr double inadmissible = std::numeric_limits<double>::infinity();
 
@@ -40,7 +40,7 @@ void LinkedListCode::contact_forces() {
     }
 }
 
-/// The checks of report 3.3, with the slack of rule 10.
+/// The checks of report 3.3, with slack (docs/departures.md#between).
 bool LinkedListCode::touches(int b, const Contact& record) const {
   const Corner &c = corner(record.block, record.corner), &p1 = corner(b, record.edge),
                &p2 = corner(b, after(b, record.edge));

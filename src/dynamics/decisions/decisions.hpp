@@ -24,7 +24,9 @@ struct Decisions {
   std::vector<PairMotion> limits;
   /// (pairs) [L] The decision holds while MotionBounds::most is less.
   std::vector<double> next_check;
-  long spoiled = 0;  ///< decisions of this phase of which the phase has spoiled half
+  /// Decisions of this phase that lost half of their room, or more, to its motion
+  /// before they were made.
+  long spoiled = 0;
   /// A spoiled decision costs as much as this many pairs that are carried over to a new
   /// phase: it has to be made again and again until the phase ends.
   static constexpr int cost_of_decision = 64;

@@ -36,8 +36,8 @@ struct Sides {
   BLOCKS_INLINE Pack bound() const {
     return 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
   }
-  /// 2A is 0, for a factor of either product is: of bricks that touch as they were
-  /// made.
+  /// 2A is exactly 0 because both products have a factor 0, as between bricks that
+  /// touch as they were made.
   BLOCKS_INLINE Bits tie() const {
     return (zero(cx) | zero(ey)) & (zero(cy) | zero(ex));
   }
@@ -49,7 +49,7 @@ BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
   bits = static_cast<LaneBits>((bits & ~(every << i)) | part << i);
 }
 
-/// Which lanes touch. A sign in doubt is taken to, and marked.
+/// Stores which lanes act. A lane whose sign is in doubt is taken to act, and marked.
 BLOCKS_INLINE void find_touching(ContactBits& row, const Sides& sides, int i) {
   const Pack bound = sides.bound();
   const Bits tested = load(row.tested, i), before = load(row.touches, i);
@@ -120,8 +120,8 @@ struct Frame {
   Pack x, y;     ///< the corner
   Pack tx, ty;   ///< unit tangent, turned where the force on the low block is that on
                  ///< the edge
-  Pack overlap;  ///< its sign is certain exactly; rounded, a tiny depth may come out
-                 ///< below zero
+  Pack overlap;  ///< [L] its sign is decided exactly; a rounded depth below zero
+                 ///< counts as 0
 };
 
 /// find: false: what touches is known.

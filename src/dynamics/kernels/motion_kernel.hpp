@@ -33,7 +33,7 @@ inline constexpr int most_at_once = 64;
 /// What move() did.
 struct Moved {
   double largest = 0.0;         ///< [L] as Displacement
-  int block = -1;               ///< the first of which that is said
+  int block = -1;               ///< the first block that reached `largest`
   double bound = 0.0;           ///< [L] as Displacement
   double sum = 0.0;             ///< not a number, or infinite, if some corner is
   std::uint64_t near_edge = 0;  ///< bit k: block first + k may be outside the domain
