@@ -40,7 +40,6 @@ usage() {
                             --quick: one): wall, pile, slope, crater, subsidence, decks,
                             search, predicates, generation; writes bench.md, .json, .png
                             beside you
-  ./go bench exactness      whole runs with exact predicates against plain doubles
   ./go asan                 every test under the address and undefined sanitizers
   ./go tsan                 every test under the thread sanitizer
   ./go fuzz NAME [SECONDS]  libFuzzer on a reader (60): deck, run, mesh, geojson, wkt,
@@ -188,11 +187,6 @@ case $command in
     exec "$here/build/release/src/blocks" study contacts all --variants default \
       --frames "$frames" -j "$(nproc)" --gate $table ;;
   bench)
-    if [ "${1:-}" = exactness ]; then
-      build release bench_exactness
-      shift
-      exec "$here/build/release/validation/performance/bench_exactness" "$@"
-    fi
     build release bench
     exec "$here/build/release/validation/performance/bench" "$@" ;;
   asan|tsan)
