@@ -1,10 +1,10 @@
 #include "dynamics/contact_forces.hpp"
 
 #include <bit>
+#include <utility>
 
 #include "dynamics/contacts/contact_list.hpp"
 #include "dynamics/kernels/kernels.hpp"
-#include "dynamics/spring_transfer.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
@@ -16,17 +16,17 @@ ContactLaw law_of(const Settings& settings, double dt) {
 
 /// Calls visit(slot) for each slot of a batch whose bit is set.
 template <class Visit>
-void each_marked(const ContactBatches& batches, int batch, LaneBits ContactBits::*marks,
-                 const Visit& visit) {
+void each_marked(const ContactBatches& batches, int batch,
+                 LaneBits ContactStates::*marks, const Visit& visit) {
   const BatchPairs& pairs = batches.pairs[batch];
   for (int row = pairs.first_row; row < pairs.first_row + pairs.rows; ++row)
-    for (unsigned bits = batches.bits[row].*marks; bits != 0; bits &= bits - 1)
+    for (unsigned bits = batches.states[row].*marks; bits != 0; bits &= bits - 1)
       visit(row * lane_count + std::countr_zero(bits));
 }
 
 /// Decides exactly which contacts of a batch act where the kernel was in doubt.
 void settle_doubts(const Blocks& blocks, ContactBatches& batches, int batch) {
-  each_marked(batches, batch, &ContactBits::in_doubt, [&](int slot) {
+  each_marked(batches, batch, &ContactStates::in_doubt, [&](int slot) {
     const auto at = [&](PerLane<int> ContactRow::*which) {
       return Vec2(blocks.corner.col(batches.at(slot, which)));
     };
@@ -34,9 +34,9 @@ void settle_doubts(const Blocks& blocks, ContactBatches& batches, int batch) {
                p2 = at(&ContactRow::edge_end);
     if (geometry::overlap_sign(c, p1, p2) > 0 && geometry::between(c, p1, p2))
       return;
-    batches.set(slot, &ContactBits::touches, false);
-    if (!batches.is(slot, &ContactBits::starts))
-      batches.set(slot, &ContactBits::ends, true), batches.pairs[batch].ends = true;
+    batches.set(slot, &ContactStates::touches, false);
+    if (!batches.is(slot, &ContactStates::starts))
+      batches.set(slot, &ContactStates::ends, true), batches.marks[batch].ends = true;
   });
 }
 
@@ -44,7 +44,7 @@ void settle_doubts(const Blocks& blocks, ContactBatches& batches, int batch) {
 void release_springs(const ContactArrays& arrays, int batch,
                      std::vector<ReleasedSpring>& released) {
   const ContactBatches& batches = arrays.batches;
-  each_marked(batches, batch, &ContactBits::ends, [&](int slot) {
+  each_marked(batches, batch, &ContactStates::ends, [&](int slot) {
     if (const double normal = batches.at(slot, &SpringRow::normal_elastic);
         normal > 0.0)
       released.push_back({arrays.pair_of_lane[batch * lane_count + slot % lane_count],
@@ -56,9 +56,9 @@ void release_springs(const ContactArrays& arrays, int batch,
 }  // namespace
 
 Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, double dt,
-                             const PairIndex& index, ContactArrays& arrays,
-                             bool transfers_springs, const WorkSplit& split,
-                             Workers& workers, ForceMemory& memory) {
+                             ContactArrays& arrays, bool transfers_springs,
+                             const WorkSplit& split, Workers& workers,
+                             ForceMemory& memory) {
   const ContactLaw law = law_of(settings, dt);
   const BlockState state = state_of(blocks);
   ContactBatches& batches = arrays.batches;
@@ -70,28 +70,33 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
     thread.extremes.include(
         kernels().touch_and_act(batches, state, law, settings.rigid, begin, end));
     for (int batch = begin; batch < end; ++batch) {
-      if (batches.pairs[batch].in_doubt) {
+      if (batches.marks[batch].in_doubt) {
         settle_doubts(blocks, batches, batch);
         thread.extremes.include(act(batch));
       }
-      if (batches.pairs[batch].ends)
+      if (batches.marks[batch].ends)
         release_springs(arrays, batch, thread.released);
     }
   });
-  Extremes extremes;
+  std::vector<ReleasedSpring>& released = memory.transfer.released;
   for (ForceThread& thread : memory.threads) {
-    memory.released.insert(memory.released.end(), thread.released.begin(),
-                           thread.released.end());
+    released.insert(released.end(), thread.released.begin(), thread.released.end());
     thread.released.clear();
-    extremes.include(thread.extremes);
-    thread.extremes = {};
   }
   if (!transfers_springs)
-    memory.released.clear();
-  transfer_springs(blocks, index, arrays, settings.normal_stiffness, memory.released,
-                   memory.successors);
-  for (const int batch : memory.successors)
-    extremes.include(act(batch));
+    released.clear();
+  transfer_springs(blocks, arrays, settings.normal_stiffness, split, workers,
+                   memory.transfer, memory.receivers);
+  constexpr int batches_per_thread = 128;
+  split.split_evenly(static_cast<int>(memory.receivers.size()), batches_per_thread,
+                     memory.shares);
+  workers.each(memory.shares, [&](int k, int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      memory.threads[k].extremes.include(act(memory.receivers[i]));
+  });
+  Extremes extremes;
+  for (ForceThread& thread : memory.threads)
+    extremes.include(std::exchange(thread.extremes, {}));
   return extremes;
 }
 
@@ -106,7 +111,7 @@ void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& s
   auto contact = list.begin();
   for (int p = 0; p < index.size(); ++p) {
     arrays.each_slot(p, [&](int slot) {
-      if (!batches.is(slot, &ContactBits::touches))
+      if (!batches.is(slot, &ContactStates::touches))
         return;
       const int row = slot / lane_count, k = slot % lane_count;
       const ReadingRow& reading = batches.readings[row];

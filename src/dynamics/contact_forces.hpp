@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dynamics/contacts/contact_arrays.hpp"
+#include "dynamics/spring_transfer.hpp"
 #include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
 
@@ -18,18 +19,19 @@ struct ForceThread {
 /// Working memory of find_contact_forces.
 struct ForceMemory {
   std::vector<ForceThread> threads;
-  std::vector<ReleasedSpring> released;
-  std::vector<int> successors;  ///< batches that received springs
+  SpringTransfer transfer;
+  std::vector<int> receivers;  ///< batches that have received springs
+  std::vector<int> shares;     ///< of the threads in them
 };
 
 /// Finds which tested contacts act, advances their springs and sums their forces pair
 /// by pair (FORD, report 2.5). Springs of contacts that ceased to act, and those
-/// already in memory.released, pass to successors if `transfers_springs`; otherwise
+/// already in memory.transfer, pass to successors if `transfers_springs`; otherwise
 /// they are lost. Reads blocks and springs; writes arrays.
 Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, double dt,
-                             const PairIndex& index, ContactArrays& arrays,
-                             bool transfers_springs, const WorkSplit& split,
-                             Workers& workers, ForceMemory& memory);
+                             ContactArrays& arrays, bool transfers_springs,
+                             const WorkSplit& split, Workers& workers,
+                             ForceMemory& memory);
 
 /// Computes the contacts of this step once more, for readers: writes the list of the
 /// model with springs at the end of the step, forces and overlaps, and of rigid blocks

@@ -2,23 +2,22 @@
 
 namespace blocks::dynamics {
 
+bool is_inside_domain(const Blocks& blocks, int b, const Settings& settings) {
+  const auto corners =
+      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  return (corners.rowwise().minCoeff().array() >= settings.lower.array()).all() &&
+         (corners.rowwise().maxCoeff().array() <= settings.upper.array()).all();
+}
+
 int fix_outside_domain(Model& model) {
   Blocks& blocks = model.blocks;
-  const Settings& settings = model.settings;
   int fixed = 0;
   for (int b = 0; b < blocks.size(); ++b) {
-    if (!blocks.is_free(b))
-      continue;
-    const auto corners =
-        blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
-    const Vec2 lower = corners.rowwise().minCoeff(),
-               upper = corners.rowwise().maxCoeff();
-    if ((lower.array() >= settings.lower.array()).all() &&
-        (upper.array() <= settings.upper.array()).all())
+    if (!blocks.is_free(b) || is_inside_domain(blocks, b, model.settings))
       continue;
     blocks.fix(b, Fixity::left_domain);
     model.exits.push_back({b, model.time});
-    model.search.current = false;  // its mass is infinite now
+    model.search.invalidate();  // the mass of the block is infinite now
     ++fixed;
   }
   return fixed;
@@ -27,10 +26,7 @@ int fix_outside_domain(Model& model) {
 void update_domain(Model& model, bool left_domain, double largest) {
   if (left_domain)
     fix_outside_domain(model);
-  SearchState& search = model.search;
-  search.left -= largest;
-  if (search.left < 0.0)
-    search.current = false, search.left = 0.0;
+  model.search.spend(largest);
 }
 
 }  // namespace blocks::dynamics

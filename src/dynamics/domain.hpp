@@ -6,6 +6,9 @@
 
 namespace blocks::dynamics {
 
+/// Whether no corner of block b is outside the closed domain.
+bool is_inside_domain(const Blocks& blocks, int b, const Settings& settings);
+
 /// Fixes every free block with a corner strictly outside the closed domain where it is,
 /// and records block and time. Returns how many.
 int fix_outside_domain(Model& model);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/domain.hpp"
+
 namespace blocks::dynamics {
 namespace {
 
@@ -54,13 +56,6 @@ struct ModuliOfBlocks {
   }
   Moduli columns() const { return {c11, c12, twice_shear}; }
 };
-
-bool inside(const Blocks& blocks, int b, const Settings& settings) {
-  const auto corners =
-      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
-  return (corners.rowwise().minCoeff().array() >= settings.lower.array()).all() &&
-         (corners.rowwise().maxCoeff().array() <= settings.upper.array()).all();
-}
 
 }  // namespace
 
@@ -140,7 +135,7 @@ Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& 
                       .bound = moved.bound,
                       .finite = std::isfinite(moved.sum)};
     for (std::uint64_t left = moved.near_edge; left != 0; left &= left - 1)
-      if (!inside(blocks, first + std::countr_zero(left), settings))
+      if (!is_inside_domain(blocks, first + std::countr_zero(left), settings))
         part.left_domain = true;
     result.include(part);
   });

@@ -3,49 +3,47 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
 namespace {
 
-/// Finds the contact that can take most of one released spring.
-class Successor {
+/// Chooses the contact that can take most of one released spring.
+class Choice {
  public:
-  Successor(const Blocks& blocks, const PairIndex& index, const ContactArrays& arrays,
-            const ReleasedSpring& released, double stiffness)
-      : blocks_(blocks), index_(index), arrays_(arrays), released_(released),
-        stiffness_(stiffness), block_(blocks.corner_block[released.at.corner]),
+  Choice(const Blocks& blocks, const ContactArrays& arrays,
+         const ReleasedSpring& released, double stiffness)
+      : blocks_(blocks), arrays_(arrays), released_(released), stiffness_(stiffness),
+        block_(blocks.corner_block[released.at.corner]),
         along_(along(released.at.edge)) {}
 
-  void find() {
-    for (int k = index_.first_of_block[block_]; k < index_.first_of_block[block_ + 1];
-         ++k)
-      each_touching(index_.pairs_of_blocks[k], [&](int row, int lane) {
-        const ContactRow& contacts = arrays_.batches.contacts[row];
-        if (contacts.corner[lane % lane_count] == released_.at.corner)
-          consider(row, lane, 0.0);
+  Successor best() {
+    // Few contacts are of the same corner, so this is asked first.
+    arrays_.each_lane_of(block_, [&](unsigned lane, bool) {
+      each_row(static_cast<int>(lane), [&](int row, const ContactRow& contacts, int k) {
+        if (contacts.corner[k] == released_.at.corner && touches(row, k))
+          consider(row, static_cast<int>(lane), 0.0);
       });
-    each_touching(released_.pair,
-                  [&](int row, int lane) { consider(row, lane, 0.95); });
+    });
+    const int own = arrays_.lane_of_pair[released_.pair];
+    if (own >= 0)
+      each_row(own, [&](int row, const ContactRow&, int k) {
+        if (touches(row, k))
+          consider(row, own, 0.95);
+      });
+    return best_;
   }
 
-  /// The slot, or -1 if no contact can take anything, and its batch.
-  int slot() const { return slot_; }
-  int batch() const { return batch_; }
-  double normal() const { return normal_; }
-  double shear() const { return shear_; }
-
  private:
-  /// Calls visit(row, lane of the pair) for the contacts of a pair that act.
-  template <class Visit> void each_touching(int p, const Visit& visit) const {
-    const int lane = arrays_.lane_of_pair[p];
-    if (lane < 0)
-      return;
+  template <class Visit> void each_row(int lane, const Visit& visit) const {
     const BatchPairs& batch = arrays_.batches.pairs[lane / lane_count];
     for (int row = batch.first_row; row < batch.first_row + batch.rows; ++row)
-      if ((arrays_.batches.bits[row].touches >> lane % lane_count & 1U) != 0)
-        visit(row, lane);
+      visit(row, arrays_.batches.contacts[row], lane % lane_count);
+  }
+  bool touches(int row, int k) const {
+    return (arrays_.batches.states[row].touches >> k & 1U) != 0;
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   /// Unit vector along an edge.
@@ -71,31 +69,31 @@ class Successor {
     const double both =
         std::min(std::sqrt(received * received + own * own), stiffness_ * overlap);
     if (both - own > gain_) {
-      slot_ = row * lane_count + lane, batch_ = lane_of_pair / lane_count;
       gain_ = both - own;
-      normal_ = both, shear_ = cosine * released_.shear;
+      best_ = {row * lane_count + lane, lane_of_pair / lane_count, own, both,
+               cosine * released_.shear};
     }
   }
 
   const Blocks& blocks_;
-  const PairIndex& index_;
   const ContactArrays& arrays_;
   const ReleasedSpring& released_;
   double stiffness_;
   int block_;  ///< of the corner
   Vec2 along_;
-  int slot_ = -1, batch_ = -1;
-  double normal_ = 0.0, shear_ = 0.0, gain_ = 0.0;
+  Successor best_;
+  double gain_ = 0.0;
 };
 
 }  // namespace
 
-void transfer_springs(const Blocks& blocks, const PairIndex& index,
-                      ContactArrays& arrays, double normal_stiffness,
-                      std::vector<ReleasedSpring>& released,
-                      std::vector<int>& successors) {
+void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
+                      double normal_stiffness, const WorkSplit& split, Workers& workers,
+                      SpringTransfer& transfer, std::vector<int>& receivers) {
   ContactBatches& batches = arrays.batches;
-  successors.clear();
+  std::vector<ReleasedSpring>& released = transfer.released;
+  const int count = static_cast<int>(released.size());
+  receivers.clear();
   const auto order = [](const ReleasedSpring& spring) {
     return std::tuple(spring.pair, spring.at.corner, spring.at.edge);
   };
@@ -103,21 +101,32 @@ void transfer_springs(const Blocks& blocks, const PairIndex& index,
             [&](const ReleasedSpring& l, const ReleasedSpring& r) {
               return order(l) < order(r);
             });
-  for (const ReleasedSpring& spring : released) {
-    Successor successor(blocks, index, arrays, spring, normal_stiffness);
-    successor.find();
-    const int slot = successor.slot();
-    if (slot < 0)
+  const auto choose = [&](int i) {
+    return Choice(blocks, arrays, released[i], normal_stiffness).best();
+  };
+  transfer.successors.resize(released.size());
+  constexpr int springs_per_thread = 256;
+  split.split_evenly(count, springs_per_thread, transfer.shares);
+  workers.each(transfer.shares, [&](int, int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      transfer.successors[i] = choose(i);
+  });
+  for (int i = 0; i < count; ++i) {
+    Successor successor = transfer.successors[i];
+    if (successor.slot >= 0 &&
+        batches.at(successor.slot, &SpringRow::normal_elastic) != successor.before)
+      successor = choose(i);
+    if (successor.slot < 0)
       continue;
-    batches.set(slot, &ContactBits::starts, true);
-    batches.at(slot, &SpringRow::normal_elastic) = successor.normal();
-    if (batches.at(slot, &SpringRow::shear_elastic) == 0.0)
-      batches.at(slot, &SpringRow::shear_elastic) = successor.shear();
-    successors.push_back(successor.batch());
+    batches.set(successor.slot, &ContactStates::starts, true);
+    batches.at(successor.slot, &SpringRow::normal_elastic) = successor.normal;
+    if (double& shear = batches.at(successor.slot, &SpringRow::shear_elastic);
+        shear == 0.0)
+      shear = successor.shear;
+    if (!std::exchange(batches.marks[successor.batch].receives, true))
+      receivers.push_back(successor.batch);
   }
   released.clear();
-  std::sort(successors.begin(), successors.end());
-  successors.erase(std::unique(successors.begin(), successors.end()), successors.end());
 }
 
 }  // namespace blocks::dynamics

@@ -32,12 +32,12 @@ StepResult step(Model& model, Workspace& work) {
 }
 
 void catch_up(Model& model, Workspace& work) {
-  if (work.springs != SpringOwner::arrays)
+  if (work.springs.list_is_current())
     return;
   write_list(work.contacts, model.contacts);
   if (model.settings.rigid)
     model.blocks.applied.setZero();
-  work.springs = SpringOwner::both;
+  work.springs.both_agree();
 }
 
 }  // namespace blocks::dynamics

@@ -16,7 +16,10 @@
 namespace blocks::dynamics {
 
 /// What a step did. If it is not `finite`, the state is lost and the run must stop.
-struct StepResult : Displacement {
+struct StepResult {
+  double largest = 0.0;    ///< [L] Displacement::largest
+  int block = -1;          ///< the first block that moved so far
+  bool finite = true;      ///< false: some corner is no longer a number
   double strongest = 0.0;  ///< [F] largest elastic normal force of a contact
 };
 
@@ -54,20 +57,22 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
 
   // 2. Which contacts may act. Blocks, bounds -> decisions, slots of the arrays.
   Profile::Timer timer(work.profile, Profile::decisions);
-  decide_contacts(rules, blocks, settings, dt, work.index, work.decisions,
+  decide_contacts(rules, blocks, settings, dt, work.parts, work.index, work.decisions,
                   work.contacts, work.split, *work.workers, work.deciding,
-                  work.forces.released);
+                  work.forces.transfer.released);
   work.count_exact_calls();
 
   // 3. What they do. Blocks, springs -> springs, forces of pairs, the list if read.
   timer.next(Profile::forces);
-  const Extremes at_contacts = find_contact_forces(
-      blocks, settings, dt, work.index, work.contacts, Rules::transfers_springs,
-      work.split, *work.workers, work.forces);
+  const Extremes at_contacts =
+      find_contact_forces(blocks, settings, dt, work.contacts, Rules::transfers_springs,
+                          work.split, *work.workers, work.forces);
   const bool reads = readings || !(at_contacts.spring <= alarm);
-  if (reads)
+  work.springs.arrays_changed();
+  if (reads) {
     read_contacts(blocks, model.contacts, settings, dt, work.index, work.contacts);
-  work.springs = reads ? SpringOwner::both : SpringOwner::arrays;
+    work.springs.both_agree();
+  }
 
   // 4. Symmetry planes and loads. Blocks, time -> block forces, applied stress.
   timer.next(Profile::motion);
@@ -90,7 +95,7 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   Extremes all = at_contacts;
   all.include(at_planes);
   model.worst_overlap = std::max(model.worst_overlap, all.overlap);
-  return {moved, all.spring};
+  return {moved.largest, moved.block, moved.finite, all.spring};
 }
 
 template <class Rules>

@@ -53,7 +53,7 @@ void Stepper::bring_in() {
   inside_.steps = model_.steps, inside_.step_origin = model_.step_origin;
   inside_.time = model_.time, inside_.time_origin = model_.time_origin;
   inside_.worst_overlap = model_.worst_overlap;
-  work_.springs = SpringOwner::list;
+  work_.springs.list_changed();
   inside_current_ = true;
 }
 

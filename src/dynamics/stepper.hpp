@@ -20,7 +20,7 @@ class Stepper {
   /// The model has been changed from outside, when it was up to date.
   void changed() {
     inside_current_ = false;
-    work_.springs = SpringOwner::list;
+    work_.springs.list_changed();
   }
   /// dynamics::advance. Of the model time, steps, search, worst overlap and exits are
   /// those after it, all else stays behind.

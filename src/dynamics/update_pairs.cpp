@@ -80,8 +80,7 @@ void move_columns(const Blocks& blocks) {
 
 /// Whether the arrays were made for as many blocks as there are.
 bool fits(const Workspace& work, const Blocks& blocks) {
-  return work.index.first_of_block.size() ==
-         static_cast<std::size_t>(blocks.size()) + 1;
+  return work.index.neighbours.groups() == blocks.size();
 }
 
 }  // namespace
@@ -89,15 +88,13 @@ bool fits(const Workspace& work, const Blocks& blocks) {
 void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& also) {
   const Blocks& blocks = model.blocks;
   if (!fits(work, blocks))
-    work.springs = SpringOwner::list;
-  const bool from_list = work.springs == SpringOwner::list;
+    work.springs.list_changed();
+  const bool from_list = !work.springs.arrays_are_current();
   if (model.search.current && !from_list)
     return;
   const Profile::Timer timer(work.profile, Profile::search);
   if (!model.search.current) {
-    model.search.left = list_tolerance(model);
-    model.search.current = true;
-    ++model.search.updates;
+    model.search.renew(list_tolerance(model));
     update_plane_contacts(model, work.plane_contacts, model.search.left);
   }
   std::vector<NearPair>& found = work.near_pairs;
@@ -113,7 +110,7 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
     read_list(blocks, model.contacts, work.index, contacts);
     work.contacts.slots_of_pair.assign(work.index.pairs.size(), 0);
     work.decisions.bounds.start(blocks, model.settings.rigid);
-    work.decisions.parts.make(blocks);
+    work.parts.make(blocks);
   } else {
     renumber(found, work.index.pairs, contacts, work.contacts.slots_of_pair);
   }
@@ -123,7 +120,7 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
   work.contacts.make(blocks, model.settings, work.index, contacts, {});
   work.split.split_batches(work.contacts.first_batch);
   if (from_list)
-    work.springs = SpringOwner::both;
+    work.springs.both_agree();
   if (std::exchange(work.corners_in_huge_pages, blocks.corner.data()) !=
       blocks.corner.data())
     move_columns(blocks);

@@ -10,22 +10,16 @@
 #include "dynamics/decisions/decide_contacts.hpp"
 #include "dynamics/decisions/decisions.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/rules/block_parts.hpp"
 #include "dynamics/search/near_pairs.hpp"
 #include "dynamics/search/pair_index.hpp"
+#include "dynamics/spring_owner.hpp"
 #include "dynamics/support/profile.hpp"
 #include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
 #include "model/contacts.hpp"
 
 namespace blocks::dynamics {
-
-/// Which of the two holds the springs of contacts: the list (Model::contacts) or the
-/// arrays.
-enum class SpringOwner {
-  list,    ///< the model was made, read or changed from outside
-  arrays,  ///< a step has been made since the list was written
-  both     ///< the list was written after the last step
-};
 
 /// What the steps of a run keep besides the model. After catch_up() it may be lost:
 /// then it influences run time, never results.
@@ -41,8 +35,9 @@ struct Workspace {
   Profile* profile = nullptr;  ///< where the time of the run is counted, if at all
   WorkSplit split;
 
-  SpringOwner springs = SpringOwner::list;
+  SpringOwner springs;
   PairIndex index;
+  BlockParts parts;
   Decisions decisions;
   ContactArrays contacts;
 

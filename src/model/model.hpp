@@ -23,8 +23,19 @@ struct TimeStep {
 /// State of the search for potential contacts.
 struct SearchState {
   bool current = false;  ///< false: search before the next force evaluation (IUFLG)
-  double left = 0.0;  ///< [L] so far corners may still go before it has to be renewed
-  long updates = 0;   ///< NUPDAT
+  double left = 0.0;     ///< [L] how far corners may still move before the next search
+  long updates = 0;      ///< number of searches (NUPDAT)
+
+  /// Blocks have been added, fixed or changed.
+  void invalidate() { current = false; }
+  /// Begins a search that holds until a corner has moved by `distance`, [L].
+  void renew(double distance) { current = true, left = distance, ++updates; }
+  /// Takes a motion of corners, [L], off the distance that is left.
+  void spend(double distance) {
+    left -= distance;
+    if (left < 0.0)
+      current = false, left = 0.0;
+  }
 };
 
 struct DomainExit {

@@ -105,7 +105,7 @@ bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where
 
 void BlockBuilder::append(const std::vector<NewBlock>& blocks) {
   model_.blocks.append(blocks);
-  model_.search.current = false;
+  model_.search.invalidate();
 }
 
 void BlockBuilder::create(const deck::Create& card) {

@@ -174,7 +174,7 @@ struct Builder::Visitor {
   void operator()(const deck::Splane& card) {
     settings.planes.push_back(
         {{card.x1.value, card.y1.value}, {card.x2.value, card.y2.value}});
-    model.search.current = false;
+    model.search.invalidate();
     self.planes_.push_back(command);
   }
   void operator()(const deck::Gravity& card) {
@@ -185,7 +185,7 @@ struct Builder::Visitor {
     if (b < 0)
       return;
     blocks.fix(b, Fixity::by_user);
-    model.search.current = false;
+    model.search.invalidate();
   }
   void operator()(const deck::PressBc& card) {
     const int b = block(card.nblok);

@@ -5,7 +5,7 @@
 namespace blocks::run {
 
 std::vector<std::string> MotionWatch::after(const Model& model,
-                                            const dynamics::Displacement& moved) {
+                                            const dynamics::StepResult& moved) {
   std::vector<std::string> told;
   const double tolerance = model.settings.contact_tolerance;
   if (moved.largest > tolerance && !fast_told_) {

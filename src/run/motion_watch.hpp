@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/motion.hpp"
+#include "dynamics/step.hpp"
 #include "model/model.hpp"
 
 namespace blocks::run {
@@ -21,7 +21,7 @@ class MotionWatch {
 
   /// What is new after a step (or, with moved = {}, after a boxing) of the model.
   std::vector<std::string> after(const Model& model,
-                                 const dynamics::Displacement& moved);
+                                 const dynamics::StepResult& moved);
 
   bool fast_told() const { return fast_told_; }
 

@@ -99,7 +99,7 @@ TEST(Memory, OfABrickInAWall) {
   wall = {};
   scene.gravity(0, -10);
   for (int i = 0; i < 3; ++i) {
-    scene.model.search.current = false;
+    scene.model.search.invalidate();
     scene.steps(2);
   }
   EXPECT_GT(totals(scene.model).active_contacts, 1000);

@@ -42,11 +42,12 @@ struct Cluster {
     update_pairs(model, work);
     std::vector<int> due(work.index.pairs.size());
     std::iota(due.begin(), due.end(), 0);
-    certain.find(model.blocks, work.index, work.decisions, due, model.time_step.dt);
+    certain.find(model.blocks, work.parts, work.index, work.decisions, due,
+                 model.time_step.dt);
   }
 
   Contacts exact(int p) {
-    ContactRules::decide(model.blocks, work.decisions.parts, work.index, p, scratch);
+    ContactRules::decide(model.blocks, work.parts, work.index, p, scratch);
     Contacts found = scratch.found;
     sort(found);
     return found;

@@ -74,11 +74,11 @@ struct Scene {
       batches.at(i, &ContactRow::corner) = p[0],
                     batches.at(i, &ContactRow::edge) = p[1],
                     batches.at(i, &ContactRow::edge_end) = p[2];
-      batches.set(i, &ContactBits::tested, p[3] == 1);
-      batches.set(i, &ContactBits::certain, p[3] == 2);
-      batches.set(i, &ContactBits::touches, p[4] > 0);
-      batches.set(i, &ContactBits::starts, p[4] == 2);
-      batches.set(i, &ContactBits::flips, p[5] == 1);
+      batches.set(i, &ContactTests::tested, p[3] == 1);
+      batches.set(i, &ContactTests::certain, p[3] == 2);
+      batches.set(i, &ContactStates::touches, p[4] > 0);
+      batches.set(i, &ContactStates::starts, p[4] == 2);
+      batches.set(i, &ContactTests::flips, p[5] == 1);
       batches.at(i, &SpringRow::normal_elastic) = std::abs(springs[2 * i]);
       batches.at(i, &SpringRow::shear_elastic) = springs[2 * i + 1];
     }
@@ -99,8 +99,8 @@ std::vector<std::uint64_t> bits(const ContactBatches& batches, Extremes extremes
       add(x);
   };
   for (int batch = 0; batch < batches.batches(); ++batch) {
-    found.push_back(batches.pairs[batch].ends);
-    found.push_back(batches.pairs[batch].in_doubt);
+    found.push_back(batches.marks[batch].ends);
+    found.push_back(batches.marks[batch].in_doubt);
     for (int k = 0; k < lane_count; ++k) {
       const PairForce& of = batches.forces[batch * lane_count + k];
       add(of.fx), add(of.fy), add(of.moment_low), add(of.moment_high);
@@ -111,10 +111,10 @@ std::vector<std::uint64_t> bits(const ContactBatches& batches, Extremes extremes
     }
   }
   for (int row = 0; row < batches.rows(); ++row) {
-    found.push_back(batches.bits[row].touches);
-    found.push_back(batches.bits[row].starts);
-    found.push_back(batches.bits[row].ends);
-    found.push_back(batches.bits[row].in_doubt);
+    found.push_back(batches.states[row].touches);
+    found.push_back(batches.states[row].starts);
+    found.push_back(batches.states[row].ends);
+    found.push_back(batches.states[row].in_doubt);
     add_row(batches.advanced[row].normal_elastic);
     add_row(batches.advanced[row].shear_elastic);
     if (!readings)
@@ -183,15 +183,15 @@ TEST(ContactKernel, WhatTouchesIsDecidedExactly) {
     for (int k = 0; k < lane_count; ++k) {
       row.corner[k] = below(Scene::corners), row.edge[k] = below(Scene::corners);
       row.edge_end[k] = below(Scene::corners);
-      batches.set(k, &ContactBits::tested, true);
+      batches.set(k, &ContactTests::tested, true);
     }
     kernels().touch_and_act(batches, state, {1.0, 1.0, 1.0, 1.0}, true, 0, 1);
     for (int k = 0; k < lane_count; ++k) {
       const Vec2 c = at(row.corner[k]), p1 = at(row.edge[k]), p2 = at(row.edge_end[k]);
       const int sign = geometry::exact::overlap_sign(c, p1, p2);
       const bool acts = sign > 0 && geometry::exact::between(c, p1, p2);
-      const bool touches = batches.is(k, &ContactBits::touches);
-      if (!batches.is(k, &ContactBits::in_doubt)) {
+      const bool touches = batches.is(k, &ContactStates::touches);
+      if (!batches.is(k, &ContactStates::in_doubt)) {
         ASSERT_EQ(touches, acts) << trial;
       }
       ties += !touches && sign == 0;

@@ -33,7 +33,7 @@ TEST(Search, KeepsContactsAndSprings) {
   dynamics::Workspace work;
   for (int i = 0; i < 20; ++i) {
     scene.step();
-    again.search.current = false;
+    again.search.invalidate();
     dynamics::step(again, work);
     ASSERT_EQ(again.contacts, scene.model.contacts);
     ASSERT_EQ(again.blocks.corner, scene.model.blocks.corner);
@@ -60,7 +60,7 @@ TEST(Search, DropsContactsOfBlocksThatAreGone) {
   const int gone = 20;
   model.blocks.corner.middleCols(model.blocks.first_corner[gone], 4).array() += 50.0;
   model.blocks.centroid.col(gone).array() += 50.0;
-  model.search.current = false;
+  model.search.invalidate();
   dynamics::Workspace work;
   dynamics::step(model, work);
   EXPECT_GT(model.contacts.size(), 50U);

@@ -52,7 +52,7 @@ class Scene {
     for (const Vec2& p : corners)
       block.outline.push_back(frame_.place(p));
     model.blocks.append({block});
-    model.search.current = false;
+    model.search.invalidate();
     return model.blocks.size() - 1;
   }
   /// Adds the rectangle [x, x + w] x [y, y + h].

@@ -30,9 +30,9 @@ void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const
   each_slot(p, [&](int slot) {
     if (is_vacant(slot))
       return;
-    const bool touches = batches.is(slot, &ContactBits::touches);
-    contacts.push_back({at(slot), batches.is(slot, &ContactBits::tested),
-                        batches.is(slot, &ContactBits::certain), touches,
+    const bool touches = batches.is(slot, &ContactStates::touches);
+    contacts.push_back({at(slot), batches.is(slot, &ContactTests::tested),
+                        batches.is(slot, &ContactTests::certain), touches,
                         touches ? batches.at(slot, &SpringRow::normal_elastic) : 0.0,
                         touches ? batches.at(slot, &SpringRow::shear_elastic) : 0.0});
   });
@@ -123,8 +123,17 @@ void ContactArrays::make(const Blocks& blocks, const Settings& settings,
   }
   for (std::size_t k = 0; k < grown.pair.size(); ++k)
     fill_slots(blocks, index, grown, k);
-  lows.make(blocks.size(), index.pairs, lane_of_pair, &NearPair::low);
-  highs.make(blocks.size(), index.pairs, lane_of_pair, &NearPair::high);
+  find_lanes_of_blocks(index, &NearPair::low, lows);
+  find_lanes_of_blocks(index, &NearPair::high, highs);
+}
+
+void ContactArrays::find_lanes_of_blocks(const PairIndex& index, int NearPair::*side,
+                                         Groups& lanes) {
+  lanes.sort(index.neighbours.groups(), [&](const auto& add) {
+    for (int p = 0; p < index.size(); ++p)
+      if (lane_of_pair[p] >= 0)
+        add(index.pairs[p].*side, lane_of_pair[p]);
+  });
 }
 
 void ContactArrays::fill_slots(const Blocks& blocks, const PairIndex& index,
@@ -145,12 +154,12 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
   to.corner[k] = vacant ? 0 : contact.at.corner;
   to.edge[k] = vacant ? 0 : contact.at.edge;
   to.edge_end[k] = vacant ? 0 : blocks.next[contact.at.edge];
-  batches.set(slot, &ContactBits::flips,
+  batches.set(slot, &ContactTests::flips,
               !vacant && blocks.corner_block[contact.at.edge] == low);
-  batches.set(slot, &ContactBits::tested, contact.tested);
-  batches.set(slot, &ContactBits::certain, contact.certain);
-  batches.set(slot, &ContactBits::touches, contact.acted);
-  batches.set(slot, &ContactBits::starts, false);
+  batches.set(slot, &ContactTests::tested, contact.tested);
+  batches.set(slot, &ContactTests::certain, contact.certain);
+  batches.set(slot, &ContactStates::touches, contact.acted);
+  batches.set(slot, &ContactStates::starts, false);
   batches.springs[row].normal_elastic[k] = contact.normal;
   batches.springs[row].shear_elastic[k] = contact.shear;
 }
@@ -170,8 +179,8 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
   std::size_t k = 0;
   if (same && fits) {
     each_slot(p, [&](int slot) {
-      batches.set(slot, &ContactBits::tested, tested && k < now.size());
-      batches.set(slot, &ContactBits::certain, !tested && k < now.size());
+      batches.set(slot, &ContactTests::tested, tested && k < now.size());
+      batches.set(slot, &ContactTests::certain, !tested && k < now.size());
       ++k;
     });
     return;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "dynamics/contacts/contact_batches.hpp"
-#include "dynamics/contacts/lanes_of_blocks.hpp"
 #include "dynamics/contacts/pair_contacts.hpp"
 #include "dynamics/search/pair_index.hpp"
+#include "dynamics/support/groups.hpp"
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
@@ -22,7 +22,7 @@ struct ContactArrays {
   std::vector<int> pair_of_lane;   ///< -1: the lane is idle
   std::vector<int> slots_of_pair;  ///< least number of slots of the pair's lane
   std::vector<int> first_batch;    ///< (windows + 1) where those of a window begin
-  LanesOfBlocks lows, highs;       ///< lanes in which a block is the lower or higher
+  Groups lows, highs;  ///< lanes in which each block is the low one, or the high one
 
   /// Makes batches for these pairs and puts contacts into them. `grown` replaces all
   /// contacts of its pairs. No pair is listed twice; entries with a negative pair are
@@ -49,10 +49,8 @@ struct ContactArrays {
   /// Calls visit(lane, is_low) for each lane that acts on block b, in the order of the
   /// pairs.
   template <class Visit> void each_lane_of(int b, const Visit& visit) const {
-    for (int k = highs.first[b]; k < highs.first[b + 1]; ++k)
-      visit(static_cast<unsigned>(highs.lane[k]), false);
-    for (int k = lows.first[b]; k < lows.first[b + 1]; ++k)
-      visit(static_cast<unsigned>(lows.lane[k]), true);
+    highs.each(b, [&](int lane) { visit(static_cast<unsigned>(lane), false); });
+    lows.each(b, [&](int lane) { visit(static_cast<unsigned>(lane), true); });
   }
   CornerOnEdge at(int slot) const {
     return {batches.at(slot, &ContactRow::corner), batches.at(slot, &ContactRow::edge)};
@@ -68,6 +66,7 @@ struct ContactArrays {
   void require_slots(const ContactsOfPairs& some, bool grown);
   void reserve(int pairs);
   void make_window(const PairIndex& index, int begin, int end);
+  void find_lanes_of_blocks(const PairIndex& index, int NearPair::*side, Groups& lanes);
 };
 
 /// Calls visit(begin, end) for pairs begin .. end - 1 of each window.

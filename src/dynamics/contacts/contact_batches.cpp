@@ -17,6 +17,7 @@ void ContactBatches::reserve(int batches, int rows) {
   };
   if (batches > room_for_batches_) {
     make(batches, own_pairs_, pairs);
+    make(batches, own_marks_, marks);
     make(batches * lane_count, own_forces_, forces);
     prefer_huge_pages(forces, sizeof(PairForce) * batches * lane_count);
     make(batches * lane_count, own_stresses_, stresses);
@@ -24,7 +25,8 @@ void ContactBatches::reserve(int batches, int rows) {
   }
   if (rows > room_for_rows_) {
     make(rows, own_contacts_, contacts);
-    make(rows, own_bits_, bits);
+    make(rows, own_tests_, tests);
+    make(rows, own_states_, states);
     make(rows, own_springs_, springs);
     make(rows, own_advanced_, advanced);
     make(rows, own_readings_, readings);
@@ -34,11 +36,13 @@ void ContactBatches::reserve(int batches, int rows) {
 
 int ContactBatches::add_batch(int rows) {
   pairs[batches_] = BatchPairs{};
+  marks[batches_] = BatchMarks{};
   pairs[batches_].first_row = rows_;
   pairs[batches_].rows = rows;
   std::fill_n(forces + batches_ * lane_count, lane_count, PairForce{});
   std::fill_n(contacts + rows_, rows, ContactRow{});
-  std::fill_n(bits + rows_, rows, ContactBits{});
+  std::fill_n(tests + rows_, rows, ContactTests{});
+  std::fill_n(states + rows_, rows, ContactStates{});
   std::fill_n(springs + rows_, rows, SpringRow{});
   rows_ += rows;
   return batches_++;

@@ -30,11 +30,12 @@ class ContactBatches : public BatchArrays {
     return (part(static_cast<Part*>(nullptr))[i / lane_count].*row)[i % lane_count];
   }
   /// A bit of one slot.
-  bool is(int slot, LaneBits ContactBits::*which) const {
-    return (bits[slot / lane_count].*which >> slot % lane_count & 1U) != 0;
+  template <class Part> bool is(int slot, LaneBits Part::*which) const {
+    const LaneBits all = part(static_cast<Part*>(nullptr))[slot / lane_count].*which;
+    return (all >> slot % lane_count & 1U) != 0;
   }
-  void set(int slot, LaneBits ContactBits::*which, bool yes) {
-    LaneBits& all = bits[slot / lane_count].*which;
+  template <class Part> void set(int slot, LaneBits Part::*which, bool yes) {
+    LaneBits& all = part(static_cast<Part*>(nullptr))[slot / lane_count].*which;
     const unsigned bit = 1U << slot % lane_count;
     all = static_cast<LaneBits>(yes ? all | bit : all & ~bit);
   }
@@ -43,14 +44,18 @@ class ContactBatches : public BatchArrays {
   BatchPairs* part(BatchPairs*) const { return pairs; }
   ContactRow* part(ContactRow*) const { return contacts; }
   SpringRow* part(SpringRow*) const { return springs; }
+  ContactTests* part(ContactTests*) const { return tests; }
+  ContactStates* part(ContactStates*) const { return states; }
 
   int batches_ = 0, rows_ = 0;
   int room_for_batches_ = 0, room_for_rows_ = 0;
   std::unique_ptr<BatchPairs[]> own_pairs_;
+  std::unique_ptr<BatchMarks[]> own_marks_;
   std::unique_ptr<PairForce[]> own_forces_;
   std::unique_ptr<PairStress[]> own_stresses_;
   std::unique_ptr<ContactRow[]> own_contacts_;
-  std::unique_ptr<ContactBits[]> own_bits_;
+  std::unique_ptr<ContactTests[]> own_tests_;
+  std::unique_ptr<ContactStates[]> own_states_;
   std::unique_ptr<SpringRow[]> own_springs_, own_advanced_;
   std::unique_ptr<ReadingRow[]> own_readings_;
 };

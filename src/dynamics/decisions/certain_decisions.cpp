@@ -12,10 +12,10 @@ namespace {
 /// Takes what the lanes tell of two parts into the decision of their blocks.
 class LaneDecision {
  public:
-  LaneDecision(const Blocks& blocks, const PairIndex& index, const Decisions& decisions,
-               int p, const FacingAnswers& answers, int lane, const int* part,
-               JointScratch& scratch, double dt)
-      : blocks_(blocks), index_(index), parts_(decisions.parts),
+  LaneDecision(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
+               const Decisions& decisions, int p, const FacingAnswers& answers,
+               int lane, const int* part, JointScratch& scratch, double dt)
+      : blocks_(blocks), index_(index), parts_(parts),
         longest_(decisions.bounds.longest), rounding_(decisions.bounds.rounding),
         answers_(answers), lane_(lane), scratch_(scratch),
         own_(part[answers.own[lane] > 0.0]), other_(part[answers.own[lane] <= 0.0]),
@@ -130,59 +130,58 @@ class LaneDecision {
 
 }  // namespace
 
-void CertainDecisions::find(const Blocks& blocks, const PairIndex& index,
-                            const Decisions& decisions, const std::vector<int>& due,
-                            double dt) {
+void CertainDecisions::find(const Blocks& blocks, const BlockParts& parts,
+                            const PairIndex& index, const Decisions& decisions,
+                            const std::vector<int>& due, double dt) {
   decisions_.resize(std::max(decisions_.size(), due.size()));
-  parts_.clear();
+  two_parts_.clear();
   for (std::size_t k = 0; k < due.size(); ++k) {
     decisions_[k].contacts.clear();
     decisions_[k].room = decisions_[k].room_of_neighbours =
         std::numeric_limits<double>::infinity();
     const NearPair& pair = index.pairs[due[k]];
-    each_pair_of_parts(decisions.parts, pair.low, pair.high, [&](int p, int q) {
-      if (std::max(decisions.parts.corners(p), decisions.parts.corners(q)) <=
-          PartPairs::most_corners)
-        parts_.push_back({static_cast<int>(k), {p, q}});
+    each_pair_of_parts(parts, pair.low, pair.high, [&](int p, int q) {
+      if (std::max(parts.corners(p), parts.corners(q)) <= PartPairs::most_corners)
+        two_parts_.push_back({static_cast<int>(k), {p, q}});
       else
         decisions_[k].room = 0.0;
     });
   }
-  for (std::size_t first = 0; first < parts_.size(); first += lane_count)
-    decide_lanes(blocks, index, decisions, due, first, dt);
+  for (std::size_t first = 0; first < two_parts_.size(); first += lane_count)
+    decide_lanes(blocks, parts, index, decisions, due, first, dt);
 }
 
-void CertainDecisions::decide_lanes(const Blocks& blocks, const PairIndex& index,
-                                    const Decisions& decisions,
+void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& parts,
+                                    const PairIndex& index, const Decisions& decisions,
                                     const std::vector<int>& due, std::size_t first,
                                     double dt) {
   const int count =
-      static_cast<int>(std::min<std::size_t>(lane_count, parts_.size() - first));
+      static_cast<int>(std::min<std::size_t>(lane_count, two_parts_.size() - first));
   lanes_.most = 0;
   lanes_.rigid = decisions.bounds.rigid;
   for (int i = 0; i < lane_count; ++i) {
-    const Parts& two = parts_[first + (i < count ? i : 0)];
+    const TwoParts& two = two_parts_[first + (i < count ? i : 0)];
     for (int k = 0; k < 2; ++k) {
-      const int part = two.part[k], block = decisions.parts.block(part);
+      const int part = two.part[k], block = parts.block(part);
       lanes_.block[k][i] = block;
-      lanes_.corners[k][i] = decisions.parts.corners(part);
+      lanes_.corners[k][i] = parts.corners(part);
       lanes_.longest[k][i] = decisions.bounds.longest[block];
-      lanes_.most = std::max(lanes_.most, decisions.parts.corners(part));
+      lanes_.most = std::max(lanes_.most, parts.corners(part));
     }
   }
   for (int i = 0; i < lane_count; ++i)
     for (int k = 0; k < 2; ++k) {
-      const int part = parts_[first + (i < count ? i : 0)].part[k];
-      const int corners = decisions.parts.corners(part);
+      const int part = two_parts_[first + (i < count ? i : 0)].part[k];
+      const int corners = parts.corners(part);
       for (int c = 0; c < lanes_.most; ++c)
-        lanes_.corner[k][c][i] = decisions.parts.corner(part, c < corners ? c : 0);
+        lanes_.corner[k][c][i] = parts.corner(part, c < corners ? c : 0);
     }
   kernels().find_faces(lanes_, state_of(blocks), answers_);
   for (int i = 0; i < count; ++i) {
-    const Parts& two = parts_[first + i];
+    const TwoParts& two = two_parts_[first + i];
     CertainDecision& decision = decisions_[two.of];
     if (decision.room > 0.0)
-      LaneDecision(blocks, index, decisions, due[two.of], answers_, i, two.part,
+      LaneDecision(blocks, parts, index, decisions, due[two.of], answers_, i, two.part,
                    scratch_, dt)
           .take(decision);
   }

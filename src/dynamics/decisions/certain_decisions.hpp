@@ -29,22 +29,22 @@ struct CertainDecision {
 class CertainDecisions {
  public:
   /// Finds what is certain of the pairs that are due, for steps of dt.
-  void find(const Blocks& blocks, const PairIndex& index, const Decisions& decisions,
-            const std::vector<int>& due, double dt);
+  void find(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
+            const Decisions& decisions, const std::vector<int>& due, double dt);
   /// The decision of due pair k.
   const CertainDecision& operator[](std::size_t k) const { return decisions_[k]; }
 
  private:
   /// Two parts of the blocks of due pair `of`.
-  struct Parts {
+  struct TwoParts {
     int of, part[2];
   };
-  void decide_lanes(const Blocks& blocks, const PairIndex& index,
-                    const Decisions& decisions, const std::vector<int>& due,
-                    std::size_t first, double dt);
+  void decide_lanes(const Blocks& blocks, const BlockParts& parts,
+                    const PairIndex& index, const Decisions& decisions,
+                    const std::vector<int>& due, std::size_t first, double dt);
 
   std::vector<CertainDecision> decisions_;
-  std::vector<Parts> parts_;
+  std::vector<TwoParts> two_parts_;
   PartPairs lanes_;
   FacingAnswers answers_;
   JointScratch scratch_;

@@ -61,11 +61,11 @@ struct DecisionMemory {
 /// Decides the due pairs of a thread: until blocks have moved by some room, or for this
 /// step alone.
 template <class Rules>
-void decide_due(const Rules& rules, const Blocks& blocks, const PairIndex& index,
-                Decisions& decisions, ContactArrays& arrays, double dt,
-                DecisionThread& thread) {
+void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& parts,
+                const PairIndex& index, Decisions& decisions, ContactArrays& arrays,
+                double dt, DecisionThread& thread) {
   if (Rules::keeps_decisions)
-    thread.certain.find(blocks, index, decisions, thread.due, dt);
+    thread.certain.find(blocks, parts, index, decisions, thread.due, dt);
   for (std::size_t k = 0; k < thread.due.size(); ++k) {
     const int p = thread.due[k];
     if (Rules::keeps_decisions && thread.certain[k].room > 0.0) {
@@ -74,7 +74,7 @@ void decide_due(const Rules& rules, const Blocks& blocks, const PairIndex& index
                                        {decision.room, decision.room_of_neighbours});
       arrays.assign(blocks, index, p, decision.contacts, true, thread.changes);
     } else {
-      rules.decide(blocks, decisions.parts, index, p, thread.scratch);
+      rules.decide(blocks, parts, index, p, thread.scratch);
       arrays.assign(blocks, index, p, thread.scratch.found, false, thread.changes);
       decisions.limits[p] = {}, decisions.next_check[p] = 0.0;
     }
@@ -108,9 +108,10 @@ void join_changes(DecisionMemory& memory, std::vector<ReleasedSpring>& released)
 /// that are gone are added to `released`, in any order.
 template <class Rules>
 void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& settings,
-                     double dt, const PairIndex& index, Decisions& decisions,
-                     ContactArrays& arrays, WorkSplit& split, Workers& workers,
-                     DecisionMemory& memory, std::vector<ReleasedSpring>& released) {
+                     double dt, const BlockParts& parts, const PairIndex& index,
+                     Decisions& decisions, ContactArrays& arrays, WorkSplit& split,
+                     Workers& workers, DecisionMemory& memory,
+                     std::vector<ReleasedSpring>& released) {
   const auto pairs_until = [&](int window) {
     return std::min(index.size(), window * pairs_of_window);
   };
@@ -126,7 +127,7 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
     const unsigned long long before = geometry::exact::calls();
     find_due<Rules>(blocks, index, decisions, pairs_until(begin), pairs_until(end),
                     thread.due);
-    decide_due(rules, blocks, index, decisions, arrays, dt, thread);
+    decide_due(rules, blocks, parts, index, decisions, arrays, dt, thread);
     thread.exact_calls += geometry::exact::calls() - before;
   });
   for (DecisionThread& thread : memory.threads)

@@ -39,7 +39,7 @@ PairMotion Decisions::motion_of(const Blocks& blocks, const PairIndex& index, in
   const double two = 1.0000001 * (low_shift - high_shift).norm() + turns;
   double farthest = 0.0;
   const auto include = [&](int block, const Vec2& shift) {
-    index.each_neighbour(block, [&](int other) {
+    index.neighbours.each(block, [&](int other) {
       const double apart = (bounds.shift(blocks, other) - shift).lpNorm<1>();
       farthest = std::max(farthest, 1.0000001 * apart + bounds.turn(blocks, other));
     });

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "dynamics/decisions/motion_bounds.hpp"
-#include "dynamics/rules/block_parts.hpp"
 #include "dynamics/search/pair_index.hpp"
 
 namespace blocks::dynamics {
@@ -17,7 +16,6 @@ struct PairMotion {
 };
 
 struct Decisions {
-  BlockParts parts;
   MotionBounds bounds;
   /// (pairs) The decision of a pair holds while its motion is below these limits.
   /// Infinite: neighbours do not matter.

@@ -19,8 +19,12 @@ struct alignas(64) BatchPairs {
   PerLane<int> low, high;   ///< the two blocks, the lower number first
   PerLane<double> damping;  ///< [F T/L] C of (18), the same for all contacts of a pair
   int first_row, rows;      ///< the contacts of the batch
-  bool ends;                ///< a contact of the batch has ceased to act in this step
-  bool in_doubt;            ///< the kernel left a sign of the batch undecided
+};
+/// What a step has found in a batch.
+struct BatchMarks {
+  bool ends;      ///< a contact has ceased to act
+  bool in_doubt;  ///< the kernel has left a sign undecided
+  bool receives;  ///< a contact has received a released spring
 };
 
 /// One contact of each pair of a batch: corner numbers of the model. A contact whose
@@ -28,17 +32,19 @@ struct alignas(64) BatchPairs {
 struct ContactRow {
   PerLane<int> corner, edge, edge_end;
 };
-/// What is known of the contacts of a row.
-struct ContactBits {
-  // How it is known whether a contact acts. With neither bit it does not act.
+/// How it is decided whether the contacts of a row act. A contact that is neither
+/// tested nor certain does not act.
+struct ContactTests {
   LaneBits tested;   ///< it acts if its corner is inside (19) and between the ends
-  LaneBits certain;  ///< it acts: the exact rule decided this step
-  // What the kernel finds in each step.
+  LaneBits certain;  ///< it acts: the exact rule has decided this step
+  LaneBits flips;    ///< the edge belongs to the low block
+};
+/// Which contacts of a row act in a step.
+struct ContactStates {
   LaneBits touches;   ///< it acts in this step
   LaneBits starts;    ///< it did not act in the step before, or has taken over a spring
   LaneBits ends;      ///< it acted in the step before and does not act now
   LaneBits in_doubt;  ///< taken as acting, but a sign is too near zero for doubles
-  LaneBits flips;     ///< the edge belongs to the low block
 };
 /// The springs of the contacts of a row, kept from step to step.
 struct alignas(64) SpringRow {
@@ -61,14 +67,16 @@ struct alignas(64) ReadingRow {
 
 /// The arrays of all batches. The memory belongs to ContactBatches.
 struct BatchArrays {
-  BatchPairs* pairs = nullptr;     ///< (batches)
-  PairForce* forces = nullptr;     ///< (batches * lane_count)
-  PairStress* stresses = nullptr;  ///< (batches * lane_count) rigid: for readers only
-  ContactRow* contacts = nullptr;  ///< (rows)
-  ContactBits* bits = nullptr;     ///< (rows)
-  SpringRow* springs = nullptr;    ///< (rows) at the start of the step
-  SpringRow* advanced = nullptr;   ///< (rows) at its end
-  ReadingRow* readings = nullptr;  ///< (rows) for readers only
+  BatchPairs* pairs = nullptr;      ///< (batches)
+  BatchMarks* marks = nullptr;      ///< (batches)
+  PairForce* forces = nullptr;      ///< (batches * lane_count)
+  PairStress* stresses = nullptr;   ///< (batches * lane_count) rigid: for readers only
+  ContactRow* contacts = nullptr;   ///< (rows)
+  ContactTests* tests = nullptr;    ///< (rows)
+  ContactStates* states = nullptr;  ///< (rows)
+  SpringRow* springs = nullptr;     ///< (rows) at the start of the step
+  SpringRow* advanced = nullptr;    ///< (rows) at its end
+  ReadingRow* readings = nullptr;   ///< (rows) for readers only
 };
 
 /// The largest values over the contacts that act in a step.

@@ -50,9 +50,10 @@ BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
 }
 
 /// Stores which lanes act. A lane whose sign is in doubt is taken to act, and marked.
-BLOCKS_INLINE void find_touching(ContactBits& row, const Sides& sides, int i) {
+BLOCKS_INLINE void find_touching(const ContactTests& tests, ContactStates& states,
+                                 const Sides& sides, int i) {
   const Pack bound = sides.bound();
-  const Bits tested = load(row.tested, i), before = load(row.touches, i);
+  const Bits tested = load(tests.tested, i), before = load(states.touches, i);
   Bits inside = ~less(sides.value, -bound);
   Bits open = tested & inside & ~less(bound, sides.value);
   if (open != 0) {
@@ -64,11 +65,11 @@ BLOCKS_INLINE void find_touching(ContactBits& row, const Sides& sides, int i) {
   inside &= ~less(between, -error);
   open &= inside;
   open |= tested & inside & ~less(error, between);
-  const Bits touch = load(row.certain, i) | (tested & inside);
-  store(row.touches, i, touch);
-  store(row.starts, i, touch & ~before);
-  store(row.ends, i, before & ~touch);
-  store(row.in_doubt, i, open);
+  const Bits touch = load(tests.certain, i) | (tested & inside);
+  store(states.touches, i, touch);
+  store(states.starts, i, touch & ~before);
+  store(states.ends, i, before & ~touch);
+  store(states.in_doubt, i, open);
 }
 
 /// Two blocks of each lane: where they are, and how the high one sees the low one move.
@@ -124,16 +125,17 @@ struct Frame {
                  ///< counts as 0
 };
 
-/// find: false: what touches is known.
+/// The frame of row s. find: false: what touches is known.
 template <bool find>
-BLOCKS_INLINE Frame frame_of(const ContactRow& contacts, ContactBits& row,
+BLOCKS_INLINE Frame frame_of(const BatchArrays& batches, int s,
                              const BlockState& blocks, int i) {
-  const Sides sides(contacts, blocks, i);
+  const Sides sides(batches.contacts[s], blocks, i);
   if constexpr (find)
-    find_touching(row, sides, i);
+    find_touching(batches.tests[s], batches.states[s], sides, i);
   const Pack per_length = 1.0 / root(sides.square);
   const Pack depth = sides.value * per_length;
-  const Pack turned = where(choice_of(load(row.flips, i)), -per_length, per_length);
+  const Pack turned =
+      where(choice_of(load(batches.tests[s].flips, i)), -per_length, per_length);
   return {sides.xc, sides.yc, sides.ex * turned, sides.ey * turned,
           depth > 0.0 ? depth : Pack{}};
 }
@@ -162,7 +164,7 @@ template <bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& two,
                            const Frame& at, Pack damping, const ContactLaw& law, int i,
                            Sums& sums, Most& most) {
-  const ContactBits& row = batches.bits[s];
+  const ContactStates& row = batches.states[s];
   const Choice acts = choice_of(load(row.touches, i));
   const Bits starts = load(row.starts, i);
   const Pack nx = -at.ty, ny = at.tx;
@@ -218,8 +220,7 @@ BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
   for (int first = pairs.first_row; first < end; first += at_once) {
     const int last = first + at_once < end ? first + at_once : end;
     for (int s = first; s < last; ++s)
-      frames[s - first] =
-          frame_of<find>(batches.contacts[s], batches.bits[s], blocks, i);
+      frames[s - first] = frame_of<find>(batches, s, blocks, i);
     for (int s = first; s < last; ++s)
       act_row<rigid, readings>(batches, s, two, frames[s - first], damping, law, i,
                                sums, most);
@@ -249,12 +250,12 @@ Extremes act_batches(const BatchArrays& batches, const BlockState& blocks,
       most.include(part.overlap, part.spring);
     }
     if constexpr (find) {
-      BatchPairs& pairs = batches.pairs[batch];
+      const BatchPairs& pairs = batches.pairs[batch];
       LaneBits ends = 0, in_doubt = 0;
       for (int s = pairs.first_row; s < pairs.first_row + pairs.rows; ++s)
-        ends |= batches.bits[s].ends, in_doubt |= batches.bits[s].in_doubt;
-      pairs.ends = ends != 0, pairs.in_doubt = in_doubt != 0;
-      if (pairs.in_doubt)
+        ends |= batches.states[s].ends, in_doubt |= batches.states[s].in_doubt;
+      batches.marks[batch] = {ends != 0, in_doubt != 0, false};
+      if (in_doubt != 0)
         continue;
     }
     all.include(most.overlap, most.spring);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "geometry/contact_predicates.hpp"
 
@@ -66,30 +65,16 @@ void find_boxes(const Blocks& blocks, double reach, NearSearch& memory) {
   }
 }
 
-/// Sorts the blocks into the cells that their boxes touch: count, sum, place.
-void fill_cells(const Grid& grid, NearSearch& memory) {
-  std::vector<int>& first = memory.first;
-  first.assign(static_cast<std::size_t>(grid.columns) * grid.rows + 1, 0);
-  const int blocks = static_cast<int>(memory.lower.size());
-  for (int b = 0; b < blocks; ++b)
-    grid.each(memory.lower[b], memory.upper[b], [&](int cell) { ++first[cell + 1]; });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  memory.in_cell.resize(static_cast<std::size_t>(first.back()));
-  for (int b = 0; b < blocks; ++b)
-    grid.each(memory.lower[b], memory.upper[b],
-              [&](int cell) { memory.in_cell[first[cell]++] = b; });
-  // each was moved on to where the next begins
-  std::move_backward(first.begin(), first.end() - 1, first.end());
-  first[0] = 0;
-}
-
 }  // namespace
 
 void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
                      std::vector<NearPair>& pairs) {
   find_boxes(blocks, reach, memory);
   const Grid grid(blocks, memory);
-  fill_cells(grid, memory);
+  memory.cells.sort(grid.columns * grid.rows, [&](const auto& add) {
+    for (int b = 0; b < blocks.size(); ++b)
+      grid.each(memory.lower[b], memory.upper[b], [&](int cell) { add(cell, b); });
+  });
   pairs.clear();
   const auto meet = [&](int a, int b) {
     return ((memory.lower[a].x() <= memory.upper[b].x()) &
@@ -100,15 +85,14 @@ void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
   for (int a = 0; a < blocks.size(); ++a) {
     const std::size_t before = pairs.size();
     grid.each(memory.lower[a], memory.upper[a], [&](int cell) {
-      for (int k = memory.first[cell]; k < memory.first[cell + 1]; ++k) {
-        const int b = memory.in_cell[k];
+      memory.cells.each(cell, [&](int b) {
         if (b <= a || !meet(a, b) || !(blocks.is_free(a) || blocks.is_free(b)))
-          continue;
+          return;
         // two boxes may have many cells in common: the first of these counts
         const Vec2 corner = memory.lower[a].cwiseMax(memory.lower[b]);
         if (grid.row(corner.y()) * grid.columns + grid.column(corner.x()) == cell)
           pairs.push_back({.low = a, .high = b});
-      }
+      });
     });
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(before), pairs.end());
   }

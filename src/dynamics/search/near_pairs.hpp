@@ -4,6 +4,7 @@
 #include <compare>
 #include <vector>
 
+#include "dynamics/support/groups.hpp"
 #include "model/blocks.hpp"
 
 namespace blocks::dynamics {
@@ -19,8 +20,8 @@ struct NearPair {
 /// Working memory of the search. It is kept between searches so that they need not
 /// allocate.
 struct NearSearch {
-  std::vector<Vec2> lower, upper;   ///< (blocks) [L] of their grown boxes
-  std::vector<int> first, in_cell;  ///< cells and the blocks in them
+  std::vector<Vec2> lower, upper;  ///< (blocks) [L] of their grown boxes
+  Groups cells;                    ///< the blocks in each cell of a grid
 };
 
 /// Finds all pairs whose bounding boxes meet when each box is grown by `reach`, [L].

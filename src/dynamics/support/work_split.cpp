@@ -39,6 +39,13 @@ void WorkSplit::split_batches(const std::vector<int>& first_batch) {
     batches[k] = first_batch[first_window(k, shares)];
 }
 
+void WorkSplit::split_evenly(int count, int least, std::vector<int>& begins) const {
+  const int shares = shares_of(threads_, count, least);
+  begins.resize(static_cast<std::size_t>(shares) + 1);
+  for (int k = 0; k <= shares; ++k)
+    begins[k] = static_cast<int>(long{count} * k / shares);
+}
+
 /// With contacts three quarters of a step are spent, with blocks one.
 int WorkSplit::first_window(int share, int shares) const {
   const int last = static_cast<int>(first_block_.size()) - 1;

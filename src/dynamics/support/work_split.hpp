@@ -23,8 +23,11 @@ struct WorkSplit {
     first_block_.push_back(block_count);
     split_windows(thread_count);
   }
-  /// With the first set of each window, and the number of all.
+  /// Splits the batches. first_batch: (windows + 1) the first one of each window.
   void split_batches(const std::vector<int>& first_batch);
+  /// Splits so many other items evenly, at least `least` to a thread if there are as
+  /// many. Does not allocate once `begins` has had room for all threads.
+  void split_evenly(int count, int least, std::vector<int>& begins) const;
 
  private:
   void split_windows(int thread_count);

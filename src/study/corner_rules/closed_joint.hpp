@@ -156,7 +156,7 @@ class ClosedJoint {
     const int c = slide.c, own = blocks_.corner_block[slide.side];
     const Vec2 point = at(c) + way * slide.along;
     bool found = false;
-    index_.each_neighbour(blocks_.corner_block[c], [&](int third) {
+    index_.neighbours.each(blocks_.corner_block[c], [&](int third) {
       found = found ||
               (third != own && blocks_.convex[third] && near(point, third) &&
                has_surface(third, point, slide.along, slide.depth, std::abs(way)) &&
