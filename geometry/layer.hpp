@@ -1,6 +1,6 @@
 // Cuts a quadrilateral into blocks: even, listed or random spacing (LAYER, ORIENT and
-// MERGE cards; report A.2.4-A.2.6, rules 18-20). Constructed exactly on the decimals of
-// the deck, rounded once per vertex, and certified on the rounded result.
+// MERGE cards; report A.2.4-A.2.6, docs/theory.md#layers). Constructed exactly on the
+// decimals of the deck, rounded once per vertex, and certified on the rounded result.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The record of MERGE: who absorbed whom, and why (report A.2.6, rule 20).
+// The record of MERGE: who absorbed whom, and why (report A.2.6,
+// docs/departures.md#merge).
 #pragma once
 
 namespace blocks::geometry {

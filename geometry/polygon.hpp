@@ -1,5 +1,5 @@
-// Builds and checks one block outline (CREATE, CLOOP, READ9; report A.2.1, rules 16,
-// 17).
+// Builds and checks one block outline (CREATE, CLOOP, READ9; report A.2.1,
+// docs/departures.md#create-and-cloop).
 #pragma once
 
 #include <string>
@@ -34,10 +34,10 @@ OutlineCheck check_outline(const Polygon& outline);
 /// The fault in words, corners and sides counted from 1: "sides 1 and 3 cross".
 std::string describe(const OutlineCheck& check);
 
-/// The same outline in the other sense; corner 1 stays first (rule 16).
+/// The same outline in the other sense; corner 1 stays first.
 Polygon reversed(const Polygon& outline);
 
-/// Adds copy * shift to every corner exactly and rounds once (CLOOP, rule 17).
+/// Adds copy * shift to every corner exactly and rounds once (CLOOP).
 Polygon place_outline(const std::vector<DecimalPoint>& corners,
                       const DecimalPoint& shift, int copy);
 

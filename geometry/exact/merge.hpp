@@ -1,4 +1,4 @@
-// PRIVATE to geometry/: MERGE on exact widths (report A.2.6, rule 20).
+// PRIVATE to geometry/: MERGE on exact widths (report A.2.6, docs/departures.md#merge).
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t use_width = 0;  // what a random number is for
 constexpr std::uint32_t use_angle = 1;
-constexpr std::uint32_t redraws = 16;  // rule 19
+constexpr std::uint32_t redraws = 16;  // docs/departures.md#orient
 
 Rational two_to_53() { return Rational(std::uint64_t{1} << 53U); }
 

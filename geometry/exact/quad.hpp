@@ -62,7 +62,8 @@ class SideFinder {
   Line bottom_, top_;
 };
 
-/// Interior sides of a layer with a drawn angle each (ORIENT, rule 19).
+/// Interior sides of a layer with a drawn angle each (ORIENT,
+/// docs/departures.md#orient).
 struct OrientedSides {
   std::vector<Side> sides;  ///< one per place, the ends 0 and 1 included
   int redrawn = 0;          ///< angles drawn again

@@ -58,7 +58,7 @@ struct Function {
 struct Rigid {};
 struct Seed {
   Int seed;
-};  ///< ours, rule 18
+};  ///< not a card of the report
 struct End {};
 struct Restart {
   Word file;

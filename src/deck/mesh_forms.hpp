@@ -51,7 +51,7 @@ class Elements {
   /// corners: node ids in order, either way round. Corners repeated one after the other
   /// count once, so that a quadrilateral with a repeated last node is a triangle. The
   /// outline comes out clockwise with the first corner kept first (LXK and GENESIS are
-  /// anticlockwise, rule 27). name: "element 7", for messages. Throws for an unknown
+  /// anticlockwise). name: "element 7", for messages. Throws for an unknown
   /// node, fewer than three corners, no area, material < 1, a second element on the
   /// same corners, or one off the plane z = constant of the others.
   void add(std::span<const long> corners, long material, const std::string& name,

@@ -1,4 +1,5 @@
-// READ9: blocks from a mesh file in one of four forms, found by its content (rule 27).
+// READ9: blocks from a mesh file in one of four forms, found by its content
+// (docs/mesh-formats.md).
 #pragma once
 
 #include <stdexcept>

@@ -98,7 +98,7 @@ long Lines::integer(std::size_t i, const std::string& what) const {
 
 double Lines::real(std::size_t i, const std::string& what) const {
   std::string text(field(i, what));
-  std::replace(text.begin(), text.end(), 'D', 'E');  // Fortran's exponents, rule 15
+  std::replace(text.begin(), text.end(), 'D', 'E');  // exponents of Fortran
   std::replace(text.begin(), text.end(), 'd', 'e');
   double value = 0;
   const auto [end, error] =

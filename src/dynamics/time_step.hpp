@@ -1,4 +1,5 @@
-// The critical time step (4) and the limits that go beyond it (rule 2).
+// The critical time step (4) and the limits that go beyond it
+// (docs/theory.md#time-step).
 #pragma once
 
 #include "model/model.hpp"
@@ -11,7 +12,7 @@ namespace blocks::dynamics {
 TimeStep choose_time_step(const Model& model);
 
 /// Largest fraction of (4) at which a block with `contacts` contacts comes to rest
-/// under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n) (rule 2).
+/// under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n).
 double safe_fraction(double damping, int contacts = 8);
 
 /// Extents of the current corners of block b along x and y, l_1 and l_2 of (11), [L].

@@ -32,7 +32,7 @@ struct OutlineFile {
   std::vector<Message> messages;
 };
 
-/// The outline in the other sense, corner 1 kept first (rule 16), numbers as written
+/// The outline in the other sense, corner 1 kept first, numbers as written
 /// too.
 void reverse(Outline& outline);
 

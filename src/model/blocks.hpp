@@ -88,7 +88,8 @@ struct Blocks {
   /// Adds the cuts of block b, which is not convex, for this outline.
   void cut(int b, const geometry::Polygon& outline);
 
-  /// Stops block b for good: velocities, spin and strain rates zero (rules 14, 22).
+  /// Stops block b for good: velocities, spin and strain rates zero
+  /// (docs/theory.md#domain).
   void fix(int b, Fixity why);
 };
 

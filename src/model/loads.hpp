@@ -14,7 +14,8 @@ struct TimeFunction {
   std::vector<double> p;  ///< factor
 
   bool empty() const { return t.empty(); }
-  /// 0 before the arrival time, then the function of the time since arrival (rule 23).
+  /// 0 before the arrival time, then the function of the time since arrival
+  /// (docs/theory.md#pressure-and-forces).
   double factor(double time, double arrival) const;
 };
 

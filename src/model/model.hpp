@@ -17,7 +17,7 @@ struct TimeStep {
   double dt = 0.0;       ///< [T] TDEL; 0: not chosen yet
   int block = -1;        ///< the block that set it
   int blocks = 0;        ///< how many blocks there were when it was chosen
-  bool elastic = false;  ///< by deformability (rule 2) rather than by contact (4)
+  bool elastic = false;  ///< limited by deformability, not by contacts (4)
 };
 
 /// State of the search for potential contacts.

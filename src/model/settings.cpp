@@ -2,7 +2,8 @@
 
 namespace blocks {
 
-// Plane strain with nu = E/(2G) - 1 (rule 5).
+// Plane strain with nu = E/(2G) - 1
+// (docs/theory.md#strain-rates-and-stress).
 double Material::c11() const {
   const double e = youngs_modulus, g = shear_modulus;
   return g * (4.0 * g - e) / (3.0 * g - e);

@@ -18,11 +18,12 @@ struct Material {
   double shear_modulus = 0.0;   ///< [F/L^2] G; G > E/3 for nu < 0.5
   double density = 0.0;         ///< [M/L^2] per unit thickness, > 0
 
-  double c11() const;  ///< [F/L^2] plane strain stiffness (rule 5)
-  double c12() const;  ///< [F/L^2] plane strain coupling (rule 5)
+  double c11() const;  ///< [F/L^2] plane strain stiffness (12)
+  double c12() const;  ///< [F/L^2] plane strain coupling (12)
 };
 
-/// A symmetry plane through a and b; blocks stand on its left side (rule 21).
+/// A symmetry plane through a and b, with the blocks on its left
+/// (docs/theory.md#symmetry-planes).
 struct Plane {
   geometry::Vec2 a, b;  ///< [L]
 };

@@ -1,5 +1,5 @@
 // The restart tape's heir: NAME.ckpt.h5, everything a bit-identical continuation needs
-// (report A.1.11, Appendix G.2, rule 26).
+// (report A.1.11, Appendix G.2).
 #pragma once
 
 #include <string>

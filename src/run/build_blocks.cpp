@@ -230,7 +230,7 @@ bool BlockBuilder::orient_corners(const deck::Layer& card,
   case QuadShape::convex_anticlockwise:
     break;
   }
-  // Anticlockwise from the bottom left: BL, BR, TR, TL (rule 18). Any other
+  // Anticlockwise from the bottom left: BL, BR, TR, TL (docs/cards.md#layer). Any other
   // anticlockwise order would put the bottom line somewhere else, so it is refused.
   if (!(corners[0].x.value() < corners[1].x.value() &&
         corners[0].y.value() < corners[3].y.value())) {

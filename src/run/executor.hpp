@@ -104,7 +104,7 @@ class Executor {
   bool begun_ = false;  ///< the next card's first steps were made before
   bool echoed_ = false, started_moving_ = false;
   double share_from_ = 0.0, share_to_ = 1.0;
-  double half_depth_ = 0.0;  ///< [L] half the least depth of any block (rule 9)
+  double half_depth_ = 0.0;  ///< [L] half the least depth of any block
   long steps_made_ = 0;      ///< in this run of the program
   static constexpr double between_good_states = 0.1;  ///< [s]
   Clock::time_point started_ = Clock::now(), saved_ = Clock::now();
@@ -119,7 +119,8 @@ class Executor {
   bool saved_once_ = false;  ///< a checkpoint was written
 };
 
-/// Steps that a MOTION of this interval takes: ceil(interval / dt - 1e-9) (rule 24).
+/// Steps that a MOTION of this interval takes: ceil(interval / dt - 1e-9)
+/// (docs/cards.md#motion).
 long steps_for(double interval, double dt);
 
 }  // namespace blocks::run

@@ -1,4 +1,4 @@
-// Every card with all its fields, and with its defaults (report Appendix A, rule 15).
+// Every card with all its fields, and with its defaults (report Appendix A).
 #include <gtest/gtest.h>
 
 #include "deck_test_tools.hpp"

@@ -14,8 +14,8 @@ std::string joined(std::string_view text) {
   return out;
 }
 
-// Rule 15: commas separate; blanks do where no comma stands; nothing between two commas
-// is a blank field.
+// Commas separate fields, and so do blanks where there is no comma. Nothing between two
+// commas is a blank field.
 TEST(FreeField, SplitsAtCommasAndBlanks) {
   EXPECT_EQ(joined("START, 10, 4"), "START@1 10@8 4@12 ");
   EXPECT_EQ(joined("XLIMITS 0.\t10."), "XLIMITS@1 0.@9 10.@12 ");

@@ -19,7 +19,7 @@ TEST(MeshText, ReadsOutlinesAsWritten) {
   EXPECT_EQ(mesh.blocks[1].line, 8);
 }
 
-// The same liberties as in a deck, rule 15; a pentagon, which no mesh form has.
+// The text form is as free as a deck, and may have a pentagon, which no mesh form has.
 TEST(MeshText, TakesFreeFieldAndEitherTurn) {
   const MeshFile mesh =
       read("! x\r\nblocks\r\n5 3\r\n0,0\r\n+1.D0 ,0 $ c\r\n\r\n2,1\n1,2\n0 1E0");

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The documentation is a test: check_docs.py WHAT SOURCE [PROGRAM], WHAT being links, installed,
-versions, tutorial, commands or examples."""
+"""The documentation is a test: check_docs.py WHAT SOURCE [PROGRAM], WHAT being links,
+citations, installed, versions, tutorial, commands or examples."""
 
 import json
 import os
@@ -77,6 +77,34 @@ def check_versions(source):
         "CHANGELOG.md": r"^## ([\d.]+)$", "docs/tutorial.md": r"blocks_([\d.]+)-1_amd64.deb",
         "docs/library.md": r"libblocks-dev_([\d.]+)-1_amd64.deb"}.items()}
     return [] if len(set(found.values())) == 1 else [f"versions differ: {found}"]
+
+
+def sources(source):
+    """The program's own text: code, scripts and tests."""
+    folders = ("src", "geometry", "tests", "validation", "examples", "packaging", "docs", "decks")
+    return [source / "go", source / "CMakeLists.txt",
+            *(path for folder in folders for path in source.joinpath(folder).rglob("*")
+              if path.suffix in (".hpp", ".cpp", ".py", ".sh", ".js", ".txt", ".md", ".deck"))]
+
+
+def check_citations(source):
+    """What comments cite is in the tree: pages, their headings, never the number of a rule."""
+    count, faults, headings = 0, [], {}
+    for path in sources(source):
+        text = path.read_text(errors="replace")
+        # A citation may be broken across two lines of a comment.
+        for page, anchor in re.findall(r"\b(docs/[\w/-]+\.md)(?:#([\w-]+))?", text):
+            count += 1
+            target = source / page
+            if not target.exists():
+                faults.append(f"{path}: no page {page}")
+            elif anchor and anchor not in headings.setdefault(page, anchors(target.read_text())):
+                faults.append(f"{path}: no heading {page}#{anchor}")
+        if "history" not in path.parts:
+            faults += [f"{path}: {rule!r} is a number, not a name"
+                       for rule in re.findall(r"\b[Rr]ules? \d+", text)]
+    assert count > 60, count
+    return faults
 
 
 def missing_lines(shown, printed):
@@ -178,7 +206,7 @@ def check_commands(source, program):
 
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
+    check = {"links": check_links, "citations": check_citations, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
     faults = check(Path(source), *map(Path, program[:check.__code__.co_argcount - 1]))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)

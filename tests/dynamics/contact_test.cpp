@@ -1,4 +1,5 @@
-// The contact law against analytic answers: rules 7, 8.
+// The contact law against analytic answers
+// (docs/theory.md#the-force-in-its-order).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,7 @@ TEST(Resting, OverlapIsWeightOverTwiceStiffness) {
 }
 
 // Restitution of a spring and dashpot without tension, in closed form. A flush face has
-// two contacts, so its damping ratio is z = b sqrt 2 (rule 8).
+// two contacts, so its damping ratio is z = b sqrt 2.
 double restitution(double z) {
   const double q = std::sqrt(1 - z * z);
   return std::exp(-z / q * (M_PI - std::atan2(2 * z * q, 1 - 2 * z * z)));
@@ -103,7 +104,7 @@ TEST(Friction, BrakesInBothDirections) {
   EXPECT_NEAR(stopped[0], -stopped[1], 1e-6);
 }
 
-// Rule 7e: equal and opposite forces at one point keep both momenta.
+// Equal and opposite forces at one point keep both momenta.
 TEST(Impact, EccentricWithFrictionKeepsMomentum) {
   Scene scene;
   const int a = scene.box(0, 0, 1, 1);
@@ -138,7 +139,7 @@ struct OneContact {
   }
 };
 
-// Rule 7c: the dashpot never pulls; rule 7d: friction never exceeds mu Fn.
+// The dashpot never pulls, and friction never exceeds mu Fn.
 TEST(ContactLaw, KeepsWithinItsCone) {
   const dynamics::ContactLaw law{1e6, 1e6, 0.5, 1e-4};
   OneContact opening{10.0, 0.0};
@@ -151,7 +152,7 @@ TEST(ContactLaw, KeepsWithinItsCone) {
   EXPECT_EQ(sliding.shear_elastic, 5.0);
 }
 
-// Rule 7b: in its first step the spring is closed by the overlap, not by a whole step.
+// In its first step the spring is closed by the overlap, not by a whole step.
 TEST(ContactLaw, FirstStepCountsTheOverlapOnly) {
   const dynamics::ContactLaw law{1e6, 1e6, 0.5, 1e-3};
   OneContact contact;
@@ -160,7 +161,7 @@ TEST(ContactLaw, FirstStepCountsTheOverlapOnly) {
   EXPECT_DOUBLE_EQ(contact.shear, 0.5 * 1e6 * 0.5e-3);
 }
 
-// Rule 21: half of a symmetric model beside a plane moves like half of the whole. Two
+// Half of a symmetric model beside a plane moves like half of the whole. Two
 // boxes that meet face to face close 4 contacts twice as fast as one box closes its 2
 // with the plane, so 4 Kn and sqrt(2) b in the half model make the same springs and
 // dashpots.

@@ -1,4 +1,4 @@
-// Simply deformable blocks: rules 2-5.
+// Simply deformable blocks (docs/theory.md#strain-rates-and-stress).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ TEST(Deformable, UniaxialStrainIsStressOverC11) {
   EXPECT_NEAR(blocks.stress(1, b), 0, 1e-6 * p);
 }
 
-// Rule 5: stress and strain rate turn with the block.
+// Stress and strain rate turn with the block.
 TEST(Deformable, StressTurnsWithTheBlock) {
   Scene scene;
   scene.model.settings.rigid = false;
@@ -59,7 +59,7 @@ TEST(Deformable, StressTurnsWithTheBlock) {
   EXPECT_EQ(stress[1], stress[2]);
 }
 
-// Rules 4, 5: a bar of n blocks carries waves at sqrt(E_eff / rho), 1/E_eff = 1/E' +
+// A bar of n blocks carries waves at sqrt(E_eff / rho), 1/E_eff = 1/E' +
 // w/(n K l) with n contacts on a face of width w and blocks of length l.
 TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   Scene scene;
@@ -90,7 +90,7 @@ TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   EXPECT_NEAR(50.0 / (near - far), c, 0.03 * c);
 }
 
-// Rule 2: G <= E/3 has no plane strain stiffness; the step is capped at half l
+// G <= E/3 has no plane strain stiffness; the step is capped at half l
 // sqrt(rho/C11).
 TEST(TimeStep, IsCutByDeformability) {
   Scene scene;
@@ -113,8 +113,9 @@ TEST(TimeStep, IsTheFractionOfTheCriticalStep) {
   EXPECT_EQ(scene.model.time_step.block, 1);
 }
 
-// Rule 2's table for eight contacts.
-TEST(TimeStep, SafeFractionOfRuleTwo) {
+// The largest safe fraction of a block with eight contacts
+// (docs/theory.md#time-step).
+TEST(TimeStep, SafeFractionFallsWithDamping) {
   const double damping[] = {0, .1, .2, .3, .5, .9};
   const double safe[] = {0.144, 0.090, 0.061, 0.044, 0.028, 0.016};
   for (int i = 0; i < 6; ++i)

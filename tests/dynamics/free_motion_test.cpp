@@ -1,4 +1,4 @@
-// Motion without contacts: rules 1, 6, 14, 22-23.
+// Motion without contacts (docs/theory.md#motion).
 #include <gtest/gtest.h>
 
 #include "geometry/polygon.hpp"
@@ -73,7 +73,7 @@ TEST(MotionBounds, BoundIsNoLessThanTheMotion) {
   EXPECT_GE(bound, 1000 * unit);
 }
 
-// Rule 14: a corner strictly outside fixes the block; one on the border does not.
+// A corner strictly outside fixes the block; one on the border does not.
 TEST(Domain, FixesABlockThatLeaves) {
   Scene scene;
   scene.model.settings.lower = {0, 0};
@@ -89,7 +89,7 @@ TEST(Domain, FixesABlockThatLeaves) {
   EXPECT_NEAR(scene.centroid(leaves).x(), 9.5, 2 * scene.dt());
 }
 
-// Rule 23: p1 to p2 over a side of length L gives the force L (p1 + p2) / 2 and its
+// A pressure p1 to p2 over a side of length L gives the force L (p1 + p2) / 2 and its
 // moment.
 TEST(Pressure, GivesForceMomentAndStress) {
   Scene scene;
@@ -108,8 +108,8 @@ TEST(Pressure, GivesForceMomentAndStress) {
               blocks.moment[b], 1e-10);
 }
 
-// Rule 23: nothing before the arrival, then f(t - arrival), end values held; forces
-// add.
+// A force has the factor 0 before the arrival, then f(t - arrival), end values held;
+// forces add.
 TEST(Force, ActsAtTheCentroidFromItsArrival) {
   Scene scene;
   const int b = scene.box(0, 0, 1, 1);

@@ -1,5 +1,5 @@
 // Contact detection in awkward places, in 40 random frames and at offsets up to 1e6:
-// report 3.3, figure 4, rules 9-13.
+// report 3.3, figure 4, docs/contact-rule.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ TEST(Figure4b, BlockSlidesDownItsNeighbour) {
 }
 
 // A block falls past the top corner of its diagonal neighbour: it touches in one point
-// and must fall freely (rule 12: 0 of all frames may hang).
+// and must fall freely (0 of all frames may hang).
 TEST(DiagonalNeighbour, FallsPastTheCorner) {
   for (const Frame& frame : random_frames()) {
     Scene scene(frame);
@@ -47,7 +47,7 @@ TEST(DiagonalNeighbour, FallsPastTheCorner) {
 }
 
 // Aligned faces carry four contacts (overlap W / 4 Kn), offset faces two (W / 2 Kn);
-// neither falls through nor creeps down in a turned frame (rules 10, 12). Each brick is
+// neither falls through nor creeps down in a turned frame. Each brick is
 // narrower than the one below by `step`.
 void settle_stack(const Frame& frame, double step, double contacts) {
   Scene scene(frame);
@@ -86,7 +86,7 @@ TEST(Stack, OffsetRestsOnTwoContacts) {
     settle_stack(frame, 0.2, 2.0);
 }
 
-// Rule 13: boxes and tolerance change the search, never the result.
+// Boxes and tolerance change the search, never the result.
 TEST(Search, ResultsDoNotDependOnBoxesOrTolerance) {
   struct Choice {
     int boxes;

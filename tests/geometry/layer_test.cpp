@@ -246,7 +246,7 @@ TEST(RandomLayer, SidesAreNormalToTheMidLineWithoutOrient) {
 }
 
 TEST(RandomLayer, OneAngleTurnsAllSidesAnticlockwiseFromTheNormal) {
-  // Rule 19: positive is anticlockwise, so the top of a side lies to the left.
+  // Positive is anticlockwise, so the top of a side lies to the left.
   const Layer layer = cut_layer(random_layer(rectangle, 120, "45", "45"));
   int turned = 0;
   for (std::size_t i = 1; i < layer.mesh.cells.size(); ++i) {

@@ -134,7 +134,7 @@ void expect_kept(const Model& model) {
     EXPECT_EQ(back.at(name), value) << name;
 }
 
-// Rule 26: a continuation is bit-identical, so every field must survive bit by bit,
+// A continuation is bit-identical, so every field must survive bit by bit,
 // whatever it holds.
 TEST(Checkpoint, KeepsEveryFieldBitByBit) {
   const Model model = filled_model();

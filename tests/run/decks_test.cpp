@@ -42,7 +42,7 @@ TEST_P(ShippedDeck, RunsAndWritesItsFiles) {
   EXPECT_EQ(results.frame(results.frames() - 1).step, json["steps"].get<long>());
   EXPECT_EQ(results.frames(), json["frames"].get<long>());
   EXPECT_EQ(results.frame(0).outlines.size(), json["blocks"].get<std::size_t>());
-  // rule 24 counts ceil(dt / TDEL - 1e-9) steps: round-off in n TDEL is not a step more
+  // MOTION counts ceil(dt / TDEL - 1e-9) steps: round-off in n TDEL is not a step more
   EXPECT_GE(json["time"].get<double>(), 0.002 * (1 - 1e-9));
   EXPECT_EQ(json["status"], "done");
   EXPECT_GE(json["audit"]["moments"].get<long>(), 1);

@@ -41,8 +41,8 @@ TEST(LaterSplane, IsJudgedWhereTheBlocksStandByThen) {
   EXPECT_NEAR(summary(folder, "front")["time"].get<double>(), 1.0, 1e-3);
 }
 
-// The warning of rule 2 belongs to the pair FRACTION and DAMPING, which DAMPING
-// changes.
+// The warning about the time step belongs to the pair FRACTION and DAMPING, which
+// DAMPING changes.
 TEST(LaterDamping, IsWarnedOfAnew) {
   const TemporaryFolder folder;
   folder.write("d.deck", preliminary() + rectangle(0, 0, 1, 1) +

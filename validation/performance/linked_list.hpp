@@ -16,7 +16,7 @@ namespace blocks::bench {
 /// How it is decided whether a corner acts on an edge.
 enum class Checks {
   report,  ///< (19), between the edge's corners, (20)
-  program  ///< rules 9 to 12, without the shield by a third block
+  program  ///< one block against another, without closed joints
 };
 
 class LinkedListCode : public Contestant {

@@ -1,4 +1,5 @@
-// The dashpot constant C of (18), damping 2 sqrt(Kn m), [F T/L] (rule 8).
+// The dashpot constant C of (18), damping 2 sqrt(Kn m), [F T/L]
+// (docs/theory.md#damping).
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // The force-displacement law of one contact, a small pure function (report 2.5,
-// (16)-(18), rule 7). Departs from the printed (16): docs/departures.md.
+// (16)-(18)). It departs from the printed (16): docs/departures.md.
 #pragma once
 
 namespace blocks::dynamics {

@@ -25,7 +25,8 @@ BLOCKS_INLINE Tensor select(Mask free, const Tensor& changed, const Tensor& kept
   return all;
 }
 
-/// Orthogonal to round-off and free of trigonometry: h = spin dt / 2 (rule 6).
+/// Orthogonal to round-off and free of trigonometry: h = spin dt / 2
+/// (docs/theory.md#corners).
 struct Cayley {
   Pack c, s;
   BLOCKS_INLINE explicit Cayley(Pack turn) {

@@ -1,4 +1,4 @@
-// Rules 9 and 10 of the variant `corners` for a block that is not convex.
+// Depth and "between" of the variant `corners` for a block that is not convex.
 #pragma once
 
 #include "geometry/contact_predicates.hpp"
@@ -36,8 +36,8 @@ class ReentrantBlock {
     return odd;
   }
 
-  /// Rule 9 without a centroid, which may lie in front of a re-entrant edge: no deeper
-  /// than half of what some corner of the block is.
+  /// Depth without a centroid, which may lie in front of a re-entrant edge: the corner
+  /// is at most half as deep as the deepest corner of the block.
   bool within_depth(const Vec2& c, int edge) const {
     const Vec2 p1 = at(edge), p2 = end(edge);
     for (int q = first(); q < last(); ++q)
@@ -47,8 +47,8 @@ class ReentrantBlock {
     return false;
   }
 
-  /// Rule 10, end by end: at a corner that turns outwards inside of the next edge too,
-  /// as in a convex block; at a notch no farther than its ends, or in the notch.
+  /// "Between", end by end: at a corner that turns outwards inside of the next edge
+  /// too, as in a convex block; at a notch no farther than its ends, or in the notch.
   bool spans(const Vec2& c, int edge) const {
     const int before = blocks_.previous[edge], after = blocks_.next[edge];
     const bool at_start = turns_inwards(edge)
