@@ -11,7 +11,7 @@
 // exactly that.
 #pragma once
 
-#include "geometry/contact_slack.hpp"
+#include "geometry/contact_constants.hpp"
 #include "geometry/vec2.hpp"
 
 #include <cfloat>
@@ -76,9 +76,6 @@ inline constexpr double u8 = 0x1p-50;
 inline constexpr double u16 = 0x1p-49;
 inline constexpr double u24 = 0x1.8p-49;
 inline constexpr double underflow = 0x1p-1000;
-
-inline constexpr double sin10_squared = 0.030153689607045807973;  // sin^2(10 degrees)
-inline constexpr double cos10_squared = 0.969846310392954192027;
 
 /// -1, 0 or +1.
 inline int sign(double x) { return int{x > 0} - int{x < 0}; }
@@ -192,7 +189,7 @@ inline Estimate faces_edge(const Point& c, const Point& neighbour, const Point& 
   const double e2 = squared_length(p1, p2);
   const double t2 = squared_length(c, neighbour);
   const double q = e2 * t2;
-  return {sine * std::abs(sine) + sin10_squared * q,
+  return {sine * std::abs(sine) + facing_sine_squared * q,
           unless(least(e2, t2) > 0x1p-480, u16 * q)};
 }
 
@@ -213,7 +210,7 @@ inline Estimate edges_face(const Point& p1, const Point& p2, const Point& q1,
   const double d = ex * fx + ey * fy;
   const double e2 = ex * ex + ey * ey, f2 = fx * fx + fy * fy;
   const double q = e2 * f2;
-  return {-d * std::abs(d) - cos10_squared * q,
+  return {-d * std::abs(d) - facing_cosine_squared * q,
           unless(least(e2, f2) > 0x1p-480, u24 * q)};
 }
 

@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "geometry/contact_constants.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::geometry {
@@ -60,7 +61,7 @@ class UncoveredSide {
   void add(Outline neighbour);
   /// Whether the neighbours so far certainly do not cover the side, now and after any
   /// motion that the room allows. False says nothing.
-  bool is_sure() const { return share_ < 0.5; }
+  bool is_sure() const { return share_ < covered_share; }
 
  private:
   /// Both ends of a neighbour's side are outside the same side of `other`.

@@ -168,7 +168,7 @@ TEST(Architecture, RulesKernelsAndSupportSeeNoModel) {
           << include.file << " includes " << include.target;
     }
     if (include.folder == "dynamics/kernels") {
-      EXPECT_EQ(include.target, "geometry/contact_slack.hpp") << include.file;
+      EXPECT_EQ(include.target, "geometry/contact_constants.hpp") << include.file;
     }
     if (include.folder == "dynamics/support") {
       ADD_FAILURE() << include.file << " includes " << include.target;

@@ -103,8 +103,8 @@ template <class Number> class Question {
           rivals = true, longest = most(longest, length);
         }
       }
-    const auto enough = Number(2) * of_stretch >= stretch.length(),
-               inside = Number(2) * of_interval >= interval.length();
+    const auto enough = of_stretch >= Number(covered_share) * stretch.length(),
+               inside = of_interval >= Number(covered_share) * interval.length();
     if (!found || CGAL::certainly(!enough) || CGAL::certainly(!inside))
       return Cover{};
     if (rivals || interval.may_be_empty() || CGAL::possibly(!enough) ||

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "audit/exact_pair_rule.hpp"
+#include "geometry/contact_constants.hpp"
 
 namespace blocks::audit {
 namespace {
@@ -221,8 +222,9 @@ Cover ExactPairRule::cover(const PartSide& g, bool from_start, int against) cons
           longest = covered.length(), found.side = f;
       }
   }
-  found.covered =
-      2 * of_stretch >= stretch.length() && 2 * of_interval >= interval.length();
+  const Ratio least(geometry::covered_share);
+  found.covered = of_stretch >= least * stretch.length() &&
+                  of_interval >= least * interval.length();
   const double l = length(g);
   found.stretch = static_cast<double>(h) * l;
   found.interval = static_cast<double>(interval.length()) * l;

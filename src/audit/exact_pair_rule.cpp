@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/contact_constants.hpp"
+
 namespace blocks::audit {
 namespace {
-
-/// The double nearest 1e-6, as a part of an edge's length.
-constexpr double slack_of_length = 1e-6;
 
 /// The mean of the corners, summed in order, in doubles.
 Vec2 mean_of_corners(const Blocks& blocks, const ConvexPart& part) {
@@ -26,7 +25,7 @@ ExactPairRule::ExactPairRule(const Blocks& blocks, std::vector<ConvexPart> parts
                              std::vector<std::vector<int>> neighbours,
                              const std::vector<int>& order)
     : blocks_(blocks), parts_(std::move(parts)), neighbours_(std::move(neighbours)),
-      rank_(static_cast<std::size_t>(blocks.size())), slack_(slack_of_length) {
+      rank_(static_cast<std::size_t>(blocks.size())), slack_(geometry::contact_slack) {
   for (int i = 0; i < blocks.size(); ++i)
     rank_[order.empty() ? i : order[i]] = i;
   if (!order.empty())

@@ -31,7 +31,7 @@ class Choice {
     if (own >= 0)
       each_row(own, [&](int row, const ContactRow&, int k) {
         if (touches(row, k))
-          consider(row, own, 0.95);
+          consider(row, own, geometry::successor_cosine);
       });
     return best_;
   }

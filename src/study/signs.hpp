@@ -84,13 +84,13 @@ template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   static bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
                          const Vec2& p2) {
     const Vector e(p1, p2), t(c, neighbour);
-    return e.cross(t) / (e.length() * t.length()) >= -std::sin(ten_degrees());
+    return e.cross(t) / (e.length() * t.length()) >= -std::sin(facing_angle());
   }
   /// (20) for two edges.
   static bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
     const Vector e(p1, p2), f(q1, q2);
-    return e.dot(f) / (e.length() * f.length()) <= -std::cos(ten_degrees());
+    return e.dot(f) / (e.length() * f.length()) <= -std::cos(facing_angle());
   }
   static int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
     return sign(Vector(p1, p2).cross(Vector(q1, q2)));
@@ -107,7 +107,9 @@ template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   }
 
  private:
-  static Number ten_degrees() { return Number(10) * std::acos(Number(-1)) / 180; }
+  static Number facing_angle() {
+    return Number(geometry::facing_angle) * std::acos(Number(-1)) / 180;
+  }
   static bool within_ends(const Vec2& c, const Vec2& p1, const Vec2& p2, Number part) {
     const Vector e(p1, p2);
     const Number along = Vector(p1, c).dot(e), square = e.dot(e);

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""How far may the three constants of the contact rule be changed until something fails?
+"""How far may the constants of the contact rule be changed until something fails?
 
-sweep_constants.py [FRAMES] builds a copy of the program that takes the slack, the ten degrees and
-the half of covered sides from the environment, runs the study of contact detection for each value,
-and writes CONSTANTS.csv here and docs/images/constants.svg. 10 frames take ten minutes on two
+sweep_constants.py [FRAMES] builds a copy of the program that takes the constants of
+geometry/contact_constants.hpp from the environment, runs the study of contact detection for each
+value, and writes CONSTANTS.csv here and docs/images/constants.svg. 10 frames take ten minutes on two
 cores. The chart is drawn again from the table with --draw.
 """
 
@@ -25,55 +25,45 @@ from suite.chart import Chart  # noqa: E402
 CONSTANTS = {
     "slack": [1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 0.7e-6, 1e-6, 1.3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1],
     "degrees": [1, 3, 5, 7, 10, 13, 15, 20, 30, 45, 60, 80],
+    "successor": [0.0, 0.5, 0.665, 0.8, 0.9, 0.95, 0.97, 0.99, 0.9999],
     "share": [0.01, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.0, 1.1, 1.5]}
 MAY_FAIL = ("stake", "toe", "bricks")
 
 FROM_ENVIRONMENT = """
+#include <cmath>
+#include <cstdlib>
+namespace blocks::geometry {
 inline double from_environment(const char* name, double otherwise) {
   const char* text = std::getenv(name);
   return text ? std::strtod(text, nullptr) : otherwise;
 }
 inline const double contact_slack = from_environment("SWEEP_SLACK", 1e-6);
-inline const double sine_of_facing =
-    std::sin(from_environment("SWEEP_DEGREES", 10) * 3.14159265358979323846 / 180);
-inline const double share_of_cover = from_environment("SWEEP_SHARE", 0.5);
+inline const double facing_angle = from_environment("SWEEP_DEGREES", 10);
+inline const double facing_sine = std::sin(facing_angle * 3.14159265358979323846 / 180);
+inline const double facing_sine_squared = facing_sine * facing_sine;
+inline const double facing_cosine_squared = 1.0 - facing_sine_squared;
+inline const double covered_share = from_environment("SWEEP_SHARE", 0.5);
+inline const double successor_cosine = from_environment("SWEEP_SUCCESSOR", 0.95);
+}
 """
 CHANGES = {
-    "geometry/contact_predicates.hpp": [
-        ("inline constexpr double contact_slack = 1e-6;", FROM_ENVIRONMENT),
-        ("inline constexpr double sin10_squared = 0.030153689607045807973;",
-         "inline const double sin10_squared = sine_of_facing * sine_of_facing;"),
-        ("inline constexpr double cos10_squared = 0.969846310392954192027;",
-         "inline const double cos10_squared = 1.0 - sin10_squared;"),
-        ("#pragma once\n", "#pragma once\n#include <cmath>\n#include <cstdlib>\n")],
     "geometry/exact/contact_predicates_exact.cpp": [
         ("  const Number a2 = a * a;\n",
-         "  return sign(a - Number(filter::sin10_squared) * q) <= 0;\n"
+         "  return sign(a - Number(facing_sine_squared) * q) <= 0;\n"
          "  const Number a2 = a * a;\n")],
     "geometry/exact/covered_side.cpp": [
-        ("Number(2) * of_stretch >= stretch.length()",
-         "of_stretch >= Number(share_of_cover) * stretch.length()"),
-        ("Number(2) * of_interval >= interval.length()",
-         "of_interval >= Number(share_of_cover) * interval.length()"),
         ("(a * (Number(64) * a * a - Number(96) * a * q + Number(36) * q * q) <=\n"
-         "            q * q * q)", "(a <= Number(filter::sin10_squared) * q)"),
-        ('#include "geometry/exact/kernels.hpp"',
-         '#include "geometry/contact_predicates.hpp"\n#include "geometry/exact/kernels.hpp"')],
-    "geometry/covered_side.hpp": [
-        ("share_ < 0.5", "share_ < share_of_cover"),
-        ("#include <span>", '#include <span>\n#include "geometry/contact_predicates.hpp"')],
+         "            q * q * q)", "(a <= Number(facing_sine_squared) * q)")],
     "geometry/covered_side.cpp": [
-        ("0.95 * of_across",
-         "0.9645 * std::sqrt(1.0 - sine_of_facing * sine_of_facing) * of_across")],
-    "src/dynamics/rules/predicates.hpp": [
-        ("constexpr double sine_of_10_degrees = 0.17364817766693033;",
-         "const double sine_of_10_degrees = geometry::sine_of_facing;")]}
+        ("part = 0.95 -", "part = 0.9645 * std::sqrt(facing_cosine_squared) -")]}
 
 
 def build(folder):
     """The program with constants from the environment."""
     left_out = shutil.ignore_patterns("build", ".git")
     shutil.copytree(ROOT, folder, dirs_exist_ok=True, ignore=left_out)
+    constants = folder / "geometry/contact_constants.hpp"
+    constants.write_text("#pragma once\n" + FROM_ENVIRONMENT)
     for name, changes in CHANGES.items():
         text = (folder / name).read_text()
         for old, new in changes:
@@ -125,6 +115,8 @@ def charts():
     labels = {"slack": ("Slack: 1e-6 in the rule", "slack, part of an edge's length"),
               "degrees": ("Facing sides: ten degrees in the rule",
                           "largest angle between them, degrees"),
+              "successor": ("Successors: 0.95 in the rule",
+                            "least cosine between the two edges"),
               "share": ("Covered sides: half in the rule",
                         "share of a side that has to be covered")}
     for constant, values in CONSTANTS.items():

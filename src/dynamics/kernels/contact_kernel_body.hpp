@@ -4,7 +4,7 @@
 #include "dynamics/kernels/contact_batch.hpp"
 #include "dynamics/kernels/contact_law.hpp"
 #include "dynamics/kernels/simd_lanes.hpp"
-#include "geometry/contact_slack.hpp"
+#include "geometry/contact_constants.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {

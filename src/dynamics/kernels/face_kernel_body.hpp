@@ -85,7 +85,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
     return (value - 1e-12) * arm;
   };
   const auto no_face = [&](const Slope& s) __attribute__((always_inline)) {
-    return of_angle(s.steeper_than(Pack{} + sine_of_10_degrees));
+    return of_angle(s.steeper_than(Pack{} + facing_sine));
   };
   const auto steeper = [&](const FacingSide& a, const FacingSide& b)
       __attribute__((always_inline)) {
@@ -122,7 +122,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const Pack ends_of_f = least(off_ends(e, f, margins), off_ends(e, f_end, margins));
   const Pack not_at_ends = short_e ? ends_of_e : (short_f ? ends_of_f : Pack{} + never);
   const Pack two_faces =
-      least(least(of_angle(sine_of_10_degrees - slope.sine),
+      least(least(of_angle(facing_sine - slope.sine),
                   least(steeper(e, f_before), steeper(e, f_after))),
             least(most(entered_inside, entered_in_turn), not_at_ends));
   const Pack one_corner = least(least(no_face(of_corner), no_face(of_previous)),

@@ -2,7 +2,7 @@
 // (docs/contact-rule.md#kept-decisions). Included once for each instruction set.
 #include "dynamics/kernels/face_kernel.hpp"
 #include "dynamics/kernels/simd_lanes.hpp"
-#include "geometry/contact_slack.hpp"
+#include "geometry/contact_constants.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double never = 1e300;
 constexpr double smallest = 1e-140, largest = 1e140;  // [L]
 constexpr double slack = geometry::contact_slack;
-constexpr double sine_of_10_degrees = 0.17364817766693033;
+constexpr double facing_sine = geometry::facing_sine;
 
 BLOCKS_INLINE Pack least(Pack a, Pack b) { return a < b ? a : b; }
 BLOCKS_INLINE Pack most(Pack a, Pack b) { return a > b ? a : b; }
@@ -79,9 +79,7 @@ struct Slope {
   Pack sine, cosine;  ///< sine without its sign
   BLOCKS_INLINE Slope(const FacingSide& e, const FacingSide& f)
       : sine(absolute(e.ux * f.uy - e.uy * f.ux)), cosine(e.ux * f.ux + e.uy * f.uy) {}
-  BLOCKS_INLINE Mask face() const {
-    return (cosine < 0.0) & (sine <= sine_of_10_degrees);
-  }
+  BLOCKS_INLINE Mask face() const { return (cosine < 0.0) & (sine <= facing_sine); }
   /// By how much the sine is above another one that faces.
   BLOCKS_INLINE Pack steeper_than(Pack other) const {
     return cosine < 0.0 ? sine - other : Pack{} + 0.5;

@@ -1,0 +1,34 @@
+// The constants of the contact rule (docs/contact-rule.md#the-three-constants). This
+// header has no functions, so that code for several instruction sets may include it.
+#pragma once
+
+namespace blocks::geometry {
+
+/// A corner that is outside of an edge or beyond one of its ends by at most this part
+/// of the length of the edge may still act on it. The number is the double nearest
+/// 1e-6, taken as exact. Without a slack, corners in line slip through each other's
+/// gaps and contacts flicker in turned frames. From 1e-2 on, blocks that only pass are
+/// caught.
+inline constexpr double contact_slack = 1e-6;
+
+/// Two sides face each other if their directions are opposite within this angle, in
+/// degrees (20). A smaller angle loses contacts of bowed faces; a larger one takes a
+/// tip for a face. The exact predicates use the polynomial of this angle
+/// (at_most_ten_degrees in geometry/exact), so it is changed in both places.
+inline constexpr double facing_angle = 10.0;
+inline constexpr double facing_sine = 0.17364817766693033;
+inline constexpr double facing_sine_squared = 0.030153689607045807973;
+inline constexpr double facing_cosine_squared = 0.969846310392954192027;
+
+/// Neighbours close a joint if they cover at least this part of the side. Up to 1 makes
+/// no difference to the scenes of the study; above 1 no joint is ever closed, and
+/// corners hang up on the joints of flush blocks.
+inline constexpr double covered_share = 0.5;
+
+/// A released spring passes to another contact of the same pair only if the angle
+/// between the two edges has a larger cosine (18 degrees). A smaller cosine passes
+/// springs round corners, where their force points elsewhere; with 1 nothing passes
+/// between the two faces of a pair.
+inline constexpr double successor_cosine = 0.95;
+
+}  // namespace blocks::geometry
