@@ -185,6 +185,45 @@ def check_examples(source, program):
     return faults
 
 
+def check_results(source, program):
+    """The tables of docs/results.md name all datasets and keys that a run writes, with their
+    shapes, and the Python on that page prints what it shows."""
+    import h5py
+    page = (source / "docs/results.md").read_text()
+    names = lambda heading: re.findall(r"^\| (`.*?) \|(?: (\(.*?\)) \|)?", page.split(heading)[1].split("\n\n")[0], re.M)
+    faults = []
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([program, "run", source / "decks/stack/stack.deck"], cwd=folder, check=True,
+                       capture_output=True)
+        with h5py.File(Path(folder, "stack.vtkhdf")) as file:
+            frames = file["VTKHDF/Steps"].attrs["NSteps"]
+            for group in ("VTKHDF", "BLOCKS"):
+                listed = {name.strip("`"): shape for name, shape in names(f"| dataset of `{group}` |")}
+                found = {}
+                file[group].visititems(lambda name, item: found.update(
+                    {name: item.shape} if isinstance(item, h5py.Dataset) else {}))
+                for name in sorted(found.keys() - listed.keys()):
+                    if not re.match(r"Steps/", name):
+                        faults.append(f"not on the page: {group}/{name}")
+                faults += [f"not in the file: {group}/{name}" for name in listed if name not in file[group]]
+                for name, shape in listed.items():
+                    given = [part for part in shape.strip("()").split(", ") if part]
+                    real = file[group][name].shape
+                    if len(given) != len(real) or any(
+                            int(n) != m for n, m in zip(given, real) if n.isdigit()) or (
+                            given[:1] == ["s"] and real[0] != frames):
+                        faults.append(f"{group}/{name}: {shape} on the page, {real} in the file")
+        summary = json.loads(Path(folder, "stack.summary.json").read_text())
+        keys = {key for name, _ in names("| key | unit | meaning |") for key in re.findall(r"`(\w+)`", name)}
+        if keys != summary.keys():
+            faults.append(f"keys of the summary differ: {sorted(keys ^ summary.keys())}")
+        python, shown = (re.search(rf"^```{kind}\n(.*?)^```$", page, re.M | re.S)[1] for kind in ("python", "text"))
+        done = subprocess.run([sys.executable, "-c", python], cwd=folder, text=True, capture_output=True)
+        faults += [done.stderr] if done.returncode else [
+            f"not printed: {line}" for line in missing_lines(shown, done.stdout)]
+    return faults
+
+
 def check_commands(source, program):
     """Command lines are accepted: run becomes check, figures lack their results."""
     count, faults = 0, []
@@ -206,7 +245,7 @@ def check_commands(source, program):
 
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "citations": check_citations, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples}[what]
+    check = {"links": check_links, "citations": check_citations, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples, "results": check_results}[what]
     faults = check(Path(source), *map(Path, program[:check.__code__.co_argcount - 1]))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)
