@@ -46,7 +46,8 @@ BlockShape measure_shape(const Polygon& outline) {
   const SecondMoments m = second_moments(outline, shape.area);
   const double mean = 0.5 * (m.xx + m.yy);
   const double spread = std::hypot(0.5 * (m.xx - m.yy), m.xy);
-  // Of a block so thin that the smaller moment drowns in round-off: 4 eps is its bound.
+  // In a very thin block the smaller moment is lost in round-off; 4 eps of the mean
+  // bounds it.
   const double smaller =
       std::max(mean - spread, 4.0 * std::numeric_limits<double>::epsilon() * mean);
   shape.aspect = std::sqrt((mean + spread) / smaller);
@@ -56,8 +57,8 @@ BlockShape measure_shape(const Polygon& outline) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 ahead = outline[(i + 1) % n] - outline[i];
     const Vec2 behind = outline[(i + n - 1) % n] - outline[i];
-    // Clockwise: the inside lies on the right of the way ahead, so from ahead to behind
-    // one turns clockwise through it.
+    // The outline is clockwise, so the interior is on the right of `ahead`. The
+    // interior angle is the clockwise rotation from `ahead` to `behind`.
     double angle = std::atan2(cross(ahead, behind), ahead.dot(behind));
     angle = angle > 0.0 ? 2.0 * std::numbers::pi - angle : -angle;
     angle *= 180.0 / std::numbers::pi;

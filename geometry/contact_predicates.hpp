@@ -1,14 +1,14 @@
-// The yes/no questions of the contact search (report 3.2, equations (19) and (20)),
-// answered exactly for the doubles as they are stored: a filter in plain doubles,
-// inline, and when its error bound cannot decide, exact arithmetic in geometry/exact.
-// Bounds are proved in docs/predicates.md. Knows nothing of blocks, forces or time.
+// Predicates of the contact search (report 3.2, equations (19) and (20)). Each answer
+// is exact for the doubles as they are stored. An inline filter in plain doubles
+// answers first. If its error bound does not decide, exact arithmetic in geometry/exact
+// does. The bounds are proved in docs/predicates.md. Independent of blocks, forces and
+// time.
 //
-// Throughout, p1 -> p2 is an edge of a clockwise block, e = p2 - p1, L = |e|, the
-// outward normal is on the left of e, and d is the overlap of a corner c with that
-// edge: positive behind the edge, where the block is. Coordinates must be finite and
-// edges longer than zero. All predicates are unchanged when all coordinates are
-// multiplied by a power of two or shifted, as long as the stored doubles change by
-// exactly that.
+// Throughout, p1 -> p2 is an edge of a clockwise block, e = p2 - p1 and L = |e|. The
+// outward normal is on the left of e. d is the overlap of a corner c with that edge; it
+// is positive behind the edge, where the block is. eps is contact_slack. Coordinates
+// must be finite and edges longer than zero. Scaling all coordinates by a power of two,
+// or shifting them, changes no predicate if the stored doubles change by exactly that.
 #pragma once
 
 #include "geometry/contact_constants.hpp"
@@ -27,7 +27,7 @@ namespace blocks::geometry {
 static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
               "the error bounds need IEEE doubles without extra precision");
 
-/// The same predicates without the filter, for the cases it leaves open.
+/// The same predicates without the filter, for the cases that the filter leaves open.
 namespace exact {
 
 [[gnu::cold, gnu::noinline]] int overlap_sign(const Vec2& c, const Vec2& p1,
@@ -57,30 +57,31 @@ namespace exact {
                                                 const Vec2& q1, const Vec2& q2,
                                                 const Vec2& r1, const Vec2& r2);
 
-/// How often the calling thread left the filters undecided.
+/// Returns how many predicates of the calling thread the filters left undecided.
 unsigned long long calls();
 
-/// How many of these needed multiple-precision numbers; the rest were settled by exact
-/// sums of a few doubles.
+/// Returns how many of these needed multiple-precision numbers. Exact sums of a few
+/// doubles decided the others.
 unsigned long long multiprecision_calls();
 
 }  // namespace exact
 
 namespace filter {
 
-// u = 2^-53 is the unit round-off. The bounds are multiples of u times the sum of the
-// magnitudes of all terms; overflow makes that sum infinite (or NaN), and then no
-// filter accepts. `underflow` exceeds whatever products of doubles lose below 2^-1022.
+// u = 2^-53 is the unit round-off. Each bound is a multiple of u times the sum of the
+// magnitudes of all terms. If that sum overflows, it is infinite or NaN, and no filter
+// accepts. `underflow` is more than products of doubles can lose below 2^-1022.
 inline constexpr double u4 = 0x1p-51;
 inline constexpr double u8 = 0x1p-50;
 inline constexpr double u16 = 0x1p-49;
 inline constexpr double u24 = 0x1.8p-49;
 inline constexpr double underflow = 0x1p-1000;
 
-/// -1, 0 or +1.
+/// Returns -1, 0 or +1.
 inline int sign(double x) { return int{x > 0} - int{x < 0}; }
 
-/// A value and the bound of its error: its sign is certain beyond the bound.
+/// A value and the bound of its error. The sign of the value is certain if its
+/// magnitude exceeds the bound.
 struct Estimate {
   double value;
   double bound;
@@ -89,14 +90,15 @@ struct Estimate {
   bool negative() const { return value < -bound; }
 };
 
-// NaN goes to where the bound is NaN or infinite too.
+// The smaller of a and b. A NaN may be dropped, but then the bound is NaN or infinite
+// as well.
 inline double least(double a, double b) { return b < a ? b : a; }
 
 inline double unless(bool safe, double bound) {
   return safe ? bound : std::numeric_limits<double>::infinity();
 }
 
-/// (c - o) x (p2 - p1) as two products whose difference it is.
+/// (c - o) x (p2 - p1), stored as the two products whose difference it is.
 struct Cross {
   double plus;
   double minus;
@@ -105,7 +107,7 @@ struct Cross {
   double magnitude() const { return std::abs(plus) + std::abs(minus); }
 };
 
-/// (c - p1).(p2 - p1) as two products whose sum it is.
+/// (c - p1).(p2 - p1), stored as the two products whose sum it is.
 struct Dot {
   double x;
   double y;
@@ -130,7 +132,7 @@ template <class Point> inline double squared_length(const Point& p1, const Point
   return ex * ex + ey * ey;
 }
 
-// The filters themselves, for one corner and edge here and for the lanes of
+// The filters, shared by the scalar predicates below and by the lanes of
 // geometry/contact_predicates_batch.hpp. A Point has x() and y().
 
 template <class Point>
@@ -146,7 +148,8 @@ inline Estimate near_or_inside(const Point& c, const Point& p1, const Point& p2)
   return {a.value() + slack, u8 * (a.magnitude() + slack) + underflow};
 }
 
-/// part: how far beyond both ends, as a part of the length; negative: within them.
+/// part: how far c may be beyond either end, as a fraction of the edge's length. A
+/// negative value means that c must be that far inside both ends.
 template <class Point>
 inline Estimate between(const Point& c, const Point& p1, const Point& p2,
                         double part = contact_slack) {
@@ -157,7 +160,7 @@ inline Estimate between(const Point& c, const Point& p1, const Point& p2,
           u8 * (along.magnitude() + length2) + underflow};
 }
 
-/// Positive: less deep than the centroid.
+/// Positive if c is less deep than the centroid.
 template <class Point>
 inline Estimate above_centroid(const Point& c, const Point& centroid, const Point& p1,
                                const Point& p2) {
@@ -165,7 +168,8 @@ inline Estimate above_centroid(const Point& c, const Point& centroid, const Poin
   return {a.minus - a.plus, u4 * a.magnitude() + underflow};
 }
 
-/// The least of the four values above, and a bound above all of theirs.
+/// The least of the four values above, and a bound that is larger than any of their
+/// bounds.
 template <class Point>
 inline Estimate in_reach_of_edge(const Point& c, const Point& centroid, const Point& p1,
                                  const Point& p2) {
@@ -180,7 +184,8 @@ inline Estimate in_reach_of_edge(const Point& c, const Point& centroid, const Po
               underflow};
 }
 
-/// x|x| grows with x, so squares with their sign compare as the sines do: no root.
+/// x|x| increases with x, so signed squares compare as the sines do, and no square root
+/// is needed.
 template <class Point>
 inline Estimate faces_edge(const Point& c, const Point& neighbour, const Point& p1,
                            const Point& p2) {
@@ -200,8 +205,8 @@ inline Estimate turn(const Point& p1, const Point& p2, const Point& q1,
   return {a.value(), u4 * a.magnitude() + underflow};
 }
 
-/// With D the dot product of the two edges and Q the product of their squared lengths,
-/// positive where D <= -cos(10 degrees) sqrt(Q).
+/// Let D be the dot product of the two edges and Q the product of their squared
+/// lengths. The value is positive where D <= -cos(10 degrees) sqrt(Q).
 template <class Point>
 inline Estimate edges_face(const Point& p1, const Point& p2, const Point& q1,
                            const Point& q2) {
@@ -214,8 +219,8 @@ inline Estimate edges_face(const Point& p1, const Point& p2, const Point& q1,
           unless(least(e2, f2) > 0x1p-480, u24 * q)};
 }
 
-/// 1 / |p2 - p1| for `depth`; infinite if products of such lengths leave the range of
-/// doubles.
+/// Returns 1 / |p2 - p1| for `depth`, or infinity if products of such lengths leave the
+/// range of doubles.
 template <class Point> inline double per_length(const Point& p1, const Point& p2) {
   const double length2 = squared_length(p1, p2);
   return length2 > 0x1p-900 && length2 < 0x1p900
@@ -232,7 +237,8 @@ inline Estimate depth(const Point& c, const Point& p1, const Point& p2,
           (u16 * a.magnitude() + underflow) * per_length + underflow};
 }
 
-/// Positive where the first angle, between p and q, has the larger sine.
+/// Positive where the angle between p and q has a larger sine than the angle between p
+/// and r.
 template <class Point>
 inline Estimate slope_difference(const Point& p1, const Point& p2, const Point& q1,
                                  const Point& q2, const Point& r1, const Point& r2) {
@@ -266,10 +272,10 @@ inline Estimate depth_difference(const Point& c, const Point& p1, const Point& p
 
 }  // namespace filter
 
-/// Sign of the overlap d, that is of 2A = (xc-x1)(y2-y1) - (yc-y1)(x2-x1), equation
-/// (19) on differences: +1 penetrated, 0 exactly on the edge's line, -1 outside.
-/// Swapping p1 and p2 changes the sign; c = p1 and c = p2 give 0; any cyclic change of
-/// (c, p1, p2) gives the same sign.
+/// Sign of the overlap d: +1 behind the edge, 0 exactly on its line, -1 outside. It is
+/// the sign of 2A = (xc-x1)(y2-y1) - (yc-y1)(x2-x1), equation (19) written with
+/// differences. Swapping p1 and p2 changes the sign. c = p1 and c = p2 give 0. Any
+/// cyclic change of (c, p1, p2) gives the same sign.
 inline int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const filter::Estimate d = filter::overlap(c, p1, p2);
   if (d.positive())
@@ -279,8 +285,8 @@ inline int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return exact::overlap_sign(c, p1, p2);
 }
 
-/// 2A >= -eps L^2, that is d >= -eps L: true on the limit itself. True whenever
-/// overlap_sign >= 0; of p1 -> p2 and p2 -> p1 at least one is true.
+/// Tests 2A >= -eps L^2, that is d >= -eps L; true on the limit itself. True whenever
+/// overlap_sign >= 0. True for at least one of p1 -> p2 and p2 -> p1.
 inline bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const filter::Estimate d = filter::near_or_inside(c, p1, p2);
   if (d.positive()) [[likely]]
@@ -290,8 +296,8 @@ inline bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return exact::near_or_inside(c, p1, p2);
 }
 
-/// -eps L^2 <= (c - p1).e <= (1 + eps) L^2: true on both limits. Unchanged when p1 and
-/// p2 are swapped.
+/// Tests -eps L^2 <= (c - p1).e <= (1 + eps) L^2; true on both limits. Unchanged when
+/// p1 and p2 are swapped.
 inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const filter::Estimate d = filter::between(c, p1, p2);
   if (d.positive()) [[likely]]
@@ -301,8 +307,8 @@ inline bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return exact::between(c, p1, p2);
 }
 
-/// eps L^2 <= (c - p1).e <= (1 - eps) L^2: between the ends and farther from both than
-/// the slack, or as far. Implies between. Unchanged when p1 and p2 are swapped.
+/// Tests eps L^2 <= (c - p1).e <= (1 - eps) L^2: c is between the ends, and at least
+/// the slack away from both. Implies between. Unchanged when p1 and p2 are swapped.
 inline bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const filter::Estimate d = filter::between(c, p1, p2, -contact_slack);
   if (d.positive()) [[likely]]
@@ -312,9 +318,10 @@ inline bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return exact::well_between(c, p1, p2);
 }
 
-/// The overlap of c is at most the distance of the edge from its block's centroid:
-/// 2A(c) <= 2A(centroid). The study's variant `corners` asks this.
-/// True when equally deep; of (c, g) and (g, c) at least one is true.
+/// Tests whether the overlap of c is at most the distance of the edge from its block's
+/// centroid: 2A(c) <= 2A(centroid). Only the study's variant `corners` uses this. True
+/// when both are equally deep; true for at least one of (c, g) and (g, c), g the
+/// centroid.
 inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                          const Vec2& p2) {
   const filter::Estimate d = filter::above_centroid(c, centroid, p1, p2);
@@ -325,9 +332,9 @@ inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
   return exact::within_depth(c, centroid, p1, p2);
 }
 
-/// near_or_inside, between and within_depth together, for the loop: one evaluation of
-/// their common terms settles nearly every potential contact. Law: equal to
-/// near_or_inside && between && within_depth.
+/// Tests near_or_inside, between and within_depth together, for inner loops. One
+/// evaluation of their common terms decides nearly every potential contact. Guarantee:
+/// equal to near_or_inside && between && within_depth.
 inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1,
                              const Vec2& p2) {
   const filter::Estimate d = filter::in_reach_of_edge(c, centroid, p1, p2);
@@ -339,10 +346,10 @@ inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1
          within_depth(c, centroid, p1, p2);
 }
 
-/// Equation (20) for one tangent t = neighbour - c of the corner: t.n >= sin(-10
-/// deg)|t|. The limit itself is never met: sin(10 deg) is the root of an irreducible
-/// cubic. neighbour = c counts as true. Unchanged when t or e is scaled, or when both
-/// are swapped and one of them reversed.
+/// Equation (20) for one tangent t = neighbour - c of the corner: t.n >=
+/// sin(-10 deg) |t|. Equality never occurs, because sin(10 deg) is a root of an
+/// irreducible cubic. neighbour = c counts as true. Unchanged when t or e is scaled, or
+/// when both are swapped and one of them is reversed.
 inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
                        const Vec2& p2) {
   const filter::Estimate d = filter::faces_edge(c, neighbour, p1, p2);
@@ -353,10 +360,10 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
   return exact::faces_edge(c, neighbour, p1, p2);
 }
 
-/// Sign of (overlap of c with p1 -> p2) - (overlap of c with q1 -> q2), both with their
-/// sign: -1 when edge p is the nearer one, 0 when
-/// exactly equal. Swapping the edges changes the sign; a common corner of two edges is
-/// equally deep, 0, in both.
+/// Sign of (overlap of c with p1 -> p2) - (overlap of c with q1 -> q2), where both
+/// overlaps are signed: -1 when the first is smaller, 0 when they are exactly equal.
+/// Swapping the edges changes the sign. A common corner of two edges has overlap 0 with
+/// both.
 inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
   const filter::Estimate d = filter::depth_difference(c, p1, p2, c, q1, q2);
@@ -367,8 +374,8 @@ inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Ve
   return exact::compare_depth(c, p1, p2, q1, q2);
 }
 
-/// Sign of (p2 - p1) x (q2 - q1): +1 when edge q turns anticlockwise from edge p, 0
-/// when they are parallel or antiparallel. Swapping the two edges changes the sign.
+/// Sign of (p2 - p1) x (q2 - q1): +1 when edge q is rotated anticlockwise from edge p,
+/// 0 when parallel or antiparallel. Swapping the two edges changes the sign.
 inline int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
   const filter::Estimate d = filter::turn(p1, p2, q1, q2);
   if (d.positive())
@@ -378,9 +385,9 @@ inline int turn_sign(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2&
   return exact::turn_sign(p1, p2, q1, q2);
 }
 
-/// Equation (20) for two edges: they run against each other within ten degrees, that is
-/// (p2 - p1).(q2 - q1) <= -cos(10 deg) |p2 - p1| |q2 - q1|. The limit itself is never
-/// met, as in faces_edge. Unchanged when the edges are swapped.
+/// Equation (20) for two edges. Tests whether they are antiparallel within ten degrees:
+/// (p2 - p1).(q2 - q1) <= -cos(10 deg) |p2 - p1| |q2 - q1|. Equality never occurs, as
+/// in faces_edge. Unchanged when the edges are swapped.
 inline bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
   const filter::Estimate d = filter::edges_face(p1, p2, q1, q2);
   if (d.positive())
@@ -390,9 +397,9 @@ inline bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec
   return exact::edges_face(p1, p2, q1, q2);
 }
 
-/// Sign of (overlap of c with p1 -> p2) - (overlap of d with q1 -> q2): -1 when edge p
-/// is the less deep one, 0 when exactly equal. Swapping (c, p) with (d, q) changes the
-/// sign.
+/// Sign of (overlap of c with p1 -> p2) - (overlap of d with q1 -> q2): -1 when the
+/// first is smaller, 0 when they are exactly equal. Swapping (c, p) with (d, q) changes
+/// the sign.
 inline int compare_depths(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& d,
                           const Vec2& q1, const Vec2& q2) {
   const filter::Estimate difference = filter::depth_difference(c, p1, p2, d, q1, q2);
@@ -403,8 +410,8 @@ inline int compare_depths(const Vec2& c, const Vec2& p1, const Vec2& p2, const V
   return exact::compare_depths(c, p1, p2, d, q1, q2);
 }
 
-/// Sign of |sine of the angle between p and q| - |sine of that between p and r|: -1
-/// when edge q is the more nearly parallel to edge p, 0 when exactly equal.
+/// Sign of |sin(angle between p and q)| - |sin(angle between p and r)|: -1 when edge q
+/// is more nearly parallel to edge p than edge r is, 0 when exactly equal.
 inline int compare_slopes(const Vec2& p1, const Vec2& p2, const Vec2& q1,
                           const Vec2& q2, const Vec2& r1, const Vec2& r2) {
   const filter::Estimate d = filter::slope_difference(p1, p2, q1, q2, r1, r2);

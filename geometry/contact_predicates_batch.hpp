@@ -1,7 +1,8 @@
 // The filters of geometry/contact_predicates.hpp for several lanes at once: plain loops
-// over fixed arrays, which compilers turn into vector instructions. Per lane the same
-// value and the same bound as the scalar predicate, so the same answer to the bit; the
-// lanes left undecided go through that predicate (docs/predicates.md, batches).
+// over fixed arrays, which compilers turn into vector instructions. Each lane computes
+// the same value and bound as the scalar filter, so the answers agree to the bit. The
+// scalar predicate decides the lanes that are left undecided
+// (docs/predicates.md#batches).
 #pragma once
 
 #include <array>
@@ -11,10 +12,11 @@
 
 namespace blocks::geometry {
 
-/// Lanes of one batch: a block of up to four corners, two or four registers.
+/// Number of lanes of a batch: one for each corner of a block with up to four corners.
+/// A batch fills two or four vector registers.
 inline constexpr std::size_t batch_lanes = 4;
 
-/// One point a lane, [L].
+/// One point per lane, [L].
 struct Points {
   alignas(32) std::array<double, batch_lanes> xs;
   alignas(32) std::array<double, batch_lanes> ys;
@@ -30,9 +32,9 @@ struct Points {
   Vec2 operator[](std::size_t lane) const { return {xs[lane], ys[lane]}; }
 };
 
-/// What the filters say of each lane: +1 certainly true (or a positive sign), -1
-/// certainly false (negative), 0 undecided. In doubles, so that comparisons stay in the
-/// registers they are made in.
+/// The verdict of the filters for each lane: +1 certainly true (or positive), -1
+/// certainly false (or negative), 0 undecided. Verdicts are doubles, so that the
+/// results of comparisons stay in the same registers.
 struct Answers {
   alignas(32) std::array<double, batch_lanes> verdict;
 
@@ -56,7 +58,7 @@ struct Answers {
 
 namespace batch {
 
-/// A point that never leaves its registers.
+/// The point of one lane, held by value so that the compiler keeps it in registers.
 struct Lane {
   double px, py;
 
@@ -75,8 +77,9 @@ template <class Filter> inline Answers answers(Filter&& filter) {
   return found;
 }
 
-/// Each as the scalar predicate of the same name, lane by lane; in_reach_of_edge only
-/// by its common bound. Of signs, yes means +1 and no means -1.
+/// Each function is the filter of the scalar predicate of the same name, lane by lane.
+/// in_reach_of_edge uses only its common bound. For signs, yes means +1 and no means
+/// -1.
 inline Answers overlap_sign(const Points& c, const Points& p1, const Points& p2) {
   return answers([&](std::size_t i) {
     return filter::overlap(Lane(c, i), Lane(p1, i), Lane(p2, i));
@@ -128,9 +131,9 @@ inline Answers compare_depth(const Points& c, const Points& p1, const Points& p2
 
 }  // namespace batch
 
-/// near_or_inside of one corner for every lane's edge: settled by the filters where
-/// they suffice, else lane by lane. Law: equal to the conjunction of the scalar
-/// answers.
+/// Tests near_or_inside of one corner for the edges of all lanes. Lanes that the filter
+/// leaves undecided are decided one by one. Guarantee: equal to the conjunction of the
+/// scalar answers.
 inline bool near_or_inside_all(const Vec2& c, const Points& p1, const Points& p2) {
   const Answers found = batch::near_or_inside(Points::all(c), p1, p2);
   if (found.any_no())

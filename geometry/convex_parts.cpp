@@ -26,7 +26,7 @@ std::vector<std::vector<int>> convex_parts(const Polygon& outline) {
     return {all};
   }
   using Traits = CGAL::Partition_traits_2<exact::Filtered>;
-  std::vector<exact::Filtered::Point_2> points;  // anticlockwise, as CGAL wants them
+  std::vector<exact::Filtered::Point_2> points;  // anticlockwise, as CGAL requires
   std::map<std::pair<double, double>, int> number;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     points.push_back(exact::point(outline[i]));

@@ -1,4 +1,4 @@
-// The quick half of the question, in doubles: most sides are certainly not covered.
+// The quick test in doubles: most sides are certainly not covered.
 #include "geometry/covered_side.hpp"
 
 #include <algorithm>
@@ -13,13 +13,14 @@ const Vec2& end_of(Outline polygon, std::size_t side) {
   return polygon[side + 1 < polygon.size() ? side + 1 : 0];
 }
 
-/// Between two bounds.
+/// Bounds of a number.
 struct Range {
   double low, high;
 };
 
-/// The part of a side behind some lines, from the depths of its two ends below each, 0
-/// to 1 along the side. Depths may be wrong by `error`.
+/// The part of a side that is behind several lines, in [0, 1] along the side. Each line
+/// cuts it by the depths of the side's two ends below that line. Depths may have an
+/// error of `error`.
 struct PartBehind {
   Range from = {0.0, 0.0}, to = {1.0, 1.0};
 
@@ -42,20 +43,21 @@ struct PartBehind {
   }
 };
 
-/// Between these sizes, [L], no product of two lengths overflows, and what underflows
-/// is below `lost`.
+/// If lengths are between `smallest` and `largest`, [L], no product of two overflows,
+/// and what underflow loses is less than `lost`.
 constexpr double smallest = 1e-140, largest = 1e140, lost = 1e-150;
 
-/// What the place of a point across or along a side may be wrong by, if the point is
-/// `distance` away from an end of the side and moves against it by `of_point`, and the
-/// ends of the side move against each other by `of_side`: unit vectors along a and b
-/// differ by at most |a - b| / sqrt(|a| |b|). Rounding errors are below 1e-15 distance.
-/// Infinite if the side may turn by any angle.
+/// Returns the error bound of a point's position across or along a side. The point is
+/// `distance` away from an end of the side and moves against it by `of_point`. `turn`
+/// bounds the rotation of the side (turn_of); it is infinite if the side may rotate by
+/// any angle. Unit vectors along a and b differ by at most |a - b| / sqrt(|a| |b|).
+/// Rounding errors are below 1e-15 distance.
 double error_of(double distance, double of_point, double turn) {
   return (1.0 + 1e-9) * (of_point + (distance + of_point) * turn) + 1e-12 * distance +
          lost;
 }
-/// By how much the side may turn, or infinity for any angle.
+/// Bounds the rotation of a side whose ends move against each other by `of_side`;
+/// infinite if it may rotate by any angle.
 double turn_of(double length, double of_side) {
   return of_side < 0.5 * length ? of_side / (length - of_side)
                                 : std::numeric_limits<double>::infinity();
@@ -63,8 +65,9 @@ double turn_of(double length, double of_side) {
 double error_of(double distance, double of_point, double length, double of_side) {
   return error_of(distance, of_point, turn_of(length, of_side));
 }
-/// At least the length of `line` times the error of a place across it, without a root.
-/// The line turns by at most of_side / (length - of_side) <= 2 of_side / length.
+/// Returns an upper bound of the length of `line` times the error of a position across
+/// it, without a square root. The line rotates by at most of_side / (length - of_side)
+/// <= 2 of_side / length.
 double scaled_error_of(double distance, double of_point, const Vec2& line,
                        double of_side) {
   if (!(of_side < 0.5 * line.lpNorm<Eigen::Infinity>()))
@@ -91,7 +94,8 @@ UncoveredSide::UncoveredSide(const SideEnd& end, Outline other, double room,
     const Vec2 line = end_of(other, k) - start_of(other, k);
     const Vec2 from = first_ - start_of(other, k);
     farthest = std::max(farthest, from.lpNorm<1>());
-    // Depths times the length of the line: only their ratio counts.
+    // Depths are multiplied by the length of the line, because only their ratio
+    // matters.
     const double depth = cross(from, line);
     interval.cut(depth, depth + cross(edge, line),
                  scaled_error_of(from.lpNorm<1>() + length_, room, line, room));
@@ -156,7 +160,7 @@ void UncoveredSide::add(Outline neighbour) {
   const double any_error = error_of(far, of_neighbours_, turn_) + 1e-12 * length_;
   if (!(any_error < largest))
     return give_up();
-  // Places along the side, from the end that is asked about.
+  // Positions along the side are measured from the tested end.
   const auto to_begin = [&](double begin, double last, double error) {
     return (at_start_ ? begin : length_ - last) - error;
   };
@@ -168,11 +172,11 @@ void UncoveredSide::add(Outline neighbour) {
     return;
   for (std::size_t f = 0; f < neighbour.size(); ++f) {
     const Vec2 &near = end_of(neighbour, f), &far_end = start_of(neighbour, f);
-    // runs along the side if the two face each other
+    // `across` has about the direction of the side if the two sides face each other.
     const Vec2 across = far_end - near;
     // The cosine of 10 degrees is 0.985. If the two sides face each other after the
     // motion, `product` + 1.985 of_neighbours + 2 room of_across / length is at least
-    // that part of `of_across`.
+    // 0.985 of_across.
     const double product = across.dot(along_), square = across.squaredNorm();
     if (!(square > smallest * smallest))
       return give_up();
@@ -180,8 +184,8 @@ void UncoveredSide::add(Outline neighbour) {
                  part = 0.95 - 2.0 * room_ / length_;
     if (part > 0.0 && (facing < 0.0 || facing * facing < part * part * square))
       continue;
-    // Of a long side only the part counts that can come to lie along the side: it moves
-    // by less than `error`, which is less than the length of the side.
+    // Only the part of a long side that can come to lie along the tested side counts.
+    // It moves by less than `error`, which is less than the length of the tested side.
     const double start = (near - first_).dot(along_);
     double first_part = 0.0, last_part = 1.0;
     if (product > 2.0 * length_)
@@ -207,7 +211,8 @@ void UncoveredSide::add(Outline neighbour) {
     double least = std::max(least_, gap), most = most_;
     if (least > most || from >= most || to <= 0.0)
       continue;
-    // It covers (min(h, to) - from) / h of the stretch: most of it if h is `to`.
+    // Side f covers (min(h, to) - from) / h of the stretch. The share is largest if h
+    // is `to`.
     const auto share = [&] {
       const double h = std::clamp(to, least, most);
       return std::max(0.0, std::min(h, to) - from) / h;
@@ -222,9 +227,9 @@ void UncoveredSide::add(Outline neighbour) {
         most, reach + error_of(distance, of_neighbours_, of_across, of_neighbours_));
     if (least > most || from >= most)
       continue;
-    // The two do not touch along these sides if another axis is less deep than both
-    // that of the side and that of f. A point that is above f by y, across the side, is
-    // below f by at least y cos 10 degrees.
+    // The two polygons do not touch along these sides if another axis is less deep than
+    // both the tested side and f. If f is behind the tested side by y, points of that
+    // side are below f by at least y cos 10 degrees.
     if (overlap > 0.0 && is_less_deep(neighbour, 0.98 * overlap))
       continue;
     if (is_outside(near, far_end)) {

@@ -8,13 +8,13 @@
 namespace blocks::geometry {
 namespace {
 
-// No text of the deck may stand for a rational of a million digits: the first
-// significant digit must lie within this many decades of the point.
+// The first significant digit must be within this many decades of the point. So no text
+// of a deck represents a rational of a million digits.
 constexpr long largest_decade = 400;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The digits from `at` on; moves `at` behind them.
+// Returns the digits from `at` on and moves `at` behind them.
 std::string_view take_digits(std::string_view text, std::size_t& at) {
   const std::size_t start = at;
   while (at < text.size() && is_digit(text[at]))
@@ -22,7 +22,8 @@ std::string_view take_digits(std::string_view text, std::size_t& at) {
   return text.substr(start, at - start);
 }
 
-// [+-]digits, held within +-10^9: beyond that only the value zero is legal anyway.
+// Reads [+-]digits, clamped to +-10^9; larger exponents are legal only for the value
+// zero.
 std::optional<long> take_exponent(std::string_view text, std::size_t& at) {
   const bool negative = at < text.size() && text[at] == '-';
   if (at < text.size() && (text[at] == '-' || text[at] == '+'))
@@ -36,7 +37,7 @@ std::optional<long> take_exponent(std::string_view text, std::size_t& at) {
   return negative ? -exponent : exponent;
 }
 
-// Nearest double of digits * 10^exponent, zero where it is too small.
+// Returns the nearest double of digits * 10^exponent, or zero if it is too small.
 double nearest_double(const std::string& digits, long exponent) {
   const std::string text = digits + "e" + std::to_string(exponent);
   double value = 0.0;
@@ -80,7 +81,7 @@ std::optional<Decimal> Decimal::parse(std::string_view text) {
   if (at != text.size())
     return std::nullopt;
 
-  // One form for each value: no zeros at either end.
+  // Each value has one form, without zeros at either end.
   const std::size_t first = digits.find_first_not_of('0');
   if (first == digits.npos)
     return Decimal();

@@ -1,5 +1,5 @@
-// A number exactly as the user wrote it, so that ties written in decimals (an aspect
-// ratio of 0.2, widths that add up to the line) are decided as written.
+// A decimal number exactly as the user wrote it. Ties written in decimals are therefore
+// decided as written, such as an aspect ratio of 0.2 or widths that add up to the line.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,20 @@ class Decimal {
   Decimal() = default;
 
   /// A whole number.
-  Decimal(int value);  // NOLINT(google-explicit-constructor): 0, 1 read as numbers
+  Decimal(int value);  // NOLINT(google-explicit-constructor): lets 0, 1 be decimals
 
-  /// Reads [+-]digits[.digits][(e|E|d|D)[+-]digits], surrounded by nothing.
-  /// Returns nothing for any other text, and for a value beyond the range of a finite
-  /// double (1e400); a value too small for a double keeps its exact digits down to
-  /// 1e-400, below which it is refused: no deck can ask for a rational of a million
-  /// digits. Digits have no zeros at either end, so equal values have equal digits.
+  /// Reads [+-]digits[.digits][(e|E|d|D)[+-]digits] without anything before or after.
+  /// Returns nothing for any other text and for a value beyond the range of a finite
+  /// double (1e400). A value too small for a double keeps its exact digits down to
+  /// 1e-400; smaller ones are refused. So no deck can require a rational of a million
+  /// digits. The digits have no zeros at either end, so equal values have equal digits.
   static std::optional<Decimal> parse(std::string_view text);
 
   /// The nearest double (round to nearest, ties to even).
   double value() const { return value_; }
 
-  /// Digits with an optional sign and no point, and the power of ten that scales them.
+  /// The significant digits with an optional sign and without a point, and the power of
+  /// ten that scales them.
   const std::string& digits() const { return digits_; }
   long exponent() const { return exponent_; }
 

@@ -14,8 +14,8 @@
 namespace blocks::geometry {
 namespace {
 
-/// The corner lies inside an edge of the block, up to reach; shared corners do not
-/// count.
+/// Tests whether the corner lies inside an edge of the block, up to reach. Shared
+/// corners do not count.
 bool inside_an_edge(const Vec2& corner, const Polygon& block, double reach) {
   bool inside = false;
   for (std::size_t i = 0; i < block.size(); ++i) {
@@ -30,8 +30,9 @@ bool inside_an_edge(const Vec2& corner, const Polygon& block, double reach) {
   return inside;
 }
 
-/// How far outside the edge a -> b of a clockwise block the corner lies, [L]; 0 on its
-/// line or inside. The sign is exact, and so is the distance but for its last rounding.
+/// Returns how far outside the edge a -> b of a clockwise block the corner is, [L]; 0
+/// on the edge's line or inside. The sign is exact, and the distance is exact up to
+/// rounding.
 double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
   if (CGAL::orientation(exact::point(a), exact::point(b), exact::point(corner)) !=
       CGAL::LEFT_TURN)
@@ -44,21 +45,22 @@ double outside(const Vec2& a, const Vec2& b, const Vec2& corner) {
          (b - a).stableNorm();
 }
 
-/// A slit and three points in the middle of it, along its length.
+/// A slit and three points inside it, distributed along its length.
 struct Opening {
   Slit slit;
   std::array<Vec2, 3> middle;
 };
 
-/// What two edges that face each other leave open: the larger of the distances at the
-/// two ends of their common length; each end is a corner of one of them. 0 if they
-/// touch all along, or are no neighbours within reach.
+/// Widens the opening to the gap between the edges a -> b and c -> d, if they face each
+/// other. The gap is the larger of the distances at the two ends of their common
+/// length; each end is a corner of one of them. It is 0 if the edges touch along their
+/// common length or are more than `reach` apart.
 void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double reach,
            Opening& opening) {
   const Vec2 edge = b - a;
   const double length = edge.stableNorm();
   if (edge.dot(d - c) >= 0.0)
-    return;  // both clockwise: facing edges run in opposite senses
+    return;  // both are clockwise, so facing edges have opposite directions
   const auto along = [&](const Vec2& p) { return edge.dot(p - a) / length; };
   const auto aside = [&](const Vec2& p) {
     return cross(edge, p - a) / length;
@@ -66,8 +68,9 @@ void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double re
   const double from = along(d), to = along(c);
   const double low = std::max(from, 0.0), high = std::min(to, length);
   if (high - low <= reach)
-    return;  // no more than a corner in common
-  // Far beyond the other's end an edge may be far aside; the common part counts.
+    return;  // the edges share no more than a corner
+  // An edge may be far away beyond the end of the other edge; only the common part
+  // counts.
   const double slope = (aside(c) - aside(d)) / (to - from);
   const auto aside_at = [&](double place) { return aside(d) + slope * (place - from); };
   if (std::abs(aside_at(low)) > reach || std::abs(aside_at(high)) > reach)
@@ -79,7 +82,8 @@ void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double re
   if (const double width = std::max(first, last); width > opening.slit.width) {
     opening.slit.width = width;
     opening.slit.place = first > last ? start : end;
-    // off the lines of symmetry, where two blocks that fill it may meet
+    // The points avoid the lines of symmetry, where two blocks that fill the slit may
+    // meet.
     constexpr std::array shares = {0.17, 0.44, 0.81};
     const Vec2 unit = edge / length, out(-unit.y(), unit.x());
     for (std::size_t i = 0; i < opening.middle.size(); ++i) {
@@ -89,7 +93,7 @@ void widen(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double re
   }
 }
 
-/// Crossing number, in doubles.
+/// Tests whether the outline contains the point, by the crossing number in doubles.
 bool holds(const Polygon& outline, const Vec2& point) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -100,8 +104,8 @@ bool holds(const Polygon& outline, const Vec2& point) {
   return inside;
 }
 
-/// Drops the openings that another block fills: two flanks of a sharp wedge face each
-/// other, too.
+/// Drops the openings that another block fills: blocks on the two sides of a sharp
+/// wedge also have facing edges.
 void drop_filled(const std::vector<Polygon>& outlines, std::vector<Opening>& openings) {
   std::vector<exact::Box> points, boxes;
   std::vector<int> filled(openings.size(), 0);

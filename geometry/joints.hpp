@@ -1,5 +1,5 @@
-// How neighbouring blocks meet: corners inside edges of others, and slits too narrow to
-// be meant. A report for the user; knows nothing of contacts.
+// Finds how neighbouring blocks meet: corners inside edges of other blocks, and slits
+// too narrow to be intended. A report for the user, independent of contacts.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace blocks::geometry {
 
-/// A corner of one block inside an edge of another, up to rounding_units. Legal: layers
-/// with joints out of line have them, a conforming mesh has none.
+/// A corner of one block inside an edge of another, up to rounding_units. T-junctions
+/// are legal: layers with staggered joints have them. A conforming mesh has none.
 struct TJunction {
-  int block = 0;  ///< whose corner, from 0
+  int block = 0;  ///< block that has the corner, from 0
   int corner = 0;
-  int other = 0;  ///< whose edge, from 0
+  int other = 0;  ///< block that has the edge, from 0
   Vec2 place = Vec2::Zero();
 };
 
-/// Two blocks that nearly touch along facing edges, with no third block between them.
+/// Two blocks that nearly touch along facing edges, with no other block between them.
 struct Slit {
   int first = 0, second = 0;  ///< blocks from 0, first < second
-  double width = 0.0;         ///< [L] > 0: the largest along the common length
-  Vec2 place = Vec2::Zero();  ///< the corner where it is so wide
-  bool by_rounding = false;   ///< no wider than rounding of the two makes it
+  double width = 0.0;         ///< [L] > 0: largest width along the common length
+  Vec2 place = Vec2::Zero();  ///< corner where the slit has this width
+  bool by_rounding = false;   ///< rounding of the corners explains the width
 };
 
 struct Joints {
@@ -30,12 +30,14 @@ struct Joints {
   std::vector<Slit> slits;  ///< in order of (first, second)
 };
 
-/// A slit is at most this wide, in square roots of the smaller block's area.
+/// The largest width of a slit, as a multiple of the square root of the smaller block's
+/// area. Wider gaps are taken as intended.
 constexpr double widest_slit = 1e-2;
 
-/// How the blocks meet. outlines: simple and clockwise, [L]. Exact: whether facing
-/// edges touch or leave a slit, be it of an ulp. Edges with no more in common than
-/// `widest_slit` have none. n log n for blocks of like size.
+/// Finds T-junctions and slits. outlines: simple and clockwise, [L]. Whether facing
+/// edges touch or leave a slit is decided exactly, down to one ulp. Edges form no slit
+/// if their common length is at most the width of the widest slit. Takes O(n log n)
+/// time for n blocks of similar size.
 Joints find_joints(const std::vector<Polygon>& outlines);
 
 }  // namespace blocks::geometry

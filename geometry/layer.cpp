@@ -56,7 +56,7 @@ Quad convex_quad(const LayerRequest& request) {
           exact::rational(c[3])};
 }
 
-// Equal fractions along both lines.
+// Returns sides at equal fractions of both lines.
 std::vector<Side> even_sides(int count) {
   std::vector<Side> sides;
   for (int i = 0; i <= count; ++i) {
@@ -65,7 +65,8 @@ std::vector<Side> even_sides(int count) {
   return sides;
 }
 
-// Running sums of listed widths over their total; scaled: the total is not the length.
+// Returns the running sums of listed widths over their total. scaled: set if the total
+// differs from the length of the line.
 std::vector<Rational> listed_fractions(const std::vector<Decimal>& widths, int count,
                                        const Vector& line, const char* which,
                                        bool& scaled) {
@@ -87,7 +88,7 @@ std::vector<Rational> listed_fractions(const std::vector<Decimal>& widths, int c
     sum.push_back(sum.back() + width);
   }
   const Rational total = sum.back();
-  // No decimal is the length of most slanted lines: nine digits are enough.
+  // Most slanted lines have a length that no decimal equals, so nine digits are enough.
   const Rational squares = total * total / line.squared_length();
   scaled = std::abs(exact::nearest(squares - Rational(1))) > 2e-9;
   for (Rational& s : sum)
@@ -107,7 +108,7 @@ std::vector<Side> listed_sides(const LayerRequest& request, const Quad& quad,
   return sides;
 }
 
-// Largest whole number not above a non-negative rational.
+// Returns the largest integer not above a non-negative rational.
 CGAL::Gmpz whole(const Rational& value) {
   return value.numerator() / value.denominator();
 }
@@ -171,10 +172,10 @@ std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,
   return std::move(oriented->sides);
 }
 
-// One coordinate of the places on a line, each rounded once.
+// One coordinate of points on a line, rounded once for each point.
 class Coordinate {
  public:
-  /// side: towards which the places are rounded, 0 for the nearest double.
+  /// side: direction in which coordinates are rounded, as in rounded_towards.
   Coordinate(const Rational& from, const Rational& to, int side)
       : unit_(exact::common_denominator({from, to})), from_(exact::times(from, unit_)),
         length_(exact::times(to, unit_) - from_), side_(side) {}
@@ -187,11 +188,12 @@ class Coordinate {
   int side_;
 };
 
-// Places on a line, the layer lying to its left. The two ends as given; all places on a
-// line along an axis: the nearest doubles, which other layers and blocks share. Between
-// the ends of a slanted line each coordinate is rounded towards the layer, so that no
-// vertex is behind the line through the rounded ends, nor behind the line as the
-// decimals give it: what shares the whole line never overlaps.
+// Points on a line that has the layer on its left. The two ends are the given doubles.
+// Points on an axis-parallel line are rounded to the nearest doubles, which other
+// layers and blocks share. Between the ends of a slanted line each coordinate is
+// rounded towards the layer. So no vertex is behind the line through the rounded ends
+// or behind the line of the decimals. Layers that share the whole line therefore never
+// overlap.
 class RoundedLine {
  public:
   RoundedLine(const Point& from, const Point& to, const Vec2& start, const Vec2& end)
@@ -229,16 +231,17 @@ class RoundedLine {
 
   Vec2 start_, end_;
   int x_side_, y_side_;
-  std::vector<Coordinate> x_, y_;  ///< of the exact line, and of the rounded one
+  std::vector<Coordinate> x_, y_;  ///< of the exact line and of the rounded one
 };
 
-// Vertices: the bottom ends of the sides from the left, then their top ends.
+// Builds the mesh of a layer. Its vertices are the bottom ends of the sides from the
+// left, then their top ends.
 Mesh mesh_of(const Quad& quad, const std::array<Vec2, 4>& corners,
              const std::vector<Side>& sides) {
   const std::size_t n = sides.size() - 1;
   Mesh mesh;
   mesh.vertices.resize(2 * (n + 1));
-  // Seen from the right the top line, too, has the layer on its left.
+  // The top line runs from right to left, so that it has the layer on its left as well.
   const RoundedLine bottom_line(quad.bl, quad.br, corners[0], corners[3]);
   const RoundedLine top_line(quad.tr, quad.tl, corners[2], corners[1]);
   for (std::size_t i = 0; i <= n; ++i) {

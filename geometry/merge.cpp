@@ -15,8 +15,9 @@ std::vector<std::size_t> merge_slender(const std::vector<Rational>& sides,
   const auto absorb = [&](std::size_t block, std::size_t into, const Rational& ratio) {
     record.push_back({static_cast<int>(block), static_cast<int>(into), nearest(ratio)});
   };
-  // Block i lies between sides i - 1 and i; with all it has absorbed it begins at the
-  // last side kept, so one pass leaves no slender block but, perhaps, the last.
+  // Block i lies between sides i - 1 and i. With the blocks that it has absorbed, it
+  // begins at the last side kept. So one pass leaves no slender block except, perhaps,
+  // the last.
   for (std::size_t i = 1; i <= last; ++i) {
     const Rational ratio = (sides[i] - sides[kept.back()]) * length_to_height;
     if (ratio >= smallest) {

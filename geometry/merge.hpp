@@ -1,4 +1,4 @@
-// The record of MERGE: who absorbed whom, and why (report A.2.6,
+// Record of the blocks that MERGE absorbed, and why (report A.2.6,
 // docs/departures.md#merge).
 #pragma once
 
@@ -8,9 +8,9 @@ namespace blocks::geometry {
 /// before MERGE, from 1 at the left.
 struct Absorption {
   int absorbed = 0;
-  int into = 0;  ///< right neighbour; the left one for the last block
-  double width_to_height =
-      0.0;  ///< of the absorbed block (with what it had absorbed itself)
+  int into = 0;  ///< the right neighbour, or the left one for the last block
+  /// Width/height of the absorbed block, including blocks that it had absorbed itself.
+  double width_to_height = 0.0;
 };
 
 }  // namespace blocks::geometry

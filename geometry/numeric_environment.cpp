@@ -6,7 +6,7 @@
 namespace blocks::geometry {
 
 std::string check_numeric_environment() {
-  // Computed at run time, never folded by the compiler.
+  // volatile forces the computation at run time; the compiler must not fold it.
   volatile const double one = 1.0;
   volatile const double above_half_ulp = 0x1.8p-53;
   volatile const double below_half_ulp = 0x1p-54;
@@ -22,7 +22,8 @@ std::string check_numeric_environment() {
       !down_negative)
     return "floating-point rounding is not to nearest: contact decisions would not be "
            "reliable";
-  // First this one: under DAZ a subnormal product would compare as zero as well.
+  // DAZ is tested first, because under DAZ a subnormal product would also compare as
+  // zero.
   const double scaled = smallest * 0x1p60;
   if (!(scaled > 0))
     return "subnormal floating-point arguments are read as zero (DAZ): was a part of "

@@ -1,16 +1,17 @@
-// Is the floating-point unit in the state the predicates were proved for?
+// Checks and sets the floating-point state that the proofs of the predicates assume.
 #pragma once
 
 #include <string>
 
 namespace blocks::geometry {
 
-/// Empty if the calling thread rounds to nearest and keeps subnormal numbers; otherwise
-/// a sentence that says what is wrong. Call it at the start of every thread that steps.
+/// Returns an empty string if the calling thread rounds to nearest and keeps subnormal
+/// numbers, otherwise a sentence that says what is wrong. Call it at the start of every
+/// thread that steps the model.
 std::string check_numeric_environment();
 
-/// Rounds to nearest for the life of the object, then as before: the answers of
-/// geometry do not depend on the rounding mode of whoever asks.
+/// Sets rounding to nearest and restores the previous mode on destruction. The results
+/// of geometry then do not depend on the rounding mode of the caller.
 class RoundToNearest {
  public:
   RoundToNearest();

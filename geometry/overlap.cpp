@@ -30,7 +30,7 @@ Box box_of(const Polygon& p) {
   return box;
 }
 
-// Boxes that only touch hold no common interior.
+// Boxes that only touch have no common interior.
 bool overlap(const Box& a, const Box& b) {
   return (a.low.array() < b.high.array()).all() &&
          (b.low.array() < a.high.array()).all();
@@ -40,8 +40,9 @@ CGAL::Orientation turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return CGAL::orientation(exact::point(a), exact::point(b), exact::point(c));
 }
 
-// An edge of the convex clockwise p has all of q on its outer side or on its line. Of
-// two convex outlines with disjoint interiors, one has such an edge.
+// Tests whether some edge of the convex clockwise p has all of q on its outer side or
+// on its line. If two convex outlines have disjoint interiors, one of them has such an
+// edge.
 bool edge_separates(const Polygon& p, const Polygon& q) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec2& a = p[i];
@@ -59,7 +60,7 @@ bool interiors_meet(const Polygon& p, const Polygon& q) {
   return !edge_separates(p, q) && !edge_separates(q, p);
 }
 
-// How far q reaches behind the edges of p, the least over the edges.
+// Returns the least distance by which q reaches behind an edge of p.
 double least_reach(const Polygon& p, const Polygon& q) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -73,12 +74,13 @@ double least_reach(const Polygon& p, const Polygon& q) {
   return least;
 }
 
-// Two convex outlines are separated first along the normal of one of their edges.
+// The shortest translation that separates two convex outlines is along the normal of
+// one of their edges.
 double separating_shift(const Polygon& p, const Polygon& q) {
   return std::min(least_reach(p, q), least_reach(q, p));
 }
 
-// The convex parts of the outline, each as a polygon.
+// Returns the convex parts of the outline as polygons.
 std::vector<Polygon> convex_pieces(const Polygon& outline) {
   std::vector<Polygon> pieces;
   for (const std::vector<int>& part : convex_parts(outline)) {
@@ -89,8 +91,8 @@ std::vector<Polygon> convex_pieces(const Polygon& outline) {
   return pieces;
 }
 
-// What of the convex q lies inside the convex clockwise p (Sutherland-Hodgman), in
-// doubles and relative to `origin`: only for figures of the report.
+// Returns the part of the convex q inside the convex clockwise p (Sutherland-Hodgman),
+// in doubles and relative to `origin`. Only values of the report use it.
 Polygon clipped(const Polygon& p, const Polygon& q, const Vec2& origin) {
   Polygon rest = q;
   for (Vec2& corner : rest)
@@ -116,8 +118,8 @@ Polygon clipped(const Polygon& p, const Polygon& q, const Vec2& origin) {
   return rest;
 }
 
-// Relative to `origin`. What is so thin that the doubles of the corners leave it few
-// digits, or clip it to nothing, is calculated exactly.
+// Returns the intersection of p and q, relative to `origin`. It is computed exactly if
+// it is so thin that doubles would leave it few digits or clip it to nothing.
 exact::CommonPart common_part(const Polygon& p, const Polygon& q, const Vec2& origin,
                               Figures figures) {
   const Polygon common = clipped(p, q, origin);
@@ -137,7 +139,7 @@ exact::CommonPart common_part(const Polygon& p, const Polygon& q, const Vec2& or
   return thin;
 }
 
-// The outlines with their boxes and, once asked for, their convex pieces.
+// The outlines with their convex parts, which are computed on first use.
 class Blocks {
  public:
   Blocks(const std::vector<Polygon>& outlines, Figures figures)

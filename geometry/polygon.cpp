@@ -16,7 +16,8 @@ namespace {
 using exact::Filtered;
 using Points = std::vector<Filtered::Point_2>;
 
-// Above this the sweep of CGAL answers first; below, looking at pairs is faster.
+// Above this number of corners the sweep of CGAL runs first. Below, testing pairs of
+// sides is faster.
 constexpr std::size_t many_corners = 200;
 
 std::size_t next(const Points& p, std::size_t i) { return (i + 1) % p.size(); }
@@ -36,8 +37,9 @@ OutlineCheck fault_at(OutlineFault fault, std::size_t first, std::size_t second)
   return check;
 }
 
-// Strictly convex and once around: turns of one sign, and the corners run once to the
-// right and once to the left. The common case, decided without looking at pairs.
+// Tests whether the outline is strictly convex and winds once. All turns then have the
+// same sign, and the corners run once to the right and once to the left. This decides
+// the common case without testing pairs of sides.
 bool strictly_convex(const Points& p) {
   const CGAL::Orientation sense = turn(p, 0);
   if (sense == CGAL::COLLINEAR)
@@ -75,7 +77,7 @@ bool all_on_one_line(const Points& p) {
   return true;
 }
 
-// Sides i and j, i < j, meet in more than the corner that neighbours share.
+// Tests whether sides i and j, i < j, share more than the corner that neighbours share.
 bool sides_cross(const Points& p, std::size_t i, std::size_t j) {
   const std::size_t ni = next(p, i);
   const std::size_t nj = next(p, j);
@@ -84,13 +86,14 @@ bool sides_cross(const Points& p, std::size_t i, std::size_t j) {
   if (ni != j && nj != i)
     return CGAL::do_intersect(a, b);
   const std::size_t shared = ni == j ? j : i;
-  // On one line, and not straight on: folded back.
+  // The sides are folded back if they are collinear and do not continue straight on.
   return turn(p, shared) == CGAL::COLLINEAR &&
          !CGAL::collinear_are_ordered_along_line(p[previous(p, shared)], p[shared],
                                                  p[next(p, shared)]);
 }
 
-// The first crossing found by pairs of sides whose boxes overlap, swept along x.
+// Reports the first crossing among pairs of sides whose boxes overlap, in a sweep along
+// x.
 bool find_crossing(const Points& p, OutlineCheck& check) {
   struct Side {
     CGAL::Bbox_2 box;
@@ -152,7 +155,7 @@ OutlineCheck check_outline(const Polygon& outline) {
   const bool swept = p.size() > many_corners && CGAL::is_simple_2(p.begin(), p.end());
   if (!swept && find_crossing(p, check))
     return check;
-  // The corner that comes first in (x, y) order is convex in a simple outline.
+  // In a simple outline the lexicographically smallest corner (x, then y) is convex.
   const auto corner = std::min_element(p.begin(), p.end()) - p.begin();
   const CGAL::Orientation sense = turn(p, static_cast<std::size_t>(corner));
   check.anticlockwise = sense == CGAL::LEFT_TURN;

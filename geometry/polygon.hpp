@@ -18,26 +18,28 @@ enum class OutlineFault {
   self_crossing
 };
 
-/// What exact predicates say of an outline.
+/// The result of check_outline.
 struct OutlineCheck {
   OutlineFault fault = OutlineFault::none;
-  int first = -1;   ///< corner or side concerned, from 0 (-1: none)
-  int second = -1;  ///< the other corner or side concerned, from 0 (-1: none)
-  bool anticlockwise = false;  ///< simple, but in the wrong sense
-  bool convex = true;          ///< no corner turns the wrong way
+  int first = -1;              ///< corner or side at fault, from 0; -1: none
+  int second = -1;             ///< the other corner or side at fault, from 0; -1: none
+  bool anticlockwise = false;  ///< simple, but with the wrong orientation
+  bool convex = true;          ///< no corner is re-entrant
 };
 
 /// Checks an outline by exact predicates on the given doubles. A side folded back on
-/// its neighbour (a spike) counts as self_crossing, all corners on one line as no_area.
+/// its neighbour (a spike) is reported as self_crossing, and corners that all lie on
+/// one line as no_area.
 OutlineCheck check_outline(const Polygon& outline);
 
-/// The fault in words, corners and sides counted from 1: "sides 1 and 3 cross".
+/// Returns the fault in words, with corners and sides counted from 1: "sides 1 and 3
+/// cross".
 std::string describe(const OutlineCheck& check);
 
-/// The same outline in the other sense; corner 1 stays first.
+/// Returns the outline with the opposite orientation; corner 1 stays first.
 Polygon reversed(const Polygon& outline);
 
-/// Adds copy * shift to every corner exactly and rounds once (CLOOP).
+/// Adds copy * shift to every corner exactly and rounds the sum once (CLOOP).
 Polygon place_outline(const std::vector<DecimalPoint>& corners,
                       const DecimalPoint& shift, int copy);
 
@@ -48,8 +50,8 @@ struct SectionProperties {
   double second_moment = 0.0;
 };
 
-/// Properties of a simple clockwise outline, computed from differences to its first
-/// corner so that they do not lose digits far from the origin.
+/// Computes the properties of a simple clockwise outline. It uses differences to the
+/// first corner, so it loses no digits far from the origin.
 SectionProperties section_properties(const Polygon& outline);
 
 }  // namespace blocks::geometry

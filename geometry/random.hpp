@@ -1,20 +1,21 @@
-// Counter-based, portable, seeded random streams (Philox 4x64): order-free, keyed by
-// (seed, layer, block), so that adding a layer does not change the others
-// (stream_of in layer.hpp names a layer).
+// Counter-based, portable, seeded random streams (Philox 4x64). Numbers do not depend
+// on the order of the calls. They are keyed by (seed, layer, block), so adding a layer
+// does not change the others (stream_of in layer.hpp derives the key of a layer).
 #pragma once
 
 #include <cstdint>
 
 namespace blocks::geometry {
 
-/// Names one stream. The same key gives the same numbers on every machine.
+/// Identifies one stream. The same key gives the same numbers on every machine.
 struct StreamKey {
   std::uint64_t seed = 0;
   std::uint64_t layer = 0;
 };
 
-/// A whole number, uniform in [0, 2^53): the caller scales it exactly.
-/// block: which block of the layer; draw: which redraw of it; use: what it is for.
+/// Returns an integer uniform in [0, 2^53), which the caller scales exactly. block:
+/// number of the block in the layer. draw: number of the redraw. use: purpose of the
+/// number, such as width or angle.
 std::uint64_t random_53_bits(StreamKey key, std::uint64_t block, std::uint32_t draw,
                              std::uint32_t use);
 

@@ -1,5 +1,6 @@
-// What the rounding of corners alone can do to neighbours that are meant to touch: to
-// doubles, and before that to the decimals of a deck.
+// Bounds of the overlap or gap that rounding alone can cause between blocks that are
+// meant to touch. Corners are rounded twice: to the decimals of a deck, then to
+// doubles.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +11,16 @@
 
 namespace blocks::geometry {
 
-/// Units in the last place of the largest coordinate by which they may overlap or part.
+/// Overlaps and gaps up to this many units in the last place of the largest coordinate
+/// are attributed to rounding to doubles.
 inline constexpr double rounding_units = 4.0;
 
-/// And by this part of the smaller block's size, the root of its area: twelve digits.
+/// Overlaps up to this multiple of the smaller block's size, the square root of its
+/// area, are attributed to decimals of twelve digits.
 inline constexpr double rounding_part = 1e-11;
 
-/// The largest overlap of two blocks that is rounding, along the whole outline of the
-/// one whose outline is shorter, [L^2].
+/// Returns the largest overlap area of two blocks that is attributed to rounding,
+/// [L^2]. It is the shorter of the two perimeters times the width allowed for rounding.
 inline double rounding_area(const Polygon& p, const Polygon& q) {
   const auto outline_length = [](const Polygon& outline) {
     double length = 0.0;

@@ -27,14 +27,15 @@ bool has_slanted_side(const DeckOutline& outline) {
   return false;
 }
 
-// One copy of an outline, on the nearest doubles, clockwise.
+// One copy of an outline, clockwise, with the nearest doubles as corners.
 struct Copy {
   const DeckOutline* from;
   int number;
   bool reversed;
 };
 
-// A corner strictly inside the side a -> b, which has the other outline on its right.
+// A corner strictly inside the side a -> b of another outline, which is on the right of
+// that side.
 struct Touch {
   Key corner, a, b;
   auto operator<=>(const Touch&) const = default;
@@ -48,7 +49,8 @@ exact::Point exact_corner(const Copy& copy, std::size_t corner) {
          exact::Vector(shift.x() * copy.number, shift.y() * copy.number);
 }
 
-// Not farther from the line a -> b than rounding could have put a point of it.
+// Tests whether the corner is as close to the line a -> b as rounding can have moved a
+// point of that line.
 bool may_touch(const Vec2& corner, const Vec2& a, const Vec2& b) {
   const Vec2 side = b - a;
   const double reach =
@@ -62,11 +64,11 @@ bool touches(const exact::Point& corner, const exact::Point& a, const exact::Poi
          CGAL::collinear_are_strictly_ordered_along_line(a, corner, b);
 }
 
-// A corner moves by no more units in the last place of the largest coordinate at a
-// time.
+// A corner moves by at most this many units in the last place of the largest coordinate
+// at a time.
 constexpr double most_units = 64.0;
 
-// Moves the corners of all touches out of their sides.
+// Moves the corners of all touches out of the sides that they touch.
 class Mover {
  public:
   Mover(std::set<Touch> touches, const std::vector<Polygon>& outlines)
@@ -76,8 +78,8 @@ class Mover {
     for (const Polygon& outline : outlines)
       for (std::size_t i = 0; i < outline.size(); ++i)
         note_axis(outline[i], outline[(i + 1) % outline.size()]);
-    // Each round heeds what the round before has moved; a ring of touches that never
-    // settles is left to the certificate.
+    // Each round starts from the moves of the round before. A cycle of touches that
+    // never settles is left to the certificate.
     bool moving = true;
     for (int round = 0; round < 64 && moving; ++round) {
       moving = false;
@@ -103,7 +105,8 @@ class Mover {
         found->second.vertical = found->second.vertical || a.x() == b.x();
       }
   }
-  // Whether the corner had to be moved.
+  // Moves the corner of the touch out of the side if it is inside; returns whether it
+  // moved.
   bool leave(const Touch& touch) {
     const Vec2 a = place(touch.a), b = place(touch.b);
     const auto inside = [&](const Vec2& p) {

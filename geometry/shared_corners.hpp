@@ -1,6 +1,7 @@
-// Doubles for the corners that touch the side of another outline: rounded to the
-// nearest double, a corner inside a slanted side would end a last place before or
-// behind it, and two layers that share a part of a line would overlap by that much.
+// Chooses the doubles of corners that touch a side of another outline. The nearest
+// doubles of a corner inside a slanted side may be a unit in the last place before or
+// behind that side. Two layers that share a part of a line would then overlap by that
+// much.
 #pragma once
 
 #include <cstddef>
@@ -13,29 +14,30 @@
 
 namespace blocks::geometry {
 
-/// An outline as the deck gives it: a layer, or a block and its copies, each moved by
-/// one more shift.
+/// An outline as the deck gives it: a layer, or a block with its copies. Copy i is
+/// translated by i * shift.
 struct DeckOutline {
-  std::vector<DecimalPoint> corners;  ///< [L], either sense of rotation
+  std::vector<DecimalPoint> corners;  ///< [L], clockwise or anticlockwise
   DecimalPoint shift;                 ///< [L]
   int copies = 1;
 };
 
-/// Corners that lie strictly inside a side of another outline, on the decimals, are
-/// moved out of that outline until, on the doubles, they are not inside the side: by a
-/// few units in the last place of the largest coordinate, 64 at most at a time; along
-/// the axis in which a side at the corner runs, if that is enough, so that lines along
-/// an axis stay on it. All others keep the nearest doubles. Law: the order of the
-/// outlines changes nothing; an outline that touches no other changes nothing.
+/// Finds corners that, in exact decimals, lie strictly inside a side of another
+/// outline. Moves each of them out of that outline until its doubles are not inside the
+/// side. A move is a few units in the last place of the largest coordinate, at most 64
+/// at a time. It follows the axis along which a side at the corner runs, if that is
+/// enough, so that axis-parallel lines keep their coordinate. All other corners keep
+/// the nearest doubles. Guarantees: the order of the outlines has no effect, and an
+/// outline that touches no other is not changed.
 class SharedCorners {
  public:
   SharedCorners() = default;
   explicit SharedCorners(const std::vector<DeckOutline>& outlines);
 
-  /// The double point that stands for the corner whose nearest doubles these are.
+  /// Returns the doubles of the corner whose nearest doubles are given.
   Vec2 place(const Vec2& nearest) const;
 
-  /// How many corners do not have the nearest doubles.
+  /// Returns how many corners do not have the nearest doubles.
   std::size_t moved() const { return places_.size(); }
 
  private:

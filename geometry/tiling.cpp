@@ -40,7 +40,7 @@ void refuse(TilingCertificate& certificate, const std::string& fault,
   }
 }
 
-// The corners of a loop of indices, or nothing if one points nowhere.
+// Returns the corners of a loop of indices, or nothing if an index is out of range.
 std::optional<Polygon> corners(const Mesh& mesh, const std::vector<int>& loop) {
   Polygon polygon;
   polygon.reserve(loop.size());
@@ -53,7 +53,8 @@ std::optional<Polygon> corners(const Mesh& mesh, const std::vector<int>& loop) {
   return polygon;
 }
 
-// What is wrong with one loop, or an empty string: simple and clockwise.
+// Returns what is wrong with one loop, or an empty string if it is simple and
+// clockwise.
 std::string loop_fault(const Mesh& mesh, const std::vector<int>& loop) {
   const auto polygon = corners(mesh, loop);
   if (!polygon)
@@ -70,7 +71,7 @@ void append_edges(const std::vector<int>& loop, int cell, std::vector<Edge>& edg
   }
 }
 
-// (b) and (c): every cell, and the outline, is simple and clockwise.
+// Checks (b) and (c): every cell, and the outline, is simple and clockwise.
 void check_loops(const Mesh& mesh, TilingCertificate& certificate) {
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
@@ -86,7 +87,7 @@ void check_loops(const Mesh& mesh, TilingCertificate& certificate) {
     refuse(certificate, "outline: " + fault);
 }
 
-// (a): directed edges cancel in pairs, and what remains is the outline.
+// Checks (a): directed edges cancel in pairs, and the remaining ones are the outline.
 void check_edges(const Mesh& mesh, TilingCertificate& certificate) {
   std::vector<Edge> edges;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -129,7 +130,7 @@ void check_edges(const Mesh& mesh, TilingCertificate& certificate) {
 }  // namespace
 
 TilingCertificate certify_tiling(const Mesh& mesh) {
-  const RoundToNearest mode;  // the filters of the predicates are proved for it
+  const RoundToNearest mode;  // required by the proofs of the predicates' filters
   TilingCertificate certificate;
   if (mesh.cells.empty())
     refuse(certificate, "no cells");

@@ -1,5 +1,6 @@
-// The tiling certificate: these rounded polygons tile that outline, or where they do
-// not. See docs/theory.md. Knows nothing of decks or blocks in motion.
+// The tiling certificate: proves that rounded polygons tile an outline, or tells where
+// they do not (docs/theory.md#the-tiling-certificate). Independent of decks and of
+// blocks in motion.
 #pragma once
 
 #include <string>
@@ -20,15 +21,16 @@ struct Mesh {
 struct TilingCertificate {
   bool holds = false;
   int cells = 0;           ///< simple clockwise cells, by exact predicates
-  int interior_edges = 0;  ///< twin pairs found
-  int outline_edges = 0;   ///< edges without twin: exactly those of the outline
-  std::string fault;       ///< empty if it holds, else what fails and where
+  int interior_edges = 0;  ///< pairs of opposite directed edges
+  int outline_edges = 0;   ///< edges without a twin; exactly those of the outline
+  std::string fault;       ///< empty if it holds, otherwise what fails and where
   std::vector<int> offending_cells;
 };
 
-/// Proves that the cells tile the outline: (a) every interior directed edge has its
-/// twin and the others form the outline, (b) every cell is simple and clockwise, (c) so
-/// is the outline. n log n. Then every interior point lies in exactly one cell.
+/// Proves that the cells tile the outline, so that every interior point lies in exactly
+/// one cell. It checks that (a) every interior directed edge has its twin and the
+/// others form the outline, (b) every cell is simple and clockwise, and (c) the outline
+/// is simple and clockwise. Takes O(n log n) time.
 TilingCertificate certify_tiling(const Mesh& mesh);
 
 }  // namespace blocks::geometry

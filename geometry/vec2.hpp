@@ -1,4 +1,4 @@
-// The two plain types every folder shares: a point of the plane and a block outline.
+// The two basic types that all folders share: a point in the plane and a block outline.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,16 +6,16 @@
 
 namespace blocks::geometry {
 
-/// A point or a vector of the plane, [L].
+/// A point or a vector in the plane, [L].
 using Vec2 = Eigen::Vector2d;
 
 /// Corners of a block outline, [L]: clockwise, not closed (the last corner differs from
 /// the first). Side i runs from corner i to corner i + 1.
 using Polygon = std::vector<Vec2>;
-/// Of the outline of one block.
+/// The largest number of corners of a block.
 inline constexpr int most_corners = 32767;
 
-/// z component of a x b: positive when b lies anticlockwise of a.
+/// z component of a x b: positive when b is anticlockwise of a.
 inline double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }

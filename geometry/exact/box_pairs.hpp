@@ -1,5 +1,6 @@
-// PRIVATE to geometry/: pairs of blocks whose bounding boxes meet, in n log n (the
-// streamed segment tree of Zomorodian and Edelsbrunner, in CGAL).
+// PRIVATE to geometry/: finds pairs of outlines whose bounding boxes intersect, in O(n
+// log n) time. It uses the streamed segment tree of Zomorodian and Edelsbrunner, in
+// CGAL.
 #pragma once
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -14,7 +15,8 @@ namespace blocks::geometry::exact {
 
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
 
-/// The bounding box of an outline that is not empty, grown by `reach` [L].
+/// Returns the bounding box of a non-empty outline, enlarged by `reach` [L] on all
+/// sides.
 inline Box box_of(const Polygon& outline, std::size_t number, double reach = 0.0) {
   Vec2 low = outline.front();
   Vec2 high = outline.front();
@@ -29,8 +31,9 @@ inline Box box_of(const Polygon& outline, std::size_t number, double reach = 0.0
   return {lower, upper, number};
 }
 
-/// Calls visit(i, j), i < j, once for every two outlines whose boxes, each grown by its
-/// reach, share a point; with no reach at all: share an inner point.
+/// Calls visit(i, j), i < j, once for every two outlines whose boxes, each enlarged by
+/// its reach, share a point. If `reach` is empty, the boxes must share an interior
+/// point.
 template <typename Visit>
 void for_each_close_pair(const std::vector<Polygon>& outlines,
                          const std::vector<double>& reach, Visit visit) {

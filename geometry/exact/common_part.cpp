@@ -19,7 +19,7 @@ Outline exactly(const Polygon& polygon) {
   return outline;
 }
 
-/// What of q lies on the inner side of p's edges (Sutherland-Hodgman).
+/// Returns the part of `rest` on the inner side of all edges of p (Sutherland-Hodgman).
 Outline clipped(const Outline& p, Outline rest) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Point& a = p[i];
@@ -38,7 +38,7 @@ Outline clipped(const Outline& p, Outline rest) {
   return rest;
 }
 
-/// How far q reaches behind the edges of p, the least over the edges.
+/// Returns the least distance by which q reaches behind an edge of p.
 double least_reach(const Polygon& p, const Outline& exact_p, const Outline& q) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < p.size(); ++i) {

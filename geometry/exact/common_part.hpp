@@ -1,19 +1,19 @@
-// PRIVATE to geometry/: what two convex outlines have in common, when it is so thin
-// that doubles would tell nothing of it.
+// PRIVATE to geometry/: the intersection of two convex outlines that is too thin to be
+// computed in doubles.
 #pragma once
 
 #include "geometry/vec2.hpp"
 
 namespace blocks::geometry::exact {
 
-/// Figures of a common part, calculated exactly up to the last roundings.
+/// Measures of the intersection, exact up to the last roundings.
 struct CommonPart {
-  double area = 0.0;          ///< [L^2]; 0 when it is below the smallest double
-  Vec2 place = Vec2::Zero();  ///< [L] its centroid
-  double depth = 0.0;         ///< [L] shortest shift that separates the two
+  double area = 0.0;          ///< [L^2]; 0 if below the smallest double
+  Vec2 place = Vec2::Zero();  ///< [L] centroid of the intersection
+  double depth = 0.0;         ///< [L] shortest translation that separates the two
 };
 
-/// p, q: convex and clockwise, their interiors meet.
+/// Intersects p and q, which must be convex and clockwise with intersecting interiors.
 CommonPart common_part(const Polygon& p, const Polygon& q);
 
 }  // namespace blocks::geometry::exact

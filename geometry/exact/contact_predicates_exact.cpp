@@ -1,5 +1,6 @@
-// Cold halves of geometry/contact_predicates.hpp: first exact sums of a few doubles,
-// which settle corners lying on an edge, then CGAL's multiple-precision numbers.
+// The exact part of geometry/contact_predicates.hpp. Exact sums of a few doubles come
+// first; they decide for corners that lie on an edge. CGAL's multiple-precision numbers
+// decide the rest.
 #include "geometry/contact_predicates.hpp"
 
 #include <CGAL/Mpzf.h>
@@ -15,7 +16,7 @@ namespace blocks::geometry::exact {
 
 namespace {
 
-// Only sums and products are taken, so a ring is enough.
+// The predicates need only sums and products, so a ring is enough.
 #ifdef CGAL_HAS_MPZF
 using Number = CGAL::Mpzf;
 #else
@@ -27,8 +28,8 @@ thread_local unsigned long long undecided_by_doubles = 0;
 
 constexpr int unknown = 2;
 
-/// a - b as two doubles, exactly: value = fl(a - b), tail the rest (Knuth). NaN on
-/// overflow, so that no test of the tail passes.
+/// a - b as an exact sum of two doubles (Knuth): value = fl(a - b), and tail is the
+/// rest. On overflow the tail is NaN, so no test of it succeeds.
 struct Difference {
   double value;
   double tail;
@@ -40,14 +41,14 @@ struct Difference {
   }
 };
 
-/// Sign of (c - o) x (p2 - p1) by exact sums of doubles, or `unknown`.
+/// Returns the sign of (c - o) x (p2 - p1) by exact sums of doubles, or `unknown`.
 int cross_sign_in_doubles(const Vec2& c, const Vec2& o, const Vec2& p1,
                           const Vec2& p2) {
   const Difference dx(c.x(), o.x());
   const Difference dy(c.y(), o.y());
   const Difference ex(p2.x(), p1.x());
   const Difference ey(p2.y(), p1.y());
-  // A difference is zero only if the numbers are equal, so these zeros are exact.
+  // A difference is zero only if its two numbers are equal, so these zeros are exact.
   const bool plus_zero = dx.value == 0 || ey.value == 0;
   const bool minus_zero = dy.value == 0 || ex.value == 0;
   if (plus_zero && minus_zero)
@@ -55,7 +56,8 @@ int cross_sign_in_doubles(const Vec2& c, const Vec2& o, const Vec2& p1,
 
   const double plus = dx.value * ey.value;
   const double minus = dy.value * ex.value;
-  // Room for the tails of the products and their products above the underflow.
+  // Within these limits the tails of the products, and products with tails, do not
+  // underflow.
   constexpr double small = 0x1p-800;
   constexpr double large = 0x1p1000;
   const bool plus_safe =
@@ -68,12 +70,13 @@ int cross_sign_in_doubles(const Vec2& c, const Vec2& o, const Vec2& p1,
   const double minus_tail = std::fma(dy.value, ex.value, -minus);
 
   if (dx.tail == 0 && dy.tail == 0 && ex.tail == 0 && ey.tail == 0) {
-    // Rounding keeps order: only equal heads leave the decision to the tails.
+    // Rounding is monotone, so the tails decide only if the heads are equal.
     if (plus != minus)
       return plus > minus ? 1 : -1;
     return filter::sign(plus_tail - minus_tail);
   }
-  // Second order: what is left out is at most a few u^2 of the magnitude.
+  // The sum is taken to second order. What is left out is at most a few u^2 of the
+  // magnitude.
   const Difference head(plus, minus);
   const double rest =
       (plus_tail - minus_tail) + ((dx.value * ey.tail + dx.tail * ey.value) -
@@ -107,7 +110,7 @@ int cross_sign(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
   return sign(cross(Vector(o, c), Vector(p1, p2)));
 }
 
-/// -part L^2 <= (c - p1).e <= (1 + part) L^2.
+/// Tests -part L^2 <= (c - p1).e <= (1 + part) L^2.
 bool between_ends(const Vec2& c, const Vec2& p1, const Vec2& p2, double part) {
   ++undecided_by_filter;
   ++undecided_by_doubles;
@@ -118,9 +121,9 @@ bool between_ends(const Vec2& c, const Vec2& p1, const Vec2& p2, double part) {
   return sign(along + slack) >= 0 && sign(length2 + slack - along) >= 0;
 }
 
-/// Whether an angle whose sine has the square sine^2 / q is at most ten degrees, or at
-/// least 170. With y = sine^2 / q: sin^2(10 deg) is the one root of
-/// 64y^3 - 96y^2 + 36y - 1 in [0, 1/4], where the cubic grows.
+/// Tests whether an angle is at most ten degrees or at least 170, if the square of its
+/// sine is y = sine^2 / q. In [0, 1/4] the cubic 64y^3 - 96y^2 + 36y - 1 increases, and
+/// sin^2(10 deg) is its only root.
 bool at_most_ten_degrees(const Number& sine, const Number& q) {
   const Number a = sine * sine;
   if (sign(Number(4) * a - q) >= 0)
@@ -207,7 +210,7 @@ int compare_depths(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& d,
   if (p_sign == 0)
     return 0;
   ++undecided_by_doubles;
-  // Equal signs: compare d^2 = (2A)^2 / L^2 crosswise.
+  // The signs are equal, so compare d^2 = (2A)^2 / L^2, cross-multiplied.
   const Vector p(p1, p2);
   const Vector q(q1, q2);
   const Number a = cross(Vector(p1, c), p);

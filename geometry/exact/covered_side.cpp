@@ -1,5 +1,5 @@
-// The question is written once, for any numbers: asked with intervals first, and with
-// rationals where an interval cannot tell.
+// The exact test is a template over the number type. It runs with intervals first, and
+// with rationals if an interval cannot decide.
 #include "geometry/covered_side.hpp"
 
 #include <CGAL/Interval_nt.h>
@@ -32,13 +32,13 @@ template <class Number> Number dot(const Vector<Number>& a, const Vector<Number>
   return a.x * b.x + a.y * b.y;
 }
 
-/// A bound of an interval is not a number any more.
+/// Thrown if a bound of an interval is NaN.
 struct Overflow {};
 
 Rational least(const Rational& a, const Rational& b) { return b < a ? b : a; }
 Rational most(const Rational& a, const Rational& b) { return a < b ? b : a; }
 
-/// After an overflow a bound may be NaN, and std::min and std::max would drop it.
+/// Throws if a bound is NaN, as after an overflow; std::min and std::max would drop it.
 void require_bounds(const Interval& a) {
   if (std::isnan(a.inf()) || std::isnan(a.sup()))
     throw Overflow();
@@ -52,13 +52,13 @@ Interval most(const Interval& a, const Interval& b) {
   return {std::max(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }
 
-/// Any number from a to b.
+/// Returns the interval of all numbers between a and b.
 Interval range(const Interval& a, const Interval& b) {
   require_bounds(a), require_bounds(b);
   return {a.inf(), b.sup()};
 }
 
-/// A part of a side, 0 to 1 along it.
+/// A part of a side, in [0, 1] along it.
 template <class Number> struct Part {
   Number from, to;
   Number length() const { return to - from; }
@@ -69,7 +69,7 @@ template <class Number> struct Part {
   bool may_be_empty() const { return CGAL::possibly(to <= from); }
 };
 
-/// One question in one kind of numbers.
+/// Decides for one side end, with one number type.
 template <class Number> class Question {
  public:
   Question(const SideEnd& end, Outline other)
@@ -77,7 +77,7 @@ template <class Number> class Question {
         first_(at(own_, side_)), along_(edge(own_, side_)),
         square_(dot(along_, along_)) {}
 
-  /// Nothing: the numbers are not sharp enough.
+  /// Returns nothing if the number type is not precise enough to decide.
   std::optional<Cover> answer(std::span<const Outline> neighbours) const {
     const Part<Number> interval = part_in(own_, side_, other_);
     if (interval.is_empty())
@@ -86,7 +86,7 @@ template <class Number> class Question {
                                            : Part<Number>{interval.from, Number(1)};
     Number of_stretch(0), of_interval(0), longest(0);
     Cover found;
-    bool rivals = false;  // it is not sure which covers most
+    bool rivals = false;  // it is uncertain which side covers most
     for (int k = 0; k < static_cast<int>(neighbours.size()); ++k)
       for (int f = 0; f < static_cast<int>(neighbours[k].size()); ++f) {
         const Part<Number> covered = covered_by(neighbours[k], f, stretch);
@@ -98,8 +98,7 @@ template <class Number> class Question {
         if (!found || CGAL::certainly(length > longest)) {
           rivals = false, longest = length, found = {k, f};
         } else if (CGAL::possibly(length > longest)) {
-          // A later side has to be longer than both before it is sure to be the
-          // longest.
+          // A later side must be longer than both before it is certainly the longest.
           rivals = true, longest = most(longest, length);
         }
       }
@@ -126,7 +125,8 @@ template <class Number> class Question {
   }
   Vector<Number> between(const Vec2& from, const Vec2& to) const { return {from, to}; }
 
-  /// The part of a side that lies in a convex polygon, as sharp as the numbers tell.
+  /// Returns the part of a side that lies in a convex polygon, as precisely as the
+  /// number type allows.
   Part<Number> part_in(Outline polygon, int side, Outline other) const {
     Part<Number> part{Number(0), Number(1)};
     const Vec2 &start = at(polygon, side), &stop = end(polygon, side);
@@ -137,7 +137,8 @@ template <class Number> class Question {
     }
     return part;
   }
-  /// The part behind a line, from twice the areas below it at both ends.
+  /// Returns the part of a side behind a line, from twice the areas below the line at
+  /// its two ends.
   static Part<Number> part_behind(const Number& first, const Number& last) {
     const Number zero(0), one(1);
     if (CGAL::certainly(first >= 0) && CGAL::certainly(last >= 0))
@@ -149,7 +150,7 @@ template <class Number> class Question {
     if (CGAL::certainly(first < 0) && CGAL::certainly(last > 0))
       return {first / (first - last), one};
     if constexpr (std::is_same_v<Number, Interval>) {
-      if (CGAL::certainly(first > 0))  // it may or may not come out before its end
+      if (CGAL::certainly(first > 0))  // the side may or may not leave before its end
         return {zero, last.inf() < 0 ? range(first / (first - last.inf()), one) : one};
       if (CGAL::certainly(last > 0))
         return {first.inf() < 0 ? range(zero, first.inf() / (first.inf() - last))
@@ -160,7 +161,7 @@ template <class Number> class Question {
     return {one, zero};
   }
 
-  /// What side f of a neighbour covers of the stretch, from its least to its most.
+  /// Returns the part of the stretch that side f of a neighbour covers.
   Part<Number> covered_by(Outline neighbour, int f, const Part<Number>& stretch) const {
     const Part<Number> none{Number(1), Number(0)};
     const Vector<Number> across = edge(neighbour, f);
@@ -176,7 +177,7 @@ template <class Number> class Question {
     const auto faces = face(across);
     if (CGAL::certainly(!faces))
       return none;
-    // lengths in units of the side from here on
+    // From here on, lengths are in units of the tested side.
     const Number h = stretch.length();
     const auto reaches = reaches_below(neighbour, f, h);
     if (CGAL::certainly(!reaches))
@@ -198,12 +199,13 @@ template <class Number> class Question {
                       CGAL::certainly(gap <= h) && CGAL::certainly(touches) &&
                       (!inside.may_be_empty() || CGAL::certainly(overlap));
     if constexpr (std::is_same_v<Number, Interval>)
-      if (!sure)  // perhaps nothing
+      if (!sure)  // the part may be empty
         return {covered.from, range(covered.from, covered.to)};
     return covered;
   }
 
-  /// Within ten degrees of antiparallel, of sides that run against each other.
+  /// Tests whether two sides with opposite directions are within ten degrees of
+  /// antiparallel.
   auto face(const Vector<Number>& across) const {
     const Number sine = cross(along_, across), a = sine * sine;
     const Number q = square_ * dot(across, across);
@@ -212,7 +214,7 @@ template <class Number> class Question {
             q * q * q);
   }
 
-  /// `other` reaches at least h below side f.
+  /// Tests whether `other` reaches at least h below side f.
   auto reaches_below(Outline neighbour, int f, const Number& h) const {
     const Vector<Number> across = edge(neighbour, f);
     const Number deepest_area = deepest(neighbour, f, other_);
@@ -220,7 +222,8 @@ template <class Number> class Question {
            (deepest_area * deepest_area >= h * h * square_ * dot(across, across));
   }
 
-  /// Twice the area below a side of one polygon to the deepest corner of the other.
+  /// Returns twice the area of the triangle of a side and the other polygon's deepest
+  /// corner below it.
   Number deepest(Outline polygon, int side, Outline other) const {
     const Vector<Number> along = edge(polygon, side);
     const auto area = [&](const Vec2& corner) {
@@ -231,13 +234,14 @@ template <class Number> class Question {
       found = most(found, area(corner));
     return found;
   }
-  /// A depth with its sign, squared: x |x|.
+  /// Returns the signed square x |x| of a depth x.
   Number depth(Outline polygon, int side, Outline other) const {
     const Vector<Number> along = edge(polygon, side);
     const Number area = deepest(polygon, side, other);
     return area * CGAL::abs(area) / dot(along, along);
   }
-  /// No side of the own polygon or the neighbour is less deep than both of these two.
+  /// Tests that no other side of the own polygon or the neighbour is less deep than
+  /// both of these two.
   auto touch_along(Outline neighbour, int f) const {
     const Number along =
         least(depth(own_, side_, neighbour), depth(neighbour, f, own_));
@@ -259,7 +263,7 @@ template <class Number> class Question {
   Number square_;
 };
 
-/// Nothing: the intervals cannot tell.
+/// Returns nothing if the intervals cannot decide.
 std::optional<Cover> answer_by_intervals(const SideEnd& end, Outline other,
                                          std::span<const Outline> neighbours) {
   const Interval::Protector upward;

@@ -1,5 +1,5 @@
-// PRIVATE to geometry/: fractions that are not reduced. The greatest common divisors of
-// reduced rationals cost more than all the rest of cutting a layer.
+// PRIVATE to geometry/: fractions that are not reduced. Reducing rationals by greatest
+// common divisors would cost more than all other work of cutting a layer.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace blocks::geometry::exact {
 
 using Integer = CGAL::Gmpz;
 
-/// num / den, den > 0, common divisors allowed.
+/// num / den with den > 0; common divisors are allowed.
 struct Fraction {
   Integer num = 0;
   Integer den = 1;
@@ -24,8 +24,8 @@ struct Fraction {
   Rational reduced() const { return {num, den}; }
 };
 
-/// Decided on doubles where these are sure: each quotient is off by less than four
-/// units of round-off (two whole numbers cut to 53 bits, one division).
+/// Compares doubles first, if their difference is certain. Each quotient has an error
+/// below four units of round-off: two integers truncated to 53 bits, and one division.
 inline bool operator<(const Fraction& a, const Fraction& b) {
   const double x = mpz_get_d(a.num.mpz()) / mpz_get_d(a.den.mpz());
   const double y = mpz_get_d(b.num.mpz()) / mpz_get_d(b.den.mpz());
@@ -35,10 +35,10 @@ inline bool operator<(const Fraction& a, const Fraction& b) {
   return a.num * b.den < b.num * a.den;
 }
 
-/// The least common multiple of the denominators.
+/// Returns the least common multiple of the denominators.
 Integer common_denominator(std::initializer_list<Rational> values);
 
-/// value * scale, where that is whole.
+/// Returns value * scale, which must be an integer.
 inline Integer times(const Rational& value, const Integer& scale) {
   return value.numerator() * (scale / value.denominator());
 }

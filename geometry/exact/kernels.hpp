@@ -1,6 +1,6 @@
-// PRIVATE to geometry/: the two exact kernels. Filtered predicates answer questions
-// about given doubles; plain rationals construct what the deck describes (lazy numbers
-// gain nothing there, and long chains of them overflow the stack).
+// PRIVATE to geometry/: the two exact kernels. Filtered predicates decide about given
+// doubles; plain rationals construct what the deck describes. Lazy numbers bring no
+// advantage there, and long chains of them overflow the stack.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -9,12 +9,15 @@
 
 namespace blocks::geometry::exact {
 
-/// Which sides stay when slender blocks are absorbed: width/height < smallest, by the
-/// next block on the right, the last one by its left neighbour, repeated.
-/// sides: increasing fractions of the mid-line, 0 and 1 included. length_to_height: of
-/// the mid-line, so that width/height is rational and a tie is decided as written.
-/// record: one entry is added per block absorbed. Returns indices into sides, the ends
-/// included.
+/// Absorbs slender blocks, those with width/height < smallest, and returns the sides
+/// that remain. A slender block is absorbed by the next block on its right, the last
+/// one by its left neighbour. This repeats until no slender block has a neighbour to
+/// absorb it.
+///
+/// sides: increasing fractions of the mid-line, including 0 and 1. length_to_height:
+/// that of the mid-line, so that width/height is rational and a tie is decided as
+/// written. record: receives one entry per absorbed block. Returns indices into sides,
+/// including both ends.
 std::vector<std::size_t> merge_slender(const std::vector<Rational>& sides,
                                        const Rational& length_to_height,
                                        const Rational& smallest,

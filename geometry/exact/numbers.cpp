@@ -11,7 +11,7 @@
 namespace blocks::geometry::exact {
 namespace {
 
-// Whole numbers of this thread that keep their memory: rounding asks for none.
+// Integers of this thread that keep their memory, so that rounding does not allocate.
 struct Scratch {
   Scratch() { mpz_inits(scaled, quotient, remainder, nullptr); }
   ~Scratch() { mpz_clears(scaled, quotient, remainder, nullptr); }
@@ -23,8 +23,9 @@ struct Scratch {
 constexpr int digits = std::numeric_limits<double>::digits;  // 53
 constexpr long least_exponent = std::numeric_limits<double>::min_exponent - digits;
 
-// |num| / den = (whole + a rest in [0, 1)) * 2^exponent; the whole has 53 bits, or
-// fewer for a subnormal. up: whether the rest rounds to one more.
+// Rounds num / den. |num| / den = (whole + rest) * 2^exponent with rest in [0, 1).
+// `whole` has 53 bits, or fewer if the result is subnormal. up: whether the rest rounds
+// `whole` up.
 double round_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
   const int sign = mpz_sgn(num);
   if (sign == 0)
@@ -33,8 +34,8 @@ double round_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
   const auto bits = [](mpz_srcptr z) {
     return static_cast<long>(mpz_sizeinbase(z, 2));
   };
-  // quotient < 2^(bits(num) - bits(den) + 1): of the exponent that leaves 53 bits or
-  // 54, in the latter case the next
+  // quotient < 2^(bits(num) - bits(den) + 1), so the first exponent leaves 53 or 54
+  // bits. If it leaves 54 bits, the next exponent is used.
   long exponent = std::max(bits(num) - bits(den) - digits, least_exponent);
   for (;; ++exponent) {
     mpz_srcptr divisor = den;
@@ -66,12 +67,14 @@ double round_quotient(mpz_srcptr num, mpz_srcptr den, int side) {
   }
 }
 
-// MPFR keeps pi, and numbers, for each thread: with the thread they go.
+// MPFR caches pi and other numbers for each thread. This frees them when the thread
+// ends.
 struct MpfrCache {
   ~MpfrCache() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 };
 
-// The tangent to so many bits, and the double nearest to the true one if they suffice.
+// Computes the tangent to `bits` bits. Returns the double nearest to the true value if
+// these bits determine it.
 std::optional<double> tangent_to(mpfr_prec_t bits, const Rational& degrees) {
   static thread_local const MpfrCache cache;
   mpfr_t angle;
@@ -82,8 +85,9 @@ std::optional<double> tangent_to(mpfr_prec_t bits, const Rational& degrees) {
   mpfr_mul(angle, angle, pi, MPFR_RNDN);
   mpfr_div_ui(angle, angle, 180, MPFR_RNDN);
   mpfr_tan(angle, angle, MPFR_RNDN);
-  // Four roundings of the angle, each relative 2^-bits, grow by x / (sin x cos x) < 90
-  // up to 89 degrees: less than 10 bits.
+  // The angle has four roundings with relative error 2^-bits each. The tangent
+  // amplifies them by x / (sin x cos x) < 90 up to 89 degrees, which is less than 10
+  // bits.
   std::optional<double> result;
   if (mpfr_can_round(angle, bits - 10, MPFR_RNDN, MPFR_RNDN, 53) != 0)
     result = mpfr_get_d(angle, MPFR_RNDN);
@@ -135,7 +139,8 @@ double rounded_place(const Integer& from, const Integer& length, const Integer& 
 }
 
 double tangent_of_degrees(const Rational& degrees) {
-  // 0 and 45 degrees are the only ones with rational tangents: the others end here.
+  // Only 0 and 45 degrees have rational tangents, so the loop ends for all other
+  // angles.
   if (degrees == 0)
     return 0.0;
   for (mpfr_prec_t bits = 96;; bits *= 2) {

@@ -6,15 +6,15 @@
 namespace blocks::geometry::exact {
 namespace {
 
-constexpr std::uint32_t use_width = 0;  // what a random number is for
+constexpr std::uint32_t use_width = 0;  // purpose of a random number
 constexpr std::uint32_t use_angle = 1;
 constexpr std::uint32_t redraws = 16;  // docs/departures.md#orient
 
 Rational two_to_53() { return Rational(std::uint64_t{1} << 53U); }
 
-// Places sides one by one, the middle one first: each has to fit between the nearest
-// sides placed before it, left and right. In this order a side that does not fit next
-// to a layer end does not push its neighbours all along the layer.
+// Places sides one by one, the middle one first. Each must fit between the nearest
+// sides already placed on its left and right. In this order a side that does not fit at
+// an end of the layer does not displace all sides along the layer.
 class Placer {
  public:
   Placer(const Quad& quad, const std::vector<Rational>& places,
@@ -70,10 +70,10 @@ class Placer {
     return tangent_of_degrees(angle_min_ + angle_part_ * Rational(bits));
   }
 
-  // The line of the pencil spanned by the two neighbours: it goes through the point
-  // where they would meet outside the layer (or is parallel to them) and cannot cross
-  // either. Its tangent is rounded to a double, lest numbers grow from ruling to
-  // ruling.
+  // Returns the line of the pencil spanned by the two neighbours. It passes through
+  // their intersection outside the layer, or is parallel to both, so it cannot cross
+  // either. Its tangent is rounded to a double; otherwise numbers would grow from
+  // ruling to ruling.
   std::optional<Side> ruling(const Rational& s, const Side& left,
                              const Side& right) const {
     const Point start = quad_.bl + quad_.bottom() * left.bottom.reduced();
@@ -98,7 +98,7 @@ class Placer {
   const std::vector<Rational>& places_;
   const std::vector<std::size_t>& numbers_;
   Rational angle_min_;
-  Rational angle_part_;  ///< of the range of angles, 2^-53
+  Rational angle_part_;  ///< 2^-53 of the range of angles
   StreamKey stream_;
   double same_angle_ = 0.0;
   OrientedSides result_;
@@ -169,8 +169,8 @@ std::vector<Rational> random_places(int count, const Rational& length_to_height,
                                     StreamKey stream) {
   const Rational low = least_width_to_height() / length_to_height;
   const Rational high = greatest_width_to_height() / length_to_height;
-  // The running sums are whole numbers, so the rationals stay short: a width is
-  // low + (high - low) u with u = k / 2^53.
+  // The running sums are integers, so the rationals stay short. A width is low + (high
+  // - low) u with u = k / 2^53.
   std::vector<Rational> sum = {Rational(0)};
   for (int block = 1; block <= count; ++block) {
     const auto number = static_cast<std::uint64_t>(block);
@@ -179,7 +179,8 @@ std::vector<Rational> random_places(int count, const Rational& length_to_height,
   const Rational n(count);
   const Rational full = n * two_to_53();  // all widths at the upper limit
   const bool too_wide = n * low + (high - low) * sum.back() / two_to_53() > 1;
-  // blocks at their lower (upper) limit, and a share of what is left (too much) each
+  // Each block has the lower (or upper) limit plus (or minus) its share of the length
+  // that is left (or exceeded).
   const Rational limit = too_wide ? low : high;
   const Rational share = too_wide ? (Rational(1) - n * low) / sum.back()
                                   : (Rational(1) - n * high) / (full - sum.back());

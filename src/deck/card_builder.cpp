@@ -9,7 +9,8 @@ namespace {
 
 using Fields = std::vector<Value>;
 
-/// The second of two values must be greater than the first (or equal, if so said).
+/// Checks that the second of two values is greater than the first, or equal if
+/// `may_be_equal`.
 bool in_order(const Value& low, const Value& high, bool may_be_equal, const char* card,
               const std::string& message, const std::string& hint,
               Diagnostics& diagnostics) {
@@ -93,7 +94,8 @@ Maybe output(const Fields& f, const Values& values) {
   return card;
 }
 
-/// One line per card, in the order of the report. Lists and titles come later.
+/// Returns the builders, one line per card, in the order of the report. The parser adds
+/// lists and titles.
 const std::map<std::string_view, Builder>& builders() {
   using F = const Fields&;
   using V = const Values&;

@@ -1,4 +1,5 @@
-// The fields of one card -> its struct, with the checks that need two fields at once.
+// Builds the struct of a card from its fields, and checks conditions that involve two
+// fields.
 #pragma once
 
 #include <optional>
@@ -8,9 +9,9 @@
 
 namespace blocks::deck {
 
-/// The struct of a card whose values are all right; nothing after a fault, which has
-/// then been reported. CLOOP, and the lists and titles on further lines, are the
-/// parser's.
+/// Returns the struct of a card whose values are all valid, or nothing after a fault,
+/// which has then been reported. The parser handles CLOOP, and the lists and titles on
+/// further lines.
 std::optional<Card> build_card(std::string_view name, const Values& values,
                                Diagnostics& diagnostics);
 

@@ -25,7 +25,7 @@ bool CardOrder::pass_first(const CardSpec& spec, SourceLocation where) {
     restart_ = true;
     ended_ = true;
   } else if (spec.name != "START") {
-    // The deck is then read as a new run; a START further down is not faulted again.
+    // The deck is then read as a new run. A START further down is not reported again.
     diagnostics_.error(where, std::string(spec.name),
                        "the first card must be START or RESTART",
                        "a new run begins with START, nblok, ncmx and a title line");

@@ -1,5 +1,5 @@
-// Which card may stand where: START or RESTART first, the preliminary cards once and
-// before END, the required ones present (report A.1.0, A.2.0).
+// Checks the order of the cards: START or RESTART first, the preliminary cards once and
+// before END, and all required cards present (report A.1.0, A.2.0).
 #pragma once
 
 #include <map>
@@ -13,22 +13,24 @@
 
 namespace blocks::deck {
 
-/// Watches the cards go by and reports those out of place, each fault once.
+/// Receives the cards in order and reports those out of place, each fault once.
 class CardOrder {
  public:
-  /// names: the names of all cards of the deck in order, misspelt ones as what was
-  /// meant, so that a card that comes too late is not also reported missing.
+  /// names: the names of all cards of the deck in order, misspelt ones as their
+  /// intended names. A card that comes too late is therefore not also reported as
+  /// missing.
   CardOrder(std::vector<std::string_view> names, Diagnostics& diagnostics)
       : names_(names.begin(), names.end()), diagnostics_(diagnostics) {}
 
-  /// The cards follow a deck that was read before: no preliminary card among them.
+  /// Declares that the cards follow a deck that was read before, so no preliminary card
+  /// is allowed.
   void begin_behind_deck() { started_ = ended_ = behind_deck_ = true; }
 
-  /// A card goes by; misspelt: the name is a guess, which is never faulted again.
-  /// False when the card is out of place, which has then been reported.
+  /// Registers the next card. Returns false if it is out of place, which has then been
+  /// reported. misspelt: the name is a guess and is not reported again.
   bool pass(const CardSpec& spec, SourceLocation where, bool misspelt);
 
-  /// The deck is over (or STOP was met); where: just behind the last line.
+  /// Registers the end of the deck, or STOP. where: just after the last line.
   void finish(SourceLocation where);
 
  private:
@@ -41,10 +43,10 @@ class CardOrder {
 
   std::set<std::string_view> names_;
   Diagnostics& diagnostics_;
-  std::map<std::string_view, int> first_line_;  ///< of each card met
+  std::map<std::string_view, int> first_line_;  ///< first line of each card read so far
   bool started_ = false;
   bool restart_ = false;
-  bool ended_ = false;        ///< the preliminary data are over
+  bool ended_ = false;        ///< the preliminary data have ended
   bool behind_deck_ = false;  ///< these cards follow a deck
 };
 

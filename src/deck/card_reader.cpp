@@ -60,7 +60,7 @@ Value default_value(const FieldSpec& spec, SourceLocation keyword) {
   return value;
 }
 
-/// Puts --set values in the place of those of the deck.
+/// Replaces values of the deck by those of --set.
 std::vector<Field> overridden(const CardSpec& spec, const Line& line,
                               const std::vector<OverrideFields>& overrides) {
   std::vector<Field> fields(line.fields.begin() + 1, line.fields.end());
@@ -175,7 +175,8 @@ Value read_value(const Field& field, const FieldSpec& spec, std::string_view car
                                shown(field.text)),
                    fmt::format("{}: {}", spec.name, spec.help));
     }
-    constexpr double largest = 9007199254740992.0;  // 2^53: doubles are exact below
+    // 2^53: all integers below it are doubles.
+    constexpr double largest = 9007199254740992.0;
     if (std::abs(x) >= largest) {
       return fault(
           fmt::format("{} is too large, found {}", spec.name, shown(field.text)),
@@ -225,7 +226,7 @@ Values read_card(const CardSpec& spec, const Line& line,
     } else if (field.fallback) {
       out.fields.push_back(default_value(field, keyword));
     } else {
-      // Neighbours that are missing together make one message.
+      // Adjacent missing fields are reported in one message.
       if (missing.empty()) {
         missing_at = i < fields.size() ? fields[i].where : line.end;
       }

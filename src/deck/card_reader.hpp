@@ -1,5 +1,5 @@
-// One card: its fields against the card table, with defaults, ranges and --set. Knows
-// nothing of the order of cards.
+// Reads the fields of one card according to the card table, with defaults, ranges and
+// --set. Independent of the order of cards.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace blocks::deck {
 
-/// A field that was read; `ok` is false after a fault, which has then been reported.
+/// The value of a field. `ok` is false after a fault, which has then been reported.
 struct Value {
-  SourceLocation where;  ///< the keyword when the default was taken
+  SourceLocation where;  ///< the keyword if the default was used
   bool given = false;
   bool ok = false;
   long integer = 0;
@@ -31,30 +31,30 @@ struct Value {
 /// All fields of a card, in the order of the table.
 struct Values {
   std::vector<Value> fields;
-  std::vector<Value> repeated;  ///< of the last field, when it repeats
-  bool ok = true;               ///< no fault on this card
+  std::vector<Value> repeated;  ///< values of the last field, if it repeats
+  bool ok = true;               ///< the card has no fault
 };
 
-/// The overrides of the command line, split into fields.
+/// An override of the command line, split into fields.
 struct OverrideFields {
-  std::string card, field;  ///< capitals
+  std::string card, field;  ///< in capitals
   std::vector<Field> fields;
 };
 
-/// Checks the names of the overrides against the table; the good ones come back.
+/// Checks the names of the overrides against the table and returns the valid ones.
 std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overrides,
                                               Diagnostics& diagnostics);
 
-/// Reads one value by its specification.
+/// Reads one value according to its specification.
 Value read_value(const Field& field, const FieldSpec& spec, std::string_view card,
                  Diagnostics& diagnostics);
 
-/// Reads a card: line.fields[0] is the keyword, the rest its values.
+/// Reads a card. line.fields[0] is the keyword; the other fields are its values.
 Values read_card(const CardSpec& spec, const Line& line,
                  const std::vector<OverrideFields>& overrides,
                  Diagnostics& diagnostics);
 
-/// Text of a field for a message, quoted, shortened when long.
+/// Returns the text of a field for a message: quoted, and shortened if long.
 std::string shown(const std::string& text);
 
 }  // namespace blocks::deck

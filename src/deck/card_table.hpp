@@ -1,5 +1,6 @@
-// The one table of all cards: it drives parsing, defaults, ranges, "did you mean",
-// --set and the deck reference (report Appendix A; departures in docs/departures.md).
+// The table of all cards. It defines parsing, defaults, ranges, spelling suggestions,
+// --set and the deck reference (report Appendix A; docs/departures.md lists
+// departures).
 #pragma once
 
 #include <limits>
@@ -12,10 +13,10 @@ namespace blocks::deck {
 
 enum class Phase { preliminary, problem };
 
-/// exact: a decimal kept as written; real: its nearest double.
+/// Kind of value. `exact` is a decimal kept as written; `real` is its nearest double.
 enum class Kind { integer, real, exact, word };
 
-/// Values allowed; the ends belong to it unless open.
+/// The allowed values. The range includes its ends unless they are open.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -24,38 +25,40 @@ struct Range {
   bool nonzero = false;
 
   bool contains(double value) const;
-  /// "> 0 and <= 1", "not 0"; empty when every number is allowed.
+  /// Returns the range in words, such as "> 0 and <= 1" or "not 0"; empty if every
+  /// number is allowed.
   std::string text() const;
 };
 
+/// One field of a card.
 struct FieldSpec {
   std::string_view name;
   Kind kind = Kind::real;
-  /// Taken for a blank field; none: the field is required.
+  /// The default for a blank field; without one the field is required.
   std::optional<std::string_view> fallback;
   Range range;
   /// Dimension: "[L]", "[-]", ...
   std::string_view dimension;
   std::string_view help;
-  std::vector<std::string_view> choices = {};  ///< words allowed; empty: any
-  /// The last field of a card may repeat: dtout, nb1, nb2, ...
+  std::vector<std::string_view> choices = {};  ///< allowed words; empty: any
+  /// The field may be repeated: dtout, nb1, nb2, ... Only the last field may be.
   bool repeats = false;
 };
 
-/// Lines that follow a card, for the reader of the reference.
+/// Lines that follow a card, as described in the reference.
 struct FollowOn {
   std::string_view syntax;
   std::string_view help;
 };
 
-/// The card goes on on the next line when that starts with a number and fewer than
-/// `continue_below` fields stand on it (0: never).
+/// One card. It continues on the next line if that line starts with a number and the
+/// card has fewer than `continue_below` fields so far (0: never).
 struct CardSpec {
   std::string_view name;
   Phase phase = Phase::problem;
   bool once = false;
   bool required = false;
-  std::string_view section;  ///< of the report; "ours" for what it does not have
+  std::string_view section;  ///< of the report; "ours" if not in the report
   std::string_view summary;
   std::vector<FieldSpec> fields;
   std::vector<FollowOn> follow_on = {};
@@ -63,19 +66,19 @@ struct CardSpec {
   std::string_view example;
   std::size_t continue_below = 0;
 
-  /// "BOXES, iboxes, jboxes, ctol"
+  /// Returns the syntax, such as "BOXES, iboxes, jboxes, ctol".
   std::string syntax() const;
-  /// Position of a field by its name in any case, if it exists.
+  /// Returns the index of the field with this name in any case, if it exists.
   std::optional<std::size_t> find_field(std::string_view field) const;
 };
 
-/// All cards in the order of the report.
+/// Returns all cards in the order of the report.
 const std::vector<CardSpec>& card_table();
 
-/// The card of that name in any case, or null.
+/// Returns the card with this name in any case, or null.
 const CardSpec* find_card(std::string_view name);
 
-/// Names of all cards.
+/// Returns the names of all cards.
 std::vector<std::string_view> card_names();
 
 }  // namespace blocks::deck

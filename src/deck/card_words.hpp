@@ -1,5 +1,5 @@
-// The words for cards and fields that every form of the reference shares: on the
-// screen, in Markdown, as a man page.
+// Descriptions of cards and fields that all forms of the reference share: screen,
+// Markdown and man page.
 #pragma once
 
 #include <string>
@@ -9,16 +9,17 @@
 
 namespace blocks::deck {
 
+/// Returns the title of a phase in the reference.
 std::string_view phase_title(Phase phase);
-/// whole, real, decimal, word
+/// Returns "whole", "real", "decimal" or "word".
 std::string_view kind_name(Kind kind);
-/// The default of a field, "blank" or "required".
+/// Returns the default of a field, "blank" or "required".
 std::string default_text(const FieldSpec& field);
-/// What a field may be; "any" without limits.
+/// Returns the allowed values of a field, or "any" if there is no limit.
 std::string range_text(const FieldSpec& field);
-/// How often the card may stand, and where in the report.
+/// Says how often the card may occur, and where the report describes it.
 std::string standing(const CardSpec& card);
-/// With a capital at the beginning and a full stop at the end.
+/// Returns the text with an initial capital and a final full stop.
 std::string sentence(std::string_view text);
 
 }  // namespace blocks::deck

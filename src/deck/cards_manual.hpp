@@ -1,4 +1,4 @@
-// The deck reference as a man page, blocks-deck(5), from the card table.
+// The deck reference as a man page, blocks-deck(5), generated from the card table.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace blocks::deck {
 
-/// The page in the language of man(7); version: of the program.
+/// Returns the page in man(7) format. version: version of the program.
 std::string card_reference_man(std::string_view version);
 
 }  // namespace blocks::deck

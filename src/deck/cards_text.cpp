@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t page_width = 80;
 
-/// Words of a text in lines of at most page_width, each after the indent.
+/// Wraps a text into lines of at most page_width, each indented.
 std::string wrapped(std::string_view text, std::size_t indent) {
   const std::string margin(indent, ' ');
   std::string out;
@@ -37,7 +37,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return out + "\n";
 }
 
-/// Every line of a text after the indent.
+/// Indents every line of a text.
 std::string indented(std::string_view text, std::size_t indent) {
   std::string out;
   while (!text.empty()) {
@@ -77,7 +77,7 @@ std::string field_table(const CardSpec& card) {
   return out;
 }
 
-/// A text inside a Markdown table or paragraph.
+/// Escapes a text for a Markdown table or paragraph.
 std::string markdown(std::string_view text) {
   std::string out;
   for (const char c : text) {

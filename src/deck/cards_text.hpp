@@ -1,5 +1,5 @@
-// The deck reference as text, from the card table: `blocks cards [NAME]` and
-// docs/cards.md.
+// The deck reference as text, generated from the card table, for `blocks cards [NAME]`
+// and docs/cards.md.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,24 @@
 
 namespace blocks::deck {
 
-/// One line per card, grouped by phase.
+/// Returns one line per card, grouped by phase.
 std::string all_cards();
 
-/// The page of a card (name in any case): syntax, meaning, table of fields with default
-/// and range, lines that follow, example. Nothing for an unknown card.
+/// Returns the page of a card, whose name may be in any case. It contains syntax,
+/// meaning, a table of fields with defaults and ranges, the lines that follow, and an
+/// example. Returns nothing for an unknown card.
 std::optional<std::string> card_page(std::string_view name);
 
-/// The card nearest to an unknown name, or empty.
+/// Returns the card nearest to an unknown name, or an empty string.
 std::string suggest_card(std::string_view name);
 
-/// How decks are written, in paragraphs.
+/// Returns paragraphs that explain how decks are written.
 std::vector<std::string_view> reference_introduction();
 
-/// A deck made of the examples of all cards but RESTART.
+/// Returns a deck that consists of the examples of all cards except RESTART.
 std::string all_examples();
 
-/// All pages in Markdown.
+/// Returns all pages in Markdown.
 std::string card_reference_markdown();
 
 }  // namespace blocks::deck

@@ -1,6 +1,6 @@
 // The deck as data: an ordered list of plain structs named after the cards (report
-// Appendix A). Text only: knows no physics. Defaults and ranges stand in the card
-// table.
+// Appendix A). They hold values only and are independent of the model. The card table
+// defines defaults and ranges.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace blocks::deck {
 
-/// A value and where it stands; `given` is false when the default was taken.
+/// A value and its location in the deck. `given` is false if the default was used.
 template <class T> struct Given {
   T value{};
   SourceLocation where;
@@ -58,11 +58,11 @@ struct Function {
 struct Rigid {};
 struct Seed {
   Int seed;
-};  ///< not a card of the report
+};  ///< not in the report
 struct End {};
 struct Restart {
   Word file;
-};  ///< the file name is ours
+};  ///< the file name is not in the report
 
 // Problem definition data, A.2
 struct Cloop {
@@ -72,16 +72,16 @@ struct Cloop {
 struct Create {
   Int nc, mat, ifix;
   std::vector<Exact> x, y;
-  std::optional<Cloop> loop;  ///< a CLOOP card stood directly before
+  std::optional<Cloop> loop;  ///< the CLOOP card directly before, if any
 };
 struct Read9 {
   Word file;
-};  ///< the file name is ours
+};  ///< the file name is not in the report
 struct Layer {
   Int ns, mat;
   std::array<Exact, 8> corners;    ///< x1, y1, ..., x4, y4
   Word rcommand;                   ///< RANDOM or blank
-  std::vector<Exact> bottom, top;  ///< ns > 0: ns widths each, short lists completed
+  std::vector<Exact> bottom, top;  ///< if ns > 0: ns widths each, short lists completed
 };
 struct Orient {
   Exact angmin, angplus;

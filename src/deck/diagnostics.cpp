@@ -12,7 +12,7 @@ constexpr std::size_t most_printed = 200;
 constexpr std::size_t widest_line = 120;
 constexpr std::size_t tab_stop = 8;
 
-/// A source line as it appears, one cell per column of the terminal.
+/// A source line as displayed, with one cell per column of the terminal.
 struct Picture {
   std::string line;
   std::size_t caret = 0;   ///< cells before the caret
@@ -25,7 +25,7 @@ Picture picture(const std::string& line, SourceLocation where) {
   std::size_t last = 0;
   const auto from = static_cast<std::size_t>(std::max(where.column, 1)) - 1;
   const auto to = from + static_cast<std::size_t>(std::max(where.length, 1));
-  // What is far behind the place is not shown, and a line may be long.
+  // Only the part of a possibly long line up to a little after the location is needed.
   const std::vector<std::string> chars =
       characters(std::string_view(line).substr(0, 4 * (to + widest_line)));
   for (std::size_t i = 0; i < chars.size(); ++i) {
@@ -49,7 +49,7 @@ Picture picture(const std::string& line, SourceLocation where) {
   }
   last = std::max(last, first + 1);
 
-  // A window around the caret; a place that is cut is marked with dots.
+  // Show a window around the caret; dots mark where the line is cut.
   std::size_t begin = 0;
   std::size_t end = cells.size();
   if (end > widest_line) {
@@ -86,7 +86,8 @@ Diagnostics::Diagnostics(std::string file, std::string text)
     : file_(std::move(file)), lines_(source_lines(text)) {}
 
 void Diagnostics::add(Diagnostic diagnostic) {
-  // A fault on the command line shows at every card it is put into: once is enough.
+  // A fault in an option occurs at every card that the option changes; it is reported
+  // once.
   if (diagnostic.where.line == 0) {
     for (const Diagnostic& other : all_) {
       if (other.where.line == 0 && other.where.column == diagnostic.where.column &&

@@ -7,11 +7,12 @@
 namespace blocks::deck {
 namespace {
 
-/// The values of some lines in a row, and where the lines end.
+/// The values of several lines in one sequence, with the ends of the lines.
 struct Flat {
   std::vector<const Field*> fields;
-  std::vector<std::size_t> line_ends;  ///< values up to and with each line
-  std::vector<SourceLocation> places;  ///< just behind each line
+  /// Number of values up to and including each line.
+  std::vector<std::size_t> line_ends;
+  std::vector<SourceLocation> places;  ///< location just after each line
 };
 
 Flat flatten(const std::vector<Line>& lines) {
@@ -35,7 +36,8 @@ long misfit(const TwoListSpec& spec, long found) {
   return fits(spec, found) ? 0 : std::labs(spec.count - found);
 }
 
-/// One list of the two: counted, read and completed.
+/// Reads one of the two lists: checks its count, reads the values and completes a short
+/// list.
 bool read_list(const TwoListSpec& spec, std::string_view name,
                std::span<const Field* const> fields, SourceLocation end,
                std::string hint, std::vector<Exact>& out, Diagnostics& diagnostics) {
@@ -90,14 +92,15 @@ TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
   }
   const Flat flat = flatten(lines);
   const auto total = static_cast<long>(flat.fields.size());
-  std::size_t best = 0;  // the line that ends the first list
+  std::size_t best = 0;  // index of the last line of the first list
   long least = -1;
   int perfect = 0;
   int perfect_comma_free = 0;
   for (std::size_t i = 0; i < flat.line_ends.size(); ++i) {
     const auto first = static_cast<long>(flat.line_ends[i]);
     const long sum = misfit(spec, first) + misfit(spec, total - first);
-    // Where several splits fit, a comma at the end of a line says the list goes on.
+    // If several splits fit, a comma at the end of a line means that the list
+    // continues.
     const bool comma_free = sum == 0 && !lines[i].comma;
     perfect += sum == 0 ? 1 : 0;
     perfect_comma_free += comma_free ? 1 : 0;

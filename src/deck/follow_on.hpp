@@ -1,5 +1,6 @@
-// The lines of values behind a card: coordinates of CREATE, widths of LAYER, points of
-// FUNCTION. Nothing is reserved by the count on the card: it may be anything.
+// Reads the lines of values after a card: coordinates of CREATE, widths of LAYER,
+// points of FUNCTION. No memory is reserved from the count on the card, because that
+// may be any number.
 #pragma once
 
 #include <string_view>
@@ -14,8 +15,9 @@ struct TwoListSpec {
   std::string_view card;
   long count = 0;
   std::string_view first, second;  ///< "x coordinates", "y coordinates"
-  FieldSpec value;                 ///< of each value
-  /// LAYER: one or two values will do, the last is repeated.
+  FieldSpec value;                 ///< specification of each value
+  /// For LAYER: the list may have only one or two values, the last of which is
+  /// repeated.
   bool may_be_short = false;
 };
 
@@ -24,9 +26,9 @@ struct TwoLists {
   bool ok = false;  ///< false after a fault, which has been reported
 };
 
-/// Splits the lines into the two lists. When the counts do not fit, the split that is
-/// nearest to them is taken, so that the message names the list at fault. card_end:
-/// just behind the card.
+/// Splits the lines into the two lists. If the counts do not fit, it takes the split
+/// nearest to them, so that the message names the list at fault. card_end: just after
+/// the card.
 TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
                         SourceLocation card_end, Diagnostics& diagnostics);
 
@@ -35,7 +37,7 @@ struct FunctionPoints {
   bool ok = false;
 };
 
-/// FUNCTION: `count` lines of t, p with times strictly rising.
+/// Reads `count` lines of t, p for FUNCTION; the times must increase strictly.
 FunctionPoints read_points(long count, const std::vector<Line>& lines,
                            SourceLocation card_end, Diagnostics& diagnostics);
 

@@ -11,8 +11,8 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Blanks in the wide sense: tab, form feed, the Ctrl-Z that ended files under CP/M and
-/// DOS, and the no-break space that comes with copied text.
+/// Tests for a blank: also tab, form feed, the Ctrl-Z that ended files under CP/M and
+/// DOS, and the no-break space of copied text.
 bool is_blank(const std::string& c) {
   return c == " " || c == "\t" || c == "\f" || c == "\v" || c == "\x1a" ||
          c == "\xc2\xa0";
@@ -26,7 +26,8 @@ bool is_not_finite_word(std::string_view text) {
   return word == "NAN" || word == "INF" || word == "INFINITY";
 }
 
-/// Number of bytes of the UTF-8 character at the front, 0 when there is none.
+/// Returns the number of bytes of the UTF-8 character at the front, or 0 if there is
+/// none.
 std::size_t utf8_length(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   std::size_t length = 0;
@@ -65,7 +66,7 @@ bool Line::is_data() const {
   if (!is_letter(c)) {
     return true;
   }
-  // Not "O.5" either, a zero mistyped: no card has a point in its name.
+  // "O.5", with a mistyped zero, is a value as well: no card has a point in its name.
   return is_not_finite_word(first.text) || first.text.find('.') != std::string::npos;
 }
 
@@ -106,7 +107,7 @@ Line split_fields(std::string_view text, int number) {
   const std::vector<std::string> chars = characters(text);
   Line line;
   std::size_t at = 0;
-  std::size_t last = 0;  // just behind the last field
+  std::size_t last = 0;  // just after the last field
   bool after_field = false;
   const auto column = [](std::size_t i) { return static_cast<int>(i) + 1; };
   while (at < chars.size()) {
@@ -160,7 +161,7 @@ std::vector<Line> split_deck(std::string_view text) {
     if (line.fields.empty()) {
       continue;
     }
-    // A misspelt START at the head of the deck still has its title behind it.
+    // A misspelt START at the head of the deck is also followed by its title.
     const std::string word = capitals(line.fields.front().text);
     if (word == "START" ||
         (lines.empty() && !line.is_data() && !suggest(word, {"START"}).empty())) {
@@ -223,8 +224,7 @@ Number read_number(std::string_view text) {
     plain += "." + fraction;
   }
   if (at < text.size()) {
-    // Fortran's list-directed input takes 1.5+3 as 1.5E+3: a sign stands for the
-    // letter.
+    // Fortran's list-directed input reads 1.5+3 as 1.5E+3: a sign replaces the letter.
     const char letter = text[at];
     if (letter == 'e' || letter == 'E' || letter == 'd' || letter == 'D') {
       ++at;
@@ -237,8 +237,8 @@ Number read_number(std::string_view text) {
       return bad;
     }
     power.erase(0, std::min(power.find_first_not_of('0'), power.size() - 1));
-    // An exponent of six digits can only be a mistake, and no exact number of that
-    // size should be carried through the geometry.
+    // An exponent of six digits can only be a mistake, and exact numbers of that size
+    // would slow down the geometry.
     const bool zero = (whole + fraction).find_first_not_of('0') == std::string::npos;
     if (power.size() > 5 && !zero) {
       return {{}, minus.empty() ? NumberFault::not_finite : NumberFault::too_small};

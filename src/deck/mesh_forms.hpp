@@ -1,6 +1,6 @@
-// What the readers of READ9's four forms share: messages, the collector that turns
-// elements into clockwise outlines, lines of fields, Fortran records. Private to
-// src/deck/mesh_*.cpp; knows no cards.
+// Parts shared by the readers of READ9's four forms: messages, lines of fields, Fortran
+// records, and the collector that turns elements into clockwise outlines. Private to
+// src/deck/mesh_*.cpp; independent of cards.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@
 
 namespace blocks::deck::mesh {
 
-/// A place in a mesh file: a line of a text, or a record of a binary file; both 0 means
-/// the file as a whole.
+/// A location in a mesh file: a line of a text file or a record of a binary file. If
+/// both are 0, it is the file as a whole.
 struct Place {
   std::string_view file;
   int line = 0;
@@ -30,34 +30,37 @@ struct Place {
 /// Throws MeshError "file:line: message", "file: record N: message" or "file: message".
 [[noreturn]] void fail(const Place& place, const std::string& message);
 
-/// Fails unless it is a material number: 1 to 2147483647.
+/// Fails unless `material` is a valid material number: 1 to 2147483647.
 void check_material(long material, const std::string& name, const Place& place);
 
-/// "1 triangle", "12 quadrilaterals".
+/// Returns "1 triangle", "12 quadrilaterals".
 std::string counted(std::size_t n, const std::string& noun);
 
-/// The id without the sign by which QMESH and Gmsh mark other things. The least long,
-/// which has no positive twin, stays as it is and is found wrong later.
+/// Returns the id without its sign, by which QMESH and Gmsh mark other properties. The
+/// smallest long has no positive counterpart; it is unchanged and rejected later.
 inline long magnitude(long id) {
   return id < 0 && id != std::numeric_limits<long>::min() ? -id : id;
 }
 
-/// Nodes by id, and the triangles and quadrilaterals made of them.
+/// Collects nodes by id, and the triangles and quadrilaterals made of them.
 class Elements {
  public:
-  /// Throws when a coordinate is not finite or the id already stands elsewhere.
+  /// Throws if a coordinate is not finite or the id already exists with another
+  /// position.
   void add_node(long id, double x, double y, const Place& place, double z = 0);
 
-  /// corners: node ids in order, either way round. Corners repeated one after the other
-  /// count once, so that a quadrilateral with a repeated last node is a triangle. The
-  /// outline comes out clockwise with the first corner kept first (LXK and GENESIS are
-  /// anticlockwise). name: "element 7", for messages. Throws for an unknown
-  /// node, fewer than three corners, no area, material < 1, a second element on the
-  /// same corners, or one off the plane z = constant of the others.
+  /// Adds an element as a block. corners: node ids in order, clockwise or
+  /// anticlockwise. A node repeated directly after itself counts once, so a
+  /// quadrilateral with a repeated last node is a triangle. The outline becomes
+  /// clockwise, and its first corner stays first (LXK and GENESIS are anticlockwise).
+  /// name: "element 7", for messages. Throws if a node is unknown, there are fewer than
+  /// three corners, the area is zero or the material is invalid. It also throws for a
+  /// second element on the same corners, or one off the plane z = constant of the
+  /// others.
   void add(std::span<const long> corners, long material, const std::string& name,
            const Place& place);
 
-  /// "12 quadrilaterals, 3 triangles"
+  /// Returns "12 quadrilaterals, 3 triangles".
   std::string found() const;
 
   std::vector<MeshBlock> blocks;
@@ -69,38 +72,38 @@ class Elements {
   };
   std::unordered_map<long, Node> nodes_;
   std::optional<double> level_;  ///< z of the first element
-  std::set<std::array<long, 4>>
-      taken_;  ///< sorted corners; 4th is the least long if none
+  /// Sorted corners; a missing 4th is the smallest long.
+  std::set<std::array<long, 4>> taken_;
   std::size_t triangles_ = 0, quadrilaterals_ = 0;
 };
 
-/// Turns the outline clockwise, first corner kept; false when it has no area to tell
-/// by.
+/// Makes the outline clockwise; its first corner stays first. Returns false if it has
+/// no area and hence no orientation.
 bool turn_clockwise(geometry::Polygon& outline);
 
-/// The lines of a text, blank ones left out, cut into fields.
+/// The lines of a text without blank ones, split into fields.
 class Lines {
  public:
-  /// comments: characters that end a line; empty for none. commas: a comma parts
-  /// fields, as in a deck.
+  /// comments: characters that start a comment; empty for none. commas: whether commas
+  /// separate fields, as in a deck.
   Lines(std::string_view file, std::string_view text, std::string_view comments,
         bool commas);
 
-  /// Advances to the next line that holds something; false at the end.
+  /// Advances to the next line that is not blank; returns false at the end.
   bool next();
-  /// Same, but the end is an error that says what was expected.
+  /// Like next(), but the end is an error whose message says what was expected.
   void need(const std::string& expected);
 
   const std::vector<std::string_view>& fields() const { return fields_; }
   Place place() const { return {file_, line_, 0}; }
   std::size_t bytes_left() const { return text_.size() - position_; }
 
-  /// Field i as a number; what: its name in messages. Throws when it is missing, is no
-  /// number, or is out of range.
+  /// Return field i as a number. what: its name in messages. Throw if the field is
+  /// missing, is not a number or is out of range.
   long integer(std::size_t i, const std::string& what) const;
   double real(std::size_t i, const std::string& what) const;
-  /// A count of things still to come, each at least two bytes long: checked against
-  /// what is left of the file before anybody allocates.
+  /// Returns field i as a count of items that follow, each at least two bytes long. It
+  /// is checked against the rest of the file before anything is allocated.
   std::size_t count(std::size_t i, const std::string& what) const;
 
  private:
@@ -117,19 +120,19 @@ class Lines {
 /// A Fortran unformatted sequential file with 4-byte record markers, either endianness.
 class Records {
  public:
-  /// True when the first record has one of the lengths that open a GENESIS or region
-  /// file.
+  /// Tells whether the first record has one of the lengths with which a GENESIS or
+  /// region file starts.
   static bool recognise(std::string_view data);
 
-  /// Finds all records; throws when their markers do not fit the file.
+  /// Finds all records. Throws if their markers do not fit the file.
   Records(std::string_view file, std::string_view data);
 
   std::size_t size() const { return records_.size(); }
   bool big_endian() const { return big_endian_; }
-  /// Bytes of record i, counted from 0; the message of a missing record says what it
-  /// would have been.
+  /// Returns the length of record i in bytes; i counts from 0. what: the expected
+  /// content, for the message if the record is missing.
   std::size_t length(std::size_t i, const std::string& what) const;
-  /// Number of `width` bytes (4 or 8) at byte `offset` of record i.
+  /// Return the number of `width` bytes (4 or 8) at byte `offset` of record i.
   long integer(std::size_t i, std::size_t offset, std::size_t width) const;
   double real(std::size_t i, std::size_t offset, std::size_t width) const;
 
@@ -143,7 +146,7 @@ class Records {
   std::uint64_t bits(std::string_view bytes) const;
 };
 
-/// "little-endian, 4-byte integers, 8-byte reals"
+/// Returns "little-endian, 4-byte integers, 8-byte reals".
 std::string describe(const Records& records, std::size_t integer_width,
                      std::size_t real_width);
 

@@ -1,5 +1,6 @@
 // READ9 form (c): GENESIS, the mesh part of EXODUS I, as FASTQ and its successors write
-// it to tape 9 (docs/mesh-formats.md). Plane meshes only; sets are passed over.
+// it to tape 9 (docs/mesh-formats.md). Only plane meshes are read; node and side sets
+// are skipped.
 #include <fmt/format.h>
 
 #include "deck/mesh_forms.hpp"
@@ -7,15 +8,15 @@
 namespace blocks::deck::mesh {
 namespace {
 
-// Second record.
+// Contents of the second record.
 struct Header {
   std::size_t integer_width = 4;
   long nodes = 0, dimensions = 0, elements = 0, blocks = 0;
   long node_sets = 0, side_sets = 0;
-  std::optional<long> version;  // a tenth word, in later files
+  std::optional<long> version;  // tenth word, in later files only
 };
 
-// NUMNP, NDIM, NUMEL, NELBLK, NUMNPS, LNPSNL, NUMESS, LESSEL, LESSNL(, version)
+// Reads NUMNP, NDIM, NUMEL, NELBLK, NUMNPS, LNPSNL, NUMESS, LESSEL, LESSNL(, version).
 Header read_header(const Records& records) {
   Header header;
   const std::size_t length = records.length(1, "GENESIS sizes");
@@ -45,8 +46,8 @@ Header read_header(const Records& records) {
   return header;
 }
 
-/// Bytes per number when `count` numbers fill record i: 4, 8, or an error. No
-/// allocation comes before this check.
+/// Returns the bytes per number, 4 or 8, if `count` numbers fill record i; otherwise
+/// fails. Nothing is allocated before this check.
 std::size_t width_of(const Records& records, std::size_t i, long count,
                      const std::string& what) {
   const std::size_t length = records.length(i, what);
@@ -64,7 +65,8 @@ void expect_width(const Records& records, std::size_t i, long count, std::size_t
          fmt::format("{}: integers of {} bytes expected", what, width));
 }
 
-/// Corners of an element of `links` nodes, which stand first; 0 for a bar.
+/// Returns the number of corners of an element with `links` nodes, which start with the
+/// corners; 0 for a bar.
 std::size_t corners_of(long links) {
   switch (links) {
   case 2:
@@ -88,7 +90,7 @@ MeshFile read_genesis(const Records& records) {
   const std::size_t width = header.integer_width;
   std::size_t record = 2;
 
-  // All x, then all y.
+  // The record contains all x, then all y.
   if (header.nodes > INT32_MAX || header.elements > INT32_MAX)
     fail(records.place(1), fmt::format("NUMNP {} or NUMEL {} is too large for the file",
                                        header.nodes, header.elements));
@@ -137,7 +139,8 @@ MeshFile read_genesis(const Records& records) {
       bars += static_cast<std::size_t>(count);
     total += count;
     ++record;
-    // Always there, and never empty: FASTQ writes a number even for no attributes.
+    // This record always exists and is never empty: FASTQ writes a number even if there
+    // are no attributes.
     records.length(record++, name + " attributes");
   }
   if (total != header.elements)

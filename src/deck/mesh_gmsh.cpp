@@ -1,5 +1,6 @@
 // READ9 form (b): Gmsh .msh, ASCII, versions 2 to 2.2 and 4.1 (docs/mesh-formats.md).
-// Triangles and quadrilaterals of any order give their corners; z is the same for all.
+// Triangles and quadrilaterals of any order are read by their corners; z must be the
+// same for all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +10,10 @@
 namespace blocks::deck::mesh {
 namespace {
 
-// Element types by Gmsh's numbers; corner nodes always stand first.
+// Element types by their Gmsh numbers. The corner nodes always come first.
 struct ElementType {
   long number;
-  std::size_t corners;  // 0: a point or a line, passed over
+  std::size_t corners;  // 0: a point or a line, which is skipped
   std::size_t nodes;
 };
 constexpr std::array element_types{
@@ -36,7 +37,7 @@ class Reader {
   Lines lines_;
   std::string version_;
   Elements elements_;
-  std::unordered_map<long, long> physical_of_surface_;  // 4.1
+  std::unordered_map<long, long> physical_of_surface_;  // version 4.1 only
   std::size_t passed_over_ = 0, higher_order_ = 0;
   bool nodes_seen_ = false, elements_seen_ = false;
 
@@ -88,7 +89,7 @@ void Reader::format() {
   end("MeshFormat");
 }
 
-// 4.1: surfaces carry the physical groups; their elements name the surface.
+// Version 4.1: surfaces have the physical groups, and elements refer to their surface.
 void Reader::entities() {
   lines_.need("the numbers of entities");
   expect(4, "$Entities");
@@ -105,11 +106,11 @@ void Reader::entities() {
       fail(lines_.place(), fmt::format("surface {} is in {} physical groups; a block "
                                        "has one material",
                                        tag, groups));
-    // Gmsh gives the group a sign for the surface's orientation.
+    // The sign of the group is the orientation of the surface.
     physical_of_surface_[tag] =
         groups == 0 ? tag : magnitude(lines_.integer(8, "physical group"));
   }
-  skip("Entities");  // volumes
+  skip("Entities");  // skips the volumes
 }
 
 void Reader::node(long id, std::size_t x_field, std::size_t fields) {
@@ -191,7 +192,8 @@ void Reader::plane_element(const ElementType& element, std::size_t first_node,
     ++higher_order_;
 }
 
-// number, type, number of tags, tags (physical group, elementary tag, ...), nodes
+// Reads lines of element number, type, number of tags, tags (physical group, elementary
+// tag, ...), nodes.
 void Reader::elements_2() {
   lines_.need("the number of elements");
   const std::size_t count = lines_.count(0, "number of elements");
@@ -211,7 +213,8 @@ void Reader::elements_2() {
   end("Elements");
 }
 
-// Per entity block: dimension, entity tag, type, number; then number of element, nodes.
+// Reads entity blocks: dimension, entity tag, type and number of elements; then, for
+// each element, its number and nodes.
 void Reader::elements_4() {
   lines_.need("the numbers of elements");
   expect(4, "$Elements");

@@ -1,5 +1,6 @@
-// Finds which of READ9's four forms a file has (report A.2.3; the QMESH tape of 1973 is
-// lost, docs/mesh-formats.md says what is read in its place), and collects elements.
+// Recognises which of READ9's four forms a file has and collects its elements (report
+// A.2.3). The QMESH tape of 1973 is lost; docs/mesh-formats.md says what is read in its
+// place.
 #include "deck/mesh_readers.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ std::string counted(std::size_t n, const std::string& noun) {
 }
 
 bool turn_clockwise(geometry::Polygon& outline) {
-  double twice_area = 0;  // from the first corner: no loss far from the origin
+  double twice_area = 0;  // relative to the first corner, to lose no digits
   for (std::size_t i = 2; i < outline.size(); ++i)
     twice_area += geometry::cross(outline[i - 1] - outline[0], outline[i] - outline[0]);
   if (twice_area > 0)
@@ -111,7 +112,7 @@ namespace {
 
 std::string read_all(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_character_file(path, ignored))  // may have no end
+  if (std::filesystem::is_character_file(path, ignored))  // it may have no end
     fail({path}, "cannot read the mesh file: it is a device");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
@@ -128,7 +129,7 @@ std::string read_all(const std::string& path) {
   return data;
 }
 
-/// A line whose first field is the word.
+/// Tests whether the text has a line whose first field is the word.
 bool has_line(std::string_view text, std::string_view word) {
   for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
     const auto before = text.substr(0, at).find_last_not_of(" \t");
@@ -140,7 +141,7 @@ bool has_line(std::string_view text, std::string_view word) {
   return false;
 }
 
-/// Why a file with bytes no text has is not read.
+/// Returns why a file with bytes that no text contains is not read.
 std::string binary_reason(std::string_view data) {
   if (data.starts_with("CDF") || data.starts_with("\x89HDF"))
     return "a netCDF or HDF5 file (Exodus II?), which READ9 does not read; save the "

@@ -1,5 +1,5 @@
-// READ9: blocks from a mesh file in one of four forms, found by its content
-// (docs/mesh-formats.md).
+// READ9: reads blocks from a mesh file in one of four forms, which is recognised by its
+// content (docs/mesh-formats.md).
 #pragma once
 
 #include <stdexcept>
@@ -14,14 +14,14 @@ namespace blocks::deck {
 enum class MeshForm { text, gmsh, genesis, regions };
 
 struct MeshBlock {
-  geometry::Polygon outline;  ///< clockwise, [L]; outline checks are the model's
+  geometry::Polygon outline;  ///< clockwise, [L]; the model checks it
   long material = 0;          ///< block id, physical or region id
-  int line = 0;               ///< where it stands in a text file, else 0
+  int line = 0;               ///< line in a text file, otherwise 0
 };
 
 struct MeshFile {
   MeshForm form = MeshForm::text;
-  std::string found;  ///< what was found, in words: "Gmsh 4.1 ASCII, 12 quadrilaterals"
+  std::string found;  ///< summary: "Gmsh 4.1 ASCII, 12 quadrilaterals"
   std::vector<MeshBlock> blocks;
 };
 
@@ -30,7 +30,7 @@ class MeshError : public std::runtime_error {
                                             // found 3"
 };
 
-/// A file in none of the four forms.
+/// Thrown if the file has none of the four forms.
 class UnknownMesh : public MeshError {
   using MeshError::MeshError;
 };
@@ -38,8 +38,8 @@ class UnknownMesh : public MeshError {
 /// Reads the file. Throws MeshError with file, line (or record) and reason.
 MeshFile read_mesh(const std::string& path);
 
-/// The same for a file already in memory; name: as shown in messages. Allocates no more
-/// than a small multiple of the data, whatever counts it announces.
+/// Reads a file that is already in memory. name: file name for messages. Allocates no
+/// more than a small multiple of the data, whatever counts the file announces.
 MeshFile parse_mesh(const std::string& name, std::string_view data);
 
 }  // namespace blocks::deck

@@ -1,4 +1,4 @@
-// Fortran unformatted sequential files: each record between two 4-byte markers that
+// Fortran unformatted sequential files: each record is between two 4-byte markers that
 // hold its length (READ9 forms (c) and (d), docs/mesh-formats.md).
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ std::uint64_t unsigned_of(std::string_view bytes, bool big_endian) {
   return value;
 }
 
-// GENESIS title; seven integers of 4 or of 8 bytes.
+// Tests for the length of a GENESIS title, or of seven integers of 4 or 8 bytes.
 bool opens_a_mesh(std::uint64_t length) {
   return length == 80 || length == 28 || length == 56;
 }

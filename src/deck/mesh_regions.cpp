@@ -1,5 +1,5 @@
-// READ9 form (d): region records, the scratch tape of QMESH's descendants (FASTQ,
-// RENUM), the nearest relative of the lost tape of 1973 (docs/mesh-formats.md).
+// READ9 form (d): region records, the scratch tape of QMESH's descendants FASTQ and
+// RENUM. It is the nearest relative of the lost tape of 1973 (docs/mesh-formats.md).
 #include <fmt/format.h>
 
 #include "deck/mesh_forms.hpp"
@@ -7,7 +7,7 @@
 namespace blocks::deck::mesh {
 namespace {
 
-// KKK, NNN, KNBC, KSBC, NUMREG, BAR, M1
+// Header of a region: KKK, NNN, KNBC, KSBC, NUMREG, BAR, M1.
 struct Region {
   long elements = 0, nodes = 0, node_flags = 0, side_flags = 0, id = 0;
   bool bars = false;
@@ -22,8 +22,8 @@ class Reader {
 
  private:
   const Records& records_;
-  std::size_t width_;           // of integers and logicals
-  std::size_t real_width_ = 0;  // once the first nodes are seen
+  std::size_t width_;           // width of integers and logicals
+  std::size_t real_width_ = 0;  // known after the first nodes
   std::size_t record_ = 0;
   std::size_t bars_ = 0;
   Elements elements_;
@@ -52,8 +52,8 @@ Region Reader::header() const {
   return region;
 }
 
-// (NUID, X, Y) x NNN; nodes shared with an earlier region are not repeated, so the
-// record may be missing.
+// Reads (NUID, X, Y) x NNN. Nodes shared with an earlier region are not repeated, so
+// the record may be missing.
 void Reader::nodes(const Region& region) {
   if (region.nodes == 0)
     return;
@@ -79,7 +79,7 @@ void Reader::nodes(const Region& region) {
   ++record_;
 }
 
-// LXK(4, KKK): anticlockwise node ids; a fourth of 0 marks a triangle.
+// Reads LXK(4, KKK): anticlockwise node ids; a fourth id of 0 marks a triangle.
 void Reader::elements(const Region& region) {
   const auto n = static_cast<std::size_t>(region.elements);
   const std::size_t length = records_.length(record_, "elements of the region");

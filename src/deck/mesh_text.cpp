@@ -1,5 +1,5 @@
-// READ9 form (a): outlines written out in plain text (docs/mesh-formats.md), and the
-// cutting of lines into fields which the Gmsh reader shares.
+// READ9 form (a): outlines in plain text (docs/mesh-formats.md). Also splits lines into
+// fields, for the Gmsh reader as well.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace blocks::deck::mesh {
 namespace {
 
-/// A field as quoted in a message: short, no control characters.
+/// Returns a field as quoted in a message: shortened, without control characters.
 std::string quoted(std::string_view field) {
   std::string text(field.substr(0, 40));
   for (char& c : text)
@@ -50,7 +50,7 @@ bool Lines::next() {
 
 void Lines::split(std::string_view line) {
   constexpr std::string_view blank = " \t\r\f\v";
-  bool comma = false;  // one stands open: another field must follow
+  bool comma = false;  // after a comma another field must follow
   for (std::size_t i = 0; i < line.size();) {
     if (blank.find(line[i]) != blank.npos) {
       ++i;
@@ -98,7 +98,7 @@ long Lines::integer(std::size_t i, const std::string& what) const {
 
 double Lines::real(std::size_t i, const std::string& what) const {
   std::string text(field(i, what));
-  std::replace(text.begin(), text.end(), 'D', 'E');  // exponents of Fortran
+  std::replace(text.begin(), text.end(), 'D', 'E');  // exponents as in Fortran
   std::replace(text.begin(), text.end(), 'd', 'e');
   double value = 0;
   const auto [end, error] =
@@ -117,13 +117,13 @@ std::size_t Lines::count(std::size_t i, const std::string& what) const {
   if (value < 0)
     fail(place(), fmt::format("{} is negative: {}", what, value));
   const auto n = static_cast<std::size_t>(value);
-  if (n > bytes_left() / 2 + 1)  // the last one needs no line end
+  if (n > bytes_left() / 2 + 1)  // the last item needs no line end
     fail(place(), fmt::format("{} {} cannot be right: only {} of the file are left",
                               what, value, counted(bytes_left(), "byte")));
   return n;
 }
 
-// BLOCKS [n], then per block "nc, mat" and nc lines "x, y".
+// Reads BLOCKS [n], then for each block "nc, mat" and nc lines "x, y".
 MeshFile read_text(std::string_view file, std::string_view text) {
   Lines lines(file, text, "$!", true);
   lines.need("the word BLOCKS");
@@ -158,7 +158,7 @@ MeshFile read_text(std::string_view file, std::string_view text) {
       block.outline.emplace_back(lines.real(0, corner + ": x"),
                                  lines.real(1, corner + ": y"));
     }
-    turn_clockwise(block.outline);  // one without area is refused by the model's check
+    turn_clockwise(block.outline);  // the model's check rejects one without area
     mesh.blocks.push_back(std::move(block));
   }
   if (announced && mesh.blocks.size() != expected)

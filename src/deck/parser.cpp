@@ -22,18 +22,18 @@ class Parser {
         diagnostics_(diagnostics), order_(names(lines_), diagnostics) {}
 
   void run();
-  /// The cards go on where a deck ended.
+  /// Parses cards that follow a deck that was read before.
   void run_on();
 
  private:
-  /// What a keyword means, misspelt or not; null when nothing is near.
+  /// Returns the card that a keyword means, even if misspelt; null if no card is near.
   static const CardSpec* meant(const Line& line);
   static std::vector<std::string_view> names(const std::vector<Line>& lines);
 
   bool more() const { return next_ < lines_.size(); }
-  /// The lines of values from here to the next keyword.
+  /// Takes the lines of values up to the next keyword.
   std::vector<Line> take_data();
-  /// Joins the lines a card goes on on.
+  /// Takes a card and joins its continuation lines.
   Line take_card(const CardSpec& spec);
 
   void card();
@@ -58,7 +58,7 @@ class Parser {
   std::optional<long> most_blocks_;   ///< START's nblok
   std::optional<long> most_corners_;  ///< START's ncmx
   std::map<long, int> materials_;     ///< number -> line
-  std::optional<Cloop> loop_;         ///< a CLOOP that waits for its CREATE
+  std::optional<Cloop> loop_;         ///< a CLOOP whose CREATE has not been read yet
   std::optional<SourceLocation> loop_at_;
 };
 
@@ -162,7 +162,7 @@ void Parser::unknown(const Line& line) {
   take_data();
 }
 
-/// A CLOOP must be followed by CREATE and nothing else.
+/// Reports a CLOOP that is not directly followed by CREATE.
 void Parser::check_loop(const CardSpec* next) {
   if (loop_at_ && (next == nullptr || next->name != "CREATE")) {
     diagnostics_.error(*loop_at_, "CLOOP", "must be directly followed by CREATE",
@@ -180,7 +180,7 @@ void Parser::card() {
   order_.pass(spec, where, false);
   const Values values = read_card(spec, line, overrides_, diagnostics_);
   stopped_ = spec.name == "STOP";
-  // What stands behind STOP is nobody's.
+  // Lines after STOP belong to no card.
   const std::vector<Line> data = stopped_ ? std::vector<Line>{} : take_data();
 
   if (spec.name == "CLOOP") {
@@ -202,7 +202,7 @@ void Parser::card() {
     }
   }
   if (!data.empty() && spec.follow_on.empty()) {
-    // Behind a faulty card the lines may be part of the same mistake.
+    // After a faulty card the lines may be part of the same mistake.
     if (values.ok) {
       diagnostics_.error(data.front().fields.front().where, std::string(spec.name),
                          "unexpected line of values behind this card",
@@ -215,7 +215,8 @@ void Parser::card() {
                        "the title is one line");
     built.reset();
   } else if (!spec.follow_on.empty() && spec.name != "START") {
-    // The lists can be checked as soon as their count is known.
+    // The lists can be checked even if another field of the card is faulty, because
+    // their count is known.
     if (!built && values.fields[0].ok && spec.name == "CREATE") {
       Card counted = Create{.nc = values.fields[0].as_int(),
                             .mat = {},
@@ -237,7 +238,7 @@ void Parser::card() {
   }
 }
 
-/// Puts a faultless card into the deck.
+/// Adds a card without faults to the deck.
 void Parser::finish(const CardSpec& spec, Card card, SourceLocation where) {
   if (auto* create = std::get_if<Create>(&card)) {
     create->loop = loop_;
@@ -354,7 +355,7 @@ bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation e
   return lists.ok;
 }
 
-/// An override that changes nothing would be a silent mistake.
+/// Reports overrides that changed nothing; they would be silent mistakes.
 void Parser::check_unused_overrides() {
   for (const OverrideFields& set : overrides_) {
     bool used = false;
@@ -370,7 +371,7 @@ void Parser::check_unused_overrides() {
   }
 }
 
-/// Says so when the text cannot be a deck at all, before it is taken apart.
+/// Reports a text that cannot be a deck at all, before it is split into fields.
 bool readable(const std::string& text, Diagnostics& diagnostics) {
   if (const auto where = first_binary_byte(text)) {
     diagnostics.error(*where, "", "not a text file: a control character",

@@ -1,5 +1,5 @@
-// Deck text -> commands, driven by the card table. Reports every fault through the
-// diagnostics and goes on, so that one pass shows them all.
+// Parses deck text into commands according to the card table. It reports every fault
+// through the diagnostics and continues, so that one pass shows them all.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace blocks::deck {
 
-/// Overrides from the command line: --set CARD.field=value. Unknown names are errors.
+/// An override from the command line: --set CARD.field=value. Unknown names are errors.
 struct Override {
   std::string card, field, value;
 };
 
-/// Parses the text held by the diagnostics. With errors, the deck holds what could be
-/// read.
+/// Parses the text held by the diagnostics. If there are errors, the deck contains what
+/// could be read.
 Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
            const std::vector<Override>& overrides = {});
 
-/// Problem cards for a model that exists already; no cards at all are none.
+/// Parses problem cards for a model that already exists; the text may be empty.
 Deck parse_further(const std::string& file, const std::string& text,
                    Diagnostics& diagnostics);
 

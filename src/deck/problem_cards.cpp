@@ -9,11 +9,11 @@ constexpr Range positive{0, infinity, true, false, false};
 constexpr Range not_negative{0, infinity, false, false, false};
 constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range angle{-80, 80, false, false, false};
-// A layer of more blocks than that is a slip of the hand, and short lists of widths
-// are completed in memory.
+// A layer of more than a million blocks is taken as a typing error. The limit matters
+// because short lists of widths are completed in memory.
 constexpr Range layer_count{-1e6, 1e6, false, false, true};
 
-/// Blocks: A.2.1 to A.2.6.
+/// Adds the cards for blocks, A.2.1 to A.2.6.
 void add_block_cards(std::vector<CardSpec>& cards) {
   using enum Kind;
   cards.push_back(
@@ -116,7 +116,7 @@ void add_block_cards(std::vector<CardSpec>& cards) {
                    .example = "MERGE, .5"});
 }
 
-/// Boundaries and loads: A.2.7 to A.2.15.
+/// Adds the cards for boundaries and loads, A.2.7 to A.2.15.
 void add_load_cards(std::vector<CardSpec>& cards) {
   using enum Kind;
   cards.push_back(
@@ -212,7 +212,7 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                    .example = "DAMPING, .2"});
 }
 
-/// Output and running: A.2.16 to A.2.21.
+/// Adds the cards for output and running, A.2.16 to A.2.21.
 void add_run_cards(std::vector<CardSpec>& cards) {
   using enum Kind;
   cards.push_back({.name = "DUMP",

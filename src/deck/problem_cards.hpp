@@ -1,4 +1,4 @@
-// The half of the card table that defines the problem (report A.2).
+// The part of the card table that defines the problem (report A.2).
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace blocks::deck {
 
-/// The cards of A.2 in the order of the report; read them through card_table().
+/// Returns the cards of A.2 in the order of the report. Use card_table() to read them.
 std::vector<CardSpec> problem_cards();
 
 }  // namespace blocks::deck

@@ -25,7 +25,7 @@ std::string text(std::string_view words) {
     case '\\':
       out += "\\e";
       break;
-    case '-':  // a minus sign that can be copied, not a hyphen
+    case '-':  // a minus sign, which can be copied, not a hyphen
       out += "\\-";
       break;
     case '`':

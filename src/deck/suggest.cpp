@@ -7,7 +7,8 @@
 namespace blocks::deck {
 namespace {
 
-/// Optimal string alignment distance: insert, delete, replace, swap neighbours.
+/// Returns the optimal string alignment distance. Edits are: insert, delete, replace,
+/// swap neighbours.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1), previous(b.size() + 1),
       current(b.size() + 1);
@@ -34,7 +35,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 std::string suggest(std::string_view word,
                     const std::vector<std::string_view>& candidates) {
-  constexpr std::size_t longest = 24;  // no name of ours is longer
+  constexpr std::size_t longest = 24;  // no card name is longer
   if (word.empty() || word.size() > longest) {
     return {};
   }
@@ -47,13 +48,13 @@ std::string suggest(std::string_view word,
     const std::size_t shorter = std::min(wanted.size(), name.size());
     const bool near = distance <= std::max<std::size_t>(1, shorter / 3);
     if (!near) {
-      // GRAV for GRAVITY, SETVELOCITY for SETVEL: behind every near miss.
+      // GRAV for GRAVITY, or SETVELOCITY for SETVEL, ranks after every near miss.
       if (shorter < 3 || wanted.compare(0, shorter, name, 0, shorter) != 0) {
         continue;
       }
     }
-    // A common beginning counts half an edit a letter: FRICTION means FRICTN, although
-    // FRACTION is nearer by edits.
+    // Each letter of a common beginning cancels half an edit. So FRICTION suggests
+    // FRICTN, although FRACTION is fewer edits away.
     const auto same =
         std::mismatch(wanted.begin(), wanted.begin() + static_cast<long>(shorter),
                       name.begin())

@@ -1,4 +1,4 @@
-// "Did you mean": the nearest of a list of words.
+// Spelling suggestions: finds the nearest word of a list.
 #pragma once
 
 #include <string>
@@ -7,9 +7,10 @@
 
 namespace blocks::deck {
 
-/// The candidate nearest to the word, or empty when none is near. Case does not
-/// matter. Near means few edits (insert, delete, replace, swap neighbours) for the
-/// length, or one word beginning with the other.
+/// Returns the candidate nearest to the word in any case, or an empty string if none is
+/// near. A candidate is near if few edits, relative to its length, lead to it, or if
+/// one word begins with the other. Edits are to insert, delete or replace a letter or
+/// to swap neighbours.
 std::string suggest(std::string_view word,
                     const std::vector<std::string_view>& candidates);
 

@@ -1,5 +1,5 @@
-// A block as it goes out to other programs. Plain structs; nothing here knows the model
-// or the results.
+// A block for export to other programs. Plain structs, independent of the model and the
+// results.
 #pragma once
 
 #include <optional>
@@ -20,21 +20,23 @@ struct BlockRecord {
   std::vector<std::pair<std::string, double>> results;  ///< name and value
 };
 
-/// The decimal with the fewest digits that reads back as the same double.
+/// Returns the shortest decimal that reads back as the same double.
 std::string shortest(double value);
 
-/// GeoJSON FeatureCollection, a feature to the line; rings anticlockwise (RFC 7946),
-/// beginning and ending with corner 1. time: a member of the collection. Values that
-/// are not finite become null.
+/// Returns a GeoJSON FeatureCollection with one feature per line. Rings are
+/// anticlockwise (RFC 7946) and begin and end with corner 1. time: written as a member
+/// of the collection. Values that are not finite become null.
 std::string write_geojson(const std::vector<BlockRecord>& blocks,
                           std::optional<double> time = {});
 
-/// WKT, a POLYGON to the line, rings as in GeoJSON. Materials have no place in it.
+/// Returns WKT with one POLYGON per line; rings are as in GeoJSON. WKT cannot hold
+/// materials.
 std::string write_wkt(const std::vector<BlockRecord>& blocks);
 
-/// Gmsh 2.2 ASCII: nodes shared where corners are the same point, elements
-/// anticlockwise from corner 1, material = physical group. Every block must have 3 or 4
-/// corners: throws std::invalid_argument naming the first that has more.
+/// Returns Gmsh 2.2 ASCII. Corners at the same point share a node; elements are
+/// anticlockwise from corner 1; the material is the physical group. Every block must
+/// have 3 or 4 corners. Throws std::invalid_argument that names the first block with
+/// more.
 std::string write_gmsh(const std::vector<BlockRecord>& blocks);
 
 }  // namespace blocks::exchange

@@ -38,8 +38,8 @@ Extent extent_of(const std::vector<Outline>& outlines) {
   return extent;
 }
 
-/// Nearest multiple of `step`, a power of ten, at or beyond x in the direction given,
-/// in decimals.
+/// Returns the nearest multiple of `step`, a power of ten, at or beyond x in the given
+/// direction, as a decimal.
 std::string rounded(double x, double step, bool up) {
   const double multiple = up ? std::ceil(x / step) : std::floor(x / step);
   const int decimals = std::max(0, static_cast<int>(-std::lround(std::log10(step))));
@@ -58,7 +58,7 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
   const Vec2 size = extent.upper - extent.lower;
   const double widest = size.maxCoeff();
   const double area = size.x() * size.y();
-  // A block's second moment is of this order.
+  // The second moment of a block has this order of magnitude.
   const double moment = area * area / static_cast<double>(outlines.size());
   if (!(std::isnormal(area) && std::isnormal(moment)))
     throw std::range_error(fmt::format("blocks in {:g} by {:g} are too {} for a deck",

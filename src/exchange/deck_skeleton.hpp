@@ -1,4 +1,4 @@
-// A deck around imported blocks, to be filled in by the user.
+// Writes a deck for imported blocks that the user completes.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace blocks::exchange {
 
-/// A deck that reads `mesh` (READ9) and passes `blocks check`: limits a tenth wider
-/// than the blocks, boxes and tolerance from their size, one MATERIAL for each number
-/// in use, FIX for fixed blocks. Stiffness, densities and gravity are assumed values of
-/// rock in m, kg, s, and the deck says so. Throws std::range_error: the blocks are so
-/// large or small that their areas are no numbers to calculate with.
+/// Returns a deck that reads `mesh` (READ9) and passes `blocks check`. Limits are a
+/// tenth wider than the blocks; boxes and tolerance follow from the block size. There
+/// is one MATERIAL for each number in use, and FIX for fixed blocks. Stiffness,
+/// densities and gravity are assumed values of rock in m, kg, s, and the deck says so.
+/// Throws std::range_error if the blocks are so large or small that their areas
+/// overflow or underflow.
 std::string write_deck_skeleton(const std::vector<Outline>& outlines,
                                 const std::string& mesh);
 

@@ -45,7 +45,8 @@ class Reader {
     return false;
   }
 
-  /// Member of the kind; null with an error otherwise.
+  /// Returns the member if it is of this kind; otherwise reports an error and returns
+  /// null.
   const Json* member(const Json& object, const std::string& key, Json::Kind kind) {
     const Json* found = object.find(key);
     if (!found)

@@ -11,7 +11,7 @@ std::string number(double value) {
   return std::isfinite(value) ? shortest(value) : "null";
 }
 
-/// Corner 1, the others backwards, corner 1 again.
+/// Returns corner 1, the other corners in reverse order, and corner 1 again.
 std::string ring(const geometry::Polygon& outline) {
   std::string text;
   for (std::size_t i = 0; i <= outline.size(); ++i) {
@@ -24,8 +24,8 @@ std::string ring(const geometry::Polygon& outline) {
 
 }  // namespace
 
-// {fmt} and std::to_chars give the shortest digits; "-0" keeps its sign on the way
-// back, since readers here take the digits as they stand.
+// {fmt} and std::to_chars give the shortest digits. "-0" keeps its sign, because the
+// readers here read the digits as written.
 std::string shortest(double value) { return fmt::format("{}", value); }
 
 std::string write_geojson(const std::vector<BlockRecord>& blocks,

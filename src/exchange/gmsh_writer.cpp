@@ -10,7 +10,7 @@
 namespace blocks::exchange {
 
 std::string write_gmsh(const std::vector<BlockRecord>& blocks) {
-  // Told apart by their bits, so that -0 and 0 both come back as they were.
+  // Corners are compared by their bits, so that both -0 and 0 are preserved.
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::size_t> node_of;
   std::string nodes, elements;
   for (const BlockRecord& block : blocks) {

@@ -9,8 +9,8 @@
 namespace blocks::exchange {
 namespace {
 
-/// Reads the text and counts what the parser has taken, for nlohmann's events do not
-/// say where they happen.
+/// Iterates over the text and counts the characters that the parser has consumed,
+/// because nlohmann's events have no position.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -43,7 +43,7 @@ class CountingIterator {
   std::size_t* taken_;
 };
 
-constexpr std::size_t deepest = 32;  // GeoJSON needs about ten
+constexpr std::size_t deepest = 32;  // levels of nesting; GeoJSON needs about ten
 
 /// Builds the tree from nlohmann's events.
 class TreeBuilder {
@@ -61,7 +61,8 @@ class TreeBuilder {
   bool number_unsigned(std::uint64_t) { return number(); }
   bool number_float(double, const std::string&) { return number(); }
   bool string(std::string& value) {
-    Json node = leaf(Json::Kind::string, 1);  // the closing quote's place will do
+    Json node = leaf(Json::Kind::string,
+                     1);  // positioned at the closing quote, which is close enough
     node.text = std::move(value);
     return put(std::move(node));
   }
@@ -80,7 +81,7 @@ class TreeBuilder {
     if (const auto column = message.find("column "); column != message.npos)
       if (const auto colon = message.find(": ", column); colon != message.npos)
         message.erase(0, colon + 2);
-    if (message.starts_with('['))  // a number beyond the range has no column
+    if (message.starts_with('['))  // an out-of-range number has no column
       message.erase(0, message.find("] ") + 2);
     throw JsonFault(position > 0 ? position - 1 : 0, message.substr(0, 200));
   }
@@ -99,7 +100,7 @@ class TreeBuilder {
     return node;
   }
 
-  // The parser looks one character beyond a number, unless the text ends there.
+  // The parser reads one character beyond a number, unless the text ends there.
   bool number() {
     constexpr std::string_view of_numbers = "+-.eE0123456789";
     std::size_t end = taken_;

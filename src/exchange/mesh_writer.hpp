@@ -1,4 +1,4 @@
-// The text form of READ9 (docs/mesh-formats.md).
+// Writes the text form of READ9 (docs/mesh-formats.md).
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace blocks::exchange {
 
-/// Outlines as READ9 reads them, numbers as written where they are known, the shortest
-/// decimals otherwise. Every outline has a material. comment: stands at the head.
+/// Returns the outlines in the form that READ9 reads. Numbers are as written if known,
+/// otherwise the shortest decimals. Every outline must have a material. comment: placed
+/// at the head of the file.
 std::string write_mesh(const std::vector<Outline>& outlines,
                        const std::string& comment);
 
-/// The comment without characters that would end it.
+/// Returns the comment without characters that would end it.
 std::string one_line(std::string text);
 
 }  // namespace blocks::exchange

@@ -8,7 +8,8 @@ namespace blocks::exchange {
 namespace {
 
 constexpr std::size_t most_shown = 40;
-constexpr std::size_t before = 50, after = 30;  // of the caret, in a long line
+constexpr std::size_t before = 50,
+                      after = 30;  // characters shown around the caret in a long line
 
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
@@ -17,7 +18,7 @@ std::size_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), begins_character));
 }
 
-/// As it can be shown on a terminal: no control characters.
+/// Returns the text without control characters, for a terminal.
 std::string shown(std::string_view text) {
   std::string result(text);
   for (char& c : result)
@@ -26,7 +27,7 @@ std::string shown(std::string_view text) {
   return result;
 }
 
-/// The part of the line around `at`, and a caret under it.
+/// Returns the part of the line around the message's offset, with a caret under it.
 std::string picture(std::string_view text, std::size_t begin, const Message& message) {
   const std::size_t end = std::min(text.find('\n', message.at), text.size());
   std::size_t from = begin, to = end;

@@ -1,5 +1,6 @@
-// Errors and warnings about a text that may be one line of many megabytes: the place is
-// found in one pass, and the line is shown through a window.
+// Errors and warnings about a text, which may be a single line of many megabytes.
+// Locations are found in one pass, and only the part of the line around the fault is
+// shown.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace blocks::exchange {
 
-/// The offset of what stands nowhere in particular.
+/// Offset of a message that has no location.
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
 struct Message {
@@ -17,14 +18,14 @@ struct Message {
   std::size_t at = nowhere;  ///< offset in the text
   std::string text;          ///< lower case, no full stop
   std::string hint;          ///< may be empty
-  std::size_t length = 1;    ///< what the caret underlines; 0: no line shown
+  std::size_t length = 1;    ///< characters underlined; 0: no line shown
 };
 
 bool has_errors(const std::vector<Message>& messages);
 
-/// "file:line:col: error: FORM: message", the line, a caret, the hint, for each message
-/// in the order of the text; the first 40 if there are more. A hint is given once where
-/// it is the same for several messages in a row. Columns count characters.
+/// Formats each message as "file:line:col: error: FORM: message", the line, a caret and
+/// the hint, in the order of the text. Only the first 40 messages are shown. A hint
+/// that several messages in a row share is shown once. Columns count characters.
 std::string format(std::vector<Message> messages, const std::string& file,
                    const std::string& form, std::string_view text);
 

@@ -1,5 +1,5 @@
-// What the readers of foreign files hand over: outlines with their numbers as written.
-// Plain structs; nothing here knows the deck.
+// The result of the readers of foreign files: outlines with their numbers as written.
+// Plain structs, independent of the deck.
 #pragma once
 
 #include <array>
@@ -11,29 +11,28 @@
 
 namespace blocks::exchange {
 
-/// x and y of a corner digit for digit as the file has them; READ9's text form reads
-/// the same doubles from them.
+/// x and y of a corner exactly as written in the file. READ9's text form reads the same
+/// doubles from them.
 using WrittenCorner = std::array<std::string, 2>;
 
-/// One block as another program wrote it.
+/// One block of a foreign file.
 struct Outline {
   geometry::Polygon corners;  ///< [L] nearest doubles, in the file's order, not closed
-  std::vector<WrittenCorner> written;  ///< same corners; may be empty
-  long material = 0;                   ///< 0: the file does not say
+  std::vector<WrittenCorner> written;  ///< the same corners as written; may be empty
+  long material = 0;                   ///< 0 if the file has none
   bool fixed = false;
   std::size_t at = nowhere;  ///< offset of the polygon in the text
 };
 
-/// A file read to its end; with errors among the messages the outlines are not all
-/// there.
+/// The content of a file. If the messages contain errors, outlines may be missing.
 struct OutlineFile {
-  std::string found;  ///< in words: "GeoJSON, 12 polygons"
+  std::string found;  ///< summary: "GeoJSON, 12 polygons"
   std::vector<Outline> outlines;
   std::vector<Message> messages;
 };
 
-/// The outline in the other sense, corner 1 kept first, numbers as written
-/// too.
+/// Reverses the orientation of the outline, including the numbers as written; corner 1
+/// stays first.
 void reverse(Outline& outline);
 
 }  // namespace blocks::exchange

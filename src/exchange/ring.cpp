@@ -9,7 +9,8 @@
 namespace blocks::exchange {
 namespace {
 
-/// The nearest double; nothing for no number or one beyond the range of doubles.
+/// Returns the nearest double, or nothing if the text is not a number or is beyond the
+/// range of doubles.
 std::optional<double> value_of(std::string_view text) {
   if (text.starts_with('+'))
     text.remove_prefix(1);

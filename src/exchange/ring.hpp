@@ -1,5 +1,5 @@
-// A ring of positions, as GeoJSON and WKT give it, becomes an outline: the closing
-// point is dropped, numbers stay as written. Private to src/exchange.
+// Converts a ring of positions, as in GeoJSON and WKT, to an outline. The closing point
+// is dropped, and numbers stay as written. Private to src/exchange.
 #pragma once
 
 #include <string>
@@ -10,30 +10,32 @@
 
 namespace blocks::exchange {
 
-/// A number of the file and where it stands (offset in the text).
+/// A number of the file as written, and its offset in the text.
 struct WrittenNumber {
   std::string_view text;
   std::size_t at = 0;
 };
 using Position = std::array<WrittenNumber, 2>;
 
-/// Collects outlines and messages of one text.
+/// Collects the outlines and messages of one text.
 class RingReader {
  public:
-  /// Adds the outline of a closed ring; at: where its polygon begins. A ring that is
-  /// not closed, too short, or has a number beyond the range of doubles is an error.
+  /// Adds the outline of a closed ring. at: offset of its polygon. It is an error if
+  /// the ring is not closed, is too short, or contains a number beyond the range of
+  /// doubles.
   void add(const std::vector<Position>& ring, long material, bool fixed,
            std::size_t at);
 
   void error(std::size_t at, std::string text, std::string hint = {},
              std::size_t length = 1);
   void warning(std::size_t at, std::string text, std::string hint = {});
-  /// A polygon with `holes` inner rings: an error that says what to do.
+  /// Reports a polygon with `holes` inner rings as an error that says what to do.
   void refuse_holes(std::size_t holes, std::size_t at);
-  /// Positions with more than two numbers; told once at the end.
+  /// Registers a position with more than two numbers; finish() reports all of them
+  /// once.
   void saw_height(std::size_t at);
 
-  /// found: "GeoJSON", to which the number of polygons is added.
+  /// Returns the result. found: "GeoJSON"; the number of polygons is appended.
   OutlineFile finish(const std::string& found);
 
  private:

@@ -9,7 +9,7 @@ namespace blocks::exchange {
 Soundness examine(const std::vector<geometry::Polygon>& outlines) {
   Soundness result;
   std::vector<geometry::Polygon> good;
-  std::vector<int> number;  // of the good ones
+  std::vector<int> number;  // block numbers of the good outlines
   std::vector<double> area;
   for (int b = 0; b < static_cast<int>(outlines.size()); ++b) {
     const geometry::OutlineCheck check = geometry::check_outline(outlines[b]);

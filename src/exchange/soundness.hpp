@@ -1,5 +1,5 @@
-// Whether outlines make blocks: each one checked exactly, every pair that overlaps, and
-// how the blocks meet.
+// Checks whether outlines are valid blocks: each outline exactly, every pair that
+// overlaps, and how the blocks meet.
 #pragma once
 
 #include <vector>
@@ -10,26 +10,29 @@
 
 namespace blocks::exchange {
 
+/// An outline with a fault.
 struct BadOutline {
   int block = 0;  ///< from 0
   geometry::OutlineCheck check;
 };
 
+/// The result of examine.
 struct Soundness {
   std::vector<BadOutline> bad;
-  std::vector<int> turned;  ///< blocks that run anticlockwise
+  std::vector<int> turned;  ///< blocks whose corners run anticlockwise
   std::vector<int> concave;
-  /// Of the good outlines; those by rounding alone apart (geometry/rounding.hpp), for
-  /// decimals cannot say where two sloping lines meet.
+  /// Overlaps between outlines without fault. Those that rounding explains are in
+  /// `roundings` (geometry/rounding.hpp), because decimals cannot represent every point
+  /// where two sloping lines meet.
   std::vector<geometry::BlockOverlap> overlaps, roundings;
-  geometry::Joints joints;  ///< T-junctions, and gaps between the good ones
+  geometry::Joints joints;  ///< T-junctions and gaps between outlines without fault
   std::size_t slits_by_rounding = 0;
 
   bool sound() const { return bad.empty() && overlaps.empty(); }
 };
 
-/// outlines: either sense, [L]. Law: turning or renumbering outlines changes nothing
-/// but the numbers.
+/// Examines the outlines, [L], clockwise or anticlockwise. Guarantee: reversing or
+/// renumbering outlines changes only the numbers in the result.
 Soundness examine(const std::vector<geometry::Polygon>& outlines);
 
 }  // namespace blocks::exchange

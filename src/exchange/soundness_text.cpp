@@ -8,13 +8,14 @@ namespace blocks::exchange {
 namespace {
 
 constexpr std::size_t shown = 5;
-constexpr std::size_t most_pairs = 10;  // that overlap, the largest
+// Number of overlapping pairs listed, the largest ones.
+constexpr std::size_t most_pairs = 10;
 
 std::string counted(std::size_t n, const std::string& noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
-/// "  ...\n" for the first few.
+/// Returns a line "  ...\n" for each of the first few items.
 template <class Items, class Text>
 std::string first_few(const Items& items, Text text_of) {
   std::string text;

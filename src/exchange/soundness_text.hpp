@@ -1,4 +1,4 @@
-// What the check of outlines found, in words.
+// Describes the result of the check of outlines in words.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace blocks::exchange {
 
-/// An error for each bad outline and for the ten pairs that overlap most, the rest of
-/// the pairs counted; overlaps become warnings when they are to be kept.
+/// Returns an error for each outline with a fault and for the ten pairs with the
+/// largest overlaps; further pairs are counted. Overlaps are only warnings if they are
+/// to be kept.
 std::vector<Message> faults(const Soundness& soundness,
                             const std::vector<Outline>& outlines, bool keep_overlaps);
 
-/// Lines for the user: size of the whole, concave blocks, T-junctions, near misses.
+/// Returns lines for the user: overall size, concave blocks, T-junctions and gaps.
 std::string describe(const Soundness& soundness, const std::vector<Outline>& outlines);
 
 }  // namespace blocks::exchange

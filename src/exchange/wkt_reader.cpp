@@ -28,7 +28,7 @@ std::string upper(std::string_view word) {
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-constexpr int deepest = 32;  // collections within collections
+constexpr int deepest = 32;  // levels of nested collections
 
 class Reader {
  public:
@@ -49,7 +49,7 @@ class Reader {
   std::size_t at_ = 0;
   RingReader rings_;
 
-  /// Moves over blanks and the characters of `also`.
+  /// Skips blanks and the characters of `also`.
   void skip(std::string_view also = "") {
     while (at_ < text_.size() &&
            (is_blank(text_[at_]) || also.find(text_[at_]) != also.npos))
@@ -82,7 +82,7 @@ class Reader {
       fail(expected);
   }
 
-  /// The next word in capitals; empty when none stands there.
+  /// Returns the next word in capitals; empty if there is none.
   std::string word() {
     skip();
     const std::size_t begin = at_;
@@ -95,7 +95,7 @@ class Reader {
     skip();
     const auto end = std::min(text_.find_first_of(" \t\r\n(),;", at_), text_.size());
     const WrittenNumber found{text_.substr(at_, end - at_), at_};
-    // JSON has one way to write a number, Fortran's D is none of WKT's.
+    // WKT does not allow Fortran's exponent letter D, which Decimal accepts.
     if (found.text.find_first_of("dD") != found.text.npos ||
         !geometry::Decimal::parse(found.text))
       fail(what);
@@ -111,7 +111,7 @@ class Reader {
     return false;
   }
 
-  /// action for each item of "( item, item, ... )".
+  /// Performs the action for each item of "( item, item, ... )".
   template <class Action> void list(Action action) {
     need('(', "'('");
     do
@@ -136,7 +136,7 @@ void Reader::geometry(int depth) {
   }
   std::size_t after = at_;
   if (const std::string tag = word(); tag == "Z" || tag == "M" || tag == "ZM")
-    after = at_;  // told with the first position that has a third number
+    after = at_;  // reported with the first position that has a third number
   at_ = after;
   if (kind != "POLYGON" && kind != "MULTIPOLYGON" && kind != "GEOMETRYCOLLECTION") {
     at_ = begin;

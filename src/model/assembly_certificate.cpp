@@ -14,7 +14,7 @@
 namespace blocks {
 namespace {
 
-/// Only slits with a block that has not moved are the deck's.
+/// Finds joints, except those between two moved blocks, which the deck did not make.
 void find_joints(const std::vector<geometry::Polygon>& outlines,
                  AssemblyCertificate& certificate) {
   if (certificate.moved == certificate.blocks)
@@ -42,7 +42,7 @@ std::string at(const Vec2& place) {
   return fmt::format("({:.12g}, {:.12g})", place.x(), place.y());
 }
 
-/// A line for each of the first ones, and how many more there are.
+/// Returns one line for each of the first items, and the number of further ones.
 template <typename List, typename Line>
 std::string named(const std::string& title, const List& list, std::size_t count,
                   Line line) {

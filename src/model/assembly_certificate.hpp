@@ -1,5 +1,5 @@
-// Proof, before time passes, that no two blocks occupy the same place, and how they
-// meet (the blocks of one layer are certified when it is cut). Knows nothing of cards.
+// Certificate that no two blocks overlap before a run starts, and a record of how they
+// meet. Blocks of one layer are certified when the layer is cut. Independent of cards.
 #pragma once
 
 #include <memory>
@@ -12,49 +12,55 @@
 
 namespace blocks {
 
-/// Listing and summary name so many pairs of each kind; the count stands beside them.
+/// Listing and summary name at most this many pairs of each kind, beside the total
+/// count.
 constexpr std::size_t most_pairs_named = 100;
 
-/// Pairs of blocks that have moved are contacts where they overlap: the deck did not
-/// make them so, the motion did.
+/// The result of certify_assembly. Overlapping blocks that have both moved are in
+/// contact: the motion made them overlap, not the deck.
 struct AssemblyCertificate {
-  int blocks = 0;  ///< blocks looked at
-  int moved = 0;  ///< the first of them, which time has passed for since they were made
-  std::vector<geometry::BlockOverlap> overlaps;   ///< beyond rounding, in order
-  std::vector<geometry::BlockOverlap> roundings;  ///< by rounding only, in order
-  std::vector<geometry::BlockOverlap> contacts;   ///< of moved blocks, in order
-  double largest_rounding = 0.0;  ///< their largest area over the smaller block's
+  int blocks = 0;  ///< number of blocks examined
+  int moved = 0;  ///< number of blocks, the first ones, that existed during a time step
+  /// Overlaps larger than rounding explains, in order.
+  std::vector<geometry::BlockOverlap> overlaps;
+  std::vector<geometry::BlockOverlap> roundings;  ///< explained by rounding, in order
+  std::vector<geometry::BlockOverlap> contacts;   ///< between moved blocks, in order
+  /// The largest area in `roundings`, as a fraction of the smaller block's area.
+  double largest_rounding = 0.0;
 
-  /// Slits: gaps, then those of rounding, the widest first; T-junctions. None between
-  /// moved blocks.
+  /// Slits are in this order: gaps, then slits made by rounding, both the widest first.
+  /// Joints between moved blocks are left out.
   geometry::Joints joints;
-  std::size_t t_junctions = 0;     ///< how many, also where they are not kept
-  std::size_t rounding_slits = 0;  ///< the last of the slits, made by rounding
-  double ulp = 0.0;  ///< [L] between neighbouring doubles at the largest coordinate
+  std::size_t t_junctions = 0;  ///< their number, also if the list is not kept
+  /// Number of slits made by rounding; they are at the end of the list.
+  std::size_t rounding_slits = 0;
+  double ulp = 0.0;  ///< [L] spacing of doubles at the largest coordinate
 
   bool holds() const { return overlaps.empty(); }
-  /// Slits wider than rounding makes them.
+  /// The number of slits wider than rounding explains.
   std::size_t gaps() const { return joints.slits.size() - rounding_slits; }
 };
 
-/// One certificate for all who tell of it; nothing: there are no blocks.
+/// One certificate shared by all outputs; null if there are no blocks.
 using SharedCertificate = std::shared_ptr<const AssemblyCertificate>;
 
-/// Exact decision for every pair, n log n. moved: as in the certificate; before: the
-/// last certificate of these blocks, whose overlaps stay overlaps as long as they last.
-/// Law: the order of the blocks changes nothing but their numbers.
+/// Decides exactly for every pair of blocks, in O(n log n) time. moved: see
+/// AssemblyCertificate::moved. before: the last certificate of these blocks; its
+/// overlaps remain overlaps as long as they exist. Guarantee: the order of the blocks
+/// affects only their numbers in the result.
 AssemblyCertificate certify_assembly(const Blocks& blocks, int moved = 0,
                                      const AssemblyCertificate& before = {});
 
-/// The verdict in one line: "no two of 120 blocks overlap".
+/// Returns the verdict in one line: "no two of 120 blocks overlap".
 std::string verdict(const AssemblyCertificate& certificate);
 
-/// Gaps, slits of rounding and T-junctions in one line, the widest gap with its place:
-/// "1 gap, 0.0004 between blocks 1 and 4 at (-3, 0); 2 T-junctions".
+/// Returns the numbers of gaps, of slits made by rounding and of T-junctions in one
+/// line, with the place of the widest gap: "1 gap, 0.0004 between blocks 1 and 4 at
+/// (-3, 0); 2 T-junctions".
 std::string joints_line(const AssemblyCertificate& certificate);
 
-/// The lines of the listing: verdict, joints, and the first `most_pairs_named`
-/// overlaps, roundings and gaps, the number of the others beside them.
+/// Returns the lines of the listing: verdict, joints, and the first `most_pairs_named`
+/// pairs of each kind, with the number of further ones.
 std::string full_text(const AssemblyCertificate& certificate);
 
 }  // namespace blocks

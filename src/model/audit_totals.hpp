@@ -1,4 +1,4 @@
-// What the audits of a run saw and found, for the summary.
+// Counts and findings of the audits of a run, for the summary.
 #pragma once
 
 #include <string>
@@ -6,42 +6,44 @@
 
 namespace blocks {
 
-/// Two blocks that overlapped by more than their contacts explained, where it was
-/// worst.
+/// Two blocks that overlapped by more than their contacts explain, at the audit where
+/// the excess was largest.
 struct AuditedOverlap {
   int first = 0, second = 0;  ///< blocks, from 0
   long step = 0;
   double time = 0.0;       ///< [T]
-  double depth = 0.0;      ///< [L] shortest shift that separates the two
-  double explained = 0.0;  ///< [L] deepest acting contact or hidden axis
-  double pressed = 0.0;    ///< [L] of its springs, FN / Kn
+  double depth = 0.0;      ///< [L] shortest translation that separates them
+  double explained = 0.0;  ///< [L] deepest active contact or hidden axis
+  double pressed = 0.0;    ///< [L] compression of its springs, FN / Kn
   double excess() const { return depth - explained; }
 };
 
-/// A contact that was deeper than the overlap of its two blocks, where it was worst.
+/// A contact that was deeper than the overlap of its two blocks, at the audit where the
+/// excess was largest.
 struct AuditedContact {
-  int block = 0, corner = 0;     ///< from 0, the corner in its block
-  int edge_block = 0, edge = 0;  ///< likewise
+  int block = 0, corner = 0;     ///< block from 0, corner in that block from 0
+  int edge_block = 0, edge = 0;  ///< likewise for the edge
   long step = 0;
   double time = 0.0;     ///< [T]
   double overlap = 0.0;  ///< [L] of the contact
-  double common = 0.0;   ///< [L] of the blocks' intersection along its normal
-  double pressed = 0.0;  ///< [L] of its spring, FN / Kn
+  double common = 0.0;   ///< [L] depth of the intersection along its normal
+  double pressed = 0.0;  ///< [L] compression of its spring, FN / Kn
   double excess() const { return overlap - common; }
 };
 
+/// Totals over all audits of a run.
 struct AuditTotals {
-  long every = 0;        ///< steps between audits
-  long moments = 0;      ///< audits made
-  long pairs = 0;        ///< pairs of blocks that the list had to hold, all moments
-  long acting = 0;       ///< acting contacts
-  long missed = 0;       ///< pairs of blocks that the list lacked
-  long wrong = 0;        ///< pairs of blocks whose contacts were not the exact ones
-  AuditedOverlap worst;  ///< of all pairs, a finding or not; excess() 0: none
-  std::vector<AuditedOverlap> excess;  ///< findings, a pair once, the worst first
-  AuditedContact deepest;              ///< a finding or not; excess() 0: none
-  std::vector<AuditedContact> deep;    ///< findings, a contact once
-  std::vector<std::string> faults;     ///< the missed and the wrong, in words
+  long every = 0;    ///< steps between audits
+  long moments = 0;  ///< number of audits
+  long pairs = 0;    ///< pairs of blocks that the list must hold, over all audits
+  long acting = 0;   ///< active contacts
+  long missed = 0;   ///< pairs of blocks missing from the list
+  long wrong = 0;    ///< pairs of blocks whose contacts differed from the exact ones
+  AuditedOverlap worst;  ///< of all pairs, even if no finding; excess() 0: none
+  std::vector<AuditedOverlap> excess;  ///< findings, one per pair, the worst first
+  AuditedContact deepest;              ///< even if no finding; excess() 0: none
+  std::vector<AuditedContact> deep;    ///< findings, one per contact
+  std::vector<std::string> faults;     ///< the missed and the wrong pairs, in words
 };
 
 }  // namespace blocks

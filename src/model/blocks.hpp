@@ -1,4 +1,5 @@
-// State of all blocks as structure of arrays (report Appendix D). n blocks, m corners.
+// State of all blocks as a structure of arrays (report Appendix D). Array shapes use n,
+// the number of blocks, and m, the number of corners.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +12,10 @@ namespace blocks {
 
 using geometry::Vec2;
 
-/// Why a block does not move.
+/// Whether a block is free, or why it is fixed.
 enum class Fixity : int { free = 0, by_user = 1, left_domain = 2 };
 
-/// A block to be made from a simple clockwise outline.
+/// A block to be created from a simple clockwise outline.
 struct NewBlock {
   geometry::Polygon outline;  ///< [L] clockwise
   int material = 0;
@@ -23,33 +24,35 @@ struct NewBlock {
   int layer = 0;  ///< LAYER card that made it, from 1; 0: none
 };
 
-/// Second-order tensors are stored as rows 11, 12, 21, 22. Rotation anticlockwise
-/// positive, tension positive, per unit thickness, any consistent set of units.
-/// [F] force, [L] length, [T] time, [M] mass.
+/// Arrays of all blocks and their corners. Second-order tensors are stored as rows 11,
+/// 12, 21, 22. Rotation is positive anticlockwise and stress is positive in tension.
+/// Quantities are per unit thickness, in any consistent set of units: [F] force, [L]
+/// length, [T] time, [M] mass.
 struct Blocks {
-  // corners of block b: first_corner[b] .. first_corner[b + 1], clockwise
+  // The corners of block b are first_corner[b] to first_corner[b + 1], half open,
+  // clockwise.
   std::vector<int> first_corner = {0};  ///< (n + 1)
   std::vector<int> corner_block;        ///< (m) block of each corner
-  std::vector<int> next;                ///< (m) the corner after, clockwise, same block
-  std::vector<int> previous;            ///< (m) the corner before, same block
-  Eigen::Matrix2Xd arm;                 ///< [L] (2, m) corner - centroid, as made (13)
-  Eigen::Matrix2Xd corner;              ///< [L] (2, m) centroid + gradient arm (15)
+  std::vector<int> next;                ///< (m) next corner of the block, clockwise
+  std::vector<int> previous;            ///< (m) previous corner of the block
+  Eigen::Matrix2Xd arm;     ///< [L] (2, m) corner - centroid at creation (13)
+  Eigen::Matrix2Xd corner;  ///< [L] (2, m) centroid + gradient arm (15)
 
-  std::vector<int> material;   ///< (n) the deck's material number, MAT
+  std::vector<int> material;   ///< (n) material number of the deck, MAT
   std::vector<Fixity> fixity;  ///< (n) FIXED
-  std::vector<char> convex;    ///< (n) 1: no corner turns inwards (exact, at creation)
-  /// The convex parts of the blocks that are not convex, cut when the block is made:
-  /// for each part its block, its number of corners, and where these are in the block,
-  /// clockwise, from 0.
+  std::vector<char> convex;    ///< (n) 1: no re-entrant corner (exact, at creation)
+  /// The convex parts of the blocks that are not convex, cut at creation. Each part is
+  /// stored as its block, its number of corners, and these corners' numbers in the
+  /// block, clockwise, from 0.
   std::vector<int> cuts;
-  std::vector<int> layer;     ///< (n) which LAYER card made it, from 1; 0: none
+  std::vector<int> layer;     ///< (n) LAYER card that made it, from 1; 0: none
   Eigen::VectorXd area;       ///< [L^2] (n) at creation
   Eigen::VectorXd mass;       ///< [M] (n) > 0
   Eigen::VectorXd inertia;    ///< [M L^2] (n) about the centroid, RMOI
   Eigen::Matrix2Xd centroid;  ///< [L] (2, n) XC, YC
   Eigen::Matrix2Xd velocity;  ///< [L/T] (2, n) VX, VY
-  /// (4, n) deformation gradient since the block was made: the present arm of a corner
-  /// is gradient * arm. Of a rigid block it is a rotation.
+  /// (4, n) deformation gradient since creation: the present arm of a corner is
+  /// gradient * arm. For a rigid block it is a rotation.
   Eigen::Matrix4Xd gradient;
   Eigen::VectorXd angle;     ///< rad (n) accumulated, for output
   Eigen::VectorXd spin;      ///< rad/T (n) TDOT
@@ -64,20 +67,20 @@ struct Blocks {
   int corners_of(int b) const { return first_corner[b + 1] - first_corner[b]; }
   bool is_free(int b) const { return fixity[b] == Fixity::free; }
 
-  /// The corner's place from the centroid of its block at present, [L].
+  /// Returns the present vector from the centroid of the block to corner c, [L].
   Vec2 present_arm(int c) const {
     return corner.col(c) - centroid.col(corner_block[c]);
   }
 
-  /// The outline of block b as it is at present.
+  /// Returns the present outline of block b.
   geometry::Polygon outline(int b) const;
 
-  /// Appends blocks at rest. Throws std::invalid_argument when a corner is not finite,
-  /// an area or density is not positive or a block has more than
-  /// geometry::most_corners.
+  /// Appends blocks at rest. Throws std::invalid_argument if a corner is not finite, an
+  /// area or a density is not positive, or a block has more than geometry::most_corners
+  /// corners.
   void append(const std::vector<NewBlock>& blocks);
 
-  /// Calls visit(block, corners) for the convex parts in `cuts`; corners are a
+  /// Calls visit(block, corners) for each convex part in `cuts`; corners is a
   /// std::span<const int>.
   template <class Visit> void each_cut(const Visit& visit) const {
     for (std::size_t k = 0; k < cuts.size();
@@ -85,10 +88,10 @@ struct Blocks {
       visit(cuts[k],
             std::span(cuts).subspan(k + 2, static_cast<std::size_t>(cuts[k + 1])));
   }
-  /// Adds the cuts of block b, which is not convex, for this outline.
+  /// Adds the convex parts of this outline of block b, which is not convex, to `cuts`.
   void cut(int b, const geometry::Polygon& outline);
 
-  /// Stops block b for good: velocities, spin and strain rates zero
+  /// Fixes block b permanently: sets its velocity, spin and strain rates to zero
   /// (docs/theory.md#domain).
   void fix(int b, Fixity why);
 };

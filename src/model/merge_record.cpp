@@ -1,4 +1,4 @@
-// Why MERGE took a block, in words.
+// Says in words why MERGE absorbed a block.
 #include <fmt/format.h>
 
 #include "model/model.hpp"

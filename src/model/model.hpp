@@ -1,5 +1,5 @@
-// Everything a run knows: settings, blocks, contacts, loads and where time stands.
-// A checkpoint is exactly this struct, written out.
+// The complete state of a run: settings, blocks, contacts, loads, time and steps. A
+// checkpoint contains exactly this struct.
 #pragma once
 
 #include <string>
@@ -12,25 +12,26 @@
 
 namespace blocks {
 
-/// Which limit set the time step.
+/// The time step and the limit that determined it.
 struct TimeStep {
-  double dt = 0.0;       ///< [T] TDEL; 0: not chosen yet
-  int block = -1;        ///< the block that set it
-  int blocks = 0;        ///< how many blocks there were when it was chosen
-  bool elastic = false;  ///< limited by deformability, not by contacts (4)
+  double dt = 0.0;       ///< [T] TDEL; 0 if not chosen yet
+  int block = -1;        ///< block that determines it
+  int blocks = 0;        ///< number of blocks when it was chosen
+  bool elastic = false;  ///< deformability, not contacts, is the limit (4)
 };
 
 /// State of the search for potential contacts.
 struct SearchState {
   bool current = false;  ///< false: search before the next force evaluation (IUFLG)
-  double left = 0.0;     ///< [L] how far corners may still move before the next search
+  double left = 0.0;     ///< [L] distance corners may still move before the next search
   long updates = 0;      ///< number of searches (NUPDAT)
 
-  /// Blocks have been added, fixed or changed.
+  /// Demands a new search, because blocks have been added, fixed or changed.
   void invalidate() { current = false; }
-  /// Begins a search that holds until a corner has moved by `distance`, [L].
+  /// Registers a new search whose result is valid until a corner has moved by
+  /// `distance`, [L].
   void renew(double distance) { current = true, left = distance, ++updates; }
-  /// Takes a motion of corners, [L], off the distance that is left.
+  /// Subtracts a motion of corners, [L], from the distance that is left.
   void spend(double distance) {
     left -= distance;
     if (left < 0.0)
@@ -38,62 +39,67 @@ struct SearchState {
   }
 };
 
+/// A block that left the domain, and when.
 struct DomainExit {
   int block = 0;
-  double time = 0.0;
+  double time = 0.0;  ///< [T]
 };
 
-/// One block absorbed under MERGE, for listing and summary. Blocks count within the
+/// One block absorbed by MERGE, for listing and summary. Block numbers count within the
 /// layer before MERGE, from 1.
 struct MergeRecord {
   int layer = 0, absorbed = 0, into = 0;
   double width_to_height = 0.0, limit = 0.0;
 
-  /// "0.125 < 0.2", with digits enough to tell the two apart. A width/height equal to
-  /// the limit is kept; one that is below it by less than doubles hold says so.
+  /// Returns "0.125 < 0.2", with enough digits to distinguish the two. A block whose
+  /// width/height equals the limit is kept. If it is below the limit by less than
+  /// doubles resolve, the text says so.
   std::string why() const;
 };
 
-/// How each LAYER card turned out.
+/// Result of cutting the layer of one LAYER card.
 struct LayerRecord {
-  int number = 0;                   ///< of the LAYER card, from 1
-  int first_block = 0, blocks = 0;  ///< first block (from 0) and how many
-  int cells = 0, interior_edges = 0, outline_edges = 0;  ///< certificate counts
-  int redrawn = 0, ruled = 0;  ///< angles drawn again, sides that took the ruling
-  int redrawn_sides = 0;       ///< sides with an angle drawn again
+  int number = 0;                   ///< number of the LAYER card, from 1
+  int first_block = 0, blocks = 0;  ///< first block, from 0, and number of blocks
+  /// The counts of the tiling certificate.
+  int cells = 0, interior_edges = 0, outline_edges = 0;
+  int redrawn = 0, ruled = 0;  ///< redrawn angles, sides that use the ruling
+  int redrawn_sides = 0;       ///< sides with a redrawn angle
 };
 
+/// The state of a run.
 struct Model {
   Settings settings;
   Blocks blocks;
-  std::vector<Contact> contacts;  ///< those that act, ascending in sort_key
+  std::vector<Contact> contacts;  ///< active contacts, ascending in sort_key
   PlaneContacts plane_contacts;
   Loads loads;
   TimeStep time_step;
   SearchState search;
   OutputClock output, plots;
-  std::vector<int> output_blocks;  ///< OUTPUT's list, from 0; empty: all
-  /// Blocks in the order in which they are stepped, all that there were when the time
-  /// step was chosen; empty: that of their numbers (model/numbering.hpp).
+  std::vector<int> output_blocks;  ///< list of the OUTPUT card, from 0; empty: all
+  /// Order in which the blocks are stepped: a permutation of all blocks that existed
+  /// when the time step was chosen. If empty, blocks are stepped in the order of their
+  /// numbers (model/numbering.hpp).
   std::vector<int> order;
   std::vector<DomainExit> exits;
   std::vector<MergeRecord> merges;
   std::vector<LayerRecord> layers;
-  long steps = 0;              ///< MCYCLE, steps done
+  long steps = 0;              ///< MCYCLE, number of steps done
   double time = 0.0;           ///< [T] TIME = time_origin + (steps - step_origin) dt
-  double time_origin = 0.0;    ///< [T] when the present dt came into force
-  long step_origin = 0;        ///< likewise in steps
-  bool started = false;        ///< a MOTION or CYCLE has run: FRACTION is fixed
-  double worst_overlap = 0.0;  ///< [L] of any acting contact in any step so far
+  double time_origin = 0.0;    ///< [T] time at which the present dt was set
+  long step_origin = 0;        ///< value of `steps` at that time
+  bool started = false;        ///< a MOTION or CYCLE has run, so FRACTION is fixed
+  double worst_overlap = 0.0;  ///< [L] largest of any active contact so far
 };
 
-/// Sums over the model. [F L], [M L/T], [M L^2/T], [L].
+/// Sums over the model, in [F L], [M L/T], [M L^2/T] and [L].
 struct ModelTotals {
   double kinetic_energy = 0.0;
   Vec2 momentum = Vec2::Zero();
   double angular_momentum = 0.0;  ///< about the origin
-  int active_contacts = 0;        ///< corner-edge and corner-plane
-  int listed_contacts = 0;        ///< and corners near planes that do not act
+  int active_contacts = 0;        ///< corner-edge and corner-plane contacts
+  int listed_contacts = 0;        ///< also counts inactive corners near planes
   double worst_overlap = 0.0;
   double fastest = 0.0;  ///< largest speed of a centroid, [L/T]
 };

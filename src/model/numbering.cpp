@@ -17,7 +17,7 @@ double median_area(const Blocks& blocks) {
   return *middle;
 }
 
-/// [L] From centroid to centroid.
+/// Returns the length of the path from centroid to centroid in this order, [L].
 double way(const Blocks& blocks, const std::vector<int>& order) {
   double sum = 0.0;
   for (std::size_t i = 1; i < order.size(); ++i)
@@ -34,7 +34,8 @@ std::vector<int> strip_order(const Blocks& blocks) {
       blocks.centroid.rowwise().maxCoeff() - blocks.centroid.rowwise().minCoeff();
   const int across = size.x() >= size.y() ? 0 : 1;
   const double width = 1.5 * std::sqrt(median_area(blocks));
-  std::vector<std::tuple<double, double, int>> places;  // strip, along it; block
+  // strip, position along it, block
+  std::vector<std::tuple<double, double, int>> places;
   places.reserve(blocks.size());
   for (int b = 0; b < blocks.size(); ++b)
     places.emplace_back(std::floor(blocks.centroid(across, b) / width),
@@ -50,7 +51,8 @@ std::vector<int> strip_order(const Blocks& blocks) {
 std::vector<int> better_order(const Blocks& blocks, int least) {
   if (blocks.size() < least)
     return {};
-  // k blocks side by side, numbered at random, make the way 0.5 sqrt(k) times as long
+  // If k blocks side by side are numbered at random, the path is 0.5 sqrt(k) times as
+  // long.
   constexpr double much_longer = 16.0;
   std::vector<int> own(blocks.size()), strips = strip_order(blocks);
   std::iota(own.begin(), own.end(), 0);
@@ -61,7 +63,7 @@ std::vector<int> better_order(const Blocks& blocks, int least) {
 
 namespace {
 
-/// Something for every new number of what the old numbers had.
+/// Copies the items of `from` into the new order.
 template <class T>
 void take(const std::vector<T>& from, const NewNumbers& numbers, std::vector<T>& to) {
   to.resize(numbers.old_of.size());
@@ -150,7 +152,7 @@ void Numbering::renumber(const std::vector<Contact>& from, const Blocks& blocks,
 }
 
 void Numbering::renumber(const PlaneContacts& from, PlaneContacts& to) const {
-  std::vector<std::array<int, 3>> places;  // plane, corner; old record
+  std::vector<std::array<int, 3>> places;  // plane, new corner, old index
   for (int i = 0; i < from.size(); ++i)
     places.push_back({from.plane[i], corners_.new_of[from.corner[i]], i});
   std::sort(places.begin(), places.end());

@@ -1,5 +1,5 @@
-// Numbers of blocks that lie side by side in the memory where the blocks do, for models
-// whose own numbers lead to and fro. Knows no time.
+// Renumbers blocks internally for memory locality, if the numbers of a large model jump
+// about. Output is unaffected. Independent of the time loop.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,22 @@
 
 namespace blocks {
 
-/// Smaller models stay in the cache however they are numbered.
+/// Smallest number of blocks for which renumbering is considered. Smaller models stay
+/// in the cache in any order.
 inline constexpr int least_worth_numbering = 4000;
 
-/// The blocks by strips across the longer side of the model, a block and a half wide,
-/// and along each strip by their centroids, equal places by number: (n) block numbers
-/// from 0.
+/// Returns all block numbers, (n) from 0, ordered by strips and along each strip by
+/// centroid. The strips run across the longer side of the model and are 1.5 typical
+/// block sizes wide. Blocks with equal positions keep the order of their numbers.
 std::vector<int> strip_order(const Blocks& blocks);
 
-/// The same where it is worth it, else nothing: from `least` blocks on, and where the
-/// way from centroid to centroid by number is more than 16 times as long as by strips,
-/// as when a thousand blocks side by side are numbered at random; rows and columns come
-/// to once or twice.
+/// Returns strip_order if it pays, otherwise an empty order. It pays from `least`
+/// blocks on, if the path from centroid to centroid by number is more than 16 times as
+/// long as by strips. The ratio is 1 to 2 for numbering by rows or columns. It exceeds
+/// 16 if about a thousand blocks side by side are numbered at random.
 std::vector<int> better_order(const Blocks& blocks, int least = least_worth_numbering);
 
-/// Old and new numbers of the same things.
+/// Old and new numbers of the same items.
 struct NewNumbers {
   std::vector<int> old_of;  ///< by new number
   std::vector<int> new_of;  ///< by old number
@@ -30,13 +31,12 @@ struct NewNumbers {
   int size() const { return static_cast<int>(old_of.size()); }
 };
 
-/// From a model to the one of the same blocks in another order; each block keeps its
-/// corners in theirs. Laws: what reverse() makes of the new model is the old one, bit
-/// by bit.
+/// Maps a model to one with the same blocks in another order; the order of the corners
+/// within a block is kept. Guarantee: reverse() restores the old model bit by bit.
 class Numbering {
  public:
   Numbering() = default;
-  /// order: old numbers of all blocks, in the new order.
+  /// order: the old numbers of all blocks, in the new order.
   Numbering(const Blocks& old, const std::vector<int>& order);
   Numbering reverse() const;
 
@@ -44,12 +44,12 @@ class Numbering {
   const NewNumbers& corners() const { return corners_; }
 
   void renumber(const Blocks& from, Blocks& to) const;
-  /// Renumbers corners and edges, and sorts the list by sort_key. blocks: the
-  /// renumbered ones.
+  /// Renumbers corners and edges and sorts the list by sort_key. blocks: the renumbered
+  /// blocks.
   void renumber(const std::vector<Contact>& from, const Blocks& blocks,
                 std::vector<Contact>& to) const;
   void renumber(const PlaneContacts& from, PlaneContacts& to) const;
-  /// Loads act in the order they had.
+  /// Returns the loads with new block numbers; their order is unchanged.
   Loads renumbered(Loads loads) const;
 
  private:

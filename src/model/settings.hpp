@@ -1,4 +1,4 @@
-// What the preliminary cards and the global problem cards set (report A.1, A.2).
+// Settings from the preliminary cards and the global problem cards (report A.1, A.2).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace blocks {
 
-/// MATERIAL card. Elastic constants are needed by deformable blocks only.
+/// MATERIAL card. Only deformable blocks need the elastic constants.
 struct Material {
   double youngs_modulus = 0.0;  ///< [F/L^2] E
   double shear_modulus = 0.0;   ///< [F/L^2] G; G > E/3 for nu < 0.5
@@ -22,12 +22,13 @@ struct Material {
   double c12() const;  ///< [F/L^2] plane strain coupling (12)
 };
 
-/// A symmetry plane through a and b, with the blocks on its left
+/// A symmetry plane through a and b; the blocks are on its left
 /// (docs/theory.md#symmetry-planes).
 struct Plane {
   geometry::Vec2 a, b;  ///< [L]
 };
 
+/// The settings in force.
 struct Settings {
   std::string title;
   int max_blocks = 0;                             ///< NBLOKM
@@ -45,13 +46,13 @@ struct Settings {
   std::map<int, Material> materials;
   std::vector<Plane> planes;
   std::uint64_t seed = 1982;  ///< ISEED
-  // geometry cards in force
+  // values of the last ORIENT and MERGE cards
   geometry::Decimal angle_min, angle_max;        ///< degrees (ORIENT)
   std::optional<geometry::Decimal> merge_ratio;  ///< MERGE
   int layers_made = 0;
 };
 
-/// OUTPUT and PLOTS: intervals and when they are next due. Interval 0: not asked for.
+/// OUTPUT and PLOTS: output interval and next due time. Interval 0: no output.
 struct OutputClock {
   double interval = 0.0;  ///< [T]
   double due = 0.0;       ///< [T] TOUT, TPLOT
