@@ -12,8 +12,8 @@
 namespace blocks::audit {
 namespace {
 
-/// [L] The deepest axis that the choice has left because of a closed joint or because
-/// its side lies inside its block; 0: none.
+/// Returns the depth of the deepest axis that does not act because of a closed joint or
+/// because its side is an inner side, [L]. Returns 0 if there is none.
 double depth_explained_by_joints(const PairDecision& decision) {
   double depth = 0.0;
   for (const PartDecision& parts : decision.parts)
@@ -29,7 +29,7 @@ class Auditor {
   explicit Auditor(const Moment& moment)
       : blocks_(moment.blocks), contacts_(moment.contacts), settings_(moment.settings),
         listed_(moment.listed),
-        // Both blocks of a pair may move that far.
+        // Each of the two blocks of a pair may move by moment.left.
         rule_(make_exact_rule(moment.blocks, 2.0 * moment.left, moment.order)) {}
 
   Findings run() {
@@ -41,7 +41,7 @@ class Auditor {
   }
 
  private:
-  /// Looks for missed pairs and wrong decisions.
+  /// Finds missed pairs and wrong decisions.
   void look_for_faults() {
     std::map<BlockPair, std::vector<std::pair<int, int>>> acting;
     found_.acting = static_cast<long>(contacts_.size());
@@ -62,7 +62,7 @@ class Auditor {
         if (by_program != exact.contacts)
           found_.wrong.push_back({a, b, std::move(by_program), exact.contacts});
       }
-    for (auto& [pair, contacts] : acting)  // They are not near each other.
+    for (auto& [pair, contacts] : acting)  // the two blocks are not near each other
       if (blocks_.is_free(pair.first) || blocks_.is_free(pair.second))
         found_.wrong.push_back({pair.first, pair.second, std::move(contacts), {}});
   }
@@ -76,7 +76,7 @@ class Auditor {
     return shortest;
   }
 
-  /// [L] By how much depths of two blocks and of their contacts may differ.
+  /// Returns the tolerance of depths of two blocks and of their contacts, [L].
   double slack(int a, int b) const {
     return explained_slack * std::min(shortest_edge(a), shortest_edge(b));
   }
@@ -88,7 +88,7 @@ class Auditor {
     return geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick);
   }
 
-  /// [L] How far the spring of a contact is pressed in.
+  /// Returns the compression of a contact's spring, [L].
   double pressed(const Contact& contact) const {
     return contact.normal_elastic / settings_.normal_stiffness;
   }
@@ -152,7 +152,8 @@ class Auditor {
   const Settings& settings_;
   const std::vector<BlockPair>& listed_;
   ExactPairRule rule_;
-  std::map<BlockPair, double> by_joint_;  ///< [L] depth_explained_by_joints
+  /// [L] depth_explained_by_joints of each pair
+  std::map<BlockPair, double> by_joint_;
   std::vector<geometry::BlockOverlap> overlaps_;
   Findings found_;
 };

@@ -13,8 +13,8 @@ CommonDepth::CommonDepth(const Blocks& blocks) : blocks_(blocks) {
     corner_.push_back(lattice_(Vec2(blocks.corner.col(c))));
 }
 
-/// On the border, or inside: a ray straight up leaves the block once more than it
-/// enters.
+/// Returns whether a point is on the border of a block or inside. If it is inside, a
+/// vertical ray from it upwards leaves the block once more than it enters.
 bool CommonDepth::holds(int block, const Point& point) const {
   int crossings = 0;
   for (int e = blocks_.first_corner[block]; e < blocks_.first_corner[block + 1]; ++e) {
@@ -28,8 +28,8 @@ bool CommonDepth::holds(int block, const Point& point) const {
   return crossings != 0;
 }
 
-// The extreme points of the intersection are corners of one block in the other, or
-// crossings of two edges.
+// The extreme points of the intersection are corners of one block that lie in the
+// other, or crossings of two edges.
 double CommonDepth::along_normal(int edge, int other) const {
   const int own = blocks_.corner_block[edge];
   const Point along = corner_[blocks_.next[edge]] - corner_[edge];

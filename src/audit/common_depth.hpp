@@ -1,5 +1,5 @@
-// How deep two blocks are in each other along the normal of an edge, in whole numbers:
-// what a contact may at most be deep.
+// Computes in exact integers how deep two blocks overlap along the normal of an edge. A
+// contact on that edge must not be deeper.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,14 @@ namespace blocks::audit {
 
 class CommonDepth {
  public:
-  /// The blocks as they stand: a copy of their corners in whole numbers. All
-  /// coordinates finite.
+  /// Copies the corners of the blocks as integers. All coordinates must be finite.
   explicit CommonDepth(const Blocks& blocks);
 
-  /// [L] Extent of the intersection of the edge's block with the other one, borders
-  /// included, along the edge's normal; 0 when they have no point in common. Decided
-  /// exactly, rounded at the end. Of several parts of an intersection all count. other:
-  /// not the edge's own block.
+  /// Returns the extent of the intersection of the edge's block and the block `other`
+  /// along the normal of the edge, borders included, [L]. If the intersection has
+  /// several separate regions, the extent spans all of them. Returns 0 if the blocks
+  /// have no point in common. It is decided exactly and rounded at the end. `other`
+  /// must not be the edge's own block.
   double along_normal(int edge, int other) const;
 
  private:

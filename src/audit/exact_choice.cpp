@@ -1,12 +1,12 @@
-// Which axis of two parts acts and which contacts act along it: the choice of
-// docs/contact-rule.md.
+// The choice of docs/contact-rule.md#choice: which axis of two parts acts, and which
+// contacts act along it.
 #include <algorithm>
 
 #include "audit/exact_pair_rule.hpp"
 
 namespace blocks::audit {
 
-/// Fills in the closed joints that hide the axis and the surface that takes over.
+/// Finds the closed joints that hide the axis and the surface that takes over.
 void ExactPairRule::look_for_joints(PartDecision& decision, int index) const {
   Axis& axis = decision.axes[index];
   if (axis.looked_at)
@@ -85,8 +85,8 @@ void ExactPairRule::choose(PartDecision& decision) const {
   }
 }
 
-/// Whether the next side runs on in line with a side: either far corner is at most the
-/// slack below the other side.
+/// Returns whether the next side is in line with a side: the far corner of each is at
+/// most the slack below the other side.
 bool ExactPairRule::in_line(const PartSide& side, const PartSide& next) const {
   const Point e = along(side), g = along(next);
   const Whole turn = cross(g, e);
@@ -96,7 +96,7 @@ bool ExactPairRule::in_line(const PartSide& side, const PartSide& next) const {
   return sign(dot(e, g)) > 0 && within_slack(e) && within_slack(g);
 }
 
-/// A side, those in line before it, then those in line after it.
+/// Returns a side, the sides in line before it, then the sides in line after it.
 std::vector<PartSide> ExactPairRule::sides_in_line(const PartSide& side) const {
   std::vector<PartSide> all = {side};
   for (PartSide last = side, next = side_before(start_of(side)); in_line(next, last);
@@ -124,8 +124,8 @@ Candidate ExactPairRule::candidate_on(const PartCorner& corner,
   return found;
 }
 
-/// A corner against a side, or the first side in line with it that has the corner
-/// between its ends.
+/// Tests a corner on the first side that has it between its ends: a side, or one in
+/// line with it. If there is none, tests it on the side itself.
 Candidate ExactPairRule::candidate(const PartCorner& corner,
                                    const PartSide& side) const {
   const std::vector<PartSide> sides = sides_in_line(side);
@@ -135,14 +135,14 @@ Candidate ExactPairRule::candidate(const PartCorner& corner,
   return candidate_on(corner, side);
 }
 
-/// Whether the corner of the chosen axis acts on the axis side, and nothing else.
+/// Tests the corner of the chosen axis on the axis side. No other contact can act.
 void ExactPairRule::test_corner(PartDecision& decision) const {
   const Axis& axis = decision.axes[decision.chosen];
   decision.candidates.push_back(
       candidate({axis.corner_part, axis.corner_index}, axis.side));
 }
 
-/// The contacts along the chosen axis.
+/// Finds the candidates for contacts along the chosen axis.
 void ExactPairRule::find_contacts(PartDecision& decision) const {
   const Axis& axis = decision.axes[decision.chosen];
   if (!axis.facing)

@@ -1,4 +1,4 @@
-// Closed joints, covered sides and hidden corners of docs/contact-rule.md, in exact
+// The closed joints, covered sides and hidden corners of docs/contact-rule.md, in exact
 // fractions.
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,9 @@ Ratio ratio(const Whole& n, const Whole& d) { return Ratio(n) / Ratio(d); }
 
 }  // namespace
 
-/// The joint at a corner of a part whose side `side` is one of the two that meet there.
+/// Returns the joint at a corner of a part and whether it is closed against part
+/// `against`. `side`, the side of the joint, is one of the two sides that meet at the
+/// corner.
 Joint ExactPairRule::joint(const PartCorner& corner, const PartSide& side,
                            int against) const {
   Joint found;
@@ -38,7 +40,7 @@ Joint ExactPairRule::joint(const PartCorner& corner, const PartSide& side,
   return found;
 }
 
-/// The closed joints at the start and at the end of the side.
+/// Returns the closed joints at the start and at the end of the side.
 std::vector<Joint> ExactPairRule::closed_joints_of(const PartSide& side,
                                                    int against) const {
   std::vector<Joint> found;
@@ -48,15 +50,15 @@ std::vector<Joint> ExactPairRule::closed_joints_of(const PartSide& side,
   return found;
 }
 
-/// The joints at the corner that hide it from a side of another part. First is the one
-/// whose covered side starts in the corner.
-/// The outline of the block turns inwards at the corner: a notch.
+/// Returns whether the outline of the block turns inwards at the corner.
 bool ExactPairRule::is_re_entrant(int corner) const {
   const Point& before = corner_[blocks_.previous[corner]];
   return sign(cross(corner_[blocks_.next[corner]] - before, corner_[corner] - before)) <
          0;
 }
 
+/// Returns the joints at the corner that hide it from a side of another part. The joint
+/// whose covered side starts in the corner comes first.
 HiddenCorner ExactPairRule::hidden(const PartCorner& corner,
                                    const PartSide& from) const {
   HiddenCorner found;
@@ -89,7 +91,8 @@ HiddenCorner ExactPairRule::hidden(const PartCorner& corner,
   return found;
 }
 
-/// The inner side seen from the part beside it; none if that part has no area.
+/// Returns the inner side as a side of the part beside it, or nothing if that part has
+/// no area.
 std::optional<PartSide> ExactPairRule::same_side_beyond(const PartSide& inner) const {
   const int block = parts_[inner.part].block;
   for (int part = first_part_[block]; part < first_part_[block + 1]; ++part)
@@ -100,8 +103,8 @@ std::optional<PartSide> ExactPairRule::same_side_beyond(const PartSide& inner) c
   return std::nullopt;
 }
 
-/// The bounding boxes of two parts meet, borders included: along both axes no part is
-/// wholly beyond the other.
+/// Returns whether the bounding boxes of two parts meet, borders included. They do
+/// unless one part is wholly beyond the other along an axis.
 bool ExactPairRule::boxes_meet(int part, int other) const {
   const auto all_below = [&](int low, int high, Whole Point::*along) {
     for (int i = 0; i < size(low); ++i)
@@ -116,7 +119,7 @@ bool ExactPairRule::boxes_meet(int part, int other) const {
   return true;
 }
 
-/// The part of the side that lies in the convex part, borders included.
+/// Returns the interval of side g that lies in a convex part, borders included.
 ExactPairRule::Stretch ExactPairRule::part_inside(const PartSide& g, int part) const {
   Stretch inside{0, 1};
   for (int i = 0; i < size(part); ++i) {
@@ -136,7 +139,7 @@ ExactPairRule::Stretch ExactPairRule::part_inside(const PartSide& g, int part) c
   return inside;
 }
 
-/// The projection of side f on the line of side g.
+/// Returns the projection of side f on the line of side g.
 ExactPairRule::Stretch ExactPairRule::projection(const PartSide& f,
                                                  const PartSide& g) const {
   const auto foot = [&](int c) {
@@ -146,7 +149,8 @@ ExactPairRule::Stretch ExactPairRule::projection(const PartSide& f,
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// No axis of the two parts is less deep than both that of f and that of g.
+/// Returns whether two parts touch along f and g: no axis of the two parts is less deep
+/// than both that of f and that of g.
 bool ExactPairRule::touch_along(const PartSide& f, const PartSide& g) const {
   const Depth of_f = depth_of(axis_of(f, g.part)), of_g = depth_of(axis_of(g, f.part));
   const auto is_less = [&](const Axis& axis) {
@@ -162,13 +166,14 @@ bool ExactPairRule::touch_along(const PartSide& f, const PartSide& g) const {
   return true;
 }
 
-/// The gap between f and g as a part of the length of g. It is measured at right angles
-/// to g at the place `middle` along g, and negative where they overlap.
+/// Returns the gap between f and g as a fraction of the length of g. It is measured at
+/// right angles to g at the position `middle` on g. It is negative where the two
+/// overlap.
 Ratio ExactPairRule::gap(const PartSide& f, const PartSide& g,
                          const Ratio& middle) const {
   const Whole l2 = length2(g);
   const Point from = corner_[f.start] - corner_[g.start], f_along = along(f);
-  // The place u along f whose foot on g is `middle`.
+  // u is the position on f whose foot on g is `middle`.
   const Ratio u =
       (middle * Ratio(l2) - Ratio(dot(from, along(g)))) / Ratio(dot(f_along, along(g)));
   const Ratio depth =
@@ -176,7 +181,8 @@ Ratio ExactPairRule::gap(const PartSide& f, const PartSide& g,
   return -depth / Ratio(l2);
 }
 
-/// Some corner of the part is at least `stretch` times the length of g below f.
+/// Returns whether some corner of the part is at least `stretch` times the length of g
+/// below f.
 bool ExactPairRule::reaches_below(const PartSide& f, int part, const PartSide& g,
                                   const Ratio& stretch) const {
   const Ratio least = stretch * stretch * Ratio(length2(g)) * Ratio(length2(f));
@@ -187,7 +193,8 @@ bool ExactPairRule::reaches_below(const PartSide& f, int part, const PartSide& g
   return false;
 }
 
-/// How far the neighbours of part `against` cover side g from one of its ends on.
+/// Finds how much of side g the neighbours of part `against` cover. The stretch begins
+/// at the start of g if `from_start`, otherwise at its end.
 Cover ExactPairRule::cover(const PartSide& g, bool from_start, int against) const {
   Cover found;
   const Stretch interval = part_inside(g, against);
@@ -195,7 +202,7 @@ Cover ExactPairRule::cover(const PartSide& g, bool from_start, int against) cons
     return found;
   const Stretch stretch =
       from_start ? Stretch{0, interval.end} : Stretch{interval.begin, 1};
-  const Ratio h = stretch.length();  // as a part of the length of g
+  const Ratio h = stretch.length();  // as a fraction of the length of g
   const auto common = [](const Stretch& a, const Stretch& b) {
     return Stretch{std::max(a.begin, b.begin), std::min(a.end, b.end)};
   };

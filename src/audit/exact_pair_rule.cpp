@@ -1,5 +1,5 @@
-// The axes of two parts and which of them are entered (docs/contact-rule.md). The
-// choice of the axis that acts is in exact_choice.cpp, closed joints in
+// Finds the axes of two parts and which of them are entered (docs/contact-rule.md). The
+// choice of the axis that acts is in exact_choice.cpp, closed joints are in
 // exact_covered_side.cpp.
 #include "audit/exact_pair_rule.hpp"
 
@@ -11,7 +11,7 @@
 namespace blocks::audit {
 namespace {
 
-/// The mean of the corners, summed in order, in doubles.
+/// Returns the mean of the corners, summed in order, in doubles.
 Vec2 mean_of_corners(const Blocks& blocks, const ConvexPart& part) {
   Vec2 sum = Vec2::Zero();
   for (const int c : part.corners)
@@ -61,7 +61,7 @@ PartSide ExactPairRule::side(int part, int index) const {
   return side;
 }
 
-/// The sign of a - b, for depths a = 2A / L each.
+/// Returns the sign of a - b, where a and b are depths 2A / L.
 int ExactPairRule::compare(const Depth& a, const Depth& b) {
   if (sign(a.area2) != sign(b.area2))
     return sign(a.area2) > sign(b.area2) ? 1 : -1;
@@ -87,10 +87,11 @@ ExactPairRule::Depth ExactPairRule::depth_of(const Axis& axis) const {
   return {area2(corner_[axis.corner], axis.side), length2(axis.side)};
 }
 
-/// The sides run against each other within ten degrees. With D the cross product of
-/// both, Q the product of the squared lengths and s = |D| / sqrt(Q) the sine, this is
-/// s <= sin 10. Below 30 degrees it holds if sin of the triple angle, 3 s - 4 s^3, is
-/// at most 1/2, and squared that is 4 D^2 (3 Q - 4 D^2)^2 <= Q^3.
+/// Two sides face if they run against each other within ten degrees. Let D be the cross
+/// product of both, Q the product of their squared lengths and s = |D| / sqrt(Q) the
+/// sine. The condition is s <= sin 10. Below 30 degrees this holds if the sine of the
+/// triple angle, 3 s - 4 s^3, is at most 1/2. Squared, it is
+/// 4 D^2 (3 Q - 4 D^2)^2 <= Q^3.
 bool ExactPairRule::face(const PartSide& one, const PartSide& other) const {
   const Point e = along(one), f = along(other);
   if (sign(dot(e, f)) >= 0)
@@ -116,8 +117,8 @@ std::optional<PartSide> ExactPairRule::facing_side(const Axis& axis) const {
   return std::nullopt;
 }
 
-/// Of equally deep corners, which follow each other, the last one clockwise if the side
-/// is of the part with the lower number, otherwise the first one.
+/// Equally deep corners follow each other. If the side belongs to the part with the
+/// lower number, the last of them clockwise counts, otherwise the first one.
 Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
   Axis axis;
   axis.side = side, axis.corner_part = other;
@@ -140,7 +141,7 @@ Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
   return axis;
 }
 
-/// All axes of two parts, the least first.
+/// Returns all axes of two parts, the least first.
 std::vector<Axis> ExactPairRule::axes(int part, int other) const {
   std::vector<Axis> all;
   const bool in_order = rank_[parts_[part].block] < rank_[parts_[other].block];
@@ -154,7 +155,7 @@ std::vector<Axis> ExactPairRule::axes(int part, int other) const {
   return all;
 }
 
-/// Outside of an edge of the part.
+/// Returns whether a point is outside an edge of the part.
 bool ExactPairRule::is_outside_part(const Point& point, int part) const {
   for (int i = 0; i < size(part); ++i)
     if (const PartSide s = side(part, i); !s.inner && outside(point, s))
@@ -166,7 +167,7 @@ Entry ExactPairRule::entry(const Axis& axis) const {
   if (axis.depth_sign <= 0)
     return Entry::none;
   const int part = axis.side.part;
-  std::vector<PartSide> others;  // that the corner is outside of
+  std::vector<PartSide> others;  // other sides that have the corner outside
   for (int i = 0; i < size(part); ++i)
     if (const PartSide s = side(part, i);
         i != axis.side.index && outside(corner_[axis.corner], s))

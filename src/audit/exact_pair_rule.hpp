@@ -1,6 +1,6 @@
-// Decides a second time which contacts act between two blocks. It follows
-// docs/contact-rule.md in whole numbers, where nothing is rounded, and shares no code
-// with the rule of the program (src/dynamics/rules) or its predicates.
+// Decides independently which contacts act between two blocks. It follows
+// docs/contact-rule.md in exact integers, and shares no code with the rule of the
+// program (src/dynamics/rules) or its predicates.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@
 
 namespace blocks::audit {
 
-/// An exact fraction, for places along a side.
+/// An exact fraction. It is a position along a side, in units of the side's length.
 using Ratio = boost::multiprecision::number<
     boost::multiprecision::rational_adaptor<Whole::backend_type>,
     boost::multiprecision::et_off>;
 
-/// A convex part of a block: its corner numbers, clockwise.
+/// A convex part of a block, given by its corner numbers, clockwise.
 struct ConvexPart {
   int block = 0;
   std::vector<int> corners;
 };
 
-/// Why these parts do not tile the block, as a sentence; empty if they do. The parts
-/// tile it if they are convex, have only corners of the block, do not overlap and leave
-/// nothing out. Parts without area may be missing.
+/// Returns a sentence that says why these parts do not tile the block, or an empty
+/// string if they do. The parts tile it if they are convex, have only corners of the
+/// block, do not overlap and leave no gap. Parts without area may be missing.
 std::string fault_of_parts(const Blocks& blocks, int block,
                            const std::vector<ConvexPart>& parts);
 
@@ -35,52 +35,56 @@ std::string fault_of_parts(const Blocks& blocks, int block,
 struct PartSide {
   int part = -1, index = -1;
   int start = -1, end = -1;
-  bool inner = false;  ///< It lies between two parts of one block.
+  bool inner = false;  ///< it is between two parts of one block
   bool operator==(const PartSide&) const = default;
 };
 
-/// Which part of a side the neighbours of a part B cover where B is.
+/// How much of a side is covered by the neighbours of part B, where B is.
 struct Cover {
   bool covered = false;
-  double stretch = 0.0;   ///< [L] from the joint to the far end of the interval
-  double interval = 0.0;  ///< [L] length of the side that lies in B
-  double share_of_stretch = 0.0, share_of_interval = 0.0;  ///< that is covered
+  double stretch = 0.0;   ///< [L] length from the joint to the far end of the interval
+  double interval = 0.0;  ///< [L] length of the part of the side that lies in B
+  double share_of_stretch = 0.0, share_of_interval = 0.0;  ///< covered fractions
   std::optional<PartSide> side;  ///< the covering side, if any side covers
 };
 
-/// A corner where a side of a part ends and a surface begins, and whether the surface
-/// goes on in the block beside it.
+/// A joint: a corner of a part with the two sides that meet there. It is closed if the
+/// block beside it continues the surface.
 struct Joint {
   int corner = -1;
   PartSide side, surface;
-  int against_part = -1;        ///< the part that asks
-  bool surface_inner = false;   ///< Then there is no surface, and the joint is open.
-  bool centroid_below = false;  ///< The centroid of the asking part is inside.
+  int against_part = -1;        ///< the part against which the joint is tested
+  bool surface_inner = false;   ///< then there is no surface, and the joint is open
+  bool centroid_below = false;  ///< the centroid of that part is inside the surface
   Cover cover;
   bool closed = false;
 };
 
-/// Why an axis counts as entered.
+/// The clause by which an axis is entered, or none.
 enum class Entry { none, inside, other_end, foot, crossing };
 
-/// The closed joints that hide a corner from a side of another part.
+/// The closed joints that hide a corner from a side of another part, and whether the
+/// surface rises.
 struct HiddenCorner {
   std::vector<Joint> joints;
-  bool rises = false;  ///< The surface rises beyond a closed joint at the corner.
-  bool rise_keeps_it_visible = false;  ///< The side faces the rising surface.
+  bool rises = false;  ///< the surface rises beyond a closed joint at the corner
+  bool rise_keeps_it_visible = false;  ///< the side faces the rising surface
   bool hidden() const { return !joints.empty(); }
 };
 
-/// Where a closed joint that hides an axis is: at an end of the axis side, at an end of
-/// the facing side, or at the corner of the axis.
+/// The location of a closed joint that hides an axis: an end of the axis side, an end
+/// of the facing side, or the corner of the axis.
 enum class HidingPlace { axis_side, facing_side, corner };
 
+/// A closed joint that hides an axis.
 struct HidingJoint {
   HidingPlace place = HidingPlace::axis_side;
   Joint joint;
-  int surface = -1;  ///< the axis of its surface, an index into PartDecision::axes
+  int surface = -1;  ///< index in PartDecision::axes of the axis of its surface
 };
 
+/// A side and the deepest corner of the other part, with what the choice has determined
+/// about them.
 struct Axis {
   PartSide side;
   int corner = -1;
@@ -88,74 +92,82 @@ struct Axis {
   double depth = 0.0;  ///< [L]
   int depth_sign = 0;
   std::optional<PartSide> facing;
-  bool examined = false;  ///< `entry` is known.
+  bool examined = false;  ///< `entry` has been determined
   Entry entry = Entry::none;
-  bool looked_at = false;              ///< `hidden_by` and `taken_over_by` are known.
-  std::vector<HidingJoint> hidden_by;  ///< empty: The axis is not hidden.
-  int taken_over_by = -1;              ///< the least axis of the surfaces, an index
+  bool looked_at = false;  ///< `hidden_by` and `taken_over_by` have been determined
+  std::vector<HidingJoint> hidden_by;  ///< empty if the axis is not hidden
+  /// Index of the least axis of the surfaces; -1 if the axis is not hidden.
+  int taken_over_by = -1;
   bool rise_keeps_it_visible = false;
 };
 
-/// One pair of a corner and a side that may act, with the verdict.
+/// A corner and a side that may form a contact, with the result of each test.
 struct Candidate {
   int corner = -1;
   PartSide side;
   double depth = 0.0;  ///< [L]
   bool inside = false, between = false, edge = false;
-  bool acts = false;  ///< all three
+  bool acts = false;  ///< all three tests hold
 };
 
-/// How the axis was chosen.
+/// How the choice of the axis ended.
 enum class Choice {
-  apart,         ///< A side keeps the parts apart, and nothing acts.
-  touching,      ///< The least axis is not deeper than zero, and its contacts act.
-  entered,       ///< The first entered axis is not hidden, and its contacts act.
-  surface,       ///< A surface has taken over, and its contacts act.
-  inner_side,    ///< The first entered axis has an inner side, and nothing acts.
-  no_entry,      ///< No axis is entered, and the least one stands in.
-  no_contact,    ///< Nothing acts along the first entered axis; the least stands in.
-  still_hidden,  ///< Three axes in a row are hidden; the first entered one stands in.
+  apart,         ///< a side separates the parts, and nothing acts
+  touching,      ///< the least axis is not deeper than zero, and its contacts act
+  entered,       ///< the first entered axis is not hidden, and its contacts act
+  surface,       ///< a surface has taken over, and its contacts act
+  inner_side,    ///< the first entered axis has an inner side, and nothing acts
+  no_entry,      ///< no axis is entered, and the least one stands in
+  no_contact,    ///< nothing acts along the first entered axis; the least stands in
+  still_hidden,  ///< three axes in a row are hidden; the first entered one stands in
 };
 
+/// The decision about two convex parts.
 struct PartDecision {
   int part = -1, other = -1;
   Choice choice = Choice::apart;
-  PartSide separating;      ///< of parts that are apart
-  double separation = 0.0;  ///< [L] of parts that are apart, below zero
-  std::vector<Axis> axes;   ///< in the order of their depth
-  /// The first entered axis, then the surfaces that took over: indices into axes.
+  PartSide separating;      ///< the side that separates parts that are apart
+  double separation = 0.0;  ///< [L] depth of that axis, below zero
+  std::vector<Axis> axes;   ///< in ascending order of depth
+  /// The first entered axis, then the surfaces that took over, as indices into axes.
   std::vector<int> path;
   int chosen = -1;  ///< an index into axes
-  /// Those of the first entered axis are kept if nothing acts along it.
+  /// The candidates of the chosen axis. If none of those of the first entered axis
+  /// acts, they are kept, and those of the axis that stands in are appended.
   std::vector<Candidate> candidates;
 };
 
+/// The decision about two blocks.
 struct PairDecision {
   std::vector<PartDecision> parts;
-  /// Corner and edge (its first corner) of each contact that acts, in ascending order.
+  /// The corner and the edge (its first corner) of each acting contact, in ascending
+  /// order.
   std::vector<std::pair<int, int>> contacts;
 };
 
+/// The contact rule in exact integers.
 class ExactPairRule {
  public:
-  /// Keeps a copy of the corners in whole numbers. All coordinates are finite. The
-  /// parts of each block are beside one another, in the order of the blocks.
-  /// `neighbours` has, for each block, the blocks it is paired with. `order` has the
-  /// numbers of all blocks in the order in which the program steps them (Model::order);
-  /// ties go to the block that comes first in it. If it is empty, they go to the block
-  /// with the lower number, and neighbours count in the order given.
+  /// Copies the corners as exact integers. All coordinates must be finite. The parts
+  /// have to be grouped by block, in the order of the blocks. `neighbours` lists, for
+  /// each block, the blocks with which it is paired. `order` lists all blocks in the
+  /// order in which the program steps them (Model::order); ties are decided in favour
+  /// of the block that comes first in it. If `order` is empty, ties are decided in
+  /// favour of the block with the lower number, and neighbours count in the given
+  /// order.
   ExactPairRule(const Blocks& blocks, std::vector<ConvexPart> parts,
                 std::vector<std::vector<int>> neighbours,
                 const std::vector<int>& order = {});
 
-  /// What acts between two different blocks. Swapping them changes nothing.
+  /// Decides the contacts between two different blocks. The order of a and b does not
+  /// matter.
   PairDecision decide(int a, int b) const;
 
-  /// Whether the sides face each other. It is false for sides at an angle of more than
-  /// ten degrees.
+  /// Returns whether two sides face each other: they run against each other within ten
+  /// degrees.
   bool face(const PartSide& one, const PartSide& other) const;
 
-  /// Depth of a corner below an edge's line, [L].
+  /// Returns the depth of a corner below the line of an edge, [L].
   double overlap(int corner, int edge) const;
 
   const Blocks& blocks() const { return blocks_; }
@@ -163,15 +175,16 @@ class ExactPairRule {
   const std::vector<ConvexPart>& parts() const { return parts_; }
 
  private:
-  /// The place of a corner in a part.
+  /// A corner, by its index in a part.
   struct PartCorner {
     int part = -1, index = -1;
   };
-  /// 2A = numerator / 2, and L^2 of a side: a depth without its root.
+  /// A depth 2A / L, stored as 2A and L^2, so that no root is taken.
   struct Depth {
     Whole area2, length2;
   };
-  /// From the start of a side, as a part of its length: begin < end, or empty.
+  /// An interval on a side, in fractions of its length from its start. It is empty
+  /// unless begin < end.
   struct Stretch {
     Ratio begin = 0, end = 0;
     bool empty() const { return begin >= end; }
@@ -215,7 +228,7 @@ class ExactPairRule {
   Entry entry(const Axis& axis) const;
   bool is_outside_part(const Point& point, int part) const;
 
-  // These are in exact_choice.cpp.
+  // These are defined in exact_choice.cpp.
   void look_for_joints(PartDecision& decision, int axis) const;
   void choose(PartDecision& decision) const;
   bool in_line(const PartSide& side, const PartSide& next) const;
@@ -226,7 +239,7 @@ class ExactPairRule {
   void test_corner(PartDecision& decision) const;
   PartDecision decide_parts(int part, int other) const;
 
-  // These are in exact_covered_side.cpp.
+  // These are defined in exact_covered_side.cpp.
   Joint joint(const PartCorner& corner, const PartSide& side, int against) const;
   std::vector<Joint> closed_joints_of(const PartSide& side, int against) const;
   bool is_re_entrant(int corner) const;
@@ -245,9 +258,9 @@ class ExactPairRule {
   std::vector<ConvexPart> parts_;
   std::vector<int> first_part_;
   std::vector<std::vector<int>> neighbours_;
-  std::vector<int> rank_;  ///< (blocks) the place of each block in the order
+  std::vector<int> rank_;  ///< (blocks) the position of each block in the order
   Lattice lattice_;
-  std::vector<Point> corner_, centroid_;  ///< The centroids are those of parts.
+  std::vector<Point> corner_, centroid_;  ///< the centroids are those of parts
   Dyadic slack_;
 };
 

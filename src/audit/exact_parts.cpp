@@ -1,4 +1,4 @@
-// Whether the convex parts of a block tile it. The cut itself is taken as given.
+// Tests whether the convex parts of a block tile it. The cut itself is taken as given.
 #include <algorithm>
 #include <map>
 
@@ -9,7 +9,8 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-/// Every corner of the part is inside or on every side, and no corner comes twice.
+/// Returns whether every corner of the part is inside or on every side, and no corner
+/// appears twice.
 bool is_convex(const std::vector<Point>& corner, const std::vector<int>& part) {
   const std::size_t n = part.size();
   Whole area2 = 0;
@@ -23,7 +24,8 @@ bool is_convex(const std::vector<Point>& corner, const std::vector<int>& part) {
   return n >= 3 && area2 > 0;
 }
 
-/// The directed edges cancel at every point: as many run forwards as backwards.
+/// Returns whether the directed edges cancel at every point: as many run forwards as
+/// backwards.
 bool cancel(const std::vector<Point>& corner, const std::map<Edge, int>& edges) {
   std::vector<Edge> left;
   for (const auto& [edge, count] : edges)
@@ -32,7 +34,7 @@ bool cancel(const std::vector<Point>& corner, const std::map<Edge, int>& edges) 
   for (const Edge& line : left) {
     const Point& from = corner[line.first];
     const Point along = corner[line.second] - from;
-    std::vector<std::pair<Whole, int>> changes;  // place along the line, and direction
+    std::vector<std::pair<Whole, int>> changes;  // position along the line, direction
     for (const auto& [start, end] : left) {
       const Point p = corner[start] - from, q = corner[end] - from;
       if (sign(cross(p, along)) != 0 || sign(cross(q, along)) != 0)
@@ -56,8 +58,8 @@ bool cancel(const std::vector<Point>& corner, const std::map<Edge, int>& edges) 
 
 }  // namespace
 
-/// The proof: the sum of the borders of all parts is the border of the block. So each
-/// point of the block is in one part, and each point outside is in none.
+/// This is the proof: the borders of all parts add up to the border of the block. So
+/// each point inside the block is in one part, and each point outside is in none.
 std::string fault_of_parts(const Blocks& blocks, int block,
                            const std::vector<ConvexPart>& parts) {
   Lattice lattice;

@@ -1,4 +1,4 @@
-// Prepares the exact contact rule for blocks as they are.
+// Creates the exact contact rule for blocks in their current state.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace blocks::audit {
 
-/// The convex parts of all blocks: the blocks themselves, or what they were cut into
-/// when they were made (Blocks::cuts).
+/// Returns the convex parts of all blocks. A convex block is one part; another block
+/// has the parts into which it was cut when it was made (Blocks::cuts).
 std::vector<ConvexPart> cut_into_parts(const Blocks& blocks);
 
-/// The exact rule for these blocks. Its neighbours are all blocks whose bounding boxes,
-/// grown by `reach` [L], meet and of which one is free. They need no list: a side that
-/// covers lies in part in the block that asks, so any larger set has the same effect.
-/// `order` is that of ExactPairRule.
+/// Returns the exact rule for these blocks. Two blocks are neighbours if their bounding
+/// boxes, grown by `reach` [L] in total, meet and one of the two is free. This needs no
+/// list of near pairs: a covering side lies partly in the block that it is tested for,
+/// so more distant neighbours have no effect. `order`: see ExactPairRule.
 ExactPairRule make_exact_rule(const Blocks& blocks, double reach,
                               const std::vector<int>& order = {});
 

@@ -11,7 +11,7 @@ namespace {
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
 
-/// The block of a part, and the part if the block has several.
+/// Names the block of a part, and also the part if the block has several.
 std::string name_of_part(const ExactPairRule& rule, int part) {
   const std::vector<ConvexPart>& parts = rule.parts();
   const int block = parts[part].block;
@@ -56,7 +56,7 @@ std::string words(const ExactPairRule& rule, const Axis& axis,
                      name_of(rule.blocks(), axis.corner), why);
 }
 
-/// Which closed joints hide the axis, and which surface takes over.
+/// Says which closed joints hide the axis, and which surface takes over.
 std::string hiding_in_words(const ExactPairRule& rule, const PartDecision& decision,
                             const Axis& axis) {
   if (axis.hidden_by.empty())
@@ -96,8 +96,8 @@ std::string result_in_words(const PartDecision& decision, int axis) {
   return "does not act";
 }
 
-/// The axes that the choice has used: those that are asked for entry, by depth, then
-/// the surfaces that took over, then an axis that stands in.
+/// Returns the axes that the choice has used: those that were tested for entry, by
+/// depth, then the surfaces that took over, then an axis that stands in.
 std::vector<int> used_axes(const PartDecision& decision) {
   std::vector<int> used;
   const auto add = [&](int axis) {

@@ -1,5 +1,5 @@
-// Decisions about pairs of blocks in words and numbers. Blocks, corners and edges count
-// from 1; an edge is named by its first corner.
+// Describes decisions about pairs of blocks in words and numbers. Blocks, corners and
+// edges are numbered from 1. An edge is named by its first corner.
 #pragma once
 
 #include <string>
@@ -9,21 +9,24 @@
 
 namespace blocks::audit {
 
-/// "edge 3 of block 2", or "the inner side from corner 3 to corner 5 of block 2".
+/// Returns "edge 3 of block 2", or "the inner side from corner 3 to corner 5 of block
+/// 2".
 std::string name_of(const Blocks& blocks, const PartSide& side);
 
-/// Why the surface does not end at a joint, or why the joint is open.
+/// Says why a joint is closed, or why it is open.
 std::string words(const ExactPairRule& rule, const Joint& joint);
 
-/// Whether an axis acts and why: "not entered: ...; does not act", "entered: ...;
-/// hidden by a closed joint: ...; the surface that takes over is ...; does not act".
+/// Says whether an axis acts and why, for example "not entered: ...; does not act" or
+/// "entered: ...; hidden by a closed joint: ...; the surface that takes over is ...;
+/// does not act".
 std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int axis);
 
-/// Whether a corner acts on a side along the chosen axis, and why not.
+/// Says whether a corner on a side of the chosen axis acts, or why not.
 std::string verdict(const Candidate& candidate);
 
-/// The whole story of two blocks, one line each: what acts, then for each pair of parts
-/// the axes that the choice has used, in turn, and the contacts.
+/// Describes the decision about two blocks, one sentence to a line. The contacts that
+/// act come first. Each pair of parts follows with the axes that the choice has used,
+/// in their order, and the candidates for contacts.
 std::vector<std::string> story(const ExactPairRule& rule, int a, int b,
                                const PairDecision& decision);
 

@@ -1,5 +1,6 @@
-// Names of corners, edges and contacts, and findings of an audit in words and numbers.
-// Blocks, corners and edges count from 1; an edge is named by its first corner.
+// Names corners, edges and contacts, and states the findings of an audit in words and
+// numbers. Blocks, corners and edges are numbered from 1. An edge is named by its first
+// corner.
 #pragma once
 
 #include <string>
@@ -10,21 +11,21 @@
 
 namespace blocks::audit {
 
-/// The number of a corner or an edge in its block, from 1.
+/// Returns the number of a corner or an edge in its block, from 1.
 int number_in_block(const Blocks& blocks, int corner);
 
-/// "corner 2 of block 5".
+/// Returns "corner 2 of block 5".
 std::string name_of(const Blocks& blocks, int corner);
 
-/// "edge 2 of block 5".
+/// Returns "edge 2 of block 5".
 std::string name_of_edge(const Blocks& blocks, int edge);
 
-/// "corner 2 of block 5 on edge 1 of block 3; ...", or "no contact". Each contact is a
-/// corner and an edge.
+/// Returns "corner 2 of block 5 on edge 1 of block 3; ...", or "no contact". Each
+/// contact is a corner and an edge.
 std::string contacts_in_words(const Blocks& blocks,
                               const std::vector<std::pair<int, int>>& contacts);
 
-/// One line each.
+/// Each of these describes a finding in one line.
 std::string tell(const BlockPair& missed);
 std::string tell(const Blocks& blocks, const WrongPair& wrong);
 std::string tell(const ExcessOverlap& excess);

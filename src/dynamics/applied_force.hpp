@@ -1,14 +1,15 @@
-// One force at one point of a block: the only place where forces are summed.
+// Adds one force at one point of a block. Used for symmetry planes and pressures.
 #pragma once
 
 #include "model/blocks.hpp"
 
 namespace blocks::dynamics {
 
-/// Adds force f [F] acting at `arm` [L] from the centroid of block b: resultant, moment
-/// (anticlockwise positive) and the sums f_i x_j of (9).
+/// Adds the force f [F] to the resultant, the moment (anticlockwise positive) and the
+/// sums f_i x_j of (9) of block b. The force acts at `arm` [L] from the centroid.
 inline void add_force(Blocks& blocks, int b, const Vec2& arm, const Vec2& f) {
-  // one number at a time: pairs written by halves and read whole stall the processor
+  // Scalars are written one at a time: a vector load of two doubles that were stored
+  // separately stalls the processor.
   const double x = arm.x(), y = arm.y(), fx = f.x(), fy = f.y();
   double* const force = &blocks.force(0, b);
   double* const sums = &blocks.applied(0, b);

@@ -14,7 +14,7 @@ ContactLaw law_of(const Settings& settings, double dt) {
   return {settings.normal_stiffness, settings.shear_stiffness, settings.friction, dt};
 }
 
-/// Calls visit(slot) for each slot of a batch whose bit is set.
+/// Calls visit(slot) for each slot of a batch whose bit in `marks` is set.
 template <class Visit>
 void each_marked(const ContactBatches& batches, int batch,
                  LaneBits ContactStates::*marks, const Visit& visit) {
@@ -24,7 +24,8 @@ void each_marked(const ContactBatches& batches, int batch,
       visit(row * lane_count + std::countr_zero(bits));
 }
 
-/// Decides exactly which contacts of a batch act where the kernel was in doubt.
+/// Decides exactly whether the contacts of a batch act for which the kernel was in
+/// doubt.
 void settle_doubts(const Blocks& blocks, ContactBatches& batches, int batch) {
   each_marked(batches, batch, &ContactStates::in_doubt, [&](int slot) {
     const auto at = [&](PerLane<int> ContactRow::*which) {

@@ -1,4 +1,4 @@
-// What contacts do in one step: the third call.
+// Contact forces: the third call of a step.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace blocks::dynamics {
 
-/// What one thread finds.
+/// Results of one thread.
 struct ForceThread {
   std::vector<ReleasedSpring> released;
   Extremes extremes;
@@ -21,22 +21,22 @@ struct ForceMemory {
   std::vector<ForceThread> threads;
   SpringTransfer transfer;
   std::vector<int> receivers;  ///< batches that have received springs
-  std::vector<int> shares;     ///< of the threads in them
+  std::vector<int> shares;     ///< splits the receivers among the threads
 };
 
-/// Finds which tested contacts act, advances their springs and sums their forces pair
-/// by pair (FORD, report 2.5). Springs of contacts that ceased to act, and those
-/// already in memory.transfer, pass to successors if `transfers_springs`; otherwise
-/// they are lost. Reads blocks and springs; writes arrays.
+/// Finds which potential contacts act, advances their springs and sums their forces for
+/// each pair (FORD, report 2.5). If `transfers_springs`, the springs of contacts that
+/// ceased to act and those already in memory.transfer pass to successors. Otherwise
+/// they are lost. Reads blocks and springs; writes the arrays.
 Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, double dt,
                              ContactArrays& arrays, bool transfers_springs,
                              const WorkSplit& split, Workers& workers,
                              ForceMemory& memory);
 
-/// Computes the contacts of this step once more, for readers: writes the list of the
-/// model with springs at the end of the step, forces and overlaps, and of rigid blocks
-/// the sums f_i x_j of the contacts to `applied`. Call it after find_contact_forces and
-/// before springs advance.
+/// Computes the contacts of this step once more for output. Writes springs at the end
+/// of the step, forces and overlaps to the list of the model. For rigid blocks it also
+/// writes the sums f_i x_j of the contacts to `applied`. Call it after
+/// find_contact_forces and before ContactBatches::advance_springs.
 void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& settings,
                    double dt, const PairIndex& index, ContactArrays& arrays);
 

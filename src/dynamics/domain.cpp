@@ -17,7 +17,7 @@ int fix_outside_domain(Model& model) {
       continue;
     blocks.fix(b, Fixity::left_domain);
     model.exits.push_back({b, model.time});
-    model.search.invalidate();  // the mass of the block is infinite now
+    model.search.invalidate();  // the block now has infinite mass
     ++fixed;
   }
   return fixed;

@@ -10,7 +10,8 @@ void add_pressure(Blocks& blocks, const Pressure& pressure, double factor) {
   const int b = pressure.block;
   const int c1 = blocks.first_corner[b] + pressure.side, c2 = blocks.next[c1];
   const Vec2 along = blocks.corner.col(c2) - blocks.corner.col(c1);
-  const Vec2 inward(along.y(), -along.x());  // length L, against the outward normal
+  // opposite to the outward normal, of length L
+  const Vec2 inward(along.y(), -along.x());
   const double p1 = factor * pressure.p1, p2 = factor * pressure.p2;
   add_force(blocks, b, blocks.present_arm(c1), (2.0 * p1 + p2) / 6.0 * inward);
   add_force(blocks, b, blocks.present_arm(c2), (p1 + 2.0 * p2) / 6.0 * inward);

@@ -30,18 +30,19 @@ BlockColumns columns_of(Blocks& blocks) {
           .strain_rate = blocks.strain_rate.data()};
 }
 
-/// Calls work(first, last) for parts of a range that arithmetic takes at a time.
+/// Calls work(first, last) for pieces of a range that a kernel takes at a time.
 template <class Work> void each_part(BlockRange range, const Work& work) {
   for (int first = range.begin; first < range.end; first += most_at_once)
     work(first, std::min(range.end, first + most_at_once));
 }
 
-/// Of each block of a part. Those of fixed blocks have no meaning.
+/// The elastic moduli of each block of a piece. Those of fixed blocks are not used.
 struct ModuliOfBlocks {
   double c11[most_at_once], c12[most_at_once], twice_shear[most_at_once];
 
   ModuliOfBlocks(const Blocks& blocks, int first, int last, const Settings& settings) {
-    // Looked up once per run of equal materials: blocks of a layer stand together.
+    // Moduli are looked up only when the material changes: successive blocks often have
+    // the same one, such as those of a layer.
     int material = 0;
     double now_c11 = 0.0, now_c12 = 0.0, now_twice_shear = 0.0;
     for (int b = first; b < last; ++b) {
@@ -60,7 +61,8 @@ struct ModuliOfBlocks {
 }  // namespace
 
 void Displacement::include(const Displacement& others) {
-  // the same block in whatever order parts come
+  // Of equally fast blocks the one with the lowest number counts, whatever the order of
+  // the pieces.
   if (others.largest > largest || (others.largest == largest && others.block < block))
     largest = others.largest, block = others.block;
   bound = std::max(bound, others.bound);
@@ -146,7 +148,7 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
                          bool loaded, const ContactArrays& contacts,
                          MotionBounds& bounds, const std::vector<int>& shares,
                          Workers& workers, std::vector<Displacement>& threads) {
-  // What one part of the computation has read is still in the cache for the next.
+  // Data that one stage has read are still in the cache when the next stage needs them.
   constexpr int blocks_at_once = 64;
   threads.assign(threads.size(), {});
   workers.each(shares, [&](int thread, int begin, int end) {

@@ -12,7 +12,7 @@
 
 namespace blocks::dynamics {
 
-/// Blocks begin .. end - 1.
+/// The half-open range [begin, end) of block numbers.
 struct BlockRange {
   int begin = 0, end = 0;
 };
@@ -20,46 +20,51 @@ inline BlockRange all_of(const Blocks& blocks) { return {0, blocks.size()}; }
 
 /// How far blocks moved in a step.
 struct Displacement {
-  double largest = 0.0;  ///< [L] UDMAX: no corner moved by more. It is the distance
-                         ///< moved by the centroid plus the change of the longest arm.
-  int block = -1;        ///< the first block that reached `largest`
-  double bound = 0.0;    ///< [L] no MotionBounds::moved grew by more
-  bool finite = true;    ///< false: some corner is no longer a number
-  bool left_domain = false;  ///< some corner lies outside the domain
+  /// [L] UDMAX, an upper bound of the motion of every corner: the distance that the
+  /// centroid moved plus the change of the longest arm.
+  double largest = 0.0;
+  int block = -1;  ///< the first block that reached `largest`
+  /// [L] An upper bound of the growth of MotionBounds::most in this step.
+  double bound = 0.0;
+  bool finite = true;        ///< whether all corners are finite numbers
+  bool left_domain = false;  ///< whether some corner lies outside the domain
 
-  /// Joins what other blocks did.
+  /// Merges the displacement of other blocks into this one.
   void include(const Displacement& others);
 };
 
-/// Sums the forces of contacts block by block, in the order of the pairs, and moves all
-/// blocks by one step. If `loaded`, blocks.force, moment and applied hold the loads;
-/// otherwise they are overwritten. Reads forces of pairs and settings; writes blocks
-/// and bounds.
+/// Sums the forces of contacts for each block, in the order of the pairs, and moves all
+/// blocks by one step. If `loaded`, blocks.force, moment and applied hold the loads,
+/// and the contacts are added. Otherwise they are overwritten. Reads forces of pairs
+/// and settings; writes blocks and bounds.
 Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
                          bool loaded, const ContactArrays& contacts,
                          MotionBounds& bounds, const std::vector<int>& shares,
                          Workers& workers, std::vector<Displacement>& threads);
 
-// The parts of move_blocks, for a range of blocks.
+// The stages of move_blocks, each for a range of blocks.
 
-/// (9): force and moment of the contacts; in deformable runs the applied stress, the
-/// sum of f_i x_j over the area, too.
+/// (9): computes force and moment of the contacts. In deformable runs it also computes
+/// the applied stress, which is the sum of f_i x_j divided by the area.
 void sum_contacts(Blocks& blocks, const ContactArrays& contacts, BlockRange range,
                   bool loaded, bool rigid);
 
-/// (1), (2): velocities and spin of free blocks from force, moment and gravity.
+/// (1), (2): updates velocities and spins of free blocks from force, moment and
+/// gravity.
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
                        const Kernels& by = kernels());
 
-/// (10): strain rates of free blocks, driven by the symmetric part of applied -
-/// internal stress over the effective mass l_j^2 M / (4 A); then (12): their internal
-/// stress by plane strain elasticity. Deformable runs only.
+/// (10): updates the strain rates of free blocks. They are driven by the symmetric part
+/// of applied minus internal stress, divided by the effective mass l_j^2 M / (4 A).
+/// (12): then updates the internal stress of free blocks by plane strain elasticity.
+/// Deformable runs only.
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
                    double dt, const Kernels& by = kernels());
 
-/// (3), (13)-(15): centroids, angles and corners; arm = R (I + strain rate dt) arm with
-/// the Cayley rotation R of spin dt, which also turns stress and strain rate. Adds to
-/// the bounds.
+/// (3), (13)-(15): updates centroids, angles, deformation gradients and corners. The
+/// gradient becomes R (I + strain rate dt) gradient, where R is the Cayley rotation of
+/// spin dt. R also turns stress and strain rate. Of `bounds`, only the longest arms are
+/// read.
 Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& bounds,
                           const Settings& settings, double dt,
                           const Kernels& by = kernels());

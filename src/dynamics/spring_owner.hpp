@@ -1,16 +1,18 @@
-// Which of the two holds the springs of contacts: the list of the model
-// (Model::contacts) or the arrays of the steps.
+// Records where the current springs of contacts are: in the list of the model
+// (Model::contacts), in the arrays of the step, or in both.
 #pragma once
 
 namespace blocks::dynamics {
 
 class SpringOwner {
  public:
-  /// The model was made, read or changed from outside: the arrays are out of date.
+  /// To be called when the model was made, read or changed from outside. The arrays are
+  /// then out of date.
   void list_changed() { owner_ = Owner::list; }
-  /// A step was made without writing the list, which is out of date.
+  /// To be called after a step that did not write the list. The list is then out of
+  /// date.
   void arrays_changed() { owner_ = Owner::arrays; }
-  /// The arrays were made from the list, or the list was written from the arrays.
+  /// To be called when the arrays were made from the list, or the list from the arrays.
   void both_agree() { owner_ = Owner::both; }
 
   bool arrays_are_current() const { return owner_ != Owner::list; }

@@ -20,7 +20,7 @@ class Choice {
         along_(along(released.at.edge)) {}
 
   Successor best() {
-    // Few contacts are of the same corner, so this is asked first.
+    // Few contacts have the same corner, so this is tested first.
     arrays_.each_lane_of(block_, [&](unsigned lane, bool) {
       each_row(static_cast<int>(lane), [&](int row, const ContactRow& contacts, int k) {
         if (contacts.corner[k] == released_.at.corner && touches(row, k))
@@ -46,13 +46,14 @@ class Choice {
     return (arrays_.batches.states[row].touches >> k & 1U) != 0;
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
-  /// Unit vector along an edge.
+  /// Returns the unit vector along an edge.
   Vec2 along(int edge) const {
     return (at(blocks_.next[edge]) - at(edge)).normalized();
   }
-  /// Takes a contact if its spring would be strengthened most. The cosine is that of
-  /// the angle between the old edge and its own; the edges of two blocks run in
-  /// opposite senses.
+  /// Makes a contact the best candidate if its normal spring gains more than that of
+  /// the best one so far. The cosine of the angle between the two edges has to be above
+  /// `least_cosine`. If the candidate's corner belongs to the other block, its edge
+  /// runs in the opposite direction, so the sign of the cosine is changed.
   void consider(int row, int lane_of_pair, double least_cosine) {
     const int lane = lane_of_pair % lane_count;
     const ContactRow& contacts = arrays_.batches.contacts[row];
@@ -79,7 +80,7 @@ class Choice {
   const ContactArrays& arrays_;
   const ReleasedSpring& released_;
   double stiffness_;
-  int block_;  ///< of the corner
+  int block_;  ///< block of the released spring's corner
   Vec2 along_;
   Successor best_;
   double gain_ = 0.0;

@@ -1,5 +1,5 @@
-// Springs of contacts that have ceased to act pass to other contacts of the same corner
-// or of the same faces (docs/departures.md#hand-over-of-springs).
+// Passes the springs of contacts that have ceased to act to other contacts of the same
+// corner or of the same two faces (docs/departures.md#hand-over-of-springs).
 #pragma once
 
 #include <vector>
@@ -10,25 +10,27 @@
 
 namespace blocks::dynamics {
 
-/// The contact that takes over a released spring, and the spring that it then has.
+/// The contact that takes over a released spring, and its springs after the transfer.
 struct Successor {
-  int slot = -1, batch = -1;         ///< -1: no contact can take anything
-  double before = 0.0;               ///< [F] its normal spring without the released one
-  double normal = 0.0, shear = 0.0;  ///< [F] its springs with the released one
+  int slot = -1, batch = -1;  ///< -1: no contact can take the spring
+  /// [F] normal spring of the successor before the transfer
+  double before = 0.0;
+  double normal = 0.0, shear = 0.0;  ///< [F] its springs after the transfer
 };
 
 /// Working memory of transfer_springs.
 struct SpringTransfer {
   std::vector<ReleasedSpring> released;  ///< in any order
   std::vector<Successor> successors;     ///< (released)
-  std::vector<int> shares;               ///< of the threads in them
+  std::vector<int> shares;               ///< splits them among the threads
 };
 
-/// Passes each released spring to the contact whose spring it strengthens most: one of
-/// the same corner, or one of the same pair whose edge is nearly parallel. All choose
-/// at the same time; then springs are passed on in the order of pair, corner and edge,
-/// whatever order they come in. If a spring's choice has received another one, it
-/// chooses again. Lists in `receivers` each batch that has received springs, once.
+/// Passes each released spring to the contact whose normal spring it strengthens most.
+/// A candidate has the same corner, or belongs to the same pair and has a nearly
+/// parallel edge. All released springs choose a successor at the same time. They are
+/// then passed on in the order of pair, corner and edge, whatever their order in the
+/// list. If the chosen contact has received another spring in the meantime, the choice
+/// is repeated. Each batch that has received springs is listed once in `receivers`.
 /// normal_stiffness: [F/L].
 void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
                       double normal_stiffness, const WorkSplit& split, Workers& workers,

@@ -9,7 +9,7 @@ namespace blocks::dynamics {
 void prepare(Model& model) {
   fix_outside_domain(model);
   if (model.time_step.blocks != model.blocks.size()) {
-    // Time goes on from here in the new step.
+    // The times of later steps are counted from here.
     model.time_origin = model.time;
     model.step_origin = model.steps;
     model.time_step = choose_time_step(model);

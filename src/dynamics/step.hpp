@@ -1,4 +1,4 @@
-// One time step: the numbered calls of docs/architecture.md#one-step.
+// One time step: the six calls of docs/architecture.md#one-step.
 #pragma once
 
 #include <algorithm>
@@ -15,36 +15,38 @@
 
 namespace blocks::dynamics {
 
-/// What a step did. If it is not `finite`, the state is lost and the run must stop.
+/// The outcome of a step. If it is not `finite`, the state is unusable and the run must
+/// stop.
 struct StepResult {
   double largest = 0.0;    ///< [L] Displacement::largest
-  int block = -1;          ///< the first block that moved so far
-  bool finite = true;      ///< false: some corner is no longer a number
+  int block = -1;          ///< the first block that moved by `largest`
+  bool finite = true;      ///< whether all corners are finite numbers
   double strongest = 0.0;  ///< [F] largest elastic normal force of a contact
 };
 
-/// Makes a model ready to step after cards have acted: domain, time step and, for the
-/// Stepper, the order of the blocks. Call it before the first step and whenever cards
-/// have changed the model between steps.
+/// Prepares a model for stepping after cards have acted. Fixes blocks outside the
+/// domain. If blocks have been added, also chooses the time step and, for the Stepper,
+/// the order of the blocks. Call it before the first step and whenever cards have
+/// changed the model between steps.
 void prepare(Model& model);
 
-/// The model's time after one more step.
+/// Returns the model's time after one more step.
 double time_after_step(const Model& model);
 
 /// Advances the model by one step of model.time_step.dt, without input or output. The
-/// list of contacts is out of date until catch_up(), which must be called before
-/// anything else reads or changes the model. Forces and overlaps of contacts, and the
-/// applied stress of rigid blocks, are computed only with `readings`, or if a contact
-/// spring exceeds `alarm`, [F]; otherwise they are 0.
+/// list of contacts is then out of date until catch_up(), which must be called before
+/// anything else reads or changes the model. Forces and overlaps of contacts and the
+/// applied stress of rigid blocks are computed only with `readings`, or if a contact
+/// spring exceeds `alarm` [F]. Otherwise they are 0.
 StepResult advance(Model& model, Workspace& work, bool readings,
                    double alarm = std::numeric_limits<double>::infinity());
 /// Brings the list of contacts up to date.
 void catch_up(Model& model, Workspace& work);
 
-/// Makes a step with readings and catches up.
+/// Makes a step with readings and brings the list of contacts up to date.
 StepResult step(Model& model, Workspace& work);
 
-/// The step by any rules with the members of ContactRules.
+/// Makes the step with any contact rule that has the members of ContactRules.
 template <class Rules>
 StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool readings,
                       double alarm) {
@@ -52,17 +54,18 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   const Settings& settings = model.settings;
   const double dt = model.time_step.dt;
 
-  // 1. Which pairs of blocks may touch. Blocks, springs -> pairs, arrays.
+  // 1. Pairs of blocks that may touch. Reads blocks, springs; writes pairs, arrays.
   update_pairs(model, work);
 
-  // 2. Which contacts may act. Blocks, bounds -> decisions, slots of the arrays.
+  // 2. Contacts that may act. Reads blocks, motion bounds; writes decisions, slots.
   Profile::Timer timer(work.profile, Profile::decisions);
   decide_contacts(rules, blocks, settings, dt, work.parts, work.index, work.decisions,
                   work.contacts, work.split, *work.workers, work.deciding,
                   work.forces.transfer.released);
   work.count_exact_calls();
 
-  // 3. What they do. Blocks, springs -> springs, forces of pairs, the list if read.
+  // 3. Contact forces. Reads blocks, springs; writes springs, forces of pairs, and the
+  // list if `reads`.
   timer.next(Profile::forces);
   const Extremes at_contacts =
       find_contact_forces(blocks, settings, dt, work.contacts, Rules::transfers_springs,
@@ -74,12 +77,12 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
     work.springs.both_agree();
   }
 
-  // 4. Symmetry planes and loads. Blocks, time -> block forces, applied stress.
+  // 4. Planes and loads. Reads blocks, time; writes block forces, applied stress.
   timer.next(Profile::motion);
   const bool loaded = has_loads(model);
   const Extremes at_planes = loaded ? add_loads(model) : Extremes{};
 
-  // 5. Motion. Forces -> velocities, strain, stress, corners, bounds.
+  // 5. Motion. Reads forces; writes velocities, strain, stress, corners, motion bounds.
   work.contacts.batches.advance_springs();
   const Displacement moved =
       move_blocks(blocks, settings, dt, loaded, work.contacts, work.decisions.bounds,
@@ -89,7 +92,7 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   model.time = time_after_step(model);
   ++model.steps;
 
-  // 6. Blocks that left the domain, and when to search again. Corners -> search.
+  // 6. Blocks outside the domain, next search. Reads corners; writes fixities, search.
   update_domain(model, moved.left_domain, moved.largest);
 
   Extremes all = at_contacts;
@@ -98,6 +101,7 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   return {moved.largest, moved.block, moved.finite, all.spring};
 }
 
+/// The same with any contact rule that has the members of ContactRules.
 template <class Rules>
 StepResult step_by(const Rules& rules, Model& model, Workspace& work) {
   const StepResult made = advance_by(rules, model, work, true, 0.0);

@@ -69,7 +69,7 @@ void Stepper::bring_out_time() {
   model_.steps = inside_.steps;
   model_.time = inside_.time;
   model_.worst_overlap = inside_.worst_overlap;
-  // all of one moment: by number
+  // All new exits have the same time, so they are sorted by block.
   const auto told = static_cast<std::ptrdiff_t>(model_.exits.size());
   for (const DomainExit& exit : inside_.exits)
     model_.exits.push_back({outwards_.blocks().new_of[exit.block], exit.time});

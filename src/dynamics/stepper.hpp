@@ -1,5 +1,5 @@
-// Steps a model, inside in the order of its own that it may have (Model::order);
-// outside nobody meets other numbers than the deck's.
+// Steps a model whose blocks may be renumbered internally (Model::order). Callers see
+// the deck's numbers only.
 #pragma once
 
 #include <limits>
@@ -11,38 +11,43 @@
 
 namespace blocks::dynamics {
 
-/// Where the model has no order, this is advance() and catch_up(). Else a second model,
-/// in that order, is stepped, and stays as it is whoever reads in between.
+/// If the model has no order, calls advance() and catch_up() on it. Otherwise a second
+/// model with the blocks in that order is stepped. Reading the first model between
+/// steps does not affect the second one.
 class Stepper {
  public:
   Stepper(Model& model, Workspace& work) : model_(model), work_(work) {}
 
-  /// The model has been changed from outside, when it was up to date.
+  /// To be called after the model has been changed from outside. The model must have
+  /// been up to date before the change.
   void changed() {
     inside_current_ = false;
     work_.springs.list_changed();
   }
-  /// dynamics::advance. Of the model time, steps, search, worst overlap and exits are
-  /// those after it, all else stays behind.
+  /// Calls dynamics::advance. If the model has an order, only its time, steps, search,
+  /// worst overlap and exits are updated. The rest is out of date until up_to_date().
   StepResult advance(bool readings,
                      double alarm = std::numeric_limits<double>::infinity());
-  /// The model as it stands after the last step.
+  /// Brings the model up to the last step and returns it.
   const Model& up_to_date();
-  /// The near pairs of blocks that the last step used, low < high, in the deck's
-  /// numbers and in ascending order. At least one step has been made.
+  /// Returns the near pairs of blocks that the last step used, low < high, in the
+  /// deck's numbers and in ascending order. At least one step must have been made.
   std::vector<std::pair<int, int>> listed_pairs() const;
 
  private:
+  /// Copies model_ to inside_, in the order of the steps.
   void bring_in();
+  /// Copies blocks and contacts of inside_ back to model_.
   void bring_out();
+  /// Copies time, steps, search, worst overlap and exits back to model_.
   void bring_out_time();
 
   Model& model_;  ///< in the deck's numbers
   Workspace& work_;
   Model inside_;
   Numbering inwards_, outwards_;
-  bool inside_current_ = false;  ///< not older than the model
-  bool outside_current_ = true;  ///< the other way round
+  bool inside_current_ = false;  ///< inside_ includes the latest change of model_
+  bool outside_current_ = true;  ///< model_ includes the latest step of inside_
 };
 
 }  // namespace blocks::dynamics

@@ -12,8 +12,8 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Velocity of the material point of block b at `arm` from its centroid; strain rates
-/// included, zero for a rigid block (14).
+/// Returns the velocity (14) of the material point of block b at `arm` from its
+/// centroid. The strain rates are included; they are zero for a rigid block.
 Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
   const auto rate = blocks.strain_rate.col(b);
   const double spin = blocks.spin[b];

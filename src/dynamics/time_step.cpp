@@ -16,7 +16,8 @@ double least_width(const Blocks& blocks, int b) {
   const auto corners =
       blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
   const int n = static_cast<int>(corners.cols());
-  // flush with a side of the convex hull, which joins two corners
+  // The least width is at right angles to a side of the convex hull, which joins two
+  // corners.
   const int reach = blocks.convex[b] ? 1 : n - 1;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i)

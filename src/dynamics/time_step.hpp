@@ -1,25 +1,25 @@
-// The critical time step (4) and the limits that go beyond it
-// (docs/theory.md#time-step).
+// The critical time step (4) and the additional limits of docs/theory.md#time-step.
 #pragma once
 
 #include "model/model.hpp"
 
 namespace blocks::dynamics {
 
-/// The step that (4), FRACTION and deformability allow, and which block set it.
-/// Deformable: at most half the smallest l sqrt(rho / C11) over the free blocks, l the
-/// least extent that a block can have, however it turns.
+/// Chooses the largest step that (4), FRACTION and deformability allow, and records the
+/// block that limits it. In deformable runs the step is at most half the smallest
+/// l sqrt(rho / C11) over the free blocks; l is the least width in any direction.
 TimeStep choose_time_step(const Model& model);
 
-/// Largest fraction of (4) at which a block with `contacts` contacts comes to rest
-/// under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n).
+/// Returns the largest fraction of (4) at which a block with `contacts` contacts comes
+/// to rest under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n).
 double safe_fraction(double damping, int contacts = 8);
 
-/// Extents of the current corners of block b along x and y, l_1 and l_2 of (11), [L].
+/// Returns the extents of the current corners of block b along x and y, l_1 and l_2 of
+/// (11), [L].
 Vec2 extent(const Blocks& blocks, int b);
 
-/// Least distance of two parallel lines that hold the current corners of block b
-/// between them, [L].
+/// Returns the least distance of two parallel lines that have all current corners of
+/// block b between them, [L].
 double least_width(const Blocks& blocks, int b);
 
 }  // namespace blocks::dynamics

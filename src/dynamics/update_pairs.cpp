@@ -12,7 +12,7 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Adds other pairs, which are ordered, to those found. Each pair is there once.
+/// Adds other pairs to those found, without duplicates. Both lists are sorted.
 void add_pairs(std::vector<NearPair>& found, const std::vector<NearPair>& others) {
   if (std::includes(found.begin(), found.end(), others.begin(), others.end()))
     return;
@@ -22,7 +22,7 @@ void add_pairs(std::vector<NearPair>& found, const std::vector<NearPair>& others
   found.swap(both);
 }
 
-/// The pairs whose contacts have springs, in order.
+/// Returns the pairs whose contacts have springs, sorted.
 std::vector<NearPair> pairs_with_springs(const PairIndex& index,
                                          const ContactsOfPairs& contacts) {
   std::vector<NearPair> found;
@@ -45,8 +45,8 @@ std::vector<NearPair> pairs_with_springs(const Blocks& blocks,
   return found;
 }
 
-/// Renumbers contacts, and the slots that pairs have, from the old pairs to the new
-/// ones. Contacts of pairs that the new list lacks get the number -1.
+/// Renumbers the pairs of contacts, and moves the slot counts of pairs, from the old
+/// list to the new one. Contacts of a pair that the new list lacks get pair number -1.
 void renumber(const std::vector<NearPair>& old, const std::vector<NearPair>& now,
               ContactsOfPairs& contacts, std::vector<int>& slots) {
   std::vector<int> new_slots(now.size(), 0);
@@ -63,7 +63,8 @@ void renumber(const std::vector<NearPair>& old, const std::vector<NearPair>& now
   slots.swap(new_slots);
 }
 
-/// Columns are read out of order, so huge pages save time.
+/// Moves columns of blocks to huge pages. They are not read in order, so this saves
+/// time.
 void move_columns(const Blocks& blocks) {
   const auto move = [](const auto&... columns) {
     (dynamics::move_to_huge_pages(columns.data(),
@@ -78,7 +79,7 @@ void move_columns(const Blocks& blocks) {
   move(blocks.gradient, blocks.applied, blocks.stress, blocks.strain_rate);
 }
 
-/// Whether the arrays were made for as many blocks as there are.
+/// Returns whether the arrays were made for the present number of blocks.
 bool fits(const Workspace& work, const Blocks& blocks) {
   return work.index.neighbours.groups() == blocks.size();
 }

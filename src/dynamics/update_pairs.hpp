@@ -1,4 +1,4 @@
-// Which pairs of blocks may touch: the first call of a step.
+// Finds the pairs of blocks that may touch: the first call of a step.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,13 @@
 
 namespace blocks::dynamics {
 
-/// Searches again if corners may have moved as far as search.left, or if the springs
-/// are in the list: finds the pairs of blocks that may touch until then, makes the
-/// arrays for them, and forgets all decisions. Contacts keep their springs; a pair
-/// whose contacts have springs stays, near or not, because these may need successors.
-/// The pairs `also`, which are ordered, are added. Reads blocks and, if it owns the
-/// springs, the list; writes search, plane contacts, pairs and arrays.
+/// Searches again if corners may have moved by the whole of search.left, or if only the
+/// list holds the current springs. A search finds the pairs of blocks that may touch
+/// before the next one, makes the arrays for them and discards all decisions. Contacts
+/// keep their springs. A pair whose contacts have springs stays in the list even if it
+/// is not near, because its springs may pass to successors. The pairs of `also`, which
+/// must be sorted, are added. Reads blocks and, if it owns the springs, the list of
+/// contacts. Writes search, plane contacts, pairs and arrays.
 void update_pairs(Model& model, Workspace& work,
                   const std::vector<NearPair>& also = {});
 

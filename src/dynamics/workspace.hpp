@@ -1,4 +1,4 @@
-// Working memory of a run's steps.
+// Working memory for the steps of a run.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,8 @@
 
 namespace blocks::dynamics {
 
-/// What the steps of a run keep besides the model. After catch_up() it may be lost:
-/// then it influences run time, never results.
+/// State that the steps of a run keep in addition to the model. After catch_up() it may
+/// be discarded: this changes run time, never results.
 struct Workspace {
   explicit Workspace(int threads = 1)
       : workers(std::make_unique<Workers>(threads)),
@@ -32,7 +32,7 @@ struct Workspace {
   }
 
   std::unique_ptr<Workers> workers;
-  Profile* profile = nullptr;  ///< where the time of the run is counted, if at all
+  Profile* profile = nullptr;  ///< accumulates the time of each phase; may be null
   WorkSplit split;
 
   SpringOwner springs;
@@ -41,18 +41,21 @@ struct Workspace {
   Decisions decisions;
   ContactArrays contacts;
 
-  /// Adds what the last decisions left to exact arithmetic to the profile.
+  /// Adds to the profile how many questions the last decisions left to exact
+  /// arithmetic.
   void count_exact_calls() {
     for (DecisionThread& thread : deciding.threads)
       if (const auto calls = std::exchange(thread.exact_calls, 0); profile != nullptr)
         profile->exact_calls += calls;
   }
 
-  // memory of single calls
+  // Working memory of single calls.
   NearSearch search;
   std::vector<NearPair> near_pairs;
   PlaneContacts plane_contacts;
-  const double* corners_in_huge_pages = nullptr;  ///< the column that was moved
+  /// The column of corners for which the columns of blocks were last moved to huge
+  /// pages.
+  const double* corners_in_huge_pages = nullptr;
   DecisionMemory deciding;
   ForceMemory forces;
   std::vector<Displacement> moved;  ///< (threads)

@@ -11,7 +11,7 @@ namespace {
 
 auto as_pair(const CornerOnEdge& at) { return std::pair(at.corner, at.edge); }
 
-/// Contacts in ascending order of corner and edge, without springs.
+/// Writes the contacts in ascending order of corner and edge, without springs.
 void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
                    std::vector<PairContact>& sorted) {
   sorted.clear();
@@ -53,7 +53,7 @@ void ContactArrays::require_slots(const ContactsOfPairs& some, bool grown) {
       continue;
     int& slots = slots_of_pair[some.pair[k]];
     const int count = some.first[k + 1] - some.first[k];
-    // A pair that has outgrown its slots is likely to need more of them again.
+    // A pair that has outgrown its slots is likely to need still more.
     const int wanted =
         grown && slots > 0 ? std::max(count, contacts_of_two_faces) : count;
     slots = std::max(slots, wanted);
@@ -72,9 +72,10 @@ void ContactArrays::reserve(int pairs) {
   batches.reserve(all_batches, all_rows);
 }
 
-/// Pairs are put into batches in the order of their slots, so that few stay vacant.
+/// Puts the pairs of a window into batches in descending order of their slots, so that
+/// few slots stay vacant.
 void ContactArrays::make_window(const PairIndex& index, int begin, int end) {
-  std::array<std::pair<int, int>, pairs_of_window> order;  // -slots, pair
+  std::array<std::pair<int, int>, pairs_of_window> order;  // (-slots, pair)
   int count = 0;
   for (int p = begin; p < end; ++p) {
     lane_of_pair[p] = -1;

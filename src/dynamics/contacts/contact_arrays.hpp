@@ -1,5 +1,5 @@
-// The contacts of all pairs in batches of SIMD lanes, and which pair has which lane.
-// The arrangement has no influence on results.
+// The contacts of all pairs in batches of SIMD lanes, and the mapping between pairs and
+// lanes. The arrangement has no influence on results.
 #pragma once
 
 #include <algorithm>
@@ -13,25 +13,30 @@
 
 namespace blocks::dynamics {
 
-/// Pairs of a window. One thread decides them all, and they have their own batches.
+/// The number of pairs in a window. One thread decides all pairs of a window, and no
+/// batch has pairs of two windows.
 inline constexpr int pairs_of_window = 256;
 
 struct ContactArrays {
   ContactBatches batches;
   std::vector<int> lane_of_pair;   ///< -1: the pair has had no contacts
   std::vector<int> pair_of_lane;   ///< -1: the lane is idle
-  std::vector<int> slots_of_pair;  ///< least number of slots of the pair's lane
-  std::vector<int> first_batch;    ///< (windows + 1) where those of a window begin
-  Groups lows, highs;  ///< lanes in which each block is the low one, or the high one
+  std::vector<int> slots_of_pair;  ///< least number of slots that the pair's lane gets
+  std::vector<int> first_batch;    ///< (windows + 1) the first batch of each window
+  /// lanes in which each block is the lower one, or the higher one
+  Groups lows, highs;
 
-  /// Makes batches for these pairs and puts contacts into them. `grown` replaces all
-  /// contacts of its pairs. No pair is listed twice; entries with a negative pair are
+  /// Makes batches for all pairs of the index and puts the contacts into them. A pair
+  /// that is in both `kept` and `grown` gets the contacts of `grown`. No pair may be
+  /// listed twice in either of them. Entries of `kept` with a negative pair are
   /// ignored.
   void make(const Blocks& blocks, const Settings& settings, const PairIndex& index,
             const ContactsOfPairs& kept, const ContactsOfPairs& grown);
-  /// Gives pair p these contacts. If `tested`, those of them act that are inside and
-  /// between; otherwise all act. Contacts that it had before keep their springs; the
-  /// springs of others are released.
+  /// Assigns these contacts to pair p. If `tested`, a contact acts only if its corner
+  /// is inside its edge and between the ends. Otherwise all of them act. Contacts that
+  /// the pair had before keep their springs. The springs of its other former contacts
+  /// are added to changes.released. If the pair has too few slots, its contacts are
+  /// added to changes.grown instead.
   void assign(const Blocks& blocks, const PairIndex& index, int p,
               const std::vector<CornerOnEdge>& found, bool tested,
               ContactChanges& changes);
@@ -46,8 +51,8 @@ struct ContactArrays {
     for (int row = batch.first_row; row < batch.first_row + batch.rows; ++row)
       visit(row * lane_count + lane_of_pair[p] % lane_count);
   }
-  /// Calls visit(lane, is_low) for each lane that acts on block b, in the order of the
-  /// pairs.
+  /// Calls visit(lane, is_low) for each lane that contains a pair of block b, in the
+  /// order of the pairs. is_low: block b is the lower one.
   template <class Visit> void each_lane_of(int b, const Visit& visit) const {
     highs.each(b, [&](int lane) { visit(static_cast<unsigned>(lane), false); });
     lows.each(b, [&](int lane) { visit(static_cast<unsigned>(lane), true); });
@@ -55,7 +60,8 @@ struct ContactArrays {
   CornerOnEdge at(int slot) const {
     return {batches.at(slot, &ContactRow::corner), batches.at(slot, &ContactRow::edge)};
   }
-  /// The slot has no contact: a corner never acts on its own edge.
+  /// Returns whether the slot has no contact. Such a slot has equal corner and edge,
+  /// which no contact has.
   bool is_vacant(int slot) const { return at(slot).corner == at(slot).edge; }
 
  private:
@@ -69,13 +75,13 @@ struct ContactArrays {
   void find_lanes_of_blocks(const PairIndex& index, int NearPair::*side, Groups& lanes);
 };
 
-/// Calls visit(begin, end) for pairs begin .. end - 1 of each window.
+/// Calls visit(begin, end) for the half-open range of pairs of each window.
 template <class Visit> void each_window(int pairs, const Visit& visit) {
   for (int begin = 0; begin < pairs; begin += pairs_of_window)
     visit(begin, std::min(pairs, begin + pairs_of_window));
 }
 
-/// The columns of blocks that contacts are computed from.
+/// Returns the columns of blocks from which contacts are computed.
 inline BlockState state_of(const Blocks& blocks) {
   return {blocks.corner.data(), blocks.centroid.data(), blocks.velocity.data(),
           blocks.spin.data(), blocks.strain_rate.data()};

@@ -11,7 +11,7 @@ namespace blocks::dynamics {
 void ContactBatches::reserve(int batches, int rows) {
   const auto make = []<class Part>(int count, std::unique_ptr<Part[]>& own,
                                    Part*& part) {
-    own.reset();  // the old memory and the new one do not exist together
+    own.reset();  // release the old memory before the new one is allocated
     own = std::make_unique_for_overwrite<Part[]>(static_cast<std::size_t>(count));
     part = own.get();
   };

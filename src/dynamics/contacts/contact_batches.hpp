@@ -8,28 +8,28 @@
 
 namespace blocks::dynamics {
 
-/// Batches, their rows, and the memory of both. Pair k of a batch has lane number
-/// 8 batch + k. Its contact in a row has slot number 8 row + k.
+/// The memory of batches and their rows. Pair k of a batch has lane number 8 batch + k.
+/// Its contact in a row has slot number 8 row + k.
 class ContactBatches : public BatchArrays {
  public:
   int batches() const { return batches_; }
   int rows() const { return rows_; }
-  /// Reserves memory, which is not touched before it is used.
+  /// Reserves memory. The operating system provides its pages when they are first used.
   void reserve(int batches, int rows);
   /// Removes all batches.
   void clear() { batches_ = rows_ = 0; }
-  /// Adds a batch with idle lanes and vacant slots, and returns its number.
+  /// Adds a batch of idle lanes and vacant slots, and returns its number.
   int add_batch(int rows);
 
-  /// Makes the springs at the end of the step those at the start of the next.
+  /// The springs at the end of this step become those at the start of the next step.
   void advance_springs() { std::swap(springs, advanced); }
 
-  /// A number of one lane or slot: at(slot, &ContactRow::corner).
+  /// Returns a number of one lane or slot, such as at(slot, &ContactRow::corner).
   template <class Part, class Number>
   Number& at(int i, PerLane<Number> Part::*row) const {
     return (part(static_cast<Part*>(nullptr))[i / lane_count].*row)[i % lane_count];
   }
-  /// A bit of one slot.
+  /// Returns whether a bit of one slot is set.
   template <class Part> bool is(int slot, LaneBits Part::*which) const {
     const LaneBits all = part(static_cast<Part*>(nullptr))[slot / lane_count].*which;
     return (all >> slot % lane_count & 1U) != 0;

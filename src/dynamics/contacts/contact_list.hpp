@@ -1,4 +1,5 @@
-// Contacts between the arrays of a step and the list of the model (Model::contacts).
+// Copies contacts between the arrays of a step and the list of the model
+// (Model::contacts).
 #pragma once
 
 #include "dynamics/contacts/contact_arrays.hpp"
@@ -6,12 +7,13 @@
 
 namespace blocks::dynamics {
 
-/// Reads the contacts of the list. Those of other pairs are left out.
+/// Reads the contacts of the list. Contacts of pairs that are not in the index are left
+/// out.
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
                const PairIndex& index, ContactsOfPairs& all);
 
-/// Writes the contacts that act to the list, in the order of the pairs, with their
-/// springs. Forces and overlaps are 0.
+/// Writes the acting contacts and their springs to the list, in the order of the pairs.
+/// Forces and overlaps become 0.
 void write_list(const ContactArrays& arrays, std::vector<Contact>& list);
 
 }  // namespace blocks::dynamics

@@ -1,4 +1,4 @@
-// The dashpot constant C of (18), damping 2 sqrt(Kn m), [F T/L]
+// The dashpot constant (18), C = 2 DAMPING sqrt(Kn m), [F T/L]
 // (docs/theory.md#damping).
 #pragma once
 
@@ -8,12 +8,13 @@
 
 namespace blocks::dynamics {
 
-/// Of a corner against a plane or a fixed block, which have infinite mass.
+/// Returns C for a corner against a plane or a fixed block, both of which have infinite
+/// mass.
 inline double damping_against_fixed(const Settings& settings, double mass) {
   return settings.damping * 2.0 * std::sqrt(settings.normal_stiffness * mass);
 }
 
-/// Of two blocks, m = m1 m2 / (m1 + m2). At least one is free.
+/// Returns C for two blocks, m = m1 m2 / (m1 + m2). At least one of them is free.
 inline double contact_damping(const Settings& settings, const Blocks& blocks, int a,
                               int b) {
   const double ma = blocks.mass[a], mb = blocks.mass[b];

@@ -1,4 +1,4 @@
-// The contacts of some pairs, apart from the arrays that hold them in a step.
+// The contacts of some pairs, outside the arrays that hold them in a step.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,17 @@
 
 namespace blocks::dynamics {
 
-/// A contact of a pair, taken out of its slot.
+/// A contact of a pair, independent of its slot.
 struct PairContact {
   CornerOnEdge at;
-  bool tested = false;   ///< it acts if its corner is inside (19), and between
-  bool certain = false;  ///< it acts
-  bool acted = false;    ///< in the step before
-  double normal = 0.0, shear = 0.0;  ///< [F] of its springs
+  bool tested = false;   ///< it acts if its corner is inside (19) and between the ends
+  bool certain = false;  ///< it acts in any case
+  bool acted = false;    ///< it acted in the step before
+  double normal = 0.0, shear = 0.0;  ///< [F] springs
 };
 
-/// The contacts of pair `pair[k]` are all[first[k]] .. all[first[k + 1] - 1].
+/// Pair pair[k] has the contacts from all[first[k]] to all[first[k + 1]], a half-open
+/// range.
 struct ContactsOfPairs {
   std::vector<int> pair, first = {0};
   std::vector<PairContact> all;
@@ -36,7 +37,7 @@ struct ReleasedSpring {
   double normal, shear;  ///< [F] normal > 0
 };
 
-/// What changes when one thread assigns contacts to pairs (ContactArrays::assign).
+/// The changes that one thread makes when it assigns contacts (ContactArrays::assign).
 struct ContactChanges {
   std::vector<ReleasedSpring> released;
   ContactsOfPairs grown;                 ///< pairs with more contacts than slots

@@ -9,7 +9,7 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Takes what the lanes tell of two parts into the decision of their blocks.
+/// Adds the kernel's answer about two parts to the decision of their blocks.
 class LaneDecision {
  public:
   LaneDecision(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
@@ -27,7 +27,8 @@ class LaneDecision {
   void take(CertainDecision& decision) {
     const double apart = answers_.apart[lane_];
     room_ = answers_.faces[lane_];
-    // near parts get contacts before they touch
+    // Parts that are near get their contacts before they touch. So "apart" is preferred
+    // only if it holds for more than a quarter of the other room.
     if (apart > 0.0 && apart > 0.25 * room_) {
       decision.room = std::min(decision.room, apart);
       return;
@@ -55,8 +56,9 @@ class LaneDecision {
            is_open(3, {other_, facing_ < 0 ? before(other_, corner_) : facing_, false,
                        own_});
   }
-  /// A joint is open while the other centroid is inside its surface, or neighbours do
-  /// not cover its side. An inner side is left in doubt.
+  /// Returns whether a joint is open: the centroid of the other part is inside its
+  /// surface, or neighbours do not cover its side. If its side is an inner side, it is
+  /// in doubt. May reduce the rooms.
   bool is_open(int k, const SideOfJoint& joint) {
     if (parts_.is_inner(blocks_, parts_.side(joint.part, joint.side)))
       return false;
@@ -85,7 +87,7 @@ class LaneDecision {
     room_ = std::min(room_, inside);
     return inside > 0.0;
   }
-  /// How far a block goes in a step as it moves now, [L].
+  /// Returns how far block b moves in a step at its present velocity, [L].
   double way_of_step(int b) const {
     const double arms = std::abs(blocks_.spin[b]) + blocks_.strain_rate.col(b).norm();
     return dt_ * (blocks_.velocity.col(b).norm() + 2.0 * longest_[b] * arms);
@@ -120,7 +122,7 @@ class LaneDecision {
   const FacingAnswers& answers_;
   int lane_;
   JointScratch& scratch_;
-  int own_, other_;  ///< parts
+  int own_, other_;  ///< numbers of the part with the axis side and of the other part
   int side_, facing_, corner_;
   const NearPair& pair_;
   double dt_;

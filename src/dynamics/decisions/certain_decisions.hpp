@@ -1,5 +1,6 @@
-// Decides pairs of blocks by the kernel of face_kernel.hpp where doubles are certain,
-// and tells for how long that holds (docs/contact-rule.md#kept-decisions).
+// Decides pairs of blocks with the kernel of face_kernel.hpp where the rounding of
+// doubles cannot change the answer. Also finds how long each decision holds
+// (docs/contact-rule.md#kept-decisions).
 #pragma once
 
 #include <limits>
@@ -13,29 +14,30 @@
 
 namespace blocks::dynamics {
 
-/// What is certain of a pair.
+/// The decision of a pair, and its rooms: how far blocks may move before it can change.
 struct CertainDecision {
   /// The contacts that may act. Each acts if its corner is inside its edge (19) and
   /// between the ends of the edge.
   std::vector<CornerOnEdge> contacts;
-  /// [L] The decision holds for motions of the two blocks (PairMotion::two) less than
-  /// this; 0: it is in doubt.
+  /// [L] The decision holds while the motion of the two blocks (PairMotion::two) is
+  /// less than this. If it is 0, the pair is in doubt.
   double room = 0.0;
-  /// [L] Likewise for motions of neighbours; infinite: these do not count.
+  /// [L] The same for the motion of neighbours (PairMotion::neighbours). It is infinite
+  /// if neighbours do not matter.
   double room_of_neighbours = std::numeric_limits<double>::infinity();
 };
 
-/// Decides some pairs. Working memory of one thread.
+/// Decides some pairs. Also holds the working memory of one thread.
 class CertainDecisions {
  public:
-  /// Finds what is certain of the pairs that are due, for steps of dt.
+  /// Decides the pairs that are due. dt: the time step, [T].
   void find(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
             const Decisions& decisions, const std::vector<int>& due, double dt);
-  /// The decision of due pair k.
+  /// Returns the decision of due[k].
   const CertainDecision& operator[](std::size_t k) const { return decisions_[k]; }
 
  private:
-  /// Two parts of the blocks of due pair `of`.
+  /// Two convex parts of the blocks of pair due[of].
   struct TwoParts {
     int of, part[2];
   };

@@ -17,7 +17,8 @@ void join_changes(DecisionMemory& memory, std::vector<ReleasedSpring>& released)
   }
   if (order.empty())
     return;
-  // In the order of the pairs, whichever thread found them.
+  // The pairs are sorted, so that their order does not depend on which thread found
+  // them.
   std::sort(order.begin(), order.end());
   for (const auto& [p, from] : order) {
     const auto& [some, k] = from;

@@ -1,5 +1,5 @@
-// Which contacts of each pair may act, and for how long that holds: the second call of
-// a step.
+// Decides which contacts of each pair may act, and how long each decision holds: the
+// second call of a step.
 #pragma once
 
 #include <algorithm>
@@ -16,22 +16,22 @@
 
 namespace blocks::dynamics {
 
-/// The contact rule of every run. `blocks study` replaces it by classes with the same
-/// members.
+/// The contact rule of every run. `blocks study` replaces it by other classes with the
+/// same members.
 struct ContactRules {
-  /// Decisions are kept while they are certain to hold (certain_decisions.hpp). If
-  /// false, every pair is decided in every step.
+  /// A decision is kept as long as it certainly holds (certain_decisions.hpp). If this
+  /// is false, every pair is decided in every step.
   static constexpr bool keeps_decisions = true;
-  /// The springs of contacts that cease to act pass to others.
+  /// The springs of contacts that cease to act pass to successors.
   static constexpr bool transfers_springs = true;
 
-  /// Finds which contacts of pair p act: scratch.found.
+  /// Finds which contacts of pair p act and writes them to scratch.found.
   static void decide(const Blocks& blocks, const BlockParts& parts,
                      const PairIndex& index, int p, PairScratch& scratch) {
     decide_exactly<ExactPredicates>(blocks, parts, index, p, scratch);
   }
 
-  /// The contact rule with these predicates.
+  /// Applies the contact rule with the given predicates.
   template <class Predicates>
   static void decide_exactly(const Blocks& blocks, const BlockParts& parts,
                              const PairIndex& index, int p, PairScratch& scratch) {
@@ -41,13 +41,13 @@ struct ContactRules {
   }
 };
 
-/// What one thread needs and finds.
+/// Working memory and results of one thread.
 struct DecisionThread {
-  std::vector<int> due;  ///< pairs whose decisions have ended
+  std::vector<int> due;  ///< pairs whose decisions have expired
   CertainDecisions certain;
   PairScratch scratch;
   ContactChanges changes;
-  long spoiled = 0;                    ///< see Decisions
+  long spoiled = 0;                    ///< adds to Decisions::spoiled
   unsigned long long exact_calls = 0;  ///< questions left to exact arithmetic
 };
 
@@ -55,11 +55,11 @@ struct DecisionThread {
 struct DecisionMemory {
   std::vector<DecisionThread> threads;
   ContactsOfPairs grown;  ///< pairs that have outgrown their slots, in order
-  ContactsOfPairs kept;   ///< all contacts while the arrays are made again
+  ContactsOfPairs kept;   ///< all contacts while the arrays are rebuilt
 };
 
-/// Decides the due pairs of a thread: until blocks have moved by some room, or for this
-/// step alone.
+/// Decides the due pairs of a thread. A decision holds until blocks have moved by its
+/// room, or for this step alone.
 template <class Rules>
 void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& parts,
                 const PairIndex& index, Decisions& decisions, ContactArrays& arrays,
@@ -81,7 +81,7 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
   }
 }
 
-/// Finds those of the pairs begin .. end - 1 whose decisions have ended.
+/// Finds the pairs of the half-open range [begin, end) whose decisions have expired.
 template <class Rules>
 void find_due(const Blocks& blocks, const PairIndex& index, Decisions& decisions,
               int begin, int end, std::vector<int>& due) {
@@ -99,13 +99,13 @@ void find_due(const Blocks& blocks, const PairIndex& index, Decisions& decisions
   }
 }
 
-/// Joins what the threads found: pairs that have outgrown their slots, in order, and
-/// released springs.
+/// Merges the results of the threads: the pairs that have outgrown their slots, in
+/// order, and the released springs.
 void join_changes(DecisionMemory& memory, std::vector<ReleasedSpring>& released);
 
-/// Decides the pairs whose decisions have ended, and assigns their contacts to slots.
-/// Reads blocks and motion bounds; writes decisions and arrays. Springs of contacts
-/// that are gone are added to `released`, in any order.
+/// Decides the pairs whose decisions have expired and assigns their contacts to slots.
+/// Reads blocks and motion bounds; writes decisions and arrays. The springs of contacts
+/// that the new decisions lack are added to `released`, in any order.
 template <class Rules>
 void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& settings,
                      double dt, const BlockParts& parts, const PairIndex& index,
@@ -121,7 +121,7 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
     });
     decisions.begin_phase(blocks);
   }
-  // No other thread writes to the batches of a window.
+  // A window is decided by one thread, so no other thread writes to its batches.
   workers.each(split.windows, [&](int k, int begin, int end) {
     DecisionThread& thread = memory.threads[k];
     const unsigned long long before = geometry::exact::calls();

@@ -9,10 +9,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The growth of MotionBounds::most before a pair can move by as much as this. While
-/// `most` grows by d, shift and turn of one block together grow by at most 2 d, because
-/// `turn` is at most twice the motion of an arm. So the motion of two blocks grows by
-/// at most 4 d, and that of a neighbour against one of them adds less than 4 d.
+/// Returns by how much MotionBounds::most may grow before the motion of a pair can grow
+/// by `left`. While `most` grows by d, shift and turn of one block together grow by at
+/// most 2 d. The reason is that `turn` is at most twice the motion of an arm. So the
+/// motion of two blocks grows by at most 4 d. The motion of a neighbour against one of
+/// them adds at most 4 d.
 double growth_until(const PairMotion& left) {
   return std::max(0.0, std::min(0.25 * left.two, 0.125 * left.neighbours));
 }
@@ -57,7 +58,8 @@ double Decisions::left_of(const Blocks& blocks, const PairIndex& index, int p) c
 
 bool Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
                      const PairMotion& room) {
-  // From now on, motion is at most the sum of that until now and that until then.
+  // A motion from now on is at most the sum of the motions of the phase until now and
+  // until then. So the limits are the rooms less the motions until now.
   const PairMotion now = motion_of(blocks, index, p, room.neighbours < infinite);
   limits[p] = {room.two - now.two, room.neighbours - now.neighbours};
   next_check[p] = bounds.most + growth_until({limits[p].two - now.two,

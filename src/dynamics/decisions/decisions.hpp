@@ -1,5 +1,6 @@
-// How long the decision of each pair of blocks holds
-// (docs/contact-rule.md#kept-decisions). Working state, without influence on results.
+// Records how long the decision of each pair of blocks holds
+// (docs/contact-rule.md#kept-decisions). This is working state; it has no influence on
+// results.
 #pragma once
 
 #include <vector>
@@ -9,46 +10,50 @@
 
 namespace blocks::dynamics {
 
-/// The motion that matters to the decision of a pair, or limits of it, [L].
+/// The motion on which the decision of a pair depends, or limits of it, [L].
 struct PairMotion {
-  double two = 0.0;         ///< of its blocks against each other
-  double neighbours = 0.0;  ///< of their neighbours against them, both included
+  double two = 0.0;  ///< motion of the two blocks against each other
+  /// The same plus the largest motion of a neighbour against one of the two blocks.
+  double neighbours = 0.0;
 };
 
 struct Decisions {
   MotionBounds bounds;
-  /// (pairs) The decision of a pair holds while its motion is below these limits.
-  /// Infinite: neighbours do not matter.
+  /// (pairs) [L] The decision of a pair holds while both motions are below these
+  /// limits. The limit for neighbours is infinite if they do not matter.
   std::vector<PairMotion> limits;
-  /// (pairs) [L] The decision holds while MotionBounds::most is less.
+  /// (pairs) [L] The decision certainly holds while MotionBounds::most is less than
+  /// this.
   std::vector<double> next_check;
-  /// Decisions of this phase that lost half of their room, or more, to its motion
-  /// before they were made.
+  /// The number of spoiled decisions in this phase. A decision is spoiled if the motion
+  /// of the phase had used up more than half of its room when it was made.
   long spoiled = 0;
-  /// A spoiled decision costs as much as this many pairs that are carried over to a new
-  /// phase: it has to be made again and again until the phase ends.
+  /// The cost of a spoiled decision, in pairs that are carried over to a new phase. A
+  /// spoiled decision is expensive because it soon expires again, until the phase ends.
+  /// This value affects run time only.
   static constexpr int cost_of_decision = 64;
 
-  /// Forgets all decisions and begins a phase.
+  /// Discards all decisions and begins a phase. pairs: the number of pairs.
   void forget(const Blocks& blocks, int pairs);
-  /// Whether the decisions that the phase has spoiled cost more than a new phase. If
-  /// so, `carry_over` all pairs, and then begin a phase.
+  /// Returns whether the spoiled decisions of the phase cost more than a new phase. If
+  /// so, call carry_over() for all pairs and then begin_phase().
   bool phase_is_over() const {
     return spoiled * cost_of_decision > static_cast<long>(limits.size());
   }
+  /// Begins a phase at the current positions of the blocks.
   void begin_phase(const Blocks& blocks);
-  /// Keeps the decisions of pairs begin .. end - 1 for a phase that begins now.
+  /// Keeps the decisions of the pairs [begin, end) in the phase that is about to begin.
   void carry_over(const Blocks& blocks, const PairIndex& index, int begin, int end);
 
-  /// The net motion of pair p since the beginning of the phase, [L]. Without
-  /// `neighbours` only that of its two blocks.
+  /// Returns the net motion of pair p since the beginning of the phase, [L]. Without
+  /// `neighbours`, only that of its two blocks counts.
   PairMotion motion_of(const Blocks& blocks, const PairIndex& index, int p,
                        bool neighbours) const;
-  /// By how much MotionBounds::most may grow before the decision of pair p may end,
-  /// [L]. If it is not positive, the decision has ended.
+  /// Returns by how much MotionBounds::most may grow before the decision of pair p may
+  /// expire, [L]. If the result is not positive, the decision has expired.
   double left_of(const Blocks& blocks, const PairIndex& index, int p) const;
-  /// The decision of pair p, made now, holds for motions less than these. Returns
-  /// whether the motion of the phase until now has spoiled half of one of them.
+  /// Keeps the decision of pair p, made now, while its motions from now on are less
+  /// than `room`. Returns whether the decision is spoiled.
   bool keep(const Blocks& blocks, const PairIndex& index, int p,
             const PairMotion& room);
 };

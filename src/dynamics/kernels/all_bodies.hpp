@@ -1,5 +1,6 @@
-// All kernels for one instruction set. The including file defines the namespace,
-// BLOCKS_INSTRUCTION_SET, and the numbers in a register, BLOCKS_LANES_AT_ONCE.
+// All kernels for one instruction set. Before it includes this file, a source file
+// defines two macros: BLOCKS_INSTRUCTION_SET, which is also the namespace, and
+// BLOCKS_LANES_AT_ONCE, the number of doubles in a register.
 #include "dynamics/kernels/contact_kernel_body.hpp"
 #include "dynamics/kernels/face_kernel_body.hpp"
 #include "dynamics/kernels/kernels.hpp"

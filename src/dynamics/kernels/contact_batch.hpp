@@ -1,85 +1,88 @@
-// Contacts as the kernels see them: a batch is eight pairs of blocks, one pair to a
-// SIMD lane. The contacts of a pair are in the rows of its batch, in its lane.
+// The data of contacts in the layout of the kernels. A batch is eight pairs of blocks,
+// one pair to a SIMD lane. The contacts of a pair are in the rows of its batch, in its
+// lane. A slot is one lane of one row.
 #pragma once
 
 #include <cstdint>
 
 namespace blocks::dynamics {
 
-/// Lanes of a batch: one register of AVX-512, two of AVX2.
+/// The number of lanes of a batch. It is one register of AVX-512, or two of AVX2.
 inline constexpr int lane_count = 8;
 
-/// One bit for each lane of a batch: bit k belongs to lane k.
+/// One bit for each lane of a batch. Bit k belongs to lane k.
 using LaneBits = std::uint8_t;
 /// One number for each lane of a batch.
 template <class Number> using PerLane = Number[lane_count];
 
-/// The pairs of a batch. Idle lanes have low = high.
+/// The pairs of a batch. An idle lane has low = high.
 struct alignas(64) BatchPairs {
   PerLane<int> low, high;   ///< the two blocks, the lower number first
   PerLane<double> damping;  ///< [F T/L] C of (18), the same for all contacts of a pair
-  int first_row, rows;      ///< the contacts of the batch
+  int first_row, rows;      ///< rows with the contacts of the batch
 };
 /// What a step has found in a batch.
 struct BatchMarks {
   bool ends;      ///< a contact has ceased to act
-  bool in_doubt;  ///< the kernel has left a sign undecided
+  bool in_doubt;  ///< the kernel could not decide a sign
   bool receives;  ///< a contact has received a released spring
 };
 
-/// One contact of each pair of a batch: corner numbers of the model. A contact whose
+/// One contact of each pair of a batch, as corner numbers of the model. A slot whose
 /// corner equals its edge is vacant.
 struct ContactRow {
   PerLane<int> corner, edge, edge_end;
 };
-/// How it is decided whether the contacts of a row act. A contact that is neither
-/// tested nor certain does not act.
+/// How the contacts of a row are decided. A contact that is neither tested nor certain
+/// does not act.
 struct ContactTests {
   LaneBits tested;   ///< it acts if its corner is inside (19) and between the ends
-  LaneBits certain;  ///< it acts: the exact rule has decided this step
-  LaneBits flips;    ///< the edge belongs to the low block
+  LaneBits certain;  ///< it acts: the exact rule has decided it for this step
+  LaneBits flips;    ///< the edge, not the corner, belongs to the low block
 };
 /// Which contacts of a row act in a step.
 struct ContactStates {
-  LaneBits touches;   ///< it acts in this step
-  LaneBits starts;    ///< it did not act in the step before, or has taken over a spring
-  LaneBits ends;      ///< it acted in the step before and does not act now
-  LaneBits in_doubt;  ///< taken as acting, but a sign is too near zero for doubles
+  LaneBits touches;  ///< it acts in this step
+  LaneBits starts;   ///< it did not act in the step before, or has taken over a spring
+  LaneBits ends;     ///< it acted in the step before and does not act now
+  /// It is taken to act, but a sign is too close to zero for doubles.
+  LaneBits in_doubt;
 };
-/// The springs of the contacts of a row, kept from step to step.
+/// The springs of the contacts of a row. They are kept from step to step.
 struct alignas(64) SpringRow {
   PerLane<double> normal_elastic, shear_elastic;  ///< [F]
 };
-/// What the contacts of a pair do to its two blocks in a step.
+/// The total force of the contacts of a pair on its two blocks in a step.
 struct alignas(32) PairForce {
   double fx, fy;                   ///< [F] on the low block
-  double moment_low, moment_high;  ///< [F L] about the two centroids
+  double moment_low, moment_high;  ///< [F L] about the centroids of the two blocks
 };
-/// Sums of f_i x_j in the order 11, 12, 21, 22, arms from the two centroids, [F L].
+/// The sums of f_i x_j for the two blocks of a pair, in the order 11, 12, 21, 22,
+/// [F L]. Each arm x begins at the block's own centroid.
 struct alignas(64) PairStress {
   double low[4], high[4];
 };
-/// What only readers of the model need.
+/// Results that are needed for output only.
 struct alignas(64) ReadingRow {
   PerLane<double> overlap;                    ///< [L] >= 0
-  PerLane<double> normal_force, shear_force;  ///< [F] 0 where the contact does not act
+  PerLane<double> normal_force, shear_force;  ///< [F] 0 if the contact does not act
 };
 
 /// The arrays of all batches. The memory belongs to ContactBatches.
 struct BatchArrays {
-  BatchPairs* pairs = nullptr;      ///< (batches)
-  BatchMarks* marks = nullptr;      ///< (batches)
-  PairForce* forces = nullptr;      ///< (batches * lane_count)
-  PairStress* stresses = nullptr;   ///< (batches * lane_count) rigid: for readers only
-  ContactRow* contacts = nullptr;   ///< (rows)
-  ContactTests* tests = nullptr;    ///< (rows)
+  BatchPairs* pairs = nullptr;     ///< (batches)
+  BatchMarks* marks = nullptr;     ///< (batches)
+  PairForce* forces = nullptr;     ///< (batches * lane_count)
+  PairStress* stresses = nullptr;  ///< (batches * lane_count) if rigid, for output only
+  ContactRow* contacts = nullptr;  ///< (rows)
+  ContactTests* tests = nullptr;   ///< (rows)
   ContactStates* states = nullptr;  ///< (rows)
   SpringRow* springs = nullptr;     ///< (rows) at the start of the step
-  SpringRow* advanced = nullptr;    ///< (rows) at its end
-  ReadingRow* readings = nullptr;   ///< (rows) for readers only
+  SpringRow* advanced = nullptr;    ///< (rows) at the end of the step
+  ReadingRow* readings = nullptr;   ///< (rows) for output only
 };
 
-/// The largest values over the contacts that act in a step.
+/// The largest values of all contacts that act in a step.
 struct Extremes {
   double overlap = 0.0;  ///< [L]
   double spring = 0.0;   ///< [F] elastic normal force
@@ -89,7 +92,7 @@ struct Extremes {
   }
 };
 
-/// The columns of Blocks that contacts are computed from.
+/// The columns of Blocks from which contacts are computed.
 struct BlockState {
   const double *corner, *centroid, *velocity, *spin, *strain_rate;
 };

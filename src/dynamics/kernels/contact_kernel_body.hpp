@@ -1,6 +1,6 @@
 // The forces of batches of contacts (kernels.hpp), in the order a. to e. of
 // docs/theory.md#the-force-in-its-order. Included once for each instruction set, in a
-// namespace of its own; it calls nothing that is not compiled here.
+// namespace of its own.
 #include "dynamics/kernels/contact_batch.hpp"
 #include "dynamics/kernels/contact_law.hpp"
 #include "dynamics/kernels/simd_lanes.hpp"
@@ -9,7 +9,8 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
-/// Corners against edges: 2A of (19), filter::overlap and filter::between of
+/// Corners and edges in each lane, with the values that decide whether a contact acts:
+/// 2A of (19), and filter::overlap and filter::between of
 /// geometry/contact_predicates.hpp.
 struct Sides {
   Pack xc, yc, ex, ey, cx, cy, plus, minus, value, square;
@@ -25,7 +26,9 @@ struct Sides {
     value = plus - minus;
     square = ex * ex + ey * ey;
   }
-  /// How far the corner is between the ends, with slack, [L^2].
+  /// Returns how far the foot of the corner is from the nearer limit of the edge, slack
+  /// included, [L^2]. It is positive between the limits. `bound` gets the bound of its
+  /// error.
   BLOCKS_INLINE Pack between(Pack& bound) const {
     const Pack x = cx * ex, y = cy * ey, foot = x + y,
                room = geometry::contact_slack * square;
@@ -36,20 +39,21 @@ struct Sides {
   BLOCKS_INLINE Pack bound() const {
     return 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
   }
-  /// 2A is exactly 0 because both products have a factor 0, as between bricks that
-  /// touch as they were made.
+  /// Returns the lanes where 2A is exactly 0 because both products have a factor 0.
+  /// This happens between bricks that touch in their initial positions.
   BLOCKS_INLINE Bits tie() const {
     return (zero(cx) | zero(ey)) & (zero(cy) | zero(ex));
   }
 };
 
-/// The bits of the lanes from i on, and how they are put back.
+/// Loads and stores the bits of one pack, which begins with lane i.
 BLOCKS_INLINE Bits load(LaneBits bits, int i) { return bits >> i & every; }
 BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
   bits = static_cast<LaneBits>((bits & ~(every << i)) | part << i);
 }
 
-/// Stores which lanes act. A lane whose sign is in doubt is taken to act, and marked.
+/// Stores which lanes act. A lane with a sign in doubt is taken to act, and its bit
+/// in_doubt is set.
 BLOCKS_INLINE void find_touching(const ContactTests& tests, ContactStates& states,
                                  const Sides& sides, int i) {
   const Pack bound = sides.bound();
@@ -72,11 +76,14 @@ BLOCKS_INLINE void find_touching(const ContactTests& tests, ContactStates& state
   store(states.in_doubt, i, open);
 }
 
-/// Two blocks of each lane: where they are, and how the high one sees the low one move.
+/// The two blocks of each lane: their centroids, and the motion of the low block
+/// relative to the high one.
 template <bool rigid> struct Pairs {
   Pack low_x, low_y, high_x, high_y;  ///< centroids
-  Pack vx, vy;                        ///< relative velocity at the low one
-  Pack g11, g12, g21, g22;  ///< how it changes with the place; rigid: g21 = -g12 only
+  Pack vx, vy;  ///< relative velocity at the centroid of the low block
+  /// Gradient of the relative velocity. For rigid blocks only g12 and g21 = -g12 are
+  /// set.
+  Pack g11, g12, g21, g22;
 
   BLOCKS_INLINE Pairs(const BatchPairs& pairs, const BlockState& blocks, int i) {
     const int *const a = pairs.low + i, *const b = pairs.high + i;
@@ -98,7 +105,7 @@ template <bool rigid> struct Pairs {
       g21 += a2[0] - b2[0], g22 = a2[1] - b2[1];
     }
   }
-  /// Relative velocity (14) at an arm from the low block's centroid.
+  /// Returns the relative velocity (14) at an arm from the low block's centroid.
   BLOCKS_INLINE Point velocity(Pack x, Pack y) const {
     if constexpr (rigid)
       return {vx + g12 * y, vy + g21 * x};
@@ -107,7 +114,7 @@ template <bool rigid> struct Pairs {
   }
 };
 
-/// Deepest overlap and strongest spring, lane by lane.
+/// The deepest overlap and the strongest spring of each lane.
 struct Most {
   Pack overlap = {}, spring = {};
   BLOCKS_INLINE void include(Pack depth, Pack force) {
@@ -116,16 +123,18 @@ struct Most {
   }
 };
 
-/// a. A contact as geometry: the corner, the frame of the edge, the overlap.
+/// a. The geometry of a contact: its corner, the directions of its edge, its overlap.
 struct Frame {
-  Pack x, y;     ///< the corner
-  Pack tx, ty;   ///< unit tangent, turned where the force on the low block is that on
-                 ///< the edge
-  Pack overlap;  ///< [L] its sign is decided exactly; a rounded depth below zero
-                 ///< counts as 0
+  Pack x, y;  ///< the corner
+  /// Unit tangent of the edge. It is reversed if the edge belongs to the low block, so
+  /// that the computed force acts on the low block.
+  Pack tx, ty;
+  /// [L] The sign of the depth is decided exactly. A rounded depth below zero counts as
+  /// 0.
+  Pack overlap;
 };
 
-/// The frame of row s. find: false: what touches is known.
+/// Computes the frame of row s. With `find`, also finds which contacts act.
 template <bool find>
 BLOCKS_INLINE Frame frame_of(const BatchArrays& batches, int s,
                              const BlockState& blocks, int i) {
@@ -140,12 +149,12 @@ BLOCKS_INLINE Frame frame_of(const BatchArrays& batches, int s,
           depth > 0.0 ? depth : Pack{}};
 }
 
-/// What the contacts of a pair come to, summed row by row.
+/// The forces of a pair, summed row by row.
 template <bool stresses> struct Sums {
   Pack x = {}, y = {}, moment_low = {}, moment_high = {};
   Pack low[stresses ? 4 : 1] = {}, high[stresses ? 4 : 1] = {};
 
-  /// A force on the low block at arms from both centroids.
+  /// Adds a force on the low block. The arms begin at the two centroids.
   BLOCKS_INLINE void add(Pack fx, Pack fy, Pack low_x, Pack low_y, Pack high_x,
                          Pack high_y) {
     x += fx, y += fy;
@@ -159,7 +168,7 @@ template <bool stresses> struct Sums {
   }
 };
 
-/// b.-e. of row s.
+/// Steps b. to e. for row s.
 template <bool rigid, bool readings, class Sums>
 BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>& two,
                            const Frame& at, Pack damping, const ContactLaw& law, int i,
@@ -172,7 +181,7 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
   const Point v = two.velocity(x, y);
   const Pack vx = v[0], vy = v[1];
 
-  // b.-d.
+  // Steps b. to d.
   const SpringRow& springs = batches.springs[s];
   Pack normal_elastic = load(springs.normal_elastic, i);
   Pack shear_elastic = load(springs.shear_elastic, i);
@@ -191,7 +200,7 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
   const Pack reached = where(acts, at.overlap);
   most.include(reached, normal_elastic);
 
-  // e. equal and opposite at one point
+  // Step e.: the forces on the two blocks are equal and opposite and act at one point.
   const Pack fx = where(acts, normal * nx - shear * at.tx);
   const Pack fy = where(acts, normal * ny - shear * at.ty);
   sums.add(fx, fy, x, y, at.x - two.high_x, at.y - two.high_y);
@@ -212,8 +221,8 @@ BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
   const Pack damping = load(pairs.damping, i);
   Sums<stresses> sums;
   Most most;
-  // Some frames before what acts in them: a root and a division take long, those of
-  // several rows not much longer.
+  // The frames of some rows are computed before the forces of these rows. Roots and
+  // divisions have a long latency, and those of several rows overlap.
   constexpr int at_once = 4;
   Frame frames[at_once];
   const int end = pairs.first_row + pairs.rows;

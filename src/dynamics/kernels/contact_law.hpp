@@ -1,5 +1,5 @@
 // The force-displacement law of one contact, a small pure function (report 2.5,
-// (16)-(18)). It departs from the printed (16): docs/departures.md.
+// (16)-(18)). It departs from the printed (16): docs/departures.md#contact-law.
 #pragma once
 
 namespace blocks::dynamics {
@@ -12,15 +12,15 @@ struct ContactLaw {
   double dt;                ///< [T]
 };
 
-/// Advances the springs FN >= 0 and FS, which are carried from step to step, and gives
-/// the acting forces, springs and dashpots: Fn >= 0, compression, and |Fs| <= mu Fn,
+/// Advances the springs FN >= 0 and FS, which are kept from step to step. Computes the
+/// acting forces, including the dashpots: Fn >= 0 in compression, and |Fs| <= mu Fn,
 /// all [F].
 /// closing, sliding: relative velocity of the corner against the edge, inwards and
 /// along the edge [L/T]; overlap: depth [L] > 0; damping: C of (18) [F T/L]; starting:
-/// 1 if the contact did not act in the step before, or was handed a force in this one,
-/// else 0; may_start: false where it is known to be 0. The numbers
-/// are those of one contact, or of the lanes of a vector (simd.hpp): there is no
-/// branch. It is inlined wherever it is used, so that code for one instruction set
+/// 1 if the contact did not act in the step before or has received a spring in this
+/// step, otherwise 0; may_start: false if `starting` is known to be 0.
+/// A Number is a number of one contact, or of all lanes of a vector (simd.hpp), so the
+/// function has no branches. It is always inlined, so that code for one instruction set
 /// never runs on a processor without it.
 template <bool may_start = true, class Number>
 [[gnu::always_inline]] inline void apply(const ContactLaw& law, Number& normal_elastic,
@@ -29,8 +29,8 @@ template <bool may_start = true, class Number>
                                          const Number& damping, const Number& starting,
                                          Number& normal_force, Number& shear_force) {
   const Number none = Number{}, whole = none + 1.0;
-  // b. On its first step a contact has closed by the overlap, not by a whole step; with
-  // what it was handed it is no stronger than its overlap explains.
+  // b. In its first step a contact has closed by its overlap, not by a whole step. A
+  // spring that it has received is limited to Kn times the overlap.
   const Number advance = closing * law.dt;
   Number share = whole;
   if constexpr (may_start) {
@@ -46,11 +46,11 @@ template <bool may_start = true, class Number>
     normal_elastic = starting > 0.0 ? capped : normal_elastic;
   }
 
-  // c. No tension. The dashpot is added, never stored.
+  // c. There is no tension. The dashpot is added to the force, but not to the spring.
   const Number damped = normal_elastic + damping * closing;
   normal_force = damped > 0.0 ? damped : none;
 
-  // d. Coulomb friction (17); no dashpot while it slides.
+  // d. Coulomb friction (17). A sliding contact has no dashpot in shear.
   const Number limit = law.friction * normal_force;
   const Number trial = shear_elastic + share * law.shear_stiffness * sliding * law.dt;
   const Number below = trial < limit ? trial : limit;

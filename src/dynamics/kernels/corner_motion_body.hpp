@@ -1,5 +1,5 @@
-// Corners of blocks for motion_kernel_body.hpp. A register holds x and y of a few
-// corners in the order of memory.
+// Computes the corners of blocks for motion_kernel_body.hpp. A register contains x and
+// y of a few corners in the order of memory.
 #pragma once
 
 #include "dynamics/kernels/motion_kernel.hpp"
@@ -12,8 +12,9 @@ template <class Number> BLOCKS_INLINE Number* at_corner(Number* corners, int c) 
   return corners + 2 * static_cast<std::ptrdiff_t>(c);
 }
 
-/// Whether there is a whole pack of blocks, of four corners each (and all of them
-/// free): the corners fill eight registers, in the order of the blocks.
+/// Returns whether the pack is full and all its blocks have four corners (and, if
+/// `and_free`, are free). Their corners then fill eight registers, in the order of the
+/// blocks.
 template <class Lanes>
 BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes lanes,
                                      bool and_free) {
@@ -25,8 +26,8 @@ BLOCKS_INLINE bool four_corners_each(const BlockColumns& blocks, int b, Lanes la
   return !any(and_free ? unlike | load_ints(blocks.fixity + b, AllLanes{}) : unlike);
 }
 
-/// Calls work(count, c) for corners c .. c + count - 1 of a block, as many at a time as
-/// a register holds, then what is left.
+/// Calls work(count, c) for the corners of a block, `count` of them from corner c on.
+/// It takes as many at a time as a register has, then fewer until all are done.
 template <class Work>
 BLOCKS_INLINE void each_piece(int first, int last, const Work& work) {
   int c = first;
@@ -42,7 +43,7 @@ BLOCKS_INLINE void each_piece(int first, int last, const Work& work) {
       work(std::integral_constant<int, 1>(), c);
 }
 
-/// x, y of one corner out of several, each of them as `choose` takes it of two.
+/// Reduces x and y of several corners to those of one. `choose` combines two of them.
 template <int corners, class Choose>
 BLOCKS_INLINE Numbers<2> one_of(Numbers<2 * corners> x, const Choose& choose) {
   if constexpr (corners == 1)
@@ -55,13 +56,14 @@ BLOCKS_INLINE Numbers<2> one_of(Numbers<2 * corners> x, const Choose& choose) {
                             __builtin_shufflevector(x, x, 4, 5, 6, 7)),
                      choose);
 }
-/// One number out of four of each block.
+/// Reduces the four numbers of each block to one.
 template <class Choose>
 BLOCKS_INLINE Pack one_of_four(const Rows<4>& of, const Choose& choose) {
   return choose(choose(of[0], of[1]), choose(of[2], of[3]));
 }
 
-/// Extents of the blocks b .. of a pack along both axes, [L].
+/// Returns the extents along both axes of the blocks of a pack, which begins with block
+/// b, [L].
 template <class Lanes>
 BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
   if (four_corners_each(blocks, b, lanes, false)) {
@@ -91,7 +93,7 @@ BLOCKS_INLINE Point extents(const BlockColumns& blocks, int b, Lanes lanes) {
   return load_rows<2>(extent, 0, AllLanes{});
 }
 
-/// y, x of each corner.
+/// Returns y, x of each corner.
 template <std::size_t... k, class Corners>
 BLOCKS_INLINE Corners swapped(Corners x, std::index_sequence<k...>) {
   return __builtin_shufflevector(x, x, (k ^ 1)...);
@@ -102,8 +104,8 @@ struct CornerMotion {
   alignas(64) double g11[width], g12[width], g21[width], g22[width];  ///< gradient
   alignas(64) double centroid[2 * width];  ///< [L] x, y of each block
 
-  /// corner = centroid + gradient arm for a few corners of block k of the pack, which
-  /// are so many numbers.
+  /// corner = centroid + gradient arm for a few corners of block k of the pack.
+  /// `numbers` is twice the number of these corners.
   template <int numbers>
   BLOCKS_INLINE void move(int k, const double* arm_at, double* corner_at) const {
     constexpr auto each = std::make_index_sequence<numbers>();
@@ -115,7 +117,7 @@ struct CornerMotion {
   }
 };
 
-/// (13)-(15) for the corners of the blocks b .. of a pack that are free.
+/// (13)-(15) for the corners of the free blocks of a pack, which begins with block b.
 template <class Lanes>
 BLOCKS_INLINE void move_corners(const BlockColumns& blocks, int b, Lanes lanes,
                                 const Tensor& gradient, const Points& centroid) {
@@ -128,8 +130,8 @@ BLOCKS_INLINE void move_corners(const BlockColumns& blocks, int b, Lanes lanes,
     const int c = blocks.first_corner[b];
     const double* const arms = at_corner(blocks.arm, c);
     double* const corners = at_corner(blocks.corner, c);
-    // A loop that is not unrolled: it fetches the numbers of a block from memory, which
-    // is faster than shuffles.
+    // This loop is not unrolled. It then loads the numbers of a block from memory,
+    // which is faster than shuffles.
 #pragma GCC unroll 1
     for (int k = 0; k < width; ++k)
       for (int i = k * 8 / width; i < (k + 1) * 8 / width; ++i)

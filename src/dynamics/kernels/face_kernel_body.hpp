@@ -1,11 +1,11 @@
 // The computation of face_kernel.hpp. Included once for each instruction set, in a
-// namespace of its own; it calls nothing that is not compiled here.
+// namespace of its own.
 #include "dynamics/kernels/face_questions_body.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
-/// Lanes i .. of the pairs.
+/// Decides the pairs of one pack, which begins with lane i.
 BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& blocks,
                                  int i, FacingAnswers& answers) {
   const int count = pairs.most;
@@ -34,7 +34,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
       find_axes(two[0], two[1], count, margins, Pack{}, depth, part, side);
   const Pack of_second =
       find_axes(two[1], two[0], count, margins, one, depth, part, side);
-  // no margin where a square overflows or underflows
+  // There is no margin if the square of a length may overflow or underflow.
   const Mask proper =
       (least(two[0].shortest, two[1].shortest) > smallest) & (farthest < largest);
   const Pack reach = proper ? 0.125 * least(longest[0], longest[1]) : Pack{} - 1.0;
@@ -51,7 +51,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const FacingSide e_before = pick(own, before(side, n), count);
   const FacingSide e_after = pick(own, after(side, n), count);
 
-  // the deepest corner, and which of its two sides faces e
+  // Find the deepest corner, and which of its two sides faces e.
   Pack corner = {}, deepest = Pack{} - never;
   for (int j = 0; j < count; ++j) {
     const Pack d = depth_below(e, other.side[j].x, other.side[j].y);
@@ -68,7 +68,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
       of_previous.face() & (~of_corner.face() | (of_previous.sine < of_corner.sine));
   const Mask faces = of_corner.face() | of_previous.face();
   const Pack facing = takes_previous ? previous : corner;
-  // with a facing side f its two ends count, without one the corner alone
+  // With a facing side f its two ends count, otherwise only the deepest corner.
   const Pack next = faces ? after(facing, m) : corner;
   const FacingSide f = pick(other, facing, count);
   const FacingSide f_before = pick(other, before(facing, m), count);
@@ -79,7 +79,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const EndsBelow f_below(other, count, facing, next, f, f_end, e, margins);
   const EndsBelow e_below(own, count, side, after(side, n), e, e_after, f, margins);
 
-  // angles change by at most the motion over twice the shorter of the longest arms
+  // An angle changes by at most the motion divided by twice the shorter longest arm.
   const Pack arm = 2.0 * least(longest[0], longest[1]) * strict;
   const auto of_angle = [&](Pack value) __attribute__((always_inline)) {
     return (value - 1e-12) * arm;
@@ -89,10 +89,10 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   };
   const auto steeper = [&](const FacingSide& a, const FacingSide& b)
       __attribute__((always_inline)) {
-    return 0.5 * of_angle(Slope(a, b).steeper_than(slope.sine));  // both change
+    return 0.5 * of_angle(Slope(a, b).steeper_than(slope.sine));  // both angles change
   };
 
-  // which corners may be inside
+  // Find which corners are inside the other part.
   const InsideBut start(own, count, side, after(side, n), f, margins);
   const InsideBut end(own, count, side, before(side, n), f_end, margins);
   const InsideBut e_start(other, count, facing, after(facing, m), e, margins);
@@ -103,7 +103,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const Pack deeper_than_f =
       all_deeper(own, side, other, facing_or_none, count, e_below, margins);
 
-  // the axes of f belong to the same faces, or are deeper
+  // The axes of f are those of the same two faces, or they are deeper.
   const Pack same_faces =
       least(e_below.are_deepest, least(steeper(f, e_before), steeper(f, e_after)));
   const Pack f_is_deeper = f_below.less_than(f.depth, f.hold_of_depth, margins);
@@ -132,7 +132,7 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   store(answers.facing, i, facing_or_none);
   store(answers.corner, i, corner);
 
-  // joints: the other part's centroid and the surface beside a covered side
+  // A joint is open if the centroid of the other part is inside its surface.
   const auto inside = [&](const FacingSide& surface, const Part& of, Pack hold)
       __attribute__((always_inline)) {
     return margins.of(depth_below(surface, of.x, of.y), hold);

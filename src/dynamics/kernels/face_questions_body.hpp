@@ -7,8 +7,10 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
+/// Larger than every depth and margin.
 constexpr double never = 1e300;
-constexpr double smallest = 1e-140, largest = 1e140;  // [L]
+// [L] There is no margin if a side is shorter or a coordinate larger.
+constexpr double smallest = 1e-140, largest = 1e140;
 constexpr double slack = geometry::contact_slack;
 constexpr double facing_sine = geometry::facing_sine;
 
@@ -17,20 +19,20 @@ BLOCKS_INLINE Pack most(Pack a, Pack b) { return a > b ? a : b; }
 
 /// Corner k of a part and the side that starts there.
 struct FacingSide {
-  Pack x, y;    ///< [L] of the corner
-  Pack ux, uy;  ///< unit vector along the side; 0 beyond the last side
+  Pack x, y;    ///< [L] position of the corner
+  Pack ux, uy;  ///< unit vector along the side; 0 beyond the last side of the part
   Pack length;  ///< [L]
-  /// How much of its distance from the other block a depth of the corner keeps when
-  /// the blocks move: by the motion w the depth changes by at most w / hold.
+  /// How a depth of the corner depends on the motion of the blocks: a motion w changes
+  /// the depth by at most w / hold.
   Pack hold;
-  Pack depth, hold_of_depth;  ///< [L] of the axis of the side
+  Pack depth, hold_of_depth;  ///< [L] depth of the axis of the side, and its hold
 };
 
 struct Part {
   FacingSide side[PartPairs::most_corners];
   Pack corners;
   Pack x, y;      ///< [L] centroid of the block
-  Pack shortest;  ///< [L] of the sides
+  Pack shortest;  ///< [L] length of the shortest side
 };
 
 BLOCKS_INLINE Pack depth_below(const FacingSide& e, Pack x, Pack y) {
@@ -40,7 +42,7 @@ BLOCKS_INLINE Pack along(const FacingSide& e, Pack x, Pack y) {
   return (x - e.x) * e.ux + (y - e.y) * e.uy;
 }
 
-/// The side with this number, which differs from lane to lane.
+/// Returns the side with this index, which may differ from lane to lane.
 BLOCKS_INLINE FacingSide pick(const Part& part, Pack number, int count) {
   FacingSide found = part.side[0];
   for (int k = 1; k < count; ++k) {
@@ -62,25 +64,25 @@ BLOCKS_INLINE Pack after(Pack number, Pack corners) {
   return number + 1.0 < corners ? number + 1.0 : Pack{};
 }
 
-/// Margins of one comparison: `value` > 0 after rounding and motion.
+/// The margin by which a value is positive, after rounding and motion.
 struct Margins {
   Pack rounding;  ///< [L]
   BLOCKS_INLINE Pack of(Pack value, Pack hold) const {
     return (value - rounding) * hold;
   }
-  /// One depth is larger than another one.
+  /// The margin by which one depth is larger than another one.
   BLOCKS_INLINE Pack deeper(Pack one, Pack hold, Pack other, Pack other_hold) const {
     return of(one - other, 0.5 * least(hold, other_hold));
   }
 };
 
-/// How two sides run against each other.
+/// The angle between two sides.
 struct Slope {
-  Pack sine, cosine;  ///< sine without its sign
+  Pack sine, cosine;  ///< the sine is an absolute value
   BLOCKS_INLINE Slope(const FacingSide& e, const FacingSide& f)
       : sine(absolute(e.ux * f.uy - e.uy * f.ux)), cosine(e.ux * f.ux + e.uy * f.uy) {}
   BLOCKS_INLINE Mask face() const { return (cosine < 0.0) & (sine <= facing_sine); }
-  /// By how much the sine is above another one that faces.
+  /// Returns by how much the sine exceeds that of a facing side.
   BLOCKS_INLINE Pack steeper_than(Pack other) const {
     return cosine < 0.0 ? sine - other : Pack{} + 0.5;
   }
@@ -108,17 +110,17 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
   }
 }
 
-/// By the motion w of two blocks the place of a corner in the frame of the other block
-/// changes by at most w max(1, d / 2r): d from that block's centroid, r its longest
-/// arm.
+/// Returns the hold of a corner with respect to the other block. A motion w changes the
+/// position of the corner, seen from that block, by at most w max(1, d / 2r). Here d is
+/// its distance from that block's centroid, and r is the longest arm of that block.
 BLOCKS_INLINE Pack hold_of(Pack x, Pack y, const Part& other, Pack longest,
                            Pack strict) {
   const Pack distance = absolute(x - other.x) + absolute(y - other.y);
   return strict * least(Pack{} + 1.0, 2.0 * longest / distance);
 }
 
-/// The depth of the axis of each side of `own`, and the least of them. Returns the
-/// margin by which one of them keeps the parts apart.
+/// Finds the depth of the axis of each side of `own`. Updates the least depth so far,
+/// with its part and side. Returns the margin by which some side separates the parts.
 BLOCKS_INLINE Pack find_axes(Part& own, const Part& other, int count,
                              const Margins& margins, Pack number_of_part, Pack& depth,
                              Pack& part, Pack& side) {
@@ -158,13 +160,13 @@ BLOCKS_INLINE void choose(Mask second, const Part& a, const Part& b, int count,
   }
 }
 
-/// The two ends of a side as corners of one part below a side of the other part.
+/// The two ends of a side of one part, and their depths below a side of the other part.
 struct EndsBelow {
   Pack depth[2], hold[2];
   Pack deepest;  ///< [L]
-  /// Margin: one of the ends is the deepest corner of its part.
+  /// Margin: the deepest corner of the part is one of the two ends.
   Pack are_deepest;
-  /// Margins: an end is not the deepest corner.
+  /// Margins: the end is not the deepest corner.
   Pack is_not_deepest[2];
 
   BLOCKS_INLINE EndsBelow(const Part& part, int count, Pack start, Pack end,
@@ -187,7 +189,7 @@ struct EndsBelow {
     is_not_deepest[0] = margins.deeper(depth[1], hold[1], depth[0], hold[0]);
     is_not_deepest[1] = margins.deeper(depth[0], hold[0], depth[1], hold[1]);
   }
-  /// Margin: an axis is deeper than both ends.
+  /// Returns the margin by which an axis is deeper than both ends.
   BLOCKS_INLINE Pack less_than(Pack axis, Pack hold_of_axis,
                                const Margins& margins) const {
     return least(margins.deeper(axis, hold_of_axis, depth[0], hold[0]),
@@ -195,8 +197,8 @@ struct EndsBelow {
   }
 };
 
-/// Margins: a corner is inside all sides of a part but two of them, and inside
-/// the second of these.
+/// Margins: a corner is inside all sides of a part except two, and inside the second of
+/// these.
 struct InsideBut {
   Pack others, second;
   BLOCKS_INLINE InsideBut(const Part& part, int count, Pack first, Pack second_one,
@@ -215,7 +217,8 @@ struct InsideBut {
   BLOCKS_INLINE Pack all() const { return least(others, second); }
 };
 
-/// Margin: all axes are deeper than the two ends, but those of two sides.
+/// Returns the margin by which all axes except those of two sides are deeper than the
+/// two ends.
 BLOCKS_INLINE Pack all_deeper(const Part& own, Pack side, const Part& other,
                               Pack facing, int count, const EndsBelow& ends,
                               const Margins& margins) {
@@ -231,15 +234,16 @@ BLOCKS_INLINE Pack all_deeper(const Part& own, Pack side, const Part& other,
   return all;
 }
 
-/// Margin: a corner is beyond one end of a side, by more than the slack.
+/// Returns the margin by which a corner is beyond an end of a side by more than the
+/// slack.
 BLOCKS_INLINE Pack beyond(const FacingSide& e, const FacingSide& corner,
                           const Margins& margins) {
   const Pack foot = along(e, corner.x, corner.y);
   return margins.of(most(-foot, foot - e.length) - slack * e.length, corner.hold);
 }
 
-/// Margin: a corner's foot is not near an end of a long side, where the slack of the
-/// long side may be more than that of a short one.
+/// Returns the margin by which the foot of a corner is away from both ends of a long
+/// side. Near its ends, the slack of a long side may exceed that of a short one.
 BLOCKS_INLINE Pack off_ends(const FacingSide& e, const FacingSide& corner,
                             const Margins& margins) {
   const Pack foot = along(e, corner.x, corner.y);

@@ -20,7 +20,7 @@ const std::vector<Kernels>& all_kernels() {
   static const std::vector<Kernels> all = [] {
     std::vector<Kernels> found = {baseline::kernels};
 #ifdef BLOCKS_X86_KERNELS
-    // what the compiler may use of x86-64-v3 and -v4 (CMakeLists.txt)
+    // The compiler may use x86-64-v3 and x86-64-v4 for these kernels (CMakeLists.txt).
     const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
                     __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
     const bool v4 =

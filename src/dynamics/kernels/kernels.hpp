@@ -1,5 +1,5 @@
-// The arithmetic of a step, compiled for each instruction set from one source. There is
-// no fused multiply-add and no reassociation, so every instruction set gives the same
+// The arithmetic of a step, compiled for each instruction set from one source. It uses
+// no fused multiply-add and no reassociation, so all instruction sets give the same
 // bits.
 #pragma once
 
@@ -13,40 +13,42 @@
 
 namespace blocks::dynamics {
 
-/// The kernels for one instruction set. Ranges are half open.
+/// The kernels for one instruction set. All ranges [begin, end) are half open.
 struct Kernels {
   std::string_view name;  ///< baseline, avx2 or avx512
 
-  /// Finds which tested contacts of batches begin .. end-1 act and computes what they
-  /// do. Batches in doubt are not among the extremes: their signs have to be decided
-  /// exactly, and `act` repeated.
+  /// Finds which tested contacts of the batches [begin, end) act and computes their
+  /// forces. Batches in doubt are not included in the extremes. Their signs have to be
+  /// decided exactly, and then `act` has to be called for them.
   Extremes (*touch_and_act)(const BatchArrays&, const BlockState&, const ContactLaw&,
                             bool rigid, int begin, int end);
-  /// Computes what those contacts do that touch. With `readings` also ReadingRow, and
-  /// PairStress of rigid blocks.
+  /// Computes the forces of the contacts whose `touches` bit is set. With `readings`,
+  /// also writes ReadingRow, and PairStress of rigid blocks.
   Extremes (*act)(const BatchArrays&, const BlockState&, const ContactLaw&, bool rigid,
                   bool readings, int begin, int end);
-  /// Finds which faces of eight pairs of convex parts act (face_kernel.hpp).
+  /// Finds which faces act, for eight pairs of convex parts (face_kernel.hpp).
   void (*find_faces)(const PartPairs&, const BlockState&, FacingAnswers&);
 
-  /// (1), (2)
+  /// (1), (2): updates velocities and spins.
   void (*update_velocities)(const BlockColumns&, int begin, int end, double gravity_x,
                             double gravity_y, double dt);
-  /// (10), (12). The moduli are those of block `begin` and the blocks after it.
+  /// (10), (12): updates strain rates and stresses. The moduli begin with those of
+  /// block `begin`.
   void (*update_strain)(const BlockColumns&, const Moduli&, int begin, int end,
                         double dt);
-  /// (3), (13)-(15), for at most most_at_once blocks. longest_arm: MotionBounds.
+  /// (3), (13)-(15): moves at most most_at_once blocks. longest_arm:
+  /// MotionBounds::longest.
   Moved (*move)(const BlockColumns&, const double* longest_arm, const Rectangle& domain,
                 bool rigid, int begin, int end, double dt);
 };
 
-/// The kernels that this processor can run. The first is the baseline, the last the
-/// widest.
+/// Returns the kernels that this processor can run. The first is the baseline, the last
+/// the widest.
 const std::vector<Kernels>& all_kernels();
 
-/// The widest kernels, or those that the environment variable BLOCKS_SIMD names. Throws
-/// std::invalid_argument, with the list of names, if this processor has no such
-/// instruction set. The choice is made at the first call.
+/// Returns the kernels that the environment variable BLOCKS_SIMD names, otherwise the
+/// widest. The choice is made at the first call. Throws std::invalid_argument, with the
+/// list of valid names, if this processor has no such instruction set.
 const Kernels& kernels();
 
 }  // namespace blocks::dynamics

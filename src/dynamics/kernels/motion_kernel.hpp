@@ -1,4 +1,4 @@
-// The motion of blocks as the kernels see it: columns of numbers.
+// The data of blocks in the layout of the motion kernels: columns of numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ enum class Fixity : int;
 
 namespace blocks::dynamics {
 
-/// Columns of Blocks that motion reads and writes.
+/// The columns of Blocks that the motion kernels read and write.
 struct BlockColumns {
   const int* first_corner;
   const Fixity* fixity;
@@ -17,7 +17,7 @@ struct BlockColumns {
   double *corner, *centroid, *gradient, *angle, *velocity, *spin;
   double *stress, *strain_rate;
 };
-/// Elastic constants of (12), [F/L^2], of blocks one after the other.
+/// The elastic constants of (12) for successive blocks, [F/L^2].
 struct Moduli {
   const double *c11, *c12;
   const double* twice_shear;  ///< 2 G
@@ -27,16 +27,16 @@ struct Rectangle {
   double lower_x, lower_y, upper_x, upper_y;
 };
 
-/// move() takes no more blocks at a time.
+/// The largest number of blocks in one call of move().
 inline constexpr int most_at_once = 64;
 
-/// What move() did.
+/// Results of move().
 struct Moved {
-  double largest = 0.0;         ///< [L] as Displacement
+  double largest = 0.0;         ///< [L] see Displacement::largest
   int block = -1;               ///< the first block that reached `largest`
-  double bound = 0.0;           ///< [L] as Displacement
-  double sum = 0.0;             ///< not a number, or infinite, if some corner is
-  std::uint64_t near_edge = 0;  ///< bit k: block first + k may be outside the domain
+  double bound = 0.0;           ///< [L] see Displacement::bound
+  double sum = 0.0;             ///< NaN or infinite if some corner is not finite
+  std::uint64_t near_edge = 0;  ///< bit k: block begin + k may be outside the domain
 };
 
 }  // namespace blocks::dynamics

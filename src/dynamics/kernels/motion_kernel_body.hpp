@@ -1,5 +1,5 @@
 // The motion of blocks (kernels.hpp). Included once for each instruction set, in a
-// namespace of its own; it calls nothing that is not compiled here.
+// namespace of its own.
 #include "dynamics/kernels/corner_motion_body.hpp"
 #include "dynamics/kernels/motion_kernel.hpp"
 #include "dynamics/kernels/simd.hpp"
@@ -7,13 +7,13 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
-/// Which lanes hold a block that moves.
+/// Returns the lanes that have a free block.
 template <class Lanes>
 BLOCKS_INLINE Mask free_lanes(const BlockColumns& blocks, int b, Lanes lanes) {
   return __builtin_convertvector(load_ints(blocks.fixity + b, lanes) == 0, Mask);
 }
 
-/// `changed` where a block is free, `kept` elsewhere.
+/// Returns `changed` for free blocks and `kept` for the others.
 BLOCKS_INLINE Points select(Mask free, const Points& changed, const Points& kept) {
   return {low_turns(free, free, EachLane()) ? changed.part[0] : kept.part[0],
           high_turns(free, free, EachLane()) ? changed.part[1] : kept.part[1]};
@@ -25,20 +25,20 @@ BLOCKS_INLINE Tensor select(Mask free, const Tensor& changed, const Tensor& kept
   return all;
 }
 
-/// Orthogonal to round-off and free of trigonometry: h = spin dt / 2
-/// (docs/theory.md#corners).
+/// The Cayley rotation, h = spin dt / 2 (docs/theory.md#corners). It is orthogonal to
+/// round-off and needs no trigonometric functions.
 struct Cayley {
   Pack c, s;
   BLOCKS_INLINE explicit Cayley(Pack turn) {
     const Pack h = 0.5 * turn, scale = 1.0 / (1.0 + h * h);
     c = (1.0 - h * h) * scale, s = 2.0 * h * scale;
   }
-  /// R m.
+  /// Returns R m.
   BLOCKS_INLINE Tensor times(const Tensor& m) const {
     return {c * m[0] - s * m[2], c * m[1] - s * m[3], s * m[0] + c * m[2],
             s * m[1] + c * m[3]};
   }
-  /// R m R^T of a symmetric tensor.
+  /// Returns R m R^T for a symmetric tensor.
   BLOCKS_INLINE Tensor turned(const Tensor& m) const {
     const Tensor t = times({m[0], m[1], m[1], m[3]});
     const Pack t12 = t[0] * s + t[1] * c, t21 = t[2] * c - t[3] * s;
@@ -47,15 +47,16 @@ struct Cayley {
   }
 };
 
-/// What the step does to the arms of a pack of blocks.
+/// The change of the arms of a pack of blocks in the step.
 struct ArmMotion {
   Tensor gradient;  ///< the new deformation gradient
-  Pack stretch;     ///< no arm is longer than `longest` times this
-  Pack change;      ///< [L] no arm as long as `longest` changes by more
+  Pack stretch;     ///< no arm is longer than `longest` times `stretch`
+  Pack change;      ///< [L] no arm changes by more
 };
 
-/// Of rigid blocks. The Cayley rotation turns by 2 atan(turn / 2), which is less than
-/// `turn`. The scale keeps the gradient a rotation, whatever the number of steps.
+/// Moves the arms of rigid blocks. The Cayley rotation turns by 2 atan(turn / 2), which
+/// is less than `turn`. The scale keeps the gradient a rotation, whatever the number of
+/// steps.
 BLOCKS_INLINE ArmMotion move_rigid_arms(const Tensor& before, const Cayley& rotation,
                                         Pack turn, Pack longest) {
   const Pack c = rotation.c * before[0] - rotation.s * before[2];
@@ -69,8 +70,8 @@ BLOCKS_INLINE ArmMotion move_rigid_arms(const Tensor& before, const Cayley& rota
           longest * (absolute(turn) + (turns ? Pack{} + 0x1p-49 : Pack{}))};
 }
 
-/// Of deformable blocks: gradient = R (I + strain rate dt) gradient. `stretch` is its
-/// largest singular value, rounded up.
+/// Moves the arms of deformable blocks: gradient = R (I + strain rate dt) gradient.
+/// `stretch` is the largest singular value of the gradient, rounded up.
 BLOCKS_INLINE ArmMotion move_deformable_arms(const Tensor& before,
                                              const Cayley& rotation, const Tensor& rate,
                                              double dt, Pack longest) {
@@ -86,11 +87,12 @@ BLOCKS_INLINE ArmMotion move_deformable_arms(const Tensor& before,
   const Pack stretch = 1.0000001 * root(0.5 * (squares + root(larger(gap, Pack{}))));
   const Pack x = step[0] - 1.0, y = step[3] - 1.0;
   const Pack strain = root((x * x + y * y) + (step[1] * step[1] + step[2] * step[2]));
-  // The step acts on arms that may have been longer than now, by strain / (1 - strain).
+  // The arms before the step may have been longer than the new ones, by a part of
+  // strain / (1 - strain).
   return {g, stretch, longest * stretch * (strain + 0x1p-49) * (1.0 + 2.0 * strain)};
 }
 
-/// The extremes of Moved, lane by lane.
+/// The results of each lane (Moved).
 struct MovedLanes {
   Pack largest = {}, bound = {}, sum = {};
   Mask block = Mask{} - 1;
@@ -111,8 +113,8 @@ struct MovedLanes {
   }
 };
 
-/// Bit k: all that is within reach of the centroid of block k may not be inside the
-/// domain.
+/// Returns bit k for each free block k that may be outside the domain: some point
+/// within `reach` of its centroid is not inside.
 BLOCKS_INLINE std::uint64_t near_edge(Mask free, const Points& centroid, Pack reach,
                                       const Rectangle& domain) {
   const Points least = centroid - twice(reach), most = centroid + twice(reach);
@@ -131,14 +133,14 @@ BLOCKS_INLINE std::uint64_t near_edge(Mask free, const Points& centroid, Pack re
   return bits;
 }
 
-/// Moves the blocks b .. of a pack.
+/// Moves the blocks of a pack, which begins with block b.
 template <bool rigid, class Lanes>
 BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_arm,
                              const Rectangle& domain, int first, int b, Lanes lanes,
                              double dt, MovedLanes& moved) {
   const Mask free = free_lanes(blocks, b, lanes);
-  // (3). The distance is that of the stored centroids: rounding may make it larger than
-  // velocity times dt.
+  // (3). The distance is that of the stored centroids, because rounding may make it
+  // larger than velocity times dt.
   const Points from = load_columns<2>(blocks.centroid, b, lanes);
   const Points centroid = from + dt * load_columns<2>(blocks.velocity, b, lanes);
   const Pack went = root(squared_norm(centroid - from));
@@ -170,7 +172,8 @@ BLOCKS_INLINE void move_pack(const BlockColumns& blocks, const double* longest_a
   const Mask farther = reached > moved.largest;
   moved.largest = farther ? reached : moved.largest;
   moved.block = farther ? b + number_of_each_lane(EachLane()) : moved.block;
-  // A turn that overflows gives NaN in the gradient, but not in the distance.
+  // If the square of the turn overflows, the gradient becomes NaN but the distance does
+  // not.
   const Tensor& g = arms.gradient;
   const Pack numbers = distance + ((g[0] + g[1]) + (g[2] + g[3]));
   moved.sum += free ? numbers : Pack{};

@@ -1,6 +1,8 @@
-// Vectors for bodies that are compiled once for each instruction set, in a namespace of
-// its own. A Pack is as many numbers as one register holds, one of each block, and its
-// operators act lane by lane.
+// SIMD vectors for the kernels, which are compiled once for each instruction set in a
+// namespace of its own. A Pack has as many numbers as a register, usually one of each
+// block. Its operators act lane by lane. Kernels call nothing that is compiled
+// elsewhere, so that the linker cannot pick a function of a wider instruction set for
+// other code.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +14,7 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
-/// So many numbers side by side.
+/// A vector of `count` doubles.
 template <int count> struct VectorOf {
   typedef double type __attribute__((vector_size(count * sizeof(double))));
 };
@@ -30,8 +32,8 @@ template <int count> BLOCKS_INLINE void store(double* to, Numbers<count> x) {
   __builtin_memcpy(to, &x, sizeof x);
 }
 
-/// As many blocks as a Pack has lanes; or the last few of a range, with zeros in the
-/// other lanes.
+/// The lanes of a Pack in use: all of them, or those of the last few blocks of a range,
+/// with zeros in the other lanes.
 struct AllLanes {
   static constexpr int count = width;
 };
@@ -39,7 +41,8 @@ struct FewLanes {
   int count;
 };
 
-/// Calls work(b, lanes) for the blocks b .. b + lanes.count - 1 of each pack.
+/// Calls work(b, lanes) for each pack of blocks. The pack has the blocks of the
+/// half-open range [b, b + lanes.count).
 template <class Work>
 BLOCKS_INLINE void each_pack(int first, int last, const Work& work) {
   int b = first;
@@ -49,7 +52,7 @@ BLOCKS_INLINE void each_pack(int first, int last, const Work& work) {
     work(b, FewLanes{last - b});
 }
 
-/// A number of each block.
+/// Loads one number for each block.
 template <class Lanes> BLOCKS_INLINE Pack load(const double* column, Lanes lanes) {
   Pack x = {};
   __builtin_memcpy(&x, column, lanes.count * sizeof(double));
@@ -60,12 +63,13 @@ template <class Lanes> BLOCKS_INLINE void store(double* column, Lanes lanes, Pac
 }
 
 using EachLane = std::make_index_sequence<width>;
-/// 0, 1, 2 ...
+/// Returns 0, 1, 2 ...
 template <std::size_t... k>
 BLOCKS_INLINE Mask number_of_each_lane(std::index_sequence<k...>) {
   return Mask{k...};
 }
-/// Of two packs in a row: every other number, from the first on or from the second.
+/// Return every other number of two packs in a row, starting with the first or with the
+/// second.
 template <class Vector, std::size_t... k>
 BLOCKS_INLINE Vector even(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (2 * k)...);
@@ -74,7 +78,7 @@ template <class Vector, std::size_t... k>
 BLOCKS_INLINE Vector odd(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (2 * k + 1)...);
 }
-/// Of two packs: number by number in turn, the lower lanes or the upper ones.
+/// Interleave the numbers of the lower lanes of two packs, or those of the upper lanes.
 template <class Vector, std::size_t... k>
 BLOCKS_INLINE Vector low_turns(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (k / 2 + k % 2 * width)...);
@@ -84,10 +88,10 @@ BLOCKS_INLINE Vector high_turns(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, ((width + k) / 2 + k % 2 * width)...);
 }
 
-/// A column of so many numbers of each block, as they stand in the memory: so many
-/// registers.
+/// `rows` numbers for each block, in the order of memory: block by block. They fill
+/// `rows` registers.
 template <int rows> struct Columns { Pack part[rows]; };
-/// The same row by row.
+/// The same numbers row by row: one register for each row.
 template <int rows> struct Rows {
   Pack row[rows];
   BLOCKS_INLINE Pack& operator[](int i) { return row[i]; }
@@ -109,7 +113,7 @@ BLOCKS_INLINE Columns<2> columns_of(const Rows<2>& of) {
   return columns_of(of[0], of[1]);
 }
 #if BLOCKS_LANES_AT_ONCE == 4
-// Four by four: half the instructions.
+// A four by four transpose takes half the instructions of the general code below.
 template <class To> BLOCKS_INLINE To transposed(const Pack* m) {
   const Pack a = __builtin_shufflevector(m[0], m[1], 0, 4, 2, 6);
   const Pack b = __builtin_shufflevector(m[0], m[1], 1, 5, 3, 7);
@@ -141,7 +145,7 @@ BLOCKS_INLINE Columns<4> columns_of(const Rows<4>& of) {
 }
 #endif
 
-/// Columns b .. of a matrix.
+/// Loads the columns of a matrix that belong to the blocks from b on.
 template <int rows, class Lanes>
 BLOCKS_INLINE Columns<rows> load_columns(const double* matrix, int b, Lanes lanes) {
   const double* from = matrix + static_cast<std::ptrdiff_t>(rows) * b;
@@ -177,11 +181,11 @@ BLOCKS_INLINE void store_rows(double* matrix, int b, Lanes lanes,
   store_columns(matrix, b, lanes, columns_of(of));
 }
 
-// x and y of each block are often computed as they stand, number by number.
+// x and y of each block are often processed in the order of memory.
 using Points = Columns<2>;
-/// The same number for x and y of a block.
+/// Returns a number of each block twice, to be used with its x and y.
 BLOCKS_INLINE Points twice(Pack x) { return columns_of(x, x); }
-/// x, y, x, y ..., so many numbers.
+/// Returns x, y, x, y ..., as many numbers as the sequence has.
 template <std::size_t... k>
 BLOCKS_INLINE auto in_turn(double x, double y, std::index_sequence<k...>) {
   constexpr int count = sizeof...(k);
@@ -204,7 +208,7 @@ BLOCKS_INLINE Points operator*(double x, const Points& a) {
 BLOCKS_INLINE Points operator/(const Points& a, const Points& b) {
   return {a.part[0] / b.part[0], a.part[1] / b.part[1]};
 }
-/// x^2 + y^2 of each block.
+/// Returns x^2 + y^2 for each block.
 BLOCKS_INLINE Pack squared_norm(const Points& a) {
   const Point squares = rows_of(a.part[0] * a.part[0], a.part[1] * a.part[1]);
   return squares[0] + squares[1];
@@ -232,9 +236,9 @@ BLOCKS_INLINE bool any(Mask yes) {
   return word != 0;
 }
 
-/// A whole number of each block.
+/// One integer for each block.
 typedef int Ints __attribute__((vector_size(width * sizeof(int))));
-/// Those of lanes without a block are 1.
+/// Loads one integer for each block. Lanes without a block get 1.
 template <class Lanes> BLOCKS_INLINE Ints load_ints(const void* column, Lanes lanes) {
   Ints x = Ints{} + 1;
   __builtin_memcpy(&x, column, lanes.count * sizeof(int));

@@ -1,6 +1,5 @@
-// What kernels of contacts need besides simd.hpp: numbers fetched by index, and yes or
-// no as bits. Included once for each instruction set; it calls nothing that is not
-// compiled here.
+// Additions to simd.hpp for contacts: numbers gathered by index, and conditions as
+// bits. Included once for each instruction set.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +20,7 @@ BLOCKS_INLINE Pack load(const double* row, int first) {
 BLOCKS_INLINE void store(double* row, int first, Pack x) {
   *reinterpret_cast<Pack*>(row + first) = x;
 }
-/// Yes or no of each lane: bit k of lane k.
+/// A condition for each lane. Bit k belongs to lane k.
 using Bits = unsigned;
 constexpr Bits every = (1U << width) - 1;
 
@@ -69,7 +68,7 @@ BLOCKS_INLINE Bits less(Pack a, Pack b) { return bits_of(a < b); }
 BLOCKS_INLINE Bits zero(Pack a) { return bits_of(a == 0.0); }
 #endif
 
-/// One number for each lane.
+/// Gathers one number for each lane.
 template <std::size_t... lane>
 BLOCKS_INLINE Pack gather(const double* row, const int* index,
                           std::index_sequence<lane...>) {
@@ -80,7 +79,7 @@ BLOCKS_INLINE Pack gather(const double* row, const int* index) {
 }
 
 using Pair = Numbers<2>;
-/// Two numbers for each lane: rows r and r + 1 of column `index` of a matrix.
+/// Gathers two numbers for each lane: rows r and r + 1 of column index[k] of a matrix.
 template <int rows>
 BLOCKS_INLINE Point gather_point(const double* matrix, const int* index, int r = 0) {
   const auto at = [&](int k) __attribute__((always_inline)) {
@@ -88,7 +87,8 @@ BLOCKS_INLINE Point gather_point(const double* matrix, const int* index, int r =
     return Pair{p[0], p[1]};
   };
 #if BLOCKS_LANES_AT_ONCE == 8
-  // lanes 0, 2, 4, 6 and 1, 3, 5, 7: nothing to shuffle but x and y
+  // One register has lanes 0, 2, 4, 6, the other lanes 1, 3, 5, 7. Only x and y have to
+  // be shuffled.
   const auto four = [&](int k) __attribute__((always_inline)) {
     const auto part = [&](int i) __attribute__((always_inline)) {
       return reinterpret_cast<__m128d>(at(i));
@@ -115,7 +115,7 @@ BLOCKS_INLINE Point gather_point(const double* matrix, const int* index, int r =
 #endif
 }
 
-/// Two numbers of each lane, side by side: at to, to + stride, ...
+/// Stores two numbers of each lane side by side: those of lane k at to + k stride.
 BLOCKS_INLINE void store_point(double* to, int stride, Pack x, Pack y) {
   const auto put = [&](int k, Pair pair) __attribute__((always_inline)) {
     *reinterpret_cast<Pair*>(to + k * stride) = pair;

@@ -1,5 +1,5 @@
-// The convex parts of all blocks, as corner numbers: the polygons that the contact rule
-// decides about. A convex block is one part.
+// The convex parts of all blocks, as corner numbers. The contact rule is applied to
+// pairs of these polygons. A convex block is one part.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,16 @@ namespace blocks::dynamics {
 /// its block, named by `start`, or an inner side between two parts of one block.
 struct Side {
   int part = 0;
-  int index = 0;  ///< of the side in its part, 0 ..
+  int index = 0;  ///< index of the side in its part, from 0
   int start = 0, end = 0;
   bool operator==(const Side&) const = default;
 };
 
 class BlockParts {
  public:
-  /// Cuts every block that is not convex (geometry::convex_parts). Kept while the
-  /// blocks keep their shapes.
+  /// Collects the parts of all blocks. The parts of a block that is not convex are
+  /// those of Blocks::cuts. They stay valid as long as no block is added or changes its
+  /// number of corners.
   void make(const Blocks& blocks);
 
   int first_part(int block) const { return first_part_[block]; }
@@ -36,7 +37,7 @@ class BlockParts {
     const int next = index + 1 < corners(part) ? index + 1 : 0;
     return {part, index, corner(part, index), corner(part, next)};
   }
-  /// The side that ends where this one starts, and the one that starts where it ends.
+  /// Returns the side that ends where this one starts.
   Side before(const Side& side) const {
     return this->side(side.part,
                       (side.index > 0 ? side.index : corners(side.part)) - 1);
@@ -45,32 +46,33 @@ class BlockParts {
     return this->side(side.part,
                       side.index + 1 < corners(side.part) ? side.index + 1 : 0);
   }
-  /// Between two parts of one block: covered by the part beside it, whatever happens.
+  /// Returns whether the side is between two parts of one block.
   bool is_inner(const Blocks& blocks, const Side& side) const {
     return blocks.next[side.start] != side.end;
   }
-  /// An edge with which no side of the part is in line, nor nearly so.
+  /// Returns whether the side is an edge of the block and no other side of the part is
+  /// in line with it, or nearly so.
   bool is_plain(int part, int index) const {
     return is_plain_[first_corner_[part] + index];
   }
-  /// The corners of a part: of a convex block as they stand in the memory, else in
-  /// `copy`.
+  /// Returns the corners of a part. If the block is convex, they are read from the
+  /// block's own columns, otherwise from `copy`.
   geometry::Outline outline(const Blocks& blocks, int part,
                             geometry::Polygon& copy) const;
-  /// The same inner side seen from the part beside it (geometry::convex_parts: every
-  /// inner side has one).
+  /// Returns the same inner side as a side of the part beside it. Every inner side has
+  /// such a twin (geometry::convex_parts).
   Side twin(const Side& inner) const;
 
  private:
   void find_plain_sides(const Blocks& blocks);
-  /// With room for what strain may change.
+  /// Returns whether two successive sides are in line, or may become so by strain.
   static bool may_be_in_line(const Blocks& blocks, const Side& first, const Side& next);
 
   std::vector<int> first_part_ = {0};    ///< (blocks + 1)
   std::vector<int> block_;               ///< (parts)
   std::vector<int> first_corner_ = {0};  ///< (parts + 1)
   std::vector<int> corner_;              ///< corner numbers of each part, clockwise
-  std::vector<char> is_plain_;           ///< of the side that starts at each of them
+  std::vector<char> is_plain_;  ///< (corner_) of the side that starts at each of them
 };
 
 }  // namespace blocks::dynamics

@@ -1,5 +1,5 @@
-// Which closed joints hide an axis (docs/contact-rule.md#closed-joints, #covered-sides
-// and #hidden-axes).
+// Finds the closed joints that hide an axis (docs/contact-rule.md#closed-joints,
+// #covered-sides and #hidden-axes).
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,26 @@
 
 namespace blocks::dynamics {
 
-/// A corner between a side that is covered, or may be, and a side that is a surface.
+/// A corner of a part with the two sides that meet there: the side of the joint, which
+/// neighbours may cover, and its surface.
 struct Joint {
   PairSide side, surface;
-  bool surface_is_before;  ///< the surface ends in the corner, the side starts there
+  /// True if the surface ends in the corner and the side starts there, false if it is
+  /// the other way round.
+  bool surface_is_before;
 };
 
 /// Working memory of ClosedJoints.
 struct JointScratch {
   std::vector<int> parts;
   std::vector<geometry::Polygon> polygons;
-  geometry::Polygon own, other, neighbour;  ///< of parts of blocks that are not convex
+  geometry::Polygon own, other, neighbour;  ///< for parts of blocks that are not convex
   std::vector<geometry::Outline> outlines;
 };
 
-/// Calls visit(part) for the parts that may cover a side of part `own` where part
-/// `other` is: those of blocks that the other block is paired with, at least one of the
-/// two free. Neighbours: see ClosedJoints.
+/// Calls visit(part) for each part that may cover a side of part `own` where part
+/// `other` is. These are the parts of all blocks with which the block of `other` is
+/// paired, if one of the two is free. For `neighbours` see ClosedJoints.
 template <class Neighbours, class Visit>
 void each_covering_part(const Blocks& blocks, const BlockParts& parts,
                         const Neighbours& neighbours, int own, int other,
@@ -44,15 +47,16 @@ void each_covering_part(const Blocks& blocks, const BlockParts& parts,
   });
 }
 
-/// A side of a part, one of its ends, and the other part.
+/// A joint, given by the side of a part and one of its ends, and the other part.
 struct SideOfJoint {
   int part, side;
   bool at_start;
   int other;
 };
 
-/// Whether neighbours certainly do not cover the side of a joint, now and after any
-/// motion that leaves room (geometry::UncoveredSide).
+/// Returns whether neighbours certainly do not cover the side of a joint, now and after
+/// any motion within the given rooms (geometry::UncoveredSide). room: of the two
+/// blocks, [L]; of_neighbours: of their neighbours, [L].
 template <class Neighbours>
 bool is_surely_uncovered(const Blocks& blocks, const BlockParts& parts,
                          const Neighbours& neighbours, const SideOfJoint& of,
@@ -67,8 +71,8 @@ bool is_surely_uncovered(const Blocks& blocks, const BlockParts& parts,
   return side.is_sure();
 }
 
-/// Neighbours: `neighbours(b, visit)` calls visit(block) for each block that block b is
-/// paired with, in a fixed order.
+/// Decides which joints are closed. neighbours(b, visit) has to call visit(block) for
+/// each block that block b is paired with, in a fixed order.
 template <class Predicates, class Neighbours> class ClosedJoints {
  public:
   ClosedJoints(const Blocks& blocks, const BlockParts& parts,
@@ -77,9 +81,10 @@ template <class Predicates, class Neighbours> class ClosedJoints {
       : blocks_(blocks), parts_(parts), neighbours_(neighbours), shape_(shape),
         ask_(ask), scratch_(scratch) {}
 
-  /// Calls visit(surface) for the joints that hide an axis until one returns true, and
-  /// returns whether one did. Joints at the corner are tested only without a facing
-  /// side: with one, they are joints at its ends, or their surface faces the axis side.
+  /// Calls visit(surface) for each joint that hides the axis until a call returns true,
+  /// and returns whether one did. Joints at the corner of the axis are tested only if
+  /// the axis has no facing side. With a facing side, they are joints at its ends, or
+  /// their surface faces the axis side.
   template <class Visit>
   bool any_hiding(const Axis& axis, const std::optional<PairSide>& facing,
                   const Visit& visit) {
@@ -102,14 +107,15 @@ template <class Predicates, class Neighbours> class ClosedJoints {
   }
 
  private:
-  /// A joint and the covering side.
+  /// Whether a joint is closed, and the covering side.
   struct Closed {
     bool closed = false;
     Side cover;
   };
 
-  /// The normal of side e leaves the cone from the surface to the next side of the
-  /// covering block by more than ten degrees.
+  /// Returns whether a joint is closed and hides its corner from side e. The surface
+  /// and the next side of the covering part bound a cone of normals; the normal of e
+  /// must be outside this cone by more than ten degrees.
   bool hides_corner(const Joint& joint, const PairSide& e) {
     const Segment& surface = shape_.at(joint.surface);
     if (!turns_away(surface, e, joint))
@@ -127,13 +133,15 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     return (joint.surface_is_before ? ridge >= 0 : ridge <= 0) ||
            turns_away(next, e, joint);
   }
-  /// The outline of the block turns inwards at a corner.
+  /// Returns whether the outline of the block turns inwards at a corner.
   bool is_notch(int corner) {
     return ask_.re_entrant(at(blocks_.previous[corner]), at(corner),
                            at(blocks_.next[corner]));
   }
-  /// From the surface to the side e, run backwards, the direction turns away from the
-  /// block of the surface by more than ten degrees and less than 180.
+  /// Returns whether side e turns away from the surface
+  /// (docs/contact-rule.md#hidden-axes). From the surface to the reversed side e, the
+  /// direction has to turn away from the block of the surface. The angle is more than
+  /// ten degrees and less than 180.
   bool turns_away(const Segment& surface, const PairSide& e, const Joint& joint) {
     if (shape_.face(surface, shape_.at(e)))
       return false;
@@ -141,9 +149,9 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     return joint.surface_is_before ? turned > 0 : turned < 0;
   }
 
-  /// Whether the centroid of the other part is outside the surface of a joint, and
-  /// neighbours cover its side where the other part is. An inner side is covered by the
-  /// part beside it.
+  /// A joint is closed if its surface is an edge and the centroid of the other part is
+  /// not inside it. Neighbours also have to cover the side of the joint where the other
+  /// part is. An inner side is covered by the part beside it.
   Closed find_closed(const Joint& joint) {
     const Segment &surface = shape_.at(joint.surface), &g = shape_.at(joint.side);
     if (surface.is_inner)
@@ -166,7 +174,7 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     return {true, parts_.side(scratch_.parts[static_cast<std::size_t>(found.neighbour)],
                               found.side)};
   }
-  /// Most joints are far from closed.
+  /// Most joints are far from closed, so this test comes first.
   bool is_surely_uncovered(const Joint& joint, int part, int other) {
     return dynamics::is_surely_uncovered(
         blocks_, parts_, neighbours_,
@@ -178,16 +186,17 @@ template <class Predicates, class Neighbours> class ClosedJoints {
       return (lower.array() <= other.upper.array()).all() &&
              (other.lower.array() <= upper.array()).all();
     }
-    /// By more than its extents together: no side of what is in the box is longer, nor
-    /// is a gap that counts.
+    /// Grows the box by 1.5 times the sum of its extents. No side of a part in the box,
+    /// and no gap that counts, is longer than this.
     Box grown() const {
       const double by = 1.5 * (upper - lower).sum();
       return {lower.array() - by, upper.array() + by};
     }
   };
-  /// The outlines of the own part, of the other one, and of the parts that may cover:
-  /// their boxes meet that of the other part, whatever list they are from. Parts that
-  /// are too far away are left out.
+  /// Collects the outlines of the own part, of the other part, and of the parts that
+  /// may cover. Covering parts have bounding boxes that meet that of the other part, so
+  /// the result does not depend on the length of the list. Parts too far from the own
+  /// part are left out.
   void gather(int own, int other) {
     scratch_.parts.clear();
     scratch_.outlines.assign({parts_.outline(blocks_, own, scratch_.own),

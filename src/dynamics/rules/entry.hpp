@@ -1,4 +1,4 @@
-// Whether one part has come into the other one through the side of an axis
+// Decides whether one part has entered the other one through the side of an axis
 // (docs/contact-rule.md#entry).
 #pragma once
 
@@ -12,7 +12,8 @@ template <class Predicates> class Entry {
  public:
   Entry(PairShape<Predicates>& shape, Predicates& ask) : shape_(shape), ask_(ask) {}
 
-  /// Needs the depths below all sides of both parts.
+  /// Returns whether an axis is entered. The depths below all sides of both parts must
+  /// have been found.
   bool is_entered(const Axis& axis) {
     PairSide out;
     const int outside = shape_.sides_outside(axis.corner, axis.side.index, out);
@@ -23,20 +24,22 @@ template <class Predicates> class Entry {
                       (Predicates::crossing &&
                        (is_beyond(axis) || (outside == 1 && sides_cross(axis, out)))));
   }
-  /// A corner of the other part is inside a part.
+  /// Returns whether a corner of the other part is inside a part.
   bool is_inside(int part, const PairSide& corner) {
     for (int i = 0; i < shape_.corners(part); ++i)
       if (shape_.depth_sign({part, i}, corner.index) <= 0)
         return false;
     return true;
   }
-  /// The corner is beyond an end of the axis side, or within the slack of one.
+  /// Returns whether the foot of the corner is beyond an end of the axis side, or
+  /// within the slack of an end.
   bool is_beyond(const Axis& axis) {
     const Segment& e = shape_.at(axis.side);
     return !ask_.well_between(shape_.at(axis.corner).start, e.start, e.end);
   }
-  /// The corner has passed only the side `out`. It is an edge next to the axis side,
-  /// and the end that the two share has left the corner's part.
+  /// Returns whether sides cross. `out` is the only side that has the corner of the
+  /// axis outside. It must be an edge next to the axis side, and the end that the two
+  /// share must be outside the corner's part.
   bool sides_cross(const Axis& axis, const PairSide& out) {
     const PairSide next = shape_.after(axis.side);
     return !shape_.at(out).is_inner &&

@@ -1,8 +1,8 @@
-// Which corners of two blocks act on which edges: the contact rule
-// (docs/contact-rule.md). A pure function of the two blocks and of the blocks
-// that either of them is paired with; every question is answered exactly (geometry/).
-// Independent of the contact list and of the time loop. A template over the predicates,
-// so that `blocks study` can try others.
+// Decides which corners of two blocks act on which edges: the contact rule
+// (docs/contact-rule.md). The result depends only on the two blocks and on the blocks
+// that either of them is paired with. All predicates are exact. The rule is independent
+// of the contact list and of the time loop. It is a template over the predicates, so
+// that `blocks study` can replace them.
 #pragma once
 
 #include <algorithm>
@@ -20,21 +20,21 @@
 
 namespace blocks::dynamics {
 
-/// A corner that acts on an edge of another block, named by its first corner.
+/// A corner that acts on an edge of another block. The edge is named by its first
+/// corner.
 struct CornerOnEdge {
   int corner = -1, edge = -1;
   bool operator==(const CornerOnEdge&) const = default;
 };
 
-/// Working memory of the rule, one for each thread: it grows to what the largest
-/// decision needs and is kept.
+/// Working memory of the rule for one thread. It grows as needed and is reused.
 struct PairScratch {
   PairMemory shape;
   JointScratch joints;
   std::vector<Axis> axes;
   std::vector<CornerOnEdge> found;
 
-  /// No contact twice.
+  /// Adds a contact unless it is there already.
   void add(const CornerOnEdge& contact) {
     if (std::find(found.begin(), found.end(), contact) == found.end())
       found.push_back(contact);
@@ -42,7 +42,7 @@ struct PairScratch {
 };
 
 /// Calls visit(p, q) for each part p of the block with the lower number and each part q
-/// of the other one: of equally deep axes one of the lower block comes first.
+/// of the other block. So of equally deep axes, one of the lower block comes first.
 template <class Visit>
 void each_pair_of_parts(const BlockParts& parts, int a, int b, const Visit& visit) {
   const auto [low, high] = std::minmax(a, b);
@@ -51,9 +51,10 @@ void each_pair_of_parts(const BlockParts& parts, int a, int b, const Visit& visi
       visit(p, q);
 }
 
-/// Calls visit(corner, side) for what may act along an axis: the ends of two faces on
-/// each other, or one corner. A face may consist of several sides in line; the ends of
-/// inner sides on the face of the axis side do not count.
+/// Calls visit(corner, side) for each contact that may act along an axis. With a facing
+/// side, these are the ends of each face on the other face; otherwise it is the corner
+/// of the axis. A face may consist of several sides in line. The ends of inner sides in
+/// line with the axis side are left out.
 template <class Predicates, class Visit>
 void each_along(PairShape<Predicates>& shape, const Axis& axis,
                 const std::optional<PairSide>& facing, const Visit& visit) {
@@ -72,7 +73,7 @@ void each_along(PairShape<Predicates>& shape, const Axis& axis,
   });
 }
 
-/// Neighbours: see ClosedJoints.
+/// The contact rule. For `neighbours` see ClosedJoints.
 template <class Predicates, class Neighbours> class PairRule {
  public:
   PairRule(const Blocks& blocks, const BlockParts& parts, const Neighbours& neighbours,
@@ -80,8 +81,8 @@ template <class Predicates, class Neighbours> class PairRule {
       : blocks_(blocks), parts_(parts), scratch_(scratch),
         joints_(blocks, parts, neighbours, shape_, ask_, scratch.joints) {}
 
-  /// What acts between two blocks, part by part; no contact twice. Valid until the next
-  /// call.
+  /// Returns the contacts between two blocks, without duplicates. The result is valid
+  /// until the next call.
   const std::vector<CornerOnEdge>& decide(int a, int b) {
     scratch_.found.clear();
     each_pair_of_parts(parts_, a, b, [&](int p, int q) { decide_parts(p, q); });
@@ -89,13 +90,14 @@ template <class Predicates, class Neighbours> class PairRule {
   }
 
  private:
-  /// The first entered axis acts if it is not hidden. If it is hidden, the surface of a
-  /// closed joint takes over, at most twice. Otherwise an axis stands in: the least
-  /// one, or the first entered one if the surfaces are hidden too.
+  /// Makes the choice of docs/contact-rule.md#choice. If the first entered axis is not
+  /// hidden, its contacts act. If it is hidden, the surface of a closed joint takes
+  /// over, at most twice. If no axis is entered or no contact acts, the least axis
+  /// stands in. If the second surface is hidden too, the first entered axis stands in.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!find_axes())
-      return;  // the two are apart
+      return;  // the two parts are apart
     const Axis least = take_least();
     if (shape_.depth_sign(least.side, least.corner.index) <= 0) {
       touch(least, shape_.find_facing(least));
@@ -111,7 +113,7 @@ template <class Predicates, class Neighbours> class PairRule {
       const std::optional<PairSide> facing = shape_.find_facing(axis);
       const std::optional<Axis> surface = surface_instead_of(axis, facing);
       if (!surface || surface->side == entered->side) {
-        // Below an inner side the part beside it decides.
+        // If the side is an inner side, the part beside it decides.
         if (!touch(axis, facing) && looks == 0 && !shape_.at(axis.side).is_inner)
           stand_in(least);
         return;
@@ -121,8 +123,8 @@ template <class Predicates, class Neighbours> class PairRule {
     stand_in(*entered);
   }
 
-  /// The axes of all sides. False: one of them keeps the two apart by more than the
-  /// slack.
+  /// Finds the axes of all sides. Returns false if one of them separates the two parts
+  /// by more than the slack.
   bool find_axes() {
     scratch_.axes.clear();
     for (const int part : {0, 1})
@@ -139,7 +141,8 @@ template <class Predicates, class Neighbours> class PairRule {
     return shape_.depth(axis).positive() ||
            ask_.near_or_inside(shape_.at(axis.corner).start, e.start, e.end);
   }
-  /// Of equally deep axes the one that was found first.
+  /// Removes the least axis from the list and returns it. Of equally deep axes it is
+  /// the one that was found first.
   Axis take_least() {
     std::vector<Axis>& axes = scratch_.axes;
     std::size_t least = 0;
@@ -150,7 +153,7 @@ template <class Predicates, class Neighbours> class PairRule {
     axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(least));
     return axis;
   }
-  /// The first entered axis in the order of depth.
+  /// Returns the first entered axis in the order of depth.
   std::optional<Axis> find_entered(const Axis& least) {
     Entry<Predicates> entry(shape_, ask_);
     for (Axis axis = least;; axis = take_least()) {
@@ -160,8 +163,9 @@ template <class Predicates, class Neighbours> class PairRule {
         return std::nullopt;
     }
   }
-  /// The least axis of the surfaces of all closed joints that hide the axis; of equal
-  /// ones, that of the joint that is considered first. None: the axis is not hidden.
+  /// Returns the least axis of the surfaces of all closed joints that hide the axis. If
+  /// several are equally deep, it is the surface of the joint that is visited first.
+  /// Returns nothing if the axis is not hidden.
   std::optional<Axis> surface_instead_of(const Axis& axis,
                                          const std::optional<PairSide>& facing) {
     std::optional<Axis> found;
@@ -170,13 +174,13 @@ template <class Predicates, class Neighbours> class PairRule {
         const Axis one = shape_.axis_of(surface);
         if (!found || shape_.is_less(one, *found))
           found = one;
-        return false;  // all of them
+        return false;  // continue with the next joint
       });
     return found;
   }
 
-  /// Adds what acts along an axis. It is not hidden, so the corners are not hidden
-  /// either. False: nothing acts.
+  /// Adds the contacts that act along an axis and returns whether there are any. The
+  /// axis is not hidden, so its corners are not hidden either.
   bool touch(const Axis& axis, const std::optional<PairSide>& facing) {
     bool acts = false;
     each_along(shape_, axis, Predicates::faces ? facing : std::nullopt,
@@ -191,16 +195,16 @@ template <class Predicates, class Neighbours> class PairRule {
                });
     return acts;
   }
-  /// Adds the corner of the axis on the axis side, if it is inside and between the
-  /// ends.
+  /// Adds the corner of the axis as a contact on the axis side, if the corner is inside
+  /// it and between its ends.
   void stand_in(const Axis& axis) {
     const PairSide side = find_side_below(axis.corner, axis.side);
     if (!shape_.at(side).is_inner && shape_.depth_sign(side, axis.corner.index) > 0 &&
         is_between(axis.corner, side))
       add(axis.corner, side);
   }
-  /// The side between whose ends the corner is, of a side and those in line with it;
-  /// the side itself if there is none.
+  /// Returns the one of a side and the sides in line with it that has the foot of the
+  /// corner between its ends. If there is none, returns the side itself.
   PairSide find_side_below(const PairSide& corner, const PairSide& side) {
     if (is_between(corner, side))
       return side;

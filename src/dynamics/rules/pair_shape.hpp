@@ -1,5 +1,5 @@
-// Two convex parts as the contact rule sees them: their sides, and how deep each corner
-// of one lies below each side of the other (docs/contact-rule.md#depth-and-axis).
+// The sides of two convex parts, and how deep each corner of one part is below each
+// side of the other (docs/contact-rule.md#depth-and-axis).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace blocks::dynamics {
 
 using geometry::Vec2;
 
-/// A side of a part where it is now.
+/// The current position of a side of a part.
 struct Segment {
   Vec2 start, end;
   double per_length;  ///< [1/L] geometry::filter::per_length
@@ -24,7 +24,8 @@ struct Segment {
   bool is_inner;
 };
 
-/// Side `index` of part 0 or part 1 of a pair; also the corner where it starts.
+/// Side `index` of part 0 or part 1 of a pair. It also names the corner where the side
+/// starts.
 struct PairSide {
   int part = 0, index = 0;
   bool operator==(const PairSide&) const = default;
@@ -41,7 +42,8 @@ struct PartShape {
   int part = -1;
   Vec2 centroid;
   std::vector<Segment> sides;
-  /// [L] Of corner k of the other part below side i: depths[i * corners + k].
+  /// [L] depths[i * corners + k] is the depth of corner k of the other part below side
+  /// i. `corners` is the number of corners of the other part.
   std::vector<geometry::filter::Estimate> depths;
 };
 using PairMemory = std::array<PartShape, 2>;
@@ -50,7 +52,8 @@ template <class Predicates> class PairShape {
  public:
   PairShape(PairMemory& memory, Predicates& ask) : parts_(memory), ask_(ask) {}
 
-  /// Takes the corners of two parts; depths are found side by side (find_depths).
+  /// Copies the current corners of two parts. The depths are computed later, one side
+  /// at a time (find_depths).
   void take(const Blocks& blocks, const BlockParts& parts, int p, int q) {
     take_part(blocks, parts, p, parts_[0]);
     take_part(blocks, parts, q, parts_[1]);
@@ -70,7 +73,8 @@ template <class Predicates> class PairShape {
     return {s.part, s.index + 1 < corners(s.part) ? s.index + 1 : 0};
   }
 
-  /// The axis of a side with the corner that is deepest by its rounded depth.
+  /// Computes the depths below a side. Returns its axis with the corner that is deepest
+  /// by the rounded depths.
   Axis find_depths(const PairSide& s) {
     const int other = 1 - s.part, count = corners(other);
     const Segment& e = at(s);
@@ -88,8 +92,8 @@ template <class Predicates> class PairShape {
   const geometry::filter::Estimate& depth(const Axis& axis) const {
     return depth(axis.side, axis.corner.index);
   }
-  /// The axis of a side. Corners that are equally deep follow each other. For a side of
-  /// part 0 the last of them clockwise counts, for one of part 1 the first.
+  /// Returns the axis of a side. Equally deep corners follow each other. For a side of
+  /// part 0 the last of them clockwise counts, for a side of part 1 the first.
   Axis axis_of(const PairSide& s) {
     const Axis axis = find_depths(s);
     const int other = axis.corner.part, count = corners(other);
@@ -111,19 +115,20 @@ template <class Predicates> class PairShape {
         break;
     return {s, deepest};
   }
-  /// The sign of how much deeper corner l of the other part is than corner k.
+  /// Compares the depths of two corners of the other part below a side. Returns a
+  /// positive number if corner l is deeper than corner k, 0 if they are equally deep.
   int compare_corners(const PairSide& s, int k, int l) {
     const int other = 1 - s.part;
     const Segment& e = at(s);
     return ask_.turn_sign(at({other, k}).start, at({other, l}).start, e.start, e.end);
   }
-  /// The deepest corner of an axis is deeper than corner k below side s. False says
-  /// nothing.
+  /// Returns whether the depth of an axis is certainly larger than that of corner k
+  /// below side s. If the result is false, either may be larger.
   bool is_surely_deeper(const Axis& axis, const PairSide& s, int k) const {
     const auto &a = depth(axis), &b = depth(s, k);
     return a.value - b.value > (1.0 + 1e-9) * (a.bound + b.bound);
   }
-  /// The first axis is less deep than the second one.
+  /// Returns whether the first axis is less deep than the second one.
   bool is_less(const Axis& a, const Axis& b) {
     if (is_surely_deeper(b, a.side, a.corner.index))
       return true;
@@ -134,14 +139,15 @@ template <class Predicates> class PairShape {
                                f.start, f.end) < 0;
   }
 
-  /// A corner of the other part against a side: -1 outside, +1 inside.
+  /// Returns -1 if a corner of the other part is outside a side, +1 if it is inside,
+  /// and 0 if it is on the side's line.
   int depth_sign(const PairSide& s, int corner) {
     const Segment& e = at(s);
     return ask_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start, e.start,
                            e.end);
   }
-  /// How many sides of a part, other than side `except`, have a corner of the other
-  /// part outside, and one of them.
+  /// Counts the sides of a part, except side `except`, that have a corner of the other
+  /// part outside. `out` gets the last of them.
   int sides_outside(const PairSide& corner, int except, PairSide& out) {
     const int part = 1 - corner.part;
     int count = 0;
@@ -150,7 +156,7 @@ template <class Predicates> class PairShape {
         out = s, ++count;
     return count;
   }
-  /// A corner of the other part is outside of an edge of a part.
+  /// Returns whether a corner of the other part is outside an edge of a part.
   bool has_left(const PairSide& corner) {
     const int part = 1 - corner.part;
     for (int i = 0; i < corners(part); ++i)
@@ -158,8 +164,8 @@ template <class Predicates> class PairShape {
         return true;
     return false;
   }
-  /// Visits a side and the sides of its part in line with it: those before it, then
-  /// those after it.
+  /// Calls visit(side) for a side and the sides of its part in line with it: first the
+  /// side itself, then the sides before it, then those after it.
   template <class Visit> void each_in_line(const PairSide& s, const Visit& visit) {
     const auto run_on = [&](const PairSide& first, const PairSide& next) {
       return ask_.in_line(at(first).start, at(first).end, at(next).end);
@@ -171,8 +177,8 @@ template <class Predicates> class PairShape {
       visit(side);
   }
 
-  /// Of the two sides at the corner of an axis the one that faces the axis side, the
-  /// more nearly parallel one of two.
+  /// Returns the side at the corner of an axis that faces the axis side. If both sides
+  /// at the corner face it, returns the more nearly parallel one.
   std::optional<PairSide> find_facing(const Axis& axis) {
     const PairSide after = axis.corner, before = this->before(after);
     const Segment& e = at(axis.side);
@@ -186,9 +192,12 @@ template <class Predicates> class PairShape {
       return before;
     return other ? std::optional(after) : std::nullopt;
   }
+  /// Returns whether two sides run against each other within ten degrees (20).
   bool face(const Segment& s, const Segment& t) {
     return ask_.edges_face(s.start, s.end, t.start, t.end);
   }
+  /// Returns +1 if the direction turns anticlockwise from one side to the other, -1 if
+  /// clockwise, and 0 if the sides are parallel.
   int turn(const Segment& from, const Segment& to) {
     return ask_.turn_sign(from.start, from.end, to.start, to.end);
   }
@@ -200,7 +209,8 @@ template <class Predicates> class PairShape {
       sum += s.start;
     return sum / static_cast<double>(shape.sides.size());
   }
-  /// The centroid of a convex block is the block's own.
+  /// Copies the sides and the centroid of a part. The centroid of a convex block is the
+  /// block's own.
   static void take_part(const Blocks& blocks, const BlockParts& parts, int part,
                         PartShape& shape) {
     shape.part = part;

@@ -1,4 +1,4 @@
-// The predicates that the contact rule asks: the exact ones of every run.
+// The exact predicates, which the contact rule uses in every run.
 #pragma once
 
 #include <span>
@@ -10,15 +10,16 @@ namespace blocks::dynamics {
 
 using geometry::Vec2;
 
-/// Exact for the stored doubles; laws in geometry/contact_predicates.hpp. Every policy
-/// of PairRule has these members.
+/// Predicates that are exact for the stored doubles. They are specified in
+/// geometry/contact_predicates.hpp. Every predicate class of PairRule needs these
+/// members.
 struct ExactPredicates {
-  static constexpr bool entry = true;          ///< an axis has to be entered
-  static constexpr bool crossing = true;       ///< also where sides cross
+  static constexpr bool entry = true;     ///< an axis acts only if it is entered
+  static constexpr bool crossing = true;  ///< an axis may be entered where sides cross
   static constexpr bool covered_sides = true;  ///< closed joints hide axes
-  static constexpr bool faces = true;          ///< two faces act with all four ends
+  static constexpr bool faces = true;          ///< all four ends of two faces may act
 
-  /// [L] The overlap, for `depth_sign` and to compare depths.
+  /// [L] Returns the depth of c below the side p1 p2, with an error bound.
   static geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
                                           double per_length) {
     return geometry::filter::depth(c, p1, p2, per_length);
@@ -32,7 +33,7 @@ struct ExactPredicates {
   static bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::near_or_inside(c, p1, p2);
   }
-  /// Not inside.
+  /// Returns whether c is not inside: it may be on the line.
   static bool may_be_outside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::overlap_sign(c, p1, p2) <= 0;
   }
@@ -57,13 +58,13 @@ struct ExactPredicates {
                             const Vec2& q2, const Vec2& r1, const Vec2& r2) {
     return geometry::compare_slopes(p1, p2, q1, q2, r1, r2);
   }
-  /// Whether the side p2 q of a convex part runs on in line with the side p1 p2: either
-  /// far corner is within the slack of the other side's line.
+  /// Returns whether the side p2 q of a convex part is in line with the side p1 p2. The
+  /// far corner of each must be within the slack of the other side's line.
   static bool in_line(const Vec2& p1, const Vec2& p2, const Vec2& q) {
     return (p2 - p1).dot(q - p2) > 0.0 && geometry::near_or_inside(q, p2, p1) &&
            geometry::near_or_inside(p1, q, p2);
   }
-  /// The outline of a block, clockwise, turns inwards at corner c.
+  /// Returns whether the clockwise outline of a block turns inwards at corner c.
   static bool re_entrant(const Vec2& before, const Vec2& c, const Vec2& after) {
     return geometry::overlap_sign(after, before, c) < 0;
   }

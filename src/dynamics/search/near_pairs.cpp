@@ -8,9 +8,10 @@
 namespace blocks::dynamics {
 namespace {
 
-constexpr double cells_per_block = 2.0;  ///< at most
+constexpr double cells_per_block = 2.0;  ///< upper bound
 
-/// Square cells over all boxes, of the size of a block or larger.
+/// A grid of square cells over all boxes. A cell is at least as large as a typical
+/// block.
 class Grid {
  public:
   Grid(const Blocks& blocks, const NearSearch& boxes) {
@@ -31,7 +32,7 @@ class Grid {
   }
   int column(double x) const { return index(x - lower_.x(), columns); }
   int row(double y) const { return index(y - lower_.y(), rows); }
-  /// Calls visit(cell) for the cells that a box touches.
+  /// Calls visit(cell) for each cell that a box touches.
   template <class Visit>
   void each(const Vec2& lower, const Vec2& upper, const Visit& visit) const {
     const int last = column(upper.x()), top = row(upper.y());
@@ -44,7 +45,7 @@ class Grid {
  private:
   int index(double distance, int count) const {
     const double at = distance * per_length_;
-    return at > 0.0 ? static_cast<int>(std::min(at, count - 1.0)) : 0;  // also if NaN
+    return at > 0.0 ? static_cast<int>(std::min(at, count - 1.0)) : 0;  // 0 if NaN
   }
   Vec2 lower_ = Vec2::Zero();
   double per_length_ = 0.0;
@@ -59,7 +60,7 @@ void find_boxes(const Blocks& blocks, double reach, NearSearch& memory) {
       const Vec2 corner = blocks.corner.col(c);
       lower = lower.cwiseMin(corner), upper = upper.cwiseMax(corner);
     }
-    // what is outside of an edge by less than its slack still touches it
+    // A corner that is outside an edge by less than the slack still touches it.
     const double by = reach + 2.0 * geometry::contact_slack * (upper - lower).sum();
     memory.lower[b] = lower.array() - by, memory.upper[b] = upper.array() + by;
   }
@@ -88,7 +89,8 @@ void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
       memory.cells.each(cell, [&](int b) {
         if (b <= a || !meet(a, b) || !(blocks.is_free(a) || blocks.is_free(b)))
           return;
-        // two boxes may have many cells in common: the first of these counts
+        // Two boxes may have several cells in common. Only the first of these adds the
+        // pair.
         const Vec2 corner = memory.lower[a].cwiseMax(memory.lower[b]);
         if (grid.row(corner.y()) * grid.columns + grid.column(corner.x()) == cell)
           pairs.push_back({.low = a, .high = b});

@@ -1,4 +1,4 @@
-// Which blocks are near enough to touch before the next search (UPDAT, report 3.2).
+// Finds pairs of blocks that may touch before the next search (UPDAT, report 3.2).
 #pragma once
 
 #include <compare>
@@ -13,19 +13,20 @@ namespace blocks::dynamics {
 struct NearPair {
   int low = 0, high = 0;
   auto operator<=>(const NearPair& other) const = default;
-  /// The other block of the pair.
+  /// Returns the other block of the pair.
   int other(int block) const { return low == block ? high : low; }
 };
 
 /// Working memory of the search. It is kept between searches so that they need not
 /// allocate.
 struct NearSearch {
-  std::vector<Vec2> lower, upper;  ///< (blocks) [L] of their grown boxes
-  Groups cells;                    ///< the blocks in each cell of a grid
+  /// (blocks) [L] corners of their grown bounding boxes
+  std::vector<Vec2> lower, upper;
+  Groups cells;  ///< the blocks in each cell of a grid
 };
 
 /// Finds all pairs whose bounding boxes meet when each box is grown by `reach`, [L].
-/// The pairs are ordered by low, then by high. No other blocks can touch before a
+/// The pairs are sorted by low, then by high. No other two blocks can touch before a
 /// corner has moved by `reach`.
 void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
                      std::vector<NearPair>& pairs);

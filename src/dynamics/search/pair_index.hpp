@@ -9,12 +9,12 @@
 namespace blocks::dynamics {
 
 struct PairIndex {
-  std::vector<NearPair> pairs;  ///< ordered by low, then by high
-  Groups neighbours;  ///< the blocks that each block is paired with, in their order
+  std::vector<NearPair> pairs;  ///< sorted by low, then by high
+  Groups neighbours;  ///< for each block, the blocks that it is paired with, ascending
 
   int size() const { return static_cast<int>(pairs.size()); }
-  /// Takes these pairs, which are ordered, of so many blocks. `found` gets the old
-  /// ones.
+  /// Replaces the pairs by those of `found`, which must be sorted. `blocks` is the
+  /// number of blocks. `found` gets the former pairs.
   void take(std::vector<NearPair>& found, int blocks) {
     pairs.swap(found);
     neighbours.sort(blocks, [&](const auto& add) {
@@ -24,7 +24,8 @@ struct PairIndex {
   }
 };
 
-/// The neighbours of a block, as the contact rule asks for them.
+/// Calls a visitor for each neighbour of a block, in the form that the contact rule
+/// needs.
 struct Neighbours {
   const PairIndex& index;
   template <class Visit> void operator()(int block, const Visit& visit) const {

@@ -1,4 +1,4 @@
-// Items in groups: the pairs of each block, the blocks of each cell.
+// Items in groups, such as the pairs of each block or the blocks of each cell.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,15 @@
 
 namespace blocks::dynamics {
 
-/// The items of group g are item[first[g]] .. item[first[g + 1] - 1].
+/// The items of group g are the half-open range from item[first[g]] to
+/// item[first[g + 1]].
 struct Groups {
   std::vector<int> first;  ///< (groups + 1)
   std::vector<int> item;
 
-  /// Sorts items into groups (counting sort), in the order in which they come.
-  /// each(add) calls add(group, item) for every item; it is called twice.
+  /// Sorts items into groups (counting sort). Within a group they keep the order in
+  /// which they were added. each(add) has to call add(group, item) for every item; it
+  /// is called twice.
   template <class Each> void sort(int groups, const Each& each) {
     first.assign(static_cast<std::size_t>(groups) + 1, 0);
     each([&](int group, int) { ++first[group + 1]; });

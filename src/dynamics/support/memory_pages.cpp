@@ -13,7 +13,7 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Calls act(first, bytes) for the huge pages that lie wholly within some bytes.
+/// Calls act(first, bytes) for the range of whole huge pages within the given bytes.
 template <class Act>
 void huge_pages(const void* first, std::size_t bytes, const Act& act) {
   constexpr std::uintptr_t size = std::uintptr_t{1} << 21;

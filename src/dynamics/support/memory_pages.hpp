@@ -1,5 +1,5 @@
-// Pages of memory: large columns in huge pages, freed memory back to the system. These
-// functions change run time and memory, never results.
+// Requests huge pages for large columns and returns freed memory to the system. These
+// functions change run time and memory use, never results.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ void prefer_huge_pages(const void* first, std::size_t bytes);
 /// Moves these bytes, which have been written, into huge pages where the system can.
 void move_to_huge_pages(const void* first, std::size_t bytes);
 
-/// Returns memory that the program has freed, but the allocator still holds, to the
-/// system.
+/// Returns to the system the memory that the program has freed but the allocator still
+/// holds.
 void release_free_pages();
 
 }  // namespace blocks::dynamics

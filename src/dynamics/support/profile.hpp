@@ -1,4 +1,4 @@
-// Where the time of a run goes: `blocks run --profile`.
+// The time that each phase of a run takes: `blocks run --profile`.
 #pragma once
 
 #include <array>
@@ -6,16 +6,16 @@
 
 namespace blocks::dynamics {
 
-/// Wall clock of the phases of a run, most of them of a step, and how often the filters
-/// of the predicates left a decision to exact arithmetic.
+/// The wall clock time of each phase of a run. Most of them are phases of a step. Also
+/// counts how often the filters of the predicates left a decision to exact arithmetic.
 struct Profile {
   enum Phase { building, search, decisions, forces, motion, output, phases };
 
   std::array<double, phases> seconds{};
   unsigned long long exact_calls = 0;
 
-  /// Adds time to one phase after the other, until it is destroyed. With a null profile
-  /// it does nothing.
+  /// Adds the elapsed time to the current phase until the timer is destroyed. With a
+  /// null profile it does nothing.
   class Timer {
    public:
     Timer(Profile* profile, Phase phase) : profile_(profile), phase_(phase) {
@@ -23,7 +23,7 @@ struct Profile {
         began_ = std::chrono::steady_clock::now();
     }
     ~Timer() { next(phase_); }
-    /// Ends the present phase and begins another one.
+    /// Ends the current phase and begins another one.
     void next(Phase phase) {
       if (profile_ == nullptr)
         return;

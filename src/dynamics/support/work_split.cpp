@@ -5,7 +5,7 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Items below which another thread does not pay.
+/// With fewer items than this, another thread costs more time than it saves.
 constexpr int batches_per_thread = 128, blocks_per_thread = 128;
 
 int shares_of(int threads, int count, int least) {
@@ -46,7 +46,8 @@ void WorkSplit::split_evenly(int count, int least, std::vector<int>& begins) con
     begins[k] = static_cast<int>(long{count} * k / shares);
 }
 
-/// With contacts three quarters of a step are spent, with blocks one.
+/// Returns the first window of a share. Contacts take about three quarters of the time
+/// of a step and blocks one quarter, so the shares balance both.
 int WorkSplit::first_window(int share, int shares) const {
   const int last = static_cast<int>(first_block_.size()) - 1;
   const double all_windows = std::max(1, last), all_blocks = first_block_.back() + 1.0;

@@ -1,4 +1,4 @@
-// Which part of a step's work each thread begins with.
+// Divides the work of a step among the threads.
 #pragma once
 
 #include <cstddef>
@@ -6,14 +6,16 @@
 
 namespace blocks::dynamics {
 
-/// Thread k begins with items [k] .. [k + 1] - 1 of each column. Wherever as many
-/// threads take part, these are windows of pairs, the lanes of these pairs, and the
-/// blocks that are the lower ones of them: what a thread has moved, it needs next, and
-/// few blocks go from the cache of one core to that of another.
+/// Each column holds the borders of the shares: thread k begins with the half-open
+/// range from item [k] to item [k + 1]. If all columns have the same number of shares,
+/// share k consists of windows of pairs, their batches and the lower blocks of these
+/// pairs. A thread then finds in its cache most of what it has written before, and few
+/// blocks are exchanged between the caches of cores.
 struct WorkSplit {
   std::vector<int> windows, batches, blocks;
 
-  /// Of a new list, whose pairs have no lanes yet; so many pairs to a window.
+  /// Divides the pairs of a new list and the blocks. The pairs have no batches yet.
+  /// `window` is the number of pairs in a window.
   template <class Pair>
   void start(int block_count, const std::vector<Pair>& pairs, int window,
              int thread_count) {
@@ -23,10 +25,11 @@ struct WorkSplit {
     first_block_.push_back(block_count);
     split_windows(thread_count);
   }
-  /// Splits the batches. first_batch: (windows + 1) the first one of each window.
+  /// Divides the batches. first_batch: (windows + 1) the first batch of each window.
   void split_batches(const std::vector<int>& first_batch);
-  /// Splits so many other items evenly, at least `least` to a thread if there are as
-  /// many. Does not allocate once `begins` has had room for all threads.
+  /// Divides `count` items evenly and writes the borders of the shares to `begins`.
+  /// Each share has at least `least` items, if there are as many. Does not allocate
+  /// once `begins` has had room for all threads.
   void split_evenly(int count, int least, std::vector<int>& begins) const;
 
  private:
@@ -34,7 +37,9 @@ struct WorkSplit {
   int first_window(int share, int shares) const;
 
   int threads_ = 1;
-  std::vector<int> first_block_;  ///< (windows + 1) lowest block of each; all blocks
+  /// (windows + 1) The lowest block of each window, 0 for the first one, then the
+  /// number of blocks.
+  std::vector<int> first_block_;
 };
 
 }  // namespace blocks::dynamics

@@ -5,8 +5,9 @@
 namespace blocks::dynamics {
 namespace {
 
-/// Looks at it for some microseconds, then lets others run, then sleeps: the phases of
-/// a step follow each other faster than a thread wakes up, but cores may be few.
+/// Waits until done(number). Polls for some microseconds, then yields to other threads,
+/// then sleeps. The phases of a step follow each other faster than a sleeping thread
+/// wakes up, but there may be fewer cores than threads.
 template <class Number, class Done>
 Number wait_for(const std::atomic<Number>& number, const Done& done) {
   for (int i = 0; i < 600; ++i) {
@@ -28,9 +29,10 @@ Number wait_for(const std::atomic<Number>& number, const Done& done) {
   }
 }
 
-/// Each but the last is half of what is left of the share, so that nobody waits long
-/// for the last one, and who takes from another's share takes little: blocks that
-/// another thread moves have to come from its cache, and go back.
+/// Each piece but the last is half of what is left of the share. So the last pieces are
+/// small, and the wait for the slowest thread is short. A thread that takes pieces of
+/// another share takes small ones. This matters because blocks moved by another thread
+/// have to pass from cache to cache.
 constexpr std::uint32_t pieces_of_share = 5;
 
 struct Range {
@@ -77,7 +79,7 @@ void Workers::run(const Task& task) {
 void Workers::take_pieces(int thread, std::uint32_t number) {
   const int all = threads();
   int done = 0;
-  for (int k = 0; k < all; ++k) {  // its own share first
+  for (int k = 0; k < all; ++k) {  // the thread's own share comes first
     const int share = (thread + k) % all;
     std::atomic<std::uint64_t>& next = shares_[share].next;
     std::uint64_t at = next.load(std::memory_order_acquire);
@@ -85,7 +87,7 @@ void Workers::take_pieces(int thread, std::uint32_t number) {
       if (!next.compare_exchange_weak(at, at + 1, std::memory_order_acq_rel,
                                       std::memory_order_acquire))
         continue;
-      // until this piece is reported there is no other task
+      // There is no other task until this piece is reported as done.
       const Range piece = piece_of({task_.begins[share], task_.begins[share + 1]},
                                    static_cast<std::uint32_t>(at));
       if (piece.first < piece.last)

@@ -1,5 +1,5 @@
-// Threads that share the work of a step. Which thread does what never shows in a
-// result: every item is computed on its own, and sums are taken in a fixed order.
+// Threads that share the work of a step. Results do not depend on which thread computes
+// an item: every item is computed on its own, and sums are taken in a fixed order.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,8 @@ namespace blocks::dynamics {
 
 class Workers {
  public:
-  /// This many threads, the calling one among them; at least 1.
+  /// Starts threads - 1 threads; the calling thread is the first worker. threads: at
+  /// least 1.
   explicit Workers(int threads = 1);
   ~Workers();
   Workers(const Workers&) = delete;
@@ -20,12 +21,13 @@ class Workers {
 
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
-  /// Calls work(thread, first, last) for ranges of items, at the same time, any number
-  /// of times for a thread. Of items begins[0] .. begins.back() - 1 thread k begins
-  /// with begins[k] .. begins[k + 1] - 1: one thread or more, and not more than there
-  /// are. Who is done takes what another has not begun, so that nobody waits for a
-  /// thread without a core. Returns when all are done. `work` must not throw, and not
-  /// call each(). Allocates nothing.
+  /// Calls work(thread, first, last) for ranges of items on all threads at the same
+  /// time. A thread may be called any number of times. Thread k begins with the
+  /// half-open range from begins[k] to begins[k + 1]. There is at least one such range,
+  /// and there are at most as many as threads. Idle threads take pieces that other
+  /// threads have not started, so that no thread waits for one that has no core.
+  /// Returns when all items are done. `work` must not throw and must not call each().
+  /// Allocates nothing.
   template <class Work> void each(const std::vector<int>& begins, const Work& work) {
     const int shares = static_cast<int>(begins.size()) - 1;
     if (shares == 1) {
@@ -45,8 +47,8 @@ class Workers {
     const int* begins = nullptr;
     int shares = 0;
   };
-  /// What is left of the share of one thread: number of the task, and of the piece that
-  /// comes next.
+  /// The rest of one thread's share. The upper 32 bits are the number of the task, the
+  /// lower 32 bits the index of the next piece.
   struct alignas(64) Share {
     std::atomic<std::uint64_t> next = ~std::uint64_t{0};
   };
@@ -54,9 +56,9 @@ class Workers {
   void take_pieces(int thread, std::uint32_t number);
   void serve(int thread);
 
-  Task task_;                              ///< read only by who has taken a piece of it
-  std::atomic<std::uint32_t> number_ = 0;  ///< of the present task, from 1
-  std::atomic<int> undone_ = 0;            ///< pieces of it
+  Task task_;  ///< read only by threads that have taken a piece of it
+  std::atomic<std::uint32_t> number_ = 0;  ///< number of the current task, from 1
+  std::atomic<int> undone_ = 0;  ///< pieces of the current task that are not done
   std::atomic<bool> over_ = false;
   std::unique_ptr<Share[]> shares_;  ///< (threads)
   std::vector<std::thread> others_;
