@@ -11,7 +11,7 @@ struct Claims {
   std::set<std::filesystem::path> files;
 };
 
-/// Of the whole program: two Simulations may write from two threads.
+/// Shared by the whole program, because two Simulations may write from two threads.
 Claims& claims() {
   static Claims all;
   return all;
@@ -20,7 +20,7 @@ Claims& claims() {
 }  // namespace
 
 std::filesystem::path file_of(const std::string& path) {
-  std::error_code unknown;  // then the name as it is
+  std::error_code unknown;  // on failure, the path is used as given
   const auto given = std::filesystem::absolute(path, unknown);
   const auto folder = std::filesystem::weakly_canonical(given.parent_path(), unknown);
   return unknown ? std::filesystem::path(path) : folder / given.filename();

@@ -1,5 +1,5 @@
-// A results file of one Simulation: no other one of this program writes to it
-// meanwhile.
+// The results file of a Simulation. Only one Simulation of a program may write to a
+// results file at a time.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,15 @@
 
 namespace blocks::library {
 
-/// The place in the file system that a path leads to: one for w, ./w and linked/w. A
-/// link in the place of the file itself would be replaced, and is not followed.
+/// The canonical form of a path, so that w, ./w and linked/w give the same result.
+/// Symbolic links in the folder are followed. A link at the file name itself is not,
+/// because writing would replace it.
 std::filesystem::path file_of(const std::string& path);
 
-/// The one writer of a file, for as long as it lives.
+/// Reserves a file for one writer during the lifetime of the object.
 class FileClaim {
  public:
-  /// Throws output::FileError if the file is claimed already.
+  /// Throws output::FileError if the file is already reserved.
   explicit FileClaim(const std::string& path);
   ~FileClaim();
   FileClaim(const FileClaim&) = delete;
@@ -28,12 +29,13 @@ class FileClaim {
 
 class ResultsInUse {
  public:
-  /// Throws output::FileError: another one writes to it, or it cannot be written.
+  /// Throws output::FileError if another Simulation writes to the file, or if it cannot
+  /// be written.
   ResultsInUse(const std::string& path, const output::RunIdentity& identity)
       : claim_(path), writer_(path, identity) {}
 
-  /// Appends the state; does nothing if it is the last frame already. changes: count of
-  /// what was done to the model from outside.
+  /// Appends the state, unless it is already the last frame. `changes` counts the
+  /// changes made to the model between steps.
   void write(const Model& model, long changes);
 
  private:

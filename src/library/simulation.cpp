@@ -29,8 +29,8 @@ bool passes_time(const deck::Command& command) {
          std::holds_alternative<deck::Cycle>(command.card);
 }
 
-/// A command that asks for one step, in the place of the last card that made blocks:
-/// what must hold before the caller's steps is judged there.
+/// A CYCLE command of one step at the position of the last card that made blocks. The
+/// checks before a motion are applied to it, because the caller will make the steps.
 deck::Command one_step(const std::vector<deck::Command>& cards) {
   const auto makes_blocks = [](const deck::Command& command) {
     return std::holds_alternative<deck::Create>(command.card) ||
@@ -67,23 +67,23 @@ struct Simulation::State {
     act(deck::parse(name, text, said), said);
   }
 
-  /// All cards act; DeckError with all their faults.
+  /// Executes all cards. Throws DeckError with all their errors.
   void act(const deck::Deck& deck, deck::Diagnostics& said);
   void step(long count);
-  /// Throws UnsoundRun where an earlier step did.
+  /// Throws UnsoundRun if an earlier step was unsound.
   void must_be_sound() const;
-  /// Index of a block from its number.
+  /// The index of a block, from its number.
   int index(int block) const;
 
   std::string name, folder, text;
   Model model;
   dynamics::Workspace work;
   dynamics::Stepper stepper{model, work};
-  std::vector<geometry::BlockOverlap> overlaps;  ///< told by the certificate
+  std::vector<geometry::BlockOverlap> overlaps;  ///< reported by the certificate
   std::vector<std::string> warnings;
-  std::string unsound;  ///< why a step was, or ""
-  long changes = 0;     ///< from outside: cards and velocities
-  std::map<std::filesystem::path, library::ResultsInUse> results;  ///< by file
+  std::string unsound;  ///< why a step was unsound; empty if none was
+  long changes = 0;     ///< number of calls that changed the model
+  std::map<std::filesystem::path, library::ResultsInUse> results;  ///< by path
 
  private:
   run::MotionWatch watch_;
@@ -103,8 +103,8 @@ void Simulation::State::keep_warnings(const deck::Diagnostics& said) {
 
 void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
   ++changes;
-  // Once on a copy, in which nothing moves: every fault is found before anything is
-  // done.
+  // The cards are first executed on a copy in which no time passes. All errors are thus
+  // found before the model changes.
   Model trial = model;
   obey(trial, deck, said, false);
   keep_warnings(said);
@@ -119,7 +119,8 @@ void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
     prepare(model);
 }
 
-/// Boxes the blocks; those outside the domain are told of.
+/// Prepares the model for steps and records a warning for each block outside the
+/// domain.
 void Simulation::State::prepare(Model& on) {
   dynamics::prepare(on);
   stepper.changed();
@@ -127,8 +128,8 @@ void Simulation::State::prepare(Model& on) {
     warnings.push_back(std::move(told));
 }
 
-/// Applies the cards to a model; faults are thrown when the last card was read.
-/// moving: MOTION and CYCLE make time pass, else they are only judged.
+/// Executes the cards on a model and throws DeckError after the last card if there were
+/// errors. If `moving` is false, MOTION and CYCLE are checked, but no time passes.
 void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostics& said,
                              bool moving) {
   const auto stop_at_faults = [&] {
@@ -288,7 +289,7 @@ Eigen::Matrix2d Simulation::stress(int block) const {
 std::vector<ContactForce> Simulation::contacts() const {
   const Model& model = state_->model;
   const Blocks& all = model.blocks;
-  const auto number = [&](int corner) {  // within its block, from 1
+  const auto number = [&](int corner) {  // number within its block, from 1
     return corner - all.first_corner[all.corner_block[corner]] + 1;
   };
   std::vector<ContactForce> acting;
@@ -355,7 +356,8 @@ void Simulation::write_frame(const std::string& path) {
 
 void Simulation::write_checkpoint(const std::string& path) const {
   state_->must_be_sound();
-  // Without the deck's text: this is no place in a deck that a run could go on from.
+  // The deck's text is omitted because this state is not a position in a deck at which
+  // a run could resume.
   output::CheckpointInfo info;
   info.deck_file = state_->name;
   info.version = BLOCKS_VERSION;

@@ -1,4 +1,4 @@
-// Faults of the names of outputs, found before the work and not after it.
+// Checks the names of output files before the work begins.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace blocks::output {
 
-/// Whether files of these names can be written; empty names count for nothing. Throws
-/// FileError when one is a folder, its folder is missing or takes no files, or two are
-/// the same. Nothing is opened: a full disk shows later.
+/// Checks that files with these names can be written; empty names are ignored. Throws
+/// FileError if a name is a folder, its folder is missing or not writable, or two names
+/// are the same. No file is opened, so a full disk is not detected.
 void check_outputs(const std::vector<std::string>& paths);
 
 }  // namespace blocks::output

@@ -1,6 +1,6 @@
-// The file starts with a seal of 512 bytes in plain text (HDF5's user block): what it
-// is, the format, and a hash over all the bytes that follow. It is verified before HDF5
-// looks at a single byte, so that a damaged file is never half read.
+// The file starts with a seal of 512 bytes of plain text (HDF5's user block). It holds
+// the type and format of the file and a hash over all the bytes that follow. The seal
+// is verified before HDF5 opens the file, so that a damaged file is never partly read.
 #include "output/checkpoint.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::string seal(std::uint64_t bytes, const std::string& hash) {
   return text;
 }
 
-/// The seal the bytes after the first 512 ask for.
+/// The seal that matches the bytes after the first 512.
 std::string seal_of(std::istream& file) {
   file.clear();
   file.seekg(seal_size);
@@ -44,7 +44,7 @@ std::string seal_of(std::istream& file) {
   return seal(bytes, hash.text());
 }
 
-/// `meant`: the name for messages.
+/// Writes the seal. `meant` is the file name for messages.
 void set_seal(const std::string& path, const std::string& meant) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   const std::string text = seal_of(file);
@@ -71,7 +71,7 @@ void verify_seal(const std::string& path) {
     refuse(path, "it is a folder");
   if (std::filesystem::exists(path, ignored) &&
       !std::filesystem::is_regular_file(path, ignored))
-    refuse(path, "it is no regular file");  // a pipe would be waited for
+    refuse(path, "it is no regular file");  // a pipe would block
   std::ifstream file(path, std::ios::binary);
   if (!file)
     refuse(path, std::generic_category().message(errno));
@@ -89,7 +89,8 @@ void verify_seal(const std::string& path) {
     refuse(path, "it is damaged: its bytes do not give its checksum");
 }
 
-/// The report's "restart tape": the model and what belongs to the run.
+/// Visits the contents of the report's "restart tape": the data of the run and the
+/// model.
 template <class M, class Info, class Archive>
 void visit(M& model, Info& info, Archive& ar) {
   auto& [deck_file, deck_text, overrides, results, results_run, results_frames,
@@ -127,7 +128,8 @@ void visit(M& model, Info& info, Archive& ar) {
   visit_model(model, ar);
 }
 
-/// The one before gets a second name first, so that `path` exists at every moment.
+/// Gives the previous checkpoint a second name first, so that `path` exists at every
+/// moment.
 void keep_previous(const std::string& path) {
   const std::string previous = path + ".prev";
   std::error_code fault;
@@ -135,7 +137,7 @@ void keep_previous(const std::string& path) {
     return;
   std::filesystem::remove(previous, fault);
   std::filesystem::create_hard_link(path, previous, fault);
-  if (fault)  // a file system without links
+  if (fault)  // the file system has no hard links
     move_file(path, previous);
 }
 

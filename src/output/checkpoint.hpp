@@ -1,5 +1,5 @@
-// The restart tape's heir: NAME.ckpt.h5, everything a bit-identical continuation needs
-// (report A.1.11, Appendix G.2).
+// NAME.ckpt.h5, which replaces the restart tape of the report. It holds everything
+// needed for a bit-identical continuation (report A.1.11, Appendix G.2).
 #pragma once
 
 #include <string>
@@ -11,43 +11,43 @@
 
 namespace blocks::output {
 
-/// Where its own deck was stopped. What the end of a run adds to results and listing
-/// lies behind `frames` and `listing_bytes`.
+/// The position at which the run of a deck stopped. `frames` and `listing_bytes`
+/// exclude what the end of the run adds to results and listing.
 struct Progress {
-  long card = 0;        ///< index of the command to go on with
-  long steps_left = 0;  ///< > 0: that command is a MOTION or CYCLE begun before
+  long card = 0;        ///< index of the next command
+  long steps_left = 0;  ///< if > 0, a MOTION or CYCLE is partly done
   long frames = 0;
   long listing_bytes = 0;
-  long tabled_step = -1;      ///< of the last OUTPUT table
-  double half_depth = 0.0;    ///< [L] of the executor
-  bool fast_told = false;     ///< of the executor
-  bool finished = false;      ///< nothing is left to do
-  std::string warnings = {};  ///< of the run so far, a line each
-  std::vector<geometry::BlockOverlap> overlaps = {};  ///< told by the certificate
+  long tabled_step = -1;                              ///< step of the last OUTPUT table
+  double half_depth = 0.0;                            ///< [L] see run/soundness.hpp
+  bool fast_told = false;                             ///< a fast corner was reported
+  bool finished = false;                              ///< the deck was completed
+  std::string warnings = {};                          ///< warnings so far, one per line
+  std::vector<geometry::BlockOverlap> overlaps = {};  ///< reported so far
 };
 
-/// What a continuation needs beside the model.
+/// The data besides the model that a continuation needs.
 struct CheckpointInfo {
-  std::string deck_file;  ///< deck that wrote it
+  std::string deck_file;  ///< deck of the run
   std::string deck_text;
-  std::string overrides;    ///< --set options and sums of meshes, a line each
-  std::string results;      ///< results file that belongs to it
-  std::string results_run;  ///< run_id of that file
-  long results_frames = 0;  ///< its frames at this moment
-  long listing_bytes = 0;   ///< length of the listing beside it at this moment
-  std::string version;      ///< of the program
+  std::string overrides;    ///< --set options and mesh hashes, one per line
+  std::string results;      ///< results file of the run
+  std::string results_run;  ///< run_id of the results file
+  long results_frames = 0;  ///< number of its frames
+  long listing_bytes = 0;   ///< length of the listing
+  std::string version;      ///< version of the program
   Progress progress;
 };
 
-/// Of the files that are written and read.
+/// The version of the file format that is written and read.
 inline constexpr int checkpoint_format = 10;
 
-/// Writes to a temporary name beside `path`, syncs, renames. Throws FileError.
+/// Writes a temporary file beside `path`, syncs it and renames it. Throws FileError.
 void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info);
 
-/// Reads back bit-identically. Throws FileError: absent, foreign, damaged, newer
-/// format, or made up (expect_possible).
+/// Restores a model bit for bit. Throws FileError if the file is missing, not a
+/// checkpoint, damaged, of another format or invalid (expect_possible).
 Model read_checkpoint(const std::string& path, CheckpointInfo& info);
 
 }  // namespace blocks::output

@@ -17,7 +17,7 @@ void tell(std::string_view text) {
     _exit(exit_code);
 }
 
-/// SIGVTALRM after so much time of the processor; 0: never.
+/// Requests SIGVTALRM after this processor time; 0 cancels it.
 void limit_processor_time(int seconds) {
   const itimerval once{{0, 0}, {seconds, 0}};
   setitimer(ITIMER_VIRTUAL, &once, nullptr);
@@ -36,7 +36,7 @@ FileInHand::~FileInHand() {
     limit_processor_time(0);
 }
 
-/// Allocates nothing: the memory may be what was damaged.
+/// Allocates no memory, because the heap may be damaged.
 void file_crash(int signal) {
   std::signal(signal, SIG_DFL);
   if (in_hand == nullptr) {

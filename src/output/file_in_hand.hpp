@@ -1,20 +1,21 @@
-// HDF5 1.10 does not survive every damaged file: a wrong size deep in its metadata
-// makes it write beside its own memory. What cannot be refused is at least told: the
-// program ends with the file's name and exit code 5 instead of a core dump.
+// HDF5 1.10 can crash on a damaged file: a wrong size deep in its metadata makes it
+// write outside its own memory. Such files cannot be detected in advance. The program
+// therefore ends with a message that names the file and exit code 5, not with a core
+// dump.
 #pragma once
 
 #include <string>
 
 namespace blocks::output {
 
-/// The file that HDF5 is made to read, for as long as this lives.
+/// Marks the file that HDF5 is accessing during the lifetime of the object.
 class FileInHand {
  public:
-  /// verb: "read"; path must outlive this.
+  /// `verb` appears in the message, such as "read". `path` must outlive the object.
   FileInHand(const char* verb, const std::string& path) noexcept;
   ~FileInHand();
-  /// HDF5 may go on for ever closing a damaged file that was open for writing: after
-  /// these seconds of processor time that is told like a crash.
+  /// Limits the processor time for closing a damaged file that was open for writing,
+  /// which HDF5 may never finish. After `seconds` the program ends as after a crash.
   void must_end_within(int seconds) noexcept;
   FileInHand(const FileInHand&) = delete;
   FileInHand& operator=(const FileInHand&) = delete;
@@ -27,8 +28,9 @@ class FileInHand {
   friend void file_crash(int);
 };
 
-/// From here on a crash with a file in hand prints "blocks: error: cannot read NAME: it
-/// is damaged" and ends the program with `code`; any other crash stays what it was.
+/// After this call, a crash during the lifetime of a FileInHand prints "blocks: error:
+/// cannot read NAME: it is damaged" and ends the program with `code`. Other crashes are
+/// not affected.
 void tell_crashes_of_files(int code);
 
 }  // namespace blocks::output

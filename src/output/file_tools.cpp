@@ -65,7 +65,7 @@ void sync_file(const std::string& path, const std::string& meant) {
 
 void sync_folder_of(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
-  // Some file systems cannot sync a folder; the file itself is safe by then.
+  // Some file systems cannot sync a folder. The file itself is already on disk.
   if (!sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY) &&
       errno != EINVAL && errno != ENOTSUP && errno != EACCES)
     throw_errno("write", path);

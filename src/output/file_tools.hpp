@@ -1,5 +1,5 @@
-// Small helpers shared by the writers: names in messages, files replaced as a whole,
-// and the hash over bytes.
+// Helpers shared by the writers: file names in messages, replacing whole files, and a
+// hash over bytes.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace blocks::output {
 
-/// Runs `action`; what HDF5 refuses becomes FileError "cannot write NAME: reason".
+/// Runs `action` and converts hdf5::Failure to FileError: "cannot write NAME: reason".
 template <class Action>
 auto naming(const char* verb, const std::string& path, Action&& action) {
   const FileInHand in_hand(verb, path);
@@ -23,19 +23,19 @@ auto naming(const char* verb, const std::string& path, Action&& action) {
   }
 }
 
-/// "cannot write NAME: " and the words for errno.
+/// Throws FileError: "cannot write NAME: " and the message of errno.
 [[noreturn]] void throw_errno(const char* verb, const std::string& path);
 
-/// For files that take their name when they are whole: what stands there would be
-/// replaced or moved aside. Throws FileError when it is neither a regular file nor
-/// nothing: a folder, a device, a fifo.
+/// Throws FileError if `path` exists and is not a regular file, such as a folder, a
+/// device or a FIFO. Call it before a new file replaces the old one or renames it.
 void expect_replaceable(const std::string& path);
 
-/// Moves a file, replacing its target. Throws FileError, also when one of the two is a
-/// device, a fifo or a folder.
+/// Moves a file, replacing its target. Throws FileError, also if either path is a
+/// device, a FIFO or a folder.
 void move_file(const std::string& from, const std::string& to);
 
-/// A file that does not have its name yet; removed unless it takes one.
+/// A file with a temporary name. The destructor removes it unless take_name() was
+/// called.
 class TemporaryFile {
  public:
   explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
@@ -44,19 +44,19 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Replaces the file of that name. Throws FileError.
+  /// Renames the file to `name`, replacing an existing file. Throws FileError.
   void take_name(const std::string& name);
 
  private:
   std::string path_;
 };
 
-/// Waits until the file's bytes, or the folder's names, are on disk. Throws FileError
-/// about the file `meant`, of which this one may be the temporary form.
+/// Waits until the bytes of a file, or the entries of its folder, are on disk. Throws
+/// FileError that names `meant`; `path` may be its temporary file.
 void sync_file(const std::string& path, const std::string& meant);
 void sync_folder_of(const std::string& path);
 
-/// FNV-1a, 64 bits.
+/// The FNV-1a hash, 64 bits.
 class Fnv1a {
  public:
   void add(const void* data, std::size_t size) {
@@ -65,7 +65,7 @@ class Fnv1a {
       state_ = (state_ ^ byte[i]) * 0x100000001B3ULL;
   }
   std::uint64_t value() const { return state_; }
-  /// 16 hexadecimal digits.
+  /// The hash as 16 hexadecimal digits.
   std::string text() const;
 
  private:

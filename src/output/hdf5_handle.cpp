@@ -13,7 +13,7 @@ herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
     return 0;
   try {
     *static_cast<std::string*>(text) = entry->desc;
-  } catch (const std::bad_alloc&) {  // nothing may be thrown through HDF5
+  } catch (const std::bad_alloc&) {  // no exception may pass through HDF5
     return -1;
   }
   return 0;
@@ -22,7 +22,7 @@ herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
 Handle file_access(bool writable) {
-  // Failures become exceptions: the library must not print them.
+  // Failures become exceptions, so the library must not print them.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Handle access = property_list(H5P_FILE_ACCESS);
   check(H5Pset_file_locking(access.get(), 0, 1));
@@ -45,8 +45,8 @@ Handle text_type(std::size_t length, H5T_cset_t characters) {
   return type;
 }
 
-/// No more values than the file has bytes: neither memory nor time is given on the word
-/// of a damaged or made-up file.
+/// Throws Failure if a dataset claims more values than the file has bytes. A damaged or
+/// fabricated file thus cannot cause large allocations or long loops.
 void expect_in_file(hid_t object, const std::string& name, hsize_t values) {
   const Handle file(H5Iget_file_id(object), H5Fclose);
   hsize_t bytes = 0;
@@ -55,7 +55,7 @@ void expect_in_file(hid_t object, const std::string& name, hsize_t values) {
     throw Failure(name + " is longer than the file");
 }
 
-/// Of a dataset; 1 where it has no chunks.
+/// The rows per chunk of a dataset; 1 if it is not chunked.
 hsize_t rows_of_chunk(hid_t dataset) {
   const Handle creation(H5Dget_create_plist(dataset), H5Pclose);
   hsize_t chunk[2] = {1, 1};
@@ -75,7 +75,7 @@ void expect_number(const Handle& type, const std::string& name) {
     throw Failure(name + " holds no numbers");
 }
 
-/// The stored text without its padding.
+/// Reads the stored text without its padding.
 template <class Read>
 std::string fetch_text(hid_t object, const std::string& name, const Handle& type,
                        const Handle& space, Read&& read) {
@@ -95,8 +95,8 @@ std::string fetch_text(hid_t object, const std::string& name, const Handle& type
 std::string last_error() {
   std::string text;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &text);
-  // "unable to open file: name = 'x', errno = 2, error message = 'No such file...',
-  // ..."
+  // The description reads "unable to open file: name = 'x', errno = 2, error message =
+  // 'No such file...', ...".
   const std::string mark = "error message = '";
   if (const auto start = text.find(mark); start != std::string::npos) {
     const auto from = start + mark.size();
@@ -176,7 +176,7 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
 }
 
 void write_text(hid_t parent, const std::string& path, const std::string& text) {
-  // A text of no length is one padding byte.
+  // An empty text is stored as one padding byte.
   const Handle type = text_type(text.size(), H5T_CSET_UTF8), links = link_creation();
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const Handle dataset(H5Dcreate2(parent, path.c_str(), type.get(), space.get(),

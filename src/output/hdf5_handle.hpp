@@ -1,5 +1,5 @@
-// A thin layer over the HDF5 C API: handles that close themselves, failures as
-// exceptions with the system's reason, and columns that grow row by row.
+// A thin layer over the HDF5 C API. Handles close themselves, failures are exceptions
+// with the system's reason, and columns grow row by row.
 #pragma once
 
 #include <hdf5.h>
@@ -13,27 +13,27 @@
 
 namespace blocks::output::hdf5 {
 
-/// What HDF5 refused and why, without the file's name: callers know it.
+/// An HDF5 error and its reason. The file name is added by the caller.
 class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The innermost reason on HDF5's error stack, the system's own words where it has
-/// them.
+/// The innermost reason on HDF5's error stack, or the system's error message if it has
+/// one.
 std::string last_error();
 
-/// Passes a result through; throws Failure when it is negative.
+/// Returns the result. Throws Failure if it is negative.
 template <class T> T check(T result) {
   if (result < 0)
     throw Failure(last_error());
   return result;
 }
 
-/// Owns one identifier.
+/// Owns one HDF5 identifier.
 class Handle {
  public:
   Handle() = default;
-  /// Takes over `id`; throws Failure when it is not valid.
+  /// Takes ownership of `id`. Throws Failure if it is not valid.
   Handle(hid_t id, herr_t (*closer)(hid_t)) : id_(check(id)), close_(closer) {}
   Handle(Handle&& other) noexcept
       : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
@@ -48,7 +48,8 @@ class Handle {
     if (id_ >= 0)
       close_(id_);
   }
-  /// Closes now and throws when that fails: a file's last bytes are written here.
+  /// Closes the identifier. Throws Failure on error, because closing a file writes its
+  /// last bytes.
   void close() {
     if (id_ >= 0)
       check(close_(std::exchange(id_, -1)));
@@ -61,7 +62,7 @@ class Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// The type that holds T in memory and in the file.
+/// The HDF5 type of T, in memory and in the file.
 template <class T> hid_t type_of() {
   if constexpr (std::is_same_v<T, double>)
     return H5T_NATIVE_DOUBLE;
@@ -79,9 +80,9 @@ template <class T> hid_t type_of() {
   }
 }
 
-/// Files are never locked, so that a reader can look during a run; those that are
-/// written are sound at every moment (ordered_file.hpp). `user_block`: bytes
-/// at the head that HDF5 leaves alone.
+/// Files are never locked, so that they can be read during a run. Files being written
+/// are consistent at every moment (ordered_file.hpp). `user_block` is the number of
+/// bytes at the head that HDF5 does not use.
 Handle create_file(const std::string& path, hsize_t user_block = 0);
 Handle open_file(const std::string& path, bool writable);
 
@@ -89,15 +90,15 @@ Handle create_group(hid_t parent, const std::string& path);
 Handle open_group(hid_t parent, const std::string& path);
 bool exists(hid_t parent, const std::string& name);
 
-/// Scalar attributes, overwritten in place.
+/// Scalar attributes. An existing one is overwritten in place.
 void write_attribute(hid_t object, const std::string& name, std::int64_t value);
 std::int64_t read_attribute(hid_t object, const std::string& name);
-/// An ASCII string of fixed length, the kind VTK insists on.
+/// An ASCII string of fixed length, as VTK requires.
 void write_text_attribute(hid_t object, const std::string& name,
                           const std::string& value);
 std::string read_text_attribute(hid_t object, const std::string& name);
 
-/// A text of any length as a scalar dataset; groups on the way are made.
+/// A text of any length as a scalar dataset. Missing groups are created.
 void write_text(hid_t parent, const std::string& path, const std::string& text);
 std::string read_text(hid_t parent, const std::string& path);
 
@@ -105,21 +106,22 @@ std::string read_text(hid_t parent, const std::string& path);
 class Column {
  public:
   Column() = default;
-  /// width 0: plain one-dimensional. checked: fletcher32 on every chunk.
+  /// If `width` is 0, the dataset is one-dimensional. `checked` adds a Fletcher-32
+  /// checksum to every chunk.
   Column(hid_t parent, const std::string& path, hid_t type, hsize_t width,
          hsize_t chunk_rows, bool checked = false);
   static Column open(hid_t parent, const std::string& path);
 
   hsize_t rows() const { return rows_; }
   hsize_t width() const { return width_ == 0 ? 1 : width_; }
-  /// Rows that lie together in the file.
+  /// The number of rows per chunk.
   hsize_t chunk_rows() const { return chunk_rows_; }
 
-  /// Writes rows from `row` on, growing as needed.
+  /// Writes `count` rows from `row` on. The dataset grows as needed.
   template <class T> void put(hsize_t row, const T* values, hsize_t count) {
     transfer(row, count, type_of<T>(), values, nullptr);
   }
-  /// Throws Failure unless all the rows exist.
+  /// Reads `count` rows from `row` on. Throws Failure if they do not all exist.
   template <class T> std::vector<T> read(hsize_t row, hsize_t count) {
     require(row, count);
     std::vector<T> values(count * width());
@@ -128,7 +130,7 @@ class Column {
   }
   template <class T> T at(hsize_t row) { return read<T>(row, 1).front(); }
 
-  /// Forgets the rows from `rows` on. Throws Failure when there are fewer.
+  /// Removes the rows from `rows` on. Throws Failure if there are fewer.
   void truncate(hsize_t rows);
 
  private:

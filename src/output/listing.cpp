@@ -28,7 +28,7 @@ void Listing::flush() {
 }
 
 void Listing::deck_echo(const RunIdentity& identity) {
-  // The folder is left out: the same deck lists alike wherever it lies.
+  // The folder is omitted, so that the listing does not depend on where the deck is.
   const std::string deck =
       std::filesystem::path(identity.deck_file).filename().string();
   out_ << fmt::format("BLOCKS {}    two-dimensional block motion\n\n{}\n",

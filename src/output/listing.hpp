@@ -1,5 +1,4 @@
-// The printed output: NAME.out with the input echo (LISTI), OUTPUT tables (OUT) and
-// DUMP.
+// The listing NAME.out: the input echo (LISTI), OUTPUT tables (OUT) and DUMP.
 #pragma once
 
 #include <fstream>
@@ -13,22 +12,27 @@ namespace blocks::output {
 
 class Listing {
  public:
-  /// Creates (or, to continue, appends to) the file. Throws FileError.
+  /// Creates the file or, if `append` is set, continues it. Throws FileError.
   Listing(const std::string& path, bool append);
 
-  void deck_echo(
-      const RunIdentity& identity);       ///< title, version, the deck's lines numbered
-  void input_echo(const Model& model);    ///< LISTI: settings, materials, function,
-                                          ///< loads, planes, layers, merges, blocks
-  void message(const std::string& line);  ///< warnings, domain exits
-  void
-  table(const Model& model);  ///< OUT: position, velocity, stress of the chosen blocks
-  void dump(const Model& model);     ///< DUMP: blocks, boxes, contacts
-  void closing(const Model& model);  ///< totals at the end
-  long size();                       ///< bytes written so far
+  /// Writes the title, the version and the numbered lines of the deck.
+  void deck_echo(const RunIdentity& identity);
+  /// LISTI: writes settings, materials, function, loads, planes, layers, merges and
+  /// blocks.
+  void input_echo(const Model& model);
+  /// Writes a line, such as a warning or a domain exit.
+  void message(const std::string& line);
+  /// OUT: writes position, velocity and stress of the chosen blocks.
+  void table(const Model& model);
+  /// DUMP: writes blocks, boxes and contacts.
+  void dump(const Model& model);
+  /// Writes the totals at the end.
+  void closing(const Model& model);
+  /// The number of bytes written so far.
+  long size();
 
  private:
-  void flush();  ///< throws FileError when the disk is full
+  void flush();  ///< throws FileError if the disk is full
   std::ofstream out_;
   std::string path_;
 };

@@ -1,5 +1,5 @@
-// DUMP: blocks with their corners, boxes with theirs, and the whole contact list
-// (report A.2.16).
+// DUMP: the blocks and the boxes with their corners, and the whole contact list (report
+// A.2.16).
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,15 +10,15 @@
 namespace blocks::output {
 namespace {
 
-/// Which of `boxes` boxes between lower and upper holds x, from 0: the nearest for a
-/// place outside, the first for one that is not a number.
+/// The index, from 0, of the box that holds x, out of `boxes` boxes between lower and
+/// upper. A point outside gets the nearest box; NaN gets the first one.
 int box_index(double x, double lower, double upper, int boxes) {
   const double along = (x - lower) * (boxes / (upper - lower));
   return along > 0.0 ? static_cast<int>(std::min(along, boxes - 1.0)) : 0;
 }
 
-/// Corners of each box that holds any; boxes are numbered row by row from the bottom
-/// left.
+/// The corners of each box that is not empty. Boxes are numbered row by row from the
+/// bottom left.
 std::map<long, std::vector<int>> filled_boxes(const Model& model) {
   const Settings& s = model.settings;
   std::map<long, std::vector<int>> boxes;

@@ -1,4 +1,4 @@
-// The input echo (LISTI): what was understood of the deck, with the report's names.
+// The input echo (LISTI): the deck as it was read, with the report's names.
 #include "output/listing.hpp"
 #include "output/listing_text.hpp"
 

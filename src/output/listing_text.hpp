@@ -1,5 +1,6 @@
-// Pieces of fixed-width text shared by the parts of the listing: 132 columns, as
-// printers had. No clock, no folder names: two equal runs print equal listings.
+// Fixed-width text shared by the parts of the listing, 132 columns wide as on line
+// printers. It contains no times or folder names, so that identical runs print
+// identical listings.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 
 namespace blocks::output {
 
-/// Nine digits, a sign, an exponent of three digits and a space between.
+/// Nine digits. The width leaves room for a sign, a three-digit exponent and a space.
 inline std::string number(double value) { return fmt::format("{:>17.9g}", value); }
 inline std::string whole(long value) { return fmt::format("{:>9}", value); }
 
@@ -19,7 +20,7 @@ inline std::string heading(std::string_view text) {
   return fmt::format("\n{}\n{:-<{}}\n", text, "", text.size());
 }
 
-/// One column title, as wide as number() or whole().
+/// A column title, as wide as number() or whole().
 inline std::string over_number(std::string_view title) {
   return fmt::format("{:>17}", title);
 }

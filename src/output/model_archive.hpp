@@ -1,5 +1,5 @@
-// Two archives for visit_model: one writes fields as datasets of a file, one reads them
-// back bit by bit. Doubles stay doubles, whole numbers become 64 bits.
+// Two archives for visit_model: one writes fields as datasets of a file, the other
+// restores them bit for bit. Integers are stored with 64 bits.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ template <class T> Stored<T> to_stored(T value) {
     return static_cast<Stored<T>>(value);
 }
 
-/// Throws Failure when the value does not fit: the file then is not what it says it is.
+/// Throws Failure if the value does not fit into T, because the file is then invalid.
 template <class T> T from_stored(Stored<T> value) {
   const T result = static_cast<T>(value);
   if constexpr (!std::is_floating_point_v<T>)
@@ -34,7 +34,7 @@ template <class T> T from_stored(Stored<T> value) {
   return result;
 }
 
-/// Members of a list of structs, one column each, in the order they are named.
+/// One member of all structs in a list, as a column.
 using RecordColumn = std::variant<std::vector<double>, std::vector<std::int64_t>>;
 
 class SavingArchive {
@@ -62,8 +62,8 @@ class SavingArchive {
   void operator()(const std::string& name, const std::vector<T>& values) {
     put_pieces<Stored<T>>(name, values, [](T value) { return to_stored(value); });
   }
-  /// One row of the dataset for each column of the matrix: a block, a corner, a
-  /// contact.
+  /// Writes each column of the matrix, such as a block, a corner or a contact, as one
+  /// row of the dataset.
   template <class Derived>
   void operator()(const std::string& name,
                   const Eigen::PlainObjectBase<Derived>& matrix) {
@@ -87,10 +87,10 @@ class SavingArchive {
   }
 
  private:
-  /// One member of a record; the others are passed over.
+  /// Captures one member of a record and skips the others.
   struct Member {
     std::size_t wanted, passed = 0;
-    const char* name = nullptr;  ///< nullptr: there is none of that number
+    const char* name = nullptr;  ///< null if there is no member of that index
     std::variant<double, std::int64_t> value = {};
     template <Number T> void operator()(const char* its_name, const T& member) {
       if (passed++ == wanted)
@@ -108,7 +108,8 @@ class SavingArchive {
   void put(const std::string& name, const T* values, hsize_t rows, hsize_t width) {
     make<T>(name, rows, width).put(0, values, rows);
   }
-  /// A column for each member, one after the other: never all of them in memory.
+  /// Writes one column per member, one after the other, so that they are never all in
+  /// memory.
   template <class List, class Visit>
   void put_members(const std::string& name, const List& list, Visit&& visit) {
     if (list.empty())
@@ -129,8 +130,8 @@ class SavingArchive {
           first.value);
     }
   }
-  /// A column of value(item) for each item of a list, in pieces: no second list of
-  /// contacts beside the first.
+  /// Writes the column of value(item) for all items in pieces, so that the list is
+  /// never copied as a whole.
   template <class T, class List, class Value>
   void put_pieces(const std::string& name, const List& list, Value&& value) {
     hdf5::Column column = make<T>(name, list.size(), 0);

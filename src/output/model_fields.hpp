@@ -1,13 +1,13 @@
-// Every field of a model, named once: the checkpoint's writer and reader both walk this
-// list, so they cannot drift apart. The structured bindings name every member, so that
-// a field added to a struct does not compile until it is listed here.
+// The list of all fields of a model. The writer and the reader of checkpoints both use
+// it, so they always agree. The structured bindings name every member, so a new member
+// of a struct does not compile until it is listed here.
 #pragma once
 
 #include "model/model.hpp"
 
 namespace blocks::output {
 
-// An archive offers
+// An archive provides
 //   ar(name, field)             for numbers, enums, texts, vectors, Eigen columns
 //   ar.records(name, list, f)   for lists of structs: f(column, record) calls
 //                               column(name, member) for every member

@@ -21,7 +21,7 @@ using Bytes = std::vector<unsigned char>;
 
 constexpr herr_t failed = -1;
 
-/// The system's words, in the form in which HDF5's own driver reports them.
+/// Pushes the system's error message in the format of HDF5's own driver.
 herr_t fail(hid_t what) {
   H5Epush2(H5E_DEFAULT, __FILE__, "ordered_file", __LINE__, H5E_ERR_CLS, H5E_IO, what,
            "error message = '%s'", std::strerror(errno));
@@ -29,18 +29,18 @@ herr_t fail(hid_t what) {
 }
 
 struct OrderedFile {
-  H5FD_t shared;  ///< HDF5's part, first
+  H5FD_t shared;  ///< HDF5's part; must come first
   int file = -1;
   haddr_t end_allocated = 0, end_written = 0;
-  haddr_t end_known = 0;                        ///< of what readers may follow
-  std::map<haddr_t, Bytes>* waiting = nullptr;  ///< metadata, not yet in the file
-  bool lost = false;                            ///< a write failed: no more of them
-  bool untold = false;                          ///< which has not been reported
+  haddr_t end_known = 0;  ///< end of the parts that readers may refer to
+  std::map<haddr_t, Bytes>* waiting = nullptr;  ///< metadata not yet in the file
+  bool lost = false;    ///< a write failed; nothing more is written
+  bool untold = false;  ///< the failure has not been reported
 };
 
-/// HDF5 is C: nothing may be thrown through it. Without memory the file stays as
-/// readers know it; what cannot be done is told by the next flush, since HDF5 could not
-/// close a file that refuses its metadata.
+/// HDF5 is written in C, so no exception may pass through it. If memory runs out, the
+/// published part of the file stays unchanged. The next flush reports the failure,
+/// because HDF5 cannot close a file that rejects its metadata.
 template <class Action> herr_t without_throwing(OrderedFile& file, Action&& action) {
   try {
     return action();
@@ -73,7 +73,7 @@ bool put(OrderedFile& to, haddr_t at, const unsigned char* bytes, std::size_t si
   return true;
 }
 
-/// Pieces of what waits that lie in [at, at + size) go; their ends outside stay.
+/// Removes [at, at + size) from the waiting metadata; parts outside that range remain.
 void make_room(std::map<haddr_t, Bytes>& waiting, haddr_t at, std::size_t size) {
   auto run = waiting.upper_bound(at);
   if (run != waiting.begin())
@@ -98,7 +98,7 @@ bool is_superblock(const Bytes& bytes) {
   return bytes.size() > 4 && std::memcmp(bytes.data(), "\x89HDF", 4) == 0;
 }
 
-/// Height of a B-tree node above the leaves, 0 for everything else.
+/// The height of a B-tree node above the leaves; 0 for everything else.
 int height(const Bytes& bytes) {
   constexpr std::size_t level = 5;
   return bytes.size() > level && std::memcmp(bytes.data(), "TREE", 4) == 0
@@ -106,9 +106,10 @@ int height(const Bytes& bytes) {
              : 0;
 }
 
-/// New space first, which nothing refers to; then the superblock, which says how long
-/// the file is; then nodes before the nodes below them, since a split moves entries
-/// from a node to a new one that only its parent tells of.
+/// Writes the waiting metadata. New space comes first, because nothing refers to it.
+/// The superblock follows, because it holds the length of the file. B-tree nodes come
+/// before the nodes below them: a split moves entries to a new node that only its
+/// parent refers to.
 bool publish(OrderedFile& file) {
   if (file.lost)
     return true;
@@ -174,7 +175,7 @@ herr_t close_file(H5FD_t* shared) {
 }
 
 herr_t query(const H5FD_t*, unsigned long* flags) {
-  *flags = 0;  // each structure comes in a write of its own
+  *flags = 0;  // each structure is written separately
 #ifdef H5FD_FEAT_DEFAULT_VFD_COMPATIBLE
   *flags |= H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
 #endif
@@ -209,7 +210,7 @@ herr_t read(H5FD_t* shared, H5FD_mem_t, hid_t, haddr_t at, std::size_t size,
       continue;
     if (got < 0)
       return fail(H5E_READERROR);
-    if (got == 0) {  // nothing was ever written there
+    if (got == 0) {  // never written
       std::memset(bytes + done, 0, size - done);
       break;
     }
@@ -228,7 +229,8 @@ herr_t read(H5FD_t* shared, H5FD_mem_t, hid_t, haddr_t at, std::size_t size,
   return 0;
 }
 
-/// Values go to the file at once: those of published frames are rewritten as they are.
+/// Raw data are written at once. Values of published frames are only rewritten
+/// unchanged.
 herr_t write(H5FD_t* shared, H5FD_mem_t type, hid_t, haddr_t at, std::size_t size,
              const void* from) {
   OrderedFile& file = ordered(shared);
@@ -243,8 +245,8 @@ herr_t write(H5FD_t* shared, H5FD_mem_t type, hid_t, haddr_t at, std::size_t siz
   });
 }
 
-/// At closing there is nobody to be told, and HDF5 would keep the file half closed: who
-/// wants to know flushes first.
+/// Errors are not reported while closing, because HDF5 would then keep the file half
+/// closed. Callers that need them flush first.
 herr_t flush(H5FD_t* shared, hid_t, hbool_t closing) {
   OrderedFile& file = ordered(shared);
   const herr_t done =

@@ -1,16 +1,18 @@
-// An HDF5 file driver whose file is sound at every moment: what readers may already
-// follow is changed at flushes only, and in an order in which they never meet a
-// reference to what is not there yet. kill -9 between any two writes loses nothing that
-// was flushed before. After a failed write, which is reported, nothing more is written,
-// so that HDF5 can close the file. Knows bytes and HDF5's superblock and B-tree nodes,
-// nothing of BLOCKS.
+// An HDF5 file driver that keeps the file consistent at every moment. Parts that
+// readers may refer to change only at flushes. They are written in an order in which no
+// reader finds a reference to missing data. A kill -9 between any two writes loses
+// nothing that was flushed before.
+//
+// After a failed write, which is reported, nothing more is written, so that HDF5 can
+// close the file. The driver interprets HDF5's superblock and B-tree nodes and is
+// independent of BLOCKS.
 #pragma once
 
 #include <hdf5.h>
 
 namespace blocks::output::hdf5 {
 
-/// Makes files opened with this access list be written in order. Throws Failure.
+/// Selects this driver for files opened with the access list. Throws Failure.
 void write_in_order(hid_t file_access);
 
 }  // namespace blocks::output::hdf5

@@ -20,13 +20,13 @@ namespace {
 struct Range {
   double least, most;
   const char* words;
-  bool open = false;  ///< least itself is outside
+  bool open = false;  ///< `least` itself is excluded
 };
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr Range finite{-largest, largest, "a finite number"};
 constexpr Range not_negative{0.0, largest, "a number from 0"};
-/// That can be counted on.
+/// Counts that a double represents exactly.
 constexpr Range count_from_0{0.0, 0x1p53, "a number from 0 to 9007199254740992"};
 constexpr Range positive{0.0, largest, "a number above 0", true};
 constexpr Range yes_or_no{0.0, 1.0, "0 or 1"};
@@ -46,7 +46,7 @@ void expect(const std::string& name, const Vec2& point) {
   expect(name, point.y(), finite);
 }
 
-/// `rows` of them, each in its range.
+/// Expects `rows` rows with all values in the range.
 template <class Column>
 void expect_all(const char* name, const Column& column, Eigen::Index rows,
                 const Range& range) {
@@ -62,7 +62,7 @@ void expect_all(const char* name, const Column& column, Eigen::Index rows,
                              value, range.words));
 }
 
-/// An index from 0 to n - 1.
+/// Expects an index in [0, n).
 void expect_index(const std::string& name, long index, long n) {
   if (index < 0 || index >= n)
     impossible(fmt::format("{} names number {} of {}", name, index + 1, n));
@@ -116,7 +116,7 @@ void expect_settings(const Settings& s) {
     expect("settings/merge_ratio", s.merge_ratio->value(), not_negative);
 }
 
-/// Blocks follow each other, the corners of each in a ring.
+/// Expects consecutive blocks and the corners of each block in a ring.
 void expect_corners(const Blocks& b) {
   const std::size_t n = b.material.size();
   if (b.first_corner.size() != n + 1 || b.first_corner[0] != 0)
@@ -143,7 +143,8 @@ void expect_corners(const Blocks& b) {
                                c - first + 1, k + 1));
 }
 
-/// Convex parts of blocks that are not convex, each with three corners or more.
+/// Expects convex parts of blocks that are not convex, each with at least three
+/// corners.
 void expect_cuts(const Blocks& b) {
   const auto refuse = [] { impossible("blocks/cuts holds no convex parts"); };
   std::vector<char> is_cut(b.convex.begin(), b.convex.end());
@@ -266,7 +267,7 @@ void expect_loads(const Loads& loads, const Blocks& b) {
     impossible("loads without a function of time");
 }
 
-/// Each block of the time step's once, or none.
+/// Expects no order, or each block of the time step exactly once.
 void expect_order(const Model& model) {
   if (model.order.empty())
     return;
@@ -278,7 +279,8 @@ void expect_order(const Model& model) {
       impossible(fmt::format("order names block {} twice", block + 1));
 }
 
-/// In the middle of a motion all blocks have their time step and place in the order.
+/// Expects all blocks to have a time step and a place in the order if a motion is
+/// partly done.
 void expect_all_move(const Model& model, const Progress& at) {
   const int blocks = model.time_step.blocks;
   if (at.steps_left > 0 && blocks != model.blocks.size())
@@ -286,7 +288,7 @@ void expect_all_move(const Model& model, const Progress& at) {
                            blocks, model.blocks.size()));
 }
 
-/// What was told of blocks and layers.
+/// Expects valid output blocks, domain exits, merges and layers.
 void expect_records(const Model& model) {
   for (const int block : model.output_blocks)
     expect("output/blocks", block, not_negative);
@@ -352,7 +354,7 @@ void expect_info(const CheckpointInfo& info, int blocks) {
     expect(std::string("run/") + name, static_cast<double>(count), count_from_0);
   if (at.frames > info.results_frames || at.listing_bytes > info.listing_bytes)
     impossible("run/progress lies behind the end of its results or listing");
-  // Infinite where no block is convex.
+  // It is infinite if no block is convex.
   expect("run/progress/half_depth", at.half_depth, {0.0, infinite, "a number from 0"});
   for (const geometry::BlockOverlap& overlap : at.overlaps) {
     expect_index("run/progress/overlaps/second", overlap.second, blocks);

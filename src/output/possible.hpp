@@ -1,16 +1,16 @@
-// What holds for every state a run can leave, field by field: a checkpoint that was
-// made up, with a right checksum, is refused before a step is made with it. Knows the
-// model and the names of visit_model, no files.
+// Checkpoint validation: checks, field by field, conditions that hold for every state
+// of a run. A fabricated checkpoint with a correct checksum is thus rejected before it
+// is used. Depends on the model and the names of visit_model, not on files.
 #pragma once
 
 #include "output/checkpoint.hpp"
 
 namespace blocks::output {
 
-/// Throws hdf5::Failure, "blocks/mass: value 3 is -1, expected a number above 0": a
-/// number that is not finite or out of its range, columns of different lengths, an
-/// index of nothing, contacts out of order. Every field of `info` and `model` is looked
-/// at.
+/// Checks every field of `info` and `model`. Throws hdf5::Failure, such as
+/// "blocks/mass: value 3 is -1, expected a number above 0". It rejects numbers that are
+/// not finite or out of range, columns of different lengths, invalid indices, and
+/// contacts out of order.
 void expect_possible(const Model& model, const CheckpointInfo& info);
 
 }  // namespace blocks::output

@@ -1,6 +1,6 @@
-// The layout follows VTKHDF 2.0: /VTKHDF holds the flattened arrays of all frames,
-// /VTKHDF/Steps where each frame begins in them, and its attribute NSteps how many
-// frames are complete. Free-form data are under /BLOCKS.
+// The layout follows VTKHDF 2.0. /VTKHDF holds the flattened arrays of all frames.
+// /VTKHDF/Steps holds where each frame begins in them, and its attribute NSteps the
+// number of complete frames. Free-form data are under /BLOCKS.
 #include "output/results.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ constexpr unsigned char polygon = 7;  // VTK_POLYGON
 
 struct CellField {
   const char* name;
-  bool whole;  ///< int, else double
+  bool whole;  ///< int if true, otherwise double
   hsize_t width;
 };
 constexpr CellField cell_fields[] = {
@@ -41,7 +41,7 @@ constexpr CellField frame_fields[] = {{"Time", false, 0},
                                       {"Contacts", true, 0},
                                       {"WorstOverlap", false, 0}};
 
-/// VTK wants three components: z = 0.
+/// VTK requires three components, so z = 0.
 auto in_space(const Eigen::Matrix2Xd& plane) {
   return [&plane, rows = std::vector<double>()](hsize_t first, hsize_t count) mutable {
     rows.clear();
@@ -52,7 +52,8 @@ auto in_space(const Eigen::Matrix2Xd& plane) {
   };
 }
 
-/// Where the corners of each block begin, and where those of the last one end.
+/// The index of the first corner of each block, and the end of the last block's
+/// corners.
 auto starts_of(const Blocks& blocks) {
   return made_of<std::int64_t>([&](hsize_t row) { return blocks.first_corner[row]; });
 }
@@ -61,14 +62,14 @@ auto starts_of(const Blocks& blocks) {
 
 struct ResultsWriter::File {
   std::string path;
-  std::string written_as;  ///< temporary name, until there is a first frame
-  std::string aside;       ///< ending that an older file of its name then gets
-  ChangeMark mark;         ///< outlives what closes the file
+  std::string written_as;  ///< temporary name until the first frame
+  std::string aside;       ///< ending for an older file of this name
+  ChangeMark mark;         ///< destroyed after the HDF5 handles
   hdf5::Handle file, vtk, steps, own;
   long frames = 0;
   std::int64_t last_step = -1;
 
-  // Made with the first frame, when the number of blocks is known.
+  // Created with the first frame, when the number of blocks is known.
   bool laid_out = false;
   Column points, connectivity, offsets, types;
   Column number_of_points, number_of_cells, number_of_ids;
@@ -77,7 +78,7 @@ struct ResultsWriter::File {
   std::map<std::string, Column> frame_data, frame_offsets, frame_sizes;
   std::unique_ptr<ContactColumns> contacts;
 
-  /// Where the topology last written stands; part -1: nowhere.
+  /// Position of the topology written last; part is -1 if there is none.
   std::int64_t part = -1, first_cell = 0, first_id = 0;
 
   File() = default;
@@ -100,16 +101,16 @@ struct ResultsWriter::File {
   }
 };
 
-/// HDF5 writes its last words while the members go.
+/// HDF5 flushes while members are destroyed, so the mark must show a change.
 ResultsWriter::File::~File() {
   try {
     mark.begin();
-  } catch (...) {  // nothing more can be written then
+  } catch (...) {  // the file can no longer be written
   }
 }
 
-/// Goes through all datasets once, for making and for opening. make(group, name, type,
-/// width, rows of a chunk) returns the column.
+/// Visits all datasets, in order to create or to open them. make(group, name, type,
+/// width, rows per chunk) returns the column.
 template <class Make>
 void ResultsWriter::File::lay_out(Make&& make, hsize_t blocks, hsize_t corners) {
   const hid_t whole = H5T_NATIVE_INT64, real = H5T_NATIVE_DOUBLE;
@@ -183,7 +184,7 @@ void ResultsWriter::File::keep(long count) {
   if (!hdf5::exists(own.get(), "steps"))
     return;  // no frame was ever written
   open_columns();
-  publish(count);  // from here on the later frames do not exist for any reader
+  publish(count);  // readers no longer see later frames
 
   hsize_t cell_count = 0, corner_end = 0, cell_end = 0, id_end = 0, parts = 0;
   const auto kept = static_cast<hsize_t>(count);
@@ -209,7 +210,7 @@ void ResultsWriter::File::keep(long count) {
   points.truncate(corner_end);
   connectivity.truncate(id_end);
   types.truncate(cell_end);
-  offsets.truncate(cell_end + parts);  // one more than cells in each part
+  offsets.truncate(cell_end + parts);  // each part has one more than cells
   for (Column* column : {&number_of_points, &number_of_cells, &number_of_ids})
     column->truncate(parts);
   for (Column* column : {&values, &number_of_parts, &part_offsets, &point_offsets,
@@ -222,7 +223,7 @@ void ResultsWriter::File::keep(long count) {
   hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
 }
 
-/// Whether the topology last written is that of these blocks.
+/// Whether the topology written last is that of these blocks.
 bool ResultsWriter::File::has_topology(const Blocks& blocks) {
   if (part < 0)
     return false;
@@ -232,16 +233,17 @@ bool ResultsWriter::File::has_topology(const Blocks& blocks) {
                   blocks.first_corner.size(), starts_of(blocks));
 }
 
-/// Connectivity is the identity within a frame, so it is written again only when blocks
-/// were added. VTK finds the n + 1 offsets of a part at CellOffsets + PartOffsets.
+/// Connectivity is the identity within a frame, so it is written again only if blocks
+/// were added. VTK reads the n + 1 offsets of a part at CellOffsets + PartOffsets.
 void ResultsWriter::File::put_topology(const Blocks& blocks) {
   if (has_topology(blocks))
     return;
-  part = -1;  // stays so when the writing fails
+  part = -1;  // remains -1 if writing fails
   const std::int64_t points_here = blocks.corners(), cells_here = blocks.size();
 
-  // An interrupted write may have left the columns at unequal lengths: VTK needs cells,
-  // parts and offsets in step, so all are placed by the number of parts and cells.
+  // An interrupted write may have left columns of unequal lengths. VTK needs consistent
+  // cells, parts and offsets, so all positions follow from the numbers of parts and
+  // cells.
   const hsize_t next = number_of_cells.rows();
   first_cell = static_cast<std::int64_t>(types.rows());
   first_id = static_cast<std::int64_t>(connectivity.rows());
@@ -294,18 +296,18 @@ void ResultsWriter::File::put_frame_data(const Model& model) {
     column.put(frame, size, 1);
 }
 
-/// With its first frame the file takes its name, and an older one steps aside.
+/// Gives the file its final name after the first frame and renames an older file.
 void ResultsWriter::File::appear() {
   if (written_as.empty())
     return;
-  std::error_code ignored;  // whatever is wrong shows at the next move
+  std::error_code ignored;  // move_file() reports errors
   if (std::filesystem::exists(path, ignored))
     move_file(path, path + aside);
   move_file(written_as, path);
   written_as.clear();
 }
 
-/// Without a frame there is nothing to keep.
+/// Removes a file that has no frame.
 void ResultsWriter::File::discard() {
   if (!written_as.empty())
     ::unlink(written_as.c_str());
@@ -397,7 +399,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
 ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
-  FileInHand in_hand("continue", path);  // until what failed is closed again
+  FileInHand in_hand("continue", path);  // also covers closing after a failure
   auto file = std::make_unique<File>();
   file->path = path;
   try {

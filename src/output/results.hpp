@@ -1,5 +1,6 @@
-// The plot tape's heir: NAME.vtkhdf, a transient unstructured grid of polygons that
-// ParaView reads, with all block quantities as cell data (report A.2.18, Appendix G.1).
+// NAME.vtkhdf, which replaces the plot tape of the report. It is a transient
+// unstructured grid of polygons for ParaView, with all block quantities as cell data
+// (report A.2.18, Appendix G.1).
 #pragma once
 
 #include <memory>
@@ -11,45 +12,46 @@
 
 namespace blocks::output {
 
-/// A file that cannot be written or read: exit code 5.
+/// Thrown if a file cannot be written or read; the exit code is 5.
 class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Written once, at the head of the file.
+/// The identity of a run. It is written once, when the results file is created.
 struct RunIdentity {
   std::string deck_file, deck_text, title, version;
   unsigned long long seed = 0;
-  std::string overrides = {};  ///< --set options and sums of meshes, a line each
+  std::string overrides = {};  ///< --set options and mesh hashes, one per line
 
-  /// The deck as a person knows it: name of its file, title.
+  /// The file name and the title of the deck.
   std::string deck_name() const;
-  /// The same deck, letter for letter, with the same options and seed.
+  /// Whether the name, title, text, options and seed of the decks are identical.
   bool same_deck(const RunIdentity& other) const;
 };
 
-/// Appends frames; readable by others at any moment.
+/// Appends frames to a file that other programs can read at any moment.
 class ResultsWriter {
  public:
-  /// Creates the file as PATH.tmp. It takes its name when its first frame is in it; an
-  /// existing one of that name is moved to PATH + `aside` then.
+  /// Creates the file as PATH.tmp. After the first frame it is renamed to PATH, and an
+  /// existing file is renamed to PATH + `aside`.
   ResultsWriter(const std::string& path, const RunIdentity& identity,
                 std::string aside = ".bak");
-  /// Opens an existing file, keeps its first `frames` frames and goes on after them.
+  /// Opens an existing file, keeps its first `frames` frames and continues after them.
   static ResultsWriter reopen(const std::string& path, long frames);
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;
   ResultsWriter& operator=(ResultsWriter&&) noexcept;
 
-  /// Drawn when a file is made, so that a checkpoint knows the results it belongs to.
+  /// The random identifier of the file. A checkpoint stores it to identify its results.
   std::string run_id() const;
-  /// That of a file; empty when it cannot be read or is none of ours.
+  /// The identifier of a file; empty if it cannot be read or is not a results file.
   static std::string run_id_of(const std::string& path);
-  /// Of the run that wrote a file; nothing when it cannot be read or is none of ours.
+  /// The identity of the run that wrote a file; empty if it cannot be read or is not a
+  /// results file.
   static std::optional<RunIdentity> identity_of(const std::string& path);
 
-  /// Appends the state; does nothing if a frame of this step is already the last one,
-  /// unless the state has `changed` since.
+  /// Appends the state. If the last frame already has this step, does nothing unless
+  /// the state has `changed` since.
   void write(const Model& model, bool changed = false);
   long frames() const;
 

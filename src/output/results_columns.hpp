@@ -1,5 +1,5 @@
-// The columns of NAME.vtkhdf as frames see them: a column of cell data that repeats
-// itself is not written again but found through its offset.
+// The columns of NAME.vtkhdf, written frame by frame. Cell data that do not change are
+// stored once; the offsets of later frames refer to them.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace blocks::output {
 
-/// Rows per frame -> rows per chunk: a frame fills whole chunks, small frames share
-/// one.
+/// Returns the rows per chunk, from the rows per frame. A large frame fills whole
+/// chunks; small frames share one.
 inline hsize_t chunk_rows(hsize_t rows) {
   constexpr hsize_t least = 256, most = 16384;
   if (rows == 0)
@@ -24,16 +24,16 @@ inline hsize_t chunk_rows(hsize_t rows) {
   return (rows + chunks - 1) / chunks;
 }
 
-/// So many rows are put together, compared and written at a time: however large the
-/// model, a frame takes no more memory.
+/// The number of rows assembled, compared and written at a time. It bounds the memory
+/// that a frame needs, for any size of the model.
 constexpr hsize_t rows_at_once = 16384;
 
-/// Rows that lie in memory as they are written, `width` values each.
+/// A source of rows that are in memory as they are written, with `width` values each.
 template <class T> auto as_stored(const T* values, std::size_t width = 1) {
   return [=](hsize_t first, hsize_t) { return values + first * width; };
 }
 
-/// Rows of one value, value(row), made as they are written.
+/// A source of rows of one value, value(row), computed when they are written.
 template <class T, class Value> auto made_of(Value value) {
   return [value, made = std::vector<T>()](hsize_t first, hsize_t count) mutable {
     made.clear();
@@ -43,9 +43,9 @@ template <class T, class Value> auto made_of(Value value) {
   };
 }
 
-/// Calls act(first, count) for one piece of the rows after the other, as long as it
-/// returns true. False: it did not. The rows are those of a column from `at` on, whose
-/// chunks no piece divides, so that none is written twice.
+/// Calls act(first, count) for successive pieces of the rows until it returns false.
+/// Returns whether all calls returned true. The rows are those of a column from `at`
+/// on. No piece divides a chunk, so that no chunk is written twice.
 template <class Act>
 bool piece_by_piece(const hdf5::Column& column, hsize_t at, hsize_t rows, Act&& act) {
   for (hsize_t first = 0, next; first < rows; first = next) {
@@ -57,8 +57,8 @@ bool piece_by_piece(const hdf5::Column& column, hsize_t at, hsize_t rows, Act&& 
   return true;
 }
 
-/// Writes rows from `at` on. `source`: source(first, count) gives the values of these
-/// rows until it is called again.
+/// Writes rows from `at` on. source(first, count) returns their values, which are valid
+/// until the next call.
 template <class Source>
 void put_rows(hdf5::Column& column, hsize_t at, hsize_t rows, Source&& source) {
   piece_by_piece(column, at, rows, [&](hsize_t first, hsize_t count) {
@@ -67,7 +67,7 @@ void put_rows(hdf5::Column& column, hsize_t at, hsize_t rows, Source&& source) {
   });
 }
 
-/// Whether the rows from `at` on are those of the source, bit by bit.
+/// Whether the rows from `at` on equal those of the source, bit for bit.
 template <class Source>
 bool has_rows(hdf5::Column& column, hsize_t at, hsize_t rows, Source&& source) {
   return piece_by_piece(column, at, rows, [&](hsize_t first, hsize_t count) {
@@ -78,9 +78,9 @@ bool has_rows(hdf5::Column& column, hsize_t at, hsize_t rows, Source&& source) {
   });
 }
 
-/// Rows that differ from frame to frame, each frame with an offset. Unchanged rows are
-/// written once: block numbers, masses, the stress of rigid blocks. Whether they are
-/// unchanged the file knows.
+/// A column of data with one offset per frame. Rows that do not change are written
+/// once: block numbers, masses, the stress of rigid blocks. Changes are detected by
+/// comparison with the file.
 class FrameColumn {
  public:
   FrameColumn(hdf5::Column data, hdf5::Column offsets)
@@ -90,7 +90,7 @@ class FrameColumn {
     const bool same = offset_ >= 0 && rows_ == rows &&
                       has_rows(data_, static_cast<hsize_t>(offset_), rows, source);
     if (!same) {
-      offset_ = -1;  // stays so when the writing fails
+      offset_ = -1;  // remains -1 if writing fails
       const hsize_t end = data_.rows();
       put_rows(data_, end, rows, source);
       rows_ = rows;
@@ -99,7 +99,7 @@ class FrameColumn {
     offsets_.put(static_cast<hsize_t>(frame), &offset_, 1);
   }
 
-  /// Keeps what `frames` frames need; `rows` of the last of them.
+  /// Keeps the data of `frames` frames; the last of them has `rows` rows.
   void truncate(long frames, hsize_t rows) {
     const auto kept = static_cast<hsize_t>(frames);
     offset_ = frames == 0 ? -1 : offsets_.at<std::int64_t>(kept - 1);
@@ -110,7 +110,7 @@ class FrameColumn {
 
  private:
   hdf5::Column data_, offsets_;
-  std::int64_t offset_ = -1;  ///< -1: nothing to repeat
+  std::int64_t offset_ = -1;  ///< of the last frame; -1: none
   hsize_t rows_ = 0;          ///< of the last frame
 };
 

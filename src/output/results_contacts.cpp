@@ -5,7 +5,7 @@
 namespace blocks::output {
 namespace {
 
-/// Active contacts of one state, column by column.
+/// The active contacts of one state, stored by column.
 struct Rows {
   std::vector<int> corner_block, corner, edge_block, edge;
   std::vector<double> point, normal, normal_force, shear_force, overlap;
@@ -61,7 +61,7 @@ Rows against_planes(const Model& model) {
 }
 
 constexpr hsize_t contacts_per_chunk = 1024, frames_per_chunk = 256;
-/// Rows that are put together before they are written.
+/// The number of contacts assembled before they are written.
 constexpr std::size_t contacts_at_once = 65536;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Contacts of each frame under /BLOCKS/contacts: those that act, one after another.
+// The acting contacts of each frame under /BLOCKS/contacts, frame after frame.
 #pragma once
 
 #include <functional>
@@ -8,11 +8,12 @@
 
 namespace blocks::output {
 
-/// Blocks, corners and edges count from 1; an edge is named by its first corner. A
-/// corner on a symmetry plane has edge block 0 and the plane's number as edge.
+/// Blocks, corners and edges are numbered from 1; an edge has the number of its first
+/// corner. A corner on a symmetry plane has edge block 0 and the plane's number as
+/// edge.
 class ContactColumns {
  public:
-  /// make(name, type, width, rows of a chunk) makes or opens a column.
+  /// make(name, type, width, rows per chunk) creates or opens a column.
   using Make = std::function<hdf5::Column(const std::string&, hid_t, hsize_t, hsize_t)>;
   explicit ContactColumns(const Make& make);
 

@@ -51,8 +51,8 @@ std::optional<std::uint64_t> number_in(int file) {
 
 bool is_odd(std::uint64_t number) { return number % 2 != 0; }
 
-/// Is the writer of an odd number gone? Where there are no locks: has it not written
-/// for a minute?
+/// Whether the writer of an odd number has died. If the file system has no locks,
+/// whether the file was last written more than a minute ago.
 bool abandoned(int file) {
   if (::flock(file, LOCK_SH | LOCK_NB) == 0) {
     ::flock(file, LOCK_UN);
@@ -87,7 +87,8 @@ ChangeMark::ChangeMark(const std::string& path, bool is_new)
     file_ = OpenedFile();
     return;
   }
-  // a reader may hold it for a moment; without locks a writer's death is not seen
+  // A reader may hold the lock for a moment. The loop ends at once if there are no
+  // locks.
   for (int i = 0; i < 100 && ::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 &&
                   (errno == EWOULDBLOCK || errno == EINTR);
        ++i)
@@ -105,7 +106,7 @@ ChangeMark ChangeMark::find(const std::string& path) { return {path, false}; }
 ChangeMark::~ChangeMark() {
   try {
     end();
-  } catch (...) {  // stays odd, and nobody holds the lock
+  } catch (...) {  // the number stays odd and the lock is free
   }
 }
 

@@ -1,7 +1,7 @@
-// The mark at the head of a results file, 512 bytes of text that HDF5 leaves alone (its
-// user block): how often the file was changed, odd while a change is under way. Whoever
-// reads beside the run compares the numbers before and after and reads again. Knows
-// bytes and a lock, nothing of HDF5.
+// The mark at the head of a results file: 512 bytes of text that HDF5 does not use (its
+// user block). It holds the number of changes of the file, which is odd during a
+// change. A reader compares the numbers before and after and reads again if they
+// differ. Only bytes and a file lock are used, not HDF5.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ namespace blocks::output {
 constexpr std::size_t mark_size = 512;
 constexpr std::string_view results_head = "BLOCKS r";  ///< the first 8 bytes
 
-/// A descriptor that closes itself.
+/// A file descriptor that is closed by the destructor.
 class OpenedFile {
  public:
   explicit OpenedFile(int descriptor = -1) : descriptor_(descriptor) {}
@@ -37,24 +37,26 @@ class OpenedFile {
   int descriptor_;
 };
 
-/// The writer's side. The file is locked (advisory) while this lives, which tells a
-/// change under way from one whose writer died.
+/// The writer's side. The file has an advisory lock during the lifetime of the object.
+/// The lock distinguishes a change in progress from one whose writer died.
 class ChangeMark {
  public:
   ChangeMark() = default;
-  /// Of a new file: writes the mark. Throws hdf5::Failure.
+  /// Writes the mark of a new file. Throws hdf5::Failure.
   static ChangeMark make(const std::string& path);
-  /// Of an older one, which may have no mark and then gets none. Throws hdf5::Failure.
+  /// Finds the mark of an existing file. A file without a mark does not get one. Throws
+  /// hdf5::Failure.
   static ChangeMark find(const std::string& path);
   ChangeMark(ChangeMark&&) noexcept = default;
   ChangeMark& operator=(ChangeMark&&) noexcept = default;
-  /// Whatever was written until now stays.
+  /// Ends a change in progress. Everything written so far is kept.
   ~ChangeMark();
 
-  /// Before the first byte changes: odd. Once more changes nothing. Throws
-  /// hdf5::Failure.
+  /// Makes the number odd. Call it before the first byte changes; a second call has no
+  /// effect. Throws hdf5::Failure.
   void begin();
-  /// Behind the last one: even. Throws hdf5::Failure.
+  /// Makes the number even. Call it after the last byte has changed. Throws
+  /// hdf5::Failure.
   void end();
 
  private:
@@ -64,23 +66,24 @@ class ChangeMark {
   std::uint64_t number_ = 0;
 };
 
-/// Whether a writer holds the file, which a run does to its end. Where there are no
-/// locks: false.
+/// Whether a writer holds the lock, as a run does until its end. False if the file
+/// system has no locks.
 bool is_being_written(const std::string& path);
 
 /// The reader's side.
 class ChangeWatch {
  public:
-  /// A file that cannot be opened or has no mark counts as one that never changes.
+  /// Opens the file. A file that cannot be opened or has no mark counts as one that
+  /// never changes.
   explicit ChangeWatch(const std::string& path);
 
-  /// How often the file was changed; 0 without a mark.
+  /// The number of changes of the file; 0 without a mark.
   std::uint64_t number() const;
-  /// The number once no change is under way, or one that nobody will end; nothing when
-  /// `until` comes first.
+  /// Waits until no change is in progress or its writer has died, and returns the
+  /// number. Returns nothing if `until` comes first.
   std::optional<std::uint64_t>
   settled(std::chrono::steady_clock::time_point until) const;
-  /// Is the file still the one of that name?
+  /// Whether `path` still names the opened file.
   bool still_named(const std::string& path) const;
 
  private:

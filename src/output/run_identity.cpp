@@ -1,4 +1,4 @@
-// Which run and which deck a results file is of, without reading its frames.
+// Reads the run and the deck of a results file without its frames.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -40,7 +40,7 @@ std::optional<RunIdentity> ResultsWriter::identity_of(const std::string& path) {
     identity.title = hdf5::read_text(own.get(), "title");
     identity.seed =
         static_cast<unsigned long long>(hdf5::read_attribute(own.get(), "seed"));
-    if (hdf5::exists(own.get(), "overrides"))  // not in those of earlier versions
+    if (hdf5::exists(own.get(), "overrides"))  // missing in files of earlier versions
       identity.overrides = hdf5::read_text(own.get(), "overrides");
     return identity;
   } catch (const hdf5::Failure&) {

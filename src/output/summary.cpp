@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 Json vector(const Vec2& v) { return {v.x(), v.y()}; }
 
-/// Number, from 1, and speed of the fastest block; null without blocks.
+/// The number (from 1) and the speed of the fastest block; null without blocks.
 Json fastest_block(const Blocks& blocks) {
   int fastest = -1;
   double speed = -1.0;
@@ -43,7 +43,7 @@ Json layers(const Model& model) {
   return list;
 }
 
-/// The first pairs; the certificate has their number beside them.
+/// The first pairs. The certificate also holds the number of all pairs.
 Json pairs(const std::vector<geometry::BlockOverlap>& overlaps) {
   Json list = Json::array();
   for (std::size_t i = 0; i < std::min(overlaps.size(), most_pairs_named); ++i)
@@ -64,7 +64,7 @@ Json gaps(const AssemblyCertificate& proof) {
   return list;
 }
 
-/// Null for a model without blocks.
+/// The certificate as JSON; null for a model without blocks.
 Json certificate(const SharedCertificate& proof) {
   if (!proof)
     return nullptr;
@@ -110,7 +110,7 @@ Json audited(const AuditedContact& contact) {
           {"spring_pressed_in", contact.pressed}};
 }
 
-/// The ten worst.
+/// The ten worst findings.
 template <class Found> Json worst_of(std::vector<Found> found) {
   std::sort(found.begin(), found.end(),
             [](const auto& a, const auto& b) { return a.excess() > b.excess(); });
@@ -121,7 +121,7 @@ template <class Found> Json worst_of(std::vector<Found> found) {
   return list;
 }
 
-/// Counts, faults in words, and the ten worst overlaps and contacts; null without
+/// Counts, messages of faults, and the ten worst overlaps and contacts; null without
 /// audit.
 Json audit(const std::optional<AuditTotals>& totals) {
   if (!totals)
@@ -218,7 +218,7 @@ void write_summary(const std::string& path, const Model& model,
   std::ofstream file(temporary.path(), std::ios::binary);
   if (!file)
     throw_errno("write", path);
-  // A title may hold any bytes; numbers that are not finite become null.
+  // A title may contain any bytes. Numbers that are not finite become null.
   file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   file.close();
   if (!file)

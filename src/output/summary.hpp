@@ -1,4 +1,4 @@
-// NAME.summary.json: what scripts want to know of a run.
+// NAME.summary.json: the summary of a run, for scripts.
 #pragma once
 
 #include <optional>
@@ -16,17 +16,18 @@ struct RunReport {
   RunIdentity identity;
   std::vector<std::string> warnings;
   double wall_seconds = 0.0;
-  std::string status = "done";  ///< done, unsound, interrupted
+  /// One of "done", "deck error", "unsound", "time limit", "step limit", "interrupted".
+  std::string status = "done";
   long frames = 0;
   SharedCertificate certificate = {};
-  std::optional<AuditTotals> audit = {};  ///< nothing: not asked for
+  std::optional<AuditTotals> audit = {};  ///< empty if not requested
 };
 
-/// FNV-1a over the bits of all positions and velocities: two equal runs, two equal
+/// FNV-1a over the bits of all positions and velocities. Identical runs have identical
 /// hashes.
 std::string state_hash(const Model& model);
 
-/// Throws FileError.
+/// Writes the summary. Throws FileError.
 void write_summary(const std::string& path, const Model& model,
                    const RunReport& report);
 

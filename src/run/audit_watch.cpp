@@ -13,14 +13,15 @@
 namespace blocks::run {
 namespace {
 
-/// Faults of one moment that are reported; more of them tell the user nothing new.
+/// The largest number of faults reported for one step. More of them give the user no
+/// further information.
 constexpr std::size_t most_faults = 10;
 
 }  // namespace
 
 void AuditWatch::before(const Model& model) {
   blocks_ = model.blocks;
-  // The step makes a new list first if the present one is not current.
+  // If the present list is not current, the step makes a new one first.
   left_ = model.search.current ? model.search.left : dynamics::list_tolerance(model);
 }
 
@@ -30,7 +31,7 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
                              left_,   std::move(listed), model.order};
   const audit::Findings found = audit::audit(moment);
   const long step = model.steps;
-  const double time = model.time - model.time_step.dt;  // when it was decided
+  const double time = model.time - model.time_step.dt;  // time of the decision
   ++totals_.moments;
   totals_.pairs += found.pairs, totals_.acting += found.acting;
   totals_.missed += static_cast<long>(found.missed.size());

@@ -1,4 +1,4 @@
-// `blocks run --audit`: which steps are audited, and what is kept of the findings.
+// `blocks run --audit`: selects the steps to audit and collects the findings.
 #pragma once
 
 #include <map>
@@ -13,34 +13,35 @@ namespace blocks::run {
 
 class AuditWatch {
  public:
-  /// Every so many steps; 0: never.
+  /// Audits every `every` steps; 0 means never.
   explicit AuditWatch(long every) { totals_.every = every; }
 
   bool due(const Model& model) const {
     return totals_.every > 0 && model.steps % totals_.every == 0;
   }
-  /// Keeps the blocks from which the next step decides its contacts.
+  /// Keeps a copy of the blocks, from which the next step decides its contacts.
   void before(const Model& model);
 
   struct Verdict {
-    std::vector<std::string> faults;    ///< missed pairs, wrong decisions: unsound
-    std::vector<std::string> stories;   ///< of the blocks they name
-    std::vector<std::string> overlaps;  ///< pairs in excess not told before
-    std::vector<std::string> deep;      ///< contacts too deep, not told before
+    std::vector<std::string> faults;    ///< missed pairs and wrong decisions: unsound
+    std::vector<std::string> stories;   ///< details of the blocks named in the faults
+    std::vector<std::string> overlaps;  ///< excess overlaps not reported before
+    std::vector<std::string> deep;      ///< contacts too deep, not reported before
   };
-  /// Judges the step just made. `listed` has the pairs that it used.
+  /// Audits the step that was just made. `listed` holds the pairs that it used.
   Verdict after(const Model& model, std::vector<std::pair<int, int>> listed);
 
   const AuditTotals& totals() const { return totals_; }
-  /// One line: "audit every 100 steps: 12 moments, ... wrong decisions: 0; ...".
+  /// A summary in one line: "audit every 100 steps: 12 moments, ... wrong decisions: 0;
+  /// ...".
   std::string closing() const;
 
  private:
   Blocks blocks_;
-  double left_ = 0.0;  ///< [L] how far corners may go before the next list
+  double left_ = 0.0;  ///< [L] distance corners may move before the next search
   AuditTotals totals_;
-  std::map<std::pair<int, int>, std::size_t> told_;       ///< where in totals_.excess
-  std::map<std::pair<int, int>, std::size_t> told_deep_;  ///< where in totals_.deep
+  std::map<std::pair<int, int>, std::size_t> told_;       ///< index into totals_.excess
+  std::map<std::pair<int, int>, std::size_t> told_deep_;  ///< index into totals_.deep
 };
 
 }  // namespace blocks::run

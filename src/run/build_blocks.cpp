@@ -32,8 +32,8 @@ double BlockBuilder::density(long material, deck::SourceLocation where) {
 }
 
 bool BlockBuilder::fits(long more, deck::SourceLocation where) {
-  constexpr long most = 20'000'000;         // some 12 GB of state
-  constexpr double bytes_of_block = 600.0;  // of one that touches no other
+  constexpr long most = 20'000'000;         // about 12 GB of state
+  constexpr double bytes_of_block = 600.0;  // a block without contacts
   const auto room_in_memory = static_cast<long>(physical_memory() / bytes_of_block);
   if (more > most) {
     error(where, fmt::format("{} blocks at once", more),
@@ -122,7 +122,7 @@ void BlockBuilder::create(const deck::Create& card) {
                 : geometry::DecimalPoint{};
 
   std::vector<NewBlock> made;
-  bool warned = false;  // one warning speaks for all copies: they have the same shape
+  bool warned = false;  // one warning for all copies, which have the same shape
   for (int copy = 0; copy < copies; ++copy) {
     geometry::Polygon outline = geometry::place_outline(corners, shift, copy);
     for (Vec2& corner : outline)
@@ -142,8 +142,8 @@ void BlockBuilder::layer(const deck::Layer& card) {
   const double rho = density(card.mat.value, card.mat.where);
   const long count = std::abs(card.ns.value);
   const bool random = card.rcommand.given;
-  // MERGE may leave fewer than |ns| blocks, so a random layer is counted when it is
-  // cut.
+  // MERGE may leave fewer than |ns| blocks, so the blocks of a random layer are counted
+  // after it is cut.
   if (model_.settings.max_corners < 4 && !partial_) {
     error(card.ns.where, "blocks of a layer have 4 corners",
           fmt::format("START allows {}: raise ncmx, its second value, to 4 or more",
@@ -230,8 +230,8 @@ bool BlockBuilder::orient_corners(const deck::Layer& card,
   case QuadShape::convex_anticlockwise:
     break;
   }
-  // Anticlockwise from the bottom left: BL, BR, TR, TL (docs/cards.md#layer). Any other
-  // anticlockwise order would put the bottom line somewhere else, so it is refused.
+  // Anticlockwise from the bottom left means BL, BR, TR, TL (docs/cards.md#layer). Any
+  // other anticlockwise order would move the bottom line, so it is an error.
   if (!(corners[0].x.value() < corners[1].x.value() &&
         corners[0].y.value() < corners[3].y.value())) {
     error(

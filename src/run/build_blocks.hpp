@@ -1,4 +1,5 @@
-// Cards that make blocks: CREATE with CLOOP, LAYER, READ9 (report A.2.1-A.2.6).
+// Executes the cards that make blocks: CREATE with CLOOP, LAYER, READ9 (report
+// A.2.1-A.2.6).
 #pragma once
 
 #include "deck/commands.hpp"
@@ -10,11 +11,12 @@
 
 namespace blocks::run {
 
-/// Works for one card; faults go to the diagnostics and the model stays as it was.
+/// Executes one card. Errors go to the diagnostics, and the model is then unchanged.
 class BlockBuilder {
  public:
-  /// corners: of the outlines of this stretch of the deck.
-  /// partial: other cards could not be read, so materials and counts are not judged.
+  /// `corners` holds the shared corners of this section of the deck, up to the next
+  /// MOTION or CYCLE. `partial` means that other cards could not be read, so materials
+  /// and counts are not checked.
   BlockBuilder(Model& model, deck::Diagnostics& diagnostics,
                const deck::Command& command, const geometry::SharedCorners& corners,
                bool partial)
@@ -23,7 +25,7 @@ class BlockBuilder {
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
-  /// Returns what was found in the file, in words; empty after an error.
+  /// Returns a description of what was found in the file; empty after an error.
   std::string read_mesh(const deck::Read9& card, const std::string& path);
 
  private:
@@ -36,18 +38,20 @@ class BlockBuilder {
     diagnostics_.warning(where, command_.name, message, hint);
   }
 
-  /// Density of a defined material, or 0 with an error at `where`.
+  /// The density of a defined material. If it is undefined, reports an error at `where`
+  /// and returns 0.
   double density(long material, deck::SourceLocation where);
-  /// Whether `more` blocks still fit under START's maximum; an error if not.
+  /// Whether `more` blocks still fit under START's maximum. Reports an error if not.
   bool fits(long more, deck::SourceLocation where);
-  /// Whether area and second moment are numbers to calculate with; an error if not.
+  /// Whether area and second moment are finite and positive. Reports an error if not.
   bool has_weight(const geometry::Polygon& clockwise, deck::SourceLocation where,
                   const std::string& what);
-  /// Checks an outline exactly and turns it clockwise; `what` names it in messages;
+  /// Checks an outline exactly and makes it clockwise. `what` names it in messages.
   /// `warned` is set once a warning was given, which is then not repeated.
   bool accept(geometry::Polygon& outline, deck::SourceLocation where,
               const std::string& what, bool& warned);
-  /// Puts the corners of a layer in order, or refuses them.
+  /// Puts the corners of a layer in clockwise order. Reports an error if that is not
+  /// possible.
   bool orient_corners(const deck::Layer& card, geometry::LayerRequest& request);
   void record(const geometry::Layer& cut, int number);
   void append(const std::vector<NewBlock>& blocks);

@@ -44,7 +44,7 @@ Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
         moved));
 }
 
-/// One function per card.
+/// Executes a card; there is one function per card.
 struct Builder::Visitor {
   Builder& self;
   const Command& command;
@@ -65,7 +65,8 @@ struct Builder::Visitor {
             self.options_.lacks({"START", "MATERIAL", "RESTART"})};
   }
 
-  /// Index from 0 of the block with this number, or -1 with an error.
+  /// The index of the block with this number, counted from 0. Reports an error and
+  /// returns -1 if there is none.
   int block(const deck::Int& number) {
     if (number.value >= 1 && number.value <= blocks.size())
       return static_cast<int>(number.value) - 1;
@@ -156,7 +157,7 @@ struct Builder::Visitor {
           fmt::format("deformable blocks need G > E/3 = {:.9g} (Poisson's ratio < 0.5)",
                       e / 3.0));
   }
-  void operator()(const deck::Restart&) {}  // the executor loads the checkpoint
+  void operator()(const deck::Restart&) {}  // the checkpoint is loaded elsewhere
 
   // Problem definition data, A.2
   void operator()(const deck::Create& card) { builder().create(card); }
@@ -258,7 +259,7 @@ struct Builder::Visitor {
       model.output_blocks.push_back(
           static_cast<int>(std::clamp(number.value, 1L, most)) - 1);
     }
-    self.output_ = command;  // blocks may come later
+    self.output_ = command;  // its blocks may be made later
     model.output = {card.dtout.value, model.time + card.dtout.value};
   }
   void operator()(const deck::Plots& card) {
@@ -305,7 +306,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
 void Builder::check_room(const Command& command) {
   const double ctol = model_.settings.contact_tolerance, memory = physical_memory();
   const LikelyList list = likely_list(model_.blocks, 2.0 * ctol);
-  if (list.bytes <= 0.8 * memory)  // the rest of the run needs some, too
+  if (list.bytes <= 0.8 * memory)  // leaves memory for the rest of the run
     return;
   constexpr double gigabyte = 1e9;
   diagnostics_.error(
@@ -339,7 +340,7 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
   if (options_.lacks({"START", "RESTART", "MATERIAL", "CREATE", "CLOOP", "LAYER",
                       "READ9", "ORIENT", "MERGE"}))
     return;
-  // A card that should have made blocks and could not was told of already.
+  // A card that failed to make blocks has already been reported.
   for (const deck::Diagnostic& told : diagnostics_.all())
     if (told.severity == deck::Severity::error &&
         (told.card == "CREATE" || told.card == "LAYER" || told.card == "READ9"))
@@ -432,7 +433,7 @@ void Builder::check_overlaps(const Command& command) {
   AssemblyCertificate before;
   before.overlaps = certificate_ ? certificate_->overlaps : options_.overlaps;
   AssemblyCertificate found = certify_assembly(model_.blocks, moved_blocks_, before);
-  found.joints.t_junctions = std::vector<geometry::TJunction>();  // the number is told
+  found.joints.t_junctions = std::vector<geometry::TJunction>();  // number suffices
   certificate_ = std::make_shared<const AssemblyCertificate>(std::move(found));
   std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;
   std::erase_if(pairs,

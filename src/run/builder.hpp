@@ -1,5 +1,6 @@
-// Turns the cards of a deck into a model: every card but those that make time pass
-// (MOTION, CYCLE) or write files (DUMP). Knows the deck and the model, no dynamics.
+// Turns the cards of a deck into a model. It executes every card except those that
+// advance the time (MOTION, CYCLE) or write files (DUMP). It depends on deck and model,
+// not on the time loop.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +21,14 @@
 namespace blocks::run {
 
 struct BuildOptions {
-  std::optional<std::uint64_t> seed;  ///< --seed, wins over SEED
-  std::string tape9 = "tape9";        ///< --tape9: mesh of a READ9 card without a name
-  std::string folder;                 ///< of the deck: file names are relative to it
-  /// Cards that could not be read, "" for a card of unknown name: no complaints about
-  /// blocks, materials or functions that may only be missing for that reason.
+  std::optional<std::uint64_t> seed;  ///< --seed, which overrides the SEED card
+  std::string tape9 = "tape9";  ///< --tape9: the mesh of a READ9 card without a name
+  std::string folder;           ///< folder of the deck; file names are relative to it
+  /// Names of the cards that could not be read; "" stands for an unknown card. Blocks,
+  /// materials or functions that may be missing for that reason cause no further
+  /// errors.
   std::set<std::string> unread;
-  /// Overlaps that the certificate named before the checkpoint of a RESTART deck.
+  /// Overlaps that were reported before the checkpoint of a RESTART deck was written.
   std::vector<geometry::BlockOverlap> overlaps = {};
 
   bool lacks(std::initializer_list<const char*> cards) const {
@@ -36,46 +38,48 @@ struct BuildOptions {
   }
 };
 
-/// BuildOptions::unread of a deck with these diagnostics.
+/// The value of BuildOptions::unread that follows from these diagnostics.
 std::set<std::string> unread_cards(const deck::Diagnostics& diagnostics);
 
 class Builder {
  public:
-  /// cards: the whole deck, whose outlines share corners.
+  /// `cards` is the whole deck, because outlines of different cards share corners.
   Builder(Model& model, deck::Diagnostics& diagnostics,
           const std::vector<deck::Command>& cards, BuildOptions options);
 
-  /// Acts on one card, the next of the deck. Faults go to the diagnostics; the model
-  /// then stays as it was.
+  /// Executes the next card of the deck. Errors go to the diagnostics, and the model is
+  /// then unchanged.
   void apply(const deck::Command& command);
 
-  /// What must hold before time may pass: blocks present and without overlap, planes
-  /// not in front of nothing, a time step that can do it. Called before MOTION and
-  /// CYCLE. in_place: blocks stand where they will be then; no MOTION lies between.
+  /// Checks what must hold before MOTION and CYCLE. There must be blocks; no symmetry
+  /// plane may have all blocks behind it; the time step must allow the motion.
+  /// Overlapping blocks cause a warning. `in_place` means that no MOTION or CYCLE lies
+  /// between, so the blocks are where they will be at that moment.
   void check_before_motion(const deck::Command& command, bool in_place);
 
-  /// Instead of it before the first MOTION or CYCLE, when another builder has checked
-  /// the same cards. certificate: what that one found.
+  /// Replaces check_before_motion() before the first MOTION or CYCLE if another builder
+  /// has checked the same cards. `certificate` is the certificate of that builder.
   void begin_to_move(SharedCertificate certificate);
 
-  /// The next card is cards[next]: those before it made the model, whose blocks overlap
-  /// as told.
+  /// Continues a resumed run at cards[next]. The cards before it made the model.
+  /// `overlaps` are the overlaps reported so far.
   void go_on(const std::vector<deck::Command>& cards, std::size_t next,
              const std::vector<geometry::BlockOverlap>& overlaps);
 
-  /// The same of the blocks, for a deck in which no (more) time passes.
+  /// The same checks of blocks and planes at the end of a deck, when no more time
+  /// passes.
   void check_without_motion(const deck::Command& last);
 
-  /// Blocks named by OUTPUT, which may be made after it. Called when all cards are
-  /// read.
+  /// Checks the blocks named by OUTPUT, which may be made after that card. Call it when
+  /// all cards are read.
   void check_output_blocks();
 
-  /// What was found in the mesh files and of shared corners, a line each, since the
-  /// last call.
+  /// Returns the notes on mesh files and shared corners since the last call, one per
+  /// line.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
-  /// What the blocks proved to be when the latest were made; nothing before time
-  /// passes.
+  /// The certificate of the blocks when the latest of them were made; null before the
+  /// first motion.
   const SharedCertificate& certificate() const { return certificate_; }
 
  private:
@@ -90,18 +94,18 @@ class Builder {
   Model& model_;
   deck::Diagnostics& diagnostics_;
   BuildOptions options_;
-  std::vector<geometry::SharedCorners> corners_;  ///< for each stretch of the deck
-  std::size_t stretch_ = 0;                       ///< between MOTIONs and CYCLEs
+  std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
+  std::size_t stretch_ = 0;  ///< index of the section between motions
   std::vector<std::string> notes_;
-  std::vector<deck::Command> planes_;  ///< SPLANE cards not yet checked
+  std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
-  int checked_blocks_;          ///< blocks already looked at before an earlier MOTION
-  int moved_blocks_;            ///< blocks that time has passed for
-  double fraction_told_ = 0.0;  ///< safe FRACTION that was last warned of
+  int checked_blocks_;          ///< blocks checked before an earlier motion
+  int moved_blocks_;            ///< blocks that have moved
+  double fraction_told_ = 0.0;  ///< safe FRACTION in the last warning
   std::optional<deck::Command> fraction_by_;  ///< last FRACTION or DAMPING card
-  std::optional<deck::Command> output_;       ///< whose blocks are not yet checked
+  std::optional<deck::Command> output_;       ///< OUTPUT card not checked yet
   std::optional<deck::SourceLocation>
-      tolerance_;  ///< of the BOXES card, if there is one
+      tolerance_;  ///< position of ctol on the BOXES card
   SharedCertificate certificate_;
 };
 

@@ -1,4 +1,4 @@
-// What `blocks check` says of a deck without faults.
+// The report of `blocks check` on a deck without errors.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace blocks::run {
 
-/// Blocks, layers with their certificates, merges, whether blocks overlap and the time
-/// step, a line each.
+/// Lists blocks, layers with their certificates, merges, overlaps and the time step,
+/// one per line.
 std::string check_report(const std::string& file, const Model& model,
                          const SharedCertificate& certificate);
 

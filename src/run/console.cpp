@@ -18,7 +18,7 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
 }
 
-/// Prints what can be printed. A full disk behind a log must not end the run, as an
+/// Prints without throwing. A full disk behind a log must not end the run, as an
 /// exception of fmt::print would.
 template <class... Values>
 void say(std::FILE* stream, fmt::format_string<Values...> text, Values&&... values) {

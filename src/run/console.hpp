@@ -1,5 +1,6 @@
-// What a run shows: the short table on standard output, warnings and a progress line
-// with the time remaining on standard error (the line on a terminal only).
+// The terminal output of a run. The table goes to standard output; warnings and the
+// progress line with the remaining time go to standard error. The progress line appears
+// only on a terminal.
 #pragma once
 
 #include <chrono>
@@ -11,15 +12,15 @@ namespace blocks::run {
 
 class Console {
  public:
-  /// table: the short table is wanted on standard output.
+  /// `table` requests the table on standard output.
   Console(bool table, bool quiet);
 
   void row(const Model& model);
   void warn(const std::string& message);
-  void note(const std::string& message);  ///< not when quiet
-  /// Whether the line of progress is to be drawn: ten times a second at most.
+  void note(const std::string& message);  ///< suppressed by `quiet`
+  /// Whether the progress line is due; it is drawn at most ten times a second.
   bool progress_due() const;
-  /// Draws it. `share` of the whole run, 0 to 1.
+  /// Draws the progress line. `share` is the completed share of the whole run, 0 to 1.
   void progress(const Model& model, double share);
   void clear_progress();
 

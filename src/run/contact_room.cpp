@@ -9,8 +9,8 @@
 namespace blocks::run {
 namespace {
 
-/// Of a pair of rectangles, measured: of bricks that touch only what is near is listed,
-/// within a wide margin every corner with every edge.
+/// Measured bytes per pair of rectangles. For touching bricks, only nearby corners and
+/// edges are listed. With a wide margin, every corner is listed with every edge.
 constexpr double bytes_of_touching = 800.0, bytes_of_all = 5000.0;
 
 }  // namespace
@@ -28,9 +28,9 @@ LikelyList likely_list(const Blocks& blocks, double margin) {
     const bool all = margin > 0.5 * wide.sizes().minCoeff();
     const double size = wide.volume();
     wide.min().array() -= margin, wide.max().array() += margin;
-    // A pair is counted where its smaller block is: one floor below all bricks is no
-    // sample of them.
-    double near = -0.5;  // not itself
+    // A pair is counted for its smaller block, because one large floor below all bricks
+    // is not a representative sample.
+    double near = -0.5;  // excludes the block itself
     for (const Eigen::AlignedBox2d& box : boxes)
       if (box.volume() >= size && wide.intersects(box))
         near += box.volume() > size ? 1.0 : 0.5;

@@ -48,7 +48,7 @@ std::string mesh_sums(const deck::Deck& deck, const std::string& folder,
       const std::string path = mesh_path(*card, folder, tape9);
       std::error_code ignored;
       if (!std::filesystem::is_regular_file(path, ignored))
-        continue;  // what is wrong is told where it is read
+        continue;  // reading the mesh reports the error
       std::ifstream in(path, std::ios::binary);
       const std::string bytes{std::istreambuf_iterator<char>(in), {}};
       output::Fnv1a sum;

@@ -1,4 +1,4 @@
-// The text of a deck and the names of the files of its run.
+// Reads the text of a deck and determines the names of the files of its run.
 #pragma once
 
 #include <string>
@@ -11,26 +11,27 @@ namespace blocks::run {
 /// Reads a deck ("-": standard input). Throws output::FileError.
 std::string read_deck(const std::string& path);
 
-/// Output name: `given`, else the deck's stem in the present folder ("-": "blocks").
+/// The output name: `given`, or the deck's stem in the current directory ("-":
+/// "blocks"). If `given` ends with '/', it is a folder, and the stem is appended.
 std::string output_name(const std::string& deck, const std::string& given);
 
-/// Folder of the deck, to which file names on its cards are relative.
+/// The folder of the deck; file names on its cards are relative to it.
 std::string deck_folder(const std::string& deck);
 
-/// The mesh that a READ9 card reads: named on the card and then beside the deck, or by
-/// --tape9 and then from where we are.
+/// The path of the mesh that a READ9 card reads. A name on the card is relative to the
+/// deck's folder, the name given by --tape9 to the current directory.
 std::string mesh_path(const deck::Read9& card, const std::string& folder,
                       const std::string& tape9);
 
-/// A line for each mesh of a deck with a sum of its bytes, by which a restart knows it
-/// again; nothing of pipes and of files that are not there.
+/// Returns one line per mesh of a deck with a hash of its bytes, so that a restart
+/// detects changed meshes. Pipes and missing files are omitted.
 std::string mesh_sums(const deck::Deck& deck, const std::string& folder,
                       const std::string& tape9);
 
-/// The first line, from 1, in which two texts differ.
+/// The first line in which two texts differ, counted from 1.
 long first_difference(std::string_view one, std::string_view other);
 
-/// A file named on a card of a deck in that folder.
+/// The path of a file named on a card of a deck in `folder`.
 std::string beside(const std::string& folder, const std::string& name);
 
 }  // namespace blocks::run

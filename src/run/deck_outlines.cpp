@@ -8,7 +8,7 @@ namespace blocks::run {
 namespace {
 
 constexpr long most_at_once =
-    20'000'000;  // more copies, or than START allows, are refused
+    20'000'000;  // more copies than this or START allow are an error
 
 geometry::DeckOutline outline_of(const deck::Layer& card) {
   geometry::DeckOutline outline;

@@ -1,4 +1,4 @@
-// The outlines that the cards of a deck describe, before any is made.
+// The outlines that the cards of a deck describe, before any block is made.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace blocks::run {
 
-/// One for each stretch of the deck that ends with MOTION, CYCLE or the deck: the
-/// corners that its LAYER and CREATE cards share. Earlier blocks have moved by then and
-/// share none.
+/// Returns the corners shared by the LAYER and CREATE cards of each section of the
+/// deck. A section ends at a MOTION or CYCLE card or at the end of the deck. Blocks of
+/// earlier sections have moved, so they share no corners.
 std::vector<geometry::SharedCorners>
 shared_corners(const std::vector<deck::Command>& cards);
 

@@ -92,7 +92,7 @@ void Executor::dump() {
 }
 
 void Executor::start() {
-  if (begun_) {  // the state is one between two steps
+  if (begun_) {  // resumed between two steps
     console_.row(model_);
     return;
   }
@@ -180,7 +180,8 @@ Outcome Executor::march(long steps) {
 
 namespace {
 
-/// Half a step of grace, so that round-off in the sums of dt loses no output.
+/// Output is due up to half a step early, so that round-off in the sums of dt loses no
+/// output.
 bool is_due(const OutputClock& clock, double time, double dt) {
   return clock.interval > 0.0 && time + 0.5 * dt >= clock.due;
 }
@@ -188,7 +189,7 @@ void wind(OutputClock& clock, double time, double dt) {
   const double now = time + 0.5 * dt;
   const double missed = std::floor((now - clock.due) / clock.interval);
   const double next = clock.due + (missed + 1.0) * clock.interval;
-  clock.due = std::isfinite(next) ? next : now;  // an interval far below dt
+  clock.due = std::isfinite(next) ? next : now;  // if the interval is far below dt
 }
 
 }  // namespace
@@ -217,8 +218,8 @@ void Executor::watch(const dynamics::StepResult& moved) {
     warn(message);
 }
 
-/// Tells what the audit of the step just made found. False: a decision was wrong, or
-/// the list misses a pair.
+/// Reports what the audit of the last step found. Returns false if a decision was wrong
+/// or the list misses a pair.
 bool Executor::passes_audit() {
   const AuditWatch::Verdict verdict =
       audit_.after(stepper_.up_to_date(), stepper_.listed_pairs());
@@ -251,13 +252,14 @@ bool Executor::checkpoint_due() const {
   return seconds_since(saved_) >= options_.checkpoint_every;
 }
 
-/// There is no room for that of a larger model: it begins with a checkpoint.
+/// A copy of a larger model would need too much memory; a checkpoint is written first
+/// instead.
 bool Executor::keeps_good_states() const {
   constexpr int most_blocks = 100'000;
   return model_.blocks.size() <= most_blocks;
 }
 
-/// For no more than a fiftieth of the time.
+/// The factor 50 limits the cost of good states to a fiftieth of the time.
 bool Executor::good_state_due(double seconds) const {
   return keeps_good_states() && (!good_ || seconds_since(good_->kept) >=
                                                std::max(seconds, 50.0 * good_->took));
@@ -323,7 +325,7 @@ void Executor::save_checkpoint() {
   files_.checkpoint(stepper_.up_to_date(), progress());
   saved_ = Clock::now();
   saved_once_ = true;
-  good_.reset();  // is older
+  good_.reset();  // it is older than the checkpoint
 }
 
 }  // namespace blocks::run

@@ -1,4 +1,4 @@
-// Makes time pass: MOTION and CYCLE, with output when it is due (CYCLE of Appendix B).
+// Executes MOTION and CYCLE and writes output when it is due (CYCLE of Appendix B).
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace blocks::run {
 
-/// How a stretch of steps ended.
+/// How the steps of a card ended.
 enum class Outcome {
   finished,
   unsound,
@@ -28,41 +28,43 @@ class Executor {
  public:
   Executor(Model& model, RunFiles& files, Console& console, const RunOptions& options);
 
-  /// Goes on where a checkpoint of the same deck was written.
+  /// Resumes the same deck where a checkpoint was written.
   void resume(const output::Progress& progress);
 
-  /// The next command is this one.
+  /// Sets the index of the next command.
   void set_card(long index);
-  /// Runs the steps of a MOTION (an interval of time) or CYCLE (a number of steps)
-  /// card, or those that were left of it.
+  /// Makes the steps of a MOTION (a time interval) or CYCLE (a number of steps) card.
+  /// If the card was begun before a restart, only its remaining steps are made.
   Outcome motion(double interval);
   Outcome cycle(long steps);
 
-  /// Part of the whole deck that a card's steps make up, for the progress line.
+  /// Sets the part of the whole deck that the next card's steps cover, for the progress
+  /// line.
   void set_share(double from, double to) { share_from_ = from, share_to_ = to; }
 
-  /// DUMP.
+  /// Executes DUMP.
   void dump();
-  /// A deck in which no time passed is echoed all the same.
+  /// Echoes the input if no time passed, and reports the audit totals.
   void finish();
-  /// Of the run, if it is wanted, else null.
+  /// The profile of the run; null unless it was requested.
   dynamics::Profile* profile() { return work_.profile; }
-  /// --profile: where the time went.
+  /// Prints the table of --profile, if it was requested.
   void tell_profile();
 
-  /// Keeps a warning that was shown already, for listing and summary.
+  /// Records a warning that was already shown, for listing and summary.
   void remember(const std::string& message);
   const std::vector<std::string>& warnings() const { return warnings_; }
-  /// What the certificate told, for checkpoints.
+  /// Sets the overlaps that the certificate reported, for checkpoints.
   void set_overlaps(const std::vector<geometry::BlockOverlap>& overlaps) {
     progress_.overlaps = overlaps;
   }
-  /// Where the run stands.
+  /// The current position of the run, for checkpoints.
   output::Progress progress() const;
-  /// Of an unsound run: writes the last good state that was kept. Its step, -1: none
-  /// was.
+  /// After an unsound run, writes the last good state that was kept. Returns its step,
+  /// or -1 if there is none.
   long save_good_state();
-  /// The steps of the next card are those left of one begun before.
+  /// Whether the next card was begun before a restart, so that only some of its steps
+  /// remain.
   bool begun() const { return begun_; }
   const AuditWatch& audit() const { return audit_; }
 
@@ -73,9 +75,9 @@ class Executor {
   void tell_what_remains() const;
   Outcome advance(long steps);
   Outcome march(long steps);
-  /// What is left of a card begun before; `all` of one that begins.
+  /// The remaining steps of a card that was begun before a restart; otherwise `all`.
   long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
-  /// By the step that comes.
+  /// Whether output is due after the next step.
   bool output_due() const;
   void output_if_due();
   void watch(const dynamics::StepResult& moved);
@@ -84,7 +86,8 @@ class Executor {
   bool keeps_good_states() const;
   void keep_good_state();
   void save_checkpoint();
-  /// The last one is at least so many seconds old, and as old as what it took allows.
+  /// Whether the last good state is at least `seconds` old and keeping another one
+  /// takes at most a fiftieth of the time.
   bool good_state_due(double seconds) const;
   bool time_is_up() const;
   bool checkpoint_due() const;
@@ -101,14 +104,14 @@ class Executor {
   std::vector<std::string> warnings_;
   MotionWatch watch_;
   output::Progress progress_;
-  bool begun_ = false;  ///< the next card's first steps were made before
+  bool begun_ = false;  ///< the next card was begun before a restart
   bool echoed_ = false, started_moving_ = false;
   double share_from_ = 0.0, share_to_ = 1.0;
-  double half_depth_ = 0.0;  ///< [L] half the least depth of any block
-  long steps_made_ = 0;      ///< in this run of the program
+  double half_depth_ = 0.0;  ///< [L] half the least depth of a convex block
+  long steps_made_ = 0;      ///< since the program started
   static constexpr double between_good_states = 0.1;  ///< [s]
   Clock::time_point started_ = Clock::now(), saved_ = Clock::now();
-  /// A state between two steps, in memory, for the case that the run becomes unsound.
+  /// A state between two steps, kept in memory in case the run becomes unsound.
   struct GoodState {
     Model model;
     output::Progress progress;
@@ -119,7 +122,7 @@ class Executor {
   bool saved_once_ = false;  ///< a checkpoint was written
 };
 
-/// Steps that a MOTION of this interval takes: ceil(interval / dt - 1e-9)
+/// The number of steps of a MOTION of this interval: ceil(interval / dt - 1e-9)
 /// (docs/cards.md#motion).
 long steps_for(double interval, double dt);
 

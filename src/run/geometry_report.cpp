@@ -12,10 +12,11 @@ namespace {
 constexpr std::size_t most_listed = 10;
 constexpr int classes = 8;
 
-/// Classes of equal width; of equal ratio where the values span a factor above 30.
+/// Forms classes of equal width, or of equal ratio if the values span a factor above
+/// 30.
 void classify(const std::vector<double>& values, Measure& measure) {
   const double low = measure.smallest, high = measure.largest;
-  // Equal but for round-off: one class says so.
+  // Values that differ only by round-off form one class.
   if (high - low <= 1e-9 * high) {
     measure.edges = {low, high};
     measure.counts = {static_cast<long>(values.size())};
@@ -36,7 +37,7 @@ void classify(const std::vector<double>& values, Measure& measure) {
   }
 }
 
-/// sign +1: the smallest values are the worst, -1: the largest.
+/// If `sign` is +1, the smallest values are the worst; if it is -1, the largest are.
 Measure measure_of(const std::vector<Measure::Place>& places, double sign) {
   Measure measure;
   if (places.empty())
@@ -56,7 +57,7 @@ Measure measure_of(const std::vector<Measure::Place>& places, double sign) {
                            return a.value != b.value ? sign * a.value < sign * b.value
                                                      : a.block < b.block;
                          });
-  // Half of the blocks are no worse than the median: those do not stand out.
+  // Half of the blocks are no worse than the median; they are not outliers.
   const double limit = sign * measure.median - 1e-9 * measure.median;
   std::erase_if(measure.worst, [&](const Measure::Place& place) {
     return sign * place.value >= limit;

@@ -1,5 +1,5 @@
-// `blocks check --geometry`: how good the blocks are as bodies of a run. What is
-// gathered, and how it reads as text and as JSON.
+// `blocks check --geometry`: measures the quality of the blocks and reports it as text
+// and as JSON.
 #pragma once
 
 #include <string>
@@ -10,52 +10,55 @@
 
 namespace blocks::run {
 
-/// One measure over all blocks, with its extremes.
+/// The distribution of one measure over all blocks, with its extremes.
 struct Measure {
   struct Place {
     double value = 0.0;
-    int block = 0;           ///< from 0
-    int corner = 0;          ///< of the block, from 0
+    int block = 0;           ///< counted from 0
+    int corner = 0;          ///< of the block, counted from 0
     Vec2 at = Vec2::Zero();  ///< [L]
   };
   double smallest = 0.0, median = 0.0, largest = 0.0;
-  std::vector<Place> worst;  ///< at most 10 beyond the median, the worst first
+  std::vector<Place> worst;  ///< at most 10 that are worse than the median, worst first
 
-  /// Blocks between edges[i] and edges[i + 1], the last class closed.
+  /// counts[i] is the number of blocks in [edges[i], edges[i + 1]); the last class
+  /// includes its upper edge.
   std::vector<double> edges;
   std::vector<long> counts;
 };
 
-/// Above this the distance between neighbouring doubles is too coarse for the blocks:
-/// a contact overlaps by about 1e-6 of an edge, and this leaves it four digits.
+/// The coarsest acceptable spacing of doubles, relative to the shortest edge. A contact
+/// overlaps by about 1e-6 of an edge, so four digits of its overlap remain at this
+/// limit.
 constexpr double coarsest_resolution = 1e-10;
 
 struct GeometryReport {
   std::string file;
   int blocks = 0, corners = 0;
-  Measure area;    ///< [L^2]; worst: smallest
-  Measure aspect;  ///< worst: largest
-  Measure edge;    ///< [L] shortest of each block
-  Measure angle;   ///< degrees, smallest of each block
+  Measure area;    ///< [L^2]; the smallest is the worst
+  Measure aspect;  ///< the largest is the worst
+  Measure edge;    ///< [L] shortest edge of each block
+  Measure angle;   ///< in degrees, smallest angle of each block
   AssemblyCertificate certificate;
   std::vector<LayerRecord> layers;
   std::vector<MergeRecord> merges;
 
-  /// ulp over the shortest edge of all.
+  /// The ulp of the coordinates over the shortest edge of all blocks.
   double resolution() const {
     return blocks > 0 ? certificate.ulp / edge.smallest : 0.0;
   }
   bool resolved() const { return resolution() <= coarsest_resolution; }
 };
 
-/// Looks at the blocks as they stand, of which the first `moved` have moved. n log n.
+/// Examines the blocks at their present positions. The first `moved` of them have
+/// moved. The cost is O(n log n).
 GeometryReport examine_geometry(const std::string& file, const Model& model,
                                 int moved = 0);
 
-/// For a terminal of 80 columns.
+/// The report for a terminal of 80 columns.
 std::string text(const GeometryReport& report);
 
-/// The same figures as one JSON object; blocks and corners count from 1.
+/// The same numbers as one JSON object; blocks and corners are counted from 1.
 std::string json(const GeometryReport& report);
 
 }  // namespace blocks::run

@@ -1,4 +1,4 @@
-// The report on the geometry for scripts.
+// The geometry report as JSON for scripts.
 #include <nlohmann/json.hpp>
 
 #include "run/geometry_report.hpp"
@@ -10,7 +10,8 @@ using Json = nlohmann::ordered_json;
 
 Json vector(const Vec2& v) { return {v.x(), v.y()}; }
 
-/// where: name of the corner's or side's number; nullptr: a measure of the whole block.
+/// `where` is the JSON key of the corner or side number; it is null for a measure of
+/// the whole block.
 Json measure(const Measure& m, const char* where) {
   Json worst = Json::array();
   for (const auto& place : m.worst) {

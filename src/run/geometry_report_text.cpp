@@ -1,4 +1,4 @@
-// The report on the geometry for a terminal.
+// The geometry report for a terminal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_listed = 10;
 
-/// A bar of eighths of a character, `full` characters long at most.
+/// A bar drawn in eighths of a character, at most `full` characters long.
 std::string bar(long count, long largest, int full) {
   static const char* const eighths[] = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
   const long parts = std::max(count > 0 ? 1L : 0L, count * full * 8 / largest);
@@ -39,7 +39,7 @@ std::string histogram(const char* name, const Measure& m) {
   return text;
 }
 
-/// where: "side" or "corner", or nothing for a measure of the whole block.
+/// `where` is "side" or "corner", or empty for a measure of the whole block.
 std::string worst(const char* name, const Measure& m, const std::string& where) {
   if (m.worst.empty())
     return {};

@@ -1,9 +1,9 @@
-// Ctrl-C and SIGTERM ask a run to finish its step, write a checkpoint and stop.
+// Handles Ctrl-C and SIGTERM: the run finishes its step, writes a checkpoint and stops.
 #pragma once
 
 namespace blocks::run {
 
-/// Installs the handlers; a second signal ends the program at once.
+/// Installs the signal handlers. A second signal ends the program at once.
 void catch_interrupts();
 bool interrupt_requested();
 

@@ -1,4 +1,4 @@
-// What a run has to be warned of as blocks move.
+// Warnings about the motion of the blocks.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,19 @@
 
 namespace blocks::run {
 
-/// Tells once that a step moved a corner by more than ctol, and of every block that
-/// left the domain.
+/// Warns once that a step moved a corner by more than ctol, and once for each block
+/// that left the domain.
 class MotionWatch {
  public:
   MotionWatch() = default;
-  /// A run that goes on: exits of before were told of, and a fast corner if fast_told.
+  /// For a resumed run. Earlier domain exits count as reported, and a fast corner does
+  /// if `fast_told` is true.
   explicit MotionWatch(const Model& model, bool fast_told = false)
       : exits_told_(model.exits.size()), fast_told_(fast_told) {}
 
-  /// What is new after a step (or, with moved = {}, after a boxing) of the model.
-  std::vector<std::string> after(const Model& model,
-                                 const dynamics::StepResult& moved);
+  /// Returns the new warnings after a step or, with moved = {}, after
+  /// dynamics::prepare().
+  std::vector<std::string> after(const Model& model, const dynamics::StepResult& moved);
 
   bool fast_told() const { return fast_told_; }
 

@@ -9,8 +9,9 @@
 
 namespace blocks::run {
 
-/// Line by line: seconds and share of each phase of a run of so many seconds and steps,
-/// the cost of a block and step, and how often exact arithmetic was asked.
+/// Returns the lines of the table for a run of `seconds` and `steps`. It lists the
+/// seconds and share of each phase, the cost per block and step, and the number of
+/// exact predicate evaluations.
 std::vector<std::string> profile_table(const dynamics::Profile& profile, double seconds,
                                        long steps, const Model& model, int threads);
 

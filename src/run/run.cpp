@@ -25,7 +25,7 @@ bool passes_time(const deck::Command& command) {
          std::holds_alternative<deck::Cycle>(command.card);
 }
 
-/// A deck and what it takes to execute it twice: once to check, once to run.
+/// A deck with everything needed to execute it twice: once to check it, once to run it.
 struct Job {
   explicit Job(const RunOptions& given)
       : options(given), text(read_deck(given.deck)),
@@ -42,14 +42,15 @@ struct Job {
     return !deck.commands.empty() &&
            std::holds_alternative<deck::Restart>(deck.commands.front().card);
   }
-  /// Checkpoint to go on from: --restart, the RESTART card's, or NAME.ckpt.h5.
+  /// The checkpoint to continue from: --restart, the file on the RESTART card, or
+  /// NAME.ckpt.h5.
   std::string checkpoint() const {
     if (options.restart)
       return *options.restart;
     const auto& card = std::get<deck::Restart>(deck.commands.front().card);
     return card.file.given ? card.file.value : name + ".ckpt.h5";
   }
-  /// The --set options, a line each.
+  /// The --set options, one per line.
   std::string overrides() const {
     std::string lines;
     for (const deck::Override& set : options.overrides)
@@ -62,11 +63,11 @@ struct Job {
             model.settings.seed,  overrides() + meshes};
   }
 
-  /// Loads the checkpoint of a RESTART deck, or of this very deck stopped before.
+  /// Loads the checkpoint of a RESTART deck, or of this deck if it was stopped earlier.
   Model load();
   bool loads() const { return continues() || options.restart; }
   bool stands_in_deck() const;
-  /// Commands behind the checkpoint.
+  /// Index of the first command after the checkpoint.
   std::size_t first_command() const {
     return resumes ? static_cast<std::size_t>(from.progress.card) : 0;
   }
@@ -75,16 +76,17 @@ struct Job {
   std::string text;
   deck::Diagnostics diagnostics;
   deck::Deck deck;
-  std::string meshes;  ///< their sums, which a restart compares
+  std::string meshes;  ///< hashes of the meshes, compared by a restart
   std::string name;
-  SharedCertificate certificate;  ///< of all blocks, by the check
-  output::CheckpointInfo from;    ///< once loaded
-  bool resumes = false;           ///< this very deck goes on where it was stopped
-  ExitCode fault = deck_error;    ///< what a failed check exits with
+  SharedCertificate certificate;  ///< of all blocks, found by check()
+  output::CheckpointInfo from;    ///< valid once loaded
+  bool resumes = false;           ///< the same deck resumes where it stopped
+  ExitCode fault = deck_error;    ///< exit code of a failed check
 };
 
-/// Whether the place where the checkpoint's run stopped is one of this deck: a card
-/// with steps left of it must make steps, a CYCLE at least as many.
+/// Whether the position at which the checkpoint's run stopped exists in this deck. A
+/// card with remaining steps must be a MOTION, or a CYCLE with at least that many
+/// steps.
 bool Job::stands_in_deck() const {
   if (first_command() > deck.commands.size())
     return false;
@@ -134,12 +136,12 @@ Model Job::load() {
   return model;
 }
 
-/// Executes every card but the passing of time. The model is what the deck describes
-/// before its first step; false when there were errors.
-/// notes: what the mesh files held, and of shared corners.
+/// Executes every card without making steps. The model is then the one that the deck
+/// describes before its first step. `notes` receives the notes on mesh files and shared
+/// corners. Returns false if there were errors.
 bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   if (job.loads() && job.diagnostics.has_errors())
-    return false;  // what its cards mean depends on a checkpoint that is not read
+    return false;  // the checkpoint is not read, so its cards cannot be checked
   if (job.loads()) {
     try {
       model = job.load();
@@ -158,7 +160,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
   if (job.resumes)
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
-  bool in_place = !job.resumes;  // else the run itself judges, as it would have
+  bool in_place = !job.resumes;  // a resumed run checks in place itself
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
     builder.apply(command);
@@ -166,7 +168,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
       continue;
     if (!job.diagnostics.has_errors())
       builder.check_before_motion(command, in_place);
-    in_place = false;  // blocks move, here they do not
+    in_place = false;  // the run moves the blocks; the check does not
   }
   if (in_place && !job.resumes && !job.diagnostics.has_errors() &&
       !job.deck.commands.empty())
@@ -177,8 +179,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   return !job.diagnostics.has_errors();
 }
 
-/// Tells what was found wrong since there were `before` diagnostics. False when there
-/// were errors.
+/// Reports the diagnostics from index `before` on. Returns false if there were errors.
 bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& executor) {
   bool sound = true;
   for (std::size_t i = before; i < said.all().size(); ++i) {
@@ -190,8 +191,8 @@ bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& execu
   return sound;
 }
 
-/// Judges a later MOTION or CYCLE where the blocks stand by now, or the blocks made
-/// after the last one. False when there were errors.
+/// Checks a later MOTION or CYCLE at the present positions of the blocks, or the blocks
+/// made after the last one. Returns false if there were errors.
 bool sound_in_place(Builder& builder, deck::Diagnostics& said,
                     const deck::Command& command, Executor& executor, RunFiles& files) {
   const std::size_t before = said.all().size();
@@ -205,17 +206,18 @@ bool sound_in_place(Builder& builder, deck::Diagnostics& said,
   return tell_new(said, before, executor);
 }
 
-/// Executes the deck for good. Returns an ExitCode.
+/// Runs the deck. Returns an ExitCode.
 int execute(Job& job, Console& console, const std::vector<std::string>& warnings) {
   const auto began = std::chrono::steady_clock::now();
   Model model;
   if (job.loads())
     model = job.load();
 
-  // The faults and warnings of the cards were shown by the check.
+  // The check has already shown the errors and warnings of the cards.
   deck::Diagnostics said(job.diagnostics.file(), job.text);
   Builder builder(model, said, job.deck.commands, job.build_options());
-  // The title and the seed stand in the preliminary data, before anything is written.
+  // The preliminary cards set the title and the seed, which are needed before anything
+  // is written.
   std::size_t next = job.first_command();
   for (; !job.resumes && next < job.deck.commands.size(); ++next) {
     const deck::Command& command = job.deck.commands[next];
@@ -262,7 +264,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     if (passes_time(command)) {
       const Profile::Timer timer(executor.profile(), Profile::building);
       if (executor.begun()) {
-        // It was judged when it began.
+        // The card was checked when it began.
       } else if (motion == 0.0) {
         builder.begin_to_move(job.certificate);
       } else if (!sound_in_place(builder, said, command, executor, files)) {
@@ -303,7 +305,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
                   : outcome == Outcome::time_limit   ? "time limit"
                   : outcome == Outcome::step_limit   ? "step limit"
                                                      : "interrupted";
-  long good = -1;  // the step of the state that is left of an unsound run
+  long good = -1;  // step of the good state kept from an unsound run
   output::Progress progress = executor.progress();
   progress.finished = outcome == Outcome::finished;
   if (progress.finished)
@@ -381,7 +383,7 @@ int run_deck(const RunOptions& options) {
     for (const std::string& note : notes)
       fmt::print(stderr, "{}\n", note);
   }
-  checked = {};  // not beside the model that runs
+  checked = {};  // frees the memory before the run
   catch_interrupts();
   Console console(!options.json, options.quiet);
   return execute(job, console, warnings_of(job.diagnostics));

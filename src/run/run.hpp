@@ -1,5 +1,5 @@
-// `blocks run` and `blocks check`: executes the cards of a deck in order. The only
-// place that knows both files and physics.
+// `blocks run` and `blocks check`: executes the cards of a deck in order. This folder
+// connects the deck, the dynamics and the output files.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace blocks::run {
 
-/// Exit codes of the program (docs/reference: exit codes).
+/// Exit codes of the program, as listed in README.md.
 enum ExitCode : int {
   done = 0,
   internal_error = 1,
@@ -27,38 +27,38 @@ enum ExitCode : int {
 
 struct RunOptions {
   std::string deck;    ///< path, or "-" for standard input
-  std::string output;  ///< output name; empty: the deck's stem
+  std::string output;  ///< output name; if empty, the deck's stem
   std::optional<std::uint64_t> seed;
   std::optional<std::string> restart;  ///< checkpoint of a RESTART deck
   std::string tape9 = "tape9";
   std::vector<deck::Override> overrides;
-  double time_limit = 0.0;          ///< seconds of wall clock, 0: none
-  long stop_after = 0;              ///< steps of this run, 0: no limit
-  double checkpoint_every = 600.0;  ///< seconds of wall clock
-  int threads = 0;                  ///< 0: as many as the machine runs at once
-  long audit_every = 0;             ///< steps between audits of the contacts, 0: none
-  bool profile = false;             ///< tell where the time went
+  double time_limit = 0.0;          ///< wall-clock seconds; 0 means no limit
+  long stop_after = 0;              ///< steps of this run; 0 means no limit
+  double checkpoint_every = 600.0;  ///< wall-clock seconds
+  int threads = 0;                  ///< 0 means as many as the machine has
+  long audit_every = 0;             ///< steps between audits; 0 means none
+  bool profile = false;             ///< print where the time went
   bool quiet = false;
   bool verbose = false;
-  bool json = false;  ///< the summary on standard output instead of the table
+  bool json = false;  ///< print the summary instead of the table
 };
 
-/// Parses, checks the whole deck, then runs it. Returns an ExitCode.
+/// Parses and checks the whole deck, then runs it. Returns an ExitCode.
 int run_deck(const RunOptions& options);
 
-/// What a deck describes before its first step.
+/// The model that a deck describes before its first step.
 struct CheckedDeck {
-  ExitCode code = done;  ///< of a deck with faults: theirs, and nothing below counts
-  std::string file;      ///< as shown in messages
+  ExitCode code = done;  ///< unless `done`, the members below are not valid
+  std::string file;      ///< name of the deck in messages
   Model model;
   SharedCertificate certificate;
-  std::vector<std::string> notes;  ///< of mesh files and shared corners, a line each
+  std::vector<std::string> notes;  ///< on mesh files and shared corners
 };
 
-/// Parses and builds everything, prints every fault, makes no step.
+/// Parses the deck, builds the model and prints all errors. Makes no step.
 CheckedDeck build_checked(const RunOptions& options);
 
-/// The same, and a short report. Returns an ExitCode.
+/// Does the same and prints a short report. Returns an ExitCode.
 int check_deck(const RunOptions& options);
 
 }  // namespace blocks::run

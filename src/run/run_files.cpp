@@ -15,9 +15,9 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path, ignored);
 }
 
-/// The first ending under which nothing is kept that would be missed: files of another
-/// deck, or of a run that was closed (they have a summary) where that of the name was
-/// not.
+/// The first of .bak, .bak2, ... whose files may be overwritten. Files of another deck
+/// are kept, and so are files of a finished run (with a summary) if the present files
+/// have no summary.
 std::string free_ending(const std::string& name, const output::RunIdentity& identity) {
   for (int number = 1;; ++number) {
     std::string ending = number == 1 ? ".bak" : fmt::format(".bak{}", number);
@@ -28,7 +28,7 @@ std::string free_ending(const std::string& name, const output::RunIdentity& iden
     if (!exists(results)) {
       if (!exists(summary + ending) && !exists(name + ".ckpt.h5" + ending))
         return ending;
-      continue;  // whose they are is not known
+      continue;  // their deck is unknown
     }
     if (const auto deck = output::ResultsWriter::identity_of(results);
         deck && deck->same_deck(identity))
@@ -36,7 +36,7 @@ std::string free_ending(const std::string& name, const output::RunIdentity& iden
   }
 }
 
-/// No other run is at work under the name.
+/// Throws FileError if another run is writing files of this name.
 void expect_idle(const std::string& name) {
   const std::string results = name + ".vtkhdf";
   if (output::is_being_written(results) || output::is_being_written(results + ".tmp"))
@@ -45,7 +45,8 @@ void expect_idle(const std::string& name) {
         results));
 }
 
-/// The name, if the files that replace older ones may do so: found before the run.
+/// Returns the name. Throws FileError before the run if one of its files cannot be
+/// replaced or is being written.
 const std::string& replaceable(const std::string& name) {
   expect_idle(name);
   for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
@@ -59,7 +60,7 @@ const std::string& replaceable(const std::string& name) {
       fmt::format("cannot continue {}: {}; -o NAME begins new files", path, reason));
 }
 
-/// The listing holds what was written before the checkpoint.
+/// Throws FileError unless the listing holds everything written before the checkpoint.
 void expect_listing(const std::string& path, long bytes) {
   std::error_code missing;
   const auto size = std::filesystem::file_size(path, missing);
@@ -70,15 +71,15 @@ void expect_listing(const std::string& path, long bytes) {
         path, fmt::format("it has {} bytes, not the {} that came before", size, bytes));
 }
 
-/// The listing without what was written after the checkpoint.
+/// Truncates the listing to its length at the checkpoint. Returns the path.
 std::string cut(const std::string& path, long bytes) {
-  std::error_code ignored;  // what is wrong shows when the listing is opened
+  std::error_code ignored;  // opening the listing reports errors
   std::filesystem::resize_file(path, static_cast<std::uintmax_t>(bytes), ignored);
   return path;
 }
 
-/// What is told of older results that belong to another deck, or to this one as it was
-/// before.
+/// The warning about older results of another deck, or of this deck before a change;
+/// otherwise empty.
 std::string foreign(const std::string& results, const output::RunIdentity& identity,
                     const std::string& ending) {
   const auto other = output::ResultsWriter::identity_of(results);
@@ -107,9 +108,9 @@ RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
   listing_.deck_echo(identity);
 }
 
-/// Keeps an older file under its new ending.
+/// Renames an older file to its new ending.
 std::string RunFiles::step_aside(const std::string& path) {
-  std::error_code ignored;  // what is wrong shows when the new file is opened
+  std::error_code ignored;  // opening the new file reports errors
   if (std::filesystem::is_regular_file(path, ignored)) {
     output::move_file(path, path + older_.ending);
     older_.paths.push_back(path);
@@ -118,7 +119,7 @@ std::string RunFiles::step_aside(const std::string& path) {
 }
 
 RunFiles::Older::~Older() {
-  std::error_code ignored;  // it failed already
+  std::error_code ignored;  // the run has already failed
   for (const std::string& path : paths)
     std::filesystem::rename(path + ending, path, ignored);
 }
@@ -148,7 +149,8 @@ RunFiles RunFiles::resumed(const std::string& name, const output::RunIdentity& i
   return files;
 }
 
-/// Whether results and listing beside us are those of the checkpoint's run, and whole.
+/// Whether the results and the listing of this name belong to the checkpoint's run.
+/// Throws FileError if they do but lack data.
 bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& from,
                          long listing_bytes, const std::string& checkpoint) {
   const std::string results = name + ".vtkhdf";
@@ -164,7 +166,7 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
       refuse_to_continue(results, exists(results)
                                       ? "it is not of the run that wrote the checkpoint"
                                       : "it is not there");
-  return false;  // those beside us, if any, belong to another run
+  return false;  // existing files, if any, belong to another run
 }
 
 RunFiles::RunFiles(std::string name, const output::RunIdentity& identity,
@@ -190,7 +192,7 @@ output::Progress RunFiles::here(output::Progress progress) {
 
 void RunFiles::checkpoint_at(const Model& model, const output::Progress& progress,
                              Kept kept) {
-  // What a checkpoint leads to is on disk before it is.
+  // The files that a checkpoint refers to must be on disk before it is.
   for (const std::string& path : {results_path(), name_ + ".out"})
     if (std::filesystem::is_regular_file(path))
       output::sync_file(path, path);
@@ -206,7 +208,7 @@ void RunFiles::close(const Model& model, output::RunReport report,
   frame(model);
   table(model);
   listing_.closing(model);
-  if (report.status != "unsound")  // the last good one stays
+  if (report.status != "unsound")  // keep the last good checkpoint
     checkpoint_at(model, stopped, {results_->frames(), listing_.size()});
   report.identity = identity_;
   report.frames = results_->frames();

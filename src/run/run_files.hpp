@@ -1,4 +1,4 @@
-// The files of one run, written together: listing, results, checkpoint, summary.
+// The output files of one run: listing, results, checkpoint and summary.
 #pragma once
 
 #include <memory>
@@ -15,19 +15,22 @@ namespace blocks::run {
 
 class RunFiles {
  public:
-  /// Creates NAME.out and NAME.vtkhdf. The older files of that name get the ending
-  /// .bak; where files of another deck have that name already, .bak2 and so on. Throws
+  /// Creates NAME.out and NAME.vtkhdf. Older files with these names get the ending
+  /// .bak, or .bak2 and so on if files of another deck already have it. Throws
   /// output::FileError.
   RunFiles(const std::string& name, const output::RunIdentity& identity);
-  /// Continues NAME.out and NAME.vtkhdf behind a checkpoint, whatever was written later
-  /// cut off; new files where those beside us belong to another run. Throws FileError,
-  /// and changes nothing, where they lack what was written before, or where NAME is
-  /// that of the checkpoint and they are not there.
+  /// Continues NAME.out and NAME.vtkhdf after a checkpoint and discards what was
+  /// written later. If existing files of that name belong to another run, it creates
+  /// new ones.
+  ///
+  /// Throws FileError and changes nothing if the files lack data written before the
+  /// checkpoint. It also does so if the checkpoint is that of NAME but results of its
+  /// run are missing.
   static RunFiles behind(const std::string& name, const output::RunIdentity& identity,
                          const output::CheckpointInfo& from,
                          const std::string& checkpoint);
-  /// The same for the deck that was stopped there: what its end added is cut off too,
-  /// as if it had never stopped.
+  /// The same for a deck that was stopped at the checkpoint. It also discards what the
+  /// end of that run added, as if the run had never stopped.
   static RunFiles resumed(const std::string& name, const output::RunIdentity& identity,
                           const output::CheckpointInfo& from,
                           const std::string& checkpoint);
@@ -40,18 +43,20 @@ class RunFiles {
   void checkpoint(const Model& model, const output::Progress& progress) {
     good_checkpoint(model, here(progress));
   }
-  /// A state kept in memory since progress, which here() has told.
+  /// Writes a state that was kept in memory. `progress` was returned by here() at that
+  /// time.
   void good_checkpoint(const Model& model, const output::Progress& progress) {
     checkpoint_at(model, progress, {progress.frames, progress.listing_bytes});
   }
-  /// With how far results and listing are by now.
+  /// Returns `progress` with the present lengths of results and listing.
   output::Progress here(output::Progress progress);
-  /// Last frame, closing table, checkpoint, summary. A run that goes on from there
-  /// begins before all of that.
+  /// Writes the last frame, closing table, checkpoint and summary. If the same deck
+  /// resumes from this checkpoint, the frame and the table are discarded.
   void close(const Model& model, output::RunReport report,
              const output::Progress& progress);
 
-  /// What was put aside, in words, if it belongs to another deck; else empty.
+  /// Describes the older files that were renamed if they belong to another deck;
+  /// otherwise empty.
   const std::string& put_aside() const { return put_aside_; }
 
   std::string checkpoint_path() const { return name_ + ".ckpt.h5"; }
@@ -64,7 +69,7 @@ class RunFiles {
   std::string step_aside(const std::string& path);
   static bool continues(const std::string& name, const output::CheckpointInfo& from,
                         long listing_bytes, const std::string& checkpoint);
-  /// What a run behind the checkpoint leaves of results and listing.
+  /// The lengths of results and listing that a run after the checkpoint keeps.
   struct Kept {
     long frames, bytes;
   };
@@ -72,8 +77,8 @@ class RunFiles {
 
   std::string name_;
   output::RunIdentity identity_;
-  /// Files that have stepped aside. They come back where no frame is written: until
-  /// then the older results keep their name, too.
+  /// Older files that were renamed. If no frame is written, the destructor restores
+  /// their names. Until the first frame, the older results also keep their name.
   struct Older {
     std::string ending;
     std::vector<std::string> paths;

@@ -8,7 +8,7 @@
 namespace blocks::run {
 namespace {
 
-/// How deep a point is below the line from p to q, [L].
+/// Depth of a point below the line from p to q, [L].
 double depth_below(const Vec2& p, const Vec2& q, const Vec2& point) {
   return geometry::cross(point - p, q - p) / (q - p).norm();
 }
@@ -27,7 +27,7 @@ double extent_across(const Blocks& blocks, const Vec2& p, const Vec2& q, int blo
   return high - low;
 }
 
-/// The first block with a corner that is not a number, or infinite; -1: none.
+/// The first block with a corner whose position is not finite; -1 if there is none.
 int first_without_place(const Blocks& blocks) {
   for (int c = 0; c < blocks.corners(); ++c)
     if (!blocks.corner.col(c).allFinite())

@@ -1,4 +1,4 @@
-// What the scenes of the study are made with.
+// A builder for the scenes of the study.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ inline constexpr double g = 10.0;  ///< [L/T^2]
 
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
-/// A scene in the making; lengths in m, masses in kg, times in s.
+/// Builds a scene. Lengths are in m, masses in kg, times in s.
 class Draft {
  public:
   Draft(std::string name, std::string what, long steps) {
@@ -37,7 +37,7 @@ class Draft {
         {{outline, 1, 2000.0, fixed ? Fixity::by_user : Fixity::free}});
     return scene_.model.blocks.size() - 1;
   }
-  /// The rectangle [x, x + w] x [y, y + h].
+  /// Adds the rectangle [x, x + w] x [y, y + h].
   int box(double x, double y, double w, double h, bool fixed = false) {
     return add({{x, y}, {x, y + h}, {x + w, y + h}, {x + w, y}}, fixed);
   }
@@ -53,7 +53,7 @@ class Draft {
     scene_.model.settings.damping = damping;
     scene_.conservative = false;
   }
-  /// Block b moves by this, all others stay.
+  /// Returns the scene. Block b is expected to move by way(steps, dt); all others stay.
   Scene moves(int b, std::function<Vec2(long steps, double dt)> way) {
     const int n = scene_.model.blocks.size();
     scene_.expected = [n, b, way](long steps, double dt) {
@@ -63,16 +63,17 @@ class Draft {
     };
     return scene_;
   }
-  /// Accelerates freely: velocities first, then positions.
+  /// Returns the scene. Block b is expected to fall freely; velocities are updated
+  /// before positions.
   Scene falls(int b) {
     return moves(b, [a = scene_.model.settings.gravity](long k, double dt) {
       return Vec2(
           a * (0.5 * static_cast<double>(k) * static_cast<double>(k + 1) * dt * dt));
     });
   }
-  /// Block b turns at this rate, anticlockwise, [1/T].
+  /// Sets the spin of block b, positive anticlockwise, [1/T].
   void spin(int b, double rate) { scene_.model.blocks.spin[b] = rate; }
-  /// Time step as a share of the critical one.
+  /// Sets the time step as a fraction of the critical one.
   void fraction(double share) { scene_.model.settings.fraction = share; }
   const Model& model() const { return scene_.model; }
   Scene rests(double size) {

@@ -1,4 +1,4 @@
-// Whether the contacts that acted in a step are those of the default rules.
+// Compares the contacts that acted in a step with those of the default rules.
 #pragma once
 
 #include <tuple>
@@ -10,13 +10,14 @@
 
 namespace blocks::study {
 
-/// The default rules at the positions of another run: every pair is decided in every
-/// step, in a list of pairs of its own that reaches twice as far.
+/// Applies the default rules at the positions of another run. It decides every pair in
+/// every step. Its own list of pairs reaches twice as far.
 class ExactJudge {
  public:
-  /// Decides where the blocks are.
+  /// Decides all pairs at the present positions.
   void decide(const Model& model);
-  /// Compares with the contacts that acted in the step from there.
+  /// Compares the decisions with the contacts that acted in the step from these
+  /// positions.
   void compare(const Blocks& blocks, const std::vector<Contact>& contacts,
                Outcome& outcome) const;
 
@@ -27,7 +28,7 @@ class ExactJudge {
   dynamics::BlockParts parts_;
   dynamics::NearSearch near_;
   dynamics::PairScratch scratch_;
-  long seen_ = -1;  ///< NUPDAT when the pairs were found
+  long seen_ = -1;  ///< search (NUPDAT) of the present pairs
   std::vector<Key> acting_;
 };
 

@@ -19,7 +19,7 @@ constexpr Colour ink{0.16, 0.16, 0.18}, faint{0.62, 0.62, 0.64},
     paper{0.992, 0.99, 0.984};
 constexpr Colour hang{0.03, 0.38, 0.72}, fall{0.84, 0.27, 0.0}, ghost{0.86, 0.86, 0.89};
 constexpr double line = 17, label = 112, gap = 26, head = 44, foot = 34, top = 76;
-constexpr double title = 16, small = 11;  // sizes of letters
+constexpr double title = 16, small = 11;  // font sizes
 constexpr std::size_t columns = 3;
 
 class Sheet {
@@ -53,7 +53,8 @@ class Sheet {
 
  private:
   void colour(const Colour& c) { cairo_set_source_rgb(pen_, c.r, c.g, c.b); }
-  /// along, up: which part of the words stands at (x, y); 0 left or top.
+  /// `along` and `up` select the point of the text box that is at (x, y). (0, 0) is the
+  /// top left, (1, 1) the bottom right.
   void text(const std::string& words, double x, double y, double size, const Colour& c,
             double along, double up) {
     cairo_set_font_size(pen_, size);
@@ -109,7 +110,7 @@ class Sheet {
     return box.x_advance;
   }
 
-  /// On a base line, whatever letters there are.
+  /// Draws words on a base line, independent of the heights of their letters.
   void line_of(const std::string& words, double x, double y, double size,
                const Colour& c) {
     cairo_set_font_size(pen_, size);
@@ -119,17 +120,18 @@ class Sheet {
     cairo_new_path(pen_);
   }
 
-  /// Scene and remark do not fit on one line of this width.
+  /// Whether the scene's name and the remark do not fit on one line of this width.
   bool collides(const Study& study, double w) {
     const std::string note = remark(study);
     return !note.empty() &&
            width_of(study.scene, title) + small + width_of(note, small) > w;
   }
 
-  /// The scene's name, and the remark beside it or, where one is too long, below it.
+  /// Draws the scene's name. The remark is beside it or, if one is too long in any
+  /// panel, below it.
   void heading(const Study& study, double x, double y, double w) {
     std::string name = study.scene;
-    while (width_of(name, title) > w) {  // of a path the end tells more
+    while (width_of(name, title) > w) {  // the end of a path is more informative
       std::size_t cut = name.starts_with("…") ? std::string("…").size() : 0;
       do
         ++cut;
@@ -142,7 +144,7 @@ class Sheet {
             small, faint);
   }
 
-  /// Why a panel has no marks of a kind.
+  /// The reason why a panel has no marks of some kind.
   static std::string remark(const Study& study) {
     if (study.rows.empty())
       return "not run";
@@ -198,7 +200,7 @@ class Sheet {
 
   cairo_t* pen_;
   double width_;
-  bool below_ = false;  ///< remarks stand below the names
+  bool below_ = false;  ///< remarks are below the names
 };
 
 }  // namespace

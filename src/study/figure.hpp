@@ -1,4 +1,4 @@
-// A study as a figure: for each scene and variant, how often it fails.
+// Draws a study as a figure that shows how often each variant fails in each scene.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace blocks::study {
 
-/// A panel for each scene, a line for each variant: hang-ups and fall-throughs in per
-/// cent of the frames with their confidence intervals, phantom contacts as a pale bar.
-/// PNG, SVG or PDF by the ending. Throws std::runtime_error.
+/// Draws a panel for each scene, with a line for each variant. Hang-ups and
+/// fall-throughs are in per cent of the frames, with confidence intervals; phantom
+/// contacts are a pale bar. The ending of `path` selects PNG, SVG or PDF. Throws
+/// std::runtime_error.
 void draw_studies(const std::string& path, const std::vector<Study>& studies);
 
 }  // namespace blocks::study

@@ -10,11 +10,11 @@
 namespace blocks::study {
 namespace {
 
-/// Convergents of tan 10 degrees, numerator and denominator.
+/// The convergents of tan 10 degrees, as numerator and denominator.
 std::vector<std::pair<double, double>> convergents() {
   std::vector<std::pair<double, double>> found;
   double x = std::tan(std::numbers::pi / 18.0);
-  double h0 = 1, h1 = 0, k0 = 0, k1 = 1;  // before and at the term 0
+  double h0 = 1, h1 = 0, k0 = 0, k1 = 1;  // previous and present convergent, at term 0
   for (int term = 0; term < 9; ++term) {
     x = 1.0 / x;
     const double a = std::floor(x);

@@ -1,5 +1,5 @@
-// A frame of reference: physics must not depend on how a scene is turned, shifted and
-// scaled; decisions in doubles do.
+// Frames of reference. Physics does not depend on the rotation, offset and scale of a
+// scene, but decisions in doubles do.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace blocks::study {
 
 using geometry::Vec2;
 
-/// x -> offset + scale * R x. Time and masses stay as they are, so that velocities and
+/// The map x -> offset + scale * R x. Times and masses do not change, so velocities and
 /// accelerations are multiplied by the scale.
 struct Frame {
   double cosine = 1.0, sine = 0.0;
@@ -22,10 +22,10 @@ struct Frame {
   Vec2 turn(const Vec2& v) const {
     return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
   }
-  /// A direction, velocity or acceleration.
+  /// Transforms a displacement, a velocity or an acceleration.
   Vec2 vector(const Vec2& v) const { return scale * turn(v); }
   Vec2 point(const Vec2& p) const { return vector(p) + offset; }
-  /// The difference of two points, in the scene's own frame.
+  /// Transforms the difference of two points back to the scene's own frame.
   Vec2 back(const Vec2& d) const {
     return Vec2(cosine * d.x() + sine * d.y(), cosine * d.y() - sine * d.x()) / scale;
   }
@@ -33,14 +33,16 @@ struct Frame {
 
 struct FrameChoice {
   std::uint64_t seed = 1982;
-  /// In units of the scene's length times the scale; nothing: 0, 1, 1e3, 1e6 or 1e9.
+  /// In units of the scene's length times the scale. If empty, the offset is 0, 1, 1e3,
+  /// 1e6 or 1e9.
   std::optional<double> offset;
-  std::optional<double> scale;  ///< nothing: 1e-3 to 1e6, also powers of two
+  std::optional<double> scale;  ///< if empty: 1e-3 to 1e6, also powers of two
 };
 
-/// Frame number `number`: of ten angles one is 0, one a convergent of tan 10 degrees
-/// (the limit of (20)), two are Pythagorean (sine and cosine rational), all in any
-/// quadrant; six are any angle. The same for the same seed everywhere.
+/// Returns frame number `number`, which depends only on the seed and the choice. Of ten
+/// angles, one is 0 and one is a convergent of tan 10 degrees (the limit of (20)). Two
+/// are Pythagorean (sine and cosine rational), and six are arbitrary. All are turned
+/// into a random quadrant.
 Frame random_frame(const FrameChoice& choice, int number, double length);
 
 }  // namespace blocks::study

@@ -15,8 +15,9 @@
 namespace blocks::study {
 namespace {
 
-/// Kinetic energy, height against gravity, springs: [F L]. Velocities belong half a
-/// step before the positions; heights are taken there, and free fall keeps its energy.
+/// The total energy [F L]: kinetic, potential and spring energy. Velocities belong to
+/// half a step before the positions. Heights are taken at that time, so that the energy
+/// of free fall is constant.
 double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
   const Settings& s = model.settings;
   const Blocks& blocks = model.blocks;
@@ -33,14 +34,14 @@ double total_energy(const Model& model, const Eigen::Matrix2Xd& start) {
          0.5 * model.plane_contacts.normal_elastic.square().sum() / s.normal_stiffness;
 }
 
-/// What two blocks share: an area [L^2], and the shortest shift that separates them
-/// [L].
+/// The overlap of two blocks: its area [L^2], and the shortest shift that separates
+/// them [L].
 struct Shared {
   double area = 0.0, depth = 0.0;
 };
 using SharedByPair = std::map<std::pair<int, int>, Shared>;
 
-/// What pairs of blocks share that are not both fixed.
+/// The overlaps of all pairs of blocks that are not both fixed.
 SharedByPair shared_by_pair(const Blocks& blocks) {
   std::vector<geometry::Polygon> outlines;
   for (int b = 0; b < blocks.size(); ++b)
@@ -53,8 +54,8 @@ SharedByPair shared_by_pair(const Blocks& blocks) {
   return shared;
 }
 
-/// Two blocks share more than the scene allows; one has come through the other. What
-/// they share at the start belongs to the scene.
+/// Whether two blocks overlap by more than the scene allows, so that one has passed
+/// through the other. Overlaps at the start do not count.
 bool passes_through(const Scene& scene, double scale, const Blocks& blocks,
                     const SharedByPair& at_start) {
   for (const auto& [pair, shared] : shared_by_pair(blocks)) {
@@ -68,7 +69,8 @@ bool passes_through(const Scene& scene, double scale, const Blocks& blocks,
   return false;
 }
 
-/// Overlaps are looked at so many times, evenly spread, the last one at the end.
+/// Whether overlaps are measured after step k. This happens `looks` times, evenly
+/// spread, the last time at the end.
 bool is_checkpoint(long k, long steps, long looks) {
   return (k + 1) % ((steps + looks - 1) / looks) == 0 || k + 1 == steps;
 }
@@ -81,12 +83,13 @@ std::uint64_t hash_acting(const std::vector<Contact>& contacts) {
   return state;
 }
 
-/// How far blocks fall behind the speed expected of them.
+/// Measures how far blocks fall behind their expected speed.
 class Pace {
  public:
   Pace(const Scene& scene, const Frame& frame) : scene_(scene), frame_(frame) {}
 
-  /// After step k = 1, 2, ...: the velocity is that of the way from k - 1 to k.
+  /// Compares the velocities after step k = 1, 2, ... with the displacements expected
+  /// from step k - 1 to k.
   void look(const Model& model, long k) {
     if (!scene_.known_motion)
       return;
@@ -105,7 +108,8 @@ class Pace {
     }
     before_ = here;
   }
-  /// Share of the fastest speed expected; NaN: none was.
+  /// The largest loss as a share of the fastest expected speed; NaN if none was
+  /// expected.
   double lost() const { return fastest_ > 0.0 ? lost_ / fastest_ : not_asked; }
 
  private:
@@ -115,7 +119,8 @@ class Pace {
   double fastest_ = 0.0, lost_ = 0.0;
 };
 
-/// Against what was expected of the scene: hung, sunk.
+/// Compares the end of a run with the expected motion, and sets whether a block hung or
+/// fell through.
 void judge_end(const Scene& scene, const Frame& frame, const Model& model,
                const Eigen::Matrix2Xd& start, long steps, Outcome& outcome) {
   const Eigen::Matrix2Xd expected = scene.expected(steps, model.time_step.dt);
@@ -210,7 +215,7 @@ Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
           passes_through(scene, frame.scale, model.blocks, shared_at_start);
   }
   judge_end(scene, frame, model, start, steps, outcome);
-  // masses are those of the scene, so energies grow with the square of the lengths
+  // Masses are those of the scene, so energies grow with the square of the lengths.
   outcome.energy_error =
       keeps_books(model)
           ? worst_energy / (energy_scale(scene) * frame.scale * frame.scale)
@@ -226,7 +231,7 @@ std::string set_expectation(Scene& scene, const Variant& variant, long steps) {
   const Eigen::Matrix2Xd start = model.blocks.centroid;
   const SharedByPair shared_at_start = shared_by_pair(model.blocks);
   const double energy_at_start = total_energy(model, start);
-  // a run that goes wrong gains energy by leaps, one at rest gains round-off
+  // An unstable run suddenly gains much energy; a run at rest gains only round-off.
   const double most_gained = keeps_books(model)
                                  ? energy_scale(scene)
                                  : std::numeric_limits<double>::infinity();

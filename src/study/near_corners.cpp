@@ -34,7 +34,7 @@ void NearCorners::add(const Blocks& blocks, int corner, int edge) {
     own.push_back(one);
 }
 
-/// Corners of block `own` near edges of the other block.
+/// Lists the corners of block `own` that are near edges of the other block.
 void NearCorners::add_near(const Blocks& blocks, int own, int other, double reach) {
   for (int c = blocks.first_corner[own]; c < blocks.first_corner[own + 1]; ++c)
     for (int e = blocks.first_corner[other]; e < blocks.first_corner[other + 1]; ++e)

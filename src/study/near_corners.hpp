@@ -12,19 +12,19 @@
 
 namespace blocks::study {
 
-/// For each pair of blocks the corners that were near an edge of the other block when
-/// the list was made, and those that acted then.
+/// Lists, for each pair of blocks, the corners that were near an edge of the other
+/// block when the list was made. Corners that acted at that time are listed too.
 class NearCorners {
  public:
   using Corners = std::vector<dynamics::CornerOnEdge>;
 
-  /// Makes the list: corners within `reach` of an edge, [L]. The pairs have to hold all
-  /// blocks that are so near. keep: what was in the list before stays in it.
+  /// Lists the corners within `reach` [L] of an edge. `index` must hold all pairs of
+  /// blocks that are so near. If `keep` is set, earlier entries stay in the list.
   void find(const Model& model, const dynamics::PairIndex& index, double reach,
             bool keep);
-  /// What is listed for a pair of blocks, low < high.
+  /// The corners listed for a pair of blocks, low < high.
   const Corners& of(int low, int high) const;
-  /// The pairs of the list that are not both fixed, ordered.
+  /// The listed pairs that are not both fixed, in order.
   std::vector<dynamics::NearPair> pairs(const Blocks& blocks) const;
 
  private:

@@ -1,4 +1,4 @@
-// A scene put into another frame: everything with a length in it.
+// Transforms a scene to another frame, including every quantity that contains a length.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace blocks::study {
 namespace {
 
-/// Each corner replaced by points on its two sides and, if rounded, between them.
+/// Replaces each corner by points on its two sides and, if rounded, between them.
 geometry::Polygon cut_corners(const geometry::Polygon& outline, int chords) {
   const std::size_t n = outline.size();
   double shortest = (outline[0] - outline[n - 1]).norm();
@@ -22,7 +22,7 @@ geometry::Polygon cut_corners(const geometry::Polygon& outline, int chords) {
     const Vec2 p = outline[i];
     const Vec2 a = p + cut * (outline[(i + n - 1) % n] - p).normalized();
     const Vec2 b = p + cut * (outline[(i + 1) % n] - p).normalized();
-    for (int k = 0; k <= chords; ++k) {  // a parabola, tangent to both sides
+    for (int k = 0; k <= chords; ++k) {  // arc of a parabola, tangent to both sides
       const double t = static_cast<double>(k) / chords;
       result.emplace_back((1 - t) * (1 - t) * a + 2 * t * (1 - t) * p + t * t * b);
     }
@@ -30,22 +30,22 @@ geometry::Polygon cut_corners(const geometry::Polygon& outline, int chords) {
   return result;
 }
 
-/// Every side moved inwards.
+/// Moves every side inwards by `by`.
 geometry::Polygon shrink(const geometry::Polygon& outline, double by) {
   const std::size_t n = outline.size();
   geometry::Polygon result;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 in = (outline[i] - outline[(i + n - 1) % n]).normalized();
     const Vec2 out = (outline[(i + 1) % n] - outline[i]).normalized();
-    // inwards is on the right of a clockwise side; the sum of both normals, scaled so
-    // that each side moves by `by`
+    // Inwards is to the right of a clockwise side. The sum of both normals is scaled so
+    // that each side moves by `by`.
     const Vec2 normals(in.y() + out.y(), -in.x() - out.x());
     result.emplace_back(outline[i] + by / (1.0 + in.dot(out)) * normals);
   }
   return result;
 }
 
-/// Points that take the place of one corner.
+/// The number of points that replace one corner.
 int points_per_corner(Corners corners) {
   return corners == Corners::chamfered ? 2 : corners == Corners::rounded ? 4 : 1;
 }
@@ -64,7 +64,8 @@ geometry::Polygon treat(const geometry::Polygon& outline, Corners corners,
   return outline;
 }
 
-/// Throws UnfitBlock, the block counted from 1.
+/// Throws UnfitBlock if the outline is not valid. `block` is its number for the
+/// message, counted from 1.
 void check(const geometry::Polygon& outline, int block, Corners corners) {
   const geometry::OutlineCheck found = geometry::check_outline(outline);
   if (found.fault == geometry::OutlineFault::none && !found.anticlockwise)
@@ -94,7 +95,7 @@ Model place(const Model& model, const Frame& frame, Corners corners) {
   const int points = points_per_corner(corners);
   for (Pressure& load : result.loads.pressures)
     load.side = load.side * points + points - 1;
-  // the domain's rectangle, turned, and the rectangle around that
+  // The new domain is the bounding rectangle of the transformed one.
   const Vec2 a = model.settings.lower, b = model.settings.upper;
   settings.lower = settings.upper = frame.point(a);
   for (const Vec2& p : {b, Vec2(a.x(), b.y()), Vec2(b.x(), a.y())}) {

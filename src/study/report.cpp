@@ -24,7 +24,7 @@ std::string percent(const Estimate& e) {
   return fmt::format("{:.{}f} ±{:.{}f}", value, digits, half, digits);
 }
 
-/// "3/20 5-36": count, frames, interval in per cent; "-": it could not happen.
+/// "3/20 5-36": count, frames, interval in per cent; "-" if it could not happen.
 std::string counted(long k, int n, const Estimate& e) {
   if (std::isnan(e.value))
     return "-";
@@ -33,7 +33,7 @@ std::string counted(long k, int n, const Estimate& e) {
                      100 * e.high < 9.95 ? 1 : 0);
 }
 
-/// "4e-10 (8e-11..2e-09)": a mean over several magnitudes has a lopsided interval.
+/// "4e-10 (8e-11..2e-09)": a mean over several magnitudes has an asymmetric interval.
 std::string small(const Estimate& e) {
   if (std::isnan(e.value))
     return "-";
@@ -42,7 +42,7 @@ std::string small(const Estimate& e) {
              : fmt::format("{:.0e} ({:.0e}..{:.0e})", e.value, e.low, e.high);
 }
 
-/// "12/20 at 53 (20-71)": frames, median of the first step with its interval.
+/// "12/20 at 53 (20-71)": frames, and the median of the first step with its interval.
 std::string divergence(const Row& row) {
   if (row.variant->corners != Corners::sharp)
     return "-";
@@ -54,7 +54,7 @@ std::string divergence(const Row& row) {
                                : fmt::format(" ({:.0f}-{:.0f})", step.low, step.high));
 }
 
-/// Where the default rules failed: whoever mends them needs the frames.
+/// Lists the frames in which the default rules failed, so that they can be run again.
 std::string frames_line(const char* what, const std::vector<int>& frames,
                         const std::string& again) {
   if (frames.empty())
@@ -66,14 +66,14 @@ std::string frames_line(const char* what, const std::vector<int>& frames,
                             frames.size() > 10 ? " ..." : "", frames.front(), again);
 }
 
-/// Places on the screen: bytes, but ± has two.
+/// The number of characters of a UTF-8 text, in which ± has two bytes.
 std::size_t width(const std::string& s) {
   return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
 }
 
-/// Rows of cells in columns as wide as they have to be.
+/// Aligns rows of cells in columns that are as narrow as possible.
 std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const auto& row : rows)
@@ -109,7 +109,7 @@ nlohmann::json as_json(const Estimate& e) {
           {"high", value_or_null(e.high)}};
 }
 
-/// A count and its share, empty when it could not happen.
+/// A count and its share; empty if it could not happen.
 std::string cell(long count, const Estimate& e) {
   return (std::isnan(e.value) ? std::string(",") : fmt::format(",{}", count)) + cell(e);
 }
@@ -178,7 +178,7 @@ std::string text(const Study& study) {
 
 namespace {
 
-/// A field of a CSV file: in quotes where it has to be (RFC 4180).
+/// A field of a CSV file, in quotes if necessary (RFC 4180).
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos)
     return text;

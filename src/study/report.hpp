@@ -1,4 +1,4 @@
-// A study as a table for the terminal, as CSV and as JSON.
+// Formats a study as a table for the terminal, as CSV and as JSON.
 #pragma once
 
 #include <string>
@@ -13,17 +13,19 @@ struct ReportHead {
   std::uint64_t seed = 0;
 };
 
-/// Columns as wide as their figures; below the table what did not run, and why.
+/// Returns the table for the terminal. Below it, notes say which variants did not run
+/// and why.
 std::string text(const Study& study);
 
-/// A header and one line for each scene and variant; shares from 0 to 1, empty where
-/// nothing was asked; 0 frames: the variant did not run.
+/// Returns a header and one line for each scene and variant. Shares range from 0 to 1.
+/// Fields are empty if they were not measured, and 0 frames mean that the variant did
+/// not run.
 std::string csv(const std::vector<Study>& studies);
 
-/// The same figures, with the numbers of the frames that hung or fell through.
+/// Returns the same values, with the numbers of the frames that hung or fell through.
 std::string json(const std::vector<Study>& studies, const ReportHead& head);
 
-/// One line for each scene and variant: `--list`.
+/// The lists of `--list`, one line for each variant or scene.
 std::string list_of_variants();
 std::string list_of_scenes();
 

@@ -14,7 +14,7 @@ using namespace scenes;
 struct Named {
   std::string_view name;
   Scene (*make)();
-  Scene (*make_varied)(Draws&);  ///< of a scene that differs from frame to frame
+  Scene (*make_varied)(Draws&);  ///< for a scene that differs from frame to frame
   bool must_pass;
 };
 constexpr Named same(std::string_view name, Scene (*make)(), bool must_pass = true) {

@@ -1,4 +1,5 @@
-// Every scene of the study by name. Those with Draws differ from frame to frame.
+// The functions that make the scenes of the study. Scenes with Draws differ from frame
+// to frame.
 #pragma once
 
 #include "study/draws.hpp"

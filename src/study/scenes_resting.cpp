@@ -37,8 +37,8 @@ Scene wall() {
 
 namespace {
 
-/// A convex polygon with its corners on an ellipse, whose shorter axis is this share of
-/// the longer one.
+/// A convex polygon with its corners on an ellipse. `share` is the ratio of the shorter
+/// axis to the longer one.
 geometry::Polygon random_polygon(Draws& draw, const Vec2& centre, double radius,
                                  double share) {
   const int corners = 3 + draw.below(4);
@@ -55,10 +55,10 @@ geometry::Polygon random_polygon(Draws& draw, const Vec2& centre, double radius,
 
 }  // namespace
 
-/// The free blocks are thrown on the terrain and come to rest on it. Where they do is
-/// not known, but they may not sink in: with all its energy of the first impact, at 6
-/// m/s, in one spring a block of 500 kg overlaps by 4.2 cm; half as much more is
-/// allowed, because blocks strike each other.
+/// The free blocks are thrown on the terrain and come to rest on it, at unknown places,
+/// but they may not sink in. If one spring takes up all the energy of the first impact,
+/// at 6 m/s, a block of 500 kg overlaps by 4.2 cm. Half as much more is allowed,
+/// because blocks strike each other.
 Scene terrain(Draws& draw) {
   Draft draft("terrain", "blocks fall on a terrain of fixed blocks that overlap", 1500);
   draft.rub(0.5, 0.3);
@@ -89,10 +89,11 @@ Scene terrain(Draws& draw) {
 
 /// The lower block lies flat on a pedestal, and its tip leans out over a gap that is
 /// open below. The tip carries the upper block in one of three ways:
-/// - a plate ends on the tip and lies with its other end on a box as high;
-/// - a plate lies on the lower block and overhangs the tip, with its centroid before
-/// it;
-/// - a keystone hangs with its slanted sides on the tip and on the corner of the box.
+/// - One end of a plate lies on the tip, and the other end on a box of the same height.
+/// - A plate lies on the lower block and overhangs the tip, with its centroid behind
+///   it.
+/// - A keystone hangs with its slanted sides on the tip and on the corner of the box.
+///
 /// The lower block does not tip over, because the upper one has less than half the
 /// moment about the end of its base. So everything rests.
 Scene undercut(Draws& draw) {
@@ -108,12 +109,12 @@ Scene undercut(Draws& draw) {
   draft.box(-3, -2, 2.5, 1.5, true);
   if (kind != 1)
     draft.box(gap, -2, 3, 2, true);
-  // half a metre thick; its base ends where the lean begins
+  // The lower block is half a metre thick, and its base ends where the lean begins.
   draft.add({{-2, -0.5}, {-2, 0}, {0, 0}, {-0.5 * lean, -0.5}}, false);
   if (kind == 0) {
     draft.box(-margin, 0, 1, 0.3);
   } else if (kind == 1) {
-    const double before = std::max(margin, 0.02);  // of the centroid
+    const double before = std::max(margin, 0.02);  // centroid to tip
     draft.box(-before - 0.5, 0, 1, 0.3);
   } else {
     const double slope = draw.between(0.3, 1.5), above = 0.3, below = 0.3 * gap / slope;

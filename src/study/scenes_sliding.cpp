@@ -12,7 +12,7 @@ namespace blocks::study::scenes {
 
 namespace {
 
-/// A box of 1 m slides over so many fixed ones at 10 m/s.
+/// A box of 1 m slides at 10 m/s over `boxes` fixed boxes.
 Scene braked(Draft draft, double friction, int boxes) {
   constexpr double speed = 10.0;
   draft.rub(friction, 0.2);
@@ -63,9 +63,9 @@ Scene nose() {
 
 namespace {
 
-/// Friction brakes the box by mu g, however deep it sinks in: the joints are closed,
-/// and the sides of fixed flush boxes hide nothing. Dropped without overlap, the box
-/// sinks in twice as deep as it comes to rest.
+/// Friction brakes the box by mu g, however deep it sinks in, because the joints are
+/// closed: the sides of the fixed boxes cannot be touched. A box that starts without
+/// overlap first sinks in twice as deep as at rest.
 Scene sunken(const char* name, const char* what, double stiffness, double share,
              long steps) {
   Draft draft(name, what, steps);
@@ -114,7 +114,7 @@ namespace {
 constexpr int pieces = 24;
 constexpr double piece_length = 0.25;
 
-/// A regular polygon, rolling about its front lower corner, without a floor.
+/// A regular polygon that rolls about its front lower corner, without a floor.
 Draft rolling(int corners) {
   constexpr double radius = 0.5, speed = 1.2;
   Draft draft("roller", "a regular polygon rolls over a floor of 24 flush pieces",
@@ -142,7 +142,7 @@ Draft rolling_on_pieces(int corners, double floor) {
   return draft;
 }
 
-/// The floor is one block; where pieces would meet it has two corners.
+/// The floor is one block, with two corners at each place where pieces would meet.
 Draft rolling_on_one_block(int corners, double floor) {
   constexpr double apart = 1e-6;
   geometry::Polygon outline{{floor, -10}, {floor, 0}};
@@ -158,11 +158,13 @@ Draft rolling_on_one_block(int corners, double floor) {
 
 }  // namespace
 
-/// The joints of a fixed flush floor hide nothing, so the polygon must roll as it does
+/// The joints of a fixed flush floor are closed. So the polygon must roll as it does
 /// over a floor of one block with the same corners. That run is made here by the
-/// default rules; the floor's pieces are heavier than the polygon, so both runs have
-/// the same time step. The corners count: a side of the polygon that comes down flat
-/// strikes those below it too, so less speed is lost than on a floor without corners.
+/// default rules. The floor's pieces are heavier than the polygon, so both runs have
+/// the same time step.
+///
+/// The corners of the floor matter. A side of the polygon that comes down flat also
+/// strikes them, so less speed is lost than on a floor without corners.
 Scene roller(Draws& draw) {
   const int corners = 12 + draw.below(13);
   const double floor = draw.between(-1.25, -1.0);

@@ -19,7 +19,7 @@ Scene needle() {
   Draft draft("needle", "a needle strikes a wide floor at 10 degrees and glides on",
               600);
   draft.box(-10, -1, 20, 1, true);
-  // corners from its foot: along it by t, across by w
+  // point at distance t along and w across the needle, from its foot
   const auto at = [&](double t, double w) {
     return Vec2(2.0 + t * s - w * c, 0.005 + t * c + w * s);
   };
@@ -48,7 +48,8 @@ Scene tip() {
   draft.stiffness(1e9);
   for (int i = 0; i < 4; ++i)
     draft.box(0.5 * i - 1, -1, 0.5, 1, true);
-  // its middle over the tip, so that it does not turn; at the joint when it is deepest
+  // The centroid is above the tip, so that the block does not turn. The tip is at the
+  // joint when it is deepest.
   const double side = 0.4 * std::tan(std::numbers::pi / 6.0), start = -0.0045;
   const int b =
       draft.add({{start, 0.001}, {start - side, 0.401}, {start + side, 0.401}}, false);
@@ -60,12 +61,12 @@ Scene tip() {
 
 namespace {
 
-/// A tip falls at this speed on the joint of two flush fixed boxes.
+/// A tip that falls on the joint of two flush fixed boxes.
 struct Impact {
   double angle = 0.0;     ///< of the tip, in degrees
   double height = 0.0;    ///< of the triangle, [L]
   double width = 0.0;     ///< of a box, [L]
-  double aside = 0.0;     ///< of the tip, from the joint, [L]
+  double aside = 0.0;     ///< distance of the tip from the joint, [L]
   double speed = 0.0;     ///< downwards, [L/T]
   double sideways = 0.0;  ///< [L/T]
 };
@@ -73,10 +74,12 @@ struct Impact {
 /// A closed joint of fixed flush boxes hides its sides, so the tip must come back as
 /// from a floor of one piece. It keeps its speed, because the spring is undamped. It
 /// comes back straight, because the floor is frictionless and the centroid is above the
-/// tip. Let T be the root of mass over stiffness: the tip falls for T, touches the
-/// floor for pi T and rises. The deepest overlap is the speed times T. Two springs at
-/// the joint instead of one throw the tip back earlier by 0.9 T. So it may end off the
-/// expected place by a tenth of its way.
+/// tip.
+///
+/// Let T be the root of mass over stiffness: the tip falls for T, touches the floor for
+/// pi T and rises. The deepest overlap is the speed times T. Two springs at the joint
+/// instead of one throw the tip back earlier by 0.9 T. So it may miss its expected
+/// position by a tenth of its path.
 Scene bounces(Draft draft, double stiffness, const Impact& impact) {
   draft.stiffness(stiffness);
   const double w = impact.width,
@@ -94,14 +97,14 @@ Scene bounces(Draft draft, double stiffness, const Impact& impact) {
     return Vec2(impact.sideways * t,
                 impact.speed * (t - std::numbers::pi * time) - 2.0 * gap);
   });
-  scene.known_motion = false;  // at the end only
+  scene.known_motion = false;  // known at the end only
   scene.most_astray = 2.0 * gap;
   return scene;
 }
 
 }  // namespace
 
-/// In half of the frames the tip falls on the joint itself, in the others beside it.
+/// In half of the frames the tip falls on the joint itself, otherwise beside it.
 Scene stake(Draws& draw) {
   Draft draft("stake", "a stake of 4 to 40 degrees is driven into a closed joint", 600);
   Impact impact{draw.between(4, 40), 0.4, 1, 0, 3, 0};
@@ -110,9 +113,8 @@ Scene stake(Draws& draw) {
   return bounces(draft, 1e9, impact);
 }
 
-/// The toe falls within a millionth of a box's width of the joint, which is the slack,
-/// or within twice of that. Its overlaps are a fifth of a micrometre, no more than the
-/// slack.
+/// The tip falls within twice the slack of the joint, which is a millionth of a box's
+/// width. Its overlaps are a fifth of a micrometre, no more than the slack.
 Scene toe(Draws& draw) {
   Draft draft("toe", "a toe strikes flush boxes within the slack of their joint", 600);
   Impact impact{draw.between(20, 100), 0.2, 0.25, 0, 3e-3, 0};
@@ -134,7 +136,7 @@ geometry::Polygon shifted(geometry::Polygon outline, const Vec2& by) {
 /// A triangle around the origin with corners on a circle and with no angle below 4
 /// degrees.
 geometry::Polygon random_triangle(Draws& draw, double radius) {
-  constexpr double least = 8.0;  // an arc is twice the angle on it
+  constexpr double least = 8.0;  // an arc is twice its inscribed angle
   while (true) {
     std::array<double, 3> at = {draw.between(0, 360), draw.between(0, 360),
                                 draw.between(0, 360)};
@@ -149,9 +151,8 @@ geometry::Polygon random_triangle(Draws& draw, double radius) {
   }
 }
 
-/// The farthest point of an outline at the height y, to the right (sign = 1) or to the
-/// left
-/// (-1), as sign times x; minus infinity above and below the outline.
+/// The farthest point of an outline at the height y, as sign times x: to the right
+/// (sign = 1) or to the left (-1). It is minus infinity above and below the outline.
 double reach(const geometry::Polygon& outline, double y, double sign) {
   double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -164,7 +165,8 @@ double reach(const geometry::Polygon& outline, double y, double sign) {
   return farthest;
 }
 
-/// How far to the right the other outline must be in order to touch the first one only.
+/// The distance that the other outline must be moved to the right so that it only
+/// touches the first one.
 double clearance(const geometry::Polygon& one, const geometry::Polygon& other) {
   double needed = -std::numeric_limits<double>::infinity();
   for (const geometry::Polygon* outline : {&one, &other})
@@ -173,7 +175,7 @@ double clearance(const geometry::Polygon& one, const geometry::Polygon& other) {
   return needed;
 }
 
-/// The lowest corner (sign = -1) or the highest one (1), as sign times y.
+/// The height of the lowest corner (sign = -1) or the highest one (1), as sign times y.
 double extent(const geometry::Polygon& outline, double sign) {
   double most = sign * outline[0].y();
   for (const Vec2& p : outline)
@@ -185,8 +187,8 @@ double extent(const geometry::Polygon& outline, double sign) {
 
 namespace {
 
-/// Two triangles fly at each other. In half of the frames only their tips meet: seen
-/// along the flight they share up to 10 cm.
+/// Two triangles fly at each other. In half of the frames only their tips meet: their
+/// extents across the flight overlap by up to 10 cm.
 void throw_two(Draft& draft, Draws& draw, double speed) {
   const geometry::Polygon one = random_triangle(draw, 0.5);
   const geometry::Polygon other = random_triangle(draw, 0.5);
@@ -211,8 +213,8 @@ void throw_six(Draft& draft, Draws& draw, double speed) {
 
 }  // namespace
 
-/// Nothing is known of where the triangles fly, but none may come through another. No
-/// overlap is deeper than that of a spring which takes up all the energy.
+/// The paths of the triangles are unknown, but none may pass through another. No
+/// overlap may be deeper than that of a spring that takes up all the energy.
 Scene triangles(Draws& draw) {
   constexpr double speed = 4.0, stiffness = 1e8;
   Draft draft("triangles", "random triangles are thrown at each other", 1500);

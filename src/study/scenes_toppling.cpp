@@ -10,9 +10,9 @@ namespace {
 constexpr int columns = 4;
 constexpr double width = 1.0, height = 2.0, rise = 0.2;  ///< of columns and steps, [L]
 
-/// Angle by which a column on its toe has turned after the time t, if the slope is
-/// steeper than the limit by `excess`: R angle'' = (3/4) g sin(excess + angle), R half
-/// a diagonal.
+/// The angle by which a column on its toe has turned after the time t, if the slope is
+/// steeper than the limit by `excess`: R angle'' = (3/4) g sin(excess + angle). R is
+/// half a diagonal.
 double turned(double excess, double t) {
   const double rate = 0.75 * g / (0.5 * std::hypot(width, height));  // [1/T^2]
   constexpr int steps = 1000;

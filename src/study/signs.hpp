@@ -1,5 +1,5 @@
-// How the variants of the study answer the questions of the contact rule: in plain
-// floating point, or exactly with other ends of edges.
+// The predicates of the study's variants: in plain floating point, or exact with other
+// limits of edges.
 #pragma once
 
 #include <cmath>
@@ -11,11 +11,11 @@ namespace blocks::study {
 
 using geometry::Vec2;
 
-/// Where an edge begins and ends, and where its inside does.
+/// The treatment of a corner on the limit of an edge: at its ends or on its line.
 enum class Ends {
-  strict,     ///< a corner on the limit is out
-  inclusive,  ///< a corner on the limit is in
-  slack       ///< in up to 1e-6 of the edge's length beyond
+  strict,     ///< a corner on the limit is outside
+  inclusive,  ///< a corner on the limit is inside
+  slack       ///< inside up to 1e-6 of the edge's length beyond
 };
 
 /// Twice the area of (19) as printed, in absolute coordinates.
@@ -27,7 +27,7 @@ struct PrintedArea {
   }
 };
 
-/// (19) on differences to the edge's first corner.
+/// The same in coordinates relative to the edge's first corner.
 template <class Float> struct TranslatedArea {
   using Number = Float;
   static Float twice(const Vec2& c, const Vec2& p1, const Vec2& p2) {
@@ -36,8 +36,8 @@ template <class Float> struct TranslatedArea {
   }
 };
 
-/// Answers as a plain program gives them: whatever the rounded numbers say. Only the
-/// question which neighbours cover a side (`covering`) is answered exactly.
+/// Predicates in plain floating point, without control of round-off. Only `covering`,
+/// which finds the neighbours that cover a side, is exact.
 template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   using Number = typename Area::Number;
   struct Vector {
@@ -58,7 +58,7 @@ template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   static int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return sign(Area::twice(c, p1, p2));
   }
-  /// A plain program knows no bound of its errors.
+  /// The error bound is 0, because plain floating point has none.
   static geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
                                           double) {
     return {static_cast<double>(Area::twice(c, p1, p2) / Vector(p1, p2).length()), 0.0};
@@ -80,13 +80,13 @@ template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   static bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return within_ends(c, p1, p2, -Number(geometry::contact_slack));
   }
-  /// (20) for one tangent of a corner.
+  /// Equation (20) for one tangent of a corner.
   static bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
                          const Vec2& p2) {
     const Vector e(p1, p2), t(c, neighbour);
     return e.cross(t) / (e.length() * t.length()) >= -std::sin(facing_angle());
   }
-  /// (20) for two edges.
+  /// Equation (20) for two edges.
   static bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
     const Vector e(p1, p2), f(q1, q2);
@@ -117,8 +117,8 @@ template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   }
 };
 
-/// The same questions answered exactly for the stored doubles. Without slack `between`
-/// and `well_between` are the same.
+/// The same predicates, exact for the stored doubles. Without slack, `between` and
+/// `well_between` are identical.
 template <Ends ends> struct ExactSigns : dynamics::ExactPredicates {
   static int overlap_sign(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::overlap_sign(c, p1, p2);
@@ -149,8 +149,8 @@ template <Ends ends> struct ExactSigns : dynamics::ExactPredicates {
   }
 
  private:
-  /// Sign of (c - o).(p2 - p1): within_depth asks for that of (c - o) x (p2 - p1), and
-  /// turning p1 and p2 by a right angle is exact.
+  /// Tests the sign of (c - o).(p2 - p1). within_depth tests that of (c - o) x (p2 -
+  /// p1), and rotating p1 and p2 by a right angle is exact.
   static bool not_before(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
     return geometry::within_depth(c, o, {-p2.y(), p2.x()}, {-p1.y(), p1.x()});
   }

@@ -15,7 +15,8 @@ Estimate rate(long k, long n) {
   const double half =
       z * std::sqrt(p * (1.0 - p) / count + z * z / (4.0 * count * count));
   const double scale = 1.0 / (1.0 + z * z / count);
-  // at the ends exact: rounding must not leave a 0 of 100 above 0
+  // The limits are exact at the ends: for 0 of 100, rounding must not leave a lower
+  // limit above 0.
   return {p, k == 0 ? 0.0 : (centre - half) * scale,
           k == n ? 1.0 : (centre + half) * scale};
 }
@@ -30,7 +31,7 @@ Estimate mean(const std::vector<double>& values, std::uint64_t seed) {
   constexpr std::size_t resamples = 1000;
   std::vector<double> means;
   means.reserve(resamples);
-  std::mt19937_64 random(seed);  // its numbers are those of the standard, everywhere
+  std::mt19937_64 random(seed);  // the standard fixes its numbers
   for (std::size_t r = 0; r < resamples; ++r) {
     double sum = 0.0;
     for (std::size_t i = 0; i < n; ++i)
@@ -48,8 +49,8 @@ Estimate median(std::vector<double> values) {
     return {};
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
-  // The j-th smallest exceeds the median when fewer than j of n throws of a coin are
-  // heads: as many j as keep that below 2.5 %.
+  // The j-th smallest value exceeds the median if fewer than j of n coin tosses are
+  // heads. j is the largest number that keeps this probability below 2.5 %.
   const double count = static_cast<double>(n);
   double below = 0.0;
   std::size_t j = 0;

@@ -1,4 +1,4 @@
-// Confidence intervals of what a study counts and averages.
+// Confidence intervals of the counts and averages of a study.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,17 @@ struct Estimate {
   double low = not_asked, high = not_asked;  ///< 95 % confidence
 };
 
-/// Wilson's score interval for k of n, 0 <= k <= n, n > 0.
+/// Returns k / n with Wilson's score interval, 0 <= k <= n, n > 0.
 Estimate rate(long k, long n);
 
-/// Mean with the percentile bootstrap interval of 1000 resamples; empty: not asked;
-/// of one value there is no interval.
+/// Returns the mean with the percentile bootstrap interval of 1000 resamples. Without
+/// values it returns NaN; for one value there is no interval.
 Estimate mean(const std::vector<double>& values, std::uint64_t seed);
 
-/// Median with the interval of order statistics, which needs no law of distribution:
-/// the j-th smallest and the j-th largest value, j as large as leaves at least 95 %
-/// confidence. Of fewer than six values there is none: NaN.
+/// Returns the median with the interval of order statistics, which assumes no
+/// distribution. Its limits are the j-th smallest and the j-th largest value, with the
+/// largest j that leaves at least 95 % confidence. There is no interval (NaN) for fewer
+/// than six values.
 Estimate median(std::vector<double> values);
 
 }  // namespace blocks::study

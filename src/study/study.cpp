@@ -12,9 +12,10 @@
 namespace blocks::study {
 namespace {
 
-using Outcomes = std::vector<Outcome>;  ///< of the variants, in one frame
+using Outcomes = std::vector<Outcome>;  ///< one for each variant, in one frame
 
-/// Calls work(0) .. work(count - 1) from several threads; passes on what is thrown.
+/// Calls work(i) for i in [0, count) from several threads. Rethrows an exception of one
+/// of them.
 template <class Work> void in_parallel(int count, int threads, Work work) {
   std::atomic<int> next = 0;
   std::exception_ptr fault;
@@ -89,7 +90,7 @@ Row summarise(const StudyChoice& choice, const std::vector<Outcomes>& all,
   return row;
 }
 
-/// What was chosen of the frames, as on the command line.
+/// The options that reproduce the frames, as on the command line.
 std::string options_again(const StudyChoice& choice) {
   std::string options;
   if (choice.frames.offset)
@@ -105,8 +106,8 @@ std::string options_again(const StudyChoice& choice) {
   return options;
 }
 
-/// The frame of that number, no farther off than the scene allows. An offset that was
-/// chosen is kept.
+/// The frame with this number. Its random offset is limited to what the scene allows; a
+/// chosen offset is kept.
 Frame frame_of(const Scene& scene, const FrameChoice& choice, int number) {
   Frame frame = random_frame(choice, number, scene.size);
   const double most = scene.farthest * scene.size * frame.scale;
@@ -115,7 +116,8 @@ Frame frame_of(const Scene& scene, const FrameChoice& choice, int number) {
   return frame;
 }
 
-/// Why the blocks of a scene cannot be made; empty: they can, in every frame.
+/// The reason why the blocks of a scene cannot be made in some frame; empty if they can
+/// in every frame.
 std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corners) {
   for (int f = choice.first; f < choice.first + choice.count; ++f)
     try {

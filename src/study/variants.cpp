@@ -38,8 +38,8 @@ struct NoFaces : dynamics::ExactPredicates {
   static constexpr bool faces = false;
 };
 
-/// The rules of the report (3.2, 3.3): of the listed corners each is decided with each
-/// edge by itself.
+/// The rules of the report (3.2, 3.3): each listed corner is decided with each of its
+/// listed edges independently.
 template <class Signs, bool keeps_list> class ReportRules {
  public:
   static constexpr bool keeps_decisions = false, transfers_springs = false;
@@ -74,10 +74,10 @@ template <class Signs, bool keeps_list> class ReportRules {
   }
 
   NearCorners near_;
-  long listed_ = -1;  ///< NUPDAT when the list was made
+  long listed_ = -1;  ///< search (NUPDAT) of the present list
 };
 
-/// Rules may have a find() of their own.
+/// Runs a variant by its rules, which may have a find() of their own.
 template <class Rules> class RunBy : public VariantRun {
  public:
   void find(Model& model, Workspace& work) override {
@@ -105,7 +105,8 @@ void judge_signs(const Blocks& blocks, const PairIndex& index, SignTally& tally)
     for (const int n : {blocks.previous[k], blocks.next[k]}) {
       const Vec2 neighbour = blocks.corner.col(n);
       ++tally.tangents;
-      // The exact answer has the proved filter here: without it (20) is slow.
+      // The reference uses the proved filter, because exact arithmetic alone is slow
+      // for (20).
       tally.wrong_tangents += Signs::faces_edge(c, neighbour, p1, p2) !=
                               geometry::faces_edge(c, neighbour, p1, p2);
     }
@@ -147,7 +148,7 @@ const std::vector<Variant>& all_variants() {
           "default", "the contact rule of every run: the first entered "
                      "axis of a pair of blocks, or the surface of a "
                      "closed joint that hides it"),
-      // parts left out
+      // the contact rule without one of its parts
       variant<PairRules<NoEntry>>("no-entry",
                                   "default, whether an axis is entered or not"),
       variant<PairRules<NoCrossing>>(
@@ -158,7 +159,7 @@ const std::vector<Variant>& all_variants() {
           "no-faces", "default, but of two faces one corner acts, the deepest"),
       variant<PairRules<dynamics::ExactPredicates, false>>(
           "no-hand-over", "default, but springs do not pass to other contacts"),
-      // arithmetic
+      // other arithmetic
       other_signs<PlainSigns<PrintedArea, Ends::slack>>(
           "printed", "default, but (19) as printed, in doubles and absolute "
                      "coordinates"),
@@ -166,7 +167,7 @@ const std::vector<Variant>& all_variants() {
           "double", "default, but plain doubles on differences of coordinates"),
       other_signs<PlainSigns<LongDifferences, Ends::slack>>(
           "long-double", "the same in long doubles (64 bits of mantissa)"),
-      // ends of an edge
+      // other ends of an edge
       other_signs<ExactSigns<Ends::strict>>(
           "strict", "default, but without slack: on the limit is outside"),
       other_signs<ExactSigns<Ends::inclusive>>(
@@ -175,14 +176,14 @@ const std::vector<Variant>& all_variants() {
       variant<CornerRules>("corners",
                            "the rules of runs until 2026: each corner by itself, (20), "
                            "nearest edge, closed joints, exact"),
-      // 1982
+      // the rules of 1982
       by_report<PlainSigns<PrintedArea, Ends::inclusive>, false>(
           "report", "the report's rules in doubles, (19) as printed"),
       by_report<ExactSigns<Ends::inclusive>, false>(
           "report-exact", "the report's rules decided exactly"),
       by_report<ExactSigns<Ends::inclusive>, true>(
           "keep", "report-exact, and a pair once listed stays for ever"),
-      // other codes: other corners
+      // other corners, as in other codes
       variant<PairRules<NoJoints>>("chamfer", "no-joints; corners cut by 1 % of a side",
                                    Corners::chamfered),
       variant<PairRules<NoJoints>>(

@@ -1,5 +1,5 @@
-// Every variant of the contact decision that `blocks study contacts` compares. Each
-// replaces dynamics::ContactRules in the step of runs; the time loop is the same.
+// The variants of the contact decision that `blocks study contacts` compares. Each one
+// replaces dynamics::ContactRules in the step; the time loop is the same.
 #pragma once
 
 #include <memory>
@@ -11,19 +11,19 @@
 
 namespace blocks::study {
 
-/// Answers and how many of them differ from exact arithmetic.
+/// The number of computed signs, and how many differ from exact arithmetic.
 struct SignTally {
   long areas = 0, wrong_areas = 0;        ///< signs of (19)
-  long tangents = 0, wrong_tangents = 0;  ///< (20)
+  long tangents = 0, wrong_tangents = 0;  ///< answers to (20)
 };
 
-/// One run by the rules of a variant, with what these remember from step to step.
+/// A run with the rules of a variant, including their state from step to step.
 class VariantRun {
  public:
   virtual ~VariantRun() = default;
-  /// Brings the pairs of blocks up to date.
+  /// Updates the pairs of blocks.
   virtual void find(Model& model, dynamics::Workspace& work) = 0;
-  /// One step, after find().
+  /// Makes one step. Call it after find().
   virtual dynamics::StepResult step(Model& model, dynamics::Workspace& work) = 0;
 };
 
@@ -31,15 +31,15 @@ struct Variant {
   std::string_view name, what;
   Corners corners;
   std::unique_ptr<VariantRun> (*start)();
-  /// Compares the arithmetic of the variant with the exact one: every corner of a pair
-  /// of near blocks against every edge of the other block.
+  /// Compares the arithmetic of the variant with exact arithmetic. It tests every
+  /// corner of a pair of near blocks against every edge of the other block.
   void (*judge_signs)(const Blocks&, const dynamics::PairIndex&, SignTally&);
 };
 
-/// In the order of the tables; the first is the rules of every run.
+/// All variants in the order of the tables. The first one is the default rules.
 const std::vector<Variant>& all_variants();
 
-/// Null when there is none of that name.
+/// Returns the variant with this name, or null if there is none.
 const Variant* find_variant(std::string_view name);
 
 }  // namespace blocks::study

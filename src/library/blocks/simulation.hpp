@@ -1,5 +1,6 @@
-// BLOCKS from C++ (docs/library.md): cards make the model, calls drive it step by step
-// and read it. This header stands alone: Eigen and the standard library.
+// The C++ interface of BLOCKS (docs/library.md). Cards define the model; member
+// functions advance it step by step and query it. This header depends only on Eigen and
+// the standard library.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,118 +11,138 @@
 
 namespace blocks {
 
-/// Cards that cannot be obeyed. what() holds every message as `blocks check` prints it:
-/// file:line:col: error: CARD: message, the line, a caret, a hint.
+/// Thrown when cards contain errors. what() holds every message in the format of
+/// `blocks check`: file:line:col: error: CARD: message, followed by the source line, a
+/// caret and a hint.
 class DeckError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Some position is no longer a number, a contact is pressed in by more than half of
-/// what a block is deep, or a block has moved by more than that and ctol in one step:
-/// lower FRACTION, or raise STIFF. From then on the Simulation can be read and its
-/// state written as a frame; whatever would go on from that state (step, cards,
-/// set_velocity, write_checkpoint) throws UnsoundRun again.
+/// Thrown when a step made the state unusable, most often because the time step is too
+/// large. Lower FRACTION or raise STIFF. There are three causes:
+/// - A position is no longer a number.
+/// - A contact is pressed in by more than half the depth of a block.
+/// - A corner moved in one step by more than ctol and by more than half the depth of a
+///   block.
+///
+/// The Simulation can still be queried, and write_frame() still works. Every later call
+/// of step, cards, set_velocity or write_checkpoint throws UnsoundRun again.
 class UnsoundRun : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A corner that pressed on an edge in the last step. Blocks and corners count from 1
-/// as on the cards; an edge is named by its first corner.
+/// The force of one corner on one edge in the last step. Blocks and corners are
+/// numbered from 1, as on the cards. An edge has the number of its first corner.
 struct ContactForce {
-  int corner_block = 0;  ///< block whose corner presses
-  int corner = 0;        ///< that corner
-  int edge_block = 0;    ///< block of the edge; 0: the edge is a symmetry plane
-  int edge = 0;          ///< the edge, or the number of the plane
-  Eigen::Vector2d point = {0, 0};   ///< [L] the corner, where the step left it
-  Eigen::Vector2d normal = {0, 0};  ///< unit vector out of the edge's block
-  double normal_force = 0.0;        ///< [F] with the dashpot, >= 0: no tension (16)
-  double shear_force = 0.0;         ///< [F] with the dashpot, at most friction times it
+  int corner_block = 0;  ///< the block that the corner belongs to
+  int corner = 0;        ///< number of the corner in its block
+  int edge_block = 0;    ///< the block that the edge belongs to; 0 for a symmetry plane
+  int edge = 0;          ///< number of the edge, or of the symmetry plane
+  Eigen::Vector2d point = {0, 0};   ///< [L] position of the corner after the step
+  Eigen::Vector2d normal = {0, 0};  ///< unit outward normal of the edge
+  double normal_force = 0.0;        ///< [F] dashpot included, >= 0: no tension (16)
+  double shear_force = 0.0;         ///< [F] dashpot included; limited by friction
   double overlap = 0.0;             ///< [L] >= 0 (19)
 
-  /// [F] on the corner's block; the edge's block feels the opposite.
+  /// The force on the corner's block, [F]. The edge's block receives the opposite
+  /// force.
   Eigen::Vector2d force() const {
     return normal_force * normal -
            shear_force * Eigen::Vector2d(normal.y(), -normal.x());
   }
 };
 
-/// A model that is stepped from outside the command line. Same cards, same bits as
-/// `blocks run`; no file is written but those asked for here (OUTPUT, PLOTS and DUMP
-/// say nothing). Dimensions [L], [M], [T], [F] per unit thickness, any consistent
-/// units; rotation anticlockwise positive, tension positive. Functions with a block
-/// number throw std::out_of_range where there is no such block.
+/// A model that the calling program advances. The same cards give bit-identical results
+/// in `blocks run`. The only files written are those requested through this class;
+/// OUTPUT, PLOTS and DUMP have no effect.
+///
+/// Dimensions are [L], [M], [T] and [F] per unit thickness, in any consistent units.
+/// Anticlockwise rotation and tension are positive. Functions that take a block number
+/// throw std::out_of_range if there is no such block.
 class Simulation {
  public:
-  /// The cards of a deck act in order: START ... END, blocks, loads; MOTION and CYCLE
-  /// make time pass. threads: 1 to 1024; results do not depend on it. File names on
-  /// cards are relative to the present folder. Throws DeckError; std::runtime_error for
-  /// a file (READ9, RESTART) that cannot be read; std::invalid_argument for another
-  /// number of threads, or a BLOCKS_SIMD that the machine does not have.
+  /// Executes the cards of a deck in order: START to END, then blocks and loads. MOTION
+  /// and CYCLE advance the time. The number of threads is 1 to 1024 and does not affect
+  /// the results. File names on cards are relative to the current directory.
+  ///
+  /// Throws DeckError for errors in the cards, and std::runtime_error if a file (READ9,
+  /// RESTART) cannot be read. Throws std::invalid_argument if `threads` is out of range
+  /// or BLOCKS_SIMD names an instruction set that the machine lacks. Throws UnsoundRun
+  /// from a MOTION or CYCLE card.
   explicit Simulation(const std::string& deck, int threads = 1);
 
-  /// The same for the deck in a file; names on its cards are relative to its folder.
+  /// Like the constructor, but reads the deck from a file. File names on its cards are
+  /// relative to the folder of the deck.
   static Simulation from_file(const std::string& path, int threads = 1);
 
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Further problem cards, a line each: "SETVEL, 3, 0, 1.5\nFRICTN, 0.4". After a
-  /// DeckError of theirs the model is as it was, unless time passed among them.
+  /// Executes further problem cards, one per line: "SETVEL, 3, 0, 1.5\nFRICTN, 0.4". If
+  /// they contain errors, it throws DeckError and leaves the model unchanged, unless a
+  /// MOTION or CYCLE among them has already advanced the time.
   void cards(const std::string& text);
 
-  /// What the cards were warned of, as printed: overlaps, a large FRACTION ...; and
-  /// the steps, once: blocks that left the domain and are fixed there, a corner that
-  /// moved by more than ctol in one step.
+  /// All warnings so far, in printed form. Cards give warnings such as overlapping
+  /// blocks or a large FRACTION. Steps give a warning for each block that left the
+  /// domain, where it is then fixed. They also warn once that a corner moved by more
+  /// than ctol in one step.
   const std::vector<std::string>& warnings() const;
 
-  /// Makes `count` >= 0 steps of time_step(). Throws UnsoundRun; std::logic_error where
-  /// there are no blocks.
+  /// Makes `count` steps of time_step(). Throws UnsoundRun, std::logic_error if there
+  /// are no blocks, and std::invalid_argument if `count` is negative.
   void step(long count = 1);
 
-  long steps() const;        ///< made so far
-  double time() const;       ///< [T]
+  long steps() const;        ///< number of steps made so far
+  double time() const;       ///< [T] current time
   double time_step() const;  ///< [T] of the next step (4); 0 without blocks
 
-  int blocks() const;  ///< how many; they are 1 ... blocks(), in order of creation
-  int material(int block) const;              ///< number on its MATERIAL card
-  bool is_free(int block) const;              ///< false: fixed, by the deck or outside
-  double area(int block) const;               ///< [L^2] when it was made
-  double mass(int block) const;               ///< [M]
-  Eigen::Matrix2Xd corners(int block) const;  ///< [L] (2, corners) clockwise
+  int blocks() const;  ///< number of blocks, numbered from 1 in order of creation
+  int material(int block) const;  ///< number of its MATERIAL card
+  bool is_free(int block) const;  ///< false if fixed by a card or by leaving the domain
+  double area(int block) const;   ///< [L^2] area when it was created
+  double mass(int block) const;   ///< [M]
+  Eigen::Matrix2Xd corners(int block) const;  ///< [L] shape (2, corners), clockwise
   Eigen::Vector2d centroid(int block) const;  ///< [L]
-  Eigen::Vector2d velocity(int block) const;  ///< [L/T] of the centroid
-  double angle(int block) const;              ///< rad turned since it was made
-  double spin(int block) const;               ///< rad/T
-  Eigen::Vector2d force(int block) const;     ///< [F] of the last step, without gravity
-  double moment(int block) const;             ///< [F L] of the last step
-  Eigen::Matrix2d stress(int block) const;    ///< [F/L^2] internal (12)
+  Eigen::Vector2d velocity(int block) const;  ///< [L/T] velocity of the centroid
+  double angle(int block) const;              ///< [rad] rotation since it was created
+  double spin(int block) const;               ///< [rad/T] angular velocity
+  Eigen::Vector2d force(int block) const;     ///< [F] in the last step, without gravity
+  double moment(int block) const;             ///< [F L] in the last step
+  Eigen::Matrix2d stress(int block) const;    ///< [F/L^2] internal stress (12)
 
-  /// The contacts that acted in the last step, by pair of blocks, then symmetry planes.
+  /// The contacts that acted in the last step, ordered by pair of blocks. Contacts with
+  /// symmetry planes come last.
   std::vector<ContactForce> contacts() const;
 
-  /// [F] sum of the contact forces on a block in the last step.
+  /// The sum of the contact forces on a block in the last step, [F].
   Eigen::Vector2d contact_force(int block) const;
 
   double kinetic_energy() const;  ///< [F L]
-  double worst_overlap() const;   ///< [L] of any contact in any step so far
+  double worst_overlap() const;   ///< [L] largest overlap of any contact so far
 
-  /// Sets the velocity [L/T] and spin [rad/T] of a free block from now on; the next
-  /// step adds what forces do to it. A force F through one step is
-  /// velocity + time_step() / mass * F. Throws std::logic_error for a fixed block.
+  /// Sets the velocity [L/T] and spin [rad/T] of a free block. Forces change them from
+  /// the next step on. To apply a force F for one step, set the velocity to velocity()
+  /// plus time_step() / mass() * F.
+  ///
+  /// Throws std::logic_error if the block is fixed, std::invalid_argument if a value is
+  /// not finite, and UnsoundRun if a step has thrown it.
   void set_velocity(int block, const Eigen::Vector2d& velocity, double spin = 0.0);
 
-  /// Appends the state as a frame to the results `path` (.vtkhdf), for `blocks plot`,
-  /// ParaView and h5py. The first call with a path begins the file; an existing one is
-  /// kept as `path`.bak. A state that already is the last frame is not written again;
-  /// after cards() or set_velocity() there may be two frames of one time. Throws
-  /// std::runtime_error: the file cannot be written, is a folder, device or fifo, or
-  /// belongs to another Simulation of this program that still lives.
+  /// Appends the state as a frame to the results file `path` (.vtkhdf), which `blocks
+  /// plot`, ParaView and h5py can read. The first call with a path creates the file and
+  /// renames an existing one to `path`.bak. If the state is already the last frame,
+  /// nothing is written. After cards() or set_velocity() there may be two frames with
+  /// the same time.
+  ///
+  /// Throws std::runtime_error if the file cannot be written, is a folder, device or
+  /// FIFO, or is in use by another Simulation of this program.
   void write_frame(const std::string& path);
 
-  /// Writes the state for RESTART, here or by `blocks run`; an existing one is kept as
-  /// `path`.prev. Throws std::runtime_error: it cannot be written, or is a folder,
-  /// device or fifo; UnsoundRun where a step did.
+  /// Writes the state as a checkpoint for RESTART, here or in `blocks run`. An existing
+  /// file is kept as `path`.prev. Throws std::runtime_error if the file cannot be
+  /// written or is a folder, device or FIFO. Throws UnsoundRun if a step has thrown it.
   void write_checkpoint(const std::string& path) const;
 
  private:

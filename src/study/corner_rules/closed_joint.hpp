@@ -1,6 +1,6 @@
-// What a closed joint hides by the variant `corners`: where the surface of a block goes
-// on in the block beside it, the side between them is no surface and the corner at its
-// end no corner. Decided in doubles.
+// Closed joints in the variant `corners`. If the surface of a block continues in the
+// block beside it, the side between them and its end corner are not exposed. Decided in
+// doubles.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +13,17 @@
 
 namespace blocks::study::corner_rules {
 
-/// As parts of the length of the surface: how deep below it a joint hides anything at
-/// most, and how far away the block beside the joint is asked.
+/// In units of the length of the surface: the largest depth below it at which a joint
+/// hides anything, and the largest distance to the block beside the joint.
 inline constexpr double shielded_depth = 0.03, shielded_way = 0.06;
-/// Sine of the least angle between a surface and a side of the joint; and of that
-/// between the surface and a flank, 1.1 degrees: a base lies flat on the joint's
-/// corners and feels them. Cosine of the greatest angle between the surfaces of two
-/// blocks, 18 degrees.
+/// The sine of the least angle between a surface and a side of the joint. The sine of
+/// the least angle between a surface and a flank (a sloping side), 1.1 degrees: a flat
+/// base must feel the corners of the joint. The cosine of the largest angle between the
+/// surfaces of two blocks, 18 degrees.
 inline constexpr double least_slope = 0.25, least_flank = 0.02, least_cosine = 0.95;
 
-/// How far beyond a side the surface is looked for, and how far up to the surface the
-/// corner's block, as parts of the depth.
+/// In units of the depth: the distances beyond a side at which the surface is searched,
+/// and the heights, up to the surface, at which the corner's block is searched.
 inline constexpr std::array joint_gaps = {1.0, 0.25, 0.0625};
 inline constexpr std::array joint_heights = {0.05, 0.3, 0.75, 0.97};
 
@@ -32,20 +32,20 @@ class ClosedJoint {
   ClosedJoint(const Blocks& blocks, const dynamics::PairIndex& index)
       : blocks_(blocks), index_(index) {}
 
-  /// Not too deep below the edge for a joint to hide anything.
+  /// Whether the corner is shallow enough below the edge for a joint to hide anything.
   bool shallow(int c, int edge) const {
     return depth_below(c, edge) <= shielded_depth * (end(edge) - at(edge)).norm();
   }
 
-  /// Edge e is hidden from corner c, which slides along f, the surface: beyond e the
-  /// surface goes on in a third block, and the corner's own block lies over it, or
-  /// holds the vertex of e and f, deeper than the joint is wide.
+  /// Whether edge e is hidden from corner c, which slides along the surface f. Beyond e
+  /// the surface must continue in a neighbour block. The corner's own block must also
+  /// lie over that block, or hold the vertex of e and f deeper than the joint is wide.
   bool hides_side(int c, int e, int f) const {
     if (!shallow(c, f))
       return false;
     const Slide slide(*this, c, e, f);
     const double depth = slide.depth;
-    // seldom does the surface go on: asked first
+    // The surface rarely continues, so this is tested first.
     for (const double part : joint_gaps)
       if (goes_on(slide, part * depth, true) && reaches_over(slide, part * depth))
         return true;
@@ -55,10 +55,11 @@ class ClosedJoint {
     return closed > 0.0 && goes_on(slide, closed, true);
   }
 
-  /// Corner c is hidden from edge e, a flank that slopes to the surface of c's block:
-  /// beyond a side of c the surface goes on in a third block, and the toe below the
-  /// flank is in one of the two. Narrower than c overlaps, the joint is closed; else
-  /// the flank's block has to lie over it.
+  /// Whether corner c is hidden from edge e, a flank that slopes to the surface of c's
+  /// block. Beyond a side of c the surface must continue in a neighbour block. The toe
+  /// (the lowest corner below the flank) must be in one of the two blocks. The joint is
+  /// closed if it is narrower than the overlap of c; otherwise the flank's block must
+  /// lie over it.
   bool hides_corner(int c, int e) const {
     const int before = blocks_.previous[c];
     return hidden(c, e, before, c) || hidden(c, e, c, before);
@@ -76,7 +77,7 @@ class ClosedJoint {
     return PlaceInBlock(blocks_).holds(point, block);
   }
 
-  /// How deep a corner is in a convex block; of others nothing is said, 0.
+  /// The depth of a corner in a convex block; 0 for other blocks.
   double inside_by(int corner, int block) const {
     if (!blocks_.convex[block])
       return 0.0;
@@ -86,7 +87,8 @@ class ClosedJoint {
     return least;
   }
 
-  /// `hides_corner` for one way to read the two edges that meet in c.
+  /// The test of `hides_corner` with one of the two edges at c as the side and the
+  /// other as the surface.
   bool hidden(int c, int e, int side, int surface) const {
     if (std::abs(geometry::cross(unit_along(e), unit_along(surface))) < least_flank)
       return false;
@@ -107,8 +109,8 @@ class ClosedJoint {
            (wide && inside && reaches_over(slide, depth));
   }
 
-  /// From the end of edge e that lies deeper below the surface on, the first corner of
-  /// its block that faces the surface by (20); -1: none.
+  /// Returns the toe of edge e: the first corner of its block that faces the surface by
+  /// (20), or -1. The search starts at the end of e that is deeper below the surface.
   int toe_of(int e, int surface) const {
     const int next = blocks_.next[e];
     const bool forward = depth_below(next, surface) > depth_below(e, surface);
@@ -123,14 +125,14 @@ class ClosedJoint {
     return -1;
   }
 
-  /// Corner c below a surface that a side ends.
+  /// The geometry of corner c below a surface that ends at a side.
   struct Slide {
     int c, side, surface;
-    Vec2 along;     ///< the surface, unit vector
+    Vec2 along;     ///< unit vector along the surface
     double depth;   ///< [L] of c below the surface
     double beyond;  ///< [L] of c below the side
     double slope;   ///< sine of the angle from the side to the surface
-    double most;    ///< [L] a longer way along the surface is of no use
+    double most;    ///< [L] largest useful distance along the surface
 
     Slide(const ClosedJoint& joint, int corner, int side_edge, int surface_edge)
         : c(corner), side(side_edge), surface(surface_edge),
@@ -139,16 +141,17 @@ class ClosedJoint {
           slope(geometry::cross(joint.unit_along(side), along)),
           most(shielded_way * (joint.end(surface) - joint.at(surface)).norm()) {}
 
-    /// From the corner along the surface to `gap` beyond the side, [L].
+    /// The distance from the corner along the surface to `gap` beyond the side, [L].
     double way(double gap) const { return (beyond + gap) / slope; }
-    /// Not where the side does not slope to the surface or where that is too far.
+    /// False if the side is nearly parallel to the surface or the distance is too long.
     bool possible(double way) const {
       return std::abs(slope) >= least_slope && std::abs(way) <= most;
     }
   };
 
-  /// Whether beyond the side the surface goes on in a third block that is paired with
-  /// the block of corner c; it has to hold the corner unless the block itself does.
+  /// Whether the surface continues beyond the side in a neighbour block that is paired
+  /// with the block of corner c. Unless `inside` is set, the neighbour block must hold
+  /// the corner.
   bool goes_on(const Slide& slide, double gap, bool inside) const {
     const double way = slide.way(gap);
     if (!slide.possible(way))
@@ -165,7 +168,7 @@ class ClosedJoint {
     return found;
   }
 
-  /// False only of points that are farther from the centroid than any corner.
+  /// False only for points that are farther from the centroid than any corner.
   bool near(const Vec2& point, int block) const {
     double reach = 0.0;
     for (int c = blocks_.first_corner[block]; c < blocks_.first_corner[block + 1]; ++c)
@@ -173,8 +176,8 @@ class ClosedJoint {
     return (point - blocks_.centroid.col(block)).squaredNorm() <= 1.1 * reach;
   }
 
-  /// Whether the point is inside a block, and about as deep below an edge of it that
-  /// runs along the surface; the way there is short.
+  /// Whether the point is inside a block and about as deep below one of its edges that
+  /// runs along the surface. The distance `way` must be short compared with that edge.
   bool has_surface(int block, const Vec2& point, const Vec2& surface, double depth,
                    double way) const {
     bool found = false;
@@ -194,8 +197,9 @@ class ClosedJoint {
     return found;
   }
 
-  /// Whether the block of corner c lies over the place beyond the side, seen at some
-  /// heights up to the surface: its face may lean, its nose be sharp.
+  /// Whether the block of corner c lies over the place beyond the side. It is tested at
+  /// several heights up to the surface, because its face may lean and its tip may be
+  /// sharp.
   bool reaches_over(const Slide& slide, double gap) const {
     const double way = slide.way(gap);
     if (!slide.possible(way))
@@ -208,7 +212,7 @@ class ClosedJoint {
     return false;
   }
 
-  /// Whether a point is in a block, rounded.
+  /// Whether a point is in a block, in rounded arithmetic.
   bool reaches(int block, const Vec2& point) const {
     if (!blocks_.convex[block])
       return holds(point, block);

@@ -22,15 +22,16 @@ int CornerDecision::notch_edge(int c, int block, int acting) const {
   return other >= 0 && inside(c, other) && admissible(c, other, block) ? other : -1;
 }
 
-/// Which edges of the block the corner is outside of. Of a block that is not convex:
-/// none, or several where the block does not hold the corner.
+/// Returns the only edge of the block that the corner is outside of, or `none` or
+/// `several`. For a block that is not convex it returns `none` if the block holds the
+/// corner, otherwise `several`.
 int CornerDecision::place(int c, int block) const {
   if (!reentrant(block))
     return place_.outside_of(at(c), block);
   return ReentrantBlock(blocks_, block).holds(at(c)) ? none : several;
 }
 
-/// (20) for both tangents.
+/// Whether (20) holds for both tangents of the corner.
 bool CornerDecision::faces(int c, int edge) const {
   const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
   return geometry::faces_edge(corner, at(blocks_.previous[c]), p1, p2) &&
@@ -38,15 +39,15 @@ bool CornerDecision::faces(int c, int edge) const {
 }
 
 /// Whether the block and the edge have a point in common. Two convex shapes are apart
-/// where the line of a side of either lies between them; an edge that has a point in
+/// if the line of a side of either lies between them. An edge that has a point in
 /// another block has an end in it or crosses a side of it.
 bool CornerDecision::meets(int edge, int block) const {
   return blocks_.convex[block] ? meets_convex<false>(edge, block)
                                : meets_reentrant(edge, block);
 }
 
-/// The same up to the slack, of convex blocks: where bricks touch end to end, round-off
-/// does not decide.
+/// The same up to the slack, for convex blocks, so that round-off does not decide if
+/// bricks touch end to end.
 bool CornerDecision::nearly_meets(int edge, int block) const {
   return blocks_.convex[block] ? meets_convex<true>(edge, block)
                                : meets_reentrant(edge, block);
@@ -81,7 +82,7 @@ bool CornerDecision::meets_reentrant(int edge, int block) const {
   return ReentrantBlock(blocks_, block).contains(p1);
 }
 
-/// Whether another edge of the block is nearer to a corner inside.
+/// Whether another edge of the block is nearer to a corner inside it.
 bool CornerDecision::nearer_edge(int c, int edge) const {
   const int block = blocks_.corner_block[edge];
   for (int f = first(block); f < last(block); ++f)
@@ -92,9 +93,10 @@ bool CornerDecision::nearer_edge(int c, int edge) const {
   return false;
 }
 
-/// An edge that is not the nearest of all has to meet the corner's block, or, where
-/// that is wholly inside, to be the nearest for another of its corners. This is asked
-/// of an edge that the corner is inside of; otherwise nothing has come in.
+/// Whether a corner can have entered through the edge. If another edge is nearer, the
+/// edge must meet the corner's block. If that block is wholly inside, the edge must be
+/// the nearest for another of its corners. The result is true if the corner is outside
+/// the edge, because nothing has entered.
 bool CornerDecision::comes_through(int c, int edge) const {
   if (!inside(c, edge))
     return true;
@@ -110,8 +112,9 @@ bool CornerDecision::comes_through(int c, int edge) const {
   return false;
 }
 
-/// Not too deep, and (20); of a block that is not convex also between the ends. The
-/// corner is known to be inside a convex block.
+/// Whether the depth is within the limit and (20) holds. For a block that is not convex
+/// the corner must also be between the ends. The corner is known to be inside a convex
+/// block.
 bool CornerDecision::admissible(int c, int edge, int block) const {
   const Vec2 corner = at(c), p1 = at(edge), p2 = end(edge);
   if (reentrant(block)) {
@@ -123,8 +126,9 @@ bool CornerDecision::admissible(int c, int edge, int block) const {
          faces(c, edge);
 }
 
-/// Whether an edge acts on a corner that is outside of the block, but only for a side
-/// `out` beside that edge, which a side of the corner's block crosses.
+/// Whether an edge acts on a corner that is outside the block only because of the side
+/// `out`. That side is adjacent to the edge, and a side of the corner's block crosses
+/// it.
 bool CornerDecision::acts_beside_crossing(int c, int edge, int out) const {
   if (out != blocks_.next[edge] && out != blocks_.previous[edge])
     return false;
@@ -134,7 +138,7 @@ bool CornerDecision::acts_beside_crossing(int c, int edge, int out) const {
   if (!geometry::between(corner, p1, p2) || !faces(c, edge))
     return false;
   const CrossingSides sides(blocks_, c, edge, after);
-  if (reentrant(block)) {  // All other edges have not been asked there.
+  if (reentrant(block)) {  // the other edges are not tested yet
     const ReentrantBlock whole(blocks_, block);
     if (whole.turns_inwards(after ? out : edge) ||
         geometry::near_or_inside(corner, at(out), end(out)) ||
@@ -147,7 +151,7 @@ bool CornerDecision::acts_beside_crossing(int c, int edge, int out) const {
   return sides_cross(blocks_, sides, c, edge);
 }
 
-/// Whether the edge may act on a corner whose place is `out`.
+/// Whether the edge may act on a corner for which place() returned `out`.
 bool CornerDecision::may_act(int c, int edge, int block, int out) const {
   if (out == none)
     return admissible(c, edge, block);
@@ -157,8 +161,8 @@ bool CornerDecision::may_act(int c, int edge, int block, int out) const {
          acts_beside_crossing(c, edge, blocks_.next[edge]);
 }
 
-/// The edge that acts where closed joints hide the nearest edge, or the corner: the
-/// nearest, the next, or -1.
+/// Returns the edge that acts after closed joints have hidden the nearest edge, or the
+/// corner: the nearest edge, the next one, or -1.
 int CornerDecision::seen_edge(int c, int block, int out, int nearest) const {
   const int next = next_edge(c, block, out, nearest);
   if (next >= 0 && joint_.hides_side(c, nearest, next))
@@ -169,7 +173,8 @@ int CornerDecision::seen_edge(int c, int block, int out, int nearest) const {
                                                                                : -1;
 }
 
-/// In a notch a corner is as deep as below the deeper of both edges.
+/// Returns the edge that determines the depth of a corner. At a re-entrant corner it is
+/// the edge with the larger depth.
 int CornerDecision::depth_edge(int c, int edge) const {
   const int block = blocks_.corner_block[edge];
   if (!reentrant(block))
@@ -178,13 +183,14 @@ int CornerDecision::depth_edge(int c, int edge) const {
   return other >= 0 && nearer(c, edge, other) ? other : edge;
 }
 
-/// The depth below the edge is less than below the other, if there is one.
+/// Whether the depth below the edge is less than below the other one, or there is no
+/// other one.
 bool CornerDecision::precedes(int c, int edge, int other) const {
   return other < 0 || nearer(c, depth_edge(c, edge), depth_edge(c, other));
 }
 
-/// The edge with the least depth that may act, -1: none. Inside of several, one that
-/// meets the corner's block comes first.
+/// Returns the edge with the least depth that may act, or -1. If the corner is inside
+/// several such edges, one that meets the corner's block comes first.
 int CornerDecision::nearest_edge(int c, int block, int out) const {
   int found = -1, count = 0;
   if (out == several && !reentrant(block))
@@ -208,7 +214,8 @@ int CornerDecision::nearest_edge(int c, int block, int out) const {
   return met < 0 ? found : met;
 }
 
-/// Of the other edges that may act, met or not, that with the least depth, -1: none.
+/// Returns the edge with the least depth that may act, other than `nearest`, or -1. It
+/// need not meet the corner's block.
 int CornerDecision::next_edge(int c, int block, int out, int nearest) const {
   int found = -1;
   for (int edge = first(block); edge < last(block); ++edge)

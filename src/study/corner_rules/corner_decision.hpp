@@ -1,5 +1,6 @@
-// Which edge of a block acts on a corner by the variant `corners`: the rules of runs
-// before the contact rule decided pairs of blocks. Exact, with slack.
+// The variant `corners`: decides which edge of a block acts on a corner. These were the
+// rules of runs before the contact rule decided pairs of blocks. They are exact, with
+// slack.
 #pragma once
 
 #include "dynamics/search/pair_index.hpp"
@@ -8,28 +9,32 @@
 
 namespace blocks::study::corner_rules {
 
-/// A pure function of the corner, the block, and the blocks that are paired with the
-/// corner's block.
+/// The decision is a pure function of the corner, the block, and the blocks that are
+/// paired with the corner's block.
 class CornerDecision {
  public:
   CornerDecision(const Blocks& blocks, const dynamics::PairIndex& index)
       : blocks_(blocks), place_(blocks), joint_(blocks, index) {}
 
-  /// The edge of the block that acts on corner c, or -1: the admissible edge with the
-  /// least depth, if the corner is inside it. Admissible: (20) holds for both tangents
-  /// of the corner, the depth is at most that of the block's centroid, and the corner
-  /// is inside all edges of the block, or outside of one that a side of its own block
-  /// crosses. Where another edge of the block is nearer, the edge has to meet the
-  /// corner's block; of several, one that meets it comes first. Blocks that are not
-  /// convex: ReentrantBlock.
+  /// Returns the edge of the block that acts on corner c, or -1. It is the admissible
+  /// edge with the least depth, if the corner is inside it. An edge is admissible under
+  /// these conditions:
+  /// - Equation (20) holds for both tangents of the corner.
+  /// - The depth is at most that of the block's centroid.
+  /// - The corner is inside all edges of the block, or outside one that a side of its
+  ///   own block crosses.
   ///
-  /// What closed joints hide does not act (ClosedJoint): the next nearest edge acts in
-  /// place of a hidden side, and in place of a flank that a hidden corner does not
-  /// touch, unless that slopes as well.
+  /// If another edge of the block is nearer, the edge must meet the corner's block. Of
+  /// several edges, one that meets it comes first. ReentrantBlock has the conditions
+  /// for blocks that are not convex.
+  ///
+  /// What closed joints hide does not act (ClosedJoint). The next nearest edge acts in
+  /// place of a hidden side. It also acts in place of a flank that a hidden corner does
+  /// not touch, unless it slopes too.
   int acting_edge(int c, int block) const;
 
-  /// The edge that acts as well if `acting` does, because the corner is in a notch, or
-  /// -1.
+  /// Returns the edge that also acts if `acting` does, because c is at a re-entrant
+  /// corner of the block, or -1.
   int notch_edge(int c, int block, int acting) const;
 
  private:

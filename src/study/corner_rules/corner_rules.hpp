@@ -1,4 +1,4 @@
-// The rules of runs before the contact rule, for the step by pairs.
+// The rules of runs before the contact rule, in the form used by a step over pairs.
 #pragma once
 
 #include "dynamics/rules/pair_rule.hpp"
@@ -6,7 +6,7 @@
 
 namespace blocks::study {
 
-/// Members as in dynamics::ContactRules. Each corner is decided by itself.
+/// Has the members of dynamics::ContactRules. Each corner is decided independently.
 struct CornerRules {
   static constexpr bool keeps_decisions = false, transfers_springs = true;
   static void decide(const Blocks& blocks, const dynamics::BlockParts& parts,

@@ -1,5 +1,5 @@
-// Blocks on top of each other whose sides cross, so that neither corner of the common
-// face lies in the other block. For the variant `corners`.
+// Stacked blocks whose sides cross, so that neither corner of the common face lies in
+// the other block. For the variant `corners`.
 #pragma once
 
 #include "geometry/contact_predicates.hpp"
@@ -7,16 +7,16 @@
 
 namespace blocks::study::corner_rules {
 
-/// Corner c has passed the side f of a convex block, next to the edge that it is
-/// behind; their common corner v has passed the side g of the block of c.
+/// Corner c is behind an edge of a convex block, but has passed the side f next to it.
+/// The common corner v of the edge and f has passed the side g of the block of c.
 struct CrossingSides {
-  int side;        ///< f, an edge of the block hit
-  int vertex;      ///< v, a corner of it
+  int side;        ///< f, an edge of the block that c hit
+  int vertex;      ///< v, a corner of the block hit
   int vertex_far;  ///< the other end of f
   int own;         ///< g, an edge of the block of c
   int own_far;     ///< the end of g that is not c
 
-  /// For the side before or after the edge.
+  /// `after` selects the side after the edge; otherwise it is the side before.
   CrossingSides(const Blocks& blocks, int c, int edge, bool after)
       : side(after ? blocks.next[edge] : blocks.previous[edge]),
         vertex(after ? blocks.next[edge] : edge),
@@ -25,10 +25,10 @@ struct CrossingSides {
         own_far(after ? blocks.previous[c] : blocks.next[c]) {}
 };
 
-/// Whether f and g cross between v and c, c being outside of f: of a slanted joint that
-/// is closed they do not, c and v pass on the same side. Both leave the edge by more
-/// than the ten degrees of (20), so that they cross no farther from c than six times
-/// its depth.
+/// Whether f and g cross between v and c, where c is outside f. They do not cross at a
+/// slanted closed joint, because c and v pass on the same side. Both leave the edge by
+/// more than the ten degrees of (20), so that they cross within six times the depth of
+/// c.
 inline bool sides_cross(const Blocks& blocks, const CrossingSides& s, int c, int edge) {
   const auto at = [&](int corner) { return Vec2(blocks.corner.col(corner)); };
   const Vec2 p1 = at(edge), p2 = at(blocks.next[edge]);
@@ -41,9 +41,9 @@ inline bool sides_cross(const Blocks& blocks, const CrossingSides& s, int c, int
          !geometry::faces_edge(at(s.vertex), at(s.vertex_far), p1, p2);
 }
 
-/// Asked without slack, with which the lines of f and g could cross beyond their far
-/// ends: there a corner would be outside of another edge of a convex block, but of one
-/// that is not convex the other edges are not asked.
+/// Whether the far ends of f and g are inside, tested without slack. With slack, the
+/// lines of f and g could cross beyond their far ends. A corner there would be outside
+/// another edge of a convex block. For other blocks the other edges are not tested.
 inline bool far_ends_are_inside(const Blocks& blocks, const CrossingSides& s) {
   const auto overlap_sign = [&](int point, int e) {
     return geometry::overlap_sign(blocks.corner.col(point), blocks.corner.col(e),

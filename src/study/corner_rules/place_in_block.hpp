@@ -1,4 +1,4 @@
-// Where a point is in a block of any shape, for the variant `corners`.
+// Locates a point in a block of any shape, for the variant `corners`.
 #pragma once
 
 #include "model/blocks.hpp"
@@ -10,8 +10,8 @@ class PlaceInBlock {
  public:
   explicit PlaceInBlock(const Blocks& blocks) : blocks_(blocks) {}
 
-  /// Which edges of a convex block the point is outside of, up to the slack: the only
-  /// one, none or several.
+  /// Returns the only edge of a convex block that the point is outside of, up to the
+  /// slack, or `none` or `several`.
   static constexpr int none = -1, several = -2;
   int outside_of(const Vec2& point, int block) const {
     int out = none;

@@ -1,4 +1,5 @@
-// Depth and "between" of the variant `corners` for a block that is not convex.
+// The depth test and the "between" test of the variant `corners` for a block that is
+// not convex.
 #pragma once
 
 #include "geometry/contact_predicates.hpp"
@@ -6,13 +7,13 @@
 
 namespace blocks::study::corner_rules {
 
-/// A block some of whose corners are re-entrant: they turn inwards. At such a notch a
-/// corner below both edges has to come out through both.
+/// A block with re-entrant corners. A corner that is below both edges of a re-entrant
+/// corner must come out through both.
 class ReentrantBlock {
  public:
   ReentrantBlock(const Blocks& blocks, int block) : blocks_(blocks), block_(block) {}
 
-  /// Whether the block holds the point, or an edge is as near to it as the slack.
+  /// Whether the block holds the point, or one of its edges is within the slack of it.
   bool holds(const Vec2& c) const {
     for (int e = first(); e < last(); ++e)
       if (on_edge(c, at(e), end(e)))
@@ -25,7 +26,7 @@ class ReentrantBlock {
     bool odd = false;
     for (int e = first(); e < last(); ++e) {
       const Vec2 p1 = at(e), p2 = end(e);
-      // the ray from c towards +x: edges from y <= c.y to y > c.y, or back
+      // The ray from c towards +x crosses edges from y <= c.y to y > c.y, or back.
       if ((p1.y() <= c.y()) == (p2.y() <= c.y()))
         continue;
       const int side = geometry::overlap_sign(c, p1, p2);
@@ -36,8 +37,8 @@ class ReentrantBlock {
     return odd;
   }
 
-  /// Depth without a centroid, which may lie in front of a re-entrant edge: the corner
-  /// is at most half as deep as the deepest corner of the block.
+  /// The depth test without a centroid, which may lie in front of a re-entrant edge.
+  /// The corner may be at most half as deep as the deepest corner of the block.
   bool within_depth(const Vec2& c, int edge) const {
     const Vec2 p1 = at(edge), p2 = end(edge);
     for (int q = first(); q < last(); ++q)
@@ -47,8 +48,9 @@ class ReentrantBlock {
     return false;
   }
 
-  /// "Between", end by end: at a corner that turns outwards inside of the next edge
-  /// too, as in a convex block; at a notch no farther than its ends, or in the notch.
+  /// The "between" test at both ends of the edge. At a convex corner, the point must
+  /// also be inside the adjacent edge. At a re-entrant corner, the point may be past
+  /// the end only if it is past the end of the adjacent edge too.
   bool spans(const Vec2& c, int edge) const {
     const int before = blocks_.previous[edge], after = blocks_.next[edge];
     const bool at_start = turns_inwards(edge)
@@ -59,8 +61,8 @@ class ReentrantBlock {
                                  : geometry::near_or_inside(c, at(after), end(after)));
   }
 
-  /// The other edge of the notch whose corner is the point of both edges that is
-  /// nearest to c, or -1.
+  /// Returns the other edge of the re-entrant corner that is the nearest point of both
+  /// edges to c, or -1.
   int across_notch(const Vec2& c, int edge) const {
     const int before = blocks_.previous[edge], after = blocks_.next[edge];
     if (turns_inwards(edge) && ahead_of(c, edge) && beyond(c, before))
@@ -75,7 +77,7 @@ class ReentrantBlock {
                                   at(corner)) < 0;
   }
 
-  /// The point that is half as deep below the edge as corner q, as stored.
+  /// The stored point that is half as deep below the edge as corner q.
   static Vec2 halfway(const Blocks& blocks, int edge, int q) {
     return 0.5 * (Vec2(blocks.corner.col(q)) + Vec2(blocks.corner.col(edge)));
   }
@@ -90,7 +92,8 @@ class ReentrantBlock {
     return geometry::near_or_inside(c, p1, p2) && geometry::near_or_inside(c, p2, p1) &&
            geometry::between(c, p1, p2);
   }
-  /// Not between, so half an edge away from the middle at least: the sign is sure.
+  /// Positive past the middle of the edge, negative before it. The sign is certain for
+  /// points not between the ends, which are at least half an edge from the middle.
   double past_middle(const Vec2& c, int edge) const {
     const Vec2 p1 = at(edge), along = end(edge) - p1;
     return (c - p1 - 0.5 * along).dot(along);
