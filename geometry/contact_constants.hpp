@@ -1,4 +1,4 @@
-// The constants of the contact rule (docs/contact-rule.md#the-three-constants). This
+// The constants of the contact rule (docs/contact-rule.md#constants-of-the-contact-rule). This
 // header has no functions, so that code for several instruction sets may include it.
 #pragma once
 
