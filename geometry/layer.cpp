@@ -25,7 +25,7 @@ constexpr int steepest_angle = 80;  // degrees
 
 LayerError not_for_doubles(const std::string& what) {
   return {LayerError::Kind::shape,
-          "the blocks of the layer do not survive rounding to doubles: " + what,
+          "rounding the corners to doubles makes a block of the layer invalid: " + what,
           "the layer is too thin, or too far from the origin for its size"};
 }
 

@@ -58,7 +58,7 @@ std::optional<Polygon> corners(const Mesh& mesh, const std::vector<int>& loop) {
 std::string loop_fault(const Mesh& mesh, const std::vector<int>& loop) {
   const auto polygon = corners(mesh, loop);
   if (!polygon)
-    return "a vertex index points nowhere";
+    return "a vertex index is out of range";
   const OutlineCheck check = check_outline(*polygon);
   if (check.fault != OutlineFault::none || check.anticlockwise)
     return describe(check);

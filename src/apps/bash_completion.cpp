@@ -29,7 +29,7 @@ _blocks_files() {  # offers folders, and files with these endings or any
 
 )bash";
 
-/// Words of a list "a, b, c" as bash takes them.
+/// Converts a list "a, b, c" to words separated by blanks, as bash needs them.
 std::string blanks(std::string list) {
   std::erase(list, ',');
   return list;
@@ -42,7 +42,7 @@ template <class Names> std::string joined(const Names& names) {
   return all;
 }
 
-/// What completes the value of an option.
+/// Returns the bash command that completes the value of an option.
 std::string completion_of(const CLI::Option& option) {
   static const std::map<std::string, std::string> known = {
       {"--restart", "_blocks_files h5"},
@@ -61,7 +61,7 @@ std::string completion_of(const CLI::Option& option) {
   return ":";
 }
 
-/// What completes the other words of a command.
+/// Returns the bash command that completes the operands of a command.
 std::string operands_of(const LeafCommand& command) {
   static const std::map<std::string, std::string> known = {
       {"run", "_blocks_files deck"},

@@ -1,4 +1,4 @@
-// Completion for bash, from the command line's own definition.
+// Generates the completion script for bash from the definition of the command line.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -6,7 +6,7 @@
 
 namespace blocks::apps {
 
-/// A script to be sourced; it asks the program for nothing.
+/// Returns a script to be sourced; the script never calls the program.
 std::string bash_completion(const CLI::App& program);
 
 }  // namespace blocks::apps

@@ -1,5 +1,4 @@
-// The command line of BLOCKS, thin: each command calls one function of src/run or
-// src/post.
+// The command line of BLOCKS. Each command calls one function, and does no work here.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -44,7 +43,8 @@ namespace {
 
 using blocks::run::RunOptions;
 
-/// The range of the SEED card; whole numbers alone would wrap and take 010 for 8.
+/// Checks the range of the SEED card. CLI11's own conversion would wrap negative
+/// numbers and read 010 as octal.
 CLI::Validator seed_number() {
   return {[](std::string& text) {
             const bool digits =
@@ -53,13 +53,13 @@ CLI::Validator seed_number() {
             if (!digits || std::stoull(text) > 9007199254740991ULL)
               return "expected a whole number from 0 to 9007199254740991, found '" +
                      text + "'";
-            text = std::to_string(std::stoull(text));  // 010 is ten
+            text = std::to_string(std::stoull(text));  // 010 becomes 10
             return std::string();
           },
           "0 TO 2^53-1"};
 }
 
-/// CLI::PositiveNumber lets NaN pass.
+/// Accepts numbers above 0; CLI::PositiveNumber also accepts NaN.
 CLI::Validator positive_number() {
   return {[](std::string& text) {
             double value = 0.0;
@@ -70,16 +70,18 @@ CLI::Validator positive_number() {
           "POSITIVE"};
 }
 
-/// A number of steps: CLI::PositiveNumber takes fractions too, and names its range.
+/// Accepts a number of steps; CLI::PositiveNumber also accepts fractions, and its
+/// message gives a range of doubles.
 CLI::Validator whole_steps() {
-  return {
-      [](std::string& text) {
-        const bool sound = !text.empty() && text.size() <= 15 && text.front() != '0' &&
-                           text.find_first_not_of("0123456789") == std::string::npos;
-        return sound ? std::string()
-                     : "expected a whole number of steps from 1, found '" + text + "'";
-      },
-      "STEPS"};
+  return {[](std::string& text) {
+            const bool sound =
+                !text.empty() && text.size() <= 15 && text.front() != '0' &&
+                text.find_first_not_of("0123456789") == std::string::npos;
+            return sound
+                       ? std::string()
+                       : "expected a number of steps, 1 or more, found '" + text + "'";
+          },
+          "STEPS"};
 }
 
 /// CARD.field=value
@@ -97,20 +99,22 @@ void add_deck_options(CLI::App& command, RunOptions& options,
   command.add_option("DECK", options.deck, "the deck, or - for standard input")
       ->required();
   command
-      .add_option("--seed", options.seed, "seed of the random layers, wins over SEED")
+      .add_option("--seed", options.seed,
+                  "seed of the random layers; replaces that of the SEED card")
       ->check(seed_number());
   command.add_option("--tape9", options.tape9,
-                     "mesh file of a READ9 card without a name");
+                     "mesh file for a READ9 card that names none");
   command.add_option("--restart", options.restart,
-                     "go on from this checkpoint: of this very deck, or of a deck "
-                     "that begins with RESTART");
+                     "continue from this checkpoint: this deck was stopped, or it "
+                     "begins with RESTART");
   command.add_option("--set", sets, "CARD.field=value: replace a field of the deck");
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
-  command.add_flag("-v,--verbose", options.verbose, "say what every layer became");
+  command.add_flag("-v,--verbose", options.verbose,
+                   "print details of blocks and layers");
 }
 
-/// The page of the command named on the command line opens with an example and says
-/// more than its line in the list of commands.
+/// Puts an example and a longer description at the head of the help page of the command
+/// that the command line names.
 void open_help_with_example(CLI::App& app, int argc, char** argv) {
   if (argc < 2)
     return;
@@ -124,8 +128,8 @@ void open_help_with_example(CLI::App& app, int argc, char** argv) {
     part->description(head);
 }
 
-/// Of `blocks run --audit 5 DECK` the number, which was meant for the flag; empty: no
-/// such thing.
+/// Returns the number 5 of `blocks run --audit 5 DECK`, which should be --audit=5.
+/// Returns an empty text if there is no such number.
 std::string astray_from_audit(const CLI::App& app) {
   const CLI::App* run = app.get_subcommand("run");
   if (!run->parsed() || run->count("--audit") == 0)
@@ -140,17 +144,18 @@ std::string astray_from_audit(const CLI::App& app) {
   return number == words.end() ? std::string() : *number;
 }
 
-/// A fault of the command line, told like every other.
+/// Returns the message for an error of the command line, in the form of all other
+/// messages.
 std::string tell_usage_fault(const CLI::App* app, const CLI::Error& error) {
   std::string command = "blocks";
   for (auto named = app->get_subcommands(); !named.empty();
        named = named.front()->get_subcommands())
     command += ' ' + named.front()->get_name();
   if (const std::string every = astray_from_audit(*app); !every.empty())
-    return fmt::format("blocks: error: {0}\n  hint: {1} is not read as the number of "
-                       "--audit; every {1} steps is --audit={1}\n",
-                       error.what(), every);
-  return fmt::format("blocks: error: {}\n  hint: {} --help says what there is\n",
+    return fmt::format(
+        "blocks: error: {0}\n  hint: write --audit={1} to audit every {1} steps\n",
+        error.what(), every);
+  return fmt::format("blocks: error: {}\n  hint: {} --help shows what is possible\n",
                      error.what(), command);
 }
 
@@ -173,10 +178,9 @@ int cards(const std::string& name, bool markdown) {
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app("Example: blocks run decks/stack/stack.deck\n\n"
-               "BLOCKS: a 2D block motion code for jointed rock.\n"
-               "Exit codes: 0 done, 1 internal, 2 usage, 3 deck or geometry, 4 run "
-               "unsound, 5 file,\n"
+  CLI::App app("Example: blocks run decks/stack/stack.deck\n\nBLOCKS: a 2D block "
+               "motion code for jointed rock.\nExit codes: 0 done, 1 internal error, 2 "
+               "usage error, 3 deck or geometry error,\n4 unsound run, 5 file error, "
                "75 stopped at a limit of time or steps, 130 interrupted.");
   app.set_version_flag("--version", "blocks " BLOCKS_VERSION);
   app.require_subcommand(1);
@@ -186,71 +190,78 @@ int dispatch(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a deck");
   add_deck_options(*run, options, sets);
   run->add_option("-o,--output", options.output,
-                  "output NAME, or FOLDER/ (default: the deck's stem, here)");
+                  "output NAME, or FOLDER/ (default: the deck's name without "
+                  "extension, in this folder)");
   run->add_option("--time-limit", options.time_limit,
-                  "stop after so many seconds, exit 75")
+                  "stop after this many seconds, exit 75")
       ->check(positive_number());
   run->add_option("--stop-after", options.stop_after,
-                  "stop after so many steps, exit 75")
+                  "stop after this many steps, exit 75")
       ->check(CLI::Range(1L, std::numeric_limits<long>::max()));
   run->add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints (default: 600)")
       ->check(positive_number());
   run->add_option("-j,--threads", options.threads,
-                  "threads (default: all cores); results do not change")
+                  "number of threads (default: all cores); does not change results")
       ->check(CLI::Range(1, 1024));
-  run->add_flag("--profile", options.profile, "tell at the end where the time went");
+  run->add_flag("--profile", options.profile,
+                "print at the end how long each part of the program took");
   run->add_flag("--audit{100}", options.audit_every,
-                "every 100 steps, or every N with --audit=N, judge the contacts by "
-                "exact brute force; exit 4 on a wrong decision")
+                "check the contacts by exact brute force, every 100 steps or, with "
+                "--audit=N, every N; exit 4 if a decision is wrong")
       ->check(whole_steps());
   run->add_flag("--json", options.json,
                 "print the summary as JSON instead of the table");
 
-  auto* check = app.add_subcommand("check", "parse, build and certify; no time step");
+  auto* check =
+      app.add_subcommand("check", "check a deck and its blocks without running it");
   add_deck_options(*check, options, sets);
-  check->add_option("-o,--output", options.output, "output NAME (finds NAME.ckpt.h5)");
+  check->add_option("-o,--output", options.output, "output NAME, to find NAME.ckpt.h5");
   blocks::apps::GeometryOptions geometry_options;
   blocks::apps::add_geometry_options(*check, geometry_options);
 
   std::string card;
   bool markdown = false;
-  auto* reference = app.add_subcommand("cards", "the card reference");
-  reference->add_option("NAME", card, "the card");
-  reference->add_flag("--markdown", markdown, "the whole reference as Markdown");
+  auto* reference = app.add_subcommand("cards", "describe the cards of a deck");
+  reference->add_option("NAME", card, "card to describe (default: list all cards)");
+  reference->add_flag("--markdown", markdown, "print the whole reference as Markdown");
 
   blocks::apps::PlotOptions plot_options;
-  auto* plot = app.add_subcommand("plot", "figures and movies of a run");
+  auto* plot = app.add_subcommand("plot", "draw figures and movies of a run");
   blocks::apps::add_plot_options(*plot, plot_options);
 
   blocks::apps::HistoryOptions history_options;
-  auto* in_time = app.add_subcommand("history", "quantities against time or place");
+  auto* in_time =
+      app.add_subcommand("history", "plot quantities against time or position");
   blocks::apps::add_history_options(*in_time, history_options);
 
   blocks::apps::ViewOptions view_options;
-  auto* page = app.add_subcommand("view", "a page to play a run in the browser");
+  auto* page =
+      app.add_subcommand("view", "write a page that plays a run in the browser");
   blocks::apps::add_view_options(*page, view_options);
 
   blocks::apps::ImportOptions import_options;
-  auto* import = app.add_subcommand("import", "outlines of other programs, for READ9");
+  auto* import =
+      app.add_subcommand("import", "convert outlines of other programs for READ9");
   blocks::apps::add_import_options(*import, import_options);
 
   blocks::apps::ExportOptions export_options;
   auto* to_others =
-      app.add_subcommand("export", "blocks and results for other programs");
+      app.add_subcommand("export", "write blocks and results for other programs");
   blocks::apps::add_export_options(*to_others, export_options);
 
   blocks::apps::StudyOptions study_options;
-  auto* study = app.add_subcommand("study", "how robust is contact detection?");
+  auto* study = app.add_subcommand("study", "measure how robust contact detection is");
   auto* contacts =
-      study->add_subcommand("contacts", "variants of the contact rules side by side");
+      study->add_subcommand("contacts", "compare variants of the contact rules");
   blocks::apps::add_study_options(*contacts, study_options);
   blocks::apps::WhyOptions why_options;
-  auto* why = app.add_subcommand("why", "why two blocks touch, or do not, at one time");
+  auto* why =
+      app.add_subcommand("why", "explain why two blocks touch, or do not, at one time");
   blocks::apps::add_why_options(*why, why_options);
 
   blocks::apps::ManualOptions manual_options;
-  auto* manual = app.add_subcommand("manual", "man pages and bash completion, as text");
+  auto* manual = app.add_subcommand("manual", "print man pages and bash completion");
   blocks::apps::add_manual_options(*manual, manual_options);
 
   study->allow_extras();
@@ -268,7 +279,7 @@ int dispatch(int argc, char** argv) {
   }
 
   if (*run) {
-    // Who reads the table may leave (| head); the run goes on.
+    // The run continues if the reader of the table exits (| head).
     std::signal(SIGPIPE, SIG_IGN);
     return blocks::run::run_deck(options);
   }
@@ -291,9 +302,9 @@ int dispatch(int argc, char** argv) {
     fmt::print(stderr,
                "blocks: error: {}\n  hint: blocks study contacts SCENE; "
                "blocks study contacts --list\n",
-               extras.empty()
-                   ? "study what?"
-                   : "there is no study '" + extras.front() + "', there is contacts");
+               extras.empty() ? "the name of the study is missing"
+                              : "there is no study '" + extras.front() +
+                                    "'; the only one is contacts");
     return blocks::run::usage_error;
   }
   if (*manual)
@@ -303,7 +314,7 @@ int dispatch(int argc, char** argv) {
   return blocks::apps::plot(plot_options);
 }
 
-/// Not fmt::print, which throws when standard error cannot be written.
+/// Does not use fmt::print, which throws if standard error cannot be written.
 void tell(const char* kind, const char* what) {
   std::fprintf(stderr, "blocks: %s: %s\n", kind, what);
 }
@@ -313,7 +324,8 @@ int tell_no_memory() {
   return blocks::run::internal_error;
 }
 
-/// Memory that fails while something is being put away; files are whole all the same.
+/// Handles std::terminate. Memory can run out in a destructor; the files are complete
+/// even then.
 [[noreturn]] void end_at_once() {
   try {
     if (const auto thrown = std::current_exception())
@@ -337,7 +349,7 @@ int main(int argc, char** argv) {
   }
   std::set_terminate(end_at_once);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
-#if !defined(BLOCKS_SANITIZED)    // a sanitizer tells more
+#if !defined(BLOCKS_SANITIZED)    // a sanitizer reports more
   blocks::output::tell_crashes_of_files(blocks::run::file_error);
 #endif
   try {
@@ -359,7 +371,7 @@ int main(int argc, char** argv) {
       return blocks::run::internal_error;
     }
     tell("error",
-         ("cannot write what is to be printed: " + error.code().message()).c_str());
+         ("cannot write to the terminal or pipe: " + error.code().message()).c_str());
     return blocks::run::file_error;
   } catch (const std::exception& error) {
     tell("internal error", error.what());

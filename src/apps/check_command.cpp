@@ -24,7 +24,8 @@ post::Frame frame_of(const Blocks& blocks) {
   return frame;
 }
 
-/// The same places that the text lists, the least of the faults first, and the legend.
+/// Adds marks at the places that the text lists, and their legend. The least serious
+/// kind comes first, so that the most serious is drawn on top.
 void mark_places(const run::GeometryReport& report, post::FigureOptions& options) {
   using Kind = post::Mark::Kind;
   constexpr std::size_t most = 10;
@@ -86,11 +87,11 @@ void add_geometry_options(CLI::App& command, GeometryOptions& options) {
   auto* report = command.add_flag("--geometry", options.report,
                                   "report shapes, overlaps, gaps and joints of the "
                                   "blocks; exit 3 when blocks overlap");
-  command.add_flag("--json", options.json, "the report on the geometry as JSON")
+  command.add_flag("--json", options.json, "print the geometry report as JSON")
       ->needs(report);
   command
       .add_option("--plot", options.plot,
-                  "draw the blocks with the places of the report: .png, .svg or .pdf")
+                  "draw the blocks and mark what the report lists: .png, .svg or .pdf")
       ->needs(report);
 }
 

@@ -1,4 +1,4 @@
-// `blocks check`: command line of the check and of its report on the geometry.
+// `blocks check`: the command line of the check and of the geometry report.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -16,8 +16,9 @@ struct GeometryOptions {
 
 void add_geometry_options(CLI::App& command, GeometryOptions& options);
 
-/// Checks the deck, and its geometry if asked. Returns an exit code of run::ExitCode:
-/// deck_error when blocks overlap beyond rounding.
+/// Checks the deck, and reports on its geometry if --geometry or --plot is given.
+/// Returns a code of run::ExitCode; it is deck_error if blocks overlap by more than
+/// rounding.
 int check(const run::RunOptions& options, const GeometryOptions& geometry);
 
 }  // namespace blocks::apps

@@ -1,4 +1,4 @@
-// What the commands say of themselves beyond their line in the list: help and man page.
+// Longer descriptions of the commands, for their help pages and the man page.
 #pragma once
 
 #include <map>
@@ -8,14 +8,14 @@ namespace blocks::apps {
 
 struct CommandPage {
   std::string example;      ///< a command line that works in the source tree
-  std::string beforehand;   ///< command that it needs to have been run; may be empty
-  std::string description;  ///< sentences
+  std::string beforehand;   ///< command that must be run first; may be empty
+  std::string description;  ///< full sentences
 };
 
-/// By name of the command.
+/// Returns the pages by name of the command.
 const std::map<std::string, CommandPage>& command_pages();
 
-/// The page as the head of `blocks NAME --help`.
+/// Formats a page as the head of `blocks NAME --help`.
 std::string help_head(const CommandPage& page);
 
 }  // namespace blocks::apps

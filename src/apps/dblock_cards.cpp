@@ -15,14 +15,14 @@
 namespace blocks::apps {
 namespace {
 
-/// One card: how many numbers follow it and what they do.
+/// One card: how many numbers follow it, and the function that applies them.
 struct Card {
   std::size_t least, most;
   std::function<void(DblockCards&, const std::vector<double>&)> act;
-  bool whole = false;  ///< whole numbers from 1
+  bool whole = false;  ///< numbers are whole, 1 or more
 };
 
-/// Table E.2.
+/// The colours of Table E.2.
 const std::map<std::string, post::Colour, std::less<>>& colours() {
   static const std::map<std::string, post::Colour, std::less<>> all = {
       {"CLEARC", {1, 1, 1}},
@@ -89,7 +89,7 @@ std::vector<std::string_view> names() {
   return all;
 }
 
-/// The numbers behind the card; nothing when one of them is none.
+/// Reads the numbers that follow the card; returns nothing if one of them is invalid.
 std::optional<std::vector<double>> numbers(const deck::Line& line,
                                            const std::string& name, const Card& card,
                                            deck::Diagnostics& faults) {
@@ -104,7 +104,7 @@ std::optional<std::vector<double>> numbers(const deck::Line& line,
       sound = false;
     } else if (card.whole && (value < 1 || value > 1e6 || value != std::floor(value))) {
       faults.error(field.where, name,
-                   "expected a whole number from 1, found " + field.text);
+                   "expected a whole number from 1 to 1000000, found " + field.text);
       sound = false;
     }
     values.push_back(value);
@@ -146,7 +146,7 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
   DblockCards cards;
   if (const auto where = deck::first_binary_byte(text)) {
     faults.error(*where, "", "not a text file: a control character",
-                 "cards of DBLOCK are plain text, as TIMES, 0, 1");
+                 "DBLOCK cards are plain text, such as TIMES, 0, 1");
     return cards;
   }
   for (const deck::Line& line : deck::split_deck(text)) {
@@ -155,9 +155,10 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
     const auto found = table().find(name);
     if (found == table().end()) {
       const std::string near = deck::suggest(name, names());
-      faults.error(head.where, {}, "there is no card '" + head.text + "' of DBLOCK",
-                   near.empty() ? fmt::format("there are {}", fmt::join(names(), ", "))
-                                : "did you mean " + near + "?");
+      faults.error(head.where, {}, "DBLOCK has no card '" + head.text + "' of DBLOCK",
+                   near.empty()
+                       ? fmt::format("its cards are {}", fmt::join(names(), ", "))
+                       : "did you mean " + near + "?");
       continue;
     }
     const auto values = numbers(line, name, found->second, faults);
@@ -184,11 +185,11 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
 std::vector<double> DblockCards::chosen(const std::vector<double>& all) const {
   if (first_only)
     return {all.front()};
-  // beyond the results there is nothing; TIMES alone must be there
+  // Clip the range to the results. The times of TIMES are not clipped; they must exist.
   const double low = std::max(from.value_or(all.front()), all.front()),
                high = std::min(to.value_or(all.back()), all.back());
   std::set<double> found(times.begin(), times.end());
-  // closer together than any results: every one of these
+  // If DELTIME is shorter than any spacing of results, take all results in the range.
   const bool dense = every && (high - low) / *every > 1e5;
   if (all_times || dense)
     for (const double t : all)

@@ -27,19 +27,20 @@ struct DblockCards {
   bool flip = false;                      ///< FLIP
   std::map<int, post::Colour> materials;  ///< CLEARC, BLUE, ...
   std::map<int, std::pair<deck::SourceLocation, std::string>>
-      painted;  ///< where, by which
+      painted;  ///< place and name of the card that painted a material
 
-  /// Times to be plotted, rising, none twice; `all` are those of the file. Without a
-  /// card that asks for times: ten from TMIN to TMAX, as in 1982.
+  /// Returns the times to be plotted, increasing and without duplicates. `all` are the
+  /// times of the file. If no card gives times, there are ten from TMIN to TMAX, as in
+  /// 1982.
   std::vector<double> chosen(const std::vector<double>& all) const;
 };
 
-/// A colour of Table E.2 in any case, or #rrggbb.
+/// Returns a colour by its name in Table E.2, in upper or lower case, or by #rrggbb.
 std::optional<post::Colour> named_colour(const std::string& name);
-/// "BLUE, CLEARC, ..." and #rrggbb.
+/// Lists the names, "BLUE, CLEARC, ..." and #rrggbb.
 std::string colour_names();
 
-/// Reads cards up to ENDDATA; all faults go into `faults`.
+/// Reads the cards up to ENDDATA and adds all errors to `faults`.
 DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults);
 
 }  // namespace blocks::apps

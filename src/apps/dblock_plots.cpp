@@ -16,7 +16,7 @@
 namespace blocks::apps {
 namespace {
 
-/// Frames at the chosen times, each once.
+/// Returns the frames at the chosen times without duplicates.
 std::vector<long> frames(const DblockCards& cards, const post::ResultsReader& results) {
   std::vector<long> chosen;
   for (const double time : cards.chosen(results.times()))
@@ -25,7 +25,7 @@ std::vector<long> frames(const DblockCards& cards, const post::ResultsReader& re
   return chosen;
 }
 
-/// Colours are for materials that there are.
+/// Reports an error for each colour card whose material is not in the results.
 void check_materials(const DblockCards& cards, const post::ResultsReader& results,
                      deck::Diagnostics& faults) {
   if (cards.painted.empty())
@@ -38,13 +38,13 @@ void check_materials(const DblockCards& cards, const post::ResultsReader& result
                                fmt::join(present, ", ")));
 }
 
-/// An option and a card that say different things: one of them would do nothing.
+/// Throws std::runtime_error if an option and a card set the same thing.
 void check_options(const DblockCards& cards, const post::FigureOptions& figure) {
   const auto refuse = [](bool both, const std::string& option,
                          const std::string& card) {
     if (both)
       throw std::runtime_error(fmt::format(
-          "{} and the card {} exclude each other: leave one away", option, card));
+          "{} and the card {} exclude each other: remove one of them", option, card));
   };
   refuse(figure.zoom && cards.zoom, "--zoom", "ZOOM");
   refuse(figure.mirror && cards.flip, "--mirror", "FLIP");
@@ -106,7 +106,7 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
                  static_cast<double>(chosen.size()) / rate);
     return run::done;
   }
-  if (cards.movie && !figure.zoom)  // so that the plots lie over each other
+  if (cards.movie && !figure.zoom)  // all pictures need the same view
     figure.zoom = post::survey_scales(results, chosen, figure).view;
 
   const std::filesystem::path name(output);

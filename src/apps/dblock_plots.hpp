@@ -1,4 +1,4 @@
-// The plots that cards of DBLOCK ask for.
+// Draws the plots that DBLOCK cards describe.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace blocks::apps {
 
-/// Draws NAME_01.png, ... for the output NAME.png (.svg, .pdf), one for each time, each
-/// frame once; NAME.png itself when there is only one. PRINT goes to standard output.
-/// A movie takes `rate` pictures a second. Returns an exit code of run::ExitCode:
-/// faults of the cards are printed.
+/// Draws NAME_01.png, ... for the output NAME.png (.svg, .pdf), one for each time and
+/// without repeated frames. It draws NAME.png itself if there is only one. PRINT writes
+/// to standard output. A movie has `rate` pictures per second. Errors of the cards are
+/// printed. Returns a code of run::ExitCode.
 int plot_dblock(const std::string& cards_file, const post::ResultsReader& results,
                 const std::string& output, double rate, post::FigureOptions figure);
 

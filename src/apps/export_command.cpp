@@ -30,21 +30,21 @@ namespace {
 namespace fs = std::filesystem;
 using exchange::BlockRecord;
 
-/// What goes out.
+/// The blocks to export, and their time if they come from results.
 struct Scene {
   std::vector<BlockRecord> blocks;
   std::optional<double> time;
 };
 
-/// By its name, or by how it begins, whatever its name.
+/// True if the extension or the first bytes of the file are those of results.
 bool is_results(const std::string& path) {
   const auto extension = fs::path(path).extension();
   return extension == ".vtkhdf" || extension == ".h5" ||
          (fs::is_regular_file(path) && post::fault_of_head(path).empty());
 }
 
-/// What a file is that is neither deck nor results: a listing of a run, or no text;
-/// empty: it may be a deck.
+/// Describes a file that is neither a deck nor results, such as a listing or a binary
+/// file. Returns an empty text if the file may be a deck.
 std::string neither(const std::string& path) {
   std::string head(4096, ' ');
   std::ifstream file(path);
@@ -95,7 +95,7 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
   return scene;
 }
 
-/// The text form of READ9.
+/// Writes the text form of READ9.
 std::string mesh_text(const Scene& scene, const std::string& comment) {
   std::vector<exchange::Outline> outlines;
   for (const BlockRecord& block : scene.blocks) {
@@ -107,7 +107,8 @@ std::string mesh_text(const Scene& scene, const std::string& comment) {
   return exchange::write_mesh(outlines, comment);
 }
 
-/// Format by the ending of the output; empty for none that is known.
+/// Returns the format by the extension of the output; empty if the extension is
+/// unknown.
 std::string format_of(const std::string& path) {
   static const std::map<std::string, std::string> formats = {
       {".geojson", "geojson"}, {".json", "geojson"}, {".wkt", "wkt"}, {".msh", "msh"},
@@ -116,7 +117,7 @@ std::string format_of(const std::string& path) {
   return found == formats.end() ? "" : found->second;
 }
 
-/// What the format cannot hold.
+/// Lists the data of the scene that the format cannot store.
 std::string left_out(const Scene& scene, const std::string& format) {
   std::string text;
   if (format == "wkt")
@@ -133,7 +134,7 @@ std::string left_out(const Scene& scene, const std::string& format) {
 
 bool is_series(const std::string& format) { return format == "pvd" || format == "csv"; }
 
-/// All times of results, or the one asked for.
+/// Writes all times of the results, or the one that --time gives.
 void write_series(const ExportOptions& options, const std::string& format,
                   const post::ResultsReader& results) {
   std::vector<long> frames;
@@ -167,20 +168,19 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
                   "NAME.vtkhdf")
       ->required();
   command.add_option("-o,--output", options.output,
-                     ".geojson, .wkt, .msh or .txt, READ9's text form; of results also "
-                     ".pvd (VTU files) or .csv, each with the contacts beside it "
-                     "(default: INPUT's stem with .geojson, here)");
+                     ".geojson, .wkt, .msh or .txt (READ9's text form); for results "
+                     "also .pvd (VTU files) or .csv, both with separate files for the "
+                     "contacts (default: INPUT's name with .geojson, in this folder)");
   command
       .add_option("--format", options.format,
-                  "geojson, wkt, msh, txt, pvd or csv, whatever the ending")
+                  "geojson, wkt, msh, txt, pvd or csv, whatever the file extension")
       ->check(CLI::IsMember({"geojson", "wkt", "msh", "txt", "pvd", "csv"}));
   command.add_option(
       "-t,--time", options.time,
-      "of results: time of the frame (default: the last; of .pvd and .csv: "
-      "all)");
-  command.add_option("--seed", options.input.seed, "of a deck: seed of random layers");
+      "for results: time of the frame (default: the last; for .pvd and .csv: all)");
+  command.add_option("--seed", options.input.seed, "for a deck: seed of random layers");
   command.add_option("--tape9", options.input.tape9,
-                     "of a deck: mesh file of a READ9 card without a name");
+                     "for a deck: mesh file for a READ9 card that names none");
   command.add_flag("-q,--quiet", options.input.quiet, "print errors and warnings only");
 }
 
@@ -192,14 +192,13 @@ int export_blocks(ExportOptions options) {
   const std::string format =
       options.format.empty() ? format_of(options.output) : options.format;
   if (format.empty())
-    return refuse(
-        run::usage_error,
-        fmt::format("{}: the ending says no format: use .geojson, .wkt, .msh, "
-                    ".txt, .pvd or .csv, or --format",
-                    options.output));
+    return refuse(run::usage_error,
+                  fmt::format("{}: the file extension is not a known format: use "
+                              ".geojson, .wkt, .msh, .txt, .pvd or .csv, or --format",
+                              options.output));
   if (same_file(input, options.output))
     return refuse(run::usage_error,
-                  input + " would be written over: choose another -o NAME");
+                  input + " would be overwritten: choose another -o NAME");
   output::check_outputs({options.output});
 
   Scene scene;
@@ -207,7 +206,7 @@ int export_blocks(ExportOptions options) {
     try {
       const post::ResultsReader results(input);
       if (results.frames() == 0)
-        return refuse(run::file_error, input + " holds no frames");
+        return refuse(run::file_error, input + " has no frames");
       if (is_series(format)) {
         write_series(options, format, results);
         return run::done;
@@ -222,12 +221,13 @@ int export_blocks(ExportOptions options) {
                                          "; export reads results and decks" +
                                          post::results_nearby(input));
     if (options.time)
-      return refuse(run::usage_error, "--time is for results; a deck gives its blocks "
-                                      "before the first step");
+      return refuse(run::usage_error, "--time is for results; from a deck, the blocks "
+                                      "before the first step are exported");
     if (is_series(format))
-      return refuse(run::usage_error, "." + format +
-                                          " is for results: first blocks run " + input +
-                                          ", then export its .vtkhdf");
+      return refuse(run::usage_error,
+                    "." + format +
+                        " is for results: first run the deck with blocks run " + input +
+                        ", then export its .vtkhdf");
     const auto checked = run::build_checked(options.input);
     if (checked.code != run::done)
       return checked.code;
@@ -244,7 +244,7 @@ int export_blocks(ExportOptions options) {
                                : mesh_text(scene, "From " + input);
   } catch (const std::invalid_argument& fault) {
     return refuse(run::deck_error,
-                  fmt::format("{}\n  hint: .geojson, .wkt and .txt take any outline",
+                  fmt::format("{}\n  hint: .geojson, .wkt and .txt accept any outline",
                               fault.what()));
   }
   write_text_file(options.output, text);

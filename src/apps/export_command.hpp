@@ -1,4 +1,4 @@
-// `blocks export`: blocks of a deck or of results, for other programs.
+// `blocks export`: writes blocks of a deck or of results for other programs.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,15 +10,15 @@
 namespace blocks::apps {
 
 struct ExportOptions {
-  run::RunOptions input;  ///< deck: the deck or the results
-  std::string output;     ///< empty: the input's stem with .geojson, here
-  std::string format;     ///< geojson, wkt, msh, txt, pvd, csv; empty: by the ending
-  std::optional<double> time;  ///< the frame nearest to it; else the last
+  run::RunOptions input;  ///< input.deck is the deck or the results
+  std::string output;     ///< empty: the input's name with .geojson, in this folder
+  std::string format;  ///< geojson, wkt, msh, txt, pvd, csv; empty: from the extension
+  std::optional<double> time;  ///< the nearest frame is used; empty: the last one
 };
 
 void add_export_options(CLI::App& command, ExportOptions& options);
 
-/// Writes the blocks. Returns an exit code of run::ExitCode.
+/// Writes the blocks. Returns a code of run::ExitCode.
 int export_blocks(ExportOptions options);
 
 }  // namespace blocks::apps

@@ -1,11 +1,12 @@
-// What a command does with a fault it cannot mend.
+// Reports an exception that ends a command.
 #pragma once
 
 #include <stdexcept>
 
 namespace blocks::apps {
 
-/// Prints it and returns the exit code: of a file (output::FileError), or of the usage.
+/// Prints the message. Returns the exit code: that of a file error for
+/// output::FileError, otherwise that of a usage error.
 int tell_fault(const std::runtime_error& error);
 
 }  // namespace blocks::apps

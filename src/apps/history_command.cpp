@@ -30,8 +30,8 @@ std::string with_unit(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-/// What tells the run of a file from the others: nothing when it is alone, its name, or
-/// the path where two have the same name.
+/// Returns the suffix that distinguishes the run of a file from the others. It is empty
+/// for a single run, otherwise the name, or the path if two runs have the same name.
 std::string run_of(const std::string& file, const std::vector<std::string>& files) {
   if (files.size() < 2)
     return "";
@@ -42,13 +42,13 @@ std::string run_of(const std::string& file, const std::vector<std::string>& file
   return ", " + (same > 1 ? fs::path(file).replace_extension().string() : own);
 }
 
-/// Numbers for the tables and lines for the figure.
+/// The numbers for the tables and the lines for the figure.
 struct Answer {
   std::vector<NumberTable> runs;
   post::Chart chart;
 };
 
-/// The panel of that axis text, made when it is new.
+/// Returns the panel with this axis label, and adds it if there is none.
 post::ChartPanel& panel(post::Chart& chart, const std::string& y_label) {
   const auto found =
       std::find_if(chart.panels.begin(), chart.panels.end(),
@@ -108,7 +108,7 @@ Answer histories(const HistoryOptions& options,
   return answer;
 }
 
-/// Frames nearest to the times asked for; the last by default.
+/// Returns the frames nearest to the given times; the last frame if none are given.
 std::vector<long> frames_at(const post::ResultsReader& results,
                             const std::vector<double>& times) {
   if (times.empty())
@@ -128,8 +128,9 @@ Answer profiles(const HistoryOptions& options,
                                      : options.quantities) {
     kinds.push_back(post::find_quantity(name));
     if (!kinds.back())
-      throw std::runtime_error("a profile has no quantity '" + name +
-                               "': choose of the blocks' " + post::quantity_names());
+      throw std::runtime_error(
+          "a profile has no quantity '" + name +
+          "': choose from those of the blocks: " + post::quantity_names());
   }
   Answer answer;
   const std::string length = post::unit_text({1, 0, 0, "m", ""}, units);
@@ -169,7 +170,7 @@ Answer profiles(const HistoryOptions& options,
   return answer;
 }
 
-/// Before anything is read: what is to be made, and where?
+/// Checks the names of the outputs before any file is read.
 void check_names(const std::vector<std::string>& outputs) {
   for (const std::string& path : outputs) {
     const std::string ending = fs::path(path).extension().string();
@@ -206,34 +207,38 @@ void print(const Answer& answer, const HistoryOptions& options) {
 }  // namespace
 
 void add_history_options(CLI::App& command, HistoryOptions& options) {
-  command.add_option("FILE", options.files, "results of runs, NAME.vtkhdf")->required();
+  command.add_option("FILE", options.files, "results of one or more runs, NAME.vtkhdf")
+      ->required();
   command
-      .add_option("-q,--quantity", options.quantities,
-                  "what to follow: speed:9 (block 9), y:9.2 (its corner 2), speed:max, "
-                  ":min, :mean, :sum, kinetic_energy (the model); several with commas "
-                  "(default: kinetic_energy,overlap,contacts)")
+      .add_option(
+          "-q,--quantity", options.quantities,
+          "quantities, separated by commas: speed:9 (block 9), y:9.2 (its corner 2), "
+          "speed:max, :min, :mean or :sum (all blocks), kinetic_energy (the model) "
+          "(default: kinetic_energy,overlap,contacts)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
-  command.add_option("--against", options.against,
-                     "the horizontal axis instead of time, as -q");
+  command.add_option(
+      "--against", options.against,
+      "quantity on the horizontal axis instead of time, written as for -q");
   command.add_option("--from", options.from, "first time");
   command.add_option("--to", options.to, "last time");
-  command.add_option("--profile", options.profile,
-                     "across the model instead: top (its upper surface) or "
-                     "x0,y0,x1,y1 (a line); of -q dy by default");
+  command.add_option(
+      "--profile", options.profile,
+      "quantities along top (the upper surface of the model) or x0,y0,x1,y1 (a line) "
+      "instead of over time; the default of -q is then dy");
   command
       .add_option("-t,--times", options.times,
-                  "times of a profile, with commas (default: the last)")
+                  "times of a profile, separated by commas (default: the last)")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--mirror", options.mirror,
-                     "of --profile top: the other half of a half model too, mirrored "
-                     "about this x");
+  command.add_option(
+      "--mirror", options.mirror,
+      "for --profile top: add the other half of a half model, mirrored about this x");
   command
       .add_option("-o,--output", options.outputs,
-                  "a .csv, .json, .png, .svg or .pdf file; several with commas "
-                  "(default: a table here)")
+                  "a .csv, .json, .png, .svg or .pdf file; several are separated by "
+                  "commas (default: print a table)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
@@ -241,8 +246,9 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
   command.add_flag("--json", options.json, "print JSON instead of the table")
       ->excludes(csv);
   command.add_option("--units", options.units,
-                     "units of length, mass and time, as in m,kg,s");
-  command.add_option("--width", options.width, "of a figure, pixels or points")
+                     "units of length, mass and time, such as m,kg,s");
+  command
+      .add_option("--width", options.width, "width of a figure, in pixels or points")
       ->check(CLI::Range(100, 20000));
   command.footer("Quantities " + post::history_help());
 }
@@ -250,26 +256,26 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
 int history(const HistoryOptions& options) {
   try {
     if (!options.times.empty() && options.profile.empty())
-      throw std::runtime_error("--times belongs to --profile; a history is cut with "
-                               "--from and --to");
+      throw std::runtime_error(
+          "--times is for --profile; limit a history with --from and --to");
     if (!options.profile.empty() &&
         (!options.against.empty() || std::isfinite(options.from) ||
          std::isfinite(options.to)))
-      throw std::runtime_error("--against, --from and --to belong to a history; the "
-                               "times of a --profile are given with --times");
+      throw std::runtime_error("--against, --from and --to are for a history; give the "
+                               "times of a --profile with --times");
     if (std::isnan(options.from) || std::isnan(options.to))
-      throw std::runtime_error("--from and --to are times");
+      throw std::runtime_error("--from and --to need a number");
     if ((options.csv || options.json) && !options.outputs.empty())
-      throw std::runtime_error("--csv and --json print here, -o writes a file: leave "
-                               "one away");
+      throw std::runtime_error(
+          "--csv and --json print the numbers, -o writes a file: remove one of them");
     for (const std::string& path : options.outputs)
       for (const std::string& file : options.files)
         if (std::error_code none; fs::equivalent(path, file, none))
           throw std::runtime_error("-o " + path + " would overwrite the results " +
                                    file);
     if (options.mirror && (options.profile != "top" || !std::isfinite(*options.mirror)))
-      throw std::runtime_error("--mirror belongs to --profile top: the x of the plane "
-                               "that a half model ends at");
+      throw std::runtime_error("--mirror is for --profile top and needs the x of the "
+                               "symmetry plane of a half model");
     check_names(options.outputs);
     std::optional<post::Units> units;
     if (!options.units.empty())

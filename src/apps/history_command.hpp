@@ -1,4 +1,4 @@
-// `blocks history`: command line of histories and profiles.
+// `blocks history`: the command line of histories and profiles.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -18,15 +18,15 @@ struct HistoryOptions {
   std::optional<double> mirror;         ///< of a profile: x of the plane [L]
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
-  std::vector<std::string> outputs;  ///< files; empty: the terminal
-  bool csv = false, json = false;    ///< on the terminal
+  std::vector<std::string> outputs;  ///< files; empty: print a table
+  bool csv = false, json = false;    ///< print in this format
   std::string units;                 ///< "m,kg,s"
-  double width = 1200;               ///< of a figure, pixels or points
+  double width = 1200;               ///< of a figure, in pixels or points
 };
 
 void add_history_options(CLI::App& command, HistoryOptions& options);
 
-/// Prints or writes histories or profiles. Returns an exit code of run::ExitCode.
+/// Prints or writes histories or profiles. Returns a code of run::ExitCode.
 int history(const HistoryOptions& options);
 
 }  // namespace blocks::apps

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using exchange::Outline;
 using exchange::OutlineFile;
 
-/// The format by the first characters that are not blank.
+/// Detects the format from the first characters that are not blank.
 std::string recognise(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF"))
     text.remove_prefix(3);
@@ -34,7 +34,7 @@ std::string recognise(std::string_view text) {
   return exchange::looks_like_wkt(text) ? "wkt" : "mesh";
 }
 
-/// READ9's forms.
+/// Reads a mesh in one of the forms of READ9.
 OutlineFile read_mesh(const std::string& name, const std::string& text) {
   deck::MeshFile mesh = deck::parse_mesh(name, text);
   OutlineFile file;
@@ -45,7 +45,7 @@ OutlineFile read_mesh(const std::string& name, const std::string& text) {
     Outline outline;
     outline.corners = std::move(block.outline);
     outline.material = block.material;
-    for (; line < block.line; ++line)  // blocks stand in the order of their lines
+    for (; line < block.line; ++line)  // blocks are sorted by line
       at = text.find('\n', at) + 1;
     if (block.line > 0)
       outline.at = at;
@@ -98,22 +98,24 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
                   "GeoJSON, WKT, Gmsh .msh, or another form of READ9; - for "
                   "standard input")
       ->required();
-  command.add_option("-o,--output", options.output,
-                     "the mesh to write (default: FILE's stem with .mesh.txt, here)");
+  command.add_option(
+      "-o,--output", options.output,
+      "the mesh to write (default: FILE's name with .mesh.txt, in this folder)");
   command
       .add_option("--format", options.format,
                   "auto (by content), geojson, wkt, or mesh for READ9's forms")
       ->check(CLI::IsMember({"auto", "geojson", "wkt", "mesh"}));
   command
       .add_option("--material", options.material,
-                  "material of blocks whose material the file does not say")
+                  "material of blocks for which the file gives none")
       ->check(CLI::PositiveNumber);
   command.add_flag("--deck", options.deck,
-                   "write a deck around the mesh too, NAME.deck");
+                   "also write a deck that uses the mesh, NAME.deck");
   command.add_flag("--keep-overlaps", options.keep_overlaps,
-                   "take blocks that overlap, with a warning");
-  command.add_flag("--report-only", options.report_only,
-                   "say what is found, write nothing; unsound blocks exit 0");
+                   "accept blocks that overlap, with a warning");
+  command.add_flag(
+      "--report-only", options.report_only,
+      "report what is found and write nothing; exit 0 even if blocks are unsound");
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
 }
 
@@ -127,9 +129,10 @@ int import_blocks(ImportOptions options) {
   const std::string deck = deck_beside(options.output);
   const std::string mesh_name = fs::path(options.output).filename().string();
   if (same_file(options.file, options.output) || same_file(options.file, deck))
-    return usage(options.file + " would be written over: choose another -o NAME");
+    return usage(options.file + " would be overwritten: choose another -o NAME");
   if (options.deck && mesh_name.find_first_of("'\"\n\r$!") != mesh_name.npos)
-    return usage("the name " + mesh_name + " cannot stand in a deck");
+    return usage("the name " + mesh_name +
+                 " cannot be written in a deck: choose another -o NAME");
   if (!options.report_only)
     output::check_outputs({options.output, options.deck ? deck : ""});
 
@@ -182,11 +185,10 @@ int import_blocks(ImportOptions options) {
     if (options.deck)
       skeleton = exchange::write_deck_skeleton(file.outlines, mesh_name);
   } catch (const std::range_error& fault) {
-    fmt::print(
-        stderr,
-        "blocks: error: {}: {}; nothing written\n  hint: choose a unit of length "
-        "in which they are neither vanishing nor endless\n",
-        name, fault.what());
+    fmt::print(stderr,
+               "blocks: error: {}: {}; nothing written\n  hint: choose another unit of "
+               "length\n",
+               name, fault.what());
     return run::deck_error;
   }
   const std::string wrote = fmt::format("From {}: {}.", name, file.found);

@@ -1,4 +1,4 @@
-// `blocks import`: outlines of other programs become a mesh for READ9.
+// `blocks import`: converts outlines of other programs to a mesh for READ9.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -8,10 +8,10 @@ namespace blocks::apps {
 
 struct ImportOptions {
   std::string file;
-  std::string output;           ///< empty: FILE's stem with .mesh.txt, here
+  std::string output;           ///< empty: FILE's name with .mesh.txt, in this folder
   std::string format = "auto";  ///< auto, geojson, wkt, mesh
-  int material = 0;             ///< of blocks whose material the file does not say
-  bool deck = false;            ///< a deck skeleton beside the mesh
+  int material = 0;             ///< of blocks for which the file gives none
+  bool deck = false;            ///< also write a deck that uses the mesh
   bool keep_overlaps = false;
   bool report_only = false;
   bool quiet = false;
@@ -19,7 +19,8 @@ struct ImportOptions {
 
 void add_import_options(CLI::App& command, ImportOptions& options);
 
-/// Reads, checks, writes. Returns an exit code of run::ExitCode.
+/// Reads the outlines, checks them and writes the mesh. Returns a code of
+/// run::ExitCode.
 int import_blocks(ImportOptions options);
 
 }  // namespace blocks::apps

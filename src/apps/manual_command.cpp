@@ -15,7 +15,8 @@ void add_manual_options(CLI::App& command, ManualOptions& options) {
   command.add_option("PAGE", options.page, "program, deck or bash")
       ->required()
       ->check(CLI::IsMember({"program", "deck", "bash"}));
-  command.add_option("-o,--output", options.output, "file (default: printed here)");
+  command.add_option("-o,--output", options.output,
+                     "file (default: print to the terminal)");
 }
 
 int manual(const CLI::App& program, const ManualOptions& options) {

@@ -1,5 +1,5 @@
-// `blocks manual`: man pages and bash completion, made from the tables that the program
-// itself works by, so that they cannot say anything else.
+// `blocks manual`: generates man pages and bash completion. They come from the tables
+// that the program itself uses, so they always agree with it.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -15,19 +15,21 @@ struct ManualOptions {
 
 void add_manual_options(CLI::App& command, ManualOptions& options);
 
-/// Prints what is asked for of the whole command line. Returns an exit code.
+/// Prints the requested page for the command line `program`. Returns a code of
+/// run::ExitCode.
 int manual(const CLI::App& program, const ManualOptions& options);
 
-/// A command that does something: run, plot, study contacts ...
+/// A command without subcommands: run, plot, study contacts, ...
 struct LeafCommand {
   std::string words;  ///< "study contacts"
   const CLI::App* app;
 };
 std::vector<LeafCommand> leaf_commands(const CLI::App& program);
 
-/// What stands for the value of an option, "FLOAT"; empty for a flag.
+/// Returns the placeholder for the value of an option, such as "FLOAT"; empty for a
+/// flag.
 std::string value_name(const CLI::Option& option);
-/// The words an option is limited to, if it is.
+/// Returns the words that an option accepts; empty if they are not limited.
 std::vector<std::string> choices(const CLI::Option& option);
 
 }  // namespace blocks::apps

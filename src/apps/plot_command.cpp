@@ -24,7 +24,8 @@
 namespace blocks::apps {
 namespace {
 
-/// Frames between --from and --to. Throws std::runtime_error when there are none.
+/// Returns the frames between --from and --to. Throws std::runtime_error if there are
+/// none.
 std::vector<long> frames_between(const post::ResultsReader& results,
                                  const PlotOptions& options) {
   const auto& times = results.times();
@@ -41,7 +42,7 @@ std::vector<long> frames_between(const post::ResultsReader& results,
   return found;
 }
 
-/// `count` times evenly spread, each frame once.
+/// Returns the frames at `count` evenly spaced times without duplicates.
 std::vector<long> spread(const post::ResultsReader& results,
                          const std::vector<long>& among, int count) {
   const auto& times = results.times();
@@ -56,7 +57,7 @@ std::vector<long> spread(const post::ResultsReader& results,
   return chosen;
 }
 
-/// Every so many frames, and the last.
+/// Returns every `every`-th frame, and the last.
 std::vector<long> thinned(const std::vector<long>& among, int every) {
   std::vector<long> chosen;
   for (std::size_t i = 0; i < among.size(); ++i)
@@ -82,7 +83,7 @@ std::vector<long> chosen_frames(const post::ResultsReader& results,
   return {between.back()};
 }
 
-/// Before anything is read: the name says what is to be made.
+/// Checks the extension of the output before any file is read.
 void check_ending(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
   for (const char* known : {".png", ".svg", ".pdf", ".mp4", ".gif"})
@@ -93,7 +94,7 @@ void check_ending(const std::string& path) {
                            path + "'");
 }
 
-/// An option that would do nothing is a misunderstanding.
+/// Throws std::runtime_error if an option would have no effect.
 void check_combinations(const PlotOptions& options) {
   const auto refuse = [](bool given, const std::string& words) {
     if (given)
@@ -101,28 +102,29 @@ void check_combinations(const PlotOptions& options) {
   };
   const bool movie = post::is_movie(options.output);
   const bool sheet = !movie && (options.sheet > 0 || options.times.size() > 1);
-  const std::string a_movie = " belongs to a movie: -o NAME.mp4 or NAME.gif";
+  const std::string a_movie = " is for a movie: -o NAME.mp4 or NAME.gif";
   refuse(options.every && !movie, "--every" + a_movie);
   refuse(options.rate && !movie, "--rate" + a_movie);
   refuse(options.figure.columns > 0 && !sheet,
-         "--columns belongs to a sheet: --sheet 4 or -t 0,1,2");
+         "--columns is for a sheet: --sheet 4 or -t 0,1,2");
   refuse((options.from || options.to) && options.sheet == 0 &&
              (!movie || !options.times.empty()),
-         "--from and --to belong to --sheet or to a movie; a single time is -t");
+         "--from and --to are for --sheet or a movie; give a single time with -t");
   refuse(options.sheet > 0 && movie,
-         "--sheet is for a figure; a movie is cut with --from, --to and --every");
+         "--sheet is for a figure; limit a movie with --from, --to and --every");
   refuse(options.mirror && !std::isfinite(*options.mirror),
-         "--mirror is the x of the plane that a half model ends at");
+         "--mirror needs the x of the symmetry plane of a half model");
   const bool by_material = options.figure.colour == "material";
   for (const double end : options.range)
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(!options.range.empty() && by_material,
-         "--range is that of --colour QUANTITY; materials have none");
+         "--range is for --colour QUANTITY; materials have no range");
   refuse(!options.materials.empty() && !by_material,
-         "--materials are drawn with --colour material only");
+         "--materials is for --colour material");
 }
 
-/// "1=RED" and so on. Throws std::runtime_error saying what there is.
+/// Reads colours such as "1=RED". Throws std::runtime_error that lists the possible
+/// values.
 std::map<int, post::Colour> material_colours(const std::vector<std::string>& texts,
                                              const post::ResultsReader& results) {
   std::map<int, post::Colour> chosen;
@@ -134,8 +136,9 @@ std::map<int, post::Colour> material_colours(const std::vector<std::string>& tex
     const auto colour =
         mark == text.npos ? std::nullopt : named_colour(text.substr(mark + 1));
     if (!colour)
-      throw std::runtime_error("--materials are written as 1=RED; there are " +
-                               colour_names() + ", found '" + text + "'");
+      throw std::runtime_error(
+          "--materials needs NUMBER=COLOUR, such as 1=RED; colours: " + colour_names() +
+          ", found '" + text + "'");
     const auto material = std::find_if(present.begin(), present.end(), [&](int one) {
       return std::to_string(one) == text.substr(0, mark);
     });
@@ -174,29 +177,31 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   auto* times =
       command
           .add_option("-t,--time", options.times,
-                      "time of the frame (default: the last); several with "
-                      "commas: side by side on one sheet, or the pictures of a movie")
+                      "time of the frame (default: the last); several times, separated "
+                      "by commas, are drawn side by side on one sheet or as a movie")
           ->delimiter(',')
           ->allow_extra_args(false);
   auto* sheet =
       command
           .add_option("--sheet", options.sheet,
-                      "so many times evenly spread, side by side on one sheet")
+                      "draw this many evenly spaced times side by side on one sheet")
           ->check(CLI::Range(1, 100))
           ->excludes(times);
   auto* columns =
       command
-          .add_option("--columns", figure.columns, "of a sheet (default: what fits)")
+          .add_option("--columns", figure.columns,
+                      "number of columns of a sheet (default: chosen to fit)")
           ->check(CLI::Range(1, 100));
   auto* from =
       command.add_option("--from", options.from, "first time of a sheet or movie");
   auto* to = command.add_option("--to", options.to, "last time of a sheet or movie");
   auto* every = command
                     .add_option("--every", options.every,
-                                "of a movie: take every so many frames, and the last")
+                                "for a movie: draw every Nth frame, and the last")
                     ->check(CLI::Range(1, 1000000000));
   command
-      .add_option("--rate", options.rate, "of a movie: pictures a second (default: 25)")
+      .add_option("--rate", options.rate,
+                  "for a movie: pictures per second (default: 25)")
       ->check(CLI::Range(0.1, 100.0));
   command
       .add_option("--colour,--color", figure.colour,
@@ -204,41 +209,44 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->capture_default_str();
   command
       .add_option("--materials", options.materials,
-                  "colours of materials, as 1=RED,2=#8fa88b: " + colour_names())
+                  "colours of materials, such as 1=RED,2=#8fa88b: " + colour_names())
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--range", options.range, "low high: of the colours")
+  command.add_option("--range", options.range, "low high: ends of the colour scale")
       ->expected(2)
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_flag("--forces", figure.forces,
-                   "contact forces: a line for each pair of touching blocks, as wide "
-                   "as the force is large (of several times: full width is the middle "
-                   "one of their largest forces)");
+                   "draw contact forces: one line for each pair of touching blocks, "
+                   "wider for larger forces (with several times, full width is the "
+                   "median of their largest forces)");
   command
       .add_option("--arrows", figure.arrows,
-                  fmt::format("an arrow on each block: {}",
+                  fmt::format("draw an arrow on each block: {}",
                               fmt::join(post::arrow_names(), ", ")))
       ->check(CLI::IsMember(post::arrow_names()));
   command.add_flag("--numbers", figure.numbers, "write the block numbers");
   command.add_flag("--corners", figure.corners, "write the corner numbers");
   command.add_flag("--original", figure.original,
-                   "outline of the first frame underneath");
+                   "draw the outlines of the first frame underneath");
   command.add_option("--mirror", options.mirror,
-                     "draw the other half too, mirrored about this x");
-  command.add_option("--zoom", options.zoom, "xmin xmax ymin ymax")
+                     "also draw the other half, mirrored about this x");
+  command
+      .add_option("--zoom", options.zoom, "draw only this part: xmin xmax ymin ymax")
       ->expected(4)
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--units", options.units,
-                     "units of length, mass and time, as in m,kg,s");
-  auto* width = command.add_option("--width", figure.width, "pixels or points")
+                     "units of length, mass and time, such as m,kg,s");
+  auto* width = command
+                    .add_option("--width", figure.width,
+                                "width of the figure, in pixels or points")
                     ->check(CLI::Range(100, 20000))
                     ->capture_default_str();
   command
       .add_option("--dblock", options.dblock,
-                  "cards of DBLOCK (Appendix E of the report): a series of figures, or "
-                  "a movie of them")
+                  "file of DBLOCK cards (Appendix E of the report), which give a "
+                  "series of figures or a movie")
       ->excludes(times)
       ->excludes(sheet)
       ->excludes(columns)

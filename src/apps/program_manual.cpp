@@ -14,7 +14,7 @@ namespace {
 
 namespace roff = deck::roff;
 
-/// "-o, --output TEXT"
+/// Returns the names and the value of an option, such as "-o, --output TEXT".
 std::string option_term(const CLI::Option& option) {
   std::string term;
   for (const std::string& name : option.get_snames())
@@ -26,7 +26,8 @@ std::string option_term(const CLI::Option& option) {
   return term;
 }
 
-/// "1 to 100", "from 1": of "1 - 100]", "0 to 5", "1 - 9223372036854775807]"
+/// Rewrites a range of CLI11: "1 - 100]" becomes "1 to 100", and "1 -
+/// 9223372036854775807]" becomes "from 1".
 std::string limits_in_words(std::string limits) {
   limits = limits.substr(0, limits.find(']'));
   if (const auto dash = limits.find(" - "); dash != std::string::npos)
@@ -36,7 +37,7 @@ std::string limits_in_words(std::string limits) {
                                      : "from " + limits.substr(0, no_end);
 }
 
-/// Description, what is allowed, default.
+/// Returns the description of an option, its allowed values and its default.
 std::string option_meaning(const CLI::Option& option) {
   std::string words = option.get_description();
   const std::string type = option.get_type_name();
@@ -96,19 +97,20 @@ std::string program_manual(const CLI::App& program) {
     out += (i == 0 ? "" : ".br\n") + synopsis(commands[i]) + "\n";
   out +=
       roff::section("Description") +
-      "Rock as an assembly of polygonal blocks, rigid or simply deformable, that move "
-      "under gravity, pressure and impact, collide corner to edge, slide and rub. A "
-      "problem is described by a deck of cards, " +
+      "Simulates rock as an assembly of polygonal blocks, rigid or simply deformable. "
+      "The blocks move under gravity, pressure and impact, collide corner to edge, and "
+      "slide with friction. A deck of cards describes the problem; see " +
       roff::bold("blocks-deck") + "(5).\n" + roff::section("Commands");
   for (const LeafCommand& command : commands)
     out += command_section(command);
   out += roff::section("Exit status");
   const std::pair<int, const char*> codes[] = {
       {run::done, "done"},
-      {run::internal_error, "a fault of the program, or no memory"},
-      {run::usage_error, "the command line cannot be obeyed"},
-      {run::deck_error, "the deck or the geometry is at fault"},
-      {run::unsound_run, "the run became unsound: no number, or a runaway overlap"},
+      {run::internal_error, "internal error, or not enough memory"},
+      {run::usage_error, "error in the command line"},
+      {run::deck_error, "error in the deck or the geometry"},
+      {run::unsound_run, "the run became unsound: a value is not a number, an overlap "
+                         "is too deep, or the audit found a wrong decision"},
       {run::file_error, "a file cannot be read or written"},
       {run::time_limit, "stopped at a limit of time or steps, after a checkpoint"},
       {run::interrupted, "interrupted, after a checkpoint"}};
@@ -124,10 +126,10 @@ std::string program_manual(const CLI::App& program) {
   out += roff::item(roff::italic("NAME.summary.json"),
                     "for scripts: steps, time step, energies, worst overlap, hashes");
   out += roff::section("Environment");
-  out += roff::item(roff::bold("BLOCKS_SIMD"),
-                    "the instruction set of the contact loop: baseline, avx2 or avx512 "
-                    "(default: the widest that the processor has); results do not "
-                    "change");
+  out += roff::item(
+      roff::bold("BLOCKS_SIMD"),
+      "the instruction set of the contact loop: baseline, avx2 or avx512 (default: the "
+      "widest that the processor has); does not change results");
   return out + roff::section("See also") + roff::bold("blocks-deck") + "(5)\n";
 }
 

@@ -1,4 +1,4 @@
-// The man page blocks(1), from the command line's own definition.
+// Generates the man page blocks(1) from the definition of the command line.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -13,7 +13,8 @@
 namespace blocks::apps {
 namespace {
 
-/// The C library forgets why; another byte to the same end finds it again.
+/// Returns why writing failed. The C library does not keep the reason, so another byte
+/// is written to get errno again.
 const char* why_not(int stream) {
   return ::write(stream, "\n", 1) == 1 ? "part of it is missing" : std::strerror(errno);
 }
@@ -23,8 +24,8 @@ const char* why_not(int stream) {
 void hold_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF)
-      // The wrong way round: reading or writing fails as on a closed stream. The number
-      // is the lowest that is free, this one.
+      // Opens in the wrong direction, so that reading or writing still fails. open()
+      // returns the lowest free descriptor, which is this stream.
       static_cast<void>(
           ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }

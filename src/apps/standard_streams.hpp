@@ -1,15 +1,16 @@
-// Standard output and error as files like others: what cannot be written is told.
+// Treats standard output and error like files: a failed write is reported.
 #pragma once
 
 namespace blocks::apps {
 
-/// Takes the numbers of standard streams that were closed (`>&-`), so that no file of a
-/// run gets them and what is printed later does not go into that file. To be called
-/// before any file is opened.
+/// Occupies the descriptors of standard streams that are closed (`>&-`). Otherwise a
+/// file of the run could get such a descriptor, and printed text would go into it. Call
+/// this before any file is opened.
 void hold_standard_streams();
 
-/// What the program ends with: `code`, unless it is 0 and something printed did not
-/// reach standard output; then a message and the code of a file, 5.
+/// Returns the exit code of the program. It is `code`, unless `code` is 0 and standard
+/// output could not be written; then a message is printed and the result is 5, file
+/// error.
 int end_standard_output(int code);
 
 }  // namespace blocks::apps

@@ -23,7 +23,8 @@ bool is_scene(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// "figure4" may be a scene mistyped, "my/figure4.deck" is a deck.
+/// True for "my/figure4.deck", a deck; false for "figure4", which may be a mistyped
+/// scene.
 bool looks_like_deck(const std::string& name) {
   return name == "-" || name.find_first_of("./") != std::string::npos ||
          std::filesystem::exists(name);
@@ -35,7 +36,8 @@ std::string did_you_mean(const std::string& word,
   return near.empty() ? std::string() : fmt::format("; did you mean {}?", near);
 }
 
-/// The names meant, "all" replaced; empty when one is unknown, which is then told.
+/// Returns the names of scenes and decks, with "all" expanded. Prints an error and
+/// returns nothing if a name is unknown.
 std::vector<std::string> scenes_meant(const std::vector<std::string>& given) {
   std::vector<std::string> meant;
   for (const std::string& name : given) {
@@ -88,11 +90,13 @@ variants_meant(const std::vector<std::string>& given) {
   return meant;
 }
 
-/// Before minutes of work: can the files be written?
+/// Checks that the outputs can be written before the study runs, which may take
+/// minutes.
 void check_files(const StudyOptions& options) {
   for (const std::string& name : {options.csv, options.json, options.figure})
     if (name == "-")
-      throw output::FileError("the terminal has the table; name a file, not '-'");
+      throw output::FileError(
+          "the table is printed anyway; give the name of a file, not '-'");
   output::check_outputs({options.csv, options.json, options.figure});
   const auto ending = std::filesystem::path(options.figure).extension();
   if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
@@ -102,12 +106,12 @@ void check_files(const StudyOptions& options) {
         "'");
 }
 
-/// The rules of every run, which the gate judges.
+/// Returns the rules that every run uses; --gate checks these.
 const study::Variant* default_rules() { return &study::all_variants().front(); }
 
-/// Tells what the gate does not let pass: default hangs or lets a block through, or
-/// decides otherwise than exact arithmetic does in that step. Scenes in which default
-/// is known to fail are judged by their decisions only.
+/// Prints why --gate fails: the default rules hang, let a block through, or decide
+/// differently from exact arithmetic in the same step. In scenes where they are known
+/// to fail, only the decisions count.
 bool default_is_sound(const std::vector<study::Study>& studies) {
   bool sound = true;
   for (const study::Study& study : studies)
@@ -119,17 +123,17 @@ bool default_is_sound(const std::vector<study::Study>& studies) {
       if ((row.hung + row.fell == 0 || !study.must_pass) && exact)
         continue;
       fmt::print(stderr,
-                 "blocks: error: the gate is shut: {}: of {} frames {} hung and {} "
-                 "fell through{}\n",
+                 "blocks: error: --gate failed: {}: of {} frames, {} hung and {} fell "
+                 "through{}\n",
                  study.scene, row.frames, row.hung, row.fell,
-                 exact ? "" : "; some decisions were not the exact ones");
+                 exact ? "" : "; some decisions were not exact");
       sound = false;
     }
   return sound;
 }
 
-/// Scenes by name and from decks, all before the first one runs; nothing: the exit code
-/// of the deck that cannot be one.
+/// Makes all scenes, by name or from decks, before the first one runs. If a deck has an
+/// error, sets `code` to its exit code and returns nothing.
 std::vector<study::Scene> make_scenes(const std::vector<std::string>& names,
                                       int& code) {
   std::vector<study::Scene> scenes;
@@ -147,8 +151,8 @@ std::vector<study::Scene> make_scenes(const std::vector<std::string>& names,
     }
     if (checked.model.blocks.size() == 0) {
       fmt::print(stderr,
-                 "blocks: error: {} has no blocks to study\n  hint: a deck is studied "
-                 "as it stands after its last CREATE, LAYER or READ9 card\n",
+                 "blocks: error: {} has no blocks to study\n  hint: the study uses the "
+                 "blocks after the last CREATE, LAYER or READ9 card of the deck\n",
                  checked.file);
       code = run::deck_error;
       return {};
@@ -158,7 +162,8 @@ std::vector<study::Scene> make_scenes(const std::vector<std::string>& names,
   return scenes;
 }
 
-/// The tables of what is finished, so far. The first time an older file is put aside.
+/// Writes the tables of the studies finished so far. The first call keeps an older file
+/// as .bak.
 void save(const StudyOptions& options, const std::vector<study::Study>& studies) {
   const auto write = [&](const std::string& path, const std::string& text) {
     if (studies.size() == 1) {
@@ -174,7 +179,8 @@ void save(const StudyOptions& options, const std::vector<study::Study>& studies)
     write(options.json, study::json(studies, {options.frames, options.seed}));
 }
 
-/// In words, for CLI::Range lets not-a-number pass and prints thirty digits.
+/// Accepts numbers from `low` to `high`. CLI::Range accepts NaN and prints thirty
+/// digits.
 CLI::Validator between(double low, double high) {
   const std::string range = fmt::format("{:g} to {:g}", low, high);
   return CLI::Validator(
@@ -189,7 +195,8 @@ CLI::Validator between(double low, double high) {
       range);
 }
 
-/// Digits only: a sign would wrap, 010 be eight.
+/// Accepts digits only. CLI11's own conversion would wrap negative numbers and read 010
+/// as octal.
 CLI::Validator whole_between(std::uint64_t low, std::uint64_t high) {
   return CLI::Validator(
       [=](std::string& text) {
@@ -207,42 +214,51 @@ CLI::Validator whole_between(std::uint64_t low, std::uint64_t high) {
 }  // namespace
 
 void add_study_options(CLI::App& command, StudyOptions& options) {
-  command.add_option("SCENE", options.scenes, "scenes by name, all, or decks");
+  command.add_option("SCENE", options.scenes, "names of scenes, all, or decks");
   command.add_flag("--list", options.list, "list scenes and variants");
-  command.add_option("--frames", options.frames, "random frames of each scene")
+  command
+      .add_option("--frames", options.frames, "number of random frames of each scene")
       ->check(whole_between(1, 1000000))
       ->capture_default_str();
-  command.add_option("--first", options.first, "number of the first frame (0)")
+  command
+      .add_option("--first", options.first, "number of the first frame (default: 0)")
       ->check(whole_between(0, 1000000000));
-  command.add_flag("--gate", options.gate,
-                   "exit 4 when the default rules hang, let a block through (unless "
-                   "they are known to fail in the scene) or decide otherwise than "
-                   "exactly");
-  command.add_option("--variants", options.variants, "default,report,... or all (all)")
+  command.add_flag(
+      "--gate", options.gate,
+      "exit 4 if the default rules hang or let a block through (unless they are known "
+      "to fail in the scene), or if a decision is not exact");
+  command
+      .add_option("--variants", options.variants,
+                  "names of variants, such as default,report, or all (default: all)")
       ->delimiter(',');
   command.add_option("--expect", options.expected,
-                     "variant whose run of a deck is what is expected (default)");
+                     "variant whose run of a deck is the expected motion (default: the "
+                     "variant default)");
   command
       .add_option("--offset", options.offset,
-                  "distance from the origin in block sizes (0 to 1e9 at random)")
+                  "distance from the origin in block sizes (default: random, 0 to 1e9)")
       ->check(between(0.0, 1e15));
   command
       .add_option("--scale", options.scale,
-                  "factor on all lengths (1e-3 to 1e6 at random)")
+                  "factor on all lengths (default: random, 1e-3 to 1e6)")
       ->check(between(1e-30, 1e30));
   command
-      .add_option("--steps", options.steps, "time steps (the scene's own; decks 2000)")
+      .add_option("--steps", options.steps,
+                  "number of time steps (default: that of the scene; 2000 for a deck)")
       ->check(whole_between(1, 1000000000));
   command.add_option("--seed", options.seed, "seed of the frames")
       ->check(whole_between(0, 9007199254740992))
       ->capture_default_str();
-  command.add_option("-j,--threads", options.threads, "threads; results do not change")
+  command
+      .add_option("-j,--threads", options.threads,
+                  "number of threads; does not change results")
       ->check(whole_between(1, 1024))
       ->capture_default_str();
   command.add_option("--figure", options.figure,
                      "draw hang-ups and fall-throughs: .png, .svg or .pdf");
   command.add_option("--csv", options.csv, "write the table as CSV");
-  command.add_option("--json", options.json, "write it as JSON, with frames by number");
+  command.add_option("--json", options.json,
+                     "write the table as JSON, with the numbers of the frames");
 }
 
 int study_contacts(const StudyOptions& options) {
@@ -251,7 +267,8 @@ int study_contacts(const StudyOptions& options) {
     return run::done;
   }
   if (options.scenes.empty()) {
-    fmt::print(stderr, "blocks: error: which scene?\n{}", study::list_of_scenes());
+    fmt::print(stderr, "blocks: error: the name of a scene is missing\n{}",
+               study::list_of_scenes());
     return run::usage_error;
   }
   const auto names = scenes_meant(options.scenes);
@@ -278,8 +295,7 @@ int study_contacts(const StudyOptions& options) {
   if (options.gate && std::find(choice.variants.begin(), choice.variants.end(),
                                 default_rules()) == choice.variants.end()) {
     fmt::print(stderr,
-               "blocks: error: --gate judges the variant {}: add it to "
-               "--variants\n",
+               "blocks: error: --gate needs the variant {}: add it to --variants\n",
                default_rules()->name);
     return run::usage_error;
   }
@@ -301,15 +317,15 @@ int study_contacts(const StudyOptions& options) {
     fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(done));
     std::fflush(stdout);  // the next scene may take a minute
     if (!done.doubt.empty())
-      fmt::print(stderr,
-                 "blocks: warning: {}: the run of {}, of which every way is "
-                 "expected, {}\n  hint: hang-ups count against that run, so they say "
-                 "little here\n",
-                 done.scene, done.expected, done.doubt);
+      fmt::print(
+          stderr,
+          "blocks: warning: {}: the run of {}, which is the expected motion, {}\n  "
+          "hint: hang-ups are counted against that run, so they mean little here\n",
+          done.scene, done.expected, done.doubt);
     if (!done.refused.empty()) {
       fmt::print(stderr,
-                 "blocks: error: {} was not run: {}\n  hint: nearer to the origin "
-                 "(--offset) or larger (--scale) doubles are finer\n",
+                 "blocks: error: {} was not run: {}\n  hint: a smaller --offset or a "
+                 "larger --scale leaves more digits for the blocks\n",
                  done.scene, done.refused);
       code = run::deck_error;
     }

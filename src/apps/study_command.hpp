@@ -1,4 +1,4 @@
-// `blocks study`: command line of the studies of contact detection.
+// `blocks study`: the command line of the studies of contact detection.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,9 +10,10 @@
 namespace blocks::apps {
 
 struct StudyOptions {
-  std::vector<std::string> scenes;      ///< names, "all" or decks
-  std::vector<std::string> variants;    ///< names; empty: all
-  std::optional<std::string> expected;  ///< variant a deck is held against (default)
+  std::vector<std::string> scenes;    ///< names, "all" or decks
+  std::vector<std::string> variants;  ///< names; empty: all
+  std::optional<std::string>
+      expected;  ///< variant that gives the expected motion of a deck; empty: default
   int frames = 20, first = 0, threads = 1;
   long steps = 0;  ///< 0: the scene's own
   std::uint64_t seed = 1982;
@@ -23,7 +24,7 @@ struct StudyOptions {
 
 void add_study_options(CLI::App& command, StudyOptions& options);
 
-/// Returns an exit code of run::ExitCode.
+/// Runs the study. Returns a code of run::ExitCode.
 int study_contacts(const StudyOptions& options);
 
 }  // namespace blocks::apps

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 void write_text_file(const std::string& path, const std::string& text) {
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored))
-    fs::rename(path, path + ".bak", ignored);  // what fails shows when writing
+    fs::rename(path, path + ".bak",
+               ignored);  // an error appears again when the file is written
   errno = 0;
   std::ofstream out(path, std::ios::binary);
   out << text;

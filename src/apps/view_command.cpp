@@ -18,14 +18,13 @@ namespace blocks::apps {
 void add_view_options(CLI::App& command, ViewOptions& options) {
   command.add_option("FILE", options.file, "results of a run, NAME.vtkhdf")->required();
   command.add_option("-o,--output", options.output,
-                     "the page (default: NAME.html, here)");
-  command
-      .add_option("--every", options.every, "take every so many frames, and the last")
+                     "the page (default: NAME.html, in this folder)");
+  command.add_option("--every", options.every, "take every Nth frame, and the last")
       ->check(CLI::Range(1L, 1000000000L));
   command.add_option("--mirror", options.mirror,
-                     "show the other half too, mirrored about this x");
+                     "also show the other half, mirrored about this x");
   command.add_option("--units", options.units,
-                     "units of length, mass and time, as in m,kg,s");
+                     "units of length, mass and time, such as m,kg,s");
 }
 
 int view(ViewOptions options) {
@@ -39,10 +38,10 @@ int view(ViewOptions options) {
                                options.output + "'");
     if (same_file(options.file, options.output))
       throw std::runtime_error(options.file +
-                               " would be written over: choose another -o NAME");
+                               " would be overwritten: choose another -o NAME");
     if (options.mirror && !std::isfinite(*options.mirror))
       throw std::runtime_error(
-          "--mirror is the x of the plane that a half model ends at");
+          "--mirror needs the x of the symmetry plane of a half model");
     output::check_outputs({options.output});
     std::optional<post::Units> units;
     if (!options.units.empty())

@@ -1,4 +1,4 @@
-// `blocks view`: command line of the page for the browser.
+// `blocks view`: the command line of the page for the browser.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -9,15 +9,15 @@ namespace blocks::apps {
 
 struct ViewOptions {
   std::string file;
-  std::string output;            ///< empty: FILE's stem with .html
-  long every = 1;                ///< frames
-  std::optional<double> mirror;  ///< x of the plane of a half model [L]
+  std::string output;            ///< empty: FILE's name with .html
+  long every = 1;                ///< show every Nth frame
+  std::optional<double> mirror;  ///< x of the symmetry plane of a half model [L]
   std::string units;             ///< "m,kg,s"
 };
 
 void add_view_options(CLI::App& command, ViewOptions& options);
 
-/// Writes the page. Returns an exit code of run::ExitCode.
+/// Writes the page. Returns a code of run::ExitCode.
 int view(ViewOptions options);
 
 }  // namespace blocks::apps

@@ -22,7 +22,7 @@ int refuse(const std::string& message, const std::string& hint) {
 
 constexpr std::size_t most_named = 12;
 
-/// "0, 0.5, 1, ... and 7 more".
+/// Lists the first names and counts the rest: "0, 0.5, 1 and 7 more".
 template <class List, class Name> std::string some(const List& list, Name name) {
   std::string text;
   std::size_t named = 0;
@@ -34,7 +34,8 @@ template <class List, class Name> std::string some(const List& list, Name name) 
   return text;
 }
 
-/// "near block 3: 1 (in contact), 2", by bounding boxes.
+/// Lists the neighbours of a block by bounding boxes: "near block 3: 1 (in contact),
+/// 2".
 std::string neighbours(const audit::ExactPairRule& rule, int block) {
   const std::vector<int>& near = rule.neighbours(block);
   if (near.empty())
@@ -54,12 +55,12 @@ void add_why_options(CLI::App& command, WhyOptions& options) {
                   "results, NAME.vtkhdf, or a checkpoint, NAME.ckpt.h5")
       ->required();
   command.add_option("-t,--time", options.time,
-                     "time of the frame, the nearest one is taken (default: the last)");
+                     "time; the nearest frame is used (default: the last frame)");
   command
       .add_option("-b,--block", options.blocks,
                   "number of a block; give it twice, once for each")
       ->allow_extra_args(false);
-  command.add_flag("--json", options.json, "the answer as one JSON object");
+  command.add_flag("--json", options.json, "print the answer as one JSON object");
 }
 
 namespace {
@@ -77,11 +78,11 @@ std::string times_held(const WhyScene& scene) {
 bool within(const WhyScene& scene, double time) {
   const auto [first, last] =
       std::minmax_element(scene.times.begin(), scene.times.end());
-  const double grace = 1e-9 * std::abs(*last);  // as times are printed
+  const double grace = 1e-9 * std::abs(*last);  // times are printed with few digits
   return *first - grace <= time && time <= *last + grace;
 }
 
-/// Nothing: the text is no number of its kind, and that alone.
+/// Converts the text; returns nothing unless all of it is a number of this type.
 template <class Number> std::optional<Number> number_of(const std::string& text) {
   Number value{};
   const char* end = text.data() + text.size();
@@ -89,7 +90,7 @@ template <class Number> std::optional<Number> number_of(const std::string& text)
   return fault == std::errc() && rest == end ? std::optional(value) : std::nullopt;
 }
 
-/// The block is not there: which are, and when it comes.
+/// Reports that the block does not exist, which blocks do, and when it will.
 int refuse_block(const WhyOptions& options, const WhyScene& scene,
                  const std::string& name) {
   const int count = scene.blocks.size();
@@ -104,7 +105,7 @@ int refuse_block(const WhyOptions& options, const WhyScene& scene,
       *block > count ? first_time_with(options.file, *block) : std::optional<double>();
   return refuse(fmt::format("there is no block {} in {} at time {:g}", *block,
                             options.file, scene.time),
-                begins ? fmt::format("it is there from time {:.9g} on; before that, {}",
+                begins ? fmt::format("it exists from time {:.9g} on; before that, {}",
                                      *begins, there)
                        : there);
 }
@@ -128,7 +129,7 @@ int why(const WhyOptions& options) {
     chosen.push_back(*block);
   }
 
-  // Near is what is within a tenth of the size of the smaller block.
+  // Blocks are near if they are within a tenth of the size of the smaller block.
   double reach = std::numeric_limits<double>::infinity();
   for (const int block : chosen)
     reach = std::min(reach, 0.1 * std::sqrt(blocks.area[block - 1]));

@@ -18,7 +18,7 @@ Json place(const Blocks& blocks, int corner) {
           {"corner", audit::number_in_block(blocks, corner)}};
 }
 
-/// A side by its corners; an edge of a block has its number as well.
+/// Returns a side by its two corners; an edge of the block also has its number.
 Json side(const Blocks& blocks, const audit::PartSide& side) {
   Json one = {{"block", blocks.corner_block[side.start] + 1},
               {"from", audit::number_in_block(blocks, side.start)},
@@ -134,7 +134,7 @@ Json candidates(const Blocks& blocks, const audit::PartDecision& part) {
   return list;
 }
 
-/// The contacts between the two blocks that the file remembers.
+/// Returns the contacts between the two blocks that are stored in the file.
 std::vector<RememberedContact> remembered(const WhyReport& report,
                                           const WhyScene& scene) {
   std::vector<RememberedContact> found;
@@ -146,7 +146,7 @@ std::vector<RememberedContact> remembered(const WhyReport& report,
   return found;
 }
 
-/// [L] The deepest of the contacts that act; 0: none.
+/// Returns the depth of the deepest acting contact [L]; 0 if there is none.
 double deepest(const WhyReport& report, const audit::ExactPairRule& rule) {
   double depth = 0.0;
   for (const auto& [corner, edge] : report.decision.contacts)

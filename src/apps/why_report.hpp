@@ -1,4 +1,4 @@
-// The answer of `blocks why`: what acts between two blocks, and why.
+// The answer of `blocks why`: which contacts act between two blocks, and why.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,23 @@ namespace blocks::apps {
 
 struct WhyReport {
   std::string file;
-  std::optional<double> asked;  ///< the time that the user has given
+  std::optional<double> asked;  ///< the time given by the user
   int first = 0, second = 0;    ///< blocks, from 0; first < second
   audit::PairDecision decision;
-  std::optional<geometry::BlockOverlap> overlap;  ///< nothing: interiors do not meet
+  std::optional<geometry::BlockOverlap>
+      overlap;  ///< empty if the interiors do not meet
 };
 
-/// What the judge decides about two blocks, and how they overlap.
+/// Decides two blocks by the exact rule, and finds how they overlap.
 WhyReport why(const audit::ExactPairRule& rule, int first, int second);
 
-/// The state, the overlap, and the story of the two blocks, a line each; then the
-/// contacts that the file holds.
+/// Returns the answer as text: the state, the overlap, the steps of the decision, and
+/// the contacts stored in the file.
 std::string text(const WhyReport& report, const WhyScene& scene,
                  const audit::ExactPairRule& rule);
 
-/// One JSON object: contacts, and for each pair of parts axes and candidates.
+/// Returns one JSON object: the contacts, and the axes and candidates of each pair of
+/// parts.
 std::string json(const WhyReport& report, const WhyScene& scene,
                  const audit::ExactPairRule& rule);
 

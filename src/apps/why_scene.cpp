@@ -15,7 +15,7 @@
 namespace blocks::apps {
 namespace {
 
-/// The first bytes of a file. Throws output::FileError.
+/// Returns the first bytes of a file. Throws output::FileError.
 std::string head_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in)
@@ -26,9 +26,8 @@ std::string head_of(const std::string& path) {
   return head;
 }
 
-/// Restores whether blocks are convex, and their convex parts: what they were in the
-/// first frame that holds them. Turned and rounded, three corners on a line need not be
-/// on a line any more.
+/// Restores whether blocks are convex, and their convex parts, from the first frame of
+/// each block. In later frames, rounding may move three corners off a common line.
 void restore_shapes(const post::ResultsReader& results, Blocks& blocks) {
   std::vector<char> convex;
   blocks.cuts.clear();
@@ -62,7 +61,7 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
   } catch (const std::invalid_argument& fault) {
     throw output::FileError("cannot read " + path + ": " + fault.what());
   }
-  // bit for bit as stored, where append would round anew
+  // copied exactly as stored; append would round them again
   for (int b = 0; b < blocks.size(); ++b)
     for (int k = 0; k < blocks.corners_of(b); ++k)
       blocks.corner.col(blocks.first_corner[b] + k) = frame.outlines[b][k];

@@ -1,4 +1,4 @@
-// What `blocks why` looks at: one stored state, from results or from a checkpoint.
+// The input of `blocks why`: one stored state, from results or from a checkpoint.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace blocks::apps {
 
-/// What a file remembers of a contact that acted in the step that led to its state.
+/// A stored contact, which acted in the step before the stored state.
 struct RememberedContact {
   int corner = 0, edge = 0;                      ///< from 0, of the whole model
-  double normal_force = 0.0, shear_force = 0.0;  ///< [F] with the dashpots
+  double normal_force = 0.0, shear_force = 0.0;  ///< [F] including the dashpots
   double overlap = 0.0;                          ///< [L] in that step
 };
 
@@ -20,18 +20,18 @@ struct WhyScene {
   Blocks blocks;
   double time = 0.0;
   long step = 0;
-  std::vector<double> times;  ///< of all states of the file, at least one
-  long frame = 0;             ///< this one, from 0
-  std::vector<int> order;     ///< Model::order; empty also if the file does not tell
+  std::vector<double> times;  ///< of all states in the file, at least one
+  long frame = 0;             ///< index of this state, from 0
+  std::vector<int> order;  ///< Model::order; also empty if the file does not contain it
   std::vector<RememberedContact> contacts;
 };
 
-/// From which stored time on results hold that many blocks; nothing: never, or the file
-/// is a checkpoint. Throws output::FileError.
+/// Returns the first stored time with at least that many blocks. Returns nothing if
+/// there is none, or if the file is a checkpoint. Throws output::FileError.
 std::optional<double> first_time_with(const std::string& path, int blocks);
 
-/// The states of a file: of results the frame nearest in time, nothing: the last; of a
-/// checkpoint its only one. Throws output::FileError.
+/// Reads a state. From results it reads the frame nearest to `time`, or the last one if
+/// `time` is empty; a checkpoint has one state. Throws output::FileError.
 WhyScene read_scene(const std::string& path, const std::optional<double>& time);
 
 }  // namespace blocks::apps

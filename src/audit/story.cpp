@@ -156,14 +156,14 @@ std::string words(const ExactPairRule& rule, const Joint& joint) {
   if (!joint.cover.side)
     return fmt::format("{} ends, since no neighbour covers {}", where,
                        name_of(blocks, joint.side));
-  return fmt::format(
-      "{} {}: neighbours cover {} of the stretch ({:.6g}) and {} of the interval "
-      "({:.6g}) of {}, {} by {}",
-      where, joint.closed ? "goes on" : "ends", percent(joint.cover.share_of_stretch),
-      joint.cover.stretch, percent(joint.cover.share_of_interval), joint.cover.interval,
-      name_of(blocks, joint.side),
-      joint.closed ? "most of it" : "less than half, the most",
-      name_of(blocks, *joint.cover.side));
+  return fmt::format("{} {}: neighbours cover {} of the stretch ({:.6g}) and {} of the "
+                     "interval ({:.6g}) of {}, {} {}",
+                     where, joint.closed ? "goes on" : "ends",
+                     percent(joint.cover.share_of_stretch), joint.cover.stretch,
+                     percent(joint.cover.share_of_interval), joint.cover.interval,
+                     name_of(blocks, joint.side),
+                     joint.closed ? "most of it by" : "less than half, most of that by",
+                     name_of(blocks, *joint.cover.side));
 }
 
 std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int axis) {

@@ -33,17 +33,16 @@ std::string tell(const BlockPair& missed) {
 }
 
 std::string tell(const Blocks& blocks, const WrongPair& wrong) {
-  return fmt::format("wrong decision about blocks {} and {}: the program has {}; exact "
-                     "is {}",
-                     wrong.first + 1, wrong.second + 1,
-                     contacts_in_words(blocks, wrong.acting),
-                     contacts_in_words(blocks, wrong.exact));
+  return fmt::format(
+      "wrong decision about blocks {} and {}: the run has {}; exact is {}",
+      wrong.first + 1, wrong.second + 1, contacts_in_words(blocks, wrong.acting),
+      contacts_in_words(blocks, wrong.exact));
 }
 
 std::string tell(const ExcessOverlap& excess) {
-  return fmt::format("blocks {} and {} overlap by {:.6g} near ({:.6g}, {:.6g}), their "
-                     "deepest contact by {:.6g} (springs pressed in by {:.6g}): {:.6g} "
-                     "more than the contacts explain",
+  return fmt::format("blocks {} and {} overlap by {:.6g} near ({:.6g}, {:.6g}), but "
+                     "their deepest contact is only {:.6g} deep (springs compressed by "
+                     "{:.6g}): {:.6g} more than the contacts explain",
                      excess.first + 1, excess.second + 1, excess.depth,
                      excess.place.x(), excess.place.y(), excess.explained,
                      excess.pressed, excess.excess());
@@ -51,11 +50,11 @@ std::string tell(const ExcessOverlap& excess) {
 
 std::string tell(const Blocks& blocks, const DeepContact& deep) {
   const Vec2 at = blocks.corner.col(deep.corner);
-  return fmt::format("{} at ({:.9g}, {:.9g}) acts {:.6g} deep on {} (spring pressed in "
-                     "by {:.6g}), but along its normal the two blocks have only {:.6g} "
-                     "in common",
-                     name_of(blocks, deep.corner), at.x(), at.y(), deep.overlap,
-                     name_of_edge(blocks, deep.edge), deep.pressed, deep.common);
+  return fmt::format(
+      "{} at ({:.9g}, {:.9g}) acts {:.6g} deep on {} (spring compressed by {:.6g}), "
+      "but the two blocks overlap by only {:.6g} along its normal",
+      name_of(blocks, deep.corner), at.x(), at.y(), deep.overlap,
+      name_of_edge(blocks, deep.edge), deep.pressed, deep.common);
 }
 
 }  // namespace blocks::audit

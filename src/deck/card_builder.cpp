@@ -79,7 +79,7 @@ Maybe setvel(const Fields& f, Diagnostics& diagnostics) {
     diagnostics.error(
         f[1].where, "SETVEL",
         fmt::format("nb2 must not be less than nb1, found {} and {}", nb1, nb2),
-        "0 stands for nb1 alone, a negative number for all from nb1 on");
+        "0 means nb1 alone, a negative number means all from nb1 on");
     return {};
   }
   return SetVel{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real(),

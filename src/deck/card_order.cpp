@@ -49,8 +49,9 @@ bool CardOrder::unique(const CardSpec& spec, SourceLocation where) {
 bool CardOrder::pass_preliminary(const CardSpec& spec, SourceLocation where) {
   const std::string card(spec.name);
   if (behind_deck_) {
-    diagnostics_.error(where, card, "the model is made: no preliminary card may follow",
-                       "problem cards may, see 'blocks cards'");
+    diagnostics_.error(where, card,
+                       "a preliminary card cannot follow once the model is built",
+                       "use problem cards only; 'blocks cards' lists them");
     return false;
   }
   if (spec.name == "RESTART") {
@@ -82,7 +83,7 @@ bool CardOrder::pass_preliminary(const CardSpec& spec, SourceLocation where) {
     return true;
   }
   if (ended_) {
-    diagnostics_.error(where, card, "a preliminary card must stand before END",
+    diagnostics_.error(where, card, "a preliminary card must come before END",
                        first_line_.contains("END")
                            ? fmt::format("move it above line {}", first_line_["END"])
                            : "move it above the first problem card");
@@ -97,12 +98,12 @@ bool CardOrder::pass_problem(const CardSpec& spec, SourceLocation where) {
   }
   const std::string card(spec.name);
   if (stands_in_deck("END")) {
-    diagnostics_.error(where, card, "a problem card must stand behind END",
+    diagnostics_.error(where, card, "a problem card must come after END",
                        "END closes the preliminary data; move this card below it");
     return false;
   }
   diagnostics_.error(where, "END", fmt::format("missing before {}", card),
-                     "a line END closes the preliminary data");
+                     "close the preliminary data with a line END");
   ended_ = true;
   report_missing(where);
   return true;
@@ -127,7 +128,7 @@ void CardOrder::finish(SourceLocation where) {
   }
   if (!first_line_.contains("END")) {
     diagnostics_.error(where, "END", "required card missing",
-                       "a line END closes the preliminary data");
+                       "close the preliminary data with a line END");
   }
   report_missing(where);
 }

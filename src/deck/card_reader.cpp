@@ -15,8 +15,8 @@ std::string did_you_mean(const std::string& word) {
 std::string not_a_number_hint(const std::string& text) {
   for (const char c : text) {
     if (static_cast<unsigned char>(c) >= 0x80) {
-      return "a number holds plain digits, point, sign and exponent only; retype it, "
-             "copied text often holds another kind of minus or blank";
+      return "a number has only digits, point, sign and exponent; retype it, because "
+             "copied text often has other kinds of minus or blank";
     }
   }
   if (text.find_first_not_of("0123456789.+-Oo") == std::string::npos &&
@@ -160,12 +160,12 @@ Value read_value(const Field& field, const FieldSpec& spec, std::string_view car
   if (number.fault == NumberFault::not_finite) {
     return fault(fmt::format("{} must be a finite number, found {}", spec.name,
                              shown(field.text)),
-                 "numbers reach from about 1e-308 to 1e308");
+                 "numbers may be from about 1e-308 to 1e308");
   }
   if (number.fault == NumberFault::too_small) {
     return fault(fmt::format("{} is too small a number for a double, found {}",
                              spec.name, shown(field.text)),
-                 "numbers reach from about 1e-308 to 1e308; write 0 for nothing");
+                 "numbers may be from about 1e-308 to 1e308; write 0 for zero");
   }
   value.number = number.value;
   const double x = value.number.value();
@@ -180,7 +180,7 @@ Value read_value(const Field& field, const FieldSpec& spec, std::string_view car
     if (std::abs(x) >= largest) {
       return fault(
           fmt::format("{} is too large, found {}", spec.name, shown(field.text)),
-          "whole numbers reach to 9007199254740991");
+          "the largest whole number is 9007199254740991");
     }
     value.integer = static_cast<long>(x);
   }
@@ -240,9 +240,10 @@ Values read_card(const CardSpec& spec, const Line& line,
   for (std::size_t i = spec.fields.size(); i < fields.size() && !repeats; ++i) {
     if (!fields[i].blank) {
       out.ok = false;
-      diagnostics.error(
-          fields[i].where, card, fmt::format("surplus value {}", shown(fields[i].text)),
-          spec.fields.empty() ? "this card has no values" : "syntax: " + spec.syntax());
+      diagnostics.error(fields[i].where, card,
+                        fmt::format("one value too many: {}", shown(fields[i].text)),
+                        spec.fields.empty() ? "this card has no values"
+                                            : "syntax: " + spec.syntax());
       break;
     }
   }

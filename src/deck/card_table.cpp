@@ -36,8 +36,8 @@ std::vector<CardSpec> preliminary_cards() {
                    "[-]",
                    "maximum number of corners per block"}},
        .follow_on = {{"title", "title of the problem, one line, 80 characters"}},
-       .notes = "Must be the first card. The line after it is always the title, "
-                "whatever it holds.",
+       .notes = "Must be the first card. The line after it is always the title, even "
+                "if it looks like a card.",
        .example = "START, 100, 4\nColumn of five blocks"});
   add({.name = "XLIMITS",
        .once = true,
@@ -46,8 +46,8 @@ std::vector<CardSpec> preliminary_cards() {
        .summary = "left and right end of the domain",
        .fields = {{"xmin", real, {}, any, "[L]", "least x of the domain"},
                   {"xmax", real, {}, any, "[L]", "greatest x of the domain, > xmin"}},
-       .notes = "A block with a corner strictly outside the domain is fixed where it "
-                "stands.",
+       .notes =
+           "A block with a corner strictly outside the domain is fixed where it is.",
        .example = "XLIMITS, -10., 100."});
   add({.name = "YLIMITS",
        .once = true,
@@ -65,15 +65,14 @@ std::vector<CardSpec> preliminary_cards() {
        .fields = {{"iboxes", integer, {}, from_one, "[-]", "number of boxes along x"},
                   {"jboxes", integer, {}, from_one, "[-]", "number of boxes along y"},
                   {"ctol", real, "0.1", positive, "[L]",
-                   "contact tolerance: pairs within 2 ctol are listed, and the list is "
-                   "renewed when corners have moved by ctol"}},
+                   "contact tolerance: pairs within 2 ctol are listed until corners "
+                   "move by ctol"}},
        .notes =
-           "Results do not depend on this card, nor does speed, unless ctol is a large "
-           "part of a block: the search chooses cells of its own, and looks as far "
-           "ahead as blocks are fast. A good ctol is a tenth of a block, and less than "
-           "half the shortest edge. A run ends as unsound where a corner moves in one "
-           "step by more than ctol, and by more than half of what the shallowest block "
-           "is deep.",
+           "This card does not change results. It changes speed only if ctol is a "
+           "large part of a block, because the search chooses its own cells and "
+           "look-ahead. A good ctol is a tenth of a block, and less than half the "
+           "shortest edge. A run becomes unsound if one step moves a corner by more "
+           "than ctol and half the way to the middle of the shallowest block.",
        .example = "BOXES, 20, 10, .25"});
   add({.name = "STIFF",
        .once = true,
@@ -93,7 +92,8 @@ std::vector<CardSpec> preliminary_cards() {
                    {},
                    {0, 1, true, false, false},
                    "[-]",
-                   "time step over the critical one of a single contact, eq. (4)"}},
+                   "time step divided by the critical time step of a single contact, "
+                   "eq. (4)"}},
        .notes =
            "A block with n contacts and DAMPING b needs at most (sqrt(1 + 3 n b^2) "
            "- b sqrt(3 n)) / sqrt(6 n); a warning gives the safe value.",
@@ -120,9 +120,9 @@ std::vector<CardSpec> preliminary_cards() {
                    "[-]",
                    "number of points, one line each"}},
        .follow_on = {{"t, p", "time [T] and value [-] of a point; ntimep lines, times "
-                              "strictly rising"}},
-       .notes = "Linear between the points; the end values are held. Time counts from "
-                "the arrival time of each load.",
+                              "strictly increasing"}},
+       .notes = "Linear between the points; constant before the first and after the "
+                "last. Time is measured from the arrival time of each load.",
        .example = "FUNCTION, 3\n0., 0.\n1.D-3, 1.\n5.D-3, 0."});
   add({.name = "RIGID",
        .once = true,
@@ -133,7 +133,7 @@ std::vector<CardSpec> preliminary_cards() {
   add({.name = "SEED",
        .once = true,
        .section = "ours",
-       .summary = "start of the random numbers",
+       .summary = "seed of the random numbers",
        .fields = {{"seed",
                    integer,
                    {},
@@ -141,7 +141,7 @@ std::vector<CardSpec> preliminary_cards() {
                    "[-]",
                    "seed of random layers; the same seed gives the same layers on "
                    "every machine"}},
-       .notes = "Without it a fixed seed is used, and printed.",
+       .notes = "Without this card a fixed seed is used and printed.",
        .example = "SEED, 42"});
   add({.name = "END",
        .once = true,
@@ -156,9 +156,10 @@ std::vector<CardSpec> preliminary_cards() {
        .section = "A.1.11",
        .summary = "first card of a restart: continue an earlier run",
        .fields = {{"file", word, "", any, "",
-                   "checkpoint to continue (ours); blank: the one named by the run"}},
+                   "checkpoint to continue (not in the report); blank: NAME.ckpt.h5 of "
+                   "this run"}},
        .notes = "Must be the first card and is the only preliminary card of a restart. "
-                "Quote a file name that holds blanks or commas.",
+                "Quote a file name that contains blanks or commas.",
        .example = "RESTART, crater.ckpt.h5"});
   return cards;
 }

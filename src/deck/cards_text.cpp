@@ -162,11 +162,10 @@ std::string suggest_card(std::string_view name) { return suggest(name, card_name
 
 std::vector<std::string_view> reference_introduction() {
   return {
-      "Free field: a card is a keyword in any case and its values, separated by "
-      "commas (or blanks where no comma stands). A blank field takes its default. "
-      "Exponents are written with E or D. A $ or ! starts a comment; blank lines "
-      "are skipped. Lists of values may go on over several lines. The end of the "
-      "deck acts as STOP.",
+      "Free format: a card is a keyword, in upper or lower case, and its values, "
+      "separated by commas or blanks. A blank field takes its default. Exponents are "
+      "written with E or D. A $ or ! starts a comment; blank lines are skipped. A list "
+      "of values may continue on further lines. The end of the deck acts as STOP.",
       "Kinds: \"whole\" is a whole number (3 or 3.0), \"real\" a number kept as the "
       "nearest double, \"decimal\" a number kept exactly as written because it "
       "describes geometry, \"word\" a text. Units are any consistent set, per unit "
@@ -187,11 +186,11 @@ std::string card_reference_markdown() {
     }
   }
   return out +
-         fmt::format("## The examples in one deck\n\nPut one below the other, the "
-                     "examples make a deck, which the tests run; `mine.msh` "
-                     "holds two squares of material 1. RESTART goes on from "
-                     "its checkpoint.\n\n```\n{}```\n",
-                     all_examples());
+         fmt::format(
+             "## The examples in one deck\n\nTogether the examples form a deck, which "
+             "the tests run; `mine.msh` contains two squares of material 1. The "
+             "RESTART example continues from its checkpoint.\n\n```\n{}```\n",
+             all_examples());
 }
 
 std::string all_examples() {

@@ -46,8 +46,8 @@ bool read_list(const TwoListSpec& spec, std::string_view name,
   bool ok = fits(spec, found);
   if (!ok) {
     if (hint.empty() && spec.may_be_short && spec.count > 2) {
-      hint = fmt::format("give all {}, or 1 or 2 of which the last is repeated",
-                         spec.count);
+      hint =
+          fmt::format("give all {}, or only 1 or 2; the last is repeated", spec.count);
     }
     const bool surplus = found > spec.count;
     diagnostics.error(
@@ -113,7 +113,7 @@ TwoLists read_two_lists(const TwoListSpec& spec, const std::vector<Line>& lines,
     diagnostics.error(
         flat.fields[flat.line_ends[best]]->where, card,
         fmt::format("cannot tell where the {} start", spec.second),
-        "end the lines of a list that go on with a comma, or give all its values");
+        "end each continued line of a list with a comma, or give all its values");
     return out;
   }
   const std::span<const Field* const> all(flat.fields);
@@ -176,8 +176,8 @@ FunctionPoints read_points(long count, const std::vector<Line>& lines,
     out.ok = out.ok && t.ok && p.ok;
     if (t.ok && before != nullptr && t.number.value() <= before->number.value()) {
       diagnostics.error(
-          t.where, card, "times must rise from line to line",
-          fmt::format("the line before has t = {:g}", before->number.value()));
+          t.where, card, "times must increase from line to line",
+          fmt::format("the previous line has t = {:g}", before->number.value()));
       out.ok = false;
     }
     if (t.ok) {

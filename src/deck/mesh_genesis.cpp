@@ -163,7 +163,7 @@ MeshFile read_genesis(const Records& records) {
                   counted(static_cast<std::size_t>(header.blocks), "element block"),
                   elements.found());
   if (bars > 0)
-    mesh.found += fmt::format(" ({} passed over)", counted(bars, "bar"));
+    mesh.found += fmt::format(" ({} skipped)", counted(bars, "bar"));
   mesh.blocks = std::move(elements.blocks);
   return mesh;
 }

@@ -64,9 +64,10 @@ void Reader::expect(std::size_t fields, const std::string& what) {
 void Reader::end(const std::string& section) {
   lines_.need("$End" + section);
   if (lines_.fields()[0] != "$End" + section)
-    fail(lines_.place(), fmt::format("expected $End{} after what ${} announced, found "
-                                     "another line",
-                                     section, section));
+    fail(lines_.place(),
+         fmt::format(
+             "expected $End{} after the entries announced by ${}, found another line",
+             section, section));
 }
 
 void Reader::skip(const std::string& section) {
@@ -261,7 +262,7 @@ MeshFile Reader::read() {
       nodes_seen_ = true;
     } else if (section == "Elements") {
       if (!nodes_seen_)
-        fail(lines_.place(), "$Elements stands before $Nodes");
+        fail(lines_.place(), "$Elements comes before $Nodes");
       version_ == "4.1" ? elements_4() : elements_2();
       elements_seen_ = true;
     } else {
@@ -279,7 +280,7 @@ MeshFile Reader::read() {
     mesh.found +=
         fmt::format(" ({} of higher order, reduced to corners)", higher_order_);
   if (passed_over_ > 0)
-    mesh.found += fmt::format(" (points and lines passed over: {})", passed_over_);
+    mesh.found += fmt::format(" (points and lines skipped: {})", passed_over_);
   mesh.blocks = std::move(elements_.blocks);
   return mesh;
 }

@@ -122,7 +122,7 @@ std::string read_all(const std::string& path) {
   try {
     data.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
   } catch (const std::ios_base::failure&) {  // libstdc++ throws here for a folder
-    fail({path}, "cannot read the mesh file: it is a folder, or it broke off");
+    fail({path}, "cannot read the mesh file: it is a folder, or reading failed");
   }
   if (in.bad())
     fail({path}, "cannot read the mesh file");

@@ -48,7 +48,7 @@ Region Reader::header() const {
        {region.elements, region.nodes, region.node_flags, region.side_flags})
     if (count < 0 || count > INT32_MAX)
       fail(records_.place(record_),
-           fmt::format("region {}: {} is no count", region.id, count));
+           fmt::format("region {}: {} is not a valid count", region.id, count));
   return region;
 }
 
@@ -128,7 +128,7 @@ MeshFile Reader::read() {
       fmt::format("region records, {}, {}: {}", describe(records_, width_, real_width_),
                   counted(regions, "region"), elements_.found());
   if (bars_ > 0)
-    mesh.found += fmt::format(" ({} passed over)", counted(bars_, "bar"));
+    mesh.found += fmt::format(" ({} skipped)", counted(bars_, "bar"));
   mesh.blocks = std::move(elements_.blocks);
   return mesh;
 }

@@ -130,7 +130,7 @@ void Parser::run() {
   order_.finish(end);
   if (more()) {
     diagnostics_.warning(lines_[next_].fields.front().where, "STOP",
-                         "text behind STOP is ignored");
+                         "text after STOP is ignored");
   }
   check_unused_overrides();
 }
@@ -166,7 +166,7 @@ void Parser::unknown(const Line& line) {
 void Parser::check_loop(const CardSpec* next) {
   if (loop_at_ && (next == nullptr || next->name != "CREATE")) {
     diagnostics_.error(*loop_at_, "CLOOP", "must be directly followed by CREATE",
-                       "CLOOP repeats the CREATE card that stands behind it");
+                       "CLOOP repeats the CREATE card that follows it");
     loop_at_.reset();
     loop_.reset();
   }
@@ -205,13 +205,13 @@ void Parser::card() {
     // After a faulty card the lines may be part of the same mistake.
     if (values.ok) {
       diagnostics_.error(data.front().fields.front().where, std::string(spec.name),
-                         "unexpected line of values behind this card",
+                         "unexpected line of values after this card",
                          "syntax: " + spec.syntax());
     }
     built.reset();
   } else if (spec.name == "START" && !data.empty()) {
     diagnostics_.error(data.front().fields.front().where, "START",
-                       "unexpected line of values behind the title",
+                       "unexpected line of values after the title",
                        "the title is one line");
     built.reset();
   } else if (!spec.follow_on.empty() && spec.name != "START") {
@@ -264,7 +264,7 @@ bool Parser::material(const Material& card) {
 bool Parser::title(Start& card, const Line& line) {
   if (!line.title) {
     diagnostics_.error(line.end, "START", "the title line is missing",
-                       "the line behind START is the title of the problem");
+                       "the line after START is the title of the problem");
     return false;
   }
   card.title = *line.title;
@@ -284,7 +284,7 @@ bool Parser::title(Start& card, const Line& line) {
       diagnostics_.warning(
           word.where, "START",
           fmt::format("the title looks like the card {}", capitals(word.text)),
-          "the line behind START is always the title");
+          "the line after START is always the title");
     }
   }
   return true;
@@ -329,7 +329,7 @@ bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation e
   if (card.ns.value < 0) {
     if (!data.empty()) {
       diagnostics_.error(data.front().fields.front().where, "LAYER",
-                         "unexpected line of values behind this card",
+                         "unexpected line of values after this card",
                          "lists of widths follow only where ns > 0");
       return false;
     }
@@ -365,7 +365,7 @@ void Parser::check_unused_overrides() {
     }
     if (!used) {
       diagnostics_.error(set.fields.front().where, set.card,
-                         "the deck has no such card to set a value on",
+                         "the deck has no such card, so --set cannot change it",
                          "add the card to the deck");
     }
   }

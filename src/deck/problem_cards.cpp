@@ -42,7 +42,7 @@ void add_block_cards(std::vector<CardSpec>& cards) {
        .fields = {{"nloop", integer, {}, from_one, "[-]", "number of blocks in total"},
                   {"radd", exact, "0", any, "[L]", "shift in x from copy to copy"},
                   {"zadd", exact, "0", any, "[L]", "shift in y from copy to copy"}},
-       .notes = "Must stand directly before its CREATE. Copy k is shifted by (k - 1) "
+       .notes = "Must come directly before its CREATE. Copy k is shifted by (k - 1) "
                 "(radd, zadd).",
        .example = "CLOOP, 5, 0., 1.\nCREATE, 4, 1\n40., 40., 42., 42.\n0., 1., 1., "
                   "0."});
@@ -50,9 +50,9 @@ void add_block_cards(std::vector<CardSpec>& cards) {
                    .section = "A.2.3",
                    .summary = "blocks from a mesh file",
                    .fields = {{"file", word, "tape9", any, "",
-                               "mesh file (ours): text, Gmsh .msh, GENESIS or region "
-                               "records, found by its content"}},
-                   .notes = "Quote a file name that holds blanks or commas.",
+                               "mesh file (not in the report): text, Gmsh .msh, "
+                               "GENESIS or region records, recognised by content"}},
+                   .notes = "Quote a file name that contains blanks or commas.",
                    .example = "READ9, mine.msh"});
   cards.push_back(
       {.name = "LAYER",
@@ -87,9 +87,9 @@ void add_block_cards(std::vector<CardSpec>& cards) {
                       "[L], > 0, from the left"},
                      {"st1, st2, ..., stns", "ns > 0 only: widths along the top line "
                                              "[L], starting on a new line"}},
-       .notes = "The card itself may go on on the next line before its eighth "
-                "coordinate. A list of one or two widths repeats its last one. Widths "
-                "that do not add up to the line are scaled, with a message.",
+       .notes = "The card may continue on the next line before its eighth coordinate. "
+                "A list of one or two widths repeats its last one. Widths that do not "
+                "add up to the length of the line are scaled, with a message.",
        .example = "LAYER, -12, 1, 0., 0., 0., 2., 30., 2., 30., 0., RANDOM",
        .continue_below = 10});
   cards.push_back(
@@ -127,9 +127,8 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                   {"y1", real, {}, any, "[L]", "y of point 1"},
                   {"x2", real, {}, any, "[L]", "x of point 2"},
                   {"y2", real, {}, any, "[L]", "y of point 2"}},
-       .notes =
-           "An infinite frictionless line; the blocks stand on the left of the way "
-           "from point 1 to point 2. Several are allowed.",
+       .notes = "An infinite frictionless line; the blocks lie on the left when "
+                "looking from point 1 to point 2. Several are allowed.",
        .example = "SPLANE, 0., 10., 0., 0."});
   cards.push_back({.name = "GRAVITY",
                    .section = "A.2.8",
@@ -192,18 +191,19 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                   {"vy", real, "0", any, "[L/T]", "velocity in y"},
                   {"tdot", real, "0", any, "[1/T]",
                    "spin, radians per time, anticlockwise positive"}},
-       .notes = "Acts where it stands; ignored on fixed blocks.",
+       .notes = "Takes effect at its place in the deck; ignored for fixed blocks.",
        .example = "SETVEL, 2, 6, 0., 5., 0."});
-  cards.push_back({.name = "SETVELM",
-                   .section = "A.2.14",
-                   .summary = "velocities of all blocks of a material",
-                   .fields = {{"mat", integer, {}, from_one, "[-]", "material number"},
-                              {"vx", real, "0", any, "[L/T]", "velocity in x"},
-                              {"vy", real, "0", any, "[L/T]", "velocity in y"},
-                              {"tdot", real, "0", any, "[1/T]",
-                               "spin, radians per time, anticlockwise positive"}},
-                   .notes = "Handy for blocks from READ9, whose numbers are not known.",
-                   .example = "SETVELM, 1, 0., 3., 0."});
+  cards.push_back(
+      {.name = "SETVELM",
+       .section = "A.2.14",
+       .summary = "velocities of all blocks of a material",
+       .fields = {{"mat", integer, {}, from_one, "[-]", "material number"},
+                  {"vx", real, "0", any, "[L/T]", "velocity in x"},
+                  {"vy", real, "0", any, "[L/T]", "velocity in y"},
+                  {"tdot", real, "0", any, "[1/T]",
+                   "spin, radians per time, anticlockwise positive"}},
+       .notes = "Useful for blocks from READ9, whose numbers are not known.",
+       .example = "SETVELM, 1, 0., 3., 0."});
   cards.push_back({.name = "DAMPING",
                    .section = "A.2.15",
                    .summary = "contact damping",
@@ -235,9 +235,8 @@ void add_run_cards(std::vector<CardSpec>& cards) {
              "numbers of the blocks printed, any number of them; none: all blocks",
              {},
              true}},
-       .notes =
-           "The card may go on on further lines. The state at the start and at the "
-           "end is always printed.",
+       .notes = "The card may continue on further lines. The state at the start and at "
+                "the end is always printed.",
        .example = "OUTPUT, .1, 1, 5, 9",
        .continue_below = std::numeric_limits<std::size_t>::max()});
   cards.push_back({.name = "PLOTS",

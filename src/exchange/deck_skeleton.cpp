@@ -61,9 +61,9 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
   // The second moment of a block has this order of magnitude.
   const double moment = area * area / static_cast<double>(outlines.size());
   if (!(std::isnormal(area) && std::isnormal(moment)))
-    throw std::range_error(fmt::format("blocks in {:g} by {:g} are too {} for a deck",
-                                       size.x(), size.y(),
-                                       widest > 1.0 ? "large" : "small"));
+    throw std::range_error(
+        fmt::format("the blocks, {:g} by {:g} in all, are too {} for a deck", size.x(),
+                    size.y(), widest > 1.0 ? "large" : "small"));
   const double margin = 0.1 * widest;
   const double step = std::pow(10.0, std::floor(std::log10(margin)));
   const double one_block = std::sqrt(area / static_cast<double>(outlines.size()));
@@ -77,9 +77,8 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
     materials.insert(outline.material);
 
   std::string deck = fmt::format(
-      "$ Blocks of {}. Units assumed: m, kg, s. Stiffness, materials, friction and\n"
-      "$ gravity are examples: put your own in their place.\n"
-      "START, {}, {}\nBLOCKS OF {}\n",
+      "$ Blocks of {}. Units assumed: m, kg, s. Stiffness, materials, friction and\n$ "
+      "gravity are examples: replace them by your own.\nSTART, {}, {}\nBLOCKS OF {}\n",
       one_line(mesh), outlines.size(), extent.most_corners,
       one_line(mesh).substr(0, 70));
   deck += fmt::format("XLIMITS, {}, {}\nYLIMITS, {}, {}\nBOXES, {}, {}, {}\n",
@@ -95,10 +94,8 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
   for (std::size_t b = 0; b < outlines.size(); ++b)
     if (outlines[b].fixed)
       deck += fmt::format("FIX, {}\n", b + 1);
-  deck +=
-      "$ FIX, n holds block n; SPLANE sets a wall. Without either all blocks fall.\n"
-      "GRAVITY, 0, -9.81\nFRICTN, 0.5\nDAMPING, 0.5\n"
-      "CYCLE, 100\nSTOP\n";
+  deck += "$ FIX, n fixes block n; SPLANE makes a wall. Without either, all blocks "
+          "fall.\nGRAVITY, 0, -9.81\nFRICTN, 0.5\nDAMPING, 0.5\nCYCLE, 100\nSTOP\n";
   return deck;
 }
 

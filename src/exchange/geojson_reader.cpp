@@ -83,8 +83,8 @@ void Reader::object(const Json& node, const Properties& properties) {
   else if (type->text == "MultiPolygon")
     each("coordinates", [&](const Json& item) { polygon(item, properties); });
   else if (type->text != "Polygon")
-    rings_.error(node.at, fmt::format("{} is no block", type->text.substr(0, 40)),
-                 "Polygon, MultiPolygon and collections of them are read");
+    rings_.error(node.at, fmt::format("{} cannot be a block", type->text.substr(0, 40)),
+                 "use Polygon, MultiPolygon or collections of them");
   else if (const Json* rings = member(node, "coordinates", Json::Kind::array))
     polygon(*rings, properties);
 }
@@ -97,7 +97,7 @@ void Reader::feature(const Json& node) {
     properties = read_properties(*given);
   const Json* geometry = node.find("geometry");
   if (!geometry || geometry->kind == Json::Kind::null)
-    rings_.warning(node.at, "a feature without geometry is passed over");
+    rings_.warning(node.at, "a feature without geometry is skipped");
   else if (expect(*geometry, Json::Kind::object, "\"geometry\""))
     object(*geometry, properties);
 }
@@ -135,7 +135,7 @@ void Reader::polygon(const Json& rings, const Properties& properties) {
     return !ring.items.empty() && ring.items[0].kind == Json::Kind::number;
   };
   if (rings.items.empty())
-    rings_.warning(rings.at, "an empty polygon is passed over");
+    rings_.warning(rings.at, "an empty polygon is skipped");
   else if (is_position(rings.items[0]))
     rings_.error(rings.at, "ring: expected an array of positions, found a position",
                  "a polygon is an array of rings, a ring an array of positions");

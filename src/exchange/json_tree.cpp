@@ -145,7 +145,7 @@ const Json* Json::find(std::string_view key) const {
   for (std::size_t i = 0; i < keys.size(); ++i)
     if (keys[i] == key) {
       if (found)
-        throw JsonFault(items[i].at, fmt::format("\"{}\" stands here twice", key));
+        throw JsonFault(items[i].at, fmt::format("\"{}\" is given twice here", key));
       found = &items[i];
     }
   return found;

@@ -76,10 +76,11 @@ void RingReader::add(const std::vector<Position>& ring, long material, bool fixe
     return;
   }
   if (outline.corners.front() != outline.corners.back()) {
-    error(ring.back()[0].at,
-          "the ring is not closed: its last position is not its "
-          "first",
-          "repeat the first position at the end, or see what was cut off");
+    error(
+        ring.back()[0].at,
+        "the ring is not closed: its last position is not its "
+        "first",
+        "repeat the first position at the end, or check whether positions are missing");
     return;
   }
   outline.corners.pop_back();

@@ -58,7 +58,7 @@ std::vector<Message> faults(const Soundness& soundness,
   std::stable_sort(largest.begin(), largest.end(),
                    [](const auto& a, const auto& b) { return a.area > b.area; });
   const std::string hint =
-      keep_overlaps ? "" : "correct the outlines, or take them with --keep-overlaps";
+      keep_overlaps ? "" : "correct the outlines, or accept them with --keep-overlaps";
   for (std::size_t i = 0; i < std::min(largest.size(), most_pairs); ++i) {
     const geometry::BlockOverlap& pair = largest[i];
     messages.push_back(

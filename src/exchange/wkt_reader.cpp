@@ -131,7 +131,7 @@ void Reader::geometry(int depth) {
   const std::string kind = word();
   if (kind == "SRID") {
     at_ = std::min(text_.find(';', at_), text_.size());
-    rings_.warning(begin, "SRID is passed over: coordinates are taken as lengths");
+    rings_.warning(begin, "SRID is ignored: coordinates are taken as lengths");
     return;
   }
   std::size_t after = at_;
@@ -143,7 +143,7 @@ void Reader::geometry(int depth) {
     fail("POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION");
   }
   if (empty()) {
-    rings_.warning(begin, kind + " EMPTY is passed over");
+    rings_.warning(begin, kind + " EMPTY is skipped");
   } else if (kind == "POLYGON") {
     polygon(begin);
   } else if (kind == "MULTIPOLYGON") {
@@ -151,7 +151,7 @@ void Reader::geometry(int depth) {
       skip();
       const std::size_t one = at_;
       if (empty())
-        rings_.warning(one, "POLYGON EMPTY is passed over");
+        rings_.warning(one, "POLYGON EMPTY is skipped");
       else
         polygon(one);
     });

@@ -139,8 +139,8 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
   if (!deck.commands.empty())
     if (const auto* card = std::get_if<deck::Restart>(&deck.commands.front().card)) {
       if (!card->file.given) {
-        said.error(deck.commands.front().where, "RESTART", "which checkpoint?",
-                   "RESTART, file");
+        said.error(deck.commands.front().where, "RESTART",
+                   "the name of the checkpoint is missing", "write RESTART, file");
         stop_at_faults();
       }
       output::CheckpointInfo from;
@@ -197,7 +197,7 @@ void Simulation::State::step(long count) {
 
 void Simulation::State::must_be_sound() const {
   if (!unsound.empty())
-    throw UnsoundRun("nothing goes on from an unsound run: " + unsound);
+    throw UnsoundRun("cannot continue an unsound run: " + unsound);
 }
 
 int Simulation::State::index(int block) const {
@@ -205,8 +205,8 @@ int Simulation::State::index(int block) const {
   if (block < 1 || block > count)
     throw std::out_of_range(
         count == 0
-            ? fmt::format("there is no block {}, there are none", block)
-            : fmt::format("there is no block {}, there are 1 to {}", block, count));
+            ? fmt::format("there is no block {}, the model has no blocks", block)
+            : fmt::format("there is no block {}, blocks are 1 to {}", block, count));
   return block - 1;
 }
 
@@ -234,7 +234,8 @@ const std::vector<std::string>& Simulation::warnings() const {
 
 void Simulation::step(long count) {
   if (count < 0)
-    throw std::invalid_argument(fmt::format("{} steps cannot be made", count));
+    throw std::invalid_argument(
+        fmt::format("the number of steps is negative: {}", count));
   if (blocks() == 0)
     throw std::logic_error("there are no blocks to move");
   state_->must_be_sound();

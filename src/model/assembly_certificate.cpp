@@ -132,7 +132,7 @@ std::string verdict(const AssemblyCertificate& certificate) {
 std::string joints_line(const AssemblyCertificate& certificate) {
   const std::vector<geometry::Slit>& slits = certificate.joints.slits;
   if (certificate.moved == certificate.blocks)
-    return "gaps: not looked for between blocks that have moved";
+    return "gaps: not searched between blocks that have moved";
   std::string text = "no gaps";
   if (certificate.gaps() > 0)
     text = fmt::format("{}, the widest {:.3g} between blocks {} and {} at {}",

@@ -7,7 +7,7 @@ namespace blocks {
 
 std::string MergeRecord::why() const {
   if (!(width_to_height < limit))
-    return fmt::format("just below {:g}, by less than doubles hold", limit);
+    return fmt::format("just below {:g}, by less than doubles resolve", limit);
   for (int digits = 6; digits < 17; ++digits) {
     const std::string ratio = fmt::format("{:.{}g}", width_to_height, digits);
     const std::string least = fmt::format("{:.{}g}", limit, digits);

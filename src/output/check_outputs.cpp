@@ -21,7 +21,7 @@ void check_outputs(const std::vector<std::string>& paths) {
     };
     std::error_code ignored;
     if (fs::is_directory(path, ignored) || fs::path(path).filename().empty())
-      cannot("it is a folder, a file's name is needed");
+      cannot("it is a folder; give the name of a file");
     const fs::path parent = fs::path(path).parent_path();
     const std::string folder = parent.empty() ? "." : parent.string();
     if (!fs::is_directory(folder, ignored))
@@ -29,7 +29,7 @@ void check_outputs(const std::vector<std::string>& paths) {
     if (::access(folder.c_str(), W_OK) != 0)
       throw_errno("write", path);
     if (!taken.insert(fs::absolute(path).lexically_normal()).second)
-      cannot("every output needs a file of its own");
+      cannot("two outputs have this name; give each its own");
   }
 }
 

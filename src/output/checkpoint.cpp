@@ -61,7 +61,7 @@ void set_seal(const std::string& path, const std::string& meant) {
   std::error_code ignored;
   if (const std::string previous = path + ".prev";
       std::filesystem::exists(previous, ignored))
-    message += "; the checkpoint before it is " + previous;
+    message += "; the previous checkpoint is " + previous;
   throw FileError(message);
 }
 
@@ -71,7 +71,7 @@ void verify_seal(const std::string& path) {
     refuse(path, "it is a folder");
   if (std::filesystem::exists(path, ignored) &&
       !std::filesystem::is_regular_file(path, ignored))
-    refuse(path, "it is no regular file");  // a pipe would block
+    refuse(path, "it is not a regular file");  // a pipe would block
   std::ifstream file(path, std::ios::binary);
   if (!file)
     refuse(path, std::generic_category().message(errno));
@@ -86,7 +86,7 @@ void verify_seal(const std::string& path) {
                              "reads format {})",
                              found > format ? "a newer" : "an older", found, format));
   if (file.gcount() < static_cast<std::streamsize>(seal_size) || head != seal_of(file))
-    refuse(path, "it is damaged: its bytes do not give its checksum");
+    refuse(path, "it is damaged: its checksum is wrong");
 }
 
 /// Visits the contents of the report's "restart tape": the data of the run and the

@@ -47,7 +47,7 @@ void file_crash(int signal) {
   tell(in_hand->verb_);
   tell(" ");
   tell(in_hand->path_);
-  tell(": it is damaged, HDF5 failed in it\n");
+  tell(": it is damaged, HDF5 failed on it\n");
   _exit(exit_code);
 }
 

@@ -35,10 +35,10 @@ void expect_replaceable(const std::string& path) {
   const std::filesystem::file_status there = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(there))
     throw FileError("cannot write " + path +
-                    ": it is a folder, a file's name is needed");
+                    ": it is a folder; give the name of a file");
   if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
     throw FileError("cannot write " + path +
-                    ": it is no regular file, and would be replaced by one");
+                    ": it is not a regular file; choose another name");
 }
 
 void move_file(const std::string& from, const std::string& to) {

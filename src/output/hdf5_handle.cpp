@@ -72,7 +72,7 @@ void expect_one(const Handle& space, const std::string& name) {
 void expect_number(const Handle& type, const std::string& name) {
   const H5T_class_t kind = H5Tget_class(type.get());
   if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || H5Tget_size(type.get()) > 8)
-    throw Failure(name + " holds no numbers");
+    throw Failure(name + " has no numbers");
 }
 
 /// Reads the stored text without its padding.

@@ -14,7 +14,7 @@ namespace blocks::output {
 namespace {
 
 [[noreturn]] void impossible(const std::string& what) {
-  throw hdf5::Failure("it holds what no run leaves: " + what);
+  throw hdf5::Failure("no run writes such a state: " + what);
 }
 
 struct Range {
@@ -139,8 +139,8 @@ void expect_corners(const Blocks& b) {
          c <= last; ++c)
       if (b.corner_block[c] != k || b.next[c] != (c == last ? first : c + 1) ||
           b.previous[c] != (c == first ? last : c - 1))
-        impossible(fmt::format("corner {} of block {} is out of its place",
-                               c - first + 1, k + 1));
+        impossible(
+            fmt::format("corner {} of block {} is out of order", c - first + 1, k + 1));
 }
 
 /// Expects convex parts of blocks that are not convex, each with at least three
@@ -170,8 +170,8 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
   expect_all("blocks/corner", b.corner, m, finite);
   for (const int number : b.material)
     if (!settings.materials.contains(number))
-      impossible(
-          fmt::format("blocks/material names material {}, which is not there", number));
+      impossible(fmt::format("blocks/material names material {}, which does not exist",
+                             number));
   expect_all("blocks/fixity", b.fixity, n, {0.0, 2.0, "0, 1 or 2"});
   expect_all("blocks/convex", b.convex, n, yes_or_no);
   expect_cuts(b);
@@ -201,8 +201,8 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
     const Vec2 there = b.centroid.col(b.corner_block[c]) + arm;
     const double size = there.cwiseAbs().maxCoeff() + arm.norm();
     if (!((there - b.corner.col(c)).norm() <= 1e-9 * size))
-      impossible(fmt::format("blocks/corner: value {} is not centroid and deformed arm",
-                             c + 1));
+      impossible(fmt::format(
+          "blocks/corner: value {} is not the centroid plus the deformed arm", c + 1));
   }
 }
 
@@ -215,7 +215,7 @@ void expect_contacts(const std::vector<Contact>& contacts, const Blocks& b) {
     const Contact& contact = contacts[i];
     const auto [low, high] = pair_of(b, contact);
     if (low == high)
-      impossible(fmt::format("contact {} is of one block alone", i + 1));
+      impossible(fmt::format("contact {} is between a block and itself", i + 1));
     if (i > 0 && !(sort_key(b, contacts[i - 1]) < sort_key(b, contact)))
       impossible(fmt::format("contact {} is out of order", i + 1));
     for (const auto& [name, value, range] :
@@ -251,7 +251,7 @@ void expect_loads(const Loads& loads, const Blocks& b) {
   expect_all("loads/function/p", loads.function.p, points, finite);
   for (std::size_t i = 1; i < loads.function.t.size(); ++i)
     if (!(loads.function.t[i - 1] < loads.function.t[i]))
-      impossible("loads/function/t does not rise");
+      impossible("loads/function/t does not increase");
   for (const Pressure& pressure : loads.pressures) {
     expect_index("loads/pressures/block", pressure.block, b.size());
     expect_index("loads/pressures/side", pressure.side, b.corners_of(pressure.block));
@@ -308,7 +308,7 @@ void expect_records(const Model& model) {
                             layer.ruled, layer.redrawn_sides})
       expect("layers", count, not_negative);
     if (layer.blocks > model.blocks.size() - layer.first_block)
-      impossible("layers names blocks that are not there");
+      impossible("layers names blocks that do not exist");
   }
 }
 
@@ -316,7 +316,7 @@ void expect_time(const Model& model) {
   expect("steps", static_cast<double>(model.steps), count_from_0);
   expect("step_origin", static_cast<double>(model.step_origin), count_from_0);
   if (model.step_origin > model.steps)
-    impossible("step_origin lies after steps");
+    impossible("step_origin is greater than steps");
   expect("time", model.time, not_negative);
   expect("time_origin", model.time_origin, not_negative);
   const TimeStep& step = model.time_step;
@@ -353,7 +353,7 @@ void expect_info(const CheckpointInfo& info, int blocks) {
                                      std::min(at.tabled_step, -1L) + 1}})
     expect(std::string("run/") + name, static_cast<double>(count), count_from_0);
   if (at.frames > info.results_frames || at.listing_bytes > info.listing_bytes)
-    impossible("run/progress lies behind the end of its results or listing");
+    impossible("run/progress is beyond the end of its results or listing");
   // It is infinite if no block is convex.
   expect("run/progress/half_depth", at.half_depth, {0.0, infinite, "a number from 0"});
   for (const geometry::BlockOverlap& overlap : at.overlaps) {

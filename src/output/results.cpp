@@ -179,8 +179,8 @@ void ResultsWriter::File::open_columns() {
 void ResultsWriter::File::keep(long count) {
   const auto stored = hdf5::read_attribute(steps.get(), "NSteps");
   if (count < 0 || count > stored)
-    throw hdf5::Failure("it has " + std::to_string(stored) + " frames, not the " +
-                        std::to_string(count) + " that came before");
+    throw hdf5::Failure("it has " + std::to_string(stored) + " frames, but " +
+                        std::to_string(count) + " were written before the checkpoint");
   if (!hdf5::exists(own.get(), "steps"))
     return;  // no frame was ever written
   open_columns();

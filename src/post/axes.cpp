@@ -37,7 +37,7 @@ std::vector<double> nice_ticks(double lower, double upper, int count) {
                                : digit < 7.5 ? 5
                                              : 10);
   if (std::max(std::abs(lower), std::abs(upper)) > 1e15 * step)
-    return ticks;  // k + 1 would be k
+    return ticks;  // doubles are too coarse for the ticks
   for (double k = std::ceil(lower / step - 1e-9); k * step <= upper + 1e-9 * span; ++k)
     ticks.push_back(k * step == 0.0 ? 0.0 : k * step);
   return ticks;
@@ -45,7 +45,7 @@ std::vector<double> nice_ticks(double lower, double upper, int count) {
 
 namespace {
 
-/// The number with the fewest digits from one tick to another, the lowest of equals.
+/// Returns the number between two ticks with the fewest digits; of several, the lowest.
 double roundest(double first, double last, double step) {
   const double slack = 1e-6 * step;
   for (double power = std::ceil(std::log10(std::max(std::abs(first), std::abs(last))));;
@@ -86,11 +86,11 @@ TickLabels label_ticks(double lower, double upper, int count) {
     result.power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
   const double counted = std::pow(10.0, -result.power);
   std::string decimals = "{:g}";
-  if (offset != 0.0 && step < 0.9e-4)  // not -5e-05 beside -0.0001
+  if (offset != 0.0 && step < 0.9e-4)  // avoids -5e-05 next to -0.0001
     decimals = fmt::format("{{:.{}f}}", -std::floor(std::log10(step) + 1e-3));
   for (const double tick : ticks) {
     const double rest = tick - offset;
-    // exact but for the rounding of the tick, which is no part of a round number
+    // The difference carries the rounding error of the tick; round it off.
     const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-3));
     const double round = offset == 0.0 ? rest : std::round(rest / power) * power;
     result.labels.push_back(

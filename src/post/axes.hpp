@@ -1,4 +1,4 @@
-// Where a figure's parts stand on the page, and the way from model to page.
+// The layout of a figure on the page, and the map from the model to the page.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,13 +7,13 @@
 
 namespace blocks::post {
 
-/// Equal scales on both axes; the page is 1200 wide and its y runs downwards.
+/// Axes with equal scales; the page is 1200 wide and its y axis points down.
 struct Axes {
   double xmin, xmax, ymin, ymax;    ///< [L] shown
   double left, top, width, height;  ///< of the plot on the page
 
-  /// Shows at least xmin, xmax, ymin, ymax [L]; a flat or tall model still gets a plot
-  /// one can look at.
+  /// Shows at least xmin, xmax, ymin, ymax [L]. The shape of the plot is limited, so
+  /// that a flat or tall model remains readable.
   Axes(const Eigen::Vector4d& shown, double left, double top, double width);
 
   double scale() const { return width / (xmax - xmin); }
@@ -23,24 +23,25 @@ struct Axes {
   double bottom() const { return top + height; }
 };
 
-/// Round numbers between lower and upper, about `count` of them; none where doubles are
-/// too coarse for them.
+/// Returns about `count` round numbers between lower and upper; none if doubles are too
+/// coarse for them.
 std::vector<double> nice_ticks(double lower, double upper, int count);
 
-/// Ticks with short labels that tell them apart.
+/// Ticks with short labels that all differ.
 struct TickLabels {
   std::vector<double> ticks;
   std::vector<std::string> labels;
   std::string offset;  ///< "+1000000000": to be added to every label; empty for none
-  int power = 0;       ///< labels count powers of ten: a multiple of three
+  int power = 0;       ///< labels are in units of 10^power; a multiple of three
 
-  /// The axis' name with that power: "kinetic energy [10⁶ J/m]", "contacts [10³]".
+  /// Returns the name of the axis with that power: "kinetic energy [10⁶ J/m]",
+  /// "contacts [10³]".
   std::string titled(const std::string& name) const;
 };
 
-/// About `count` ticks. What all of them share is taken off into the offset where the
-/// labels would need more than five digits otherwise; without an offset, labels from
-/// 100,000 or below a thousandth count powers of ten.
+/// Returns about `count` ticks. If the labels would need more than five digits, a
+/// common offset is subtracted. Without an offset, values from 100,000 or below a
+/// thousandth are labelled in powers of ten.
 TickLabels label_ticks(double lower, double upper, int count);
 
 }  // namespace blocks::post

@@ -7,19 +7,21 @@ struct Colour {
   double r = 0, g = 0, b = 0;  ///< 0 to 1
 };
 
-/// Muted, told apart by colour-blind eyes; repeats after forty materials.
+/// Returns a muted colour, safe for colour-blind readers; repeats after forty
+/// materials.
 Colour material_colour(int material);
 
-/// Dark blue to yellow, 0 <= s <= 1 (clamped): magnitudes.
+/// For magnitudes: dark blue to yellow, 0 <= s <= 1 (clamped).
 Colour sequential(double s);
 
-/// Blue, near white, red; s = 0.5 is zero (clamped): signed quantities.
+/// For signed quantities: blue, near white, red; 0 <= s <= 1 (clamped), zero at s =
+/// 0.5.
 Colour diverging(double s);
 
-/// Pale orange to near black, 0 <= s <= 1 (clamped): lines on white.
+/// For lines on white: pale orange to near black, 0 <= s <= 1 (clamped).
 Colour intensity(double s);
 
-/// A part `share` of a, the rest of b.
+/// Mixes the fraction `share` of a with the rest of b.
 Colour mix(const Colour& a, const Colour& b, double share);
 
 }  // namespace blocks::post

@@ -1,4 +1,4 @@
-// "1 picture", "3 pictures".
+// Returns a count with its noun: "1 picture", "3 pictures".
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ std::string block_rows(const Frame& now, const Frame& first) {
   return text;
 }
 
-/// Without the sign of a zero.
+/// Removes the sign of a zero.
 Eigen::Matrix2Xd plain(const Eigen::Matrix2Xd& values) { return values.array() + 0.0; }
 
 std::string contact_rows(const Frame& now, const FrameContacts& contacts) {

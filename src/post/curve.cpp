@@ -15,7 +15,7 @@ namespace {
 
 using Of = Curve::Of;
 
-/// Position, displacement and velocity: what a corner has.
+/// The quantities of a corner: position, displacement and velocity.
 const std::vector<std::string> corner_names = {
     "x", "y", "dx", "dy", "speed", "displacement", "vx", "vy"};
 
@@ -72,10 +72,10 @@ Curve parse_curve(const std::string& text) {
   const bool model_alone = other && other->whole;
   if (colon == std::string::npos) {
     if (kind && !kind->additive)
-      throw std::runtime_error(fmt::format(
-          "{0} of what? {0}:9 is that of block 9, {0}:max the largest; also {0}:min, "
-          "{0}:mean, {0}:sum",
-          name));
+      throw std::runtime_error(
+          fmt::format("{0} needs a block or a statistic: {0}:9 is that of block 9, "
+                      "{0}:max the largest; also {0}:min, {0}:mean, {0}:sum",
+                      name));
     return curve;
   }
   const std::string where = text.substr(colon + 1);
@@ -92,14 +92,13 @@ Curve parse_curve(const std::string& text) {
     if (curve.of == Of::corner)
       curve.corner = whole_number(where.substr(dot + 1));
     if (curve.block < 1 || (curve.of == Of::corner && curve.corner < 1))
-      throw std::runtime_error(fmt::format(
-          "'{}': behind the colon stands a block (9), a corner of it (9.2), max, min, "
-          "mean or sum",
-          text));
+      throw std::runtime_error(fmt::format("'{}': after the colon give a block (9), a "
+                                           "corner of it (9.2), max, min, mean or sum",
+                                           text));
   }
   if (model_alone)
     throw std::runtime_error(
-        fmt::format("{0} is a number of the whole model: write {0} alone", name));
+        fmt::format("{0} is a quantity of the whole model: write {0} alone", name));
   if (curve.of == Of::corner && std::find(corner_names.begin(), corner_names.end(),
                                           curve.quantity) == corner_names.end())
     throw std::runtime_error(fmt::format("a corner has no {}: choose {}", name,

@@ -14,7 +14,7 @@ namespace blocks::post {
 namespace {
 
 constexpr double line = 26;        ///< height of an entry
-constexpr double small_line = 19;  ///< of a material among many
+constexpr double small_line = 19;  ///< height of an entry if there are many materials
 constexpr double least_bar = 170, most_bar = 460;
 constexpr std::size_t few_materials = 10, columns = 3, most_materials = 90;
 
@@ -33,7 +33,7 @@ double materials_height(std::size_t count) {
   return static_cast<double>(rows + 1) * small_line + 10;
 }
 
-/// Writes its entries one below the other.
+/// Draws the entries of the legend from top to bottom.
 class Legend {
  public:
   Legend(Pen& pen, const LegendPlace& place, const Picture& picture,
@@ -77,7 +77,7 @@ class Legend {
     pen_.text(text, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
   }
 
-  /// Of many only the numbers, side by side.
+  /// Draws many materials as numbers only, side by side.
   void materials() {
     const auto& present = scales_.materials;
     if (present.size() <= few_materials) {

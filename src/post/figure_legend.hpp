@@ -1,4 +1,4 @@
-// The strip beside a figure that says what its colours, lines and arrows mean.
+// The legend, a strip beside the figure that explains its colours, lines and arrows.
 #pragma once
 
 #include "post/figure_scales.hpp"
@@ -6,18 +6,19 @@
 
 namespace blocks::post {
 
-/// arrow: length on the page of the usual largest vector. height: of the strip.
+/// The position and height of the strip, and the length on the page of the arrow for
+/// the reference vector.
 struct LegendPlace {
   double x, top, height, arrow;
 };
 
-/// The least height it needs.
+/// Returns the smallest height that the legend needs.
 double legend_height(const FigureScales& scales, const FigureOptions& options);
 
 void draw_legend(Pen& pen, const LegendPlace& place, const Picture& picture,
                  const FigureScales& scales, const FigureOptions& options);
 
-/// "speed [m/s]", "speed [L T⁻¹]".
+/// Returns a label with its unit: "speed [m/s]", "speed [L T⁻¹]".
 std::string with_unit(const std::string& label, const Dimension& dimension,
                       const FigureOptions& options);
 

@@ -35,7 +35,7 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
     const double height = top + foot +
                           std::max(rows * (width * shape + (count > 1 ? heading : 0)),
                                    legend_height(scales, options) - 0.5 * foot);
-    // the page nearest to the shape of a sheet lying on its side, with few empty places
+    // Choose the page closest to a landscape sheet, with few empty cells.
     const double empty = across * rows - static_cast<double>(count);
     const double far = std::abs(std::log(height / (0.75 * Pen::page))) + 0.2 * empty;
     if (far >= best)

@@ -1,4 +1,4 @@
-// Pictures of one or several times placed on a page: heading, axes, legend.
+// A page with pictures of one or several times: heading, axes and legend.
 #pragma once
 
 #include <vector>
@@ -11,17 +11,17 @@ namespace blocks::post {
 
 class FigurePage {
  public:
-  /// For `count` pictures with these scales.
+  /// Lays out `count` pictures with these scales.
   FigurePage(std::size_t count, std::string title, const FigureScales& scales,
              const FigureOptions& options);
 
   double height() const { return height_; }  ///< of a page 1200 wide
 
-  /// Once, before the pictures.
+  /// Draws the page; call it once, before the pictures.
   void begin(Pen& pen) const;
-  /// The picture at place i, 0 to count - 1.
+  /// Draws picture i, 0 <= i < count.
   void picture(Pen& pen, std::size_t i, const Picture& picture) const;
-  /// Once, with the last picture.
+  /// Draws the legend; call it once, with the last picture.
   void end(Pen& pen, const Picture& picture) const;
 
  private:

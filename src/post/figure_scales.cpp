@@ -13,7 +13,8 @@
 namespace blocks::post {
 namespace {
 
-/// The middle one of the numbers above zero: one impact must not hide all the rest.
+/// Returns the median of the positive numbers, so that a single impact does not hide
+/// all other values.
 double usual(std::vector<double> largest) {
   std::erase_if(largest, [](double value) { return !(value > 0.0); });
   if (largest.empty())
@@ -38,7 +39,7 @@ Eigen::Matrix2Xd arrow_vectors(const std::string& name, const Picture& picture) 
     moved.row(1) = quantity("dy", picture.now, picture.first).values.transpose();
     return moved;
   }
-  throw std::runtime_error("there are no arrows of '" + name +
+  throw std::runtime_error("there are no arrows for '" + name +
                            "': choose velocity, displacement or force");
 }
 
@@ -111,7 +112,7 @@ FigureScales ScaleSurvey::scales() const {
     result.low = is_signed_ ? -std::max(std::abs(least_), std::abs(most_))
                             : std::min(0.0, least_);
     result.high = is_signed_ ? -result.low : most_;
-    if (!(result.high > result.low)) {  // one value everywhere
+    if (!(result.high > result.low)) {  // all values are equal
       result.high = result.low + 1.0;
       if (is_signed_)
         result.low = -1.0, result.high = 1.0;
@@ -132,7 +133,7 @@ FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& re
 }
 
 std::set<int> materials_of(const ResultsReader& results) {
-  const Frame last = results.frame(results.frames() - 1);  // blocks never go away
+  const Frame last = results.frame(results.frames() - 1);  // blocks are never removed
   return {last.material.begin(), last.material.end()};
 }
 
@@ -140,7 +141,7 @@ FigureScales survey_scales(const ResultsReader& results,
                            const std::vector<long>& frames,
                            const FigureOptions& options) {
   if (frames.empty())
-    throw std::runtime_error("there is no time to be drawn");
+    throw std::runtime_error("there is no time to draw");
   const Frame first = results.frame(0);
   ScaleSurvey survey(options);
   for (const long i : frames) {
@@ -159,7 +160,7 @@ void require_blocks_in_zoom(const ResultsReader& results,
   const Eigen::Vector4d& zoom = *options.zoom;
   if (!(zoom[0] < zoom[1] && zoom[2] < zoom[3]))
     throw std::runtime_error("the zoom needs xmin < xmax and ymin < ymax");
-  Eigen::Vector4d all(1e300, -1e300, 1e300, -1e300);  // as the zoom
+  Eigen::Vector4d all(1e300, -1e300, 1e300, -1e300);  // ordered like the zoom
   for (const long i : frames)
     for (const auto& outline : results.frame(i).outlines) {
       Eigen::Vector4d box(1e300, -1e300, 1e300, -1e300);

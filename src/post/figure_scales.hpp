@@ -1,5 +1,5 @@
-// What the pictures of a sheet or a movie have in common, so that they can be compared:
-// the view, the range of the colours, the sizes of forces and arrows.
+// The scales that all pictures of a sheet or a movie share, so that they can be
+// compared: the view, the range of the colours, the sizes of forces and arrows.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace blocks::post {
 
-/// One time of the model.
+/// The model at one time.
 struct Picture {
   const Frame& now;
   const Frame& first;
@@ -21,18 +21,21 @@ struct Picture {
 struct FigureScales {
   Eigen::Vector4d view{0, 1, 0, 1};  ///< xmin, xmax, ymin, ymax [L]
   double low = 0.0, high = 1.0;      ///< of the colours
-  double force = 0.0;                ///< [F] drawn at full width, the usual largest
-  double arrow = 0.0;                ///< drawn at full length, the usual largest
-  double block_size = 1.0;           ///< [L] root of the median area
+  double force =
+      0.0;  ///< [F] drawn at full width: the median of the largest of each picture
+  double arrow =
+      0.0;  ///< drawn at full length: the median of the largest of each picture
+  double block_size = 1.0;  ///< [L] root of the median area
   std::set<int> materials;
-  bool fixed = false;  ///< some block is
+  bool fixed = false;  ///< true if some block is fixed
 };
 
 class ScaleSurvey {
  public:
   explicit ScaleSurvey(const FigureOptions& options) : options_(options) {}
   void include(const Picture& picture);
-  /// Throws std::runtime_error for a zoom or range upside down.
+  /// Throws std::runtime_error if the ends of the zoom or the range are in the wrong
+  /// order.
   FigureScales scales() const;
 
  private:
@@ -48,27 +51,28 @@ class ScaleSurvey {
   bool fixed_ = false;
 };
 
-/// Of these frames, read one at a time. Throws std::runtime_error when there are none.
+/// Returns the scales of these frames, reading one at a time. Throws std::runtime_error
+/// if there are none.
 FigureScales survey_scales(const ResultsReader& results,
                            const std::vector<long>& frames,
                            const FigureOptions& options);
 
-/// Those of all blocks.
+/// Returns the materials of all blocks.
 std::set<int> materials_of(const ResultsReader& results);
 
-/// The contacts of a frame, read only if the figure shows something of them.
+/// Returns the contacts of a frame; reads them only if the figure shows them.
 FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
                            long frame);
 
-/// (2, n) what the arrows of that name show: velocity, displacement, force. Throws
-/// std::runtime_error listing the names.
+/// Returns the vectors of the arrows with that name, (2, n): velocity, displacement or
+/// force. Throws std::runtime_error that lists the names.
 Eigen::Matrix2Xd arrow_vectors(const std::string& name, const Picture& picture);
 
-/// Names of arrows for help and messages.
+/// Returns the names of arrows, for help and messages.
 std::vector<std::string> arrow_names();
 
-/// Throws std::runtime_error when the zoom lies beside all blocks of all these frames,
-/// and says where they lie.
+/// Throws std::runtime_error if no block of these frames is inside the zoom; the
+/// message says where the blocks are.
 void require_blocks_in_zoom(const ResultsReader& results,
                             const std::vector<long>& frames,
                             const FigureOptions& options);

@@ -16,7 +16,7 @@ std::vector<ForceLink> force_network(const FrameContacts& contacts) {
   for (int i = 0; i < contacts.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const int corner = contacts.corner_block[k], edge = contacts.edge_block[k];
-    const Eigen::Vector2d f = forces.col(i);  // on the corner's block
+    const Eigen::Vector2d f = forces.col(i);  // acts on the block of the corner
     Sum& sum = pairs[std::minmax(corner, edge)];
     sum.force += corner > edge ? f : Eigen::Vector2d(-f);
     sum.point += f.norm() * contacts.point.col(i);

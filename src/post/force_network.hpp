@@ -16,7 +16,7 @@ struct ForceLink {
   Eigen::Vector2d force;      ///< [F] on `second`; the opposite acts on `first`
 };
 
-/// By rising size of the force; without pairs whose contacts carry none.
+/// Returns the links in order of increasing force; pairs without force are left out.
 std::vector<ForceLink> force_network(const FrameContacts& contacts);
 
 }  // namespace blocks::post

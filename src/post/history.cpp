@@ -33,7 +33,7 @@ Reduction reduction(Of of, Reduction natural) {
   return natural;
 }
 
-/// Position, displacement or velocity of one corner.
+/// Returns the position, displacement or velocity of one corner.
 double of_corner(const std::string& name, int block, int corner, const Frame& now,
                  const Frame& first) {
   const auto b = static_cast<std::size_t>(block), c = static_cast<std::size_t>(corner);
@@ -76,7 +76,7 @@ std::string label_of(const Curve& curve, const std::string& label) {
   return label;
 }
 
-/// The number of one curve in one frame.
+/// Returns the value of one curve in one frame.
 double value(const Curve& curve, const Frame& now, const Frame& first,
              const FrameContacts& contacts) {
   const bool there = curve.block <= now.size();
@@ -110,7 +110,7 @@ History read_history(const ResultsReader& results, const std::vector<Curve>& cur
     const QuantityKind* kind = find_quantity(curve.quantity);
     with_contacts = with_contacts || (other && other->rows);
     const std::string label = other ? other->label : kind->label;
-    Curve read_as = curve;  // "overlap" is the largest one
+    Curve read_as = curve;  // "overlap" alone means the largest overlap
     if (other && other->natural == Reduction::largest && curve.of == Of::model)
       read_as.of = Of::largest;
     history.series.push_back({curve,
@@ -135,7 +135,7 @@ History read_history(const ResultsReader& results, const std::vector<Curve>& cur
                         results.path(), curve.block, corners, curve.corner));
     }
   };
-  check(results.frame(results.frames() - 1));  // blocks are added, never taken away
+  check(results.frame(results.frames() - 1));  // blocks are never removed
   const auto& times = results.times();
   for (long i = 0; i < results.frames(); ++i) {
     const double t = times[static_cast<std::size_t>(i)];

@@ -1,5 +1,5 @@
-// `blocks history`: quantities of blocks, corners and the whole model against time
-// (heir of NEWTEN and TPLOT2, report Appendix F).
+// `blocks history`: quantities of blocks, corners and the whole model over time
+// (successor of NEWTEN and TPLOT2, report Appendix F).
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace blocks::post {
 
-/// One curve with its numbers; NaN where the block is not there yet.
+/// One curve with its values; NaN while the block does not exist yet.
 struct Series {
   Curve curve;
   std::string label;     ///< "speed of block 9"
@@ -28,14 +28,14 @@ struct History {
   std::vector<Series> series;
 };
 
-/// Times outside are left out.
+/// Times outside this range are left out.
 struct TimeRange {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
 };
 
-/// Reads the frames once, in the memory of one. Throws std::runtime_error when a block
-/// or corner never exists or no frame lies in the range, naming what there is.
+/// Reads the frames once, one at a time. Throws std::runtime_error if a block or corner
+/// never exists, or if no frame is in the range; the message says what exists.
 History read_history(const ResultsReader& results, const std::vector<Curve>& curves,
                      const TimeRange& range = {});
 

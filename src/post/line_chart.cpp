@@ -20,7 +20,8 @@ namespace {
 
 constexpr Colour grid{0.9, 0.9, 0.9};
 
-/// Told apart by colour-blind eyes; other dashes every seven lines.
+/// Colours that colour-blind readers can distinguish; the dashes change every seven
+/// lines.
 Colour line_colour(std::size_t i) {
   static constexpr std::array<Colour, 7> palette = {
       Colour{0.00, 0.36, 0.62}, {0.80, 0.33, 0.00}, {0.00, 0.51, 0.37},
@@ -39,7 +40,7 @@ struct Range {
     high = std::max(high, value);
   }
   bool empty() const { return !(low <= high); }
-  /// A line along the edge of the paper is not seen, a constant has no height.
+  /// Adds a margin: a line on the frame would be hidden, and a constant has no range.
   Range widened(double part) const {
     const double margin = high > low    ? part * (high - low)
                           : high == 0.0 ? 1.0
@@ -173,7 +174,7 @@ class ChartDrawing {
       }
   }
 
-  /// Entries stand closer where there are many.
+  /// Entries are closer together if there are many.
   void legend(const ChartPanel& one, double x, double y) {
     constexpr double tall = 24, low = 13;
     const auto n = static_cast<double>(one.lines.size());

@@ -1,4 +1,4 @@
-// Curves over a common axis: histories and profiles. One panel for each quantity.
+// Curves over a common axis, for histories and profiles; one panel for each quantity.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace blocks::post {
 
-/// Points that are not finite interrupt the line.
+/// A curve; points that are not finite interrupt the line.
 struct ChartLine {
   std::string legend;
   std::vector<double> x, y;  ///< of equal length
@@ -23,8 +23,9 @@ struct Chart {
   std::vector<ChartPanel> panels;
 };
 
-/// Draws a PNG, SVG or PDF file by the path's ending. width: pixels or points. Throws
-/// std::runtime_error: unknown ending, nothing to draw, file not writable.
+/// Draws a PNG, SVG or PDF file, depending on the extension. `width` is in pixels or
+/// points. Throws std::runtime_error if the extension is unknown, there is nothing to
+/// draw, or the file cannot be written.
 void draw_chart(const std::string& path, const Chart& chart, double width);
 
 }  // namespace blocks::post

@@ -8,8 +8,8 @@
 namespace blocks::post {
 namespace {
 
-/// A regular polygon, its first corner at `turn` from the x axis; the page's y runs
-/// down.
+/// Traces a regular polygon whose first corner is at the angle `turn` from the x axis;
+/// y points down.
 void trace_polygon(cairo_t* pen, int corners, double turn, double x, double y,
                    double radius) {
   for (int i = 0; i < corners; ++i) {

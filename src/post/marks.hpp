@@ -1,5 +1,5 @@
-// Places of a figure that deserve a look: a colour and a shape for each kind, so that
-// marks of several kinds at one place can be told apart.
+// Marks for places of interest in a figure. Each kind has its own colour and shape, so
+// that different marks at one place can be distinguished.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ struct Mark {
   Kind kind = Kind::overlap;
   Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< [L]
   std::string label;                                ///< written beside it; may be empty
-  std::vector<int> blocks;  ///< drawn over in the mark's colour, from 0
+  std::vector<int> blocks;  ///< blocks highlighted in the colour of the mark, from 0
 };
 
 /// A line of the legend.
@@ -29,7 +29,8 @@ struct MarkName {
 
 Colour mark_colour(Mark::Kind kind);
 
-/// Sets the outline of the mark as the pen's path. x, y, radius in page units.
+/// Makes the outline of the mark the current path of the pen. x, y and radius are in
+/// page units.
 void trace_mark(_cairo* pen, Mark::Kind kind, double x, double y, double radius);
 
 }  // namespace blocks::post

@@ -10,7 +10,7 @@ namespace blocks::post {
 using Eigen::VectorXd;
 
 double reduce(Reduction how, const VectorXd& values) {
-  if (how == Reduction::sum)  // in the order of the blocks, as the run sums
+  if (how == Reduction::sum)  // same order of summation as in the run
     return std::accumulate(values.begin(), values.end(), 0.0);
   if (values.size() == 0)
     return 0.0;

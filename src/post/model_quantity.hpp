@@ -1,4 +1,4 @@
-// Quantities of the contacts and of the model as a whole.
+// Quantities of the contacts and of the whole model.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,29 +11,31 @@
 
 namespace blocks::post {
 
-/// How the numbers of many blocks or contacts become one.
+/// How the values of many blocks or contacts are reduced to one.
 enum class Reduction { sum, largest, smallest, mean };
 
-/// 0 for no numbers; sums in their order, as the run sums.
+/// Returns the reduced value, 0 for no values. Sums use the same order as the run.
 double reduce(Reduction how, const Eigen::VectorXd& values);
 
-/// Of the contacts where `rows` is set, else of the model.
+/// A quantity of the contacts if `rows` is set, otherwise of the model.
 struct OtherKind {
   std::string label;
   Dimension dimension;
-  Reduction natural;  ///< how the rows of contacts become one number
-  std::function<Eigen::VectorXd(const FrameContacts&)> rows;  ///< one for each contact
+  Reduction natural;  ///< how the values of all contacts are reduced to one
+  std::function<Eigen::VectorXd(const FrameContacts&)>
+      rows;  ///< one value for each contact
   std::function<double(const Frame&)> whole;
 };
 
-/// By name: contacts, normal_force, overlap, shear_force; blocks, step, time.
+/// All of them by name: contacts, normal_force, overlap, shear_force; blocks, step,
+/// time.
 const std::map<std::string, OtherKind>& other_kinds();
 
-/// In any case; nullptr if there is none.
+/// Finds a quantity by name in upper or lower case; nullptr if there is none.
 const OtherKind* find_other(const std::string& name);
 
-/// (blocks) a quantity of the contacts, over the contacts of each block: the largest
-/// overlap, the sum of the forces.
+/// Reduces a quantity of the contacts to one value for each block, (blocks): the
+/// largest overlap, or the sum of the forces.
 Eigen::VectorXd per_block(const OtherKind& kind, const FrameContacts& contacts,
                           int blocks);
 

@@ -22,14 +22,14 @@
 namespace blocks::post {
 namespace {
 
-/// ffmpeg at the other end of a pipe.
+/// Runs ffmpeg and writes pictures to it through a pipe.
 class Encoder {
  public:
   explicit Encoder(std::vector<std::string> arguments) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
-      throw output::FileError("cannot start ffmpeg: there is no pipe left");
-    before_ = std::signal(SIGPIPE, SIG_IGN);  // a dead ffmpeg is told by write()
+      throw output::FileError("cannot start ffmpeg: cannot create a pipe");
+    before_ = std::signal(SIGPIPE, SIG_IGN);  // write() reports it if ffmpeg has exited
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
@@ -55,15 +55,15 @@ class Encoder {
       child_ = -1;
       finish();
       throw output::FileError(
-          "a movie needs the program ffmpeg, which is not installed here\n"
-          "  hint: apt install ffmpeg; or pictures with -o NAME.png");
+          "a movie needs the program ffmpeg, which is not installed here\n  hint: apt "
+          "install ffmpeg, or draw a picture with -o NAME.png");
     }
   }
   ~Encoder() { finish(); }
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  /// False when ffmpeg listens no more.
+  /// Writes bytes to ffmpeg; false if it no longer reads.
   bool put(const unsigned char* bytes, std::size_t size) {
     while (size > 0) {
       const ssize_t sent = write(to_child_, bytes, size);
@@ -77,7 +77,7 @@ class Encoder {
     return true;
   }
 
-  /// Waits for the end; true when ffmpeg ended well.
+  /// Waits until ffmpeg exits; true if it succeeded.
   bool finish() {
     if (to_child_ >= 0) {
       close(to_child_);
@@ -98,8 +98,9 @@ class Encoder {
   void (*before_)(int) = SIG_DFL;
 };
 
-/// Pictures are blue, green, red, nothing: cairo's words on a little-endian machine.
-/// width, height: even, as the usual MP4 needs.
+/// Returns the command line of ffmpeg. The bytes of a pixel are blue, green, red and
+/// unused, as cairo stores them on a little-endian machine. Width and height are even,
+/// as the usual MP4 codec requires.
 std::vector<std::string> ffmpeg(const std::string& draft, bool gif, int width,
                                 int height, double rate) {
   std::vector<std::string> words = {"ffmpeg",
@@ -144,7 +145,7 @@ void draw_movie(const std::string& path, const ResultsReader& results,
                 const std::vector<long>& frames, double rate,
                 const FigureOptions& options) {
   if (!(rate >= 0.1 && rate <= 100))
-    throw std::runtime_error("a movie has 0.1 to 100 pictures a second");
+    throw std::runtime_error("a movie can have 0.1 to 100 pictures per second");
   const FigureScales scales = survey_scales(results, frames, options);
   const FigurePage page(1, results.title(), scales, options);
   const auto even = [](double size) {
@@ -158,7 +159,7 @@ void draw_movie(const std::string& path, const ResultsReader& results,
   const std::string draft = path + ".tmp";
   Encoder encoder(ffmpeg(draft, std::filesystem::path(path).extension() == ".gif",
                          width, height, rate));
-  // whatever goes wrong, half a movie does not stay
+  // removes an incomplete movie on every error
   const std::unique_ptr<const char, void (*)(const char*)> draft_goes(
       draft.c_str(), [](const char* name) { std::remove(name); });
   const Frame first = results.frame(0);

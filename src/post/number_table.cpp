@@ -13,7 +13,7 @@ std::size_t rows(const NumberTable& table) {
   return table.columns.empty() ? 0 : table.columns.front().values.size();
 }
 
-/// Places on a terminal: bytes that begin a character.
+/// Returns the width on a terminal: the number of bytes that begin a character.
 std::size_t places(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
@@ -24,7 +24,7 @@ std::string right(const std::string& text, std::size_t width) {
   return std::string(own < width ? width - own : 0, ' ') + text;
 }
 
-/// A comma or a quote in a name would tear the line.
+/// Quotes a name that contains a comma or a quote.
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos)
     return text;
@@ -85,10 +85,11 @@ std::string json_text(const std::vector<NumberTable>& runs) {
   for (const NumberTable& run : runs) {
     Json columns = Json::array();
     for (const NumberColumn& column : run.columns)
-      columns.push_back({{"name", column.name},
-                         {"label", column.label},
-                         {"unit", column.unit},
-                         {"values", column.values}});  // what is not finite: null
+      columns.push_back(
+          {{"name", column.name},
+           {"label", column.label},
+           {"unit", column.unit},
+           {"values", column.values}});  // values that are not finite become null
     list.push_back({{"file", run.file}, {"title", run.title}, {"columns", columns}});
   }
   return Json{{"runs", list}}.dump(1, ' ', false, Json::error_handler_t::replace) +

@@ -1,4 +1,4 @@
-// Columns of numbers as a table for the eye, CSV and JSON for other programs.
+// Writes columns of numbers as a readable table, or as CSV and JSON for other programs.
 #pragma once
 
 #include <string>
@@ -10,25 +10,26 @@ struct NumberColumn {
   std::string name;            ///< "speed:9"
   std::string label;           ///< "speed of block 9"
   std::string unit;            ///< "m/s", or empty
-  std::vector<double> values;  ///< (rows); NaN: no number
+  std::vector<double> values;  ///< (rows); NaN: no value
 };
 
-/// Columns of equal length, of one run.
+/// The columns of one run; all have the same length.
 struct NumberTable {
   std::string file, title;
   std::vector<NumberColumn> columns;
 };
 
-/// Title, names, units, and eight digits of each number; "-" for none.
+/// Returns title, names, units, and each number with eight digits; "-" if there is no
+/// value.
 std::string table_text(const NumberTable& table);
 
-/// One header line; numbers that read back bit for bit, nothing between the commas for
-/// none. Several runs stand below each other with the file in a first column `run`.
-/// Runs have the same columns.
+/// Returns CSV with one header line. Numbers are written so that they can be read back
+/// exactly; missing values are empty. Several runs follow each other, with the file in
+/// a first column `run`. All runs have the same columns.
 std::string csv_text(const std::vector<NumberTable>& runs);
 
-/// {"runs": [{"file", "title", "columns": [{"name", "label", "unit", "values"}]}]};
-/// null for no number.
+/// Returns {"runs": [{"file", "title", "columns": [{"name", "label", "unit",
+/// "values"}]}]}; missing values are null.
 std::string json_text(const std::vector<NumberTable>& runs);
 
 }  // namespace blocks::post

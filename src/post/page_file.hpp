@@ -1,4 +1,4 @@
-// A page drawn with cairo becomes a PNG, SVG or PDF file, whole or not at all.
+// Writes a page drawn with cairo as a PNG, SVG or PDF file.
 #pragma once
 
 #include <cairo.h>
@@ -8,14 +8,15 @@
 
 namespace blocks::post {
 
-/// width, height: pixels (PNG) or points (SVG, PDF). The ending of the path chooses the
-/// format; an older file is kept as NAME.bak. Throws std::runtime_error: unknown
-/// ending; output::FileError: file not writable.
+/// Writes the file; it appears only when it is complete. Width and height are in pixels
+/// (PNG) or points (SVG, PDF). The extension gives the format. An older file is kept as
+/// NAME.bak. Throws std::runtime_error if the extension is unknown, and
+/// output::FileError if the file cannot be written.
 void write_page(const std::string& path, double width, double height,
                 const std::function<void(cairo_t*)>& draw);
 
-/// Gives a file written as `draft` its name; an older one is kept as NAME.bak. Throws
-/// output::FileError.
+/// Renames the complete file `draft` to `path`; an older file is kept as NAME.bak.
+/// Throws output::FileError.
 void take_name(const std::string& draft, const std::string& path);
 
 }  // namespace blocks::post

@@ -12,7 +12,7 @@ Pen::Pen(cairo_t* cairo, double width) : cairo_(cairo) {
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
   cairo_font_options_t* fonts = cairo_font_options_create();
   cairo_font_options_set_hint_metrics(fonts, CAIRO_HINT_METRICS_OFF);
-  cairo_set_font_options(cairo_, fonts);  // half the size takes half the room
+  cairo_set_font_options(cairo_, fonts);  // text widths scale exactly with the size
   cairo_font_options_destroy(fonts);
 }
 

@@ -1,4 +1,4 @@
-// Pen and letters of the figures, on a page 1200 wide whatever its size in pixels.
+// Draws lines and text of the figures on a page that is always 1200 units wide.
 #pragma once
 
 #include <cairo.h>
@@ -17,29 +17,31 @@ class Pen {
  public:
   static constexpr double page = 1200;
 
-  /// width: of the page in pixels or points.
+  /// `width` is the width of the page in pixels or points.
   Pen(cairo_t* cairo, double width);
 
   cairo_t* cairo() const { return cairo_; }
   void colour(const Colour& c, double alpha = 1.0);
   void stroke(double width, const Colour& c, double alpha = 1.0);
-  /// Lengths of dashes and gaps; none: a full line.
+  /// Sets the lengths of dashes and gaps; empty: a solid line.
   void dashes(std::initializer_list<double> lengths);
-  /// along, up: which part of the text stands at (x, y); 0 left or top, 1 right or
-  /// bottom. Text longer than `room` is set smaller.
+  /// `along` and `up` choose the anchor of the text at (x, y): 0 is left or top, 1 is
+  /// right or bottom. Text longer than `room` is made smaller.
   void text(const std::string& text, double x, double y, double size, const Colour& c,
             double along, double up, double room = page);
-  /// Words on as many lines as `room` asks for; a unit in brackets stays in one piece.
-  /// Returns the height used.
+  /// Breaks text into lines of width `room`; a unit in brackets is not broken. Returns
+  /// the height used.
   double paragraph(const std::string& words, double x, double y, double size,
                    const Colour& c, double room);
-  /// Centred at (x, y), with a rim of the ground's colour: read over lines as well.
+  /// Draws text centred at (x, y) with a rim in the background colour, readable over
+  /// lines.
   void label(const std::string& text, double x, double y, double size, const Colour& c,
              const Colour& ground);
-  /// Centred at (x, y), read from below.
+  /// Draws text centred at (x, y), turned to read upwards.
   void upright(const std::string& text, double x, double y, double size,
                const Colour& c, double room);
-  /// Text on a piece of paper, readable on any ground; (x, y) is its left middle.
+  /// Draws text in a filled box, readable on any background; (x, y) is the middle of
+  /// its left edge.
   void tag(const std::string& text, double x, double y, const Colour& c);
 
  private:

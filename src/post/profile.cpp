@@ -13,7 +13,8 @@ namespace {
 
 using Outline = std::vector<Eigen::Vector2d>;
 
-/// Along `direction` from `origin`: where the sides of the outline are met.
+/// The interval along the line, from `origin` in `direction`, between the outermost
+/// crossings with an outline.
 struct Crossing {
   double from = std::numeric_limits<double>::infinity(), to = -from;
 };
@@ -44,13 +45,13 @@ std::vector<ProfilePlace> along(const Frame& first, const Eigen::Vector4d& segme
     const Crossing met =
         cross(first.outlines[static_cast<std::size_t>(b)], origin, way / length);
     const double from = std::max(met.from, 0.0), to = std::min(met.to, length);
-    if (to - from > 1e-9 * length)  // a corner that touches is no crossing
+    if (to - from > 1e-9 * length)  // a corner that only touches does not count
       places.push_back({b + 1, 0.5 * (from + to)});
   }
   return places;
 }
 
-/// Blocks are sorted into upright strips, so that each is compared with few others.
+/// Blocks are sorted into vertical strips, so that each is compared with few others.
 std::vector<ProfilePlace> surface(const Frame& first) {
   const auto n = static_cast<std::size_t>(first.size());
   std::vector<double> low(n, std::numeric_limits<double>::infinity()), high(n);

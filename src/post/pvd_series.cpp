@@ -85,8 +85,8 @@ std::string in_xml(const std::string& text) {
   return safe;
 }
 
-/// An older folder of pieces steps aside; the one put aside before goes, but only the
-/// pieces in it.
+/// Renames an older folder of .vtu files to .bak. An earlier .bak is deleted first, but
+/// only the .vtu files in it.
 void make_room(const fs::path& folder) {
   std::error_code fault;
   if (!fs::exists(folder, fault))
@@ -100,14 +100,14 @@ void make_room(const fs::path& folder) {
   }
   if (fs::exists(aside, fault))
     throw output::FileError(
-        fmt::format("cannot write {}: it exists, and {} holds files of others",
+        fmt::format("cannot write {}: it exists, and {} contains other files",
                     folder.string(), aside.string()));
   fs::rename(folder, aside, fault);
   if (fault)
     throw output::FileError("cannot write " + folder.string() + ": " + fault.message());
 }
 
-/// A .pvd file: which .vtu shows which time.
+/// A .pvd file, which lists the .vtu file of each time.
 class Collection {
  public:
   void add(double time, const std::string& file) {

@@ -38,7 +38,7 @@ VectorXd principal(const Eigen::Matrix4Xd& tensor, double sign) {
   return (mean + sign * (half.square() + shear.square()).sqrt()).matrix();
 }
 
-/// As the run sums it, to the last bit.
+/// Computed exactly as in the run, to the last bit.
 VectorXd kinetic_energy(const Frame& now) {
   VectorXd values(now.size());
   for (int b = 0; b < now.size(); ++b) {
@@ -57,7 +57,8 @@ VectorXd about_origin(const Frame& now) {
 
 using Values = std::function<VectorXd(const Frame& now, const Frame& first)>;
 
-/// A row of a matrix, or a column, of the frame as it stands.
+/// A quantity that is a row of a matrix or a vector of the frame, without further
+/// calculation.
 Values row(auto Frame::*field, int i) {
   return
       [=](const Frame& now, const Frame&) -> VectorXd { return (now.*field).row(i); };
@@ -142,7 +143,7 @@ const QuantityKind* find_quantity(const std::string& name) {
     return text;
   };
   const std::string wanted = upper(name);
-  if (wanted == "TOUT")  // Table F.1's misprint
+  if (wanted == "TOUT")  // misprint in Table F.1
     return find_quantity("TDOT");
   for (const QuantityKind& kind : quantity_kinds())
     if (wanted == upper(kind.name) || (!wanted.empty() && wanted == kind.report_name))

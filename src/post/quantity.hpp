@@ -1,5 +1,5 @@
-// The quantities of a block that can be drawn, coloured and followed in time: those of
-// the report's Table F.1 and ours.
+// The quantities of a block that can be drawn and plotted over time: those of Table F.1
+// of the report, and others.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace blocks::post {
 
-/// One value per block.
+/// A quantity with one value for each block.
 struct Quantity {
   std::string label;  ///< for the colour bar
   Dimension dimension;
@@ -20,40 +20,43 @@ struct Quantity {
   bool is_signed = false;  ///< centred on zero
 };
 
-/// What a quantity is, without its numbers.
+/// The description of a quantity, without its values.
 struct QuantityKind {
   std::string name;         ///< "vx"
   std::string report_name;  ///< "VELX" of Table F.1, or empty
   std::string label;        ///< "velocity x"
   Dimension dimension;
   bool is_signed = false;
-  bool additive = false;  ///< the sum over blocks is that of the model
-  /// (n) values; the second frame is the first of the file.
+  bool additive = false;  ///< the sum over blocks is the value of the model
+  /// Returns the values, (n); the second frame is the first of the file.
   std::function<Eigen::VectorXd(const Frame& now, const Frame& first)> values;
 };
 
-/// All of them, the ones wanted most first.
+/// All of them, the most used first.
 const std::vector<QuantityKind>& quantity_kinds();
 
-/// By name or report name in any case; nullptr if there is none.
+/// Finds a quantity by name or report name, in upper or lower case; nullptr if there is
+/// none.
 const QuantityKind* find_quantity(const std::string& name);
 
-/// "speed, displacement, ...".
+/// Lists the names: "speed, displacement, ...".
 std::string quantity_names();
 
-/// Those, and what contacts give to each block: the largest overlap, sums of forces.
+/// Lists those names and the quantities of contacts reduced to blocks: the largest
+/// overlap, sums of forces.
 std::string block_quantity_names();
 
-/// Does it change its sign in a mirror that stands upright? By name or report name.
+/// True if the quantity changes its sign when mirrored about a vertical plane. Takes a
+/// name or report name.
 bool is_odd(const std::string& name);
 
-/// Values (n) of the blocks' mirror images, the mirror standing at x = plane [L]: odd
-/// quantities change their sign, x goes to the other side.
+/// Returns the values of the blocks mirrored about x = plane [L], (n): odd quantities
+/// change their sign, and x becomes 2 plane - x.
 Eigen::VectorXd in_mirror(const std::string& name, const Eigen::VectorXd& values,
                           double plane);
 
-/// displacement, dx and dy are against `first`. Throws std::runtime_error listing the
-/// names.
+/// Returns the quantity of that name. displacement, dx and dy are relative to `first`.
+/// Throws std::runtime_error that lists the names.
 Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
                   const FrameContacts& contacts = {});
 

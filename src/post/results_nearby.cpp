@@ -15,12 +15,12 @@ std::string fault_of_head(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   std::error_code ignored;
   if (!in || fs::is_directory(path, ignored))
-    return {};  // whoever opens it knows why
+    return {};  // opening the file reports why
   std::string head(8, '\0');
   in.read(head.data(), 8);
   if (in.gcount() == 0)
     return "it is empty";
-  const bool older = head == "\x89HDF\r\n\x1a\n";  // without a mark
+  const bool older = head == "\x89HDF\r\n\x1a\n";  // older results have no mark
   return older || head == output::results_head ? ""
                                                : "it is not a results file of BLOCKS";
 }
@@ -37,14 +37,15 @@ std::string results_nearby(const std::string& path) {
         fault_of_head(entry.path().string()).empty())
       found.push_back(entry);
   if (found.empty())
-    return "\n  hint: blocks run DECK writes results, NAME.vtkhdf";
+    return "\n  hint: blocks run DECK writes results to NAME.vtkhdf";
   std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
     return a.last_write_time(ignored) > b.last_write_time(ignored);
   });
   std::string text;
   for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
     text += (i > 0 ? ", " : "") + (parent / found[i].path().filename()).string();
-  return "\n  hint: results here: " + text + (found.size() > most ? ", ..." : "");
+  return "\n  hint: results in this folder: " + text +
+         (found.size() > most ? ", ..." : "");
 }
 
 }  // namespace blocks::post

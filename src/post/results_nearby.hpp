@@ -1,15 +1,17 @@
-// What to read instead of a file that holds no results.
+// Suggests results files if the given file has no results.
 #pragma once
 
 #include <string>
 
 namespace blocks::post {
 
-/// Why the file cannot hold results, "it is empty"; empty when it begins like one.
+/// Returns why the file cannot be results, such as "it is empty"; empty if it begins
+/// like results.
 std::string fault_of_head(const std::string& path);
 
-/// A line that names the results beside the file, the newest first, or says where
-/// results come from: "\n  hint: results here: crater.vtkhdf, stack.vtkhdf".
+/// Returns a line that names the results in the same folder, the newest first: "\n
+/// hint: results in this folder: crater.vtkhdf, stack.vtkhdf". If there are none, the
+/// line says how to make results.
 std::string results_nearby(const std::string& path);
 
 }  // namespace blocks::post

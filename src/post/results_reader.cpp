@@ -22,9 +22,10 @@ using output::hdf5::Handle;
 
 namespace {
 
-/// A frame is written in milliseconds; a disk may hold it up.
+/// How long to wait for a run that is writing a frame, [s]. It needs milliseconds, but
+/// a disk may delay it.
 constexpr std::chrono::seconds patience(10);
-const std::string busy = "the run is writing just now; try again";
+const std::string busy = "a run is writing to it now; try again";
 
 }  // namespace
 
@@ -40,8 +41,8 @@ struct ResultsReader::File {
 
   /// Throws Failure.
   void open();
-  /// What `action` reads while the file does not change: opens it anew and reads again
-  /// otherwise. Throws Failure.
+  /// Returns the result of `action`, which reads the file. If the file has changed
+  /// meanwhile, opens it again and repeats, for at most `patience`. Throws Failure.
   template <class Action> auto soundly(Action&& action) -> decltype(action());
 
   hsize_t step_value(const std::string& name, hsize_t row) const {
@@ -60,7 +61,7 @@ struct ResultsReader::File {
   std::vector<T> rows(const char* name, hsize_t row, hsize_t n) const {
     return Column::open(vtk.get(), name).read<T>(row, n);
   }
-  /// Cell data of a frame; `width` values per block.
+  /// Returns cell data of a frame, `width` values for each block.
   template <class T>
   std::vector<T> cells(const std::string& name, hsize_t frame, hsize_t n,
                        hsize_t width) const {
@@ -81,7 +82,7 @@ struct ResultsReader::File {
       throw Failure(std::string("contacts/") + name + " has the wrong shape");
     return column.read<T>(from, n);
   }
-  /// Throws FileError naming the frames there are.
+  /// Throws FileError, with the range of frames, unless frame i exists.
   void require(long i) const;
   Frame read(hsize_t i) const;
   FrameContacts read_contacts(hsize_t i) const;
@@ -183,9 +184,9 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
 }
 
 Eigen::Matrix2Xd FrameContacts::force() const {
-  if (normal.cols() == 0)  // a row of nothing has no address
+  if (normal.cols() == 0)  // row(0) of an empty matrix has no address
     return Eigen::Matrix2Xd(2, 0);
-  Eigen::Matrix2Xd along(2, normal.cols());  // the edge, its normal on the left
+  Eigen::Matrix2Xd along(2, normal.cols());  // edges; normals are on their left
   along.row(0) = normal.row(1);
   along.row(1) = -normal.row(0);
   return normal * normal_force.asDiagonal() - along * shear_force.asDiagonal();
@@ -195,7 +196,7 @@ void ResultsReader::File::open() {
   if (const std::string fault = fault_of_head(path); !fault.empty())
     throw Failure(fault);
   for (Handle* handle : {&own, &steps, &vtk, &file})
-    *handle = Handle();  // HDF5 keeps what it knows of an open file
+    *handle = Handle();  // HDF5 caches data of an open file
   file = output::hdf5::open_file(path, false);
   if (!output::hdf5::exists(file.get(), "VTKHDF") ||
       !output::hdf5::exists(file.get(), "BLOCKS"))
@@ -204,13 +205,13 @@ void ResultsReader::File::open() {
   steps = output::hdf5::open_group(vtk.get(), "Steps");
   own = output::hdf5::open_group(file.get(), "BLOCKS");
   if (!watch.still_named(path))
-    throw Failure("another file took its name meanwhile");
-  // Frames beyond NSteps are still being written, or were cut off.
+    throw Failure("another file has replaced it; try again");
+  // Frames beyond NSteps are incomplete, or were cut off.
   const auto frames = output::hdf5::read_attribute(steps.get(), "NSteps");
   if (frames <= 0)
     throw Failure("it has no frames yet");
   if (static_cast<std::size_t>(frames) < times.size())
-    throw Failure("a restart has taken frames away meanwhile");
+    throw Failure("a restart has removed frames from it; try again");
 }
 
 template <class Action>
@@ -226,7 +227,7 @@ auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
       auto result = action();
       if (watch.number() == *number)
         return result;
-    } catch (...) {  // also for want of memory, on the word of half a change
+    } catch (...) {  // also std::bad_alloc, after a size read during a change
       if (watch.number() == *number)
         throw;
     }
@@ -238,7 +239,7 @@ auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
 
 ResultsReader::ResultsReader(const std::string& path)
     : file_(std::make_unique<File>(path)) {
-  const output::FileInHand in_hand("read", path);  // until what failed is closed again
+  const output::FileInHand in_hand("read", path);  // covers closing it after a failure
   File& from = *file_;
   const auto read = [&] {
     const auto frames = output::hdf5::read_attribute(from.steps.get(), "NSteps");
@@ -302,7 +303,7 @@ long ResultsReader::nearest(double time) const {
 
 long ResultsReader::at(double time) const {
   const double first = file_->times.front(), last = file_->times.back();
-  const double slack = 1e-3 * (last - first);  // a run ends a part of a step late
+  const double slack = 1e-3 * (last - first);  // a run ends up to one step late
   if (!(time >= first - slack && time <= last + slack))
     throw std::runtime_error(fmt::format("{} has times {:g} to {:g}, not {:g}",
                                          file_->path, first, last, time));

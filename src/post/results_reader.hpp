@@ -1,5 +1,5 @@
-// Reads NAME.vtkhdf frame by frame, in the memory of one frame. Knows result files
-// only.
+// Reads NAME.vtkhdf frame by frame, with one frame in memory. Independent of the model
+// and the run.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace blocks::post {
 
-/// One state of the model as stored. n blocks.
+/// One stored state of the model, with n blocks.
 struct Frame {
   double time = 0.0;
   long step = 0;
@@ -23,35 +23,34 @@ struct Frame {
   int size() const { return static_cast<int>(number.size()); }
 };
 
-/// The active contacts of a frame, m of them: a corner on an edge. Blocks, corners and
-/// edges count from 1; edge block 0: a symmetry plane.
+/// The m active contacts of a frame, each of a corner on an edge. Blocks, corners and
+/// edges count from 1; edge block 0 means a symmetry plane.
 struct FrameContacts {
   std::vector<int> corner_block, corner, edge_block, edge;  ///< (m)
-  Eigen::Matrix2Xd point, normal;  ///< [L] the corner; outward from the edge
+  Eigen::Matrix2Xd point, normal;  ///< [L] the corner; outward normal of the edge
   Eigen::VectorXd normal_force, shear_force, overlap;  ///< [F], [F], [L]
   int size() const { return static_cast<int>(corner.size()); }
-  /// (2, m) [F] on the corner's block, n Fn - t Fs (16); the opposite acts on the
-  /// other one.
+  /// Returns the forces on the blocks of the corners, n Fn - t Fs (16), [F], (2, m).
+  /// The opposite forces act on the other blocks.
   Eigen::Matrix2Xd force() const;
 };
 
 class ResultsReader {
  public:
-  /// Throws output::FileError-like std::runtime_error naming the file and what is
-  /// wrong.
+  /// Opens the file. Throws std::runtime_error that names the file and the error.
   explicit ResultsReader(const std::string& path);
   ~ResultsReader();
   long frames() const;
   const std::vector<double>& times() const;
   std::string title() const;
   const std::string& path() const;
-  /// 0 <= i < frames().
+  /// Reads frame i, 0 <= i < frames().
   Frame frame(long i) const;
   FrameContacts contacts(long i) const;
-  /// Index of the frame nearest in time.
+  /// Returns the index of the frame nearest in time.
   long nearest(double time) const;
-  /// The same for a time the run went through: throws std::runtime_error naming the
-  /// first and the last when it lies outside.
+  /// Returns the same. Throws std::runtime_error, with the first and the last time, if
+  /// the time is outside the run.
   long at(double time) const;
 
  private:

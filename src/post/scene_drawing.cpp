@@ -13,7 +13,7 @@ using Outline = std::vector<Eigen::Vector2d>;
 
 bool is_dark(const Colour& c) { return c.r + c.g + c.b < 1.2; }
 
-/// Draws one picture; holds what all parts share.
+/// Draws one picture, and stores the data that its parts share.
 class SceneDrawing {
  public:
   SceneDrawing(Pen& pen, const Axes& axes, const Picture& picture,
@@ -74,7 +74,7 @@ class SceneDrawing {
     return x1 >= axes_.left && x0 <= axes_.right() && y1 >= axes_.top &&
            y0 <= axes_.bottom();
   }
-  /// The smaller side of its box on the page.
+  /// Returns the smaller side of the bounding box of a block on the page.
   double size_on_page(const Outline& outline) const {
     Eigen::Vector2d low = outline.front(), high = outline.front();
     for (const Eigen::Vector2d& p : outline) {
@@ -84,7 +84,8 @@ class SceneDrawing {
     return (high - low).minCoeff() * axes_.scale();
   }
 
-  /// Under a network of forces materials are pale.
+  /// Returns the fill colour of a block; material colours are pale under a network of
+  /// forces.
   Colour fill_of(std::size_t b) const {
     if (options_.colour == "material")
       return colour_of_material(now_.material[b], options_);
@@ -115,8 +116,8 @@ class SceneDrawing {
     pen_.dashes({});
   }
 
-  /// For each pair of touching blocks a line from centroid to centroid through the
-  /// contact, as wide as the force is large.
+  /// Draws a line from centroid to centroid through the contact for each pair of
+  /// touching blocks; its width is proportional to the force.
   void forces() {
     if (!(scales_.force > 0.0))
       return;
@@ -169,7 +170,7 @@ class SceneDrawing {
     }
   }
 
-  /// Inside the block, along the line that halves the angle.
+  /// Draws the corner numbers inside the block, on the bisectors of its corners.
   void corner_numbers(const Outline& outline, double letter, const Colour& c,
                       const Colour& ground) {
     const std::size_t n = outline.size();
@@ -184,7 +185,8 @@ class SceneDrawing {
     }
   }
 
-  /// Blocks tinted, what two blocks share filled, a ring around the place.
+  /// Tints the blocks of a mark, fills the area where two of them overlap, and draws a
+  /// ring around the place.
   void marks() {
     for (const Mark& mark : options_.marks) {
       const Colour c = mark_colour(mark.kind);
@@ -192,7 +194,7 @@ class SceneDrawing {
       for (const int b : mark.blocks) {
         path(now_.outlines[static_cast<std::size_t>(b)]);
         if (mark.kind == Mark::Kind::overlap) {
-          cairo_clip(cairo_);  // one after the other: the common part is left
+          cairo_clip(cairo_);  // successive clips leave the common area
         } else {
           pen_.colour(c, 0.35);
           cairo_fill(cairo_);
@@ -234,7 +236,7 @@ class SceneDrawing {
   const FigureScales& scales_;
   const FigureOptions& options_;
   Quantity shown_;
-  Eigen::VectorXd in_mirror_;  ///< the values of the other half
+  Eigen::VectorXd in_mirror_;  ///< the values of the mirrored half
   bool mirrored_ = false;
 };
 
@@ -254,7 +256,7 @@ void hatch(Pen& pen, const Colour& ground) {
   cairo_save(cairo);
   cairo_clip(cairo);
   constexpr double gap = 9.0;
-  // a block far larger than the page needs no lines outside it
+  // Limit the hatching to the page, for blocks much larger than it.
   x0 = std::max(x0, left), x1 = std::min(x1, right);
   y0 = std::max(y0, top), y1 = std::min(y1, bottom);
   for (double x = std::floor((x0 - (y1 - y0)) / gap) * gap; x < x1; x += gap) {
@@ -285,7 +287,7 @@ void draw_arrow(Pen& pen, double x, double y, double dx, double dy) {
     cairo_close_path(cairo);
   };
   trace(), trace_head();
-  pen.stroke(3.2, white, 0.75);  // seen on dark blocks too
+  pen.stroke(3.2, white, 0.75);  // visible on dark blocks too
   trace();
   pen.stroke(1.3, ink);
   trace_head();
@@ -306,7 +308,7 @@ Colour colour_of_material(int material, const FigureOptions& options) {
   const Colour own = chosen == options.material_colours.end()
                          ? material_colour(material)
                          : chosen->second;
-  return options.forces ? mix(own, white, 0.3) : own;  // pale below the lines
+  return options.forces ? mix(own, white, 0.3) : own;  // pale under the lines
 }
 
 }  // namespace blocks::post

@@ -1,4 +1,4 @@
-// The model inside the axes of a figure: blocks, forces, arrows, marks.
+// Draws the model inside the axes of a figure: blocks, forces, arrows and marks.
 #pragma once
 
 #include "post/axes.hpp"
@@ -10,17 +10,17 @@ namespace blocks::post {
 void draw_scene(Pen& pen, const Axes& axes, const Picture& picture,
                 const FigureScales& scales, const FigureOptions& options);
 
-/// Slanting lines over the present path, which stays: a fixed block. Light ones on a
-/// dark ground.
+/// Hatches the current path, and keeps it, to show a fixed block. The lines are light
+/// on a dark background.
 void hatch(Pen& pen, const Colour& ground);
 
-/// An arrow from (x, y) on the page.
+/// Draws an arrow from (x, y) on the page.
 void draw_arrow(Pen& pen, double x, double y, double dx, double dy);
 
-/// Its length on the page for the largest vector [page units].
+/// Returns the length of the arrow for the reference vector [page units].
 double arrow_length(const Axes& axes, const FigureScales& scales);
 
-/// Colour of a block's value by its place s in the range, 0 to 1.
+/// Returns the colour of a value at the relative position s in the range, 0 to 1.
 Colour shade(bool is_signed, double s);
 
 Colour colour_of_material(int material, const FigureOptions& options);

@@ -1,4 +1,5 @@
-// Results at many times for other programs: a PVD collection of VTU files, or CSV.
+// Writes results at many times for other programs: a PVD collection of VTU files, or
+// CSV.
 #pragma once
 
 #include <string>
@@ -8,21 +9,23 @@
 
 namespace blocks::post {
 
-/// What was written, in words for the user.
+/// What was written, for the message to the user.
 struct SeriesFiles {
-  std::vector<std::string> names;  ///< those to be opened
+  std::vector<std::string> names;  ///< files for the user to open
   long blocks = 0, contacts = 0;   ///< rows over all times
 };
 
-/// NAME.pvd (blocks as polygons, the quantities of the results file as cell data) and
-/// NAME_contacts.pvd (contacts as points with place, normal, force, overlap) over VTU
-/// files in the folder NAME_vtu. An older folder is kept as NAME_vtu.bak. One frame in
-/// memory at a time. Throws output::FileError.
+/// Writes NAME.pvd and NAME_contacts.pvd, with their VTU files in the folder NAME_vtu.
+/// NAME.pvd has the blocks as polygons, with the quantities of the results file as cell
+/// data. NAME_contacts.pvd has the contacts as points with place, normal, force and
+/// overlap. An older folder is kept as NAME_vtu.bak. One frame is in memory at a time.
+/// Throws output::FileError.
 SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames);
 
-/// NAME.csv (a row for each block and time) and NAME_contacts.csv (a row for each
-/// acting contact and time); numbers read back bit for bit. Throws output::FileError.
+/// Writes NAME.csv, with a row for each block and time, and NAME_contacts.csv, with a
+/// row for each acting contact and time. Numbers are written so that they can be read
+/// back exactly. Throws output::FileError.
 SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames);
 

@@ -9,7 +9,7 @@
 namespace blocks::post {
 namespace {
 
-/// "m", "m²", "s⁻¹"; nothing for the power zero.
+/// Returns a unit with its power: "m", "m²", "s⁻¹"; empty for the power zero.
 std::string factor(const std::string& unit, int power) {
   if (power == 0)
     return "";
@@ -33,9 +33,9 @@ Units Units::parse(const std::string& text) {
   for (std::string name; std::getline(in, name, ',');)
     names.push_back(name);
   if (names.size() != 3 || names[0].empty() || names[1].empty() || names[2].empty())
-    throw std::runtime_error("units are those of length, mass and time, as in m,kg,s, "
-                             "found '" +
-                             text + "'");
+    throw std::runtime_error(
+        "expected units of length, mass and time, such as m,kg,s, found '" + text +
+        "'");
   return {names[0], names[1], names[2]};
 }
 

@@ -1,5 +1,5 @@
-// Dimensions of quantities, and the units the user's numbers have: a deck may use any
-// consistent set, so a figure says [L T^-1] until it is told m, kg, s.
+// Dimensions of quantities, and the units of the user. A deck may use any consistent
+// units, so a figure shows [L T^-1] unless the user names them.
 #pragma once
 
 #include <optional>
@@ -7,26 +7,26 @@
 
 namespace blocks::post {
 
-/// Powers of length, mass and time; per unit thickness like everything in a deck.
+/// Powers of length, mass and time; per unit thickness, like all values of a deck.
 struct Dimension {
   int length = 0, mass = 0, time = 0;
-  const char* si = "";     ///< its usual name where the units are m, kg, s
-  const char* angle = "";  ///< "rad" or "degrees" in front
+  const char* si = "";     ///< usual name of the unit if the units are m, kg, s
+  const char* angle = "";  ///< "rad" or "degrees", written first
 };
 
 /// The user's units of length, mass and time.
 struct Units {
   std::string length, mass, time;
 
-  /// "m,kg,s". Throws std::runtime_error unless there are three names.
+  /// Reads "m,kg,s". Throws std::runtime_error unless there are three names.
   static Units parse(const std::string& text);
 };
 
-/// "m/s", "Pa", "N/m"; "cm ms⁻²" in other units; "L T⁻¹" in none; empty for a pure
-/// number.
+/// Returns the unit: "m/s", "Pa", "N/m"; "cm ms⁻²" in other units; "L T⁻¹" without
+/// units; empty for a dimensionless quantity.
 std::string unit_text(const Dimension& dimension, const std::optional<Units>& units);
 
-/// "⁶", "⁻¹²".
+/// Returns a power as superscript: "⁶", "⁻¹²".
 std::string superscript(int number);
 
 }  // namespace blocks::post

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Those the page shows, in its order.
+/// The quantities that the page shows, in this order.
 constexpr std::array shown = {"displacement",
                               "dx",
                               "dy",
@@ -46,8 +46,9 @@ constexpr std::array shown = {"displacement",
                               "overlap",
                               "contacts"};
 
-/// The guesses by other quantities, which the page makes with the same operations in
-/// the same order: what they miss is what rounding to six digits leaves.
+/// Predictions of a quantity from others. The page computes them with the same
+/// operations in the same order, so only errors of rounding to six digits must be
+/// stored.
 struct Formula {
   const char *quantity, *name;
   std::array<const char*, 3> of;
@@ -61,7 +62,8 @@ constexpr std::array formulas = {
     Formula{"p2", "principal_2", {"s11", "s22", "s12"}},
     Formula{"kinetic_energy", "energy", {"vx", "vy", "spin"}}};
 
-/// The map from a block's first arms to the present ones: R(turn) for a rigid block.
+/// The first arms of a block. They give the map to its current arms, which is R(turn)
+/// for a rigid block.
 struct Shape {
   double first_angle = 0.0;
   Eigen::Matrix2Xd arms;
@@ -77,20 +79,21 @@ Eigen::Matrix2Xd arms(const Frame& frame, int b) {
   return r;
 }
 
-/// Strains are drawn, not shown: a block of 1000 pixels is right to a hundredth of one.
+/// Resolution of strains, which are only drawn: the error of a block of 1000 pixels is
+/// a hundredth of a pixel.
 constexpr double strain_step = 1e-5;
 
-/// 0 for what is no number: a run may end so.
+/// Rounds a strain to steps; NaN, with which a run may end, becomes 0.
 int in_strain_steps(double strain) {
   return std::isnan(strain) ? 0
                             : static_cast<int>(std::lround(
                                   std::clamp(strain / strain_step, -1e9, 1e9)));
 }
 
-/// One contact force to be drawn.
+/// One contact force to draw.
 struct Arrow {
-  int corner = 0;               ///< counted through all blocks
-  unsigned char direction = 0;  ///< of 256 in a turn, from x to y
+  int corner = 0;               ///< index over all blocks
+  unsigned char direction = 0;  ///< in units of 1/256 turn, from x towards y
   double size = 0.0;
 };
 
@@ -128,7 +131,8 @@ class Packer {
       angle.push_back(
           static_cast<float>(shapes_[b].first_angle * 180 / std::numbers::pi));
     }
-    store.add("origin", "f64", origin);  // eight bytes first: arrays stay aligned
+    store.add("origin", "f64",
+              origin);  // eight-byte values first: arrays stay aligned
     store.add("arm", "f32", arm);
     store.add("angle", "f32", angle);
     const auto single = [](const Eigen::VectorXd& values) {
@@ -170,7 +174,7 @@ class Packer {
     take_contacts(contacts);
   }
 
-  /// Those that others are guessed by come first.
+  /// Quantities that predict others are stored first.
   void add_quantities(ViewStore& store, const std::vector<double>& origin,
                       const std::vector<float>& mass,
                       const std::vector<float>& inertia) const {
@@ -211,13 +215,13 @@ class Packer {
     }
   }
 
-  /// What the block's arms are strained before they are turned; notes a new block and
-  /// strained ones.
+  /// Returns the strain of the arms of a block before its rotation. Also records new
+  /// blocks and whether a block is strained.
   Eigen::Matrix2d follow(const Frame& now, const Frame& first, int b) {
     const Eigen::Matrix2Xd r = arms(now, b);
     if (static_cast<std::size_t>(b) == shapes_.size()) {
       const bool from_first = b < first.size();
-      const double none = std::nan("");  // the page takes x and y instead
+      const double none = std::nan("");  // the page then uses x and y
       origin_.push_back(from_first ? Eigen::Vector2d(first.centroid.col(b))
                                    : Eigen::Vector2d(none, none));
       const Eigen::Matrix2Xd own = from_first ? arms(first, b) : r;
@@ -272,9 +276,9 @@ class Packer {
     arrows_.push_back(std::move(arrows));
   }
 
-  /// How many forces each corner has in each frame; then direction and size of all of
-  /// them, against those of the same corner in the frame before. The size is on a
-  /// logarithmic scale of 255 steps over six decades below the largest.
+  /// Stores the number of forces of each corner in each frame, then the direction and
+  /// size of all forces as differences from the same corner in the previous frame. The
+  /// size is on a logarithmic scale of 255 steps over six decades below the largest.
   void add_forces(ViewStore& store) const {
     const auto corners = static_cast<std::size_t>(first_corner_.back());
     Bytes acting, directions, sizes;

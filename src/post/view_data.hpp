@@ -1,5 +1,6 @@
-// What the page of `blocks view` carries: outlines once, then for each frame six digits
-// of every quantity of every block, and the contact forces; packed for the browser.
+// The data of the page of `blocks view`, packed for the browser. It has the outlines
+// once, then for each frame six digits of every quantity of every block, and the
+// contact forces.
 #pragma once
 
 #include <optional>
@@ -12,16 +13,16 @@
 namespace blocks::post {
 
 struct ViewData {
-  std::string meta;    ///< JSON: title, times, quantities, where each array stands
+  std::string meta;    ///< JSON: title, times, quantities, position of each array
   std::string packed;  ///< arrays (view_store.hpp)
 };
 
-/// Every `every`-th frame and the last. A number is stored as the float nearest to its
-/// six leading decimal digits, which a float keeps: what the page shows to six digits
-/// is the file's number, digit for digit. Of a contact force the page has the direction
-/// to 1.5 degrees and the size to 3 %, for drawing. mirror: x [L] of the plane that a
-/// half model ends at; the page can show the other half. Throws std::runtime_error when
-/// a block changes its outline other than by moving, turning and straining evenly.
+/// Returns every `every`-th frame and the last. A number is stored as the float nearest
+/// to its six leading decimal digits. So the page shows the same six digits as the
+/// file. Contact forces are for drawing only: the direction is within 1.5 degrees and
+/// the size within 3 %. `mirror` is the x [L] of the symmetry plane of a half model;
+/// the page can then show the other half. Throws std::runtime_error if an outline
+/// changes by more than translation, rotation and uniform strain.
 ViewData view_data(const ResultsReader& results, long every,
                    const std::optional<Units>& units,
                    const std::optional<double>& mirror = {});

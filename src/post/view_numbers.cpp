@@ -15,7 +15,8 @@ namespace {
 
 constexpr double most_digits = 999999;
 
-/// Powers of ten as the compiler reads them, and so as the browser does.
+/// Powers of ten, converted from text as the browser does, so that both have the same
+/// bits.
 const std::array<double, 64>& tens() {
   static const auto powers = [] {
     std::array<double, 64> made{};
@@ -31,7 +32,8 @@ double shifted(double value, int power) {
   return power >= 0 ? value * ten(power) : value / ten(power);
 }
 
-/// The page finds no power of ten for what is not finite, and so guesses nothing.
+/// Returns the predicted digits; 0 for values that are not finite, as on the page,
+/// which has no power of ten for them.
 std::int64_t in_digits(double guess, int power) {
   if (power == not_finite)
     return 0;

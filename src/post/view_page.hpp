@@ -1,4 +1,4 @@
-// `blocks view`: one HTML page that plays a run, with everything in it.
+// `blocks view`: writes one self-contained HTML page that plays a run.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace blocks::post {
 
-/// src/post/view/page.html, .css; draft.js and page.js, as they are.
+/// The texts of page.html, page.css, and of draft.js followed by page.js, in
+/// src/post/view/.
 extern const char* const view_html;
 extern const char* const view_css;
 extern const char* const view_js;
 
-/// The page with style, script and data in their places.
+/// Returns the page with style, scripts and data inserted.
 std::string view_page(const ViewData& data);
 
 }  // namespace blocks::post

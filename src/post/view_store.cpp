@@ -7,7 +7,8 @@
 namespace blocks::post {
 namespace {
 
-/// From "!" on without "&", "<" and ">": a page carries them as they are.
+/// The characters from "!" on without "&", "<" and ">", which HTML would need to
+/// escape.
 std::string letters(const Bytes& in) {
   std::string alphabet;
   for (char c = '!'; c <= '~'; ++c)
@@ -41,7 +42,7 @@ void ViewStore::note(const std::string& name, const char* type, std::size_t coun
   notes_.push_back({{"name", name}, {"type", type}, {"count", count}, {"rows", rows}});
 }
 
-/// The lowest bytes of all, then the next ones, ...
+/// Stores the lowest bytes of all values, then the next bytes, and so on.
 void ViewStore::add_planes(const std::vector<std::uint32_t>& values, int planes) {
   for (int k = 0; k < planes; ++k)
     for (const std::uint32_t value : values)

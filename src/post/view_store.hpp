@@ -1,6 +1,6 @@
-// The arrays that the page of `blocks view` carries: one behind the other, each told so
-// that what hardly changes takes hardly any room, deflated, as text. page.js reads them
-// back.
+// Stores the arrays of the page of `blocks view` one after the other. They are encoded
+// as differences, so that slow changes need little space, then deflated and written as
+// text. page.js reads them back.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,14 @@ namespace blocks::post {
 using Bytes = std::vector<unsigned char>;
 
 struct PackedText {
-  std::size_t bytes;  ///< of zlib's stream
-  std::string text;   ///< 13 bits of it in two letters of 91, the lower first
+  std::size_t bytes;  ///< of the zlib stream
+  std::string
+      text;  ///< 13 bits of the stream for each two letters of 91, the lower one first
 };
 
 class ViewStore {
  public:
-  /// As they lie in memory. type: f64, f32, u16 or u8.
+  /// Adds values as they are in memory. type: f64, f32, u16 or u8.
   template <class T>
   void add(const std::string& name, const char* type, const std::vector<T>& values) {
     note(name, type, values.size(), 0);
@@ -29,23 +30,23 @@ class ViewStore {
     bytes_.insert(bytes_.end(), from, from + values.size() * sizeof(T));
   }
 
-  /// Frames of `rows` bytes each, against the frame before.
+  /// Adds frames of `rows` bytes each, as differences from the previous frame.
   void add_frames(const std::string& name, const Bytes& values, std::size_t rows);
 
-  /// Numbers of six digits: powers of ten against the frame before, then what the
-  /// digits differ from a guess. formula: the page's name for the guess; of none, the
-  /// better one in time.
+  /// Adds numbers of six digits: the powers of ten as differences from the previous
+  /// frame, then the digits as differences from a guess. `formula` is the name of the
+  /// guess on the page; if it is empty, the better guess in time is used.
   void add_digits(const std::string& name, const DigitColumn& column,
                   const std::string& formula = {}, const Guess& guess = {});
 
-  /// Frames of `rows` whole numbers each, against the frame before.
+  /// Adds frames of `rows` integers each, as differences from the previous frame.
   void add_whole(const std::string& name, const std::vector<int>& values,
                  std::size_t rows);
 
-  /// Where each array stands: name, type, number of values, rows of a frame, guess.
+  /// Describes each array: name, type, number of values, rows of a frame, guess.
   const nlohmann::ordered_json& notes() const { return notes_; }
 
-  /// All of it.
+  /// Returns all arrays, packed.
   PackedText packed() const;
 
  private:

@@ -11,7 +11,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// Describes arrays in the head of the file and keeps their bytes for its end.
+/// Writes the descriptions of arrays in the head of the file, and keeps their bytes for
+/// its end.
 class Appended {
  public:
   template <class T>

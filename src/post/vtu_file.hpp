@@ -1,5 +1,5 @@
-// One .vtu file: an unstructured grid with data on its cells, as every ParaView and
-// VisIt reads it (XML, appended raw data).
+// Writes a .vtu file: an unstructured grid with cell data, readable by ParaView and
+// VisIt (XML, appended raw data).
 #pragma once
 
 #include <Eigen/Core>
@@ -12,25 +12,25 @@ namespace blocks::post {
 
 struct VtuArray {
   std::string name;
-  int components;  ///< values per cell, one cell after the other
+  int components;  ///< values per cell; the values of a cell are contiguous
   std::variant<std::vector<double>, std::vector<int>> values;
 };
 
-/// Cells of the plane, z = 0.
+/// Cells in the plane z = 0.
 struct VtuGrid {
   Eigen::Matrix2Xd points;  ///< [L]
   std::vector<std::int64_t> connectivity,
-      ends;           ///< (cells) one behind the last point of each cell
+      ends;           ///< (cells) end of the points of each cell
   int cell_type = 7;  ///< 7 polygons, 1 single points
   std::vector<VtuArray> cell_data;
   double time = 0.0;
   std::int64_t step = 0;
 };
 
-/// (3 n) the columns of a plane as points of space.
+/// Returns the columns of a (2, n) matrix as points in space, (3 n).
 std::vector<double> in_space(const Eigen::Matrix2Xd& plane);
 
-/// Throws output::FileError when it cannot be written.
+/// Writes the file. Throws output::FileError if it cannot be written.
 void write_vtu(const std::string& path, const VtuGrid& grid);
 
 }  // namespace blocks::post

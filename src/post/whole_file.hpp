@@ -1,4 +1,4 @@
-// A file that appears whole or not at all.
+// A file that appears only when it is complete.
 #pragma once
 
 #include <fstream>
@@ -8,9 +8,9 @@ namespace blocks::post {
 
 class WholeFile {
  public:
-  /// Writes PATH.tmp. Throws output::FileError.
+  /// Creates PATH.tmp. Throws output::FileError.
   explicit WholeFile(std::string path);
-  /// Without close() nothing is left.
+  /// Removes the file unless close() was called.
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
@@ -19,8 +19,8 @@ class WholeFile {
     out_ << text;
     return *this;
   }
-  /// The file takes its name, an older one is kept as PATH.bak. Throws
-  /// output::FileError: disk full.
+  /// Renames the file to PATH; an older one is kept as PATH.bak. Throws
+  /// output::FileError, for example if the disk is full.
   void close();
 
  private:

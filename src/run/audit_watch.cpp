@@ -108,7 +108,7 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
 
 std::string AuditWatch::closing() const {
   return fmt::format(
-      "audit every {} steps: {} moments, {} pairs of blocks near each other, {} acting "
+      "audit every {} steps: {} audits, {} pairs of blocks near each other, {} acting "
       "contacts; pairs missed: {}; wrong decisions: {}; pairs of blocks that overlap "
       "more than their contacts explain: {} (worst {:.3g}); contacts deeper than the "
       "overlap of their blocks: {} (worst {:.3g})",

@@ -42,7 +42,7 @@ bool BlockBuilder::fits(long more, deck::SourceLocation where) {
   }
   if (more > room_in_memory) {
     error(where, fmt::format("{} blocks at once", more),
-          fmt::format("the memory of this machine holds some {}", room_in_memory));
+          fmt::format("this machine has memory for about {}", room_in_memory));
     return false;
   }
   const long room = model_.settings.max_blocks - model_.blocks.size();
@@ -67,7 +67,7 @@ bool BlockBuilder::has_weight(const geometry::Polygon& clockwise,
   error(where,
         fmt::format("{}: its area or second moment is too {} to calculate with", what,
                     vanishing ? "small" : "large"),
-        "choose a unit of length in which blocks are neither vanishing nor endless");
+        "choose another unit of length");
   return false;
 }
 
@@ -234,10 +234,9 @@ bool BlockBuilder::orient_corners(const deck::Layer& card,
   // other anticlockwise order would move the bottom line, so it is an error.
   if (!(corners[0].x.value() < corners[1].x.value() &&
         corners[0].y.value() < corners[3].y.value())) {
-    error(
-        where,
-        "the corners are reversed: they run anticlockwise, from no bottom left corner",
-        order);
+    error(where,
+          "the corners run anticlockwise, and corner 1 is not at the bottom left",
+          order);
     return false;
   }
   warning(where, "the corners run anticlockwise",

@@ -39,9 +39,9 @@ Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
   for (const geometry::SharedCorners& stretch : corners_)
     moved += stretch.moved();
   if (moved > 0)
-    notes_.push_back(fmt::format(
-        "corners: {} inside a slanted side of another outline, rounded out of it",
-        moved));
+    notes_.push_back(fmt::format("corners on a slanted side of another outline, "
+                                 "rounded so that they do not overlap it: {}",
+                                 moved));
 }
 
 /// Executes a card; there is one function per card.
@@ -237,10 +237,10 @@ struct Builder::Visitor {
         ++count;
       }
     if (count == 0)
-      warning(
-          card.mat.where,
-          fmt::format("no block of material {} exists here", card.mat.value),
-          "SETVELM acts where it stands: put it after the cards that make the blocks");
+      warning(card.mat.where,
+              fmt::format("no block of material {} exists here", card.mat.value),
+              "SETVELM takes effect at its place in the deck: put it after the cards "
+              "that make the blocks");
   }
   void set_velocity(int b, double vx, double vy, double spin) {
     if (!blocks.is_free(b))
@@ -311,10 +311,10 @@ void Builder::check_room(const Command& command) {
   constexpr double gigabyte = 1e9;
   diagnostics_.error(
       tolerance_.value_or(command.where), tolerance_ ? "BOXES" : command.name,
-      fmt::format("with ctol = {:g} some {:.2g} pairs of blocks are near each other",
+      fmt::format("with ctol = {:g} about {:.2g} pairs of blocks are near each other",
                   ctol, list.pairs),
-      fmt::format("their contacts take about {:.2g} GB, this machine has {:.2g} for "
-                  "all of the run; ctol is a small part of a block",
+      fmt::format("their contacts need about {:.2g} GB, and this machine has {:.2g} GB "
+                  "for the whole run; reduce ctol to a small part of a block",
                   list.bytes / gigabyte, memory / gigabyte));
 }
 
@@ -379,7 +379,7 @@ void Builder::check_fraction(const Command& command) {
         fmt::format(
             "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
             settings.fraction, settings.damping),
-        fmt::format("for 8 contacts a block the largest safe FRACTION is {:.2g} "
+        fmt::format("for 8 contacts per block the largest safe FRACTION is {:.2g} "
                     "(docs/departures.md, time step)",
                     safe));
   fraction_told_ = safe;
@@ -398,7 +398,8 @@ void Builder::check_steps(const Command& command) {
                        "give a shorter time");
   else if (motion->dt.value <= 1e-9 * dt)
     diagnostics_.warning(motion->dt.where, command.name,
-                         fmt::format("{:g} is no step of {:.4g}", motion->dt.value, dt),
+                         fmt::format("{:g} is too short for a time step of {:.4g}",
+                                     motion->dt.value, dt),
                          "no time passes; CYCLE, 1 makes one step");
 }
 
@@ -420,9 +421,10 @@ void Builder::check_planes() {
     for (int c = 0; c < blocks.corners() && all_behind; ++c)
       all_behind = geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;
     if (all_behind)
-      diagnostics_.error(
-          command.where, command.name, "all blocks lie behind the plane",
-          "blocks stand to the left of point 1 -> point 2: swap the points");
+      diagnostics_.error(command.where, command.name,
+                         "all blocks are on the wrong side of the plane",
+                         "blocks must be on the left when looking from point 1 to "
+                         "point 2: swap the points");
   }
   planes_.clear();
 }

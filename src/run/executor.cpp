@@ -109,7 +109,8 @@ void Executor::start() {
     files_.table(model_);
   }
   if (!in_order && !model_.order.empty())
-    console_.note("blocks are stepped strip by strip: their numbers lead to and fro");
+    console_.note(
+        "blocks are renumbered internally for memory locality; output is unaffected");
   started_moving_ = true;
   half_depth_ = half_depth(model_.blocks);
   watch({});
@@ -291,7 +292,7 @@ void Executor::tell_profile() {
 
 void Executor::tell_what_remains() const {
   console_.note(fmt::format(
-      "{} steps of this card remain; to go on: blocks run {} --restart {}{}",
+      "{} steps of this card remain; to continue: blocks run {} --restart {}{}",
       progress_.steps_left, options_.deck, files_.checkpoint_path(),
       options_.output.empty() ? "" : " -o " + options_.output));
 }

@@ -17,9 +17,9 @@ std::vector<std::string> MotionWatch::after(const Model& model,
   }
   for (; exits_told_ < model.exits.size(); ++exits_told_) {
     const DomainExit& exit = model.exits[exits_told_];
-    told.push_back(fmt::format(
-        "block {} left the domain at time {:g} and is fixed where it stands",
-        exit.block + 1, exit.time));
+    told.push_back(
+        fmt::format("block {} left the domain at time {:g} and is fixed where it is",
+                    exit.block + 1, exit.time));
   }
   return told;
 }

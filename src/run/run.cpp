@@ -111,11 +111,11 @@ Model Job::load() {
   };
   const std::filesystem::path own(diagnostics.file()), its(from.deck_file);
   if (!resumes && !continues() && own.filename() == its.filename())
-    refuse(fmt::format("the deck has changed since, or is another of that name: they "
-                       "differ first in line {}",
+    refuse(fmt::format("the deck has changed since then, or another deck has the same "
+                       "name; they first differ in line {}",
                        first_difference(from.deck_text, text)));
   if (!resumes && !continues())
-    refuse(fmt::format("the checkpoint belongs to another deck, {} '{}'; give that "
+    refuse(fmt::format("the checkpoint belongs to another deck, {} '{}'; use that "
                        "deck, or one that begins with RESTART",
                        from.deck_file, model.settings.title));
   if (!resumes)
@@ -123,7 +123,7 @@ Model Job::load() {
   const std::string sets = overrides();
   if (from.overrides != sets + meshes && from.overrides.starts_with(sets) &&
       from.overrides.substr(sets.size()).starts_with("READ9 "))
-    refuse("a mesh that READ9 reads is not the one it was");
+    refuse("a mesh file that READ9 reads has changed");
   if (from.overrides != sets + meshes)
     refuse(from.overrides.empty()
                ? "it was written without --set options"
@@ -132,7 +132,7 @@ Model Job::load() {
   if (options.seed && *options.seed != model.settings.seed)
     refuse(fmt::format("its seed is {}", model.settings.seed));
   if (!stands_in_deck())
-    refuse("it holds what no run leaves: the place in the deck where it stopped");
+    refuse("no run writes such a state: the place in the deck where it stopped");
   return model;
 }
 
@@ -152,7 +152,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
       const auto& card = std::get<deck::Restart>(command.card);
       job.diagnostics.error(card.file.given ? card.file.where : command.where,
                             command.name, fault.what(),
-                            "--restart FILE names another checkpoint");
+                            "name another checkpoint with --restart FILE");
       job.fault = file_error;
       return false;
     }
@@ -324,8 +324,9 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
                                : "",
                            files.summary_path()));
   if (good >= 0)
-    console.note(fmt::format("the last good state that was kept, of step {}, is in {}",
-                             good, files.checkpoint_path()));
+    console.note(
+        fmt::format("the last good state that was kept is that of step {}, in {}", good,
+                    files.checkpoint_path()));
   executor.tell_profile();
   if (job.options.json) {
     std::ifstream summary(files.summary_path());
@@ -365,8 +366,8 @@ int run_deck(const RunOptions& options) {
     std::error_code absent;
     if (std::filesystem::equivalent(options.deck, job.name + ending, absent)) {
       fmt::print(stderr,
-                 "blocks: error: the deck {} would be written over by the run\n  hint: "
-                 "choose another name with -o NAME\n",
+                 "blocks: error: the run would overwrite its deck {}\n  hint: choose "
+                 "another name with -o NAME\n",
                  options.deck);
       return usage_error;
     }
@@ -407,8 +408,8 @@ int check_deck(const RunOptions& options) {
   if (!options.quiet) {
     auto certificate = checked.certificate;
     if (certificate && certificate->blocks < checked.model.blocks.size()) {
-      fmt::print("blocks made after a MOTION or CYCLE are judged where the deck puts "
-                 "them, as if nothing had moved\n");
+      fmt::print("blocks made after a MOTION or CYCLE are checked as if nothing had "
+                 "moved before\n");
       certificate = std::make_shared<const AssemblyCertificate>(
           certify_assembly(checked.model.blocks));
     }

@@ -41,7 +41,7 @@ void expect_idle(const std::string& name) {
   const std::string results = name + ".vtkhdf";
   if (output::is_being_written(results) || output::is_being_written(results + ".tmp"))
     throw output::FileError(fmt::format(
-        "cannot write {}: another run is writing it; -o NAME begins other files",
+        "cannot write {}: another run is writing it; use -o NAME for other files",
         results));
 }
 
@@ -57,7 +57,7 @@ const std::string& replaceable(const std::string& name) {
 [[noreturn]] void refuse_to_continue(const std::string& path,
                                      const std::string& reason) {
   throw output::FileError(
-      fmt::format("cannot continue {}: {}; -o NAME begins new files", path, reason));
+      fmt::format("cannot continue {}: {}; use -o NAME for new files", path, reason));
 }
 
 /// Throws FileError unless the listing holds everything written before the checkpoint.
@@ -65,10 +65,11 @@ void expect_listing(const std::string& path, long bytes) {
   std::error_code missing;
   const auto size = std::filesystem::file_size(path, missing);
   if (missing)
-    refuse_to_continue(path, "it is not there");
+    refuse_to_continue(path, "it does not exist");
   if (size < static_cast<std::uintmax_t>(bytes))
     refuse_to_continue(
-        path, fmt::format("it has {} bytes, not the {} that came before", size, bytes));
+        path, fmt::format("it has {} bytes, but {} were written before the checkpoint",
+                          size, bytes));
 }
 
 /// Truncates the listing to its length at the checkpoint. Returns the path.
@@ -86,11 +87,11 @@ std::string foreign(const std::string& results, const output::RunIdentity& ident
   if (!other || other->same_deck(identity))
     return {};
   const bool changed = other->deck_name() == identity.deck_name();
-  return fmt::format("{} held results of {}: its files are kept with the ending {}",
-                     results,
-                     changed ? "this deck before it, its options or its seed changed"
-                             : "another deck, " + other->deck_name(),
-                     ending);
+  return fmt::format(
+      "{} had results of {}: the old files are kept with the extension {}", results,
+      changed ? "this deck with other text, options or seed"
+              : "another deck, " + other->deck_name(),
+      ending);
 }
 
 }  // namespace
@@ -163,9 +164,9 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
   std::error_code ignored;
   for (const char* ending : {".ckpt.h5", ".ckpt.h5.prev"})
     if (std::filesystem::equivalent(checkpoint, name + ending, ignored))
-      refuse_to_continue(results, exists(results)
-                                      ? "it is not of the run that wrote the checkpoint"
-                                      : "it is not there");
+      refuse_to_continue(
+          results, exists(results) ? "another run wrote it, not that of the checkpoint"
+                                   : "it does not exist");
   return false;  // existing files, if any, belong to another run
 }
 

@@ -56,10 +56,9 @@ std::string unsound(const Model& model, const dynamics::StepResult& moved,
   const Blocks& blocks = model.blocks;
   const int lost = moved.finite ? -1 : first_without_place(blocks);
   if (!moved.finite && lost < 0)
-    return fmt::format(
-        "at time {:g} (step {}) the blocks are too far away to compute with (1e150); "
-        "their loads or velocities are out of proportion",
-        model.time, model.steps);
+    return fmt::format("at time {:g} (step {}) the blocks are too far away to compute "
+                       "with (1e150); reduce their loads or velocities",
+                       model.time, model.steps);
   if (!moved.finite)
     return fmt::format(
         "at time {:g} (step {}) the position of block {} is no longer a number; the "

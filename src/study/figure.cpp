@@ -151,7 +151,7 @@ class Sheet {
     const bool moves =
         std::any_of(study.rows.begin(), study.rows.end(),
                     [](const Row& row) { return !std::isnan(row.hang_ups.value); });
-    return moves ? "" : "nothing moves, nothing can hang";
+    return moves ? "" : "nothing moves, so nothing can hang";
   }
 
   void interval(const Estimate& e, double x, double y, double w, const Colour& c,

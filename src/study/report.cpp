@@ -62,7 +62,7 @@ std::string frames_line(const char* what, const std::vector<int>& frames,
   std::string line = fmt::format("default {} in frame", what);
   for (std::size_t i = 0; i < frames.size() && i < 10; ++i)
     line += fmt::format(" {}", frames[i]);
-  return line + fmt::format("{}; one again: --frames 1 --first {}{}\n",
+  return line + fmt::format("{}; to repeat one: --frames 1 --first {}{}\n",
                             frames.size() > 10 ? " ..." : "", frames.front(), again);
 }
 
@@ -159,7 +159,7 @@ std::string text(const Study& study) {
          small(row.energy), divergence(row)});
     if (row.variant == &all_variants().front()) {
       if (std::isnan(row.hang_ups.value))
-        notes += "hang-ups: not possible here, nothing is to move\n";
+        notes += "hang-ups: not possible here, because nothing should move\n";
       if (!study.must_pass)
         notes += "default is known to fail here in some frames\n";
       notes += frames_line("hung", row.hung_in, study.again);
@@ -171,7 +171,7 @@ std::string text(const Study& study) {
                        frames == 1 ? "" : "s", study.steps,
                        study.expected.empty()
                            ? std::string()
-                           : "; expected is the run of " + study.expected) +
+                           : "; expected motion: the run of " + study.expected) +
            aligned(table);
   return out + notes;
 }
@@ -240,7 +240,7 @@ std::string list_of_variants() {
 }
 
 std::string list_of_scenes() {
-  std::string out = "scenes (all: every one), or a deck:\n";
+  std::string out = "scenes (all: all of them), or a deck:\n";
   for (const std::string_view name : scene_names())
     out += fmt::format("  {:<14}{}\n", name, make_scene(name).what);
   return out;

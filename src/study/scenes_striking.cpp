@@ -116,7 +116,9 @@ Scene stake(Draws& draw) {
 /// The tip falls within twice the slack of the joint, which is a millionth of a box's
 /// width. Its overlaps are a fifth of a micrometre, no more than the slack.
 Scene toe(Draws& draw) {
-  Draft draft("toe", "a toe strikes flush boxes within the slack of their joint", 600);
+  Draft draft("toe",
+              "a pointed block strikes flush boxes within the slack of their joint",
+              600);
   Impact impact{draw.between(20, 100), 0.2, 0.25, 0, 3e-3, 0};
   impact.aside = draw.between(-2, 2) * geometry::contact_slack * impact.width;
   impact.sideways = draw.below(2) == 0 ? 0.0 : draw.between(-3e-3, 3e-3);

@@ -67,7 +67,7 @@ Scene columns_on(Draft draft, Draws& draw) {
 }  // namespace
 
 Scene step_notch(Draws& draw) {
-  Draft draft("step-notch", "columns on a stepped base of one notched block", 1200);
+  Draft draft("step-notch", "columns on a stepped base of one non-convex block", 1200);
   geometry::Polygon base = {{0, -3}};
   for (int i = 0; i < columns; ++i) {
     base.emplace_back(i * width, -i * rise);

@@ -400,14 +400,13 @@ TEST(ExactPairRule, AClosedJointIsHiddenAndTheStorySaysWhy) {
   EXPECT_EQ(lines[0],
             "blocks 1 and 3: corner 3 of block 1 on edge 4 of block 3; corner 1 "
             "of block 3 on edge 2 of block 1");
-  EXPECT_EQ(
-      lines[1],
-      "axis of edge 3 of block 1: corner 2 of block 3 is 0.0625 deep, facing edge 1 "
-      "of block 3: entered: the other end of its facing side is inside; hidden "
-      "by a closed joint: at corner 3 of block 1 the surface of edge 2 of block 1 goes "
-      "on: neighbours cover 100 % of the stretch (0.25) and 100 % of the interval "
-      "(0.25) of edge 3 of block 1, most of it by edge 1 of block 2; the surface that "
-      "takes over is edge 2 of block 1; does not act");
+  EXPECT_EQ(lines[1],
+            "axis of edge 3 of block 1: corner 2 of block 3 is 0.0625 deep, facing "
+            "edge 1 of block 3: entered: the other end of its facing side is inside; "
+            "hidden by a closed joint: at corner 3 of block 1 the surface of edge 2 of "
+            "block 1 goes on: neighbours cover 100 % of the stretch (0.25) and 100 % "
+            "of the interval (0.25) of edge 3 of block 1, most of it by edge 1 of "
+            "block 2; the surface that takes over is edge 2 of block 1; does not act");
   EXPECT_EQ(
       lines[2],
       "axis of edge 2 of block 1: corner 1 of block 3 is 0.25 deep, facing edge 4 "

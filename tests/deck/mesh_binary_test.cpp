@@ -46,8 +46,8 @@ TEST(MeshRegions, ReadsSharedNodesInEveryWordSizeAndByteOrder) {
       for (const std::size_t reals : {4u, 8u}) {
         const MeshFile mesh = read(regions(big, integers, reals).bytes);
         EXPECT_EQ(mesh.form, MeshForm::regions);
-        EXPECT_THAT(mesh.found, EndsWith("3 regions: 2 quadrilaterals (1 bar passed "
-                                         "over)"));
+        EXPECT_THAT(mesh.found,
+                    EndsWith("3 regions: 2 quadrilaterals (1 bar skipped)"));
         ASSERT_EQ(mesh.blocks.size(), 2u);
         EXPECT_EQ(mesh.blocks[0].outline, square_clockwise);
         EXPECT_EQ(mesh.blocks[0].material, 3);
@@ -82,7 +82,7 @@ TEST(MeshErrors, BinaryFormsSayRecordAndReason) {
   file = regions();
   EXPECT_THAT(with(4, 1000000), HasSubstr("region 3: 1000000 elements expected"));
   EXPECT_THAT(with(8, 1000000), HasSubstr("region 3: 1000000 nodes expected"));
-  EXPECT_THAT(with(8, -4), HasSubstr(": record 1: region 3: -4 is no count"));
+  EXPECT_THAT(with(8, -4), HasSubstr(": record 1: region 3: -4 is not a valid count"));
 
   FortranFile infinite{};
   infinite.integers({1, 3, 0, 0, 1, 0, 1}).end();

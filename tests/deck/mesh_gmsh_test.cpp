@@ -12,8 +12,7 @@ TEST(MeshGmsh, ReadsBothVersionsAlike) {
     const MeshFile mesh = read_mesh(samples + "two_quads_" + version + ".msh");
     EXPECT_EQ(mesh.form, MeshForm::gmsh);
     EXPECT_EQ(mesh.found, "Gmsh " + version +
-                              " ASCII, 2 quadrilaterals (points and lines passed "
-                              "over: 2)");
+                              " ASCII, 2 quadrilaterals (points and lines skipped: 2)");
     ASSERT_EQ(mesh.blocks.size(), 2u);
     EXPECT_EQ(mesh.blocks[0].outline, square_clockwise);  // written anticlockwise
     EXPECT_EQ(mesh.blocks[1].outline, right_clockwise);

@@ -103,17 +103,12 @@ TEST(Overrides, AreCheckedLikeTheDeck) {
                                                           {"DUMP", "x", "1"},
                                                           {"SEED", "seed", "5"}})
           .messages,
-      "--set MOTION.dt=-1: error: MOTION: dt must be > 0, found '-1'\n"
-      "  hint: dt: interval\n"
-      "--set MOTOIN.dt=1: error: unknown card 'MOTOIN'\n"
-      "  hint: did you mean MOTION?\n"
-      "--set MOTION.td=1: error: MOTION: unknown field 'td'\n"
-      "  hint: did you mean dt?\n"
-      "--set DUMP.x=1: error: DUMP: unknown field 'x'\n"
-      "  hint: this card has no fields\n"
-      "--set SEED.seed=5: error: SEED: the deck has no such card to set a value on\n"
-      "  hint: add the card to the deck\n"
-      "5 errors\n");
+      "--set MOTION.dt=-1: error: MOTION: dt must be > 0, found '-1'\n  hint: dt: "
+      "interval\n--set MOTOIN.dt=1: error: unknown card 'MOTOIN'\n  hint: did you mean "
+      "MOTION?\n--set MOTION.td=1: error: MOTION: unknown field 'td'\n  hint: did you "
+      "mean dt?\n--set DUMP.x=1: error: DUMP: unknown field 'x'\n  hint: this card has "
+      "no fields\n--set SEED.seed=5: error: SEED: the deck has no such card, so --set "
+      "cannot change it\n  hint: add the card to the deck\n5 errors\n");
 }
 
 TEST(Overrides, ChangeTheCountOfTheListsTheyRule) {

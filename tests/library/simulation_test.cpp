@@ -165,7 +165,8 @@ TEST(Simulation, TellsEveryFaultOfTheCards) {
     simulation.cards("STIFF, 1e7, 1e7\n");
     FAIL() << "accepted";
   } catch (const DeckError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("cards:1:1: error: STIFF: the model is made"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("cards:1:1: error: STIFF: a preliminary card cannot follow"));
   }
   EXPECT_EQ(corners(simulation), before);
   EXPECT_THROW(simulation.velocity(5), std::out_of_range);
@@ -193,8 +194,7 @@ TEST(Simulation, RefusesWhatNoRunGoesOnFrom) {
   try {
     thrown.step();
   } catch (const UnsoundRun& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("nothing goes on from an unsound run: at time"));
+    EXPECT_THAT(error.what(), HasSubstr("cannot continue an unsound run: at time"));
   }
   thrown.write_frame(folder / "last.vtkhdf");  // to look at
   EXPECT_THROW(Simulation(stack, 0), std::invalid_argument);

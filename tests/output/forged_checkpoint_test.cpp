@@ -175,7 +175,7 @@ TEST(ForgedCheckpoint, IsRefusedWhateverFieldNoRunLeaves) {
   long forged = 0;
   for (const auto how : {Forger::How::never, Forger::How::longer, Forger::How::shorter})
     forged += forge_all(how, [](const std::string& name, const std::string& message) {
-      EXPECT_THAT(message, ::testing::StartsWith("it holds what no run leaves: "))
+      EXPECT_THAT(message, ::testing::StartsWith("no run writes such a state: "))
           << name;
     });
   RecordProperty("forged", std::to_string(forged));
@@ -203,7 +203,7 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
     forge(model, info);
     write_checkpoint(path, model, info);
     const std::string text = file_error([&] { read_checkpoint(path, info); });
-    const std::string head = "cannot read " + path + ": it holds what no run leaves: ";
+    const std::string head = "cannot read " + path + ": no run writes such a state: ";
     EXPECT_EQ(text.substr(0, head.size()), head);
     return text.substr(head.size(), text.find(';') - head.size());
   };
@@ -212,7 +212,7 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1].edge = 99; }),
             "contacts/edge names number 100 of 8");
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1].edge = 5; }),
-            "contact 2 is of one block alone");
+            "contact 2 is between a block and itself");
   EXPECT_EQ(message([](Model& m, auto&) { std::swap(m.contacts[0], m.contacts[1]); }),
             "contact 2 is out of order");
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts[1] = m.contacts[0]; }),
@@ -220,9 +220,9 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
   EXPECT_EQ(message([](Model& m, auto&) { m.contacts[0].overlap = -1; }),
             "contact 1: overlap is -1, expected a number from 0");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.next[3] = 1; }),
-            "corner 4 of block 1 is out of its place");
+            "corner 4 of block 1 is out of order");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.material[0] = 9; }),
-            "blocks/material names material 9, which is not there");
+            "blocks/material names material 9, which does not exist");
   EXPECT_EQ(message([](Model& m, auto&) { m.order[0] = 0; }),
             "order names block 1 twice");
   EXPECT_EQ(message([](Model& m, auto&) { m.order.pop_back(); }),
@@ -236,7 +236,7 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
   EXPECT_EQ(message([](Model& m, auto&) { m.time = 8; }),
             "time is 8, its steps make 0.007");
   EXPECT_EQ(message([](Model&, CheckpointInfo& info) { info.progress.frames = 2; }),
-            "run/progress lies behind the end of its results or listing");
+            "run/progress is beyond the end of its results or listing");
 }
 
 // A dataset that is missing, or of another kind.

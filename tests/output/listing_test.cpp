@@ -49,7 +49,7 @@ TEST(MergeRecord, TellsTheTwoNumbersApart) {
   EXPECT_EQ((MergeRecord{1, 2, 3, 0.125, 0.2}.why()), "0.125 < 0.2");
   EXPECT_EQ((MergeRecord{1, 2, 3, 3 - 0x1p-40, 3}.why()), "2.999999999999 < 3");
   EXPECT_EQ((MergeRecord{1, 2, 3, 3, 3}.why()),
-            "just below 3, by less than doubles hold");
+            "just below 3, by less than doubles resolve");
 }
 
 // 132 columns, as printers had; numbers never run together.

@@ -317,7 +317,7 @@ TEST(Results, ReplaceNothingThatIsNoRegularFile) {
   const std::string fifo = folder / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   const std::string expected =
-      "cannot write " + fifo + ": it is no regular file, and would be replaced by one";
+      "cannot write " + fifo + ": it is not a regular file; choose another name";
   EXPECT_EQ(file_error([&] { ResultsWriter(fifo, identity); }), expected);
   EXPECT_EQ(file_error([&] { write_checkpoint(fifo, Model{}, {}); }), expected);
   EXPECT_EQ(file_error([&] { move_file(fifo, fifo + ".bak"); }), expected);
@@ -361,9 +361,9 @@ TEST(Results, AFileThatHdf5DoesNotEndClosingIsTold) {
     while (std::time(nullptr) != 0) {
     }
   };
-  EXPECT_EXIT(close(), testing::ExitedWithCode(5),
-              "^blocks: error: cannot continue a.vtkhdf: it is damaged, HDF5 failed in "
-              "it\n$");
+  EXPECT_EXIT(
+      close(), testing::ExitedWithCode(5),
+      "^blocks: error: cannot continue a.vtkhdf: it is damaged, HDF5 failed on it\n$");
 }
 
 }  // namespace

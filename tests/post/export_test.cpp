@@ -81,7 +81,7 @@ TEST_F(ExportTimes, OlderFilesAreKeptOnceAndForeignOnesAreNotTouched) {
   folder_.write("a_vtu.bak/mine.txt", "precious");
   const Outcome refused = run("-o a.pvd");
   EXPECT_EQ(refused.code, 5);
-  EXPECT_THAT(refused.err, HasSubstr("a_vtu.bak holds files of others"));
+  EXPECT_THAT(refused.err, HasSubstr("a_vtu.bak contains other files"));
   EXPECT_EQ(slurp(folder_ / "a_vtu.bak/mine.txt"), "precious");
   EXPECT_TRUE(folder_.holds("a_vtu/blocks_0.vtu"));
 }
@@ -92,11 +92,12 @@ TEST_F(ExportTimes, RefusalsNameWhatIsAvailable) {
   EXPECT_EQ(run("-o none/a.csv").code, 5);
   const Outcome deck = blocks("export fall.deck -o a.pvd", folder_.path());
   EXPECT_EQ(deck.code, 2);
-  EXPECT_THAT(deck.err, HasSubstr("first blocks run fall.deck"));
+  EXPECT_THAT(deck.err, HasSubstr("first run the deck with blocks run fall.deck"));
   const Outcome listing = blocks("export fall.out", folder_.path());
   EXPECT_EQ(listing.code, 5);
-  EXPECT_THAT(listing.err, HasSubstr("fall.out is a listing; export reads results and "
-                                     "decks\n  hint: results here: fall.vtkhdf"));
+  EXPECT_THAT(listing.err,
+              HasSubstr("fall.out is a listing; export reads results and decks\n  "
+                        "hint: results in this folder: fall.vtkhdf"));
   folder_.write("fall.bin", std::string("\x7f\0\1", 3));
   const Outcome foreign = blocks("export fall.bin", folder_.path());
   EXPECT_EQ(foreign.code, 5);

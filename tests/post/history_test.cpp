@@ -131,8 +131,8 @@ TEST(History, RefusalsNameWhatIsAvailable) {
     EXPECT_EQ(run.code, code) << arguments;
     EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
   };
-  refused("hit.vtkhdf --from nan", 2, "--from and --to are times");
-  refused("hit.vtkhdf --csv -o a.csv", 2, "leave one away");
+  refused("hit.vtkhdf --from nan", 2, "--from and --to need a number");
+  refused("hit.vtkhdf --csv -o a.csv", 2, "remove one of them");
   std::filesystem::copy_file(folder / "hit.vtkhdf", folder / "hit.csv");
   refused("hit.csv -o hit.csv", 2, "would overwrite the results hit.csv");
   refused("hit.vtkhdf -q heat", 2, "speed, displacement, rotation");
@@ -147,16 +147,15 @@ TEST(History, RefusalsNameWhatIsAvailable) {
   refused("hit.deck", 5, "cannot read hit.deck");
   refused("text.vtkhdf", 5,
           "cannot read text.vtkhdf: it is not a results file of BLOCKS\n  hint: "
-          "results here: "
-          "hit.vtkhdf\n");
+          "results in this folder: hit.vtkhdf\n");
   refused("none.vtkhdf", 5,
-          "cannot read none.vtkhdf: No such file or directory\n  hint: results here: "
-          "hit.vtkhdf\n");
+          "cannot read none.vtkhdf: No such file or directory\n  hint: results in this "
+          "folder: hit.vtkhdf\n");
   folder.write("empty.vtkhdf", "");
   refused("empty.vtkhdf", 5, "cannot read empty.vtkhdf: it is empty\n  hint: ");
   fs::create_directory(folder / "far");
   folder.write("far/text.vtkhdf", "no results");
-  refused("far/text.vtkhdf", 5, "hint: blocks run DECK writes results, NAME.vtkhdf");
+  refused("far/text.vtkhdf", 5, "hint: blocks run DECK writes results to NAME.vtkhdf");
 }
 
 TEST(History, FiguresAreWrittenAndOlderOnesKept) {

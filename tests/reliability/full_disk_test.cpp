@@ -121,7 +121,7 @@ TEST(Folder, ThatIsMissingOrAFileIsNamed) {
   fs::create_directory(folder / "b.out");
   EXPECT_EQ(
       fault("b"),
-      "blocks: error: cannot write b.out: it is a folder, a file's name is needed\n");
+      "blocks: error: cannot write b.out: it is a folder; give the name of a file\n");
   EXPECT_FALSE(folder.holds("b.vtkhdf") || folder.holds("b.vtkhdf.tmp"));
 }
 
@@ -151,12 +151,12 @@ TEST(OlderFiles, OfAnotherDeckAreKeptAndTold) {
   ASSERT_EQ(blocks("run a.deck -q", folder.path()).code, 0);
   const Files of_a = files_of_run(folder);
   EXPECT_EQ(blocks("run b.deck -q -o a", folder.path()).err,
-            "warning: a.vtkhdf held results of another deck, a.deck 'A SMALL PROBLEM': "
-            "its files are kept with the ending .bak\n");
+            "warning: a.vtkhdf had results of another deck, a.deck 'A SMALL PROBLEM': "
+            "the old files are kept with the extension .bak\n");
   const Files of_b = files_of_run(folder);
   EXPECT_EQ(blocks("run c.deck -q -o a", folder.path()).err,
-            "warning: a.vtkhdf held results of another deck, b.deck 'A SMALL PROBLEM': "
-            "its files are kept with the ending .bak2\n");
+            "warning: a.vtkhdf had results of another deck, b.deck 'A SMALL PROBLEM': "
+            "the old files are kept with the extension .bak2\n");
   for (int again = 0; again < 2; ++again)
     EXPECT_EQ(blocks("run c.deck -q -o a", folder.path()).err, "");
   for (const auto& [name, bytes] : of_a)
@@ -179,8 +179,8 @@ TEST(OlderFiles, OfTheDeckAsItWasAreKeptAndTold) {
     EXPECT_EQ(run.err.empty(), versions.size() == 1);
   }
   EXPECT_EQ(blocks("run a.deck -q --set CYCLE.ncycle=9", folder.path()).err,
-            "warning: a.vtkhdf held results of this deck before it, its options or its "
-            "seed changed: its files are kept with the ending .bak3\n");
+            "warning: a.vtkhdf had results of this deck with other text, options or "
+            "seed: the old files are kept with the extension .bak3\n");
   for (std::size_t i = 0; i < versions.size(); ++i)
     for (const auto& [name, bytes] : versions[i])
       EXPECT_TRUE(slurp(folder / (name + (i == 0   ? ".bak"

@@ -89,7 +89,7 @@ TEST(WholeFile, OfOneLongLineIsRefusedInFewWords) {
   for (std::size_t i = 0; i < 400000; ++i)
     commas += "1,";
   expect_refused(with("0, -10", "0, -10, " + commas),
-                 "a.deck:15:18: error: GRAVITY: surplus");
+                 "a.deck:15:18: error: GRAVITY: one value too many");
 }
 
 // As many as a line has room for.
@@ -119,8 +119,8 @@ TEST(WholeFile, ThatAsksForMoreThanThereIsIsRefused) {
   std::string row = with("START, 100, 6", "START, 50000, 6");
   row.replace(row.find("BOXES, 10, 10, 0.1"), 18, "BOXES, 10, 10, 1e6");
   row.insert(row.find("GRAVITY"), "CLOOP, 30000, 2, 0\n" + rectangle(2, 0, 3, 1));
-  expect_refused(row,
-                 "BOXES: with ctol = 1e+06 some 4.5e+08 pairs of blocks are near each");
+  expect_refused(
+      row, "BOXES: with ctol = 1e+06 about 4.5e+08 pairs of blocks are near each");
   expect_refused(with("BOXES, 10, 10", "BOXES, 100000, 100000"), "too many boxes");
   expect_refused(preliminary("RIGID\nFUNCTION, 1000000000000\n0, 1\n") +
                      rectangle(0, 0, 1, 1) + "CYCLE, 1\n",

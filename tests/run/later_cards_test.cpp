@@ -36,7 +36,8 @@ TEST(LaterSplane, IsJudgedWhereTheBlocksStandByThen) {
   folder.write("front.deck", moving + "SPLANE, 8, 5, 8, -5\nMOTION, 0.01\n");
   const Outcome front = blocks("run front.deck", folder.path());
   EXPECT_EQ(front.code, 3);
-  EXPECT_THAT(front.err, HasSubstr("SPLANE: all blocks lie behind the plane"));
+  EXPECT_THAT(front.err,
+              HasSubstr("SPLANE: all blocks are on the wrong side of the plane"));
   EXPECT_EQ(summary(folder, "front")["status"], "deck error");
   EXPECT_NEAR(summary(folder, "front")["time"].get<double>(), 1.0, 1e-3);
 }
@@ -89,7 +90,7 @@ TEST(Motion, OfNoStepIsWarnedOf) {
   const TemporaryFolder folder;
   const Outcome run = run_text(
       folder, "short", preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 1.E-300\n");
-  EXPECT_THAT(run.err, HasSubstr("warning: MOTION: 1e-300 is no step"));
+  EXPECT_THAT(run.err, HasSubstr("warning: MOTION: 1e-300 is too short"));
 }
 
 // An interval of PLOTS far below the step gives a frame in every step.
@@ -153,11 +154,10 @@ TEST(TimeLimit, SaysWhatRemains) {
   const Outcome run = blocks("run long.deck --time-limit 0.05", folder.path());
   EXPECT_EQ(run.code, 75);
   const long rest = 100000000 - summary(folder, "long")["steps"].get<long>();
-  EXPECT_THAT(
-      run.out + run.err,
-      HasSubstr(fmt::format("\n{} steps of this card remain; to go on: blocks run "
-                            "long.deck --restart long.ckpt.h5\n",
-                            rest)));
+  EXPECT_THAT(run.out + run.err,
+              HasSubstr(fmt::format("\n{} steps of this card remain; to continue: "
+                                    "blocks run long.deck --restart long.ckpt.h5\n",
+                                    rest)));
 }
 
 // Springs pressed in by half a block are no physics: the run ends, and the last good

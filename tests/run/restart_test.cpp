@@ -95,9 +95,9 @@ TEST(RestartFile, IsNamedByTheOption) {
   EXPECT_EQ(lost.code, 5);
   EXPECT_EQ(
       lost.err,
-      "second.deck:1:10: error: RESTART: cannot read nowhere.ckpt.h5: No such file "
-      "or directory\n  RESTART, nowhere.ckpt.h5\n           ^~~~~~~~~~~~~~~\n"
-      "  hint: --restart FILE names another checkpoint\n1 error\n");
+      "second.deck:1:10: error: RESTART: cannot read nowhere.ckpt.h5: No such file or "
+      "directory\n  RESTART, nowhere.ckpt.h5\n           ^~~~~~~~~~~~~~~\n  hint: name "
+      "another checkpoint with --restart FILE\n1 error\n");
   EXPECT_EQ(blocks("check second.deck", folder.path()).code, 5);
   const Outcome found =
       blocks("run second.deck --restart first.ckpt.h5", folder.path());

@@ -127,7 +127,7 @@ TEST(Resumed, WallNumberedAtRandomIsTheStraightRun) {
                                 rectangle(8.5, 1, 9, 1.5) + "CYCLE, 40\n");
   expect_resumable(folder / "wall.deck", "", 2);
   const Outcome run = blocks("run wall.deck --audit=40", folder.path());
-  EXPECT_THAT(run.err, HasSubstr("blocks are stepped strip by strip"));
+  EXPECT_THAT(run.err, HasSubstr("blocks are renumbered internally"));
   EXPECT_THAT(run.err, HasSubstr("block 4162 moved a corner by"));
   EXPECT_EQ(summary(folder, "wall")["audit"]["faults"], nlohmann::json::array());
   EXPECT_EQ(summary(folder, "wall")["fastest_block"]["block"], 4162);
@@ -235,11 +235,10 @@ TEST(Resumed, ForeignDeckIsRefused) {
     EXPECT_EQ(run.code, 5) << arguments;
     return run.err;
   };
-  EXPECT_EQ(
-      refusal("two.deck --restart one.ckpt.h5"),
-      "blocks: error: cannot continue two.deck from one.ckpt.h5: the checkpoint "
-      "belongs to another deck, one.deck 'A SMALL PROBLEM'; give that deck, or one "
-      "that begins with RESTART\n");
+  EXPECT_EQ(refusal("two.deck --restart one.ckpt.h5"),
+            "blocks: error: cannot continue two.deck from one.ckpt.h5: the checkpoint "
+            "belongs to another deck, one.deck 'A SMALL PROBLEM'; use that deck, or "
+            "one that begins with RESTART\n");
   EXPECT_EQ(refusal("one.deck --restart one.ckpt.h5 --set CYCLE.ncycle=8"),
             "blocks: error: cannot continue one.deck from one.ckpt.h5: it was written "
             "without --set options\n");
@@ -247,10 +246,11 @@ TEST(Resumed, ForeignDeckIsRefused) {
               HasSubstr("its seed is "));
   EXPECT_FALSE(folder.holds("two.out"));
   folder.write("one.deck", deck + "$ a remark\n");
-  EXPECT_EQ(refusal("one.deck --restart one.ckpt.h5"),
-            "blocks: error: cannot continue one.deck from one.ckpt.h5: the deck has "
-            "changed since, or is another of that name: they differ first in line " +
-                std::to_string(1 + std::count(deck.begin(), deck.end(), '\n')) + "\n");
+  EXPECT_EQ(
+      refusal("one.deck --restart one.ckpt.h5"),
+      "blocks: error: cannot continue one.deck from one.ckpt.h5: the deck has changed "
+      "since then, or another deck has the same name; they first differ in line " +
+          std::to_string(1 + std::count(deck.begin(), deck.end(), '\n')) + "\n");
   EXPECT_EQ(slurp(folder / "one.out"), listing) << "a refusal touches nothing";
 }
 
@@ -278,12 +278,13 @@ TEST(Resumed, OwnFilesMustHoldWhatCameBefore) {
     std::string reason;
   };
   for (const auto& [spoil, reason] :
-       {Case{damage(listing, 0), "own.out: it is not there; -o NAME begins new files"},
-        Case{damage(listing, 900), "own.out: it has 900 bytes, not the "},
-        Case{damage(results, 0), "own.vtkhdf: it is not there; -o NAME begins"},
+       {Case{damage(listing, 0),
+             "own.out: it does not exist; use -o NAME for new files"},
+        Case{damage(listing, 900), "own.out: it has 900 bytes, but "},
+        Case{damage(results, 0), "own.vtkhdf: it does not exist; use -o NAME for"},
         Case{damage(results, 3000), "own.vtkhdf: "},
         Case{no_frames,
-             "own.vtkhdf: it is not of the run that wrote the checkpoint"}}) {
+             "own.vtkhdf: another run wrote it, not that of the checkpoint"}}) {
     ASSERT_EQ(blocks("run own.deck --stop-after 9", folder.path()).code, 75);
     spoil();
     const auto before = contents(folder.path());
@@ -316,9 +317,8 @@ TEST(Resumed, WhileAnotherRunWritesIsRefused) {
   others.join();
   for (const Outcome& run : {second, third}) {
     EXPECT_EQ(run.code, 5);
-    EXPECT_EQ(run.err,
-              "blocks: error: cannot write long.vtkhdf: another run is writing "
-              "it; -o NAME begins other files\n");
+    EXPECT_EQ(run.err, "blocks: error: cannot write long.vtkhdf: another run is "
+                       "writing it; use -o NAME for other files\n");
   }
 }
 
@@ -337,7 +337,7 @@ TEST(Resumed, WithAnotherMeshIsRefused) {
   const Outcome refused =
       blocks("run mesh.deck -q --restart mesh.ckpt.h5", folder.path());
   EXPECT_EQ(refused.code, 5);
-  EXPECT_THAT(refused.err, HasSubstr("a mesh that READ9 reads is not the one it was"));
+  EXPECT_THAT(refused.err, HasSubstr("a mesh file that READ9 reads has changed"));
   mesh("6");
   EXPECT_EQ(blocks("run mesh.deck -q --restart mesh.ckpt.h5", folder.path()).code, 0);
 }

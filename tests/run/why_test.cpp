@@ -116,7 +116,7 @@ TEST_F(Why, TellsWhenABlockComes) {
            scene + "MOTION, 0.4\n" + rectangle(-3, 0, -2, 1) + "MOTION, 0.2\nSTOP\n");
   refused("later.vtkhdf --time 0.1 --block 6 --block 1",
           "there is no block 6 in later.vtkhdf at time 0.1",
-          "it is there from time 0.5 on; before that, its blocks are 1 to 5");
+          "it exists from time 0.5 on; before that, its blocks are 1 to 5");
   refused("later.vtkhdf --time 0.1 --block 7 --block 1", "there is no block 7",
           "its blocks are 1 to 5");
   EXPECT_EQ(why("later.vtkhdf --time 0.5 --block 6 --block 1").code, 0);

@@ -45,8 +45,8 @@ TEST(StudyCommand, GateShutsAndSaysWhy) {
   const Outcome far = blocks(one + "1e12", folder.path());
   EXPECT_EQ(far.code, 4);
   EXPECT_THAT(far.out, HasSubstr("default hung in frame 9"));
-  EXPECT_THAT(far.err, HasSubstr("blocks: error: the gate is shut: diagonal: of 1 "
-                                 "frames 1 hung and 0 fell through"));
+  EXPECT_THAT(far.err, HasSubstr("blocks: error: --gate failed: diagonal: of 1 frames, "
+                                 "1 hung and 0 fell through"));
   EXPECT_EQ(blocks(one + "1e3", folder.path()).code, 0);
 }
 
@@ -68,7 +68,7 @@ TEST(StudyCommand, SaysWhatThereIs) {
                                   "0 to 9007199254740992, found '-1'"));
   const Outcome study = blocks("study contact", folder.path());
   EXPECT_EQ(study.code, 2);
-  EXPECT_THAT(study.err, HasSubstr("no study 'contact', there is contacts"));
+  EXPECT_THAT(study.err, HasSubstr("no study 'contact'; the only one is contacts"));
   EXPECT_EQ(blocks("study contacts tee --csv x --json x", folder.path()).code, 5);
 }
 
@@ -130,8 +130,8 @@ TEST(StudyCommand, DoubtsADeckThatGoesWrongByItself) {
   // sinks in by a tenth; falls through within 70 steps
   for (const char* gravity : {"GRAVITY, 0, -2E3\nDAMPING, 0.3\n", "GRAVITY, 0, -1E5\n"})
     EXPECT_THAT(warned(gravity),
-                HasSubstr("blocks: warning: t.deck: the run of default, of which every "
-                          "way is expected, lets two blocks overlap by more than 2 %"));
+                HasSubstr("blocks: warning: t.deck: the run of default, which is the "
+                          "expected motion, lets two blocks overlap by more than 2 %"));
   EXPECT_THAT(warned("GRAVITY, 0, -10\nDAMPING, 300\n"),
               HasSubstr("is unsound: by step "));
   EXPECT_EQ(warned("GRAVITY, 0, -10\nDAMPING, 0.3\n"), "");

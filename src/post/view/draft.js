@@ -1,26 +1,26 @@
-// Drafts of the page of `blocks view`. Of very many blocks the canvas fills some 200 a
-// millisecond. While something moves they are put into the picture pixel by pixel instead,
-// twenty times as fast; the fine picture follows when it stands still. Stands before page.js,
-// in the same script.
+// Draft pictures for the page of `blocks view`. The canvas fills only about 200 blocks per
+// millisecond. If there are very many blocks and something moves, they are drawn pixel by pixel
+// instead, twenty times as fast. The fine picture follows when nothing moves. This file comes
+// before page.js in the same script.
 "use strict";
 
 const rest = 250;
 let draft_above = 3000, moved_at = -Infinity, fine_later = 0;
 const hurried = () => state.playing || performance.now() - moved_at < rest;
-/// To be called by whatever makes the next picture differ.
+/// Call this for every change of the next picture.
 function moves() {
   moved_at = performance.now();
   clearTimeout(fine_later);
   fine_later = setTimeout(redraw, rest + 50);
 }
 
-/// "#rrggbb" as a pixel.
+/// Converts "#rrggbb" to a pixel.
 const pixel = (shade) => 0xff000000 | parseInt(shade.slice(5, 7) + shade.slice(3, 5) + shade.slice(1, 3), 16);
 let picture = null, pixels = null, crossings = new Float64Array(64);
 
-/// The canvas in its own pixels, asked once a picture and not for every block: asking the
-/// page took nine tenths of the time. ratio: of a page pixel, scale: of a length; u, v: the
-/// model's origin.
+/// The canvas in its own pixels. It is read once per picture, because reading it for every block
+/// took nine tenths of the time. ratio: canvas pixels per page pixel; scale: canvas pixels per
+/// model length; u, v: origin of the model.
 let sheet = {w: 0, h: 0, ratio: 1, scale: 1, u: 0, v: 0};
 
 function draw_draft(f, visible, halves) {
@@ -39,7 +39,7 @@ function draw_draft(f, visible, halves) {
     }
 }
 
-/// Ends in page pixels.
+/// Draws a line; its ends are in page pixels.
 function put_line(x0, y0, x1, y1, colour) {
   const {w, h, ratio} = sheet;
   const n = Math.max(1, Math.ceil(ratio * Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0))));
@@ -51,8 +51,8 @@ function put_line(x0, y0, x1, y1, colour) {
 const darker = (shade) => "#" + [1, 3, 5].map((i) =>
   Math.round(0.55 * parseInt(shade.slice(i, i + 2), 16)).toString(16).padStart(2, "0")).join("");
 
-/// Pixels whose middle lies inside, so that neighbours leave no gap; the leftmost of each
-/// row and the lowest row in the colour of the edge.
+/// Sets the pixels whose middle is inside, so that neighbours leave no gap. The leftmost pixel of
+/// each row and the lowest row get the colour of the edge.
 function put_block(b, corners, ground, edge) {
   const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1], {w, h, scale, u, v} = sheet;
   let low = Infinity, high = -Infinity;
@@ -64,7 +64,7 @@ function put_block(b, corners, ground, edge) {
   if (end - first > crossings.length) crossings = new Float64Array(end - first);
   const last = Math.min(h, Math.ceil(high - 0.5));
   for (let row = Math.max(0, Math.ceil(low - 0.5)); row < last; ++row) {
-    const y = (v - row - 0.5) / scale;  // in the model
+    const y = (v - row - 0.5) / scale;  // model coordinate
     let n = 0;
     for (let i = first, j = end - 2; i < end; j = i, i += 2) {
       if ((corners[i + 1] > y) === (corners[j + 1] > y)) continue;

@@ -1,5 +1,5 @@
-# Writes OUTPUT, a C++ file with page.html, page.css, and draft.js and page.js together, of
-# FOLDER as strings.
+# Writes OUTPUT, a C++ file that contains files of FOLDER as strings: page.html, page.css, and
+# draft.js followed by page.js.
 set(text "// Made by embed.cmake.\n#include \"post/view_page.hpp\"\n\nnamespace blocks::post {\n\n")
 foreach(kind html css js)
   file(READ ${FOLDER}/page.${kind} content)

@@ -1,5 +1,5 @@
-// The page of `blocks view`. State is one object; everything that changes it ends in
-// redraw(), which draws once before the next picture of the screen.
+// The page of `blocks view`. The state is one object. Every function that changes it calls
+// redraw(), which draws once before the next animation frame.
 "use strict";
 
 const $ = (id) => document.getElementById(id);
@@ -8,10 +8,10 @@ const frames = meta.times.length;
 const state = {
   frame: frames - 1, playing: false, pace: 1, colour: "material", followed: "speed",
   block: -1, original: false, forces: false, labels: false, mirror: meta.mirror !== null, ready: false,
-  view: {x: 0, y: 0, scale: 1},  // model point in the middle, pixels per length
+  view: {x: 0, y: 0, scale: 1},  // model point in the middle of the canvas; pixels per model length
 };
 let data = {};  // arrays by name
-let ranges = {};  // of each quantity over all frames
+let ranges = {};  // [low, high] of each quantity over all frames
 
 // ---- data ----------------------------------------------------------------------------
 
@@ -41,15 +41,15 @@ async function unpack() {
   data.x = places("x", "dx", 0);
   data.y = places("y", "dy", 1);
   data.forces = read_forces();
-  data.size = new Float32Array(meta.blocks);  // of the arms, for picking and zoom
+  data.size = new Float32Array(meta.blocks);  // longest arm of each block, for picking and zoom
   for (let b = 0; b < meta.blocks; ++b)
     for (let c = data.first_corner[b]; c < data.first_corner[b + 1]; ++c)
       data.size[b] = Math.max(data.size[b], Math.hypot(data.arm[2 * c], data.arm[2 * c + 1]));
 }
 
-/// Six digits of a national coordinate are no place. The first one, told whole, and six digits
-/// of the way since then are, unless the way is longer than the coordinate. A block made after
-/// the first frame has no first place.
+/// Returns the coordinates of all blocks. Six digits are too few for national coordinates. So the
+/// exact coordinate in the first frame is added to the displacement, unless the displacement is
+/// larger than the coordinate. A block made after the first frame has no such coordinate.
 function places(name, way, axis) {
   const all = Float64Array.from(data[name]);
   for (let i = 0; i < all.length; ++i) {
@@ -59,13 +59,13 @@ function places(name, way, axis) {
   return all;
 }
 
-/// Two letters of 91 are 13 bits.
+/// Decodes the text: two letters of an alphabet of 91 hold 13 bits.
 function bytes_of(text, count) {
   const digit = new Uint8Array(128);
   let known = 0;
   for (let c = 33; c < 127; ++c)
     if (!"&<>".includes(String.fromCharCode(c))) digit[c] = known++;
-  const bytes = new Uint8Array(count);  // what the last letters hold beyond is left out
+  const bytes = new Uint8Array(count);  // surplus bits of the last letters are dropped
   for (let i = 0, n = 0, held = 0, bits = 0; i + 1 < text.length; i += 2) {
     held |= (digit[text.charCodeAt(i)] + 91 * digit[text.charCodeAt(i + 1)]) << bits;
     for (bits += 13; bits > 7; bits -= 8, held >>>= 8) bytes[n++] = held & 255;
@@ -73,26 +73,26 @@ function bytes_of(text, count) {
   return bytes;
 }
 
-/// The lowest bytes of all numbers, then the next ones.
+/// Reads numbers stored as the lowest bytes of all numbers, then the next bytes, and so on.
 function planes(part, count, number) {
   const whole = new Uint32Array(count);
   for (let k = number - 1; k >= 0; --k)
     for (let i = 0, from = k * count; i < count; ++i) whole[i] = whole[i] << 8 | part[from + i];
   return whole;
 }
-/// 0, 1, 2, 3 as 0, -1, 1, -2.
+/// Maps 0, 1, 2, 3 to 0, -1, 1, -2.
 function unfold(told) {
   for (let i = 0; i < told.length; ++i) told[i] = told[i] >>> 1 ^ -(told[i] & 1);
   return new Int32Array(told.buffer);
 }
-/// Each frame on top of the one before.
+/// Adds each frame to the previous one.
 function on_top(changes, rows) {
   for (let i = rows; i < changes.length; ++i) changes[i] += changes[i - rows];
   return changes;
 }
 
-/// Guesses of numbers by other quantities: the program made them by the same operations in
-/// the same order (view_data.cpp), and tells what they miss.
+/// Predictions of numbers from other quantities. The program uses the same operations in the same
+/// order (view_data.cpp) and stores only the differences.
 const formulas = {
   moved_x: (n) => (i) => data.origin[2 * (i % n)] + data.dx[i],
   moved_y: (n) => (i) => data.origin[2 * (i % n) + 1] + data.dy[i],
@@ -113,7 +113,7 @@ const tens = Array.from({length: 64}, (_, k) => Number(`1e${k}`));
 const shifted = (value, power) => power >= 0 ? value * tens[power] : value / tens[-power];
 const not_finite = 127;
 
-/// Six digits and a power of ten each (view_numbers.hpp).
+/// Reads numbers of six digits and a power of ten (view_numbers.hpp).
 function read_digits(part, note) {
   const {count, rows, guess} = note, shown = new Float32Array(count);
   const power = on_top(new Int8Array(part.slice(0, count).buffer), rows);
@@ -129,7 +129,7 @@ function read_digits(part, note) {
   return shown;
 }
 
-/// The forces of each frame: their corners, directions and sizes.
+/// Returns the forces of each frame: their corners, directions and sizes.
 function read_forces() {
   const {acting, directions, sizes} = data, all = acting.length / frames, result = [];
   let before = {start: new Uint32Array(all + 1), direction: [], size: []};
@@ -154,7 +154,8 @@ function read_forces() {
 const quantity = (name) => meta.quantities.find((q) => q.name === name);
 const value = (name, block, frame) => data[name][frame * meta.blocks + block];
 const exists = (block, frame) => block < meta.counts[frame];
-/// Six digits, as in the file (told), or more, down to the finest; no zeros that say nothing.
+/// Formats a number with six digits, as in the file (told), or with more digits, down to `finest`.
+/// Trailing zeros are removed.
 const digits = (told, finest = Infinity, sharp = told) => {
   const size = Math.abs(sharp), more = Math.floor(Math.log10(size)) - Math.round(Math.log10(finest)) + 1;
   const many = size > 0 ? Math.max(6, Math.min(15, more)) : 6;
@@ -163,7 +164,8 @@ const digits = (told, finest = Infinity, sharp = told) => {
     ? number.toExponential(many - 1).replace(/\.?0+e/, "e").replace("e+", "e")
     : String(Number(number.toPrecision(many)));
 };
-/// Places have the decimals that six digits of the model's extent have, wherever it lies.
+/// Coordinates are shown with the decimals of a six-digit number as large as the model, wherever
+/// the model is.
 const is_place = (name) => name === "x" || name === "y";
 let finest_place = Infinity;
 function find_finest_place() {
@@ -196,12 +198,12 @@ function find_ranges() {
 // ---- the model -----------------------------------------------------------------------
 
 const model = $("model"), pen = model.getContext("2d");
-let corners = new Float64Array(0);  // of the present frame, model lengths
+let corners = new Float64Array(0);  // of the current frame, in model lengths
 
 function centre(b, f) {
   const x = data.origin[2 * b], y = data.origin[2 * b + 1];
   return x === x ? [x + value("dx", b, f), y + value("dy", b, f)]
-                 : [value("x", b, f), value("y", b, f)];  // made after the first frame
+                 : [value("x", b, f), value("y", b, f)];  // the block was made after the first frame
 }
 
 function place_corners(f, into) {
@@ -225,7 +227,7 @@ function place_corners(f, into) {
   return into;
 }
 
-/// The other half of a half model, where the page has a plane and shall show it.
+/// Adds the other half of a half model, if the page has a symmetry plane and shows it.
 const reflect = (all) => all.map((value, i) => i % 2 ? value : 2 * meta.mirror - value);
 const both_halves = (all) => state.mirror ? [reflect(all), all] : [all];
 
@@ -236,7 +238,7 @@ const to_model = (px, py) => [
   state.view.x + (px - model.clientWidth / 2) / state.view.scale,
   state.view.y - (py - model.clientHeight / 2) / state.view.scale];
 
-/// Everything of the first and the present frame, beside the legend where there is room.
+/// Shows everything of the first and the current frame, next to the legend if there is room.
 function fit() {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const f of new Set([0, state.frame])) {
@@ -265,7 +267,7 @@ function trace(b, from) {
   pen.closePath();
 }
 
-/// Paths of many blocks cost far more than many paths of few.
+/// Paints blocks in groups, because one path of many blocks is much slower than many short paths.
 function in_parts(blocks, from, paint, most = 32) {
   for (let i = 0; i < blocks.length; i += most) {
     pen.beginPath();
@@ -274,7 +276,7 @@ function in_parts(blocks, from, paint, most = 32) {
   }
 }
 
-/// Blocks by colour, of one half: one path for each shade.
+/// Groups the visible blocks of one half by colour.
 function shades(f, visible, half) {
   const groups = new Map(), shade_of = shades_at(f, half);
   for (const b of visible) {
@@ -283,9 +285,9 @@ function shades(f, visible, half) {
   }
   return groups;
 }
-/// What has a direction turns round in the mirror.
+/// Returns the value of the mirrored block; odd quantities change their sign.
 const in_mirror = (q, v) => q.name === "x" ? 2 * meta.mirror - v : q.odd ? -v : v;
-/// Colour of a block of that half in that frame.
+/// Returns a function that gives the colour of a block of that half in that frame.
 function shades_at(f, half) {
   if (state.colour === "material") return (b) => meta.materials[meta.material[b]];
   const q = quantity(state.colour), map = q.signed ? meta.diverging : meta.sequential;
@@ -380,7 +382,8 @@ function draw_original() {
   pen.restore();
 }
 
-/// The largest force of a usual frame, as a byte: an impact must not hide all others.
+/// Returns the median of the largest forces of the frames, as a byte, so that an impact does not
+/// hide all other forces.
 let usual = -1;
 function usual_force() {
   if (usual >= 0) return usual;
@@ -389,16 +392,16 @@ function usual_force() {
   return usual = largest[largest.length >> 1] ?? 255;
 }
 
-/// On the page; lengths by the square root, so that the small ones are seen beside the
-/// large.
+/// Returns the length on the page of the reference force. Lengths grow with the square root of the
+/// force, so that small forces remain visible.
 const force_length = () => Math.min(60, 1.2 * typical_size() * state.view.scale);
 
-/// As many shades as there are widths; part: of the usual largest force.
+/// The number of shades and widths. `part` is the ratio of a force to the reference force.
 const force_steps = 12;
 const force_shade = (part) => meta.intensity[Math.round(Math.min(1, part) * (meta.intensity.length - 1))];
 
-/// Lines through the contacts along their forces: x0, y0, x1, y1 on the page and the part
-/// that the force has of the usual largest.
+/// Returns lines through the contacts along their forces: x0, y0, x1, y1 on the page, and the ratio
+/// of the force to the reference force.
 function force_lines(f, halves) {
   const {corner, direction, size} = data.forces[f], full = force_length(), lines = [];
   const {x, y, scale} = state.view, w = model.clientWidth, h = model.clientHeight;
@@ -416,7 +419,7 @@ function force_lines(f, halves) {
   return lines;
 }
 
-/// Small ones first: wide and dark lines lie on top.
+/// Draws small forces first, so that wide and dark lines are on top.
 function draw_forces(f, halves) {
   const full = force_length(), groups = Array.from({length: force_steps + 1}, () => []);
   for (const line of force_lines(f, halves)) groups[Math.round(Math.min(1, line[4]) * force_steps)].push(line);
@@ -462,7 +465,7 @@ function size_canvas(canvas, its_pen) {
   its_pen.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
 }
 
-/// The block at a place of the canvas, the last drawn first; -1 for none.
+/// Returns the topmost block at a point of the canvas, or -1.
 function pick(px, py) {
   const [x, y] = to_model(px, py), here = pick_at(x, y);
   return here < 0 && state.mirror ? pick_at(2 * meta.mirror - x, y) : here;
@@ -485,7 +488,7 @@ function pick_at(x, y) {
 function nice_ticks(low, high, count) {
   const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw)), digit = raw / power;
   const step = power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10), ticks = [];
-  if (Math.max(Math.abs(low), Math.abs(high)) > 1e15 * step) return ticks;  // k + 1 would be k
+  if (Math.max(Math.abs(low), Math.abs(high)) > 1e15 * step) return ticks;  // doubles are too coarse for the ticks
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * (high - low); ++k)
     ticks.push(k * step);
   return ticks;
@@ -503,7 +506,7 @@ const made = (kind, name, text = "") => {
   return part;
 };
 
-/// Large and small numbers are counted in powers of ten, which stand with the unit.
+/// Large and small numbers are shown in powers of ten, which are written with the unit.
 const superscript = (n) => String(n).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit]);
 function power_of(low, high) {
   const most = Math.max(Math.abs(low), Math.abs(high));
@@ -511,19 +514,19 @@ function power_of(low, high) {
 }
 const titled = (label, unit, power) => with_unit(label, [power ? `10${superscript(power)}` : "", unit].filter(Boolean).join(" "));
 
-/// Round numbers of an axis with their texts, and the axis' name. Numbers that differ only in
-/// late digits are counted from a round one: y − 4000000 [m].
+/// Returns round numbers of an axis with their labels, and the title of the axis. If numbers differ
+/// only in late digits, a round number is subtracted: y − 4000000 [m].
 function label_ticks(low, high, count, name, unit) {
   const ticks = nice_ticks(low, high, count), step = ticks[1] - ticks[0];
   let offset = 0;
   if (Math.max(...ticks.map(Math.abs)) >= 1e5 * step) {
     const slack = 1e-6 * step;
     let unit = 10 ** Math.ceil(Math.log10(Math.max(...ticks.map(Math.abs))));
-    do offset = Math.ceil((ticks[0] - slack) / unit) * unit;  // the roundest there is
+    do offset = Math.ceil((ticks[0] - slack) / unit) * unit;  // the number with the fewest digits
     while (offset > ticks.at(-1) + slack && (unit /= 10) > 1e-3 * step);
     offset = Number(offset.toPrecision(15));
   }
-  // exact but for the rounding of the tick, which is no part of a round number
+  // The difference carries the rounding error of the tick; round it off.
   const digit = 10 ** Math.floor(Math.log10(step) + 1e-3);
   const rest = (t) => offset ? Math.round((t - offset) / digit) * digit : t;
   const power = power_of(...(offset ? [rest(ticks[0]), rest(ticks.at(-1))] : [low, high]));
@@ -531,7 +534,8 @@ function label_ticks(low, high, count, name, unit) {
   return {ticks: ticks.map((t) => [t, tick_text(rest(t) / 10 ** power)]), title: titled(name + from, unit, power)};
 }
 
-/// A bar of colours with its numbers; few on the low bar of a small screen (page.css).
+/// Returns a colour bar with its numbers; there are fewer on the short bar of a small screen
+/// (page.css).
 const small_screen = matchMedia("(max-width: 760px), (max-aspect-ratio: 9/10)");
 function key_bar(name, unit, map, low, high) {
   const {ticks: all, title: label} = label_ticks(low, high, small_screen.matches ? 2 : 5, name, unit);
@@ -547,7 +551,7 @@ function key_bar(name, unit, map, low, high) {
   return key;
 }
 
-/// What the colours mean; of many materials only the numbers.
+/// Draws the legend of the colours; many materials are shown as numbers only.
 let key_shown = "";
 function draw_key() {
   const wanted = `${state.colour} ${state.forces} ${small_screen.matches}`;
@@ -575,7 +579,7 @@ function draw_key() {
   $("key").replaceChildren(...parts);
 }
 
-/// The rows of the table: of the block picked, or of the whole model.
+/// Returns the rows of the table for the selected block, or for the whole model.
 function rows() {
   const f = state.frame;
   if (state.block < 0)
@@ -613,13 +617,13 @@ function draw_numbers() {
   });
   $("block_name").textContent = b < 0 ? "Whole model" : `Block ${b + 1}`;
   $("block_about").textContent = b < 0 ? "Click a block to see its numbers."
-    : !exists(b, f) ? "not there yet" : `material ${meta.material[b]}, ${data.corners[b]} corners`
+    : !exists(b, f) ? "does not exist yet" : `material ${meta.material[b]}, ${data.corners[b]} corners`
       + (data.fixed[f * meta.blocks + b] ? ", fixed" : "");
   draw_chart(followed);
 }
 
 const chart = $("chart"), chart_pen = chart.getContext("2d");
-let chart_time = null;  // pointer place to frame
+let chart_time = null;  // maps a pointer position to a frame
 function draw_chart({label, unit, all}) {
   size_canvas(chart, chart_pen);
   const p = chart_pen, w = chart.clientWidth, h = chart.clientHeight;
@@ -686,7 +690,7 @@ function draw_clock() {
   $("scrub").setAttribute("aria-valuetext", time.textContent);
 }
 
-// ---- drawing once per picture --------------------------------------------------------
+// ---- drawing once per animation frame ------------------------------------------------
 
 let asked = false;
 function redraw() {
@@ -705,7 +709,7 @@ function draw() {
 // ---- playing -------------------------------------------------------------------------
 
 let started = 0, started_at = 0;
-/// The whole run takes as long as its frames at 25 a second, 4 s at least.
+/// Returns the duration of the whole run: 25 frames per second, but at least 4 s.
 const whole = () => Math.max(4, frames / 25) / state.pace;
 function tick(now) {
   if (!state.playing) return;
@@ -737,7 +741,7 @@ function show(frame) {
   redraw();
 }
 
-// ---- hands ---------------------------------------------------------------------------
+// ---- pointer and keys ----------------------------------------------------------------
 
 function zoom(factor, px = model.clientWidth / 2, py = model.clientHeight / 2) {
   moves();
@@ -838,7 +842,7 @@ $("fit").onclick = fit;
 $("help").onclick = () => $("keys").showModal();
 $("theme").onclick = other_theme;
 
-// ---- beginning -----------------------------------------------------------------------
+// ---- start ---------------------------------------------------------------------------
 
 async function begin() {
   const dark = matchMedia("(prefers-color-scheme: dark)");
