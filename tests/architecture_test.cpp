@@ -1,5 +1,4 @@
-// Who may include whom (docs/architecture.md): the picture is kept by a test, since one
-// convenient include is how such borders fall.
+// Source folders include only the folders that docs/architecture.md allows.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,12 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// An include directive of a source file.
 struct Include {
   std::string file;    ///< relative to the project, "src/deck/parser.cpp"
   std::string folder;  ///< "deck", "geometry", "geometry/exact"
   std::string target;  ///< as written between the quotes or brackets
 };
 
+/// Returns all include directives of src and geometry.
 std::vector<Include> includes() {
   const fs::path root = BLOCKS_SOURCE_DIR;
   const std::regex line_form(R"re(\s*#\s*include\s*[<"]([^>"]+)[>"].*)re");
@@ -43,7 +44,8 @@ std::vector<Include> includes() {
   return found;
 }
 
-/// First part of "model/blocks.hpp"; empty for headers outside the project.
+/// Returns the first part of a path such as "model/blocks.hpp", or an empty text for
+/// headers outside the project.
 std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
       "geometry", "deck", "model", "dynamics", "exchange", "output",
@@ -52,8 +54,8 @@ std::string folder_of(const std::string& target) {
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
 
-// The tests below pass when nothing is found at all: this one does not.
-TEST(Architecture, SourcesAreThere) {
+// Without sources the tests below would pass.
+TEST(Architecture, SourceFoldersAreFound) {
   std::set<std::string> folders;
   for (const Include& include : includes())
     folders.insert(include.folder);
@@ -80,8 +82,8 @@ TEST(Architecture, SourcesAreThere) {
                                             "study/corner_rules"}));
 }
 
-// CGAL compiles slowly and changes rounding flags: it stays behind geometry's headers.
-TEST(Architecture, CgalStaysInsideGeometry) {
+// CGAL compiles slowly and changes rounding flags.
+TEST(Architecture, OnlyGeometryIncludesCgal) {
   int uses = 0;
   for (const Include& include : includes())
     if (include.target.starts_with("CGAL/")) {
@@ -93,8 +95,7 @@ TEST(Architecture, CgalStaysInsideGeometry) {
   EXPECT_GT(uses, 0);
 }
 
-// The exact part of geometry is private to it.
-TEST(Architecture, ExactNumbersArePrivate) {
+TEST(Architecture, OnlyGeometryIncludesItsExactPart) {
   for (const Include& include : includes())
     if (include.target.starts_with("geometry/exact/")) {
       EXPECT_TRUE(include.folder == "geometry/exact" ||
@@ -103,8 +104,8 @@ TEST(Architecture, ExactNumbersArePrivate) {
     }
 }
 
-// deck knows no physics, dynamics no files, output never the deck, post only results.
-TEST(Architecture, FoldersIncludeOnlyWhatTheyMay) {
+// For example, deck is independent of physics, and dynamics is independent of files.
+TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
   const std::map<std::string, std::set<std::string>> may = {
       {"geometry", {"geometry"}},
       {"geometry/exact", {"geometry"}},
@@ -130,9 +131,9 @@ TEST(Architecture, FoldersIncludeOnlyWhatTheyMay) {
   }
 }
 
-// The folders of a step. The contact rule is a function of blocks and their neighbours:
-// it compiles without pairs, arrays and the time loop. Kernels see columns of numbers.
-TEST(Architecture, FoldersOfTheStepIncludeOnlyWhatTheyMay) {
+// The contact rule is a function of blocks and their neighbours. It is independent of
+// pairs, arrays and the time loop. Kernels work on arrays of numbers.
+TEST(Architecture, FoldersOfTheStepIncludeOnlyAllowedFolders) {
   const std::map<std::string, std::set<std::string>> may = {
       {"support", {"support"}},
       {"kernels", {"kernels"}},
@@ -156,9 +157,9 @@ TEST(Architecture, FoldersOfTheStepIncludeOnlyWhatTheyMay) {
   EXPECT_GT(headers, 40);
 }
 
-// Outside of the step, the contact rule needs blocks and geometry, kernels the
-// constants of geometry, and support nothing.
-TEST(Architecture, RulesKernelsAndSupportSeeNoModel) {
+// Of other folders, the contact rule includes blocks and geometry, kernels include
+// constants of geometry, and support includes nothing.
+TEST(Architecture, RulesKernelsAndSupportAreIndependentOfTheModel) {
   for (const Include& include : includes()) {
     const std::string folder = folder_of(include.target);
     if (folder.empty() || folder == "dynamics")
@@ -176,8 +177,8 @@ TEST(Architecture, RulesKernelsAndSupportSeeNoModel) {
   }
 }
 
-// What is installed needs nothing of ours that is not.
-TEST(Architecture, PublicHeadersStandAlone) {
+// Installed headers include no header that is not installed.
+TEST(Architecture, InstalledHeadersAreSelfContained) {
   int headers = 0;
   for (const Include& include : includes())
     if (include.folder == "library/blocks") {
@@ -189,8 +190,8 @@ TEST(Architecture, PublicHeadersStandAlone) {
   EXPECT_GT(headers, 0);
 }
 
-// Figures are drawn from result files: of output, post sees the results alone.
-TEST(Architecture, PostReadsResultsOnly) {
+// Figures are drawn from results files.
+TEST(Architecture, PostIncludesOnlyResultsOfOutput) {
   for (const Include& include : includes())
     if (include.folder == "post" && folder_of(include.target) == "output") {
       EXPECT_TRUE(include.target.starts_with("output/results") ||

@@ -1,5 +1,5 @@
-// BLOCKS_SANITIZED: this build runs under the address or the thread sanitizer, which
-// take over malloc and reserve terabytes of addresses.
+// BLOCKS_SANITIZED is defined in builds with the address or the thread sanitizer. These
+// replace malloc and reserve terabytes of addresses.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

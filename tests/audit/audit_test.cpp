@@ -1,4 +1,4 @@
-// The audit finds nothing in runs that are right, and tells how deep blocks are.
+// The audit finds no fault in sound runs.
 #include "audit/audit.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,8 @@ using scenes::Scene;
 using testing::audited_step;
 using testing::AuditedRun;
 
-/// Fails if a step was not sound. Returns the sums of pairs and acting contacts.
+/// Steps the model and audits every `every`-th step. The test fails if a step is not
+/// sound. Returns the sums of pairs and acting contacts.
 Findings audited(Model& model, int steps, int every) {
   AuditedRun run(model);
   Findings sum;
@@ -41,8 +42,7 @@ Findings audited(Model& model, int steps, int every) {
   return sum;
 }
 
-// The list, the decisions and what acts agree with the judge in rubble of any frame.
-TEST(Audit, RubbleIsClean) {
+TEST(Audit, FindsNoFaultInRubble) {
   long acting = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     SCOPED_TRACE(seed);
@@ -53,10 +53,9 @@ TEST(Audit, RubbleIsClean) {
   EXPECT_GT(acting, 1000);
 }
 
-// A box slides over a floor of boxes, sunk in a little: at every joint a neighbour
-// closes the joint, and the surface takes over. Nothing overlaps without an
-// explanation.
-TEST(Audit, SlidingOverJointsIsClean) {
+// A box slides over a floor of boxes and overlaps it a little. At every joint a
+// neighbour closes the joint, and the surface takes over.
+TEST(Audit, FindsNoFaultWhileABoxSlidesOverJoints) {
   long surfaces = 0;
   for (const scenes::Frame& frame : scenes::random_frames(8)) {
     Scene scene(frame);
@@ -84,7 +83,7 @@ TEST(Audit, SlidingOverJointsIsClean) {
   EXPECT_GT(surfaces, 100);
 }
 
-/// Contacts that act deeper than 5 % of the size of the smaller block.
+/// Returns the number of contacts deeper than 5 % of the size of the smaller block.
 long deep_contacts(const Model& model) {
   const Blocks& blocks = model.blocks;
   long deep = 0;
@@ -96,9 +95,7 @@ long deep_contacts(const Model& model) {
   return deep;
 }
 
-// Blocks that overlap deeply from the start have exactly the contacts that the judge
-// decides.
-TEST(Audit, DeepOverlapsAreClean) {
+TEST(Audit, FindsNoFaultInDeepOverlaps) {
   Findings sum;
   long deep = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -119,8 +116,8 @@ TEST(Audit, DeepOverlapsAreClean) {
   EXPECT_GT(deep, 2000);
 }
 
-/// Unit boxes on a floor, each shifted against the others by the same exact amount, so
-/// that many axes are equally deep; they are numbered from the top.
+/// Returns unit boxes on a floor, numbered from the top. All are shifted against each
+/// other by the same exact amount, so that many axes are equally deep.
 Model tied_boxes() {
   Scene scene;
   scene.model.settings.damping = 0.2;
@@ -133,25 +130,26 @@ Model tied_boxes() {
   return scene.model;
 }
 
-// A model with an order of its own breaks ties by that order, and so does the judge.
-// Findings have the deck's numbers.
-TEST(Audit, ModelsWithAnOrderAreClean) {
+// A model with an internal order breaks ties by that order, and so does the judge.
+TEST(Audit, FindsNoFaultInAModelWithAnInternalOrder) {
   Model model = tied_boxes();
   model.order = strip_order(model.blocks);
   ASSERT_EQ(model.order.size(), 301U);
   EXPECT_GT(audited(model, 200, 20).acting, 1000);
+}
 
+TEST(Audit, BreaksTiesByTheInternalOrder) {
   Model ties = tied_boxes();
-  ties.order = model.order;
+  ties.order = strip_order(ties.blocks);
   AuditedRun run(ties);
   run.step();
   EXPECT_TRUE(run.audit().sound());
-  ties.order.clear();  // Now the judge breaks ties by numbers, and disagrees.
+  ties.order.clear();  // Now the judge breaks ties by the numbers of the deck.
   EXPECT_FALSE(run.audit().wrong.empty());
 }
 
-// The same with blocks that are not convex, whose parts are renumbered, too.
-TEST(Audit, RubbleWithAnOrderIsClean) {
+// Some blocks are not convex, and their parts are renumbered, too.
+TEST(Audit, FindsNoFaultInRubbleWithAnInternalOrder) {
   for (const std::uint64_t seed : {2U, 3U, 6U, 7U}) {
     SCOPED_TRACE(seed);
     Scene scene = testing::rubble(seed);
@@ -162,9 +160,9 @@ TEST(Audit, RubbleWithAnOrderIsClean) {
   }
 }
 
-// Bars are laid across each other, and no corner is inside the other block. The least
-// axis is entered beyond the ends of its side, and its contacts explain the overlap.
-TEST(Audit, CrossedBarsAreExplained) {
+// Two bars cross, and no corner is inside the other block. The least axis is entered
+// beyond the ends of its side.
+TEST(Audit, ExplainsTheOverlapOfCrossedBarsByTheirContacts) {
   Scene scene;
   scene.box(-2, -0.5, 4, 1, true);
   scene.box(-0.25, -2, 0.5, 4);
@@ -174,9 +172,7 @@ TEST(Audit, CrossedBarsAreExplained) {
   EXPECT_TRUE(found.excess.empty());
 }
 
-// A block that rests on another one overlaps by what its springs need. The contacts
-// explain that.
-TEST(Audit, ABlockAtRestIsExplained) {
+TEST(Audit, ExplainsTheOverlapOfABlockAtRestByItsContacts) {
   Scene scene;
   scene.model.settings.damping = 0.3;
   scene.box(-2, -1, 4, 1, true);

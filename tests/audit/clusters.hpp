@@ -1,4 +1,5 @@
-// Random clusters of two to five blocks, of the kinds that are hard for a contact rule.
+// Random clusters of two to five blocks, of kinds that are difficult for a contact
+// rule.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +12,13 @@
 
 namespace blocks::testing {
 
+/// Generates clusters from a seed.
 class Clusters {
  public:
   explicit Clusters(std::uint64_t seed) : random_(seed) {}
 
   static constexpr int kinds = 11;
-  /// Blocks of one kind, in a frame that is turned in half of the cases.
+  /// Returns blocks of one kind, in half of the cases in a turned frame.
   std::vector<NewBlock> make(int kind) {
     outlines_.clear();
     switch (kind) {
@@ -27,7 +29,7 @@ class Clusters {
       smooth_polygons();
       break;
     case 2:
-      notched();
+      reentrant();
       break;
     case 3:
       wall();
@@ -45,7 +47,7 @@ class Clusters {
       flush_bricks();
       break;
     case 8:
-      notched_over_joint();
+      reentrant_over_joint();
       break;
     case 9:
       wedges();
@@ -71,7 +73,7 @@ class Clusters {
     if (clockwise_area(outline) > 1e-9)
       outlines_.push_back(std::move(outline));
   }
-  /// One side becomes two or three sides in line.
+  /// Splits one side into two or three sides in line.
   Polygon with_straight_corner(Polygon outline) {
     const std::size_t i =
         static_cast<std::size_t>(whole(static_cast<int>(outline.size())));
@@ -95,7 +97,7 @@ class Clusters {
     }
     return area;
   }
-  /// The convex hull of points, clockwise; straight corners are left out.
+  /// Returns the convex hull of points, clockwise and without straight corners.
   static Polygon hull(Polygon points) {
     const auto turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
       return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
@@ -117,13 +119,14 @@ class Clusters {
     }
     return found;
   }
-  /// Zero, or something from 1e-12 to 0.1 of either sign.
+  /// Returns zero, or a number of either sign with a magnitude from 1e-12 to 0.1.
   double small() {
     if (one_in(4))
       return 0.0;
     return (one_in(2) ? 1.0 : -1.0) * std::pow(10.0, uniform(-12.0, -1.0));
   }
-  /// An amount by which blocks overlap, or a multiple of a power of two for exact ties.
+  /// Returns an overlap of blocks, in some cases a multiple of a power of two for exact
+  /// ties.
   double overlap() {
     return one_in(3) ? 0.0625 * whole(5) : std::pow(10.0, uniform(-7.0, -0.6));
   }
@@ -164,7 +167,7 @@ class Clusters {
     for (int b = 2 + whole(4); b > 0; --b)
       add(regular({uniform(-0.8, 0.8), uniform(-0.8, 0.8)}));
   }
-  Polygon notched_outline() {
+  Polygon reentrant_outline() {
     switch (whole(5)) {
     case 0:
       return {{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 0}};
@@ -178,8 +181,8 @@ class Clusters {
       return {{0, 0}, {0, 2}, {2, 2}, {2, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 0}};
     }
   }
-  Polygon notched_at(const Vec2& place) {
-    Polygon outline = notched_outline();
+  Polygon reentrant_at(const Vec2& place) {
+    Polygon outline = reentrant_outline();
     for (int quarters = whole(4); quarters > 0; --quarters)
       for (Vec2& p : outline)
         p = Vec2(p.y(), 3.0 - p.x());
@@ -188,16 +191,16 @@ class Clusters {
       p = place + scale * p;
     return outline;
   }
-  void notched() {
-    add(notched_at({0, 0}));
+  void reentrant() {
+    add(reentrant_at({0, 0}));
     for (int b = 1 + whole(3); b > 0; --b) {
       const Vec2 place(0.5 * whole(7) - 1.5 + small(), 0.5 * whole(7) - 1.5 + small());
       if (one_in(3))
         box(place.x() + 1.0, place.y() + 1.0, 1, 0.5 * (1 + whole(4)));
       else if (one_in(2))
-        add(notched_at(place));
+        add(reentrant_at(place));
       else
-        add(turned(notched_at(place), uniform(-0.3, 0.3), place));
+        add(turned(reentrant_at(place), uniform(-0.3, 0.3), place));
     }
   }
   void wall() {
@@ -209,7 +212,7 @@ class Clusters {
     if (one_in(2))
       box(-1 + small(), 1 + small(), 2, 1);
   }
-  /// Two or three blocks side by side, and one that lies over a joint between them.
+  /// Two or three blocks are side by side, and one is over a joint between them.
   void block_over_joint() {
     const double gap = small() * 0.1, step = small() * 0.5;
     box(-2, -1, 2, 1);
@@ -238,7 +241,7 @@ class Clusters {
     const double angle = (one_in(2) ? ten : -ten) + offs[whole(7)];
     const double deep = overlap(), x = uniform(-1.5, 1.0), w = uniform(0.3, 2.0);
     Polygon over = {{x, -deep}, {x, 1}, {x + w, 1}, {x + w, -deep}};
-    if (one_in(2))  // both sides at the corner face the floor
+    if (one_in(2))  // Both sides at the corner face the floor.
       over.push_back({x + 0.5 * w, -deep - 0.5 * w * std::tan(ten)});
     add(turned(over, angle, over[one_in(2) ? 0 : 3]));
     if (one_in(3))
@@ -261,7 +264,7 @@ class Clusters {
     if (one_in(3))
       box(x + small(), small(), 1, 1);
   }
-  /// Bricks on a lattice that share corners and sides, some of them moved a little.
+  /// Bricks on a lattice share corners and sides. Some of them are moved a little.
   void flush_bricks() {
     for (int b = 3 + whole(3); b > 0; --b) {
       const double unit = one_in(4) ? 0.0625 : 1.0;
@@ -270,13 +273,13 @@ class Clusters {
           1 + whole(2) + (one_in(3) ? unit * 0.5 : 0.0), 1 + (one_in(3) ? unit : 0.0));
     }
   }
-  void notched_over_joint() {
+  void reentrant_over_joint() {
     box(-3, -1, 3, 1);
     box(small() * 0.1, -1 + small(), 3, 1);
-    add(turned(notched_at({uniform(-2.5, 0.5), -overlap()}), one_in(2) ? small() : 0.0,
-               {0, 0}));
+    add(turned(reentrant_at({uniform(-2.5, 0.5), -overlap()}),
+               one_in(2) ? small() : 0.0, {0, 0}));
     if (one_in(2))
-      add(notched_at({uniform(-3, 3), 1 - overlap()}));
+      add(reentrant_at({uniform(-3, 3), 1 - overlap()}));
   }
 
   /// Thin blocks with sharp corners, nearly parallel to one another.
@@ -287,13 +290,13 @@ class Clusters {
       Polygon outline;
       for (int k = 3 + whole(4); k > 0; --k)
         outline.push_back(at + Vec2(length * uniform(-1, 1), thick * uniform(-1, 1)));
-      if (one_in(2))  // an acute corner under a long side
+      if (one_in(2))  // The block has an acute corner under a long side.
         outline = {at, at + Vec2(length, 0),
                    at + Vec2(length * uniform(0.3, 0.9), -thick)};
       add(turned(hull(outline), uniform(-0.2, 0.2) + (one_in(2) ? 0.0 : 3.1416), at));
     }
   }
-  /// Notched blocks with slanting prongs, whose parts have inner sides at sharp angles.
+  /// Blocks with slanted prongs, whose parts have inner sides at sharp angles.
   void prongs() {
     for (int b = 2 + whole(2); b > 0; --b) {
       const double x = uniform(0.35, 0.8), deep = uniform(0.3, 0.9);

@@ -1,4 +1,4 @@
-// The audit finds what is put wrong on purpose.
+// The audit finds faults that a test injects.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,10 +21,10 @@ class InjectedFault : public ::testing::Test {
     run.step();
   }
   std::vector<Contact>& contacts() { return scene.model.contacts; }
-  /// The contact in the middle of the list.
+  /// Returns the contact in the middle of the list.
   Contact some_contact() { return contacts()[contacts().size() / 2]; }
   BlockPair blocks_of(const Contact& contact) { return pair_of(run.before, contact); }
-  /// Takes a pair of blocks from the list.
+  /// Removes a pair of blocks from the list.
   void drop(const BlockPair& pair) {
     auto& pairs = run.listed;
     pairs.erase(std::remove(pairs.begin(), pairs.end(), pair), pairs.end());
@@ -39,14 +39,14 @@ class InjectedFault : public ::testing::Test {
   AuditedRun run;
 };
 
-TEST_F(InjectedFault, NothingIsWrongWithout) {
+TEST_F(InjectedFault, IsNotReportedInASoundStep) {
   const Findings found = run.audit();
   EXPECT_TRUE(found.sound());
   EXPECT_GT(found.acting, 10);
   EXPECT_EQ(found.acting, std::ssize(contacts()));
 }
 
-TEST_F(InjectedFault, MissedPairThatTouches) {
+TEST_F(InjectedFault, IsReportedIfATouchingPairIsNotListed) {
   const BlockPair pair = blocks_of(some_contact());
   drop(pair);
   const Findings found = run.audit();
@@ -54,8 +54,8 @@ TEST_F(InjectedFault, MissedPairThatTouches) {
   EXPECT_TRUE(found.wrong.empty());
 }
 
-// The list promises more than the contacts of this moment.
-TEST_F(InjectedFault, MissedPairThatDoesNotTouchYet) {
+// Some pairs of the list do not touch yet, but have to be listed.
+TEST_F(InjectedFault, IsReportedIfAnApproachingPairIsNotListed) {
   const auto pairs = run.listed;
   int missed = 0;
   for (const BlockPair& pair : pairs) {
@@ -64,7 +64,7 @@ TEST_F(InjectedFault, MissedPairThatDoesNotTouchYet) {
     drop(pair);
     const Findings found = run.audit();
     run.listed = pairs;
-    // The list may hold more than it has to.
+    // The list may hold pairs that are not required.
     if (found.missed.empty())
       continue;
     EXPECT_EQ(found.missed, std::vector{pair});
@@ -74,7 +74,7 @@ TEST_F(InjectedFault, MissedPairThatDoesNotTouchYet) {
   EXPECT_GT(missed, 0);
 }
 
-TEST_F(InjectedFault, ContactThatShouldNotAct) {
+TEST_F(InjectedFault, IsReportedIfAContactActsAgainstTheRule) {
   const Contact contact = some_contact();
   const int corner = contact.corner, other = run.before.next[contact.edge];
   const BlockPair pair = blocks_of(contact);
@@ -89,8 +89,8 @@ TEST_F(InjectedFault, ContactThatShouldNotAct) {
   EXPECT_TRUE(found.missed.empty());
 }
 
-// Blocks 8 and 11 are walls on either side; a wall and a brick far away from it.
-TEST_F(InjectedFault, ContactOfBlocksThatAreFarApart) {
+// Block 8 is a wall, and the other block is far away from it.
+TEST_F(InjectedFault, IsReportedIfAContactActsBetweenDistantBlocks) {
   const Blocks& blocks = run.before;
   const auto far = [&](int b) {
     return (blocks.centroid.col(b) - blocks.centroid.col(8)).norm() > 4.0 &&
@@ -106,7 +106,7 @@ TEST_F(InjectedFault, ContactOfBlocksThatAreFarApart) {
   EXPECT_TRUE(found.wrong[0].exact.empty());
 }
 
-TEST_F(InjectedFault, ContactThatShouldAct) {
+TEST_F(InjectedFault, IsReportedIfAContactIsMissing) {
   const auto dropped = contacts().begin() + std::ssize(contacts()) / 2;
   const std::pair contact(dropped->corner, dropped->edge);
   contacts().erase(dropped);
@@ -118,8 +118,9 @@ TEST_F(InjectedFault, ContactThatShouldAct) {
   EXPECT_TRUE(found.missed.empty());
 }
 
-// Of crossed bars no contact acts. Only the overlap tells how deep they are.
-TEST(LostContacts, DoNotExplainTheOverlap) {
+// All contacts of two crossed bars are removed. Only the overlap shows how deep they
+// are.
+TEST(LostContacts, LeaveTheOverlapUnexplained) {
   Scene scene;
   scene.box(-2, -0.5, 4, 1, true);
   scene.box(-0.25, -2, 0.5, 4);
@@ -131,14 +132,15 @@ TEST(LostContacts, DoNotExplainTheOverlap) {
   EXPECT_EQ(found.acting, 0);
   EXPECT_EQ(found.wrong.size(), 1U);
   ASSERT_EQ(found.excess.size(), 1U);
-  EXPECT_DOUBLE_EQ(found.excess[0].depth, 2.25);  // sideways, to the end of the bar
+  EXPECT_DOUBLE_EQ(found.excess[0].depth,
+                   2.25);  // This is the distance to the end of the bar.
   EXPECT_DOUBLE_EQ(found.excess[0].area, 0.5);
   EXPECT_EQ(found.excess[0].explained, 0.0);
 }
 
-// A contact is put between blocks that are 0.1 apart, and one on the far side of a
-// block. Neither depth is that of the overlap of the two blocks.
-TEST(InjectedContact, IsDeeperThanItsBlocksOverlap) {
+// Contacts are injected between blocks that are 0.1 apart and on the far side of a
+// block. Their depths are not that of the overlap of the two blocks.
+TEST(InjectedContact, IsReportedIfDeeperThanTheOverlap) {
   for (const auto& frame : {scenes::Frame{}, scenes::Frame{0.7, Vec2(3e3, -2e3)}}) {
     Scene scene(frame);
     scene.box(-2, -1, 4, 1, true);
@@ -158,8 +160,8 @@ TEST(InjectedContact, IsDeeperThanItsBlocksOverlap) {
       scene.model.contacts = whole;
       return found;
     };
-    // Corner 1 of the third block is 0.1 beyond side 3 of the second: it is not deep,
-    // but a wrong decision.
+    // Corner 1 of the third block is 0.1 outside side 3 of the second. The contact is a
+    // wrong decision, but not deep.
     const Findings apart = found_with(8, 6);
     EXPECT_TRUE(apart.deep.empty());
     EXPECT_FALSE(apart.wrong.empty());
@@ -168,7 +170,8 @@ TEST(InjectedContact, IsDeeperThanItsBlocksOverlap) {
     ASSERT_EQ(top.deep.size(), 1U);
     EXPECT_NEAR(top.deep[0].overlap, 1.0, 1e-9);
     EXPECT_EQ(top.deep[0].common, 0.0);
-    // The bottom edge of the floor is 0.99 from the corner, and 0.01 are in common.
+    // The corner is 0.99 from the bottom edge of the floor, and the blocks overlap by
+    // 0.01.
     const Findings bottom = found_with(4, 3);
     ASSERT_EQ(bottom.deep.size(), 1U);
     EXPECT_NEAR(bottom.deep[0].overlap, 0.99, 1e-9);

@@ -1,4 +1,4 @@
-// Scenes stepped under the eyes of the audit.
+// Models that the audit judges after each step.
 #pragma once
 
 #include <random>
@@ -12,8 +12,8 @@
 
 namespace blocks::testing {
 
-/// A model that is stepped, with all that the audit has to know of its last step. The
-/// model may have an order of its own.
+/// A model that is stepped, with the data of its last step that the audit needs. The
+/// model may have an internal order.
 class AuditedRun {
  public:
   explicit AuditedRun(Model& stepped) : model(stepped), stepper_(stepped, work_) {}
@@ -41,6 +41,7 @@ class AuditedRun {
   dynamics::Stepper stepper_;
 };
 
+/// Makes one step of a scene and judges it.
 inline audit::Findings audited_step(scenes::Scene& scene) {
   scene.prepare();
   AuditedRun run(scene.model);
@@ -48,8 +49,8 @@ inline audit::Findings audited_step(scenes::Scene& scene) {
   return run.audit();
 }
 
-/// Regular and squeezed polygons of 3 to 7 corners, clockwise, and stars, dropped
-/// between walls; the floor is made of boxes side by side.
+/// Returns rubble that falls between walls: regular and squeezed polygons of 3 to 7
+/// corners and stars. The floor consists of boxes side by side.
 inline scenes::Scene rubble(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&](double a, double b) {

@@ -1,4 +1,4 @@
-// Deck text -> exact diagnostics: tests/corpus/bad/NAME.deck against NAME.expected.
+// The diagnostics of tests/corpus/bad/NAME.deck are those of NAME.expected.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -31,8 +31,7 @@ std::vector<std::filesystem::path> bad_decks() {
 
 class BadDeck : public testing::TestWithParam<std::filesystem::path> {};
 
-// The wording, the place and the number of messages are what the user meets: one fault,
-// one message, and no fault hides another.
+// Each fault has one message, and no fault hides another.
 TEST_P(BadDeck, GetsExactlyTheseDiagnostics) {
   auto expected = GetParam();
   expected.replace_extension(".expected");
@@ -47,8 +46,8 @@ TEST_P(BadDeck, GetsExactlyTheseDiagnostics) {
 INSTANTIATE_TEST_SUITE_P(Corpus, BadDeck, testing::ValuesIn(bad_decks()),
                          [](const auto& one) { return one.param.stem().string(); });
 
-// Guards the corpus itself: an empty folder would pass every comparison.
-TEST(BadDecks, AreThere) { EXPECT_GE(bad_decks().size(), 40U); }
+// Without decks the test above would pass.
+TEST(BadDecks, AreFound) { EXPECT_GE(bad_decks().size(), 40U); }
 
 }  // namespace
 }  // namespace blocks::deck

@@ -1,4 +1,4 @@
-// Every card with all its fields, and with its defaults (report Appendix A).
+// Every card with all its fields and with its defaults (report Appendix A).
 #include <gtest/gtest.h>
 
 #include "deck_test_tools.hpp"
@@ -6,6 +6,7 @@
 namespace blocks::deck {
 namespace {
 
+/// Parses a deck with this card and returns it.
 template <class T> T card(const std::string& text) {
   const Parsed parsed = parse_text(preliminary + text);
   EXPECT_EQ(parsed.messages, "") << text;
@@ -22,7 +23,7 @@ std::vector<double> doubles(const std::vector<Exact>& list) {
 
 using V = std::vector<double>;
 
-TEST(Cards, PreliminaryInFull) {
+TEST(Cards, PreliminaryCardsHaveAllTheirFields) {
   const Parsed p = parse_text(
       "start, 10, 4\nA title, 1982\nxlimits, -1, 2\nylimits, -3.D0, 4\n"
       "boxes, 5, 6, .25\nstiff, 1.D7, 5e6\nfraction, 1\nmaterial, 2, 9, 8, 7\n"
@@ -54,7 +55,7 @@ TEST(Cards, PreliminaryInFull) {
   EXPECT_EQ(p.deck.commands.size(), 11U);
 }
 
-TEST(Cards, PreliminaryDefaults) {
+TEST(Cards, PreliminaryCardsHaveDefaults) {
   const Parsed p = parse_text("START 10 4\nT\nXLIMITS 0 1\nYLIMITS 0 1\nBOXES 1 1\n"
                               "STIFF, , 2.\nFRACTION .1\nMATERIAL 1,,,5.\nEND");
   EXPECT_EQ(p.messages, "");
@@ -69,7 +70,7 @@ TEST(Cards, PreliminaryDefaults) {
   EXPECT_FALSE(p.only<Material>().g.given);
 }
 
-TEST(Cards, Create) {
+TEST(Cards, CreateHasTheCornersOfABlock) {
   const auto c = card<Create>("CREATE, 3., 2, -1\n0, 1, .1\n0, 1, 0\n");
   EXPECT_EQ(c.nc.value, 3);
   EXPECT_EQ(c.mat.value, 2);
@@ -82,7 +83,7 @@ TEST(Cards, Create) {
   EXPECT_EQ(card<Create>("CREATE, 3, 2\n0, 1, 1\n0, 1, 0\n").ifix.value, 0);
 }
 
-TEST(Cards, CloopGoesWithTheNextCreateOnly) {
+TEST(Cards, CloopActsOnTheNextCreateOnly) {
   const Parsed p =
       parse_text(preliminary + "CLOOP, 4, , 1.5\nCREATE, 3, 1\n0,1,1\n0,1,0\n"
                                "CREATE, 3, 1\n0,1,1\n0,1,0\n");
@@ -95,7 +96,7 @@ TEST(Cards, CloopGoesWithTheNextCreateOnly) {
   EXPECT_FALSE(std::get<Create>(p.deck.commands[8].card).loop.has_value());
 }
 
-TEST(Cards, Layer) {
+TEST(Cards, LayerHasFourCorners) {
   const auto even = card<Layer>("LAYER, -5, 3, 1, 2, 3, 4, 5, 6, 7, 8\n");
   EXPECT_EQ(even.ns.value, -5);
   EXPECT_EQ(even.mat.value, 3);
@@ -110,7 +111,7 @@ TEST(Cards, Layer) {
   EXPECT_EQ(random.corners[7].where.line, 10);
 }
 
-// A.2.4: sb1, sb2, sb2, ... when the list is short.
+// By A.2.4 a short list is completed as sb1, sb2, sb2, ...
 TEST(Cards, LayerCompletesShortLists) {
   const std::string head = "LAYER, 4, 1, 0, 0, 0, 1, 8, 1, 8, 0\n";
   auto l = card<Layer>(head + "1, 2\n3\n");
@@ -123,61 +124,83 @@ TEST(Cards, LayerCompletesShortLists) {
   EXPECT_EQ(doubles(l.top), (V{5, 6, 7, 8}));
 }
 
-// 2 and 4 values on three lines can be split in two ways; the comma decides.
-TEST(Cards, CommaAtTheEndOfALineContinuesTheList) {
+// Three lines of values can be split into two lists in two ways.
+TEST(Cards, CommaAtTheEndOfALineContinuesAList) {
   const std::string head = "LAYER, 4, 1, 0, 0, 0, 1, 8, 1, 8, 0\n";
   EXPECT_EQ(doubles(card<Layer>(head + "1, 2\n3, 4,\n5, 6\n").bottom), (V{1, 2, 2, 2}));
   EXPECT_EQ(doubles(card<Layer>(head + "1, 2,\n3, 4\n5, 6\n").bottom), (V{1, 2, 3, 4}));
 }
 
-TEST(Cards, GeometryKeepsItsDecimals) {
-  // One part in 10^19 above the double nearest to 0.1: lost in any double.
+TEST(Cards, GeometryHasAllItsDecimals) {
+  // This is above the double nearest to 0.1 by less than doubles can show.
   const auto m = card<Merge>("MERGE, 0.1000000000000000056\n");
   EXPECT_NE(m.aratio.value.digits().find("1000000000000000056"), std::string::npos);
   EXPECT_EQ(m.aratio.value.value(), 0.1);
 }
 
-TEST(Cards, BoundariesAndLoads) {
+TEST(Cards, OrientHasTwoAngles) {
   const auto o = card<Orient>("ORIENT, -5, 10\n");
   EXPECT_EQ(o.angmin.value.value(), -5.0);
   EXPECT_EQ(o.angplus.value.value(), 10.0);
   EXPECT_EQ(card<Orient>("ORIENT\n").angplus.value.value(), 0.0);
+}
+
+TEST(Cards, SplaneHasTwoPoints) {
   const auto s = card<Splane>("SPLANE, 1, 2, 3, 4\n");
   EXPECT_EQ((V{s.x1.value, s.y1.value, s.x2.value, s.y2.value}), (V{1, 2, 3, 4}));
+}
+
+TEST(Cards, GravityHasTwoComponents) {
   const auto g = card<Gravity>("GRAVITY, , -9.8\n");
   EXPECT_EQ((V{g.gravx.value, g.gravy.value}), (V{0, -9.8}));
-  EXPECT_EQ(card<Fix>("FIX, 3\n").nblok.value, 3);
+}
+
+TEST(Cards, FixNamesABlock) { EXPECT_EQ(card<Fix>("FIX, 3\n").nblok.value, 3); }
+
+TEST(Cards, PressureHasAnArrivalTime) {
   const auto p = card<PressBc>("PRESSBC, 1, 2, 3, 4, 5\n");
   EXPECT_EQ(p.nblok.value, 1);
   EXPECT_EQ(p.nside.value, 2);
   EXPECT_EQ((V{p.p1.value, p.p2.value, p.tarriv.value}), (V{3, 4, 5}));
   EXPECT_EQ(card<PressBc>("PRESSBC, 1, 2, 3, 4\n").tarriv.value, 0.0);
+}
+
+TEST(Cards, ForceHasAnArrivalTime) {
   const auto f = card<Force>("FORCE, 1, 2, 3, 4\n");
   EXPECT_EQ((V{f.fx.value, f.fy.value, f.tarriv.value}), (V{2, 3, 4}));
   EXPECT_EQ(card<Force>("FORCE, 1, 2\n").fy.value, 0.0);
+}
+
+TEST(Cards, FrictionAndDampingAreZeroByDefault) {
   EXPECT_EQ(card<Frictn>("FRICTN, .6\n").fric.value, .6);
   EXPECT_EQ(card<Frictn>("FRICTN\n").fric.value, 0.0);
   EXPECT_EQ(card<Damping>("DAMPING, .2\n").beta.value, .2);
   EXPECT_EQ(card<Damping>("DAMPING\n").beta.value, 0.0);
 }
 
-TEST(Cards, Velocities) {
+TEST(Cards, SetVelNamesARangeOfBlocks) {
   const auto v = card<SetVel>("SETVEL, 2, -1, 3, 4, 5\n");
   EXPECT_EQ(v.nb1.value, 2);
   EXPECT_EQ(v.nb2.value, -1);
   EXPECT_EQ((V{v.vx.value, v.vy.value, v.tdot.value}), (V{3, 4, 5}));
   EXPECT_EQ(card<SetVel>("SETVEL, 2\n").nb2.value, 0);
+}
+
+TEST(Cards, SetVelMNamesAMaterial) {
   const auto m = card<SetVelM>("SETVELM, 7, 3, 4, 5\n");
   EXPECT_EQ(m.mat.value, 7);
   EXPECT_EQ((V{m.vx.value, m.vy.value, m.tdot.value}), (V{3, 4, 5}));
 }
 
-TEST(Cards, OutputAndRuns) {
+TEST(Cards, OutputNamesBlocks) {
   const auto o = card<Output>("OUTPUT, .1, 1, 5,\n9\n");
   EXPECT_EQ(o.dtout.value, .1);
   ASSERT_EQ(o.blocks.size(), 3U);
   EXPECT_EQ(o.blocks[2].value, 9);
   EXPECT_TRUE(card<Output>("OUTPUT, .1\n").blocks.empty());
+}
+
+TEST(Cards, RunsHaveATimeOrANumberOfSteps) {
   EXPECT_EQ(card<Plots>("PLOTS, .01\n").dtplot.value, .01);
   EXPECT_EQ(card<Motion>("MOTION, 1.D-3\n").dt.value, 1e-3);
   EXPECT_EQ(card<Cycle>("CYCLE, 1E3\n").ncycle.value, 1000);
@@ -185,10 +208,13 @@ TEST(Cards, OutputAndRuns) {
   card<Stop>("STOP\n");
 }
 
-TEST(Cards, FileNames) {
+TEST(Cards, Read9MayNameAFile) {
   EXPECT_EQ(card<Read9>("READ9, Mine.msh\n").file.value, "Mine.msh");
   EXPECT_EQ(card<Read9>("READ9\n").file.value, "tape9");
   EXPECT_FALSE(card<Read9>("READ9\n").file.given);
+}
+
+TEST(Cards, RestartMayNameACheckpoint) {
   const Parsed p = parse_text("restart, \"my run.ckpt.h5\"\ncycle, 3\n");
   EXPECT_EQ(p.messages, "");
   EXPECT_EQ(p.only<Restart>().file.value, "my run.ckpt.h5");

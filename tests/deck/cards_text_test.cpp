@@ -11,9 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The examples of the reference are decks people copy: each must parse, and as the card
-// it explains.
-TEST(CardsText, EveryExampleParses) {
+TEST(CardsText, HasExamplesThatParse) {
   for (const CardSpec& card : card_table()) {
     std::string text = preliminary;
     const std::string example(card.example);
@@ -48,7 +46,7 @@ TEST(CardsText, ListsEveryCardAndHasAPageForEach) {
   }
 }
 
-TEST(CardsText, PageShowsSyntaxDefaultsAndRanges) {
+TEST(CardsText, ShowsSyntaxDefaultsAndRangesOfACard) {
   const std::string page = card_page("boxes").value();
   EXPECT_EQ(page.substr(0, page.find('\n')), "BOXES, iboxes, jboxes, ctol");
   EXPECT_THAT(page, HasSubstr("iboxes  whole  required  >= 1   [-]\n"));

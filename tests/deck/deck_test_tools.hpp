@@ -1,4 +1,4 @@
-// Parses a deck given as text, for the tests of this folder.
+// Decks given as text, for the tests of this folder.
 #pragma once
 
 #include <stdexcept>
@@ -9,11 +9,12 @@
 
 namespace blocks::deck {
 
+/// A parsed deck and its messages.
 struct Parsed {
   Deck deck;
   std::string messages;
 
-  /// The only card of that type; the test fails by exception when there is none.
+  /// Returns the last card of that type. Throws if there is none.
   template <class T> const T& only() const {
     const T* found = nullptr;
     for (const Command& command : deck.commands) {
@@ -35,7 +36,7 @@ inline Parsed parse_text(const std::string& text,
   return {std::move(deck), diagnostics.format_all()};
 }
 
-/// Seven lines of preliminary data, END included.
+/// Seven preliminary cards, including END.
 inline const std::string preliminary = "START, 100, 6\nTitle\nXLIMITS, 0, 9\n"
                                        "YLIMITS, 0, 9\nBOXES, 1, 1\nFRACTION, .1\n"
                                        "MATERIAL, 1, , , 2.\nEND\n";

@@ -5,6 +5,7 @@
 namespace blocks::deck {
 namespace {
 
+/// Returns the fields of a line with their columns.
 std::string joined(std::string_view text) {
   std::string out;
   for (const Field& field : split_fields(text, 1).fields) {
@@ -14,8 +15,8 @@ std::string joined(std::string_view text) {
   return out;
 }
 
-// Commas separate fields, and so do blanks where there is no comma. Nothing between two
-// commas is a blank field.
+// Blanks separate fields where there is no comma. A field between two commas may be
+// blank.
 TEST(FreeField, SplitsAtCommasAndBlanks) {
   EXPECT_EQ(joined("START, 10, 4"), "START@1 10@8 4@12 ");
   EXPECT_EQ(joined("XLIMITS 0.\t10."), "XLIMITS@1 0.@9 10.@12 ");
@@ -23,29 +24,31 @@ TEST(FreeField, SplitsAtCommasAndBlanks) {
   EXPECT_EQ(joined(",5"), "<>@1 5@2 ");
 }
 
-TEST(FreeField, CommentsAndTrailingCommasAddNothing) {
+TEST(FreeField, IgnoresCommentsAndTrailingCommas) {
   EXPECT_EQ(joined("GRAVITY,0.,-9.8, $ down, at last"), "GRAVITY@1 0.@9 -9.8@12 ");
   EXPECT_EQ(joined("END!of it"), "END@1 ");
   EXPECT_EQ(joined(" \t! nothing"), "");
+}
+
+TEST(FreeField, NoticesACommaAtTheEndOfALine) {
   EXPECT_TRUE(split_fields("1., 2.,  $ more below", 1).comma);
   EXPECT_FALSE(split_fields("1., 2.", 1).comma);
 }
 
-TEST(FreeField, QuotesKeepBlanksCommasAndDollars) {
+TEST(FreeField, KeepsBlanksCommasAndDollarsInQuotes) {
   const Line line = split_fields("READ9, 'my $ mesh, 2.msh'", 1);
   ASSERT_EQ(line.fields.size(), 2U);
   EXPECT_EQ(line.fields[1].text, "my $ mesh, 2.msh");
   EXPECT_EQ(line.fields[1].where.length, 18);
 }
 
-// Columns count characters, not bytes: an editor must jump to the right place behind an
-// accent or a broken byte.
-TEST(FreeField, ColumnsCountCharacters) {
+// An accented letter has two bytes.
+TEST(FreeField, CountsColumnsInCharacters) {
   EXPECT_EQ(joined("\xc3\xa9t\xc3\xa9, 1"), "\xc3\xa9t\xc3\xa9@1 1@6 ");
   EXPECT_EQ(joined("a\xe9z, 1"), "a?z@1 1@6 ");
 }
 
-TEST(FreeField, ReadsAllLineEndsAndDropsTheByteOrderMark) {
+TEST(FreeField, ReadsAllLineEndsAndIgnoresAByteOrderMark) {
   const std::vector<std::string> lines = {"a", "", "b", "c"};
   EXPECT_EQ(source_lines("a\n\nb\nc\n"), lines);
   EXPECT_EQ(source_lines("a\r\n\r\nb\r\nc"), lines);
@@ -54,8 +57,8 @@ TEST(FreeField, ReadsAllLineEndsAndDropsTheByteOrderMark) {
             lines);
 }
 
-// The title is verbatim: a comment sign or a keyword in it means nothing.
-TEST(FreeField, TakesTheTitleBehindStart) {
+// Comment signs and keywords in the title have no meaning.
+TEST(FreeField, ReadsTheTitleAfterStart) {
   const auto lines = split_deck("$ head\nstart 1 4\n  STOP $ here, 100 %  \r\nEND\n");
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].title, "  STOP $ here, 100 %");
@@ -68,14 +71,14 @@ TEST(FreeField, ReadsFortranNumbers) {
   EXPECT_EQ(read_number("-.5e+01").value.value(), -5.0);
   EXPECT_EQ(read_number("+7.").value.value(), 7.0);
   EXPECT_EQ(read_number("1d0002").value.value(), 100.0);
-  // Without a letter too, exact to the digit; zero has any exponent.
+  // The exponent may have no letter, and zero may have any exponent.
   const geometry::Decimal large = read_number("1.5+3").value;
   EXPECT_EQ(large.digits() + "e" + std::to_string(large.exponent()), "15e2");
   EXPECT_EQ(read_number("-1.5-3").value.value(), -1.5e-3);
   EXPECT_EQ(read_number("0.-999999999").fault, NumberFault::none);
 }
 
-TEST(FreeField, RefusesWhatIsNoNumber) {
+TEST(FreeField, RefusesTextThatIsNoNumber) {
   for (const char* text : {"", ".", "+", "1e", "1.2.3", "--1", "0x10", "1f", "1e+",
                            "e5", "1,5", "1+", "1-2-3", "+-1", "1.5+e3",
                            "\xe2\x88\x92"
@@ -91,8 +94,8 @@ TEST(FreeField, RefusesWhatIsNoNumber) {
   }
 }
 
-// A list ends at a keyword, so what starts a line of values must be decided firmly.
-TEST(FreeField, TellsValuesFromCards) {
+// A list of values ends at the next card.
+TEST(FreeField, DistinguishesValuesFromCards) {
   for (const char* text : {"1", "-1", "+.5", ".5", ",3", "nan", "-inf", "O.5",
                            "\xe2\x88\x92"
                            "9"}) {

@@ -31,7 +31,7 @@ TEST(MeshGenesis, ReadsEveryWordSizeAndByteOrder) {
       }
 }
 
-// The tenth word of the sizes came late; files without it are as good, and told apart.
+// Older files have no version word, the tenth word of the sizes.
 TEST(MeshGenesis, ReadsFilesWithoutVersionWord) {
   for (const std::size_t integers : {4u, 8u}) {
     const MeshFile mesh = read(genesis(true, integers, 4, false).bytes);
@@ -56,9 +56,9 @@ TEST(MeshRegions, ReadsSharedNodesInEveryWordSizeAndByteOrder) {
       }
 }
 
-TEST(MeshErrors, BinaryFormsSayRecordAndReason) {
-  FortranFile file = genesis();
-  // Marker, title, marker; marker, NUMNP at byte 92, NDIM, NUMEL, ...
+TEST(MeshErrors, GenesisFilesHaveRecordAndReason) {
+  const FortranFile file = genesis();
+  // NUMNP is at byte 92, after the title and three markers. NDIM, NUMEL, ... follow.
   const auto with = [&](std::size_t at, long value) {
     std::string bytes = file.bytes;
     return refusal(bytes.replace(
@@ -69,7 +69,7 @@ TEST(MeshErrors, BinaryFormsSayRecordAndReason) {
   EXPECT_THAT(with(96, 3), HasSubstr(": record 2: NDIM is 3"));
   EXPECT_THAT(with(100, 3), HasSubstr(": record 4: element map: 3 numbers expected"));
   EXPECT_THAT(with(104, 1), HasSubstr("NUMEL is 2, the element blocks have 1"));
-  EXPECT_THAT(with(108, 1), Eq("read without complaint"));  // sets are there
+  EXPECT_THAT(with(108, 1), Eq("read without complaint"));  // The file has sets.
   EXPECT_THAT(with(84, 81), HasSubstr(": record 1: opening marker 80 and closing"));
 
   const std::size_t connectivity = file.bytes.find(FortranFile::number(32, 4, false));
@@ -78,12 +78,21 @@ TEST(MeshErrors, BinaryFormsSayRecordAndReason) {
   EXPECT_THAT(with(connectivity - 20, 0), HasSubstr("material 0 is not positive"));
   EXPECT_THAT(with(connectivity - 12, 5), HasSubstr("5 nodes per element"));
   EXPECT_THAT(with(connectivity - 12, 9), HasSubstr("9 numbers expected"));
+}
 
-  file = regions();
+TEST(MeshErrors, RegionsHaveRecordAndReason) {
+  const FortranFile file = regions();
+  const auto with = [&](std::size_t at, long value) {
+    std::string bytes = file.bytes;
+    return refusal(bytes.replace(
+        at, 4, FortranFile::number(static_cast<std::uint64_t>(value), 4, false)));
+  };
   EXPECT_THAT(with(4, 1000000), HasSubstr("region 3: 1000000 elements expected"));
   EXPECT_THAT(with(8, 1000000), HasSubstr("region 3: 1000000 nodes expected"));
   EXPECT_THAT(with(8, -4), HasSubstr(": record 1: region 3: -4 is not a valid count"));
+}
 
+TEST(MeshErrors, CoordinatesMustBeFinite) {
   FortranFile infinite{};
   infinite.integers({1, 3, 0, 0, 1, 0, 1}).end();
   const double inf = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Damaged mesh files: read, or refused with a name and a reason.
+// Damaged mesh files are read, or refused with a name and a reason.
 #include <random>
 #include <vector>
 
@@ -9,15 +9,14 @@ namespace {
 
 using ::testing::StartsWith;
 
-// Whatever is done to a file, it is read or refused with its name and a reason: no
-// crash, no wild allocation, and nothing but finite outlines comes out.
-TEST(MeshErrors, SurviveMutation) {
+// Meshes that are read have finite outlines only.
+TEST(MeshErrors, MutantsAreReadOrRefused) {
   const std::vector<std::string> seeds{
       sample("two_quads.txt"),     sample("two_quads_2.2.msh"),
       sample("two_quads_4.1.msh"), genesis().bytes,
       genesis(true, 8, 4).bytes,   regions().bytes,
       regions(true, 8, 4).bytes};
-  // Bytes that hurt: signs, huge counts, marks of other lengths, not-a-number.
+  // These are signs, huge counts, record markers of other lengths and NaNs.
   const std::vector<std::string> splices{"-",
                                          "999999999999",
                                          "9",
@@ -38,7 +37,7 @@ TEST(MeshErrors, SurviveMutation) {
     for (std::size_t change = 0; change <= below(3); ++change) {
       const std::size_t at = below(bytes.size() + 1);
       switch (below(4)) {
-      case 0:  // a bit, often in a binary number
+      case 0:  // This changes one bit.
         if (at < bytes.size())
           bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
         break;
@@ -67,24 +66,30 @@ TEST(MeshErrors, SurviveMutation) {
       EXPECT_THAT(error.what(), StartsWith("mutant:"));
     }
   }
-  // Both happen, so that the mutants are neither all harmless nor all hopeless.
+  // The mutants must reach both outcomes.
   EXPECT_GT(read, 1000u);
   EXPECT_GT(refused, 10000u);
 }
 
-// Only whole region files of fewer regions, and a GENESIS file without the records of
-// its empty sets, are meshes in themselves; any other cut must be noticed.
-TEST(MeshErrors, NoticeTruncationAtEveryByte) {
+TEST(MeshErrors, GmshFilesAreRefusedIfTruncatedAnywhere) {
   const std::string gmsh = sample("two_quads_4.1.msh");
   for (std::size_t n = 0; n + 1 < gmsh.size(); ++n)
     EXPECT_NE(refusal(gmsh.substr(0, n)), "read without complaint") << n;
+}
+
+// A file without the records of its empty sets is a mesh.
+TEST(MeshErrors, GenesisFilesAreRefusedIfTruncatedWithinTheMesh) {
   std::size_t accepted = 0;
   const std::string tape = genesis(true).bytes;
   for (std::size_t n = 0; n < tape.size(); ++n)
     if (refusal(tape.substr(0, n)) == "read without complaint")
       ++accepted;
   EXPECT_EQ(accepted, 13u);
-  accepted = 0;
+}
+
+// A file with fewer regions is a mesh.
+TEST(MeshErrors, RegionsAreRefusedIfTruncatedWithinARegion) {
+  std::size_t accepted = 0;
   const std::string scratch = regions().bytes;
   for (std::size_t n = 0; n < scratch.size(); ++n)
     if (refusal(scratch.substr(0, n)) == "read without complaint")

@@ -1,5 +1,5 @@
-// What the tests of READ9's mesh forms (docs/mesh-formats.md) share: files that go
-// away, refusals, and binary files written byte by byte.
+// Helpers for the tests of the mesh formats of READ9 (docs/mesh-formats.md): temporary
+// files, messages of refusals, and binary files.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -22,13 +22,13 @@ using geometry::Vec2;
 
 inline const std::string samples = BLOCKS_SOURCE_DIR "/tests/data/mesh/";
 
-/// A file of that folder.
+/// Returns the content of a sample file.
 inline std::string sample(const std::string& name) {
   std::ifstream in(samples + name, std::ios::binary);
   return {(std::istreambuf_iterator<char>(in)), {}};
 }
 
-/// A file that goes away at the end of the test.
+/// A temporary file. The destructor removes it.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& bytes)
@@ -50,7 +50,9 @@ inline MeshFile read(const std::string& bytes) {
   return read_mesh(file.path());
 }
 
-/// The message without the file's name: ":3: ...", ": record 2: ..." or ": ...".
+/// Returns the message of a refusal without the name of the file, for example ":3:
+/// ...",
+/// ": record 2: ..." or ": ...".
 inline std::string refusal(const std::string& bytes) {
   const TemporaryFile file(bytes);
   try {
@@ -108,8 +110,8 @@ struct FortranFile {
   }
 };
 
-// Square and triangle: block 5 has a quadrilateral of 8 nodes written anticlockwise,
-// block 2 a triangle as a quadrilateral with a repeated node.
+/// Returns a GENESIS file with a square and a triangle. Block 5 has an anticlockwise
+/// quadrilateral of 8 nodes, block 2 a quadrilateral with a repeated node.
 inline FortranFile genesis(bool big = false, std::size_t integers = 4,
                            std::size_t reals = 8, bool version = true) {
   FortranFile file{big, integers, reals, "", ""};
@@ -129,8 +131,8 @@ inline FortranFile genesis(bool big = false, std::size_t integers = 4,
   return file;
 }
 
-// Two regions that share two nodes, which the second does not repeat; a region of bars
-// between them; boundary lists.
+/// Returns region records: two regions that share two nodes, a region of bars between
+/// them, and boundary lists. The second region does not repeat the shared nodes.
 inline FortranFile regions(bool big = false, std::size_t integers = 4,
                            std::size_t reals = 8) {
   FortranFile file{big, integers, reals, "", ""};

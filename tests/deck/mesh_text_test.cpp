@@ -1,4 +1,4 @@
-// READ9's text form, and files that are no mesh.
+// The text form of READ9, and files that are no mesh.
 
 #include "deck/mesh_samples.hpp"
 
@@ -19,8 +19,9 @@ TEST(MeshText, ReadsOutlinesAsWritten) {
   EXPECT_EQ(mesh.blocks[1].line, 8);
 }
 
-// The text form is as free as a deck, and may have a pentagon, which no mesh form has.
-TEST(MeshText, TakesFreeFieldAndEitherTurn) {
+// The text form has free fields as a deck. It may have pentagons, which other mesh
+// forms cannot.
+TEST(MeshText, ReadsFreeFieldsAndEitherSense) {
   const MeshFile mesh =
       read("! x\r\nblocks\r\n5 3\r\n0,0\r\n+1.D0 ,0 $ c\r\n\r\n2,1\n1,2\n0 1E0");
   ASSERT_EQ(mesh.blocks.size(), 1u);
@@ -28,7 +29,7 @@ TEST(MeshText, TakesFreeFieldAndEitherTurn) {
   EXPECT_EQ(mesh.blocks[0].material, 3);
 }
 
-TEST(MeshErrors, NameTheFileThatIsMissingEmptyOrAFolder) {
+TEST(MeshErrors, NameAFileThatIsMissingOrAFolder) {
   try {
     read_mesh("/no/such/mesh.msh");
     FAIL();
@@ -37,6 +38,9 @@ TEST(MeshErrors, NameTheFileThatIsMissingEmptyOrAFolder) {
                                "file or directory");
   }
   EXPECT_THROW(read_mesh(std::filesystem::temp_directory_path().string()), MeshError);
+}
+
+TEST(MeshErrors, SayWhyAFileIsNoMesh) {
   EXPECT_EQ(refusal(""), ": the mesh file is empty");
   EXPECT_EQ(refusal(" \n\n"), ": the mesh file is empty");
   EXPECT_THAT(refusal("CREATE, 4\n"), HasSubstr(":1: not a mesh that READ9 knows"));
@@ -44,7 +48,7 @@ TEST(MeshErrors, NameTheFileThatIsMissingEmptyOrAFolder) {
   EXPECT_THAT(refusal(std::string("CDF\1\0\0\0\0", 8)), HasSubstr("netCDF"));
 }
 
-TEST(MeshErrors, TextSaysLineAndReason) {
+TEST(MeshErrors, TextFilesHaveLineAndReason) {
   const std::string good = "BLOCKS 1\n3 1\n0 0\n1 1\n1 0\n";
   EXPECT_EQ(read(good).blocks.size(), 1u);
   const auto with = [&](const std::string& from, const std::string& to) {

@@ -11,7 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// A deck as it was punched: capitals, D exponents, no blanks, lists over several cards.
+// A deck in the style of 1982: capitals, D exponents, no blanks, lists over several
+// cards.
 const std::string deck_of_1982 = R"(START,100,4
 CRATER IN OIL SHALE, HALF MODEL $ NOT A COMMENT
 XLIMITS,0.,100.
@@ -42,7 +43,7 @@ MOTION,.5
 STOP
 )";
 
-TEST(Parser, RunsADeckOf1982Unmodified) {
+TEST(Parser, ReadsADeckOf1982Unmodified) {
   const Parsed p = parse_text(deck_of_1982);
   EXPECT_EQ(p.messages, "");
   std::string names;
@@ -56,8 +57,7 @@ TEST(Parser, RunsADeckOf1982Unmodified) {
   EXPECT_EQ(p.only<Create>().y[1].where.line, 18);
 }
 
-// The same deck whatever system wrote it.
-TEST(Parser, LineEndsAndLetterCaseChangeNothing) {
+TEST(Parser, IgnoresLineEndsAndLetterCase) {
   std::string windows = "\xef\xbb\xbf";
   std::string small;
   for (const char c : deck_of_1982) {
@@ -78,7 +78,7 @@ TEST(Parser, EndOfFileActsAsStop) {
   EXPECT_EQ(parse_text(preliminary + "CYCLE, 1").messages, "");
 }
 
-TEST(Overrides, ReplaceTheFieldOfEveryOccurrence) {
+TEST(Overrides, ReplaceAFieldOfEveryCardOfThatName) {
   const Parsed p = parse_text(
       preliminary + "MOTION, 1\nMOTION, 2\nOUTPUT, 1, 4\n",
       {{"motion", "DT", "3.D0"}, {"BOXES", "ctol", ".5"}, {"OUTPUT", "nb", "1,2"}});
@@ -91,11 +91,12 @@ TEST(Overrides, ReplaceTheFieldOfEveryOccurrence) {
   EXPECT_EQ(p.only<Output>().blocks.size(), 2U);
 }
 
-// An override mends a value out of range, and its own faults are told once, under its
-// own name.
-TEST(Overrides, AreCheckedLikeTheDeck) {
+TEST(Overrides, MayReplaceAValueOutOfRange) {
   EXPECT_EQ(parse_text(preliminary + "MOTION, -1\n", {{"MOTION", "dt", "1"}}).messages,
             "");
+}
+
+TEST(Overrides, AreCheckedLikeTheDeck) {
   EXPECT_EQ(
       parse_text(preliminary + "MOTION, 1\nMOTION, 2\n", {{"MOTION", "dt", "-1"},
                                                           {"MOTOIN", "dt", "1"},
@@ -111,12 +112,12 @@ TEST(Overrides, AreCheckedLikeTheDeck) {
       "cannot change it\n  hint: add the card to the deck\n5 errors\n");
 }
 
-TEST(Overrides, ChangeTheCountOfTheListsTheyRule) {
+TEST(Overrides, ChangeTheLengthOfListsTheyCount) {
   const std::string text = preliminary + "CREATE, 4, 1\n0,1,1\n0,1,0\n";
   EXPECT_EQ(parse_text(text, {{"CREATE", "nc", "3"}}).messages, "");
 }
 
-TEST(Diagnostics, PrintsAtMostTwoHundred) {
+TEST(Diagnostics, PrintAtMostTwoHundredMessages) {
   std::string text = preliminary;
   for (int i = 0; i < 205; ++i) {
     text += "NONSENSE\n";
@@ -125,7 +126,7 @@ TEST(Diagnostics, PrintsAtMostTwoHundred) {
               HasSubstr("\n... and 5 more not shown\n205 errors\n"));
 }
 
-TEST(Diagnostics, SortsByPlaceAndCounts) {
+TEST(Diagnostics, AreSortedByPlaceAndCounted) {
   Diagnostics d("a.deck", "one\n\ttwo\n");
   d.warning({2, 2, 3}, "CARD", "late");
   d.error({1, 1, 3}, "", "early", "try harder");

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the pages of the decks say is so: check_deck_pages.py SOURCE PROGRAM.
+"""Compares the numbers on the pages of the decks with runs: check_deck_pages.py SOURCE PROGRAM.
 
 The commands of each page run, and numbers that it quotes are measured again: they hold within one
 unit of their last digit, whole numbers exactly. What rubble does (crater, subsidence) and how hard
@@ -31,7 +31,7 @@ def blocks(folder, *words):
 
 
 def run(folder, name, *options):
-    """Results of the deck; options as of `blocks run`."""
+    """Returns the results of the deck. The options are those of `blocks run`."""
     stem = folder / f"{name}_again"
     blocks(folder, "run", "-q", "-j", 1, SOURCE / f"decks/{name}/{name}.deck", "-o", stem, *options)
     return Results(stem, 0)
@@ -43,7 +43,7 @@ def bounce(results, _):
     for block in (2, 3, 4):
         y, v = results.of("Centroid", block)[:, 1], results.of("Velocity", block)[:, 1]
         down = math.sqrt(v[0] ** 2 + 2 * 9.81 * (y[0] - 0.5))
-        flight = np.flatnonzero((v > 0) & (y > 0.51))[0]  # after the first bounce
+        flight = np.flatnonzero((v > 0) & (y > 0.51))[0]  # This is the time after the first bounce.
         up = math.sqrt(v[flight] ** 2 + 2 * 9.81 * (y[flight] - 0.5))
         yield rf"{down:.3f} -> # m/s", up
         yield rf"{down:.3f} -> \S+ m/s \(#\)", up / down
@@ -108,7 +108,7 @@ def subsidence(results, _):
 
 
 def unlike(name, page, form, value):
-    """What is wrong with the number at # of the form, or nothing."""
+    """Returns the fault of the number at # of the form, or nothing."""
     found = re.search(form.replace("#", NUMBER), page)
     if not found:
         return [f"{name}: the page does not say {form}"]
@@ -123,7 +123,7 @@ def unlike(name, page, form, value):
 
 def check(name, folder):
     page = (SOURCE / f"decks/{name}/README.md").read_text()
-    if name == "subsidence":  # its dt, and so its steps, are known at once
+    if name == "subsidence":  # Its time step, and so its steps, are known without a run.
         results = run(folder, name, "--set", "MOTION.dt=0.001")
     else:
         results = run(folder, name)

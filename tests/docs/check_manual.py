@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Man pages and bash completion say what the program does: check_manual.py PROGRAM."""
+"""Compares man pages and bash completion with the program: check_manual.py PROGRAM."""
 
 import re
 import shutil
@@ -18,7 +18,7 @@ def blocks(*words):
 
 
 def plain(page):
-    """The words of a page, as they would be shown."""
+    """Returns the words of a page as they are shown."""
     page = re.sub(r"\\f[BIR]|\\&", "", page)
     for escaped, shown in ((r"\-", "-"), (r"\(ha", "^"), (r"\(ga", "`"), (r"\(ti", "~"), (r"\e", "\\")):
         page = page.replace(escaped, shown)
@@ -26,7 +26,7 @@ def plain(page):
 
 
 def check_formatting(pages):
-    """The formatter, where there is one, has nothing to complain of."""
+    """The formatter, if it is installed, has no warnings."""
     tools = [tool for tool in (["groff", "-man", "-ww", "-Tutf8", "-z"], ["mandoc", "-T", "lint", "-W", "error"])
              if shutil.which(tool[0])]
     for tool in tools:
@@ -36,7 +36,7 @@ def check_formatting(pages):
 
 
 def check_program_page(page):
-    """Every command and every option that --help knows."""
+    """The page has every command and every option of --help."""
     commands = re.findall(r"^  (\w+) +\S", blocks("--help").split("Subcommands:")[1], re.M)
     assert len(commands) > 8, commands
     for name in commands:
@@ -49,7 +49,7 @@ def check_program_page(page):
 
 
 def check_deck_page(page):
-    """Every card with its syntax and its example."""
+    """The page has every card with its syntax and its example."""
     cards = re.findall(r"^  ([A-Z]\w+) ", blocks("cards"), re.M)
     assert len(cards) > 30, cards
     for name in cards:
@@ -66,7 +66,7 @@ def check_completion(script, folder):
         path.mkdir() if name == "a folder" else path.write_text("")
 
     def offered(line):
-        """What bash would offer behind the last word of the line."""
+        """Returns the completions of bash after the last word of the line."""
         words = line.split(" ")
         code = ('source "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _blocks; '
                 'printf "%s\\n" "${COMPREPLY[@]}"')
@@ -95,7 +95,7 @@ def check_completion(script, folder):
 
 
 def check_lost_output():
-    """A page that could not be printed is no page."""
+    """A page that cannot be printed is an error."""
     with open("/dev/full", "w") as full:
         for words in (["manual", "deck"], ["cards", "--markdown"], ["--version"]):
             done = subprocess.run([program, *words], stdout=full, stderr=subprocess.PIPE, text=True)

@@ -1,4 +1,4 @@
-// The step allocates nothing: memory is asked for at a search, if at all; and how much.
+// A step allocates memory only at a search for near pairs; and how much a model needs.
 #include <gtest/gtest.h>
 #include <malloc.h>
 
@@ -11,20 +11,20 @@
 
 #if defined(__GLIBC__) && !defined(BLOCKS_SANITIZED)
 
-// Eigen asks malloc directly, so operator new would not see it.
+// Eigen calls malloc directly, so that a replaced operator new would not count it.
 extern "C" void* __libc_malloc(std::size_t size);
 namespace {
-std::atomic<long> asked = 0;
+std::atomic<long> allocations = 0;
 }
 extern "C" void* malloc(std::size_t size) {
-  ++asked;
+  ++allocations;
   return __libc_malloc(size);
 }
 
 namespace blocks {
 namespace {
 
-TEST(Step, AllocatesNothing) {
+TEST(Step, AllocatesNothingBetweenSearches) {
   for (const bool rigid : {true, false}) {
     scenes::Scene scene;
     Settings& s = scene.model.settings;
@@ -42,12 +42,12 @@ TEST(Step, AllocatesNothing) {
     scene.run(0.3);
     long searches = 0, quiet = 0, grown = 0;
     for (int i = 0; i < 2000; ++i) {
-      const long updates = scene.model.search.updates, before = asked;
+      const long updates = scene.model.search.updates, before = allocations;
       scene.step();
       if (scene.model.search.updates != updates)
         ++searches;
-      else if (asked != before)
-        ++grown;  // A pair has got more contacts than it ever had since the search.
+      else if (allocations != before)
+        ++grown;  // A pair has more contacts than ever before since the search.
       else
         ++quiet;
     }
@@ -55,12 +55,12 @@ TEST(Step, AllocatesNothing) {
     EXPECT_LT(grown, 40);
     EXPECT_GT(totals(scene.model).active_contacts, 20);
     EXPECT_LT(searches, 200);
-    EXPECT_GT(asked, 0);  // the count itself
+    EXPECT_GT(allocations, 0);  // The replaced malloc counts.
   }
 }
 
-// Nor where corners are near and none wants a seat, read in every step.
-TEST(Step, AllocatesNothingWithoutSeats) {
+// Corners are near each other, but no contact acts.
+TEST(Step, AllocatesNothingIfNoContactActs) {
   scenes::Scene scene;
   scene.model.settings.rigid = true;
   scene.model.settings.contact_tolerance = 0.1;
@@ -68,9 +68,9 @@ TEST(Step, AllocatesNothingWithoutSeats) {
   scene.box(1.1, 1.1, 1, 1);
   scene.step();
   for (int i = 0; i < 500; ++i) {
-    const long before = asked;
+    const long before = allocations;
     scene.step();
-    ASSERT_EQ(asked, before) << "step " << i;
+    ASSERT_EQ(allocations, before) << "step " << i;
   }
   EXPECT_EQ(scene.model.search.updates, 1);
 }
@@ -80,9 +80,9 @@ double bytes_in_use() {
   return static_cast<double>(now.uordblks) + static_cast<double>(now.hblkhd);
 }
 
-// What a million blocks hold is a million times what one does: the model, its list of
-// contacts, their groups and lanes, after several searches.
-TEST(Memory, OfABrickInAWall) {
+// The count has the model, its contact list, the corner-block pairs and the batches,
+// after several searches.
+TEST(Memory, OfABrickInAWallIsBelow3500Bytes) {
   const double before = bytes_in_use();
   scenes::Scene scene;
   scene.model.settings.rigid = true;
@@ -105,13 +105,13 @@ TEST(Memory, OfABrickInAWall) {
   EXPECT_GT(totals(scene.model).active_contacts, 1000);
   const double each = (bytes_in_use() - before) / (rows * bricks);
   RecordProperty("bytes_of_a_brick", std::to_string(each));
-  // 3,240, with room that is seldom filled; forces of all records would add 1,400
+  // A brick takes 3,240 bytes with spare capacity. Forces of all potential contacts
+  // would add 1,400.
   EXPECT_LT(each, 3500.0);
   EXPECT_GT(each, 1000.0);
 }
 
-// The list of contacts is made only when it is read.
-TEST(Memory, ContactsAreListedWhenTheyAreRead) {
+TEST(Memory, IsNotTakenForContactsUntilTheyAreRead) {
   scenes::Scene scene;
   Model& model = scene.model;
   scene.box(-5, -1, 10, 1, true);

@@ -1,5 +1,5 @@
-// What is certain of a pair of blocks against the exact rule, at once and after motion
-// within the room.
+// Certain decisions agree with the exact rule, at once and after any motion within
+// their room.
 #include "dynamics/decisions/certain_decisions.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ void sort(Contacts& contacts) {
             });
 }
 
-/// A cluster with its pairs.
+/// A random cluster of blocks with its near pairs and their certain decisions.
 struct Cluster {
   explicit Cluster(std::uint64_t number)
       : model(study::scenes::Draft("cluster", "", 0).model()), clusters(number) {
@@ -46,13 +46,14 @@ struct Cluster {
                  model.time_step.dt);
   }
 
+  /// Returns the contacts of the exact rule.
   Contacts exact(int p) {
     ContactRules::decide(model.blocks, work.parts, work.index, p, scratch);
     Contacts found = scratch.found;
     sort(found);
     return found;
   }
-  /// The contacts of a certain decision that act where the blocks are now.
+  /// Returns the contacts of a certain decision that act at the present positions.
   Contacts acting(int p) const {
     Contacts found;
     const auto at = [&](int c) { return Vec2(model.blocks.corner.col(c)); };
@@ -65,8 +66,8 @@ struct Cluster {
     sort(found);
     return found;
   }
-  /// Moves a block rigidly: its centroid and an arm as long as the longest one, twice,
-  /// together by this length.
+  /// Moves a block rigidly. The shift of its centroid plus twice the motion of its
+  /// longest arm is `length`.
   void move(int b, double length) {
     Blocks& blocks = model.blocks;
     const double share = clusters.uniform(0.0, 1.0);
@@ -94,7 +95,7 @@ struct Count {
   long pairs = 0, certain = 0, acting = 0, moved = 0, changed = 0;
 };
 
-TEST(CertainDecisions, AreThoseOfTheExactRuleWhileTheirRoomLasts) {
+TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
   const std::uint64_t clusters =
       std::getenv("BLOCKS_THOROUGH") != nullptr ? 1'000'000 : 30'000;
   Count count;

@@ -1,4 +1,4 @@
-// Every instruction set gives the same bits.
+// The contact kernel gives the same bits with every instruction set.
 #include "dynamics/contacts/contact_batches.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using geometry::Vec2;
 
-/// Numbers of every size, of both signs, and zeros.
+/// Random numbers of every magnitude and both signs, and zeros.
 class Numbers {
  public:
   double any() {
@@ -32,7 +32,7 @@ class Numbers {
   std::uniform_int_distribution<int> power_{-30, 30}, kind_{0, 9};
 };
 
-/// Contacts of no shape in particular between blocks of no shape in particular.
+/// Random contacts between random corners and blocks.
 struct Scene {
   static constexpr int blocks = 7, corners = 30;
   static constexpr int rows_of_batch[] = {1, 4, 3, 2, 1};
@@ -60,6 +60,7 @@ struct Scene {
         contacts.push_back(numbers.below(count));
   }
 
+  /// Fills the batches with the contacts of the scene.
   void put(ContactBatches& batches) const {
     batches.reserve(5, 11);
     for (const int rows : rows_of_batch)
@@ -85,7 +86,8 @@ struct Scene {
   }
 };
 
-/// The bits of all that the batches hold; a NaN is a NaN, for its sign is not defined.
+/// Returns the bits of all results in the batches. All NaNs are the same, because the
+/// sign of a NaN is not defined.
 std::vector<std::uint64_t> bits(const ContactBatches& batches, Extremes extremes,
                                 bool stresses, bool readings) {
   std::vector<std::uint64_t> found;
@@ -133,7 +135,7 @@ struct Case {
 };
 constexpr Case cases[] = {{true, false}, {true, true}, {false, false}, {false, true}};
 
-TEST(ContactKernel, EveryInstructionSetGivesTheSameBits) {
+TEST(ContactKernel, GivesTheSameBitsWithEveryInstructionSet) {
   Numbers numbers;
   EXPECT_EQ(all_kernels().front().name, "baseline");
   for (int trial = 0; trial < 500; ++trial) {
@@ -159,9 +161,9 @@ TEST(ContactKernel, EveryInstructionSetGivesTheSameBits) {
   }
 }
 
-// What touches, where it is not left open, is exact: whole coordinates make many ties,
-// steps of a unit in the last place many that are nearly such.
-TEST(ContactKernel, WhatTouchesIsDecidedExactly) {
+// Whole coordinates make many ties. Steps of one unit in the last place make many near
+// ties, which the kernel may leave in doubt.
+TEST(ContactKernel, DecidesWhatTouchesExactly) {
   std::mt19937_64 random(5);
   const auto below = [&](int count) { return static_cast<int>(random() % count); };
   long ties = 0, open = 0;
@@ -202,8 +204,8 @@ TEST(ContactKernel, WhatTouchesIsDecidedExactly) {
   EXPECT_GT(open, 100);
 }
 
-// Once more, now that it is known what touches, and with what readers want: the same.
-TEST(ContactKernel, ReadingsDoNotChangeAStep) {
+// The kernel runs a second time with the known states, with and without readings.
+TEST(ContactKernel, GivesTheSameForcesWithAndWithoutReadings) {
   Numbers numbers;
   for (int trial = 0; trial < 200; ++trial) {
     const Scene scene(numbers);

@@ -1,4 +1,4 @@
-// The contact law against analytic answers
+// Motion under the contact law agrees with analytic solutions
 // (docs/theory.md#the-force-in-its-order).
 #include <gtest/gtest.h>
 
@@ -13,8 +13,9 @@ namespace {
 using scenes::Frame;
 using scenes::Scene;
 
-// Two contacts carry the weight: overlap W / (2 Kn) on a floor wider than the block.
-TEST(Resting, OverlapIsWeightOverTwiceStiffness) {
+// The floor is wider than the block, so two contacts carry the weight and the overlap
+// is W / (2 Kn).
+TEST(RestingBlock, OverlapsByItsWeightOverTwiceTheStiffness) {
   Scene scene;
   scene.box(-5, -1, 10, 1, true);
   const int b = scene.box(0, 0, 1, 1);
@@ -26,14 +27,14 @@ TEST(Resting, OverlapIsWeightOverTwiceStiffness) {
   EXPECT_LT(totals(scene.model).kinetic_energy, 1e-18);
 }
 
-// Restitution of a spring and dashpot without tension, in closed form. A flush face has
-// two contacts, so its damping ratio is z = b sqrt 2.
+/// Returns the restitution of a spring and dashpot without tension, in closed form. A
+/// flush face has two contacts, so its damping ratio is z = b sqrt 2.
 double restitution(double z) {
   const double q = std::sqrt(1 - z * z);
   return std::exp(-z / q * (M_PI - std::atan2(2 * z * q, 1 - 2 * z * z)));
 }
 
-TEST(Bounce, RestitutionOfAFlushFace) {
+TEST(Bounce, HasTheAnalyticRestitution) {
   const double expected[] = {0.808, 0.469, 0.208};
   const double damping[] = {0.05, 0.2, 0.5};
   for (int i = 0; i < 3; ++i) {
@@ -50,8 +51,8 @@ TEST(Bounce, RestitutionOfAFlushFace) {
   }
 }
 
-// With the old velocity in (3) the elastic bounce would return 1.25 times the speed.
-TEST(Bounce, ElasticReturnsTheSpeed) {
+// With the old velocity in (3) the block would bounce with 1.25 times its speed.
+TEST(Bounce, KeepsTheSpeedWithoutDamping) {
   Scene scene;
   scene.box(-5, -1, 10, 1, true);
   const int b = scene.box(0, 0.01, 1, 1);
@@ -61,8 +62,8 @@ TEST(Bounce, ElasticReturnsTheSpeed) {
   EXPECT_NEAR(scene.velocity(b).y(), 1.0, 0.002);
 }
 
-// a = g (sin psi - mu cos psi) when it slides, nothing when mu > tan psi.
-TEST(Incline, SlidesOrSticksAsCoulombSays) {
+// A sliding block has a = g (sin psi - mu cos psi). It sticks if mu > tan psi.
+TEST(Incline, BlockSlidesOrSticksByTheCoulombLimit) {
   const double psi = 30 * M_PI / 180;
   for (const double mu : {0.3, 0.6}) {
     Scene scene(Frame{-psi, {3, 4}});
@@ -71,7 +72,7 @@ TEST(Incline, SlidesOrSticksAsCoulombSays) {
     scene.gravity(10 * std::sin(psi), -10 * std::cos(psi));
     scene.model.settings.friction = mu;
     scene.model.settings.damping = 0.5;
-    scene.run(1.0);  // settles
+    scene.run(1.0);  // The block settles.
     const double v0 = scene.velocity(b).x(), t0 = scene.model.time;
     scene.run(1.0);
     const double a = (scene.velocity(b).x() - v0) / (scene.model.time - t0);
@@ -81,8 +82,8 @@ TEST(Incline, SlidesOrSticksAsCoulombSays) {
   }
 }
 
-// Friction brakes at mu g to the left and to the right alike, and stops for good.
-TEST(Friction, BrakesInBothDirections) {
+// Friction decelerates the block by mu g in either direction until it stops.
+TEST(Friction, DeceleratesInBothDirectionsAlike) {
   double stopped[2];
   for (const int way : {0, 1}) {
     Scene scene;
@@ -104,8 +105,8 @@ TEST(Friction, BrakesInBothDirections) {
   EXPECT_NEAR(stopped[0], -stopped[1], 1e-6);
 }
 
-// Equal and opposite forces at one point keep both momenta.
-TEST(Impact, EccentricWithFrictionKeepsMomentum) {
+// The forces of a contact are equal and opposite and act at one point.
+TEST(Impact, KeepsLinearAndAngularMomentum) {
   Scene scene;
   const int a = scene.box(0, 0, 1, 1);
   const int b = scene.add({{1.05, 0.6}, {1.3, 1.5}, {2.2, 1.3}, {2.0, 0.4}});
@@ -139,21 +140,23 @@ struct OneContact {
   }
 };
 
-// The dashpot never pulls, and friction never exceeds mu Fn.
-TEST(ContactLaw, KeepsWithinItsCone) {
+TEST(ContactLaw, DashpotNeverPulls) {
   const dynamics::ContactLaw law{1e6, 1e6, 0.5, 1e-4};
   OneContact opening{10.0, 0.0};
   opening.apply(law, -1.0, 0.3, 1e-3, 1e3, false);
   EXPECT_EQ(opening.normal, 0.0);
   EXPECT_EQ(opening.shear, 0.0);
+}
+
+TEST(ContactLaw, FrictionNeverExceedsTheCoulombLimit) {
+  const dynamics::ContactLaw law{1e6, 1e6, 0.5, 1e-4};
   OneContact sliding{10.0, 4.9};
   sliding.apply(law, 0.0, 1.0, 1e-3, 0.0, false);
   EXPECT_EQ(sliding.shear, 5.0);
   EXPECT_EQ(sliding.shear_elastic, 5.0);
 }
 
-// In its first step the spring is closed by the overlap, not by a whole step.
-TEST(ContactLaw, FirstStepCountsTheOverlapOnly) {
+TEST(ContactLaw, FirstStepCompressesTheSpringByTheOverlapOnly) {
   const dynamics::ContactLaw law{1e6, 1e6, 0.5, 1e-3};
   OneContact contact;
   contact.apply(law, 2.0, 0.5, 1e-3, 0.0, true);
@@ -161,16 +164,15 @@ TEST(ContactLaw, FirstStepCountsTheOverlapOnly) {
   EXPECT_DOUBLE_EQ(contact.shear, 0.5 * 1e6 * 0.5e-3);
 }
 
-// Half of a symmetric model beside a plane moves like half of the whole. Two
-// boxes that meet face to face close 4 contacts twice as fast as one box closes its 2
-// with the plane, so 4 Kn and sqrt(2) b in the half model make the same springs and
-// dashpots.
-TEST(SymmetryPlane, HalfModelEqualsFullModel) {
+// Two boxes that meet face to face close 4 contacts. One box closes 2 contacts with the
+// plane, half as fast. So the half model has 4 Kn and sqrt(2) b.
+TEST(SymmetryPlane, MakesAHalfModelMoveLikeTheFullModel) {
   Scene full, half;
   full.model.settings.damping = 0.2;
   half.model.settings.damping = 0.2 * std::sqrt(2.0);
   half.model.settings.normal_stiffness = half.model.settings.shear_stiffness = 4e7;
-  half.model.settings.fraction = 2 * full.model.settings.fraction;  // the same dt
+  half.model.settings.fraction =
+      2 * full.model.settings.fraction;  // Both models have the same time step.
   const int left = full.box(-2.02, 0, 2, 1), right = full.box(0.02, 0, 2, 1);
   const int only = half.box(0.02, 0, 2, 1);
   half.plane({0, 10}, {0, 0});
@@ -180,7 +182,7 @@ TEST(SymmetryPlane, HalfModelEqualsFullModel) {
   full.run(0.2);
   half.run(0.2);
   ASSERT_EQ(full.dt(), half.dt());
-  EXPECT_GT(half.velocity(only).x(), 0.3);  // it has bounced
+  EXPECT_GT(half.velocity(only).x(), 0.3);  // The box has bounced.
   EXPECT_NEAR(full.centroid(right).x(), half.centroid(only).x(), 1e-9);
   EXPECT_NEAR(full.velocity(right).x(), half.velocity(only).x(), 1e-9);
   EXPECT_NEAR(full.centroid(left).x(), -half.centroid(only).x(), 1e-9);

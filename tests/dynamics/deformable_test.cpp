@@ -13,9 +13,9 @@ namespace {
 using scenes::Frame;
 using scenes::Scene;
 
-// eps11 = -p / C11 and sigma22 = C12 / C11 sigma11 when only side pressures act that
-// hold the height; slow loading, so that the block has no time to swing.
-TEST(Deformable, UniaxialStrainIsStressOverC11) {
+// Side pressures keep the height, so that eps11 = -p / C11 and sigma22 = C12 / C11
+// sigma11. The load grows slowly, so that the block does not oscillate.
+TEST(Deformable, HasUniaxialStrainOfStressOverC11) {
   Scene scene;
   scene.model.settings.rigid = false;
   const Material material = scene.model.settings.materials.at(1);
@@ -38,7 +38,6 @@ TEST(Deformable, UniaxialStrainIsStressOverC11) {
   EXPECT_NEAR(blocks.stress(1, b), 0, 1e-6 * p);
 }
 
-// Stress and strain rate turn with the block.
 TEST(Deformable, StressTurnsWithTheBlock) {
   Scene scene;
   scene.model.settings.rigid = false;
@@ -47,7 +46,7 @@ TEST(Deformable, StressTurnsWithTheBlock) {
   scene.model.blocks.stress.col(b) << 4e6, 1e6, 1e6, -2e6;
   const double turn = 0.3;
   scene.velocity(b, 0, 0, 1.0);
-  // isolated from the dynamics: only the rotation of one long step is looked at
+  // One long step rotates the block without the rest of the dynamics.
   dynamics::MotionBounds bounds;
   bounds.start(scene.model.blocks, scene.model.settings.rigid);
   dynamics::move_corners(scene.model.blocks, dynamics::all_of(scene.model.blocks),
@@ -59,8 +58,8 @@ TEST(Deformable, StressTurnsWithTheBlock) {
   EXPECT_EQ(stress[1], stress[2]);
 }
 
-// A bar of n blocks carries waves at sqrt(E_eff / rho), 1/E_eff = 1/E' +
-// w/(n K l) with n contacts on a face of width w and blocks of length l.
+// The wave speed is sqrt(E_eff / rho) with 1/E_eff = 1/E' + w/(n K l). There are n
+// contacts on a face of width w, and blocks have the length l.
 TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   Scene scene;
   scene.model.settings.rigid = false;
@@ -73,13 +72,13 @@ TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   scene.plane({-1, 0}, {n + 1, 0});
   scene.plane({n + 1, 1}, {-1, 1});
   scene.plane({0, 1}, {0, 0});
-  // a small precompression keeps every contact closed: the law knows no tension
+  // The contact law has no tension, so a small pressure keeps every contact closed.
   scene.model.loads.function = {{0, 2e-3, 1}, {0, 1, 1}};
   scene.model.loads.pressures.push_back({n - 1, 2, 1e6, 1e6, 0});
   const Material material = scene.model.settings.materials.at(1);
   const double stiff = 1 / (1 / material.c11() + 1.0 / (4 * 4e11));
   const double c = std::sqrt(stiff / material.density);
-  // the front passes block i when its stress reaches half the plateau
+  // The wave front passes block i when its stress reaches half the plateau.
   const auto arrival = [&](int i) {
     while (scene.model.blocks.stress(0, i) > -0.5e6 && scene.model.time < 1)
       scene.step();
@@ -90,9 +89,9 @@ TEST(Deformable, BarCarriesWavesAtTheTheoreticalSpeed) {
   EXPECT_NEAR(50.0 / (near - far), c, 0.03 * c);
 }
 
-// G <= E/3 has no plane strain stiffness; the step is capped at half l
-// sqrt(rho/C11).
-TEST(TimeStep, IsCutByDeformability) {
+// The step is at most half of l sqrt(rho / C11), where l is the least extent of a
+// block.
+TEST(TimeStep, IsLimitedByTheWaveSpeedOfDeformableBlocks) {
   Scene scene;
   scene.model.settings.rigid = false;
   scene.model.settings.fraction = 1.0;
@@ -103,8 +102,8 @@ TEST(TimeStep, IsCutByDeformability) {
   EXPECT_TRUE(scene.model.time_step.elastic);
 }
 
-// (4): the lightest block sets it.
-TEST(TimeStep, IsTheFractionOfTheCriticalStep) {
+// By (4) the lightest block has the least critical step.
+TEST(TimeStep, IsTheFractionOfTheLeastCriticalStep) {
   Scene scene;
   scene.box(0, 0, 2, 1);
   scene.box(3, 0, 0.5, 1);
@@ -113,8 +112,7 @@ TEST(TimeStep, IsTheFractionOfTheCriticalStep) {
   EXPECT_EQ(scene.model.time_step.block, 1);
 }
 
-// The largest safe fraction of a block with eight contacts
-// (docs/theory.md#time-step).
+// The values are those of a block with eight contacts (docs/theory.md#time-step).
 TEST(TimeStep, SafeFractionFallsWithDamping) {
   const double damping[] = {0, .1, .2, .3, .5, .9};
   const double safe[] = {0.144, 0.090, 0.061, 0.044, 0.028, 0.016};

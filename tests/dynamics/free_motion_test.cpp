@@ -9,8 +9,8 @@ namespace {
 
 using scenes::Scene;
 
-// The exact sum of the integrator: v_n = n g dt, y_n = y_0 + n (n + 1) / 2 g dt^2.
-TEST(FreeFall, IsTheIntegratorsSumToRoundOff) {
+// The integrator gives v_n = n g dt and y_n = y_0 + n (n + 1) / 2 g dt^2.
+TEST(FreeFall, IsTheSumOfTheIntegratorUpToRoundOff) {
   Scene scene;
   const int b = scene.box(0, 0, 1, 1);
   scene.gravity(0, -9.81);
@@ -22,8 +22,8 @@ TEST(FreeFall, IsTheIntegratorsSumToRoundOff) {
   EXPECT_NEAR(scene.centroid(b).x(), 0.5 + 3 * dt * n, 1e-12);
 }
 
-// The printed update (14) shears the block and makes it grow; the Cayley rotation does
-// not.
+// The printed update (14) shears the block and makes it grow. The Cayley rotation keeps
+// it rigid.
 TEST(Spin, KeepsShapeAndSizeOverTenRadians) {
   Scene scene;
   const int b = scene.box(-0.5, -0.5, 2, 1);
@@ -37,8 +37,8 @@ TEST(Spin, KeepsShapeAndSizeOverTenRadians) {
   EXPECT_NEAR(after.second_moment, before.second_moment, 1e-12);
 }
 
-// Cayley's angle is 2 atan(h), so the corners lag spin x time by (spin dt)^2 / 12 of
-// it.
+// The Cayley rotation turns by 2 atan(h), so the corners lag behind spin x time by the
+// relative amount (spin dt)^2 / 12.
 TEST(Spin, TurnsCornersByTheAccumulatedAngle) {
   Scene scene;
   const int b = scene.box(-0.5, -0.5, 1, 1);
@@ -51,9 +51,9 @@ TEST(Spin, TurnsCornersByTheAccumulatedAngle) {
               2.0 * lag * 2.0 * scene.model.time + 1e-12);
 }
 
-// Decisions are kept while blocks have not gone far. Far from the origin a step of half
-// a unit in the last place makes a whole one.
-TEST(MotionBounds, BoundIsNoLessThanTheMotion) {
+// Far from the origin a step of half a unit in the last place is rounded to a whole
+// unit.
+TEST(MotionBounds, AreNoLessThanTheMotion) {
   Scene scene;
   const double far = 0x1p30, unit = 0x1p-22;
   const int b = scene.box(far, 0, 1, 1);
@@ -73,7 +73,8 @@ TEST(MotionBounds, BoundIsNoLessThanTheMotion) {
   EXPECT_GE(bound, 1000 * unit);
 }
 
-// A corner strictly outside fixes the block; one on the border does not.
+// A block is fixed if one of its corners is strictly outside. A corner on the border
+// does not count.
 TEST(Domain, FixesABlockThatLeaves) {
   Scene scene;
   scene.model.settings.lower = {0, 0};
@@ -89,28 +90,27 @@ TEST(Domain, FixesABlockThatLeaves) {
   EXPECT_NEAR(scene.centroid(leaves).x(), 9.5, 2 * scene.dt());
 }
 
-// A pressure p1 to p2 over a side of length L gives the force L (p1 + p2) / 2 and its
-// moment.
+// A pressure from p1 to p2 over a side of length L gives the force L (p1 + p2) / 2.
 TEST(Pressure, GivesForceMomentAndStress) {
   Scene scene;
   const int b = scene.box(0, 0, 3, 2);
-  scene.model.loads.function = {{0, 1}, {1, 1}};  // times, factors
+  scene.model.loads.function = {{0, 1}, {1, 1}};  // These are times and factors.
   scene.model.loads.pressures.push_back(
-      {b, 1, 100, 400, 0});  // top side, from (0,2) to (3,2)
+      {b, 1, 100, 400, 0});  // The top side runs from (0, 2) to (3, 2).
   scene.steps(1);
   const Blocks& blocks = scene.model.blocks;
   EXPECT_NEAR(blocks.force(0, b), 0, 1e-12);
   EXPECT_NEAR(blocks.force(1, b), -750, 1e-10);
-  // trapezoid of pressure about the middle of the side: (p2 - p1) L^2 / 12, clockwise
+  // The moment about the middle of the side is (p2 - p1) L^2 / 12, clockwise.
   EXPECT_NEAR(blocks.moment[b], -225, 1e-10);
   EXPECT_NEAR(blocks.applied(3, b), -750.0 * 1.0 / 6.0, 1e-10);
   EXPECT_NEAR(blocks.area[b] * (blocks.applied(2, b) - blocks.applied(1, b)),
               blocks.moment[b], 1e-10);
 }
 
-// A force has the factor 0 before the arrival, then f(t - arrival), end values held;
-// forces add.
-TEST(Force, ActsAtTheCentroidFromItsArrival) {
+// The factor of a force is 0 before its arrival time and f(t - arrival) afterwards.
+// Forces on the same block add.
+TEST(Force, ActsAtTheCentroidFromItsArrivalTime) {
   Scene scene;
   const int b = scene.box(0, 0, 1, 1);
   scene.model.loads.function = {{0, 0.01}, {1, 3}};
@@ -124,7 +124,7 @@ TEST(Force, ActsAtTheCentroidFromItsArrival) {
   EXPECT_EQ(scene.model.blocks.spin[b], 0.0);
 }
 
-TEST(TimeFunction, IsLinearAndHoldsItsEnds) {
+TEST(TimeFunction, IsLinearAndConstantBeyondItsEnds) {
   const TimeFunction f{{1, 2, 4}, {10, 20, 0}};
   EXPECT_EQ(f.factor(0.5, 1.0), 0.0);
   EXPECT_EQ(f.factor(1.5, 1.0), 10.0);

@@ -1,5 +1,5 @@
-// Blocks at joints: a neighbour across a slanted joint is held, and a slider passes the
-// joints of its floor as if the floor were one block.
+// Contacts at joints between blocks. A sliding block passes the joints of its floor as
+// if the floor were one block.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,9 +15,9 @@ using scenes::Frame;
 using scenes::random_frames;
 using scenes::Scene;
 
-// Neighbours along a slanted joint, the right one a little lower and pressed in. The
-// two faces are parallel, so rounding picks the deepest corner. Whichever it is, the
-// contacts are the same: the end of each face that is in the other block acts.
+// The right neighbour is a little lower and pressed in. The two faces are parallel, so
+// rounding decides which corner is deepest. In either case the end of each face that is
+// inside the other block acts.
 TEST(SlantedJoint, HoldsALowerNeighbour) {
   for (const Frame& frame : random_frames()) {
     Scene scene(frame);
@@ -25,7 +25,7 @@ TEST(SlantedJoint, HoldsALowerNeighbour) {
     scene.add({{0, 0}, {0, 2}, {3.0, 2}, {3.13, 0}});
     scene.add({{3.13 - in, -down}, {3.0 - in, 2 - down}, {6, 2 - down}, {6, -down}});
     scene.steps(1);
-    std::vector<std::pair<int, int>> acting;  // corner, edge
+    std::vector<std::pair<int, int>> acting;  // The pairs are corner and edge.
     for (const Contact& contact : scene.model.contacts)
       acting.emplace_back(contact.corner, contact.edge);
     EXPECT_EQ(acting, (std::vector<std::pair<int, int>>{{2, 4}, {4, 2}}))
@@ -33,7 +33,7 @@ TEST(SlantedJoint, HoldsALowerNeighbour) {
   }
 }
 
-/// A box that slides on a floor of boxes at rest on its springs.
+/// A box that is at rest on a floor of boxes and ready to slide.
 struct SlidingBox {
   explicit SlidingBox(const Frame& frame, double friction, double damping)
       : scene(frame) {
@@ -52,9 +52,8 @@ struct SlidingBox {
   double rest = 0.0;  ///< height at rest
 };
 
-// The oldest complaint about polygon contact: a box catches at the joints of its floor,
-// though there is nothing to catch at. It must brake by mu g, not turn, and sink to the
-// overlap W / 2 Kn of its own two corners and no further.
+// In polygon contact a sliding box often catches at the joints of its floor. It must
+// decelerate by mu g, not turn, and overlap by W / (2 Kn) at its own two corners.
 TEST(FloorOfBoxes, LetsABoxSlide) {
   for (const Frame& frame : random_frames(8))
     for (const double speed : {5.0, -5.0}) {
@@ -73,9 +72,8 @@ TEST(FloorOfBoxes, LetsABoxSlide) {
     }
 }
 
-// Whoever slides, and whether the boxes of the floor are fixed or stand free on a base:
-// free blocks beside each other are no joint of the slider's, and sides that lean over
-// a joint are shielded as upright ones are.
+// The boxes of the floor are fixed or free on a base. The sides of the sliding block
+// are upright or lean over the joint.
 TEST(FloorOfBoxes, LetsAnyShapeSlideOverFreeBoxes) {
   const std::vector<geometry::Polygon> shapes = {{{0, 0}, {0, 1}, {1, 1}, {1, 0}},
                                                  {{0.2, 0}, {0, 1}, {1, 1}, {0.8, 0}},
@@ -100,16 +98,16 @@ TEST(FloorOfBoxes, LetsAnyShapeSlideOverFreeBoxes) {
         scene.run(1.0);
         EXPECT_GT(scene.centroid(slider).x(), 8.5);
         if (!fixed && shape[0].x() > 0)
-          continue;  // tilts, and hits the edges of boxes that spring up before it
-        // The springs of a free box give way under the slider, so the next box stands
-        // higher: its side is a step, which may push the slider back for a moment.
+          continue;  // The block tilts and hits boxes that spring up in front of it.
+        // A free box sinks under the slider, so the next box is higher. Its side is a
+        // step that may push the slider back for a moment.
         const double expected = 10.0 - 4.0 * scene.model.time;
         EXPECT_NEAR(scene.velocity(slider).x(), expected,
                     fixed ? 1e-3 : 0.005 * expected);
       }
 }
 
-// The same over some 970 joints, turned and a million units away: position, speed and
+// The floor is turned and a million units away from the origin. Position, speed and
 // overlap are those of a box on one smooth floor.
 TEST(FloorOfBoxes, LetsABoxSlideOverAThousandJoints) {
   const Frame frame{0.7, Vec2(1e6, -1e6)};
@@ -134,8 +132,9 @@ TEST(FloorOfBoxes, LetsABoxSlideOverAThousandJoints) {
   EXPECT_NEAR(scene.centroid(box).y(), 0.5 - overlap, 0.01 * overlap);
 }
 
-// What one spring loses the next takes: without friction and damping energy stays.
-TEST(FloorOfBoxes, GivesNoEnergy) {
+// Springs are transferred from one contact to the next. Without friction and damping
+// the energy must not grow.
+TEST(FloorOfBoxes, AddsNoEnergyToASlidingBox) {
   for (const double speed : {5.0, -5.0}) {
     SlidingBox s({}, 0.0, 0.0);
     s.scene.velocity(s.box, speed, 0);

@@ -1,5 +1,5 @@
-// Motion in registers gives the bits of the equations block by block, on every
-// instruction set.
+// The motion kernel gives the bits of the equations evaluated block by block, with
+// every instruction set.
 #include "dynamics/kernels/motion_kernel.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace blocks::dynamics {
 namespace {
 
-// The equations, one block after the other.
+// The equations of motion, evaluated for one block after the other.
 namespace plain {
 
 Eigen::Matrix2d cayley_rotation(double turn) {
@@ -69,7 +69,8 @@ bool inside(const Blocks& blocks, int b, const Settings& settings) {
 
 using Tensor = Eigen::Matrix<double, 2, 2, Eigen::RowMajor>;
 
-/// The new gradient; `change`: no arm as long as `longest` changes by more.
+/// Returns the new gradient. `change` bounds the change of an arm no longer than
+/// `longest`.
 Tensor move_arms(const Blocks& blocks, int b, const Tensor& step, double turn,
                  double longest, bool rigid, double& change) {
   Tensor before;
@@ -101,7 +102,7 @@ Tensor move_arms(const Blocks& blocks, int b, const Tensor& step, double turn,
   return g;
 }
 
-/// sum: carries a NaN that a maximum would drop.
+/// Moves a block. `sum` keeps a NaN, which a maximum would drop.
 void move_block(Blocks& blocks, int b, const MotionBounds& bounds,
                 const Settings& settings, double dt, Displacement& result,
                 double& sum) {
@@ -139,7 +140,7 @@ void move_block(Blocks& blocks, int b, const MotionBounds& bounds,
 
 }  // namespace plain
 
-/// Blocks of no shape in particular, some of them fixed.
+/// Random blocks, some of them fixed.
 struct Scene {
   std::mt19937_64 random;
   Blocks blocks;
@@ -188,7 +189,7 @@ struct Scene {
   int below(int count) { return static_cast<int>(random() % count); }
 
  private:
-  /// A zero now and then.
+  /// Returns a random number, in one of ten cases zero.
   double number() {
     return below(10) == 0 ? 0.0 : std::uniform_real_distribution(-4.0, 4.0)(random);
   }
@@ -202,8 +203,7 @@ struct Scene {
       blocks.corner_block.insert(blocks.corner_block.end(), blocks.corners_of(b), b);
     return blocks;
   }
-  /// What a run that has failed may hold, at one place of a free block or of a fixed
-  /// one.
+  /// Sets one random value of a random block to a value that only a failed run has.
   void spoil() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double bad[] = {1e150,     -1e160,   1e200,       1e308,
@@ -226,7 +226,8 @@ struct Scene {
   }
 };
 
-/// All that motion writes; a NaN is a NaN, for its sign is not defined.
+/// Returns the bits of all values that motion writes. All NaNs are the same, because
+/// the sign of a NaN is not defined.
 std::vector<std::uint64_t> bits(const Blocks& blocks) {
   std::vector<std::uint64_t> found;
   const auto add = [&](const double* from, std::ptrdiff_t count) {
@@ -272,7 +273,7 @@ Displacement step_by(const Kernels& by, Scene& scene, double dt) {
   return move_corners(blocks, scene.range, scene.bounds, scene.settings, dt, by);
 }
 
-TEST(MotionKernel, GivesTheBitsOfThePlainEquations) {
+TEST(MotionKernel, GivesTheBitsOfTheScalarEquations) {
   int left = 0, stayed = 0, failed = 0;
   for (unsigned seed = 0; seed < 4000; ++seed) {
     const Scene scene(seed);
@@ -301,8 +302,8 @@ TEST(MotionKernel, GivesTheBitsOfThePlainEquations) {
   EXPECT_GT(failed, 100);
 }
 
-// Of blocks that are equally fast the first is named, in whatever lanes they stand.
-TEST(MotionKernel, NamesTheFirstOfTheFastest) {
+// Two blocks in any lanes are equally fast.
+TEST(MotionKernel, ReportsTheFirstOfEquallyFastBlocks) {
   for (unsigned seed = 0; seed < 400; ++seed) {
     Scene scene(10 * seed);
     scene.settings.rigid = true;

@@ -1,4 +1,4 @@
-// Blocks that are not convex: every side carries, and a notch holds what lies in it.
+// Contacts of blocks that are not convex.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,9 @@ Scene quiet_scene(const Frame& frame) {
 
 double deepest(const Model& model) { return totals(model).worst_overlap; }
 
-// The centroid of an L lies in front of its inner sides, that of a U in its hollow: by
-// the depth of the centroid they would stop nothing.
+// The centroid of an L is in front of its inner sides, and that of a U is in its
+// hollow. A limit by the depth of the centroid would exclude all contacts of these
+// sides.
 TEST(ReentrantBlock, InnerSidesCarry) {
   for (const Frame& frame : random_frames(8)) {
     Scene scene = quiet_scene(frame);
@@ -40,10 +41,9 @@ TEST(ReentrantBlock, InnerSidesCarry) {
   }
 }
 
-// A box pressed into the corner of an L: its own corner is beyond the ends of both
-// inner sides, and both carry it. W / 2Kn below, and as much beside under the same
-// pull.
-TEST(ReentrantBlock, NotchHoldsACorner) {
+// A box is pressed into the re-entrant corner of an L. Its corner is beyond the ends of
+// both inner sides, and both carry it. It overlaps by W / (2 Kn) in both directions.
+TEST(ReentrantBlock, ReentrantCornerHoldsABox) {
   for (const Frame& frame : random_frames(8)) {
     Scene scene = quiet_scene(frame);
     scene.model.settings.friction = 0.0;
@@ -60,9 +60,9 @@ TEST(ReentrantBlock, NotchHoldsACorner) {
   }
 }
 
-// The two halves of a bar beside a stem lie on one line: a corner in the notch of the
-// one is no corner in the notch of the other, whichever comes first.
-TEST(ReentrantBlock, NotchIsOnItsSideOfTheStem) {
+// The two arms of the block are on one line, on either side of a stem. A corner in the
+// re-entrant corner on one side must not count for the other side.
+TEST(ReentrantBlock, ReentrantCornerIsOnItsSideOfTheStem) {
   for (const Frame& frame : random_frames(8))
     for (const double side : {-1.0, 1.0}) {
       Scene scene = quiet_scene(frame);
@@ -90,9 +90,9 @@ TEST(ReentrantBlock, NotchIsOnItsSideOfTheStem) {
     }
 }
 
-// Out of the hollow of a U and past its rim nothing holds: a corner near one leg is no
-// contact of the other, though it is behind the line of its outer side.
-TEST(ReentrantBlock, HollowIsEmpty) {
+// A box leaves the hollow of a U without contact. A corner near one leg is behind the
+// line of the outer side of the other leg.
+TEST(ReentrantBlock, HollowHasNoContact) {
   for (const Frame& frame : random_frames(8)) {
     Scene scene = quiet_scene(frame);
     scene.add({{0, 0}, {0, 3}, {1, 3}, {1, 1}, {3, 1}, {3, 3}, {4, 3}, {4, 0}}, true);
@@ -104,24 +104,25 @@ TEST(ReentrantBlock, HollowIsEmpty) {
   }
 }
 
-/// Two stones that stand on each other with undercut sides, notched or not.
-std::vector<geometry::Polygon> undercut_stones(bool notched, double shift) {
+/// Two stones on top of each other with undercut sides, with or without a re-entrant
+/// corner.
+std::vector<geometry::Polygon> undercut_stones(bool is_reentrant, double shift) {
   geometry::Polygon low = {{-0.7, -2}, {-1, 0}, {1, 0}, {0.7, -2}};
   geometry::Polygon high = {{-1 + shift, 0}, {-0.7, 2}, {0.7, 2}, {1 + shift, 0}};
-  if (notched)
+  if (is_reentrant)
     low.push_back({0, -1.5}), high.insert(high.begin() + 2, {0, 1.5});
   return {low, high};
 }
 
-// Two stones whose slanted sides cross: neither corner of the common face is in the
-// other stone, and the upper one is carried all the same, by W / 2Kn as on any face.
-TEST(CrossingSides, CarryAStone) {
+// The slanted sides of two stones cross. Neither corner of the common face is in the
+// other stone. The upper stone still overlaps by W / (2 Kn), as on any face.
+TEST(CrossingSides, CarryTheUpperStone) {
   for (const Frame& frame : random_frames(8))
     for (const double shift : {-3e-5, 3e-5})
-      for (const bool notched : {false, true}) {
+      for (const bool is_reentrant : {false, true}) {
         Scene scene = quiet_scene(frame);
         scene.model.settings.normal_stiffness = 1e6;
-        const auto stones = undercut_stones(notched, shift);
+        const auto stones = undercut_stones(is_reentrant, shift);
         scene.add(stones[0], true);
         const int stone = scene.add(stones[1]);
         scene.gravity(0, -10);
@@ -134,9 +135,9 @@ TEST(CrossingSides, CarryAStone) {
       }
 }
 
-// A wedge beside the arm of an L, its upper corner level with the arm's top up to the
-// slack: the lines of the two sides cross, the sides are apart, and nothing acts.
-TEST(CrossingSides, CrossWithinTheirLengths) {
+// A wedge is beside the arm of an L, and its upper corner is level with the top of the
+// arm up to the slack. The lines of the two sides cross, but the sides are apart.
+TEST(CrossingSides, MustCrossWithinTheirLengths) {
   for (const Frame& frame : random_frames(8)) {
     Scene scene(frame);
     scene.add({{0, 0}, {0, 2}, {1, 2}, {1, 1}, {4, 1}, {4, 0}}, true);
@@ -146,9 +147,9 @@ TEST(CrossingSides, CrossWithinTheirLengths) {
   }
 }
 
-// A corner that acts for the sake of a crossing lies outside of the other block, and of
-// its bounding box: it is found for any boxes and tolerance.
-TEST(CrossingSides, AreFoundForAnyBoxesAndTolerance) {
+// A corner that acts because sides cross is outside the other block and outside its
+// bounding box.
+TEST(CrossingSides, DoNotDependOnBoxesOrTolerance) {
   const auto rest = [](int boxes, double tolerance) {
     Scene scene = quiet_scene({0.785, {0, 0}});
     Settings& s = scene.model.settings;

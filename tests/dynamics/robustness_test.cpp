@@ -1,5 +1,5 @@
-// Contact detection in awkward places, in 40 random frames and at offsets up to 1e6:
-// report 3.3, figure 4, docs/contact-rule.md.
+// Contact detection in difficult positions, in 40 random frames and at offsets up to
+// 1e6 (report 3.3, figure 4, docs/contact-rule.md).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,13 +13,13 @@ using scenes::Frame;
 using scenes::random_frames;
 using scenes::Scene;
 
-// Figure 4b: block 1 stands on the floor's edge side by side with fixed block 2 and
-// slides down its face: without (20) and the nearest edge it hangs on the corner.
+// Block 1 is beside the fixed block 2 and slides down its face. Without (20) and the
+// nearest edge it would hang on the corner.
 TEST(Figure4b, BlockSlidesDownItsNeighbour) {
   for (const Frame& frame : random_frames()) {
     Scene scene(frame);
-    scene.box(0, 0, 1, 1, true);             // block 2
-    const int b = scene.box(-1, 0.5, 1, 1);  // block 1, beside it, free to fall
+    scene.box(0, 0, 1, 1, true);             // This is block 2.
+    const int b = scene.box(-1, 0.5, 1, 1);  // This is block 1.
     scene.gravity(0, -10);
     scene.run(0.3);
     const double dt = scene.dt(), n = static_cast<double>(scene.model.steps);
@@ -29,14 +29,13 @@ TEST(Figure4b, BlockSlidesDownItsNeighbour) {
   }
 }
 
-// A block falls past the top corner of its diagonal neighbour: it touches in one point
-// and must fall freely (0 of all frames may hang).
-TEST(DiagonalNeighbour, FallsPastTheCorner) {
+// The block touches its diagonal neighbour in one point and must fall freely.
+TEST(DiagonalNeighbour, DoesNotHoldAFallingBlock) {
   for (const Frame& frame : random_frames()) {
     Scene scene(frame);
     scene.box(0, 0, 1, 1, true);
-    const int b =
-        scene.box(-1, 1, 1, 1);  // its bottom right corner on the other's top left
+    // The bottom right corner of b is on the top left corner of the other block.
+    const int b = scene.box(-1, 1, 1, 1);
     scene.gravity(0, -10);
     scene.run(0.3);
     const double dt = scene.dt(), n = static_cast<double>(scene.model.steps);
@@ -46,9 +45,9 @@ TEST(DiagonalNeighbour, FallsPastTheCorner) {
   }
 }
 
-// Aligned faces carry four contacts (overlap W / 4 Kn), offset faces two (W / 2 Kn);
-// neither falls through nor creeps down in a turned frame. Each brick is
-// narrower than the one below by `step`.
+/// Lets a stack of four bricks settle and compares its overlaps. Aligned faces have
+/// four contacts (overlap W / (4 Kn)), offset faces two (W / (2 Kn)). Each brick is
+/// narrower than the one below by `step`.
 void settle_stack(const Frame& frame, double step, double contacts) {
   Scene scene(frame);
   scene.model.settings.damping = 0.5;
@@ -66,7 +65,7 @@ void settle_stack(const Frame& frame, double step, double contacts) {
   for (int i = 1; i <= n; ++i)
     load += scene.weight(i);
   for (int i = 0; i < n; ++i) {
-    // the lowest brick stands on the wide floor: two contacts
+    // The lowest brick is on the wide floor and has two contacts.
     sunk += load / ((i == 0 ? 2.0 : contacts) * k);
     load -= scene.weight(1 + i);
     EXPECT_NEAR(0.25 + 0.5 * i - scene.centroid(1 + i).y(), sunk,
@@ -76,17 +75,16 @@ void settle_stack(const Frame& frame, double step, double contacts) {
   }
 }
 
-TEST(Stack, AlignedRestsOnFourContacts) {
+TEST(Stack, WithAlignedFacesRestsOnFourContacts) {
   for (const Frame& frame : random_frames(16))
     settle_stack(frame, 0.0, 4.0);
 }
 
-TEST(Stack, OffsetRestsOnTwoContacts) {
+TEST(Stack, WithOffsetFacesRestsOnTwoContacts) {
   for (const Frame& frame : random_frames(16))
     settle_stack(frame, 0.2, 2.0);
 }
 
-// Boxes and tolerance change the search, never the result.
 TEST(Search, ResultsDoNotDependOnBoxesOrTolerance) {
   struct Choice {
     int boxes;
@@ -117,15 +115,15 @@ TEST(Search, ResultsDoNotDependOnBoxesOrTolerance) {
     EXPECT_EQ(end, ends.front());
 }
 
-// Scaling all lengths by a power of two, with time unchanged, is exact in binary: every
-// number of the run scales by a power of two.
+// All lengths are scaled by a power of two and times stay the same. Then every number
+// of the run is scaled by a power of two.
 TEST(Scaling, ByAPowerOfTwoIsBitExact) {
   const auto fall = [](double scale) {
     Scene scene;
     Settings& s = scene.model.settings;
     s.lower *= scale, s.upper *= scale;
     s.contact_tolerance *= scale;
-    s.materials[1].density /= scale * scale;  // the same masses
+    s.materials[1].density /= scale * scale;  // The masses stay the same.
     s.friction = 0.5, s.damping = 0.2;
     scene.add(
         {{-5 * scale, -scale}, {-5 * scale, 0}, {5 * scale, 0}, {5 * scale, -scale}},

@@ -1,4 +1,4 @@
-// What a search for near pairs makes of the contacts before, and how rare it is.
+// The search for near pairs keeps the contacts and is rare.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,8 +24,7 @@ scenes::Scene settled_wall() {
   return scene;
 }
 
-// A new search of near pairs, when nothing has moved, changes neither the contacts nor
-// their springs.
+// A search before every step changes neither the contacts nor their springs.
 TEST(Search, KeepsContactsAndSprings) {
   scenes::Scene scene = settled_wall();
   Model again = scene.model;
@@ -40,8 +39,8 @@ TEST(Search, KeepsContactsAndSprings) {
   }
 }
 
-// Contacts are listed by their blocks (the lower number first), corner and edge.
-TEST(Search, ListsContactsInOrder) {
+// The blocks of a contact are sorted with the lower number first.
+TEST(Search, SortsContactsByBlocksCornerAndEdge) {
   const Model model = settled_wall().model;
   std::vector<std::tuple<int, int, int, int>> keys;
   for (const Contact& contact : model.contacts) {
@@ -53,9 +52,7 @@ TEST(Search, ListsContactsInOrder) {
   EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
 }
 
-// A block that has been moved far away loses its contacts. Contacts between fixed
-// blocks end, too.
-TEST(Search, DropsContactsOfBlocksThatAreGone) {
+TEST(Search, DropsContactsOfABlockThatWasMovedAway) {
   Model model = settled_wall().model;
   const int gone = 20;
   model.blocks.corner.middleCols(model.blocks.first_corner[gone], 4).array() += 50.0;
@@ -68,6 +65,11 @@ TEST(Search, DropsContactsOfBlocksThatAreGone) {
     EXPECT_NE(model.blocks.corner_block[contact.corner], gone);
     EXPECT_NE(model.blocks.corner_block[contact.edge], gone);
   }
+}
+
+TEST(Search, DropsContactsBetweenFixedBlocks) {
+  Model model = settled_wall().model;
+  ASSERT_FALSE(model.contacts.empty());
   for (int b = 0; b < model.blocks.size(); ++b)
     model.blocks.fix(b, Fixity::by_user);
   dynamics::Workspace others;
@@ -75,9 +77,8 @@ TEST(Search, DropsContactsOfBlocksThatAreGone) {
   EXPECT_TRUE(model.contacts.empty());
 }
 
-// Blocks that go by a good part of their size in a step feel each other the same
-// whatever CTOL is.
-TEST(Search, ResultsDoNotDependOnToleranceHoweverFastBlocksAre) {
+// Blocks move by a large part of their size in a step.
+TEST(Search, ResultsOfFastBlocksDoNotDependOnTolerance) {
   for (int seed = 0; seed < 20; ++seed) {
     std::vector<Eigen::Matrix2Xd> ends;
     for (const double tolerance : {1e-6, 0.02, 0.1, 0.7}) {
@@ -104,9 +105,9 @@ TEST(Search, ResultsDoNotDependOnToleranceHoweverFastBlocksAre) {
   }
 }
 
-// However small CTOL is, a list lasts for many steps: blocks that fall fast are looked
-// for farther ahead, and fall as with a CTOL that suits them.
-TEST(Search, IsSeldomHoweverSmallTheTolerance) {
+// The list of near pairs is made for a larger distance if blocks are fast, so it
+// remains valid for many steps.
+TEST(Search, IsRareForAnySmallTolerance) {
   std::vector<Eigen::Matrix2Xd> ends;
   for (const double tolerance : {0.05, 1e-3, 1e-6}) {
     scenes::Scene scene;

@@ -1,5 +1,5 @@
-// A model stepped in an order of its own: nobody can tell but by round-off, and the
-// bits depend on nothing but the order.
+// The stepper steps a model in an internal order of its blocks. Results change by
+// round-off only, and their bits depend on nothing else than the order.
 #include "dynamics/stepper.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ namespace {
 using samples::fields;
 using scenes::Scene;
 
-/// Leaning bricks, numbered at random, that slide on a floor away from a plane, are
-/// pushed, and leave the domain one after the other on the right.
+/// Returns leaning bricks, numbered at random. They slide on a floor away from a plane,
+/// are pushed, and leave the domain on the right one after the other.
 Model heap(bool rigid) {
   Scene scene;
   Settings& s = scene.model.settings;
@@ -51,7 +51,8 @@ Model heap(bool rigid) {
 
 constexpr int steps = 600;
 
-/// All the fields after so many steps; `between` acts on stepper and model after each.
+/// Returns all fields of the model after the steps. `between` is called after each
+/// step.
 template <class Between>
 std::map<std::string, std::string> stepped(Model model, int threads,
                                            Between&& between) {
@@ -67,13 +68,17 @@ std::map<std::string, std::string> stepped(const Model& model, int threads = 1) 
   return stepped(model, threads, [](int, dynamics::Stepper&) {});
 }
 
-// Who reads, who says that the model was changed, and how many threads there are, is
-// all the same.
-TEST(Stepper, GoesOnAsIfNobodyHadRead) {
+TEST(Stepper, GivesTheSameBitsWithAnyNumberOfThreads) {
+  for (const bool rigid : {true, false}) {
+    const Model model = heap(rigid);
+    EXPECT_EQ(stepped(model, 3), stepped(model));
+  }
+}
+
+TEST(Stepper, GivesTheSameBitsIfTheModelIsReadBetweenSteps) {
   for (const bool rigid : {true, false}) {
     const Model model = heap(rigid);
     const auto straight = stepped(model);
-    EXPECT_EQ(stepped(model, 3), straight);
     EXPECT_EQ(stepped(model, 1,
                       [](int i, dynamics::Stepper& stepper) {
                         if (i % 7 == 0)
@@ -85,8 +90,8 @@ TEST(Stepper, GoesOnAsIfNobodyHadRead) {
   }
 }
 
-// Of the model alone, as a checkpoint holds it, after any step.
-TEST(Stepper, GoesOnFromTheModelAlone) {
+// Each step has a new stepper, which knows only the model, as after a checkpoint.
+TEST(Stepper, ContinuesFromTheModelAlone) {
   for (const bool rigid : {true, false}) {
     const auto straight = stepped(heap(rigid));
     Model model = heap(rigid);
@@ -103,7 +108,7 @@ TEST(Stepper, GoesOnFromTheModelAlone) {
   }
 }
 
-TEST(Stepper, WithoutAnOrderIsTheStep) {
+TEST(Stepper, GivesTheBitsOfAPlainStepWithoutAnOrder) {
   Model model = heap(true);
   model.order.clear();
   const auto stepped_so = stepped(model);
@@ -113,7 +118,7 @@ TEST(Stepper, WithoutAnOrderIsTheStep) {
   EXPECT_EQ(fields(model), stepped_so);
 }
 
-// The order enters through sums of forces alone.
+// The order has an effect on the sums of forces only.
 TEST(Stepper, ChangesResultsByRoundOffOnly) {
   Model inside = heap(true), outside = heap(true);
   dynamics::Workspace work, others;
@@ -136,8 +141,8 @@ TEST(Stepper, ChangesResultsByRoundOffOnly) {
             1e-9);
 }
 
-// What is told of a step: two that leave together stand in the order of their numbers.
-TEST(Stepper, TellsTheNumbersOutside) {
+// Two blocks leave the domain in the same step.
+TEST(Stepper, ReportsBlocksByTheNumbersOfTheDeck) {
   Scene scene;
   for (int i = 0; i < 6; ++i)
     scene.box(0, 3 * i, 1, 1);

@@ -1,4 +1,4 @@
-// Any number of threads gives the same bits.
+// Results have the same bits with any number of threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,12 +16,12 @@ namespace {
 
 using scenes::Scene;
 
-TEST(Workers, DoEveryItemOnce) {
+TEST(Workers, ProcessEveryItemOnce) {
   for (const int threads : {1, 2, 3, 8}) {
     dynamics::Workers workers(threads);
     for (const int count : {0, 1, 7, 100, 1001}) {
       std::vector<std::atomic<int>> done(count);
-      std::vector<int> begins = {0};  // uneven shares, some of them empty
+      std::vector<int> begins = {0};  // Shares are uneven, and some are empty.
       for (int k = 1; k < threads; ++k)
         begins.push_back(std::max(begins.back(), (k * k * count / 7) % (count + 1)));
       begins.push_back(count);
@@ -38,7 +38,7 @@ TEST(Workers, DoEveryItemOnce) {
   }
 }
 
-/// Pairs of each block with the next three.
+/// Returns the pairs of each block with the next three.
 std::vector<dynamics::NearPair> neighbours(int blocks) {
   std::vector<dynamics::NearPair> pairs;
   for (int b = 0; b < blocks; ++b)
@@ -47,14 +47,14 @@ std::vector<dynamics::NearPair> neighbours(int blocks) {
   return pairs;
 }
 
-TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
+TEST(WorkSplit, GivesAThreadTheBlocksOfItsPairs) {
   for (const int blocks : {0, 1, 100, 1000, 5000})
     for (const int threads : {1, 2, 3, 8}) {
       const auto pairs = neighbours(blocks);
       const int windows =
           (static_cast<int>(pairs.size()) + dynamics::pairs_of_window - 1) /
           dynamics::pairs_of_window;
-      std::vector<int> first_batch = {0};  // 30 batches each
+      std::vector<int> first_batch = {0};  // Each window has 30 batches.
       for (int window = 0; window < windows; ++window)
         first_batch.push_back(first_batch.back() + 30);
       dynamics::WorkSplit split;
@@ -81,7 +81,7 @@ TEST(WorkSplit, KeepsPairsWithTheirLowerBlocks) {
     }
 }
 
-/// Bricks thrown on each other, more than one thread's share of everything.
+/// Returns a heap of bricks that is large enough for several threads.
 Scene heap(int threads, bool rigid) {
   Scene scene({0.3, {10, 20}}, threads);
   Settings& s = scene.model.settings;
@@ -99,7 +99,7 @@ Scene heap(int threads, bool rigid) {
   return scene;
 }
 
-TEST(Threads, ChangeNoBit) {
+TEST(Threads, DoNotChangeResults) {
   for (const bool rigid : {true, false}) {
     Scene one = heap(1, rigid);
     one.steps(150);
@@ -116,8 +116,8 @@ TEST(Threads, ChangeNoBit) {
   }
 }
 
-/// Steps whose contacts are certain pair by pair. Without `readings` the list of the
-/// model is brought up to date at the end only.
+/// Returns a heap after 150 steps. Without `readings` the contact list of the model is
+/// made at the end only.
 Model stepped_by_pairs(int threads, bool rigid, bool readings) {
   Model model = heap(1, rigid).model;
   dynamics::Workspace work(threads);
@@ -131,8 +131,7 @@ Model stepped_by_pairs(int threads, bool rigid, bool readings) {
   return model;
 }
 
-// Nor does it matter whether anybody reads the contacts.
-TEST(Threads, ChangeNoBitOfPairs) {
+TEST(Threads, DoNotChangeResultsIfContactsAreReadAtTheEnd) {
   for (const bool rigid : {true, false}) {
     const Model one = stepped_by_pairs(1, rigid, true);
     EXPECT_GT(totals(one).active_contacts, 300);
@@ -148,8 +147,8 @@ TEST(Threads, ChangeNoBitOfPairs) {
   }
 }
 
-// The pairs are those of all boxes that meet, and every block pair comes once.
-TEST(NearPairs, AreThoseWhoseBoxesMeet) {
+// Every pair is found once.
+TEST(NearPairs, AreThePairsWhoseBoundingBoxesMeet) {
   const Blocks& blocks = heap(1, true).model.blocks;
   dynamics::NearSearch memory;
   std::vector<dynamics::NearPair> found;

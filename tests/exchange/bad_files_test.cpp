@@ -1,6 +1,5 @@
-// Files that `blocks import` refuses: tests/corpus/bad_exchange/FILE, what is printed
-// on standard error in FILE.expected. And whatever is done to a file, the readers of
-// GeoJSON and WKT read it or say why not.
+// Files that `blocks import` refuses, tests/corpus/bad_exchange/FILE. FILE.expected has
+// what it prints on standard error. Mutants of GeoJSON and WKT are read or refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ std::vector<fs::path> bad_files() {
 
 class BadFile : public ::testing::TestWithParam<fs::path> {};
 
-// Place, reason and hint are what the user meets; a refused file leaves nothing behind.
+// A refused import writes no file.
 TEST_P(BadFile, GetsExactlyTheseDiagnostics) {
   const TemporaryFolder folder;
   const std::string name = GetParam().filename().string();
@@ -48,10 +47,10 @@ INSTANTIATE_TEST_SUITE_P(Corpus, BadFile, ::testing::ValuesIn(bad_files()),
                            return name;
                          });
 
-// Guards the corpus itself: an empty folder would pass every comparison.
-TEST(BadFiles, AreThere) { EXPECT_GE(bad_files().size(), 35u); }
+// Without files the test above would pass.
+TEST(BadFiles, AreFound) { EXPECT_GE(bad_files().size(), 35u); }
 
-// No crash, no outline with a number that is none; what is read can be examined.
+// Outlines that are read have finite corners.
 TEST(BadFiles, MutantsAreReadOrRefused) {
   const std::vector<std::string> seeds = {
       R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": )"

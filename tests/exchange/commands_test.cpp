@@ -1,4 +1,4 @@
-// `blocks import` and `blocks export` as a user meets them.
+// The commands `blocks import` and `blocks export`.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using ::testing::StartsWith;
 const std::string square = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n";
 const std::string overlapping = square + "POLYGON ((0.5 0, 2 0, 2 1, 0.5 1, 0.5 0))\n";
 
-// The ending says nothing: the content does, blanks and byte order marks or not.
+// The file extension has no meaning. Blanks and byte order marks are skipped.
 TEST(Import, FindsTheFormatByContent) {
   const TemporaryFolder folder;
   folder.write("a.dat", "\n  " + square);
@@ -31,21 +31,36 @@ TEST(Import, FindsTheFormatByContent) {
       slurp(folder / "a.mesh.txt"),
       "$ From a.dat: WKT, 1 polygon.\nBLOCKS 1\n4, 1\n  0, 0\n  0, 1\n  1, 1\n  1, "
       "0\n");
+}
+
+TEST(Import, RefusesContentOfAnotherFormatThanTheOption) {
+  const TemporaryFolder folder;
+  folder.write("a.dat", "\n  " + square);
   EXPECT_EQ(blocks("import a.dat --format geojson", folder.path()).code, 3);
 }
 
-// Unsound blocks: 3 and no file; 0 and no file when only asked; written when told to.
-TEST(Import, RefusesReportsOrKeepsOverlaps) {
+TEST(Import, RefusesOverlaps) {
   const TemporaryFolder folder;
   folder.write("two.wkt", overlapping);
   const Outcome refused = blocks("import two.wkt --material 1", folder.path());
   EXPECT_EQ(refused.code, 3);
   EXPECT_THAT(refused.err, StartsWith("two.wkt:1:1: error: WKT: blocks 1 and 2 overlap "
                                       "by an area of 0.5 near (0.75, 0.5)\n"));
+  EXPECT_FALSE(folder.holds("two.mesh.txt"));
+}
+
+TEST(Import, ReportsOverlapsWithoutWriting) {
+  const TemporaryFolder folder;
+  folder.write("two.wkt", overlapping);
   const Outcome report = blocks("import two.wkt --report-only", folder.path());
   EXPECT_EQ(report.code, 0);
   EXPECT_THAT(report.err, HasSubstr("overlap by an area of 0.5"));
   EXPECT_FALSE(folder.holds("two.mesh.txt"));
+}
+
+TEST(Import, KeepsOverlapsIfToldTo) {
+  const TemporaryFolder folder;
+  folder.write("two.wkt", overlapping);
   const Outcome kept =
       blocks("import two.wkt --material 1 --keep-overlaps", folder.path());
   EXPECT_EQ(kept.code, 0);
@@ -53,7 +68,6 @@ TEST(Import, RefusesReportsOrKeepsOverlaps) {
   EXPECT_TRUE(folder.holds("two.mesh.txt"));
 }
 
-// What a user may have edited is put aside, and the file that is read is never written.
 TEST(Import, KeepsOlderFiles) {
   const TemporaryFolder folder;
   folder.write("s.wkt", square);
@@ -62,14 +76,24 @@ TEST(Import, KeepsOlderFiles) {
   EXPECT_EQ(blocks("import s.wkt --material 1 --deck", folder.path()).code, 0);
   EXPECT_EQ(slurp(folder / "s.mesh.txt.bak"), "mine\n");
   EXPECT_EQ(slurp(folder / "s.deck.bak"), "mine too\n");
+}
+
+TEST(Import, DoesNotOverwriteItsInput) {
+  const TemporaryFolder folder;
+  folder.write("s.wkt", square);
   EXPECT_EQ(blocks("import s.wkt --material 1 -o s.wkt", folder.path()).code, 2);
   EXPECT_EQ(slurp(folder / "s.wkt"), square);
+}
+
+TEST(Import, ReportsFilesThatItCannotReadOrWrite) {
+  const TemporaryFolder folder;
+  folder.write("s.wkt", square);
   EXPECT_EQ(blocks("import no.wkt", folder.path()).code, 5);
   EXPECT_EQ(blocks("import s.wkt --material 1 -o no/s.txt", folder.path()).code, 5);
 }
 
-// Areas beyond doubles are no numbers to calculate with: no deck, and no mesh for it.
-TEST(Import, RefusesADeckBeyondDoubles) {
+// The areas are beyond the range of doubles.
+TEST(Import, RefusesADeckWithAreasBeyondDoubles) {
   const TemporaryFolder folder;
   for (const char* size : {"1e300", "1e-300"}) {
     folder.write("s.wkt", fmt::format("POLYGON((0 0, {0} 0, 0 {0}, 0 0))", size));
@@ -80,7 +104,7 @@ TEST(Import, RefusesADeckBeyondDoubles) {
   }
 }
 
-// The deck skeleton runs, wherever the blocks stand and however large they are.
+// The blocks are near the origin, far away, or very small.
 TEST(Import, WritesADeckThatRuns) {
   const TemporaryFolder folder;
   const std::string far = "POLYGON ((500000.25 4e6, 500000.5 4e6, 500000.5 4000000.25, "
@@ -96,8 +120,6 @@ TEST(Import, WritesADeckThatRuns) {
   }
 }
 
-// A frame of the results: the time asked for, quantities per block, coordinates of that
-// time.
 TEST(Export, WritesAFrameOfResults) {
   const TemporaryFolder folder;
   run_text(folder, "fall",
@@ -122,23 +144,32 @@ TEST(Export, WritesAFrameOfResults) {
   EXPECT_NEAR(y(then) - y(now), properties["displacement"].get<double>(), 1e-9);
 }
 
-// A hexagon is no Gmsh element: refused by name, not cut or dropped.
-TEST(Export, RefusesWhatTheFormatCannotHold) {
+// Gmsh has no hexagons.
+TEST(Export, RefusesBlocksThatTheFormatCannotHold) {
   const TemporaryFolder folder;
   const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
   const Outcome msh = blocks("export " + deck + " -o a.msh", folder.path());
   EXPECT_EQ(msh.code, 3);
   EXPECT_THAT(msh.err, StartsWith("blocks: error: block 32 has 6 corners"));
   EXPECT_FALSE(folder.holds("a.msh"));
+}
+
+TEST(Export, SaysWhatTheFormatLeavesOut) {
+  const TemporaryFolder folder;
+  const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
   EXPECT_THAT(blocks("export " + deck + " -o a.wkt", folder.path()).out,
               HasSubstr(".wkt leaves out materials, which blocks are fixed"));
+}
+
+TEST(Export, RefusesUnknownFormatsMissingFilesAndTimesOfADeck) {
+  const TemporaryFolder folder;
+  const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
   EXPECT_EQ(blocks("export " + deck + " -o a.dxf", folder.path()).code, 2);
   EXPECT_EQ(blocks("export " + deck + " -t 1", folder.path()).code, 2);
   EXPECT_EQ(blocks("export no.deck", folder.path()).code, 5);
 }
 
-// The example that opens each help page works.
-TEST(Help, ExamplesOfImportAndExportRun) {
+TEST(Help, OfImportAndExportHasExamplesThatRun) {
   for (const std::string command : {"import", "export"}) {
     const TemporaryFolder folder;
     const std::string help = blocks(command + " --help", folder.path()).out;

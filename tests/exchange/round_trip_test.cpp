@@ -1,5 +1,4 @@
-// What goes out comes back bit for bit: through every format, and through the program
-// from deck to file to deck.
+// Blocks that are exported and imported have the same bits, in every format.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +30,7 @@ bool same_bits(const geometry::Polygon& a, const geometry::Polygon& b) {
                     });
 }
 
-/// Random layers of all sizes and places, near the origin and far from it.
+/// Returns a random layer of any size, near the origin or far from it.
 std::vector<BlockRecord> random_layer(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -64,13 +63,15 @@ std::vector<BlockRecord> random_layer(std::uint64_t seed) {
   return blocks;
 }
 
-/// As `blocks import` does: clockwise, corner 1 kept, then through READ9's text form.
+/// Requires the same outlines after the steps of `blocks import`. Outlines are made
+/// clockwise with the same corner 1 and go through the text form of READ9.
 void expect_back(OutlineFile file, const std::vector<BlockRecord>& blocks) {
   ASSERT_TRUE(file.messages.empty()) << file.messages[0].text;
   ASSERT_EQ(file.outlines.size(), blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Outline& outline = file.outlines[b];
-    EXPECT_TRUE(geometry::check_outline(outline.corners).anticlockwise);  // RFC 7946
+    EXPECT_TRUE(geometry::check_outline(outline.corners)
+                    .anticlockwise);  // RFC 7946 requires it.
     reverse(outline);
     outline.material = blocks[b].material;
     EXPECT_TRUE(same_bits(outline.corners, blocks[b].outline));
@@ -81,8 +82,7 @@ void expect_back(OutlineFile file, const std::vector<BlockRecord>& blocks) {
     EXPECT_TRUE(same_bits(mesh.blocks[b].outline, blocks[b].outline));
 }
 
-// The law: every format and READ9 after it give the same doubles, corner 1 first.
-TEST(RoundTrip, RandomLayersComeBackBitForBit) {
+TEST(RoundTrip, KeepsTheBitsOfRandomLayers) {
   std::size_t corners = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -103,8 +103,8 @@ TEST(RoundTrip, RandomLayersComeBackBitForBit) {
   EXPECT_GT(corners, 5000u);
 }
 
-// Doubles that decimals are bad at: the smallest, the largest, minus zero, ties.
-TEST(RoundTrip, AwkwardDoublesComeBackBitForBit) {
+// The doubles are the smallest, the largest, minus zero, and ties of decimals.
+TEST(RoundTrip, KeepsTheBitsOfSpecialDoubles) {
   const std::vector<double> awkward = {0.0,
                                        -0.0,
                                        5e-324,
@@ -128,7 +128,7 @@ TEST(RoundTrip, AwkwardDoublesComeBackBitForBit) {
   }
 }
 
-// Digits that a double would lose stay in the mesh, for whoever reads it next.
+// A double would lose some of these digits.
 TEST(RoundTrip, KeepsTheDigitsOfTheFile) {
   const std::string geojson =
       R"({"coordinates": [[[0.10, -0], [1.0000000000000000001, 0E0],)"
@@ -153,9 +153,9 @@ constexpr const char* deck_of_layers =
     "LAYER, -20, 7, 0, 0, 0, 1.1, 20, 1.3, 20, 0, RANDOM\n"
     "LAYER, -16, 1, 0, 1.5, 0, 2.3, 20, 2.7, 20, 1.7, RANDOM\nSTOP\n";
 
-// Export, import, export: the second file is the first, byte for byte, fixed blocks and
-// materials too; so READ9 of the import made the same blocks bit for bit.
-TEST(RoundTrip, ProgramGivesTheSameFileAgain) {
+// The second export is equal to the first one, including fixed blocks and materials. So
+// READ9 reads the same bits.
+TEST(RoundTrip, GivesTheSameFileAgain) {
   for (const int seed : {1, 2, 3}) {
     const TemporaryFolder folder;
     folder.write("a.deck", fmt::format(deck_of_layers, seed));

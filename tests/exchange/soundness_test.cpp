@@ -1,4 +1,4 @@
-// What import says of outlines that do not fit together.
+// Findings of import about outlines that do not fit together.
 #include "exchange/soundness.hpp"
 
 #include <gtest/gtest.h>
@@ -14,26 +14,26 @@ Polygon rectangle(double left, double bottom, double right, double top) {
   return {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
 }
 
-// A brick on two others: both its lower corners stand on one side, and the upper corner
-// that the two share stands on its lower side.
-TEST(Soundness, FindsJunctionsOfABrickWall) {
+// A brick is on two others. Its two lower corners are on their upper sides, and the
+// corner that the two share is on its lower side.
+TEST(Soundness, FindsTJunctionsOfABrickWall) {
   const Soundness wall =
       examine({rectangle(0, 0, 2, 1), rectangle(2, 0, 4, 1), rectangle(1, 1, 3, 2)});
   EXPECT_TRUE(wall.sound());
   EXPECT_TRUE(wall.joints.slits.empty());
-  EXPECT_EQ(wall.joints.t_junctions.size(), 4u);  // the shared corner is of both bricks
+  EXPECT_EQ(wall.joints.t_junctions.size(),
+            4u);  // The shared corner counts for both bricks.
 }
 
-// Aligned blocks share their corners: nothing to report.
-TEST(Soundness, SharedCornersAreNoJunctions) {
+TEST(Soundness, FindsNoTJunctionAtSharedCorners) {
   const Soundness pair = examine({rectangle(0, 0, 1, 1), rectangle(1, 0, 2, 1)});
   EXPECT_TRUE(pair.sound());
   EXPECT_TRUE(pair.joints.t_junctions.empty());
   EXPECT_TRUE(pair.joints.slits.empty());
 }
 
-// Blocks that a drawing program left a hair apart: never snapped, always told, once.
-TEST(Soundness, TellsBlocksThatNearlyMeet) {
+// Import never moves such blocks together.
+TEST(Soundness, FindsSlitsBetweenBlocksThatNearlyMeet) {
   const double hair = 0x1p-40;
   const Soundness pair = examine({rectangle(0, 0, 1, 1), rectangle(1 + hair, 0, 2, 1)});
   EXPECT_TRUE(pair.sound());
@@ -43,8 +43,8 @@ TEST(Soundness, TellsBlocksThatNearlyMeet) {
   EXPECT_EQ(pair.joints.slits[0].width, hair);
 }
 
-// An overlap by an ulp is not one a user can mend; one of a millionth is.
-TEST(Soundness, PartsRoundingFromOverlap) {
+// Users cannot correct an overlap of one unit in the last place.
+TEST(Soundness, DistinguishesRoundingFromOverlap) {
   const Soundness ulp =
       examine({rectangle(0, 0, 1, 1), rectangle(1 - 0x1p-52, 0, 2, 1)});
   EXPECT_TRUE(ulp.sound());
@@ -56,21 +56,21 @@ TEST(Soundness, PartsRoundingFromOverlap) {
   EXPECT_EQ(real.overlaps[0].area, 0x1p-20);
 }
 
-// A whole so slender that its length in its heights is beyond any count.
-TEST(Soundness, TakesExtremeShapes) {
+// The triangle is so slender that its length over its height exceeds any integer type.
+TEST(Soundness, AcceptsExtremelySlenderShapes) {
   const Soundness needle = examine({{{0, 0}, {1, 1}, {1e99, 0}}});
   EXPECT_TRUE(needle.sound());
   EXPECT_TRUE(needle.joints.t_junctions.empty());
 }
 
-// The law: the sense of the outlines and their order change nothing but the numbers;
-// bad outlines keep the numbers of the others right.
+// Only block numbers depend on the order. Faulty outlines count for these numbers.
 TEST(Soundness, DoesNotDependOnSenseOrOrder) {
-  const std::vector<Polygon> wall = {{{9, 9}, {10, 10}, {10, 9}, {9, 10}},  // a bow-tie
-                                     rectangle(0, 0, 2, 1),
-                                     rectangle(2, 0, 4, 1),
-                                     rectangle(1, 1, 3, 2),
-                                     rectangle(0.5, 0.5, 1, 0.75)};
+  const std::vector<Polygon> wall = {
+      {{9, 9}, {10, 10}, {10, 9}, {9, 10}},  // This is a bow-tie.
+      rectangle(0, 0, 2, 1),
+      rectangle(2, 0, 4, 1),
+      rectangle(1, 1, 3, 2),
+      rectangle(0.5, 0.5, 1, 0.75)};
   std::vector<Polygon> turned;
   for (auto block = wall.rbegin(); block != wall.rend(); ++block)
     turned.push_back(geometry::reversed(*block));

@@ -1,6 +1,5 @@
-// Any bytes as a checkpoint: with the seal they have, and with the seal that is right
-// for them, as somebody would forge it. A model that a run can go on with, or
-// FileError.
+// Reads any bytes as a checkpoint, with their own checksum and with a valid one. The
+// result is a model that a run can continue, or FileError.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// The deck reader on any bytes: commands, or messages that can be shown.
+// Reads any bytes as a deck. The result has commands, or messages that can be shown.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// The reader of GeoJSON on any bytes, and all that import does with what it reads.
+// Reads any bytes as GeoJSON and does all steps of an import.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,5 +1,5 @@
-// Bytes become a LayerRequest; whatever it asks, a layer comes back with a certificate
-// that holds, or a LayerError.
+// Makes a LayerRequest of any bytes. The result is a layer whose certificate holds, or
+// a LayerError.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -11,12 +11,12 @@ namespace {
 
 using namespace blocks::geometry;
 
-// Reads zeros behind the end.
+/// Reads values from bytes, and zeros after their end.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
   int next() { return at_ < size_ ? data_[at_++] : 0; }
-  /// A decimal of up to five digits and an exponent of -12 to 15, mostly 0.
+  /// Returns a decimal with up to five digits and an exponent from -12 to 15, mostly 0.
   Decimal decimal() {
     const int kind = next();
     const int digits = (kind & 1) != 0 ? next() : next() * 256 + next();
@@ -33,7 +33,8 @@ class Bytes {
   std::size_t at_ = 0;
 };
 
-// A rectangle or a quad near one in half of the cases: few random corners are convex.
+/// Returns a layer request. Few random quadrilaterals are convex, so half of them are
+/// nearly rectangles.
 LayerRequest request_of(Bytes& bytes) {
   LayerRequest request;
   const int kind = bytes.next();
@@ -81,7 +82,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(certify_tiling(layer.mesh).holds);
     require(layer.mesh.cells.size() + layer.absorptions.size() ==
             static_cast<std::size_t>(request.count));
-    // The corners of the deck are the corners of the layer.
+    // The layer has the corners of the deck.
     const auto n = layer.mesh.cells.size();
     const std::size_t ends[4] = {0, n + 1, 2 * n + 1, n};
     for (std::size_t i = 0; i < 4; ++i) {

@@ -1,4 +1,5 @@
-// READ9's readers on any bytes: a mesh with finite outlines, or MeshError.
+// Reads any bytes as a mesh of READ9. The result is a mesh with finite outlines, or
+// MeshError.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

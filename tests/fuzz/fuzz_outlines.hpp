@@ -1,5 +1,5 @@
-// What the fuzz targets of GeoJSON and WKT do with a file once it is read: show the
-// messages, examine the outlines, write the mesh and read it back.
+// The steps of the fuzz targets for GeoJSON and WKT after reading a file. They show the
+// messages, examine the outlines, write the mesh and read it.
 #pragma once
 
 #include <cstdlib>
@@ -29,7 +29,8 @@ inline void use(OutlineFile file, std::string_view text) {
   const auto mesh = deck::parse_mesh("mesh", write_mesh(file.outlines, "fuzz"));
   for (std::size_t b = 0; b < file.outlines.size(); ++b) {
     const geometry::Polygon& read = mesh.blocks.at(b).outline;
-    // Nearly flat outlines may come back in the other sense, which READ9 mends exactly.
+    // Nearly flat outlines may have the other sense after reading. READ9 corrects it
+    // exactly.
     if (read != file.outlines[b].corners &&
         geometry::reversed(read) != file.outlines[b].corners)
       std::abort();

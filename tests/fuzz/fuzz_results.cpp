@@ -1,5 +1,5 @@
-// Any bytes as a results file: every frame is read, and a run is continued behind the
-// first, or FileError. HDF5 itself sees the bytes.
+// Reads every frame of any bytes as a results file and continues a run after the first
+// frame. FileError is allowed. HDF5 itself reads the bytes.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

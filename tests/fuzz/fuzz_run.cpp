@@ -1,5 +1,6 @@
-// Any bytes as a deck, read, built and stepped (reliability/deck_trial.hpp). Decks of
-// more than 100 blocks are left out: they are slow and hold nothing new.
+// Reads any bytes as a deck, builds the model and makes steps
+// (reliability/deck_trial.hpp). Decks with more than 100 blocks are skipped, because
+// they are slow.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// The reader of WKT on any bytes, and all that import does with what it reads.
+// Reads any bytes as WKT and does all steps of an import.
 #include <cstddef>
 #include <cstdint>
 

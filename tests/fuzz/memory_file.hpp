@@ -1,4 +1,4 @@
-// Bytes under a name that can be opened, without a disk.
+// A file in memory with a name that can be opened.
 #pragma once
 
 #include <sys/mman.h>

@@ -1,9 +1,9 @@
-// Stands in for libFuzzer in the normal build: every file of the folders given, then
-// so many mutants of them, always the same.
+// Replaces libFuzzer in the normal build. It tries every file of the given folders and
+// then MUTANTS mutants of them, which are the same in every run.
 //   fuzz_NAME [--children] MUTANTS FOLDER...
-// An input that ends the program is left as crash.fuzz_NAME in the present folder.
-// With --children every input has a process of its own, and a crash inside HDF5 that is
-// told as the program tells it (output/file_in_hand.hpp) is counted but is no failure.
+// An input that crashes the program is stored as crash.fuzz_NAME in the current folder.
+// With --children every input has its own process. A crash inside HDF5 that the program
+// reports (output/file_in_hand.hpp) is counted and is no failure.
 #include <algorithm>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,7 +52,7 @@ void try_input() {
 }
 
 bool children = false;
-long told = 0;  ///< crashes inside HDF5
+long reported = 0;  ///< crashes inside HDF5
 
 void try_apart() {
   if (!children)
@@ -69,7 +69,7 @@ void try_apart() {
   int status = 0;
   waitpid(child, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 5)
-    ++told;
+    ++reported;
   else if (status != 0)
     crashed(WIFSIGNALED(status) ? WTERMSIG(status) : SIGABRT);
 }
@@ -87,7 +87,7 @@ class Mutator {
 
  private:
   std::size_t below(std::size_t n) { return n == 0 ? 0 : random_() % n; }
-  /// Seldom in padding: binary files are full of it.
+  /// Returns a random place, rarely within the padding of binary files.
   std::size_t place(const std::string& bytes) {
     std::size_t at = below(bytes.size() + 1);
     for (int again = 0; again < 9 && at < bytes.size() && bytes[at] == 0; ++again)
@@ -170,6 +170,6 @@ int main(int argc, char** argv) {
   }
   std::printf("%zu inputs, %ld mutants", corpus.size(), mutants);
   if (children)
-    std::printf(", %ld of them told as files in which HDF5 fails", told);
+    std::printf(", %ld of them told as files in which HDF5 fails", reported);
   std::printf("\n");
 }

@@ -1,5 +1,5 @@
-// Writes the seeds of fuzz_results and fuzz_checkpoint, which are files of the present
-// format: FOLDER/results/, FOLDER/checkpoint/.
+// Writes the seeds of fuzz_results and fuzz_checkpoint into FOLDER/results/ and
+// FOLDER/checkpoint/. The seeds are files of the present format.
 #include <filesystem>
 
 #include "output/checkpoint.hpp"

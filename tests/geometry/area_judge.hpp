@@ -1,5 +1,5 @@
-// The common area of two blocks by vertical slabs in boost's rationals: an independent
-// judge, slow and exact, of what geometry/overlap decides.
+// The common area of two blocks by vertical slabs on rationals of boost. It is a slow
+// and exact judge of geometry/overlap.
 #pragma once
 
 #include <algorithm>
@@ -17,6 +17,7 @@ struct ExactPoint {
   Exact x, y;
 };
 
+/// Returns the corners as rationals.
 inline std::vector<ExactPoint> exactly(const Polygon& outline) {
   std::vector<ExactPoint> points;
   for (const Vec2& p : outline)
@@ -24,8 +25,8 @@ inline std::vector<ExactPoint> exactly(const Polygon& outline) {
   return points;
 }
 
-/// Where the vertical line at x, not through a corner, lies inside a simple outline:
-/// from the first to the second height, from the third to the fourth, and so on.
+/// Returns the heights where the vertical line at x crosses a simple outline; x is not
+/// that of a corner. The line is inside between heights 0 and 1, 2 and 3, and so on.
 inline std::vector<Exact> heights_at(const std::vector<ExactPoint>& p, const Exact& x) {
   std::vector<Exact> heights;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -37,8 +38,9 @@ inline std::vector<Exact> heights_at(const std::vector<ExactPoint>& p, const Exa
   return heights;
 }
 
-/// Area of the intersection. Between two neighbouring x of corners and crossings the
-/// common height is linear, so a slab's area is its width times the height half way.
+/// Returns the area of the intersection. Between two successive x of corners and
+/// crossings the common height is linear. The area of a slab is its width times the
+/// height at its middle.
 inline Exact common_area(const Polygon& first, const Polygon& second) {
   const auto p = exactly(first), q = exactly(second);
   std::vector<Exact> cuts;

@@ -1,5 +1,5 @@
-// The definitions of the contact predicates on boost's rationals, which share nothing
-// with the code they judge, and the walls and random corners they are tried on.
+// A judge of the contact predicates on rationals of boost, and the walls and random
+// corners of the tests. The judge shares nothing with the code that it judges.
 #pragma once
 
 #include "geometry/contact_predicates.hpp"
@@ -22,7 +22,7 @@ using Wide = boost::multiprecision::cpp_bin_float_100;
 
 using Case = robustness::ContactCase;
 
-/// The definitions of the header, written out on rationals.
+/// The definitions of geometry/contact_predicates.hpp, written out on rationals.
 struct Judge {
   static Rational cross(const Vec2& a0, const Vec2& a1, const Vec2& b0,
                         const Vec2& b1) {
@@ -51,7 +51,8 @@ struct Judge {
   static bool within_depth(const Case& k) {
     return cross(k.p1, k.c, k.p1, k.p2) <= cross(k.p1, k.centroid, k.p1, k.p2);
   }
-  /// Twice: by sin 10 degrees to 100 digits, and by the cubic it is a root of.
+  /// Decides twice: by sin 10 degrees to 100 digits, and by the cubic of which it is a
+  /// root.
   static bool faces_edge(const Case& k) {
     const Rational sine = cross(k.p1, k.p2, k.c, k.neighbour);
     const Rational q =
@@ -65,7 +66,7 @@ struct Judge {
   }
   static int compare_depth(const Case& k) { return compare_depths(k, k.c); }
   static int compare_depths(const Case& k) { return compare_depths(k, k.neighbour); }
-  /// The depth of c below edge p against that of d below edge q.
+  /// Returns the sign of the depth of c below edge p minus that of d below edge q.
   static int compare_depths(const Case& k, const Vec2& d) {
     const Rational p = cross(k.p1, k.c, k.p1, k.p2), q = cross(k.q1, d, k.q1, k.q2);
     const Rational p_squared = p * abs(p) * dot(k.q1, k.q2, k.q1, k.q2);
@@ -78,11 +79,11 @@ struct Judge {
     const Rational slack = Rational(contact_slack) * length2;
     return s >= slack && s <= length2 - slack;
   }
-  /// Edge p and the edge from c to its neighbour.
+  /// Returns the sign of the turn from edge p to the edge from c to its neighbour.
   static int turn_sign(const Case& k) {
     return cross(k.p1, k.p2, k.c, k.neighbour).sign();
   }
-  /// Twice, like faces_edge: by cos 10 degrees, and by the cubic of its sine.
+  /// Decides twice, like faces_edge: by cos 10 degrees, and by the cubic of its sine.
   static bool edges_face(const Case& k) {
     const Rational cosine = dot(k.p1, k.p2, k.c, k.neighbour);
     const Rational sine = cross(k.p1, k.p2, k.c, k.neighbour);
@@ -95,7 +96,7 @@ struct Judge {
     EXPECT_EQ(by_digits, by_cubic) << "the judges disagree";
     return by_digits;
   }
-  /// The sine of edges p and q against that of edge p and the tangent of c.
+  /// Compares the sine between edges p and q with that between p and the tangent of c.
   static int compare_slopes(const Case& k) {
     const Rational q = cross(k.p1, k.p2, k.q1, k.q2);
     const Rational r = cross(k.p1, k.p2, k.c, k.neighbour);
@@ -105,18 +106,19 @@ struct Judge {
   }
 };
 
-/// The study's draws, one after the other.
+/// The random draws of the robustness study, with a fixed seed.
 class Random : public robustness::Draw {
  public:
   Random() : Draw(0, 12345) {}
   Case any(double size) { return robustness::anywhere(*this, size); }
 };
 
-/// A brick near the origin and a corner of its wall: whole and half numbers.
+/// A brick near the origin and a corner of its wall. Coordinates are whole and half
+/// numbers.
 inline Case wall(Random& random) { return robustness::brick(random, 4, 3); }
 
-/// Whole numbers p, q < limit with p / q ever closer to tan 10 degrees, from both
-/// sides: the convergents of its continued fraction and the fractions between them.
+/// Returns whole numbers p, q <= limit whose ratios approach tan 10 degrees from both
+/// sides. They are the convergents of its continued fraction and the fractions between.
 inline std::vector<std::pair<double, double>> fractions_near_tan10(double limit) {
   using Whole = boost::multiprecision::cpp_int;
   Wide x = tan(boost::math::constants::pi<Wide>() / 18);

@@ -1,5 +1,5 @@
-// The batch form against the scalar form: the same answers, and the same lanes left to
-// exact arithmetic.
+// The batch form of the predicates gives the same answers as the scalar form and leaves
+// the same lanes to exact arithmetic.
 #include "geometry/contact_predicates_batch.hpp"
 
 #include "contact_judge.hpp"
@@ -12,8 +12,8 @@
 namespace blocks::geometry {
 namespace {
 
-/// Cases of all kinds, lane by lane: random, flush bricks (turned or not, near the
-/// origin or far), corners on limits, any magnitude a double has.
+/// Returns random corners, flush bricks, corners on limits, or corners of any
+/// magnitude. The bricks are turned or not, and near the origin or far away.
 Case any_kind(Random& random) {
   Case k = random.whole(0, 2) ? wall(random) : random.any(1);
   const int kind = random.whole(0, 5);
@@ -64,8 +64,8 @@ struct Count {
   long sure = 0, undecided = 0;
 };
 
-/// Law of one predicate: certain where the scalar one needs no exact arithmetic, and
-/// then the same answer.
+/// Requires that the batch form decides exactly the lanes where the scalar form needs
+/// no exact arithmetic, with the same answers.
 template <class Scalar>
 void compare(const Answers& found, const Batch& b, Count& count, Scalar&& scalar) {
   for (std::size_t i = 0; i < batch_lanes; ++i) {
@@ -80,7 +80,7 @@ void compare(const Answers& found, const Batch& b, Count& count, Scalar&& scalar
   }
 }
 
-TEST(ContactPredicatesBatch, AnswersAndAsksAsTheScalarFormDoes) {
+TEST(ContactPredicatesBatch, AgreesWithTheScalarForm) {
   Random random;
   std::array<Count, 6> counts;
   for (int n = 0; n < 20000; ++n) {
@@ -111,8 +111,7 @@ TEST(ContactPredicatesBatch, AnswersAndAsksAsTheScalarFormDoes) {
   }
 }
 
-// All lanes at once, as "is the corner inside this block?" asks it.
-TEST(ContactPredicatesBatch, CornerInsideABlockIsTheConjunctionOverItsEdges) {
+TEST(ContactPredicatesBatch, CornerIsInsideABlockIfItIsInsideAllEdges) {
   Random random;
   int inside = 0, on_edge = 0;
   for (int n = 0; n < 40000; ++n) {
@@ -130,7 +129,7 @@ TEST(ContactPredicatesBatch, CornerInsideABlockIsTheConjunctionOverItsEdges) {
                                     turned(x + 2, y + 1), turned(x + 2, y)};
     for (std::size_t i = 0; i < 4; ++i)
       p1.set(i, brick[i]), p2.set(i, brick[(i + 1) % 4]);
-    // every fifth on the limit of the slack above the brick
+    // Every fifth corner is on the limit of the slack above the brick.
     const Vec2 c = n % 5 ? turned(k.c.x(), k.c.y())
                          : turned(x + random.uniform(0, 2), y + 1 + 2 * contact_slack);
     bool all = true, undecided = false;

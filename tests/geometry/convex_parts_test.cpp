@@ -1,4 +1,4 @@
-// The cut of an outline into convex parts: laws that the contact rule builds upon.
+// Properties of the convex parts of an outline that the contact rule relies on.
 #include "geometry/convex_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using Rational = boost::multiprecision::cpp_rational;
 using Parts = std::vector<std::vector<int>>;
 using robustness::Draw;
 
-/// Twice the area of the triangle a, b, c: negative if it runs clockwise.
+/// Returns twice the area of the triangle a, b, c, negative if it is clockwise.
 Rational turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Rational ax(a.x()), ay(a.y());
   return (Rational(b.x()) - ax) * (Rational(c.y()) - ay) -
@@ -46,10 +46,10 @@ std::string text(const Polygon& outline) {
   return out.str();
 }
 
-/// Parts are convex, clockwise and disjoint and fill the outline. Each of their sides
-/// is an edge of the outline, or an inner side that one other part has the other way
-/// round.
-void expect_laws(const Polygon& outline) {
+/// Requires that the parts are convex, clockwise and disjoint and fill the outline.
+/// Each of their sides is an edge of the outline, or an inner side. Another part has
+/// the same inner side in the opposite direction.
+void expect_tiling(const Polygon& outline) {
   const Parts parts = convex_parts(outline);
   SCOPED_TRACE(text(outline));
   ASSERT_FALSE(parts.empty());
@@ -90,16 +90,16 @@ void expect_laws(const Polygon& outline) {
   ASSERT_FALSE(testing::Test::HasFailure());
 }
 
-/// As given, in the other sense, and beginning with each other corner.
-void expect_laws_of_all(Polygon outline) {
+/// Tests the outline in both senses, beginning with each of its corners.
+void expect_tiling_for_all_orders(Polygon outline) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    ASSERT_NO_FATAL_FAILURE(expect_laws(outline));
-    ASSERT_NO_FATAL_FAILURE(expect_laws(reversed(outline)));
+    ASSERT_NO_FATAL_FAILURE(expect_tiling(outline));
+    ASSERT_NO_FATAL_FAILURE(expect_tiling(reversed(outline)));
     std::rotate(outline.begin(), outline.begin() + 1, outline.end());
   }
 }
 
-/// Every side gets a straight corner half way, where that is a double.
+/// Adds a straight corner in the middle of every side where the middle is exact.
 Polygon with_straight_corners(const Polygon& outline) {
   Polygon result;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -151,7 +151,7 @@ Polygon spiral(int turns) {
   return p;
 }
 
-TEST(ConvexParts, CutTheShapesOfTextbooks) {
+TEST(ConvexParts, TileTextbookShapes) {
   const Polygon l{{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}};
   const Polygon u{{0, 0}, {0, 3}, {1, 3}, {1, 1}, {2, 1}, {2, 3}, {3, 3}, {3, 0}};
   const Polygon cross{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}, {2, 2},
@@ -160,23 +160,26 @@ TEST(ConvexParts, CutTheShapesOfTextbooks) {
        {l, u, cross, comb(6), star(5), star(8), spiral(1), spiral(3)}) {
     ASSERT_EQ(check_outline(outline).fault, OutlineFault::none) << text(outline);
     ASSERT_FALSE(check_outline(outline).convex) << text(outline);
-    ASSERT_NO_FATAL_FAILURE(expect_laws_of_all(outline));
-    ASSERT_NO_FATAL_FAILURE(expect_laws_of_all(with_straight_corners(outline)));
+    ASSERT_NO_FATAL_FAILURE(expect_tiling_for_all_orders(outline));
+    ASSERT_NO_FATAL_FAILURE(
+        expect_tiling_for_all_orders(with_straight_corners(outline)));
   }
-  ASSERT_NO_FATAL_FAILURE(expect_laws(comb(80)));
+  ASSERT_NO_FATAL_FAILURE(expect_tiling(comb(80)));
   EXPECT_EQ(convex_parts(l).size(), 2U);
   EXPECT_EQ(convex_parts(u).size(), 3U);
 }
 
-// A convex outline stays whole, straight corners and all. An anticlockwise outline has
-// clockwise parts, and a faulty one has none.
-TEST(ConvexParts, KeepConvexOutlinesAndRefuseFaultyOnes) {
+TEST(ConvexParts, KeepConvexOutlinesWhole) {
   const Polygon square{{0, 0}, {0, 2}, {2, 2}, {2, 1}, {2, 0}};
   EXPECT_EQ(convex_parts(square), (Parts{{0, 1, 2, 3, 4}}));
+  // The part of an anticlockwise outline is clockwise.
   Polygon back = square;
   std::reverse(back.begin(), back.end());
   EXPECT_EQ(convex_parts(back), (Parts{{4, 3, 2, 1, 0}}));
-  ASSERT_NO_FATAL_FAILURE(expect_laws_of_all(square));
+  ASSERT_NO_FATAL_FAILURE(expect_tiling_for_all_orders(square));
+}
+
+TEST(ConvexParts, DoNotExistForFaultyOutlines) {
   const double nan = std::nan("");
   for (const Polygon& faulty :
        {Polygon{}, Polygon{{0, 0}, {1, 1}}, Polygon{{0, 0}, {1, 1}, {2, 2}},
@@ -185,8 +188,8 @@ TEST(ConvexParts, KeepConvexOutlinesAndRefuseFaultyOnes) {
     EXPECT_TRUE(convex_parts(faulty).empty()) << text(faulty);
 }
 
-/// A closed path around a simply connected set of lattice cells, with each lattice
-/// point on it as a corner, or with some of the straight ones taken out.
+/// Returns the outline of a simply connected set of lattice cells. Each lattice point
+/// on it is a corner.
 Polygon around_cells(Draw& draw) {
   constexpr int n = 5;
   for (;;) {
@@ -197,7 +200,8 @@ Polygon around_cells(Draw& draw) {
       (draw.coin() ? x : y) += draw.coin() ? 1 : -1;
       x = std::clamp(x, 1, n), y = std::clamp(y, 1, n);
     }
-    // Unit edges, clockwise around the cells; one edge per lattice point if simple.
+    // These are unit edges, clockwise around the cells. A simple outline has one edge
+    // per lattice point.
     std::map<std::pair<int, int>, std::pair<int, int>> next;
     int edges = 0;
     for (x = 1; x <= n; ++x)
@@ -235,8 +239,9 @@ Polygon without_some_straight_corners(Draw& draw, const Polygon& outline) {
   return kept;
 }
 
-// Lattice outlines are full of collinear corners, on one side and across the outline.
-TEST(ConvexParts, ObeyTheirLawsOnLattices) {
+// Outlines on a lattice have many collinear corners, on one side and across the
+// outline.
+TEST(ConvexParts, TileOutlinesOnALattice) {
   Draw draw(1, 1);
   int inner = 0;
   for (int n = 0; n < 3000; ++n) {
@@ -245,12 +250,13 @@ TEST(ConvexParts, ObeyTheirLawsOnLattices) {
     for (Vec2& v : p)
       v.x() = stretch * v.x() + shear * v.y();
     inner += convex_parts(p).size() > 1;
-    ASSERT_NO_FATAL_FAILURE(expect_laws(n % 2 ? p : reversed(p))) << n;
+    ASSERT_NO_FATAL_FAILURE(expect_tiling(n % 2 ? p : reversed(p))) << n;
   }
   EXPECT_GT(inner, 2000);
 }
 
-/// Random corners, uncrossed by exchanging ends of sides until the outline is simple.
+/// Returns a simple outline of random corners: ends of crossing sides are exchanged
+/// until no sides cross.
 Polygon uncrossed(Draw& draw, int corners, bool lattice) {
   for (;;) {
     Polygon p;
@@ -267,14 +273,14 @@ Polygon uncrossed(Draw& draw, int corners, bool lattice) {
   }
 }
 
-TEST(ConvexParts, ObeyTheirLawsOnRandomOutlines) {
+TEST(ConvexParts, TileRandomOutlines) {
   Draw draw(2, 1);
   int inner = 0;
   for (int n = 0; n < 3000; ++n) {
     Polygon p = uncrossed(draw, draw.whole(4, 12), n % 2 == 0);
     if (n % 4 < 2)
       p = with_straight_corners(p);
-    if (n % 8 >= 6) {  // straight corners and their lines get rounded
+    if (n % 8 >= 6) {  // Straight corners and their lines are rounded.
       const double angle = draw.uniform(0, 6.3), c = std::cos(angle),
                    s = std::sin(angle);
       const Vec2 shift = draw.vector(1000);
@@ -284,7 +290,7 @@ TEST(ConvexParts, ObeyTheirLawsOnRandomOutlines) {
         continue;
     }
     inner += convex_parts(p).size() > 1;
-    ASSERT_NO_FATAL_FAILURE(expect_laws(n % 2 ? p : reversed(p))) << n;
+    ASSERT_NO_FATAL_FAILURE(expect_tiling(n % 2 ? p : reversed(p))) << n;
   }
   EXPECT_GT(inner, 2000);
 }

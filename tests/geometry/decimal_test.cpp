@@ -15,7 +15,7 @@ struct Form {
   long exponent;
 };
 
-TEST(Decimal, KeepsTheDigitsAsWrittenInOneForm) {
+TEST(Decimal, KeepsAllDigitsInACanonicalForm) {
   for (const Form& form :
        {Form{"0.2", "2", -1}, Form{"+.5", "5", -1}, Form{"5.", "5", 0},
         Form{"-1.50D+2", "-15", 1}, Form{"007", "7", 0}, Form{"2e3", "2", 3},
@@ -29,14 +29,14 @@ TEST(Decimal, KeepsTheDigitsAsWrittenInOneForm) {
   }
 }
 
-TEST(Decimal, RefusesWhatIsNotADecimal) {
+TEST(Decimal, RefusesTextThatIsNoDecimal) {
   for (const char* text : {"", "+", ".", "e5", "1e", "1e+", "--1", "1 ", " 1", "1,0",
                            "nan", "inf", "-Infinity", "0x10", "1f", "1.2.3", "1e5.0"}) {
     EXPECT_FALSE(Decimal::parse(text)) << '"' << text << '"';
   }
 }
 
-TEST(Decimal, RefusesWhatNoFiniteDoubleIsNear) {
+TEST(Decimal, RefusesNumbersOutsideTheRangeOfDoubles) {
   EXPECT_FALSE(Decimal::parse("1e400"));
   EXPECT_FALSE(Decimal::parse("-1.8e308"));
   EXPECT_TRUE(Decimal::parse("1.7976931348623157e308"));
@@ -45,7 +45,7 @@ TEST(Decimal, RefusesWhatNoFiniteDoubleIsNear) {
   EXPECT_FALSE(Decimal::parse("1e99999999999999999999"));
 }
 
-TEST(Decimal, KeepsDigitsTooSmallForADouble) {
+TEST(Decimal, KeepsDigitsOfNumbersBelowTheSmallestDouble) {
   const auto tiny = Decimal::parse("-3e-399");
   ASSERT_TRUE(tiny);
   EXPECT_EQ(tiny->digits(), "-3");
@@ -56,7 +56,8 @@ TEST(Decimal, KeepsDigitsTooSmallForADouble) {
 }
 
 TEST(Decimal, ValueIsTheNearestDouble) {
-  // Half way between two doubles, and just above: ties to even, then up.
+  // The first value is half way between two doubles and rounds to even. The second is
+  // just above and rounds up.
   EXPECT_EQ(Decimal::parse("9007199254740993")->value(), 9007199254740992.0);
   EXPECT_EQ(Decimal::parse("9007199254740993.0000000000000000001")->value(),
             9007199254740994.0);
@@ -65,7 +66,7 @@ TEST(Decimal, ValueIsTheNearestDouble) {
   }
 }
 
-TEST(Decimal, WholeNumbersHaveTheSameFormAsTheirText) {
+TEST(Decimal, IsTheSameFromAnIntegerAndFromItsText) {
   for (const int value : {0, 1, -10, 1200, std::numeric_limits<int>::min()}) {
     const Decimal number(value);
     const auto text = Decimal::parse(std::to_string(value));

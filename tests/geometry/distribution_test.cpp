@@ -1,6 +1,6 @@
-// Random widths and angles follow the law that docs/distributions.md states (report
-// A.2.4, A.2.5). Fixed seeds; every threshold is one that a sample of the law itself
-// passes 999 times in a thousand or more often.
+// Random widths and angles follow the law of docs/distributions.md (report A.2.4,
+// A.2.5). Seeds are fixed. Of the samples of that law at least 999 in a thousand pass
+// each threshold.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,9 +18,10 @@ using exact::random_places;
 using exact::Rational;
 using testing::ks_distance;
 
-constexpr double once_in_a_thousand = 1.95;  // Kolmogorov-Smirnov
+/// One in a thousand samples of a law exceeds this Kolmogorov-Smirnov statistic.
+constexpr double once_in_a_thousand = 1.95;
 
-// Widths over the height of one layer after the other.
+/// Ratios of width to height, layer by layer.
 using Widths = std::vector<std::vector<double>>;
 
 Widths sample(int blocks, const Rational& length_to_height, std::uint64_t seed,
@@ -44,7 +45,7 @@ std::vector<double> block(const Widths& widths, std::size_t i) {
   return result;
 }
 
-// The law as documented, in doubles and with other random numbers.
+/// Samples the documented law in doubles, with another random generator.
 Widths law(int blocks, double length_to_height, unsigned seed, int layers) {
   std::mt19937_64 engine(seed);
   const double n = blocks;
@@ -65,11 +66,11 @@ Widths law(int blocks, double length_to_height, unsigned seed, int layers) {
   return widths;
 }
 
-TEST(RandomWidths, KeepTheirLimitsAndTheirSumExactly) {
+TEST(RandomWidths, KeepLimitsAndSumExactly) {
   const Rational low(1, 5);
   const Rational high(3);
   for (const int blocks : {1, 2, 3, 17, 150})
-    // From all at the lower limit to all at the upper one.
+    // Mean widths go from the lower limit to the upper one.
     for (int part = 0; part <= 20; ++part) {
       const Rational length =
           Rational(blocks) * (low + (high - low) * Rational(part, 20));
@@ -86,16 +87,17 @@ TEST(RandomWidths, KeepTheirLimitsAndTheirSumExactly) {
     }
 }
 
-// After rounding: neighbours share their side, so widths still add up exactly, and each
-// is within one unit in the last place of the longest coordinate of what was drawn.
-TEST(RandomWidths, AreRoundedByLessThanOneUnit) {
+// Rounding changes each width by at most one unit in the last place of the largest
+// coordinate. Neighbours share their side, so the sum of the widths stays exact.
+TEST(RandomWidths, AreRoundedByAtMostOneUnitInTheLastPlace) {
   for (std::uint64_t k = 0; k < 50; ++k) {
     LayerRequest request = testing::random_layer("0.1 0 0.1 0.7 70.3 0.7 70.3 0", 60);
     request.stream = {9, k};
     const Layer layer = cut_layer(request);
     const auto places =
-        random_places(60, Rational(702, 7), request.stream);  // 70.2 / 0.7
-    const Rational unit(std::ldexp(1.0, 6 - 52));             // of 64 to 128
+        random_places(60, Rational(702, 7), request.stream);  // This is 70.2 / 0.7.
+    const Rational unit(
+        std::ldexp(1.0, 6 - 52));  // This is the unit of numbers from 64 to 128.
     for (std::size_t i = 0; i < 60; ++i) {
       const auto c = testing::cell(layer, i);
       const Rational width = Rational(c[3].x()) - Rational(c[0].x());
@@ -107,7 +109,8 @@ TEST(RandomWidths, AreRoundedByLessThanOneUnit) {
 }
 
 TEST(RandomWidths, FollowTheDocumentedLaw) {
-  // Few blocks, where drawing towards a limit shows most; both branches.
+  // With few blocks, scaling towards a limit changes the widths most. Both branches of
+  // the law occur.
   for (const auto& [blocks, tenths] :
        {std::pair(2, 14), std::pair(2, 45), std::pair(5, 30), std::pair(5, 80),
         std::pair(12, 192)}) {
@@ -120,9 +123,9 @@ TEST(RandomWidths, FollowTheDocumentedLaw) {
   }
 }
 
-TEST(RandomWidths, OfManyBlocksAreUniformAboutTheirMean) {
-  // Mean r: uniform on r -+ min(r - 0.2, 3 - r). The ends of that interval vary by
-  // 1 / sqrt(3 n), which 20 layers of 5000 blocks average out.
+TEST(RandomWidths, AreUniformAboutTheirMeanInLongLayers) {
+  // With mean r, widths are uniform on r -+ min(r - 0.2, 3 - r). The ends of that
+  // interval vary by 1 / sqrt(3 n), which 20 layers of 5000 blocks average out.
   for (const int tenths : {5, 16, 24}) {
     const double mean = tenths / 10.0;
     const double half = std::min(mean - 0.2, 3.0 - mean);
@@ -141,7 +144,7 @@ TEST(RandomWidths, OfManyBlocksAreUniformAboutTheirMean) {
   }
 }
 
-TEST(RandomWidths, ShowNoBiasAlongTheLayer) {
+TEST(RandomWidths, DoNotDependOnThePlaceInTheLayer) {
   constexpr int blocks = 20;
   constexpr int layers = 4000;
   const auto widths = sample(blocks, Rational(24), 41, layers);
@@ -153,7 +156,8 @@ TEST(RandomWidths, ShowNoBiasAlongTheLayer) {
       variance += (layer[i] - mean) * (layer[i] - mean) / (blocks * layers);
       deviation[i] += (layer[i] - mean) / layers;
     }
-  // Exchangeable with a fixed sum: chi-square with 19 degrees, above 50.8 once in 10^4.
+  // Widths are exchangeable with a fixed sum. Chi-square with 19 degrees of freedom
+  // exceeds 50.8 once in 10^4.
   double chi_square = 0.0;
   for (const double d : deviation)
     chi_square += d * d * layers / (variance * blocks / (blocks - 1.0));
@@ -162,8 +166,8 @@ TEST(RandomWidths, ShowNoBiasAlongTheLayer) {
   EXPECT_LT(ks_distance(block(widths, 19), block(widths, 10)), once_in_a_thousand);
 }
 
-TEST(RandomWidths, OfNeighboursAreCorrelatedByTheSumAlone) {
-  // Any two of n blocks with a fixed sum: -1 / (n - 1), neighbours or not.
+TEST(RandomWidths, AreCorrelatedOnlyByTheirSum) {
+  // The correlation of any two of n blocks with a fixed sum is -1 / (n - 1).
   constexpr int blocks = 10;
   constexpr int layers = 8000;
   const auto widths = sample(blocks, Rational(12), 51, layers);
@@ -175,13 +179,13 @@ TEST(RandomWidths, OfNeighboursAreCorrelatedByTheSumAlone) {
         product += (layer[i] - 1.2) * (layer[(i + lag) % blocks] - 1.2);
         square += (layer[i] - 1.2) * (layer[i] - 1.2);
       }
-    // 80,000 products: standard error 1 / sqrt(80000) = 0.0035.
+    // The standard error of 80,000 products is 1 / sqrt(80000) = 0.0035.
     EXPECT_NEAR(product / square, -1.0 / (blocks - 1), 0.0117) << lag;
   }
 }
 
-TEST(RandomAngles, AreUniformWhereNoSideWasDrawnAgain) {
-  // Blocks of at least 2.8 heights: no side can reach another at 30 degrees.
+TEST(RandomAngles, AreUniformIfNoSideIsRedrawn) {
+  // Blocks are at least 2.8 heights wide, so no side meets another at 30 degrees.
   std::vector<double> angles;
   for (std::uint64_t k = 0; k < 40; ++k) {
     LayerRequest request =
@@ -199,7 +203,8 @@ TEST(RandomAngles, AreUniformWhereNoSideWasDrawnAgain) {
   EXPECT_LT(
       ks_distance(angles, [](double a) { return std::clamp((a + 10) / 40, 0.0, 1.0); }),
       once_in_a_thousand);
-  // Neither depends on the angle before it: standard error of the correlation 0.009.
+  // An angle does not depend on the one before it. The standard error of the
+  // correlation is 0.009.
   double product = 0.0;
   for (std::size_t i = 1; i < angles.size(); ++i)
     product += (angles[i] - 10.0) * (angles[i - 1] - 10.0);

@@ -1,5 +1,5 @@
-// The bits of generated layers: the same from every compiler, at every level of
-// optimisation, in every rounding mode and whatever else has been generated.
+// Generated layers have the same bits from every compiler, at every level of
+// optimisation and in every rounding mode.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,8 +16,8 @@ namespace {
 using robustness::families;
 using robustness::hash_of;
 
-// First 24 layers of each family (2 of the family with 2000 blocks). A change here
-// changes the blocks that users get from the same deck and seed.
+// Hashes of the first 24 layers of each family (2 of the family with 2000 blocks). If
+// one of them changes, users get other blocks from the same deck and seed.
 constexpr std::array<std::uint64_t, 11> golden = {
     0x2f04fae3354b3f9c, 0xb9983f65d7400ccc, 0x123ded24cfb75435, 0x9fd4d272ab5925e1,
     0x4441b2e6dea333e2, 0x77512e6d6701561d, 0x87c762a84c159ac8, 0xd2f0453f573c0f7e,
@@ -32,7 +32,7 @@ std::array<std::uint64_t, 11> hashes(int layers) {
   return result;
 }
 
-// Restores rounding to nearest when a test leaves, however it leaves.
+/// Sets a rounding mode and restores rounding to nearest on destruction.
 class RoundingMode {
  public:
   explicit RoundingMode(int mode) { std::fesetround(mode); }
@@ -41,7 +41,7 @@ class RoundingMode {
   RoundingMode& operator=(const RoundingMode&) = delete;
 };
 
-TEST(GoldenLayers, KeepTheirBits) {
+TEST(GoldenLayers, HaveTheRecordedBits) {
   ASSERT_EQ(families().size(), golden.size());
   const auto found = hashes(24);
   for (std::size_t i = 0; i < golden.size(); ++i)
@@ -63,9 +63,8 @@ TEST(GoldenLayers, DoNotDependOnTheRoundingModeOfTheCaller) {
   }
 }
 
-// Streams are keyed by (seed, layer, block): neither the order of generation nor a new
-// layer in between changes a layer.
-TEST(GoldenLayers, KeepTheirBitsWhateverElseIsGenerated) {
+// Random streams are keyed by (seed, layer, block).
+TEST(GoldenLayers, DoNotDependOnTheOrderOfGeneration) {
   const auto make = [](std::uint64_t layer) {
     LayerRequest request =
         testing::random_layer("0.1 0.2 0.1 1.3 40.7 3.1 40.7 2", 40, "-30", "30");

@@ -32,19 +32,19 @@ std::uint64_t fnv(const Mesh& mesh) {
 
 const char* const rectangle = "0 0 0 1 100 1 100 0";
 
-TEST(LayerShape, IsClassifiedExactly) {
+TEST(LayerShape, IsClassifiedFromTheDecimals) {
   EXPECT_EQ(classify_quad(corners("0 0 0 1 1 1 1 0")), QuadShape::convex_clockwise);
   EXPECT_EQ(classify_quad(corners("0 0 1 0 1 1 0 1")), QuadShape::convex_anticlockwise);
   EXPECT_EQ(classify_quad(corners("0 0 1 1 0 1 1 0")), QuadShape::bow_tie);
   EXPECT_EQ(classify_quad(corners("0 0 0 3 1 1 3 0")), QuadShape::dart);
   EXPECT_EQ(classify_quad(corners("0 0 0 0 1 1 1 0")), QuadShape::degenerate);
-  // On one line as written; the doubles 0.1, 0.2, 0.3 are not.
+  // Three corners are on one line as written, but not as doubles.
   EXPECT_EQ(classify_quad(corners("0 0 0.1 0.1 0.3 0.3 1 0")), QuadShape::degenerate);
   EXPECT_EQ(classify_quad(corners("0.1 0.3 0.2 0.6 0.3 0.9 1 0")),
             QuadShape::degenerate);
 }
 
-TEST(LayerShape, AnythingButConvexAndClockwiseIsRefused) {
+TEST(LayerShape, IsRefusedUnlessConvexAndClockwise) {
   for (const char* quad : {"0 0 1 0 1 1 0 1", "0 0 1 1 0 1 1 0", "0 0 0 3 1 1 3 0",
                            "0.1 0.3 0.2 0.6 0.3 0.9 1 0"}) {
     LayerRequest request;
@@ -67,7 +67,7 @@ TEST(EvenLayer, HasEqualBlocksOnTheNearestDoubles) {
   const Layer layer = cut_layer(request);
   ASSERT_EQ(layer.mesh.cells.size(), 3U);
   EXPECT_TRUE(layer.certificate.holds);
-  // 0.1 + 0.9 i / 3 rounded once.
+  // These are 0.1 + 0.9 i / 3, rounded once.
   const double x[] = {0.1, 0.4, 0.7, 1.0};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto c = cell(layer, i);
@@ -78,8 +78,9 @@ TEST(EvenLayer, HasEqualBlocksOnTheNearestDoubles) {
   }
 }
 
-TEST(LayerShape, TooThinForDoublesIsRefused) {
-  // Convex as written; at 1e17 doubles are 16 apart, so that the blocks vanish.
+TEST(LayerShape, IsRefusedIfTooThinForDoubles) {
+  // The layer is convex as written. Doubles at 1e17 are 16 apart, so that its blocks
+  // vanish.
   LayerRequest request;
   request.corners = corners("1e17 0 1e17 1 100000000000000040 1 100000000000000040 0");
   request.count = 40;
@@ -92,8 +93,6 @@ TEST(LayerShape, TooThinForDoublesIsRefused) {
   }
 }
 
-// On lines along an axis; on slanted ones a corner that is no double gives way by a
-// unit.
 TEST(EvenLayer, KeepsTheFourCornersOfTheDeck) {
   LayerRequest request;
   request.corners = corners("0.1 0.3 -0.7 3.3 90.7 34.1 91.3 31.9");
@@ -105,7 +104,8 @@ TEST(EvenLayer, KeepsTheFourCornersOfTheDeck) {
   EXPECT_EQ(cell(layer, 6)[3], Vec2(91.3, 31.9));
 }
 
-/// Text of a point of the line y = a + b x / 1000, all decimals.
+/// Returns the text of the point at 0.1 x on the line y = 0.1 a + 0.001 b (0.1 x),
+/// raised by 0.1 up. All numbers are decimals.
 std::string on_line(int a, int b, int x, int up) {
   char text[80];
   std::snprintf(text, sizeof text, "%.1f %.4f ", 0.1 * x,
@@ -113,16 +113,16 @@ std::string on_line(int a, int b, int x, int up) {
   return text;
 }
 
-// Layers that share a slanted line, or an end, slanted or not, and a block whose
-// corners are the same decimals: corners are shared to the bit and nothing overlaps.
-// Those that share a part only: shared_corners_test.cpp.
-TEST(SlantedLine, IsNotCrossedByTheBlocksThatShareIt) {
+// Layers and a block share a slanted line or an end. Their common corners are the same
+// decimals and so the same doubles. shared_corners_test.cpp tests layers that share a
+// part of a line.
+TEST(Layers, DoNotOverlapAcrossASharedSlantedLine) {
   std::mt19937 engine(5);
   const auto whole = [&engine](int low, int high) {
     return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));
   };
   for (int k = 0; k < 300; ++k) {
-    // four lines through six points: above, right and both, of one corner in the middle
+    // Three lines of points in three columns bound four layers around one corner.
     const int b = whole(-999, 999) | 1, x0 = whole(-500, 0), x1 = x0 + whole(50, 400);
     const int x2 = x1 + whole(50, 400), lean = k % 2 == 0 ? 0 : whole(-20, 20);
     const int low = whole(-99, 99), h = whole(45, 60);
@@ -140,35 +140,35 @@ TEST(SlantedLine, IsNotCrossedByTheBlocksThatShareIt) {
       for (const std::vector<int>& one : layer.mesh.cells)
         blocks.push_back(testing::outline_of(layer.mesh, one));
     };
-    cut(a0 + m0 + m1 + a1);  // below left
-    cut(m0 + t0 + t1 + m1);  // above it
-    blocks.push_back({});    // right of the first, as a block
+    cut(a0 + m0 + m1 + a1);
+    cut(m0 + t0 + t1 + m1);  // This layer is above the first.
+    blocks.push_back({});    // A block is to the right of the first layer.
     for (const DecimalPoint& p : corners(a1 + m1 + m2 + a2))
       blocks.back().emplace_back(p.x.value(), p.y.value());
     EXPECT_TRUE(overlapping_pairs(blocks).empty()) << k;
     blocks.pop_back();
-    cut(a1 + m1 + m2 + a2);  // as a layer
+    cut(a1 + m1 + m2 + a2);  // A layer replaces the block.
     EXPECT_TRUE(overlapping_pairs(blocks).empty()) << k;
   }
 }
 
-TEST(ListedLayer, ScalesOnlyWhatDoesNotFit) {
+TEST(ListedLayer, ScalesAListThatDoesNotFitItsLine) {
   LayerRequest request;
-  request.corners = corners("0 0 0 1 4 4 4 3");  // both lines 5 long, slanted
+  request.corners = corners("0 0 0 1 4 4 4 3");  // Both lines are 5 long.
   request.spacing = Spacing::listed;
   request.count = 3;
   request.bottom = {decimal("0.1"), decimal("0.2"), decimal("4.7")};
   request.top = {Decimal(1), Decimal(1), Decimal(2)};
   const Layer layer = cut_layer(request);
-  EXPECT_FALSE(layer.bottom_scaled);  // 0.1 + 0.2 + 4.7 is 5 as written
+  EXPECT_FALSE(layer.bottom_scaled);  // 0.1 + 0.2 + 4.7 is 5 as written.
   EXPECT_TRUE(layer.top_scaled);
   EXPECT_NEAR(cell(layer, 0)[3].x(), 0.08, 1e-15);
   EXPECT_NEAR(cell(layer, 1)[2].x(), 2.0, 1e-15);
 }
 
-TEST(ListedLayer, FitsALineOfIrrationalLength) {
+TEST(ListedLayer, FitsALineOfIrrationalLengthToElevenDigits) {
   LayerRequest request;
-  request.corners = corners("0 0 0 1 10 2 10 1");  // both lines sqrt(101) long
+  request.corners = corners("0 0 0 1 10 2 10 1");  // Both lines are sqrt(101) long.
   request.spacing = Spacing::listed;
   request.count = 2;
   request.bottom = {Decimal(5), decimal("5.04987562112")};
@@ -178,7 +178,7 @@ TEST(ListedLayer, FitsALineOfIrrationalLength) {
   EXPECT_TRUE(layer.top_scaled);
 }
 
-TEST(ListedLayer, RefusesWidthsThatAreNotThere) {
+TEST(ListedLayer, RefusesMissingAndZeroWidths) {
   LayerRequest request;
   request.corners = corners(rectangle);
   request.spacing = Spacing::listed;
@@ -196,7 +196,7 @@ TEST(RandomLayer, IsTheSameOnEveryMachine) {
   EXPECT_EQ(fnv(cut_layer(request).mesh), 11504053028830363664ULL);
 }
 
-TEST(RandomLayer, AnotherLayerDoesNotChangeIt) {
+TEST(RandomLayer, DoesNotDependOnOtherLayers) {
   LayerRequest first = random_layer(rectangle, 60, "-10", "10");
   first.stream = {5, 1};
   const std::uint64_t alone = fnv(cut_layer(first).mesh);
@@ -207,15 +207,15 @@ TEST(RandomLayer, AnotherLayerDoesNotChangeIt) {
 }
 
 TEST(RandomLayer, AspectLimitsAreExact) {
-  // Length 2.1, height 0.7: with 15 blocks every width/height is exactly 0.2, with one
-  // it is exactly 3. In doubles 2.1 / 0.7 is greater than 3.
+  // The length is 2.1 and the height 0.7. With 15 blocks every width/height is exactly
+  // 0.2, with one it is exactly 3. In doubles 2.1 / 0.7 is greater than 3.
   const std::string quad = "0 0 0 0.7 2.1 0.7 2.1 0";
   for (const int count : {1, 2, 7, 14, 15}) {
     EXPECT_EQ(cut_layer(random_layer(quad, count)).mesh.cells.size(),
               static_cast<std::size_t>(count));
   }
   const Layer full = cut_layer(random_layer(quad, 15));
-  EXPECT_EQ(cell(full, 6)[3].x(), 0.98);  // 7 * 0.14, rounded once
+  EXPECT_EQ(cell(full, 6)[3].x(), 0.98);  // This is 7 * 0.14, rounded once.
   for (const auto& [narrow, count] :
        {std::pair(quad, 16), std::pair(std::string("0 0 0 0.7 2.11 0.7 2.11 0"), 1)}) {
     try {
@@ -227,6 +227,9 @@ TEST(RandomLayer, AspectLimitsAreExact) {
                                         : "from 2 to 15 blocks are possible");
     }
   }
+}
+
+TEST(RandomLayer, IsRefusedIfNoNumberOfBlocksFits) {
   try {
     cut_layer(random_layer("0 0 0 9 1 9 1 0", 1));
     FAIL();
@@ -236,7 +239,7 @@ TEST(RandomLayer, AspectLimitsAreExact) {
 }
 
 TEST(RandomLayer, SidesAreNormalToTheMidLineWithoutOrient) {
-  // Mid-line along (4, 3): normals along (-3, 4); only sides near the ends are ruled.
+  // The mid-line runs along (4, 3), so that its normals are along (-3, 4).
   const Layer layer = cut_layer(random_layer("0 0 -3 4 77 64 80 60", 18));
   EXPECT_EQ(layer.ruled, 0);
   for (std::size_t i = 0; i < layer.mesh.cells.size(); ++i) {
@@ -246,7 +249,7 @@ TEST(RandomLayer, SidesAreNormalToTheMidLineWithoutOrient) {
 }
 
 TEST(RandomLayer, OneAngleTurnsAllSidesAnticlockwiseFromTheNormal) {
-  // Positive is anticlockwise, so the top of a side lies to the left.
+  // The top of a side that is turned anticlockwise is to the left of its bottom.
   const Layer layer = cut_layer(random_layer(rectangle, 120, "45", "45"));
   int turned = 0;
   for (std::size_t i = 1; i < layer.mesh.cells.size(); ++i) {
@@ -255,12 +258,12 @@ TEST(RandomLayer, OneAngleTurnsAllSidesAnticlockwiseFromTheNormal) {
     EXPECT_LE(side.x(), 0.0);
     turned += std::abs(side.x() + 1.0) < 1e-13 ? 1 : 0;
   }
-  // Only those next to the ends give way, and not one after the other along the layer.
+  // Only the sides next to the ends are ruled, and they do not push others aside.
   EXPECT_EQ(turned, 119 - layer.ruled);
   EXPECT_LT(layer.ruled, 5);
 }
 
-TEST(RandomLayer, AnglesBeyondTheirLimitsAreRefused) {
+TEST(RandomLayer, RefusesAnglesBeyondTheirLimits) {
   for (const auto& [low, high] : {std::pair("-80.1", "0"), std::pair("0", "80.1"),
                                   std::pair("5", "-5"), std::pair("100", "200")}) {
     try {
@@ -272,7 +275,7 @@ TEST(RandomLayer, AnglesBeyondTheirLimitsAreRefused) {
   }
 }
 
-TEST(RandomLayer, AwkwardQuadrilateralsAreAllCertified) {
+TEST(RandomLayer, IsCertifiedForAwkwardQuadrilaterals) {
   std::mt19937 engine(20);
   const auto real = [&engine](double low, double high) {
     return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
@@ -280,7 +283,8 @@ TEST(RandomLayer, AwkwardQuadrilateralsAreAllCertified) {
   int cut = 0;
   int ruled = 0;
   for (int k = 0; k < 400; ++k) {
-    // Rotated, slanted, wedge-shaped, at the origin or 1e9 away, with leaning ends.
+    // Layers are rotated, slanted or wedge-shaped, at the origin or 1e9 away, with
+    // leaning ends.
     const double turn = real(-3.2, 3.2);
     const double length = real(5.0, 200.0);
     const double left = real(0.3, 4.0);
@@ -319,12 +323,12 @@ TEST(RandomLayer, AwkwardQuadrilateralsAreAllCertified) {
     }
   }
   EXPECT_GT(cut, 300);
-  EXPECT_GT(ruled, 0);  // the fall-back was reached
+  EXPECT_GT(ruled, 0);  // Some sides were ruled as the last resort.
 }
 
-TEST(RandomLayer, LayersOnASharedSlantedLineDoNotOverlap) {
-  // Upper and lower layer, near the origin and far from it. Rounded to nearest nearly
-  // every such pair overlaps by an ulp.
+TEST(RandomLayer, DoesNotOverlapALayerOnTheSameSlantedLine) {
+  // Pairs of upper and lower layer are near the origin and far from it. If corners were
+  // rounded to nearest, nearly every pair would overlap by one unit in the last place.
   const std::array<std::pair<const char*, const char*>, 3> pairs = {
       {{"0.1 0.3 0.1 3.4 90.7 34.7 90.7 31.9", "0.1 -2.9 0.1 0.3 90.7 31.9 90.7 28.8"},
        {"-50.1 20.3 -50.2 23.7 50.3 -17.2 50.7 -20.9",
@@ -345,7 +349,7 @@ TEST(RandomLayer, LayersOnASharedSlantedLineDoNotOverlap) {
   }
 }
 
-TEST(RandomLayer, ThousandsOfBlocksAreCut) {
+TEST(RandomLayer, MayHaveThousandsOfBlocks) {
   const LayerRequest wide =
       random_layer("0 0 0.1 1.1 2000.3 31 2000 30", 2000, "-30", "30");
   EXPECT_EQ(cut_layer(wide).mesh.cells.size(), 2000U);

@@ -1,4 +1,4 @@
-// Short hands of the layer tests: requests written as a user would write them.
+// Helpers of the layer tests: layer requests from the text of a deck.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline Decimal decimal(const std::string& text) {
   return *value;
 }
 
-/// "x1 y1 x2 y2 x3 y3 x4 y4"
+/// Reads four corners from "x1 y1 x2 y2 x3 y3 x4 y4".
 inline std::array<DecimalPoint, 4> corners(const std::string& text) {
   std::istringstream in(text);
   std::array<DecimalPoint, 4> result;
@@ -45,7 +45,8 @@ inline LayerRequest random_layer(const std::string& quad, int count,
   return request;
 }
 
-/// Cell i of a layer, BL, TL, TR, BR.
+/// Returns the corners of cell i of a layer: bottom left, top left, top right, bottom
+/// right.
 inline std::array<Vec2, 4> cell(const Layer& layer, std::size_t i) {
   std::array<Vec2, 4> result;
   for (std::size_t k = 0; k < 4; ++k) {

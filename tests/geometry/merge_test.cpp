@@ -8,11 +8,12 @@ namespace {
 
 using exact::Rational;
 
-// Sides of a layer of height 1 with these widths in tenths.
+/// The sides of a layer of height 1, relative to its length.
 struct Widths {
   std::vector<Rational> sides{Rational(0)};
   Rational length;
 };
+/// Returns the sides of blocks with these widths in tenths.
 Widths tenths(const std::vector<int>& widths) {
   Widths result;
   for (const int w : widths)
@@ -34,15 +35,15 @@ std::vector<Absorption> merged(const std::vector<int>& widths, const char* ratio
   return record;
 }
 
-TEST(Merge, ABlockOfExactlyTheRatioStays) {
-  // Three blocks of 0.2 in a length of 0.6: in doubles 0.6 / 3 < 0.2.
+TEST(Merge, KeepsABlockOfExactlyTheRatio) {
+  // Three blocks of 0.2 are in a length of 0.6. In doubles 0.6 / 3 < 0.2.
   std::vector<std::size_t> kept;
   EXPECT_TRUE(merged({2, 2, 2}, "0.2", kept).empty());
   EXPECT_EQ(kept, (std::vector<std::size_t>{0, 1, 2, 3}));
   EXPECT_EQ(merged({2, 2, 2}, "0.20000000000000000000001", kept).size(), 2U);
 }
 
-TEST(Merge, GoesToTheRightUntilWideEnough) {
+TEST(Merge, MergesASlenderBlockIntoTheNextOnTheRight) {
   std::vector<std::size_t> kept;
   const auto record = merged({9, 2, 3, 4, 9}, "0.6", kept);
   ASSERT_EQ(record.size(), 2U);
@@ -51,11 +52,12 @@ TEST(Merge, GoesToTheRightUntilWideEnough) {
   EXPECT_EQ(record[0].width_to_height, 0.2);
   EXPECT_EQ(record[1].absorbed, 3);
   EXPECT_EQ(record[1].into, 4);
-  EXPECT_EQ(record[1].width_to_height, 0.5);  // with what it had absorbed
+  EXPECT_EQ(record[1].width_to_height,
+            0.5);  // This is the width after it has absorbed block 2.
   EXPECT_EQ(kept, (std::vector<std::size_t>{0, 1, 4, 5}));
 }
 
-TEST(Merge, TheLastBlockGoesToItsLeftNeighbour) {
+TEST(Merge, MergesTheLastBlockIntoItsLeftNeighbour) {
   std::vector<std::size_t> kept;
   const auto record = merged({9, 9, 2, 3}, "0.6", kept);
   ASSERT_EQ(record.size(), 2U);
@@ -66,15 +68,14 @@ TEST(Merge, TheLastBlockGoesToItsLeftNeighbour) {
   EXPECT_EQ(kept, (std::vector<std::size_t>{0, 1, 4}));
 }
 
-TEST(Merge, ALoneSlenderBlockHasNobodyToGoTo) {
+TEST(Merge, KeepsASingleSlenderBlock) {
   std::vector<std::size_t> kept;
   EXPECT_TRUE(merged({5}, "0.6", kept).empty());
   EXPECT_EQ(kept, (std::vector<std::size_t>{0, 1}));
 }
 
-TEST(Merge, LayerKeepsNoSlenderBlockAndDropsTheirVertices) {
+TEST(Merge, LeavesNoSlenderBlockAndNoUnusedVertex) {
   LayerRequest request = testing::random_layer("0 0 0 1 100 1 100 0", 120);
-  const Layer before = cut_layer(request);
   request.merge_ratio = testing::decimal("0.7");
   const Layer after = cut_layer(request);
   ASSERT_FALSE(after.absorptions.empty());
@@ -84,7 +85,14 @@ TEST(Merge, LayerKeepsNoSlenderBlockAndDropsTheirVertices) {
     const auto c = testing::cell(after, i);
     EXPECT_GE(c[3].x() - c[0].x(), 0.7 - 1e-13);
   }
-  // The sides that stay do not move.
+}
+
+TEST(Merge, DoesNotMoveTheSidesThatRemain) {
+  LayerRequest request = testing::random_layer("0 0 0 1 100 1 100 0", 120);
+  const Layer before = cut_layer(request);
+  request.merge_ratio = testing::decimal("0.7");
+  const Layer after = cut_layer(request);
+  ASSERT_FALSE(after.absorptions.empty());
   for (const Vec2& v : after.mesh.vertices) {
     EXPECT_NE(std::find(before.mesh.vertices.begin(), before.mesh.vertices.end(), v),
               before.mesh.vertices.end());

@@ -10,19 +10,19 @@
 namespace blocks::geometry::exact {
 namespace {
 
-TEST(Rounding, LeavesTheRationalsForTheNearestDouble) {
+TEST(Rounding, GivesTheNearestDouble) {
   const Rational ulp(std::ldexp(1.0, -52));
-  EXPECT_EQ(nearest(Rational(1) + ulp / Rational(2)), 1.0);  // tie to even
+  EXPECT_EQ(nearest(Rational(1) + ulp / Rational(2)), 1.0);  // A tie rounds to even.
   EXPECT_EQ(nearest(Rational(1) + ulp * Rational(3, 2)), 1.0 + std::ldexp(1.0, -51));
   EXPECT_EQ(nearest(Rational(1, 10)), 0.1);
   EXPECT_EQ(nearest(Rational(-1, 3)), -1.0 / 3.0);
 }
 
-TEST(Rounding, IsRightAmongSubnormalsAndAtTheEnds) {
+TEST(Rounding, IsCorrectForSubnormalsAndOverflow) {
   const double tiny = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(nearest(Rational(tiny) / Rational(2)), 0.0);
   EXPECT_EQ(nearest(Rational(tiny) * Rational(3, 2)), 2.0 * tiny);
-  // Between two subnormals 53 bits would round twice: just above a tie.
+  // This is just above a tie. Rounding to 53 bits first would round twice.
   const Rational above =
       Rational(tiny) * (Rational(5, 2) + Rational(std::ldexp(1, -60)));
   EXPECT_EQ(nearest(above), 3.0 * tiny);
@@ -31,7 +31,7 @@ TEST(Rounding, IsRightAmongSubnormalsAndAtTheEnds) {
   EXPECT_TRUE(std::isinf(nearest(Rational(largest) * Rational(2))));
 }
 
-TEST(Rounding, DirectedRoundingEnclosesTheValueByOneUlp) {
+TEST(Rounding, EnclosesTheValueWithinOneUlpIfDirected) {
   for (const Rational& r : {Rational(1, 3), Rational(-7, 10), Rational(22, 7)}) {
     const double low = rounded_towards(r, -1);
     const double high = rounded_towards(r, 1);
@@ -42,7 +42,7 @@ TEST(Rounding, DirectedRoundingEnclosesTheValueByOneUlp) {
   EXPECT_EQ(rounded_towards(Rational(3, 4), 1), 0.75);
 }
 
-// The same by MPFR, in the exponent range of a double.
+/// Returns the quotient rounded by MPFR in the exponent range of a double.
 double judged(const Fraction& value, mpfr_rnd_t mode) {
   mpfr_t num, den;
   mpfr_init2(num, mpz_sizeinbase(value.num.mpz(), 2) + 2);
@@ -61,7 +61,7 @@ double judged(const Fraction& value, mpfr_rnd_t mode) {
   return rounded;
 }
 
-TEST(Rounding, IsThatOfMpfrForQuotientsOfAnyLength) {
+TEST(Rounding, AgreesWithMpfrForQuotientsOfAnyLength) {
   std::mt19937_64 engine(7);
   const auto number = [&engine](int words) {
     Integer z = 0;
@@ -74,7 +74,7 @@ TEST(Rounding, IsThatOfMpfrForQuotientsOfAnyLength) {
   int subnormal = 0, infinite = 0, exact = 0;
   for (int k = 0; k < 30000; ++k) {
     Integer num = number(1 + static_cast<int>(engine() % 20)), den;
-    if (k % 5 == 0) {  // a double, a tie, or next to one
+    if (k % 5 == 0) {  // The quotient is a double, a tie, or next to one.
       mpz_tdiv_q_2exp(num.mpz(), num.mpz(), mpz_sizeinbase(num.mpz(), 2) - 54);
       mpz_mul_2exp(num.mpz(), num.mpz(), 3);
       num += Integer(static_cast<int>(engine() % 3) - 1);
@@ -97,15 +97,15 @@ TEST(Rounding, IsThatOfMpfrForQuotientsOfAnyLength) {
   EXPECT_GT(exact, 50);
 }
 
-TEST(Tangent, IsExactWhereItIsRational) {
+TEST(Tangent, IsCorrectlyRoundedForSimpleAngles) {
   EXPECT_EQ(tangent_of_degrees(Rational(0)), 0.0);
   EXPECT_EQ(tangent_of_degrees(Rational(45)), 1.0);
   EXPECT_EQ(tangent_of_degrees(Rational(-45)), -1.0);
   EXPECT_EQ(tangent_of_degrees(Rational(60)), std::sqrt(3.0));
 }
 
-TEST(Tangent, IsTheDoubleNearestToTheTrueOne) {
-  // Judge: the same to 400 bits by another route, sine over cosine.
+TEST(Tangent, AgreesWithMpfr) {
+  // The judge computes sine over cosine with 400 bits.
   mpfr_t angle;
   mpfr_t cosine;
   mpfr_inits2(400, angle, cosine, static_cast<mpfr_ptr>(nullptr));
@@ -123,14 +123,14 @@ TEST(Tangent, IsTheDoubleNearestToTheTrueOne) {
     differs_from_libm += tangent != std::tan(i * M_PI / 18000.0) ? 1 : 0;
   }
   mpfr_clears(angle, cosine, static_cast<mpfr_ptr>(nullptr));
-  EXPECT_GT(differs_from_libm, 0);  // why libm is not asked
+  EXPECT_GT(differs_from_libm, 0);  // The functions of libm are not exact.
 }
 
-TEST(Fraction, ComparesAndRoundsWithoutBeingReduced) {
+TEST(Fraction, IsComparedWithoutBeingReduced) {
   EXPECT_FALSE(Fraction(6, 4) < Fraction(3, 2));
   EXPECT_FALSE(Fraction(3, 2) < Fraction(-6, -4));
   EXPECT_TRUE(Fraction(1, -3) < Fraction(-2, 7));
-  Integer tower = 1;  // 2^60 .. 2^1200: neighbours that no double tells apart
+  Integer tower = 1;  // Doubles cannot distinguish these fractions of 2^60 to 2^1200.
   for (int k = 0; k < 20; ++k) {
     mpz_mul_2exp(tower.mpz(), tower.mpz(), 60);
     EXPECT_TRUE(Fraction(tower, tower + 1) < Fraction(tower + 1, tower));
@@ -138,6 +138,9 @@ TEST(Fraction, ComparesAndRoundsWithoutBeingReduced) {
     EXPECT_FALSE(Fraction(-tower, tower + 1) < Fraction(-tower - 1, tower + 2));
     EXPECT_FALSE(Fraction(tower * 3, (tower + 1) * 3) < Fraction(tower, tower + 1));
   }
+}
+
+TEST(Fraction, IsRoundedWithoutBeingReduced) {
   EXPECT_EQ(rounded_towards(Fraction(10, 100), 0), 0.1);
   EXPECT_EQ(rounded_towards(Fraction(-5, 15), 1), rounded_towards(Rational(-1, 3), 1));
   EXPECT_EQ(rounded_towards(Fraction(0, 5), -1), 0.0);

@@ -18,7 +18,7 @@ struct Case {
   int second;
 };
 
-TEST(Outline, FaultyOnesAreNamedWithTheirCorners) {
+TEST(Outline, ReportsItsFaultAndTheCornersConcerned) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Case& c : {
            Case{"two corners", {{0, 0}, {1, 0}}, OutlineFault::too_few_corners, -1, -1},
@@ -56,16 +56,19 @@ TEST(Outline, FaultyOnesAreNamedWithTheirCorners) {
     EXPECT_EQ(check.first, c.first) << c.name;
     EXPECT_EQ(check.second, c.second) << c.name;
   }
+}
+
+TEST(Outline, DescribesACrossingByTheNumbersOfItsSides) {
   EXPECT_EQ(describe(check_outline({{0, 0}, {1, 1}, {1, 0}, {0, 1}})),
             "sides 1 and 3 cross");
 }
 
-TEST(Outline, SenseAndConvexityAreFound) {
+TEST(Outline, HasSenseAndConvexity) {
   const OutlineCheck square = check_outline({{0, 0}, {0, 1}, {1, 1}, {1, 0}});
   EXPECT_EQ(square.fault, OutlineFault::none);
   EXPECT_FALSE(square.anticlockwise);
   EXPECT_TRUE(square.convex);
-  // A corner straight on is no fault and does not spoil convexity.
+  // An outline with a straight corner is convex.
   const OutlineCheck straight = check_outline({{0, 0}, {0, 1}, {0, 2}, {1, 2}, {1, 0}});
   EXPECT_EQ(straight.fault, OutlineFault::none);
   EXPECT_TRUE(straight.convex);
@@ -75,9 +78,8 @@ TEST(Outline, SenseAndConvexityAreFound) {
   EXPECT_FALSE(dart.convex);
 }
 
-TEST(Outline, OneUlpDecidesACrossing) {
-  // Doubles cannot tell the sign of this corner against the diagonal; the exact test
-  // can.
+TEST(Outline, CrossesItselfByOneUlp) {
+  // In plain doubles the sign of this corner against the diagonal is not certain.
   const double far = 1e9;
   const double above = std::nextafter(far + 0.5, 2e9);
   const Polygon touches = {{far, far},
@@ -98,7 +100,7 @@ TEST(Outline, OneUlpDecidesACrossing) {
   EXPECT_EQ(check_outline(beside).fault, OutlineFault::none);
 }
 
-TEST(Outline, ManyCornersAreCheckedAndTheCulpritFound) {
+TEST(Outline, WithManyCornersReportsTheOneThatCrosses) {
   Polygon star;
   for (int i = 0; i < 4000; ++i) {
     const double angle = -2.0 * M_PI * i / 4000.0;
@@ -107,14 +109,14 @@ TEST(Outline, ManyCornersAreCheckedAndTheCulpritFound) {
   }
   EXPECT_EQ(check_outline(star).fault, OutlineFault::none);
   EXPECT_FALSE(check_outline(star).anticlockwise);
-  star[1000] = 0.95 * star[1006];  // through three teeth
+  star[1000] = 0.95 * star[1006];  // This corner crosses three teeth.
   const OutlineCheck crossed = check_outline(star);
   EXPECT_EQ(crossed.fault, OutlineFault::self_crossing);
   EXPECT_NEAR(crossed.first, 1000, 6);
   EXPECT_NEAR(crossed.second, 1000, 6);
 }
 
-TEST(Outline, ReversingKeepsTheFirstCorner) {
+TEST(Outline, KeepsItsFirstCornerWhenReversed) {
   const Polygon p = {{0, 0}, {1, 0}, {1, 1}};
   const Polygon r = reversed(p);
   EXPECT_EQ(r[0], p[0]);
@@ -122,15 +124,15 @@ TEST(Outline, ReversingKeepsTheFirstCorner) {
   EXPECT_EQ(r[2], p[1]);
 }
 
-TEST(Outline, CopiesArePlacedExactlyAndRoundedOnce) {
-  // 0.1 + 3 * 0.1 is 0.4 on paper, 0.4000000000000001 in doubles.
+TEST(Outline, IsCopiedExactlyAndRoundedOnce) {
+  // 0.1 + 3 * 0.1 is 0.4 in decimals and 0.4000000000000001 in doubles.
   const auto tenth = testing::decimal("0.1");
   const Polygon copy = place_outline({{tenth, Decimal(0)}}, {tenth, tenth}, 3);
   EXPECT_EQ(copy[0].x(), 0.4);
   EXPECT_EQ(copy[0].y(), 0.3);
 }
 
-TEST(SectionProperties, RectangleFarFromTheOrigin) {
+TEST(SectionProperties, AreExactFarFromTheOrigin) {
   const double far = 1e9;
   const Polygon p = {{far, far}, {far, far + 2}, {far + 3, far + 2}, {far + 3, far}};
   const SectionProperties s = section_properties(p);
@@ -139,9 +141,9 @@ TEST(SectionProperties, RectangleFarFromTheOrigin) {
   EXPECT_DOUBLE_EQ(s.second_moment, 6.0 * (4.0 + 9.0) / 12.0);
 }
 
-TEST(SectionProperties, ConcaveOutlineIsTheSumOfItsParts) {
-  // An L of three unit squares: centroid (5/6, 5/6), J = 3 (1/6) + sum of the squared
-  // distances of the squares' centroids.
+TEST(SectionProperties, OfAnLAreTheSumsOfItsParts) {
+  // An L of three unit squares has the centroid (5/6, 5/6). Its J is 3 (1/6) plus the
+  // sum of the squared distances of the centroids of the squares.
   const Polygon p = {{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}};
   const SectionProperties s = section_properties(p);
   EXPECT_DOUBLE_EQ(s.area, 3.0);

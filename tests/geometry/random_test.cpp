@@ -8,7 +8,7 @@
 namespace blocks::geometry {
 namespace {
 
-TEST(RandomStream, EveryNameGivesItsOwnNumber) {
+TEST(RandomStream, HasAnotherNumberForEveryKey) {
   std::set<std::uint64_t> seen;
   int names = 0;
   for (std::uint64_t seed : {0, 1})
@@ -23,7 +23,8 @@ TEST(RandomStream, EveryNameGivesItsOwnNumber) {
 }
 
 TEST(RandomStream, IsUniformOverItsRange) {
-  // 16 bins of 1000 expected; chi-square with 15 degrees exceeds 45 once in 10^4.
+  // Each of 16 bins expects 1000. Chi-square with 15 degrees of freedom exceeds 45 once
+  // in 10^4.
   std::array<int, 16> bins{};
   for (std::uint64_t block = 0; block < 16000; ++block) {
     const std::uint64_t bits = random_53_bits({7, 3}, block, 0, 0);
@@ -36,8 +37,9 @@ TEST(RandomStream, IsUniformOverItsRange) {
   EXPECT_LT(chi_square, 45.0);
 }
 
-TEST(RandomStream, IsPhilox4x64OfThePublishedAlgorithm) {
-  // Known answer of the Random123 distribution: counter and key zero, ten rounds.
+TEST(RandomStream, IsThePublishedPhilox4x64) {
+  // This is the known answer of the Random123 distribution for counter and key zero and
+  // ten rounds.
   EXPECT_EQ(random_53_bits({0, 0}, 0, 0, 0), 0x16554d9eca36314cULL >> 11U);
 }
 

@@ -18,12 +18,12 @@ namespace {
 using testing::corners;
 using testing::decimal;
 
-// Dipping strata: bands between parallel slanted lines, each cut by ends of its own
-// into layers, some of them single blocks. Corners of every band end inside lines of
-// its neighbours, and whole bands with other ends share parts of lines.
+/// Dipping strata: bands between parallel slanted lines. Each band is cut into layers
+/// at ends of its own, and some layers are single blocks. Corners of a band are inside
+/// lines of its neighbours, and layers of two bands share parts of lines.
 struct Strata {
   std::vector<DeckOutline> outlines;
-  std::vector<int> counts;  ///< blocks of the layer; 0: a single block
+  std::vector<int> counts;  ///< blocks of the layer, or 0 for a single block
 };
 
 class Dice {
@@ -37,7 +37,8 @@ class Dice {
   std::mt19937 engine_;
 };
 
-// The point at 0.1 x on the line y = 0.1 a + 0.0001 b x, raised by 0.1 up.
+/// Returns the text of the point at 0.1 x on the line y = 0.1 a + 0.0001 b x, raised by
+/// 0.1 up. Coordinates are exchanged if `steep`.
 std::string on_line(int a, int b, int x, int up, bool steep) {
   char along[40], across[40];
   std::snprintf(along, sizeof along, "%.1f ", 0.1 * x);
@@ -52,7 +53,7 @@ Strata strata(Dice& dice, bool leaning, bool steep) {
   const int bands = dice.whole(2, 5);
   for (int k = 0; k < bands; ++k) {
     const int low = 50 * k, high = 50 * (k + 1);
-    int x0 = west, x1 = west;  // bottom and top of the end on the left
+    int x0 = west, x1 = west;  // These are bottom and top of the left end.
     while (x0 < east) {
       int y0 = std::min(east, x0 + dice.whole(60, 300)), y1 = y0;
       if (east - y0 < 60)
@@ -63,7 +64,7 @@ Strata strata(Dice& dice, bool leaning, bool steep) {
                          on_line(a, b, x1, high, steep) +
                          on_line(a, b, y1, high, steep) + on_line(a, b, y0, low, steep);
       auto four = corners(quad);
-      if (steep)  // the mirror image of a clockwise layer runs anticlockwise
+      if (steep)  // The mirror image of a clockwise layer is anticlockwise.
         std::swap(four[1], four[3]);
       result.outlines.push_back({{four.begin(), four.end()}, {}, 1});
       result.counts.push_back(dice.whole(0, 3) == 0 ? 0 : dice.whole(1, 30));
@@ -95,7 +96,7 @@ std::vector<Polygon> cut(const Strata& strata, const SharedCorners& shared) {
   return blocks;
 }
 
-TEST(SharedCorners, LayersThatShareAPartOfASlantedLineNeverOverlap) {
+TEST(SharedCorners, KeepLayersOnPartsOfASlantedLineApart) {
   std::size_t moved = 0, crossed = 0;
   for (unsigned k = 0; k < 200; ++k) {
     Dice dice(k);
@@ -105,11 +106,11 @@ TEST(SharedCorners, LayersThatShareAPartOfASlantedLineNeverOverlap) {
     EXPECT_TRUE(overlapping_pairs(cut(made, shared)).empty()) << k;
     crossed += overlapping_pairs(cut(made, {})).size();
   }
-  EXPECT_GT(moved, 100U);    // there was something to do,
-  EXPECT_GT(crossed, 100U);  // and without it blocks overlap
+  EXPECT_GT(moved, 100U);    // Some corners have to move.
+  EXPECT_GT(crossed, 100U);  // Blocks overlap unless they do.
 }
 
-TEST(SharedCorners, OrderSenseAndStrangersChangeNothing) {
+TEST(SharedCorners, DoNotDependOnOrderSenseAndOtherOutlines) {
   Dice dice(11);
   const Strata made = strata(dice, true, false);
   const SharedCorners shared(made.outlines);
@@ -130,8 +131,8 @@ TEST(SharedCorners, OrderSenseAndStrangersChangeNothing) {
     }
 }
 
-TEST(SharedCorners, CopiesOfABlockLeaveTheLineTheyLieOn) {
-  // a block above a line of slope 1 : 3, and blocks that hang below it
+TEST(SharedCorners, KeepCopiesOfABlockApartFromALine) {
+  // One block is above a line of slope 1 : 3, and copies of another hang below it.
   const auto slope = corners("0 0 0 20 33.3 20 33.3 11.1");
   const auto block = corners("0.7 -9 0.3 0.1 1.2 0.4 1.2 -9");
   DeckOutline copies{
@@ -151,8 +152,9 @@ TEST(SharedCorners, CopiesOfABlockLeaveTheLineTheyLieOn) {
     EXPECT_TRUE(overlapping_pairs({blocks[0], blocks[i]}).empty()) << i;
 }
 
-// A line that falls by 1e-10: along it a corner would have to go far to leave it.
-TEST(SharedCorners, NoCornerGoesFartherThanRounding) {
+// The line falls by 1e-10. A corner that moved horizontally would have to move far to
+// leave it.
+TEST(SharedCorners, MoveNoCornerFartherThanRounding) {
   const auto layer = corners("0 100.3 0 101.3 30 101.300000003 30 100.3");
   const auto block =
       corners("5.99998 101.3000000006 5.99998 102.3 7 102.3 6 101.3000000006");
@@ -164,9 +166,9 @@ TEST(SharedCorners, NoCornerGoesFartherThanRounding) {
   }
 }
 
-TEST(SharedCorners, LinesAlongAnAxisStayOnIt) {
-  // The slanted layer's corner (5, 0) lies inside the horizontal top of the left one
-  // and the left one's corner (10, 0) inside nothing: nothing to move.
+TEST(SharedCorners, DoNotMoveOnLinesAlongAnAxis) {
+  // The corner (5, 0) of the slanted layer is inside the horizontal top of the left
+  // one. The corner (10, 0) of the left one is inside no line.
   const auto left = corners("0 -5 0 0 10 0 10 -5"), right = corners("5 0 4 9 9 9 10 0");
   EXPECT_EQ(SharedCorners({{{left.begin(), left.end()}, {}, 1},
                            {{right.begin(), right.end()}, {}, 1}})

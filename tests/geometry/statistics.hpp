@@ -1,4 +1,4 @@
-// Two tests of distributions, for samples with fixed seeds.
+// Statistical tests of distributions, for samples with fixed seeds.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace blocks::geometry::testing {
 
-/// Kolmogorov-Smirnov: largest distance to a distribution function, times sqrt(n).
-/// Exceeds 1.95 once in a thousand samples of that law.
+/// Returns the Kolmogorov-Smirnov statistic: the largest distance to a distribution
+/// function, times sqrt(n). One in a thousand samples of that law exceeds 1.95.
 template <class Law> double ks_distance(std::vector<double> sample, Law law) {
   std::sort(sample.begin(), sample.end());
   const double n = static_cast<double>(sample.size());
@@ -21,7 +21,8 @@ template <class Law> double ks_distance(std::vector<double> sample, Law law) {
   return distance * std::sqrt(n);
 }
 
-/// The same between two samples, times sqrt(n m / (n + m)).
+/// Returns the statistic of two samples: the largest distance between their
+/// distribution functions, times sqrt(n m / (n + m)).
 inline double ks_distance(std::vector<double> a, std::vector<double> b) {
   std::sort(a.begin(), a.end());
   std::sort(b.begin(), b.end());

@@ -5,7 +5,7 @@
 namespace blocks::geometry {
 namespace {
 
-// A wall of n by n unit squares on shared vertices.
+/// Returns a wall of n by n unit squares on shared vertices.
 Mesh wall(int n) {
   Mesh mesh;
   const auto at = [n](int i, int j) { return j * (n + 1) + i; };
@@ -34,15 +34,16 @@ TEST(TilingCertificate, HoldsForAWallAndCountsItsEdges) {
   EXPECT_EQ(c.outline_edges, 12);
 }
 
-TEST(TilingCertificate, CatchesAVertexMovedAcrossItsCell) {
+TEST(TilingCertificate, FailsForAVertexMovedAcrossItsCell) {
   Mesh mesh = wall(3);
-  mesh.vertices[5] = {2.5, 2.5};  // areas still add up: they share the vertex
+  mesh.vertices[5] = {
+      2.5, 2.5};  // The areas still add up, because the cells share the vertex.
   const TilingCertificate c = certify_tiling(mesh);
   EXPECT_FALSE(c.holds);
   EXPECT_FALSE(c.offending_cells.empty());
 }
 
-TEST(TilingCertificate, CatchesADuplicatedCell) {
+TEST(TilingCertificate, FailsForADuplicatedCell) {
   Mesh mesh = wall(2);
   mesh.cells.push_back(mesh.cells[3]);
   const TilingCertificate c = certify_tiling(mesh);
@@ -50,7 +51,7 @@ TEST(TilingCertificate, CatchesADuplicatedCell) {
   EXPECT_EQ(c.offending_cells.size(), 2U);
 }
 
-TEST(TilingCertificate, CatchesAMissingCellInsideAndAtTheRim) {
+TEST(TilingCertificate, FailsForAMissingCell) {
   for (const int missing : {4, 0}) {
     Mesh mesh = wall(3);
     mesh.cells.erase(mesh.cells.begin() + missing);
@@ -58,19 +59,25 @@ TEST(TilingCertificate, CatchesAMissingCellInsideAndAtTheRim) {
   }
 }
 
-TEST(TilingCertificate, CatchesAnAnticlockwiseCellAndABadIndex) {
+TEST(TilingCertificate, FailsForAnAnticlockwiseCell) {
   Mesh turned = wall(1);
   std::swap(turned.cells[0][1], turned.cells[0][3]);
   EXPECT_FALSE(certify_tiling(turned).holds);
+}
+
+TEST(TilingCertificate, FailsForAVertexIndexOutOfRange) {
   Mesh bad = wall(1);
   bad.cells[0][2] = 99;
   EXPECT_FALSE(certify_tiling(bad).holds);
+}
+
+TEST(TilingCertificate, FailsForAnEmptyMesh) {
   EXPECT_FALSE(certify_tiling(Mesh{}).holds);
 }
 
-TEST(TilingCertificate, CatchesAnOutlineThatCrossesItself) {
-  // Every edge has its twin and every cell is a triangle turned the right way, yet the
-  // fan goes around its hub twice.
+TEST(TilingCertificate, FailsForAnOutlineThatCrossesItself) {
+  // Every inner edge belongs to two cells and every cell is a clockwise triangle, but
+  // the fan of triangles goes around its centre twice.
   Mesh mesh;
   mesh.vertices.emplace_back(0, 0);
   const int n = 5;

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""An installed BLOCKS is found, linked and right: check_consumer.py CMAKE BUILD SOURCE
+"""An installed BLOCKS is found, linked and correct: check_consumer.py CMAKE BUILD SOURCE
 GENERATOR COMPILER FLAGS."""
 
 import re
@@ -17,26 +17,26 @@ def run(*words):
 
 
 def check_layer(printed):
-    """At rest the floor carries the weight, and every contact obeys Coulomb's law."""
+    """At rest the floor carries the weight, and every contact obeys the Coulomb limit."""
     carried, weight = map(float, re.search(r"carries (\d+) N of (\d+) N", printed).groups())
     assert weight == 245250 and abs(carried - weight) < 1e-3 * weight, printed
     rows = [line.split() for line in printed.splitlines() if re.match(r" *\d+ ", line)]
-    assert len(rows) >= 22, printed  # two corners of each of 11 blocks on the floor
+    assert len(rows) >= 22, printed  # Each of 11 blocks on the floor has two contacts.
     for *_, normal, shear in rows:
         assert float(normal) >= 0 and abs(float(shear)) <= 0.6 * float(normal) + 0.1, printed
 
 
 def check_servo(printed, results):
-    """The force comes to what was asked for, and the floor feels it and the weight."""
+    """The force reaches its required value, and the floor carries it and the weight."""
     plate, floor = (tuple(map(float, re.findall(r"([\d.]+) N", line))) for line in printed.splitlines()[-2:])
     assert plate[1] == 5e5 and abs(plate[0] - plate[1]) < 1e-3 * plate[1], printed
-    # 2500 kg/m3, 18 m2 of bricks under the plate
+    # There are 18 m2 of bricks with 2500 kg/m3 under the plate.
     assert abs(floor[1] - 5e5 - 9.81 * 2500 * 18) < 0.1 and abs(floor[0] - floor[1]) < 1e-3 * floor[1], printed
     assert results.stat().st_size > 0
 
 
 def write_page_example(page, folder):
-    """The project and the program that the page shows."""
+    """Extracts the project and the program of the page."""
     text = page.read_text()
     folder.mkdir()
     for kind, name in (("cmake", "CMakeLists.txt"), ("cpp", "mine.cpp")):

@@ -1,5 +1,4 @@
-// The library is the program: same cards, same bits, same messages; and what is set
-// from outside acts as mechanics says.
+// The library gives the same bits and messages as the program for the same cards.
 #include "blocks/simulation.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +15,7 @@ const std::string stack = preliminary() + rectangle(-2, -1, 3, 0, true) +
                           "CLOOP, 3, 0, 1\n" + rectangle(0, 0, 1, 1) +
                           "GRAVITY, 0, -9.81\nFRICTN, 0.5\nDAMPING, 0.3\n";
 
-/// Every corner of every block.
+/// Returns the corners of all blocks.
 std::vector<double> corners(const Simulation& simulation) {
   std::vector<double> all;
   for (int b = 1; b <= simulation.blocks(); ++b) {
@@ -26,9 +25,7 @@ std::vector<double> corners(const Simulation& simulation) {
   return all;
 }
 
-// Cards at once, steps one by one, on from the program's checkpoint and back again in
-// the program: one run.
-TEST(Simulation, HasTheBitsOfTheProgram) {
+TEST(Simulation, GivesTheBitsOfTheProgram) {
   const TemporaryFolder folder;
   const std::string push = "SETVEL, 3, 0, 1.5\n";
   folder.write("whole.deck", stack + "CYCLE, 200\n" + push + "CYCLE, 150\n");
@@ -62,8 +59,8 @@ TEST(Simulation, HasTheBitsOfTheProgram) {
   EXPECT_EQ(state_of("back"), expected);
 }
 
-// Likewise where blocks are stepped in an order of their own inside.
-TEST(Simulation, HasTheBitsOfTheProgramInAnotherOrder) {
+// The blocks are numbered at random, so that the run uses an internal order.
+TEST(Simulation, GivesTheBitsOfTheProgramInAnInternalOrder) {
   const TemporaryFolder folder;
   folder.write("whole.deck",
                wall_at_random() + "CYCLE, 30\nSETVEL, 77, 0, 1\nCYCLE, 20\n");
@@ -84,9 +81,8 @@ TEST(Simulation, HasTheBitsOfTheProgramInAnotherOrder) {
   EXPECT_EQ(corners(restarted), expected);
 }
 
-// m dv = dt (contact forces + m g) for every free block, step by step (1): the contacts
-// that are read are the ones that acted.
-TEST(Simulation, ContactForcesMoveTheBlocks) {
+// For every free block m dv = dt (contact forces + m g) in each step (1).
+TEST(Simulation, HasTheContactForcesThatMoveTheBlocks) {
   Simulation simulation(stack);
   simulation.set_velocity(4, {0.4, -0.2}, 0.3);
   int contacts = 0;
@@ -106,17 +102,17 @@ TEST(Simulation, ContactForcesMoveTheBlocks) {
       for (const ContactForce& contact : simulation.contacts())
         if (contact.corner_block == b || contact.edge_block == b)
           pressed += contact.force().norm();
-      // Round-off of velocities below 1, and the normals, which have turned by spin dt
-      // since the forces acted.
+      // The tolerance covers round-off of velocities below 1. The normals have turned
+      // by spin dt since the forces acted.
       EXPECT_LT((change - expected).norm(), 1e-14 + 1e-3 * per_mass * pressed);
     }
   }
   EXPECT_GT(contacts, 300);
 }
 
-// A force through each step, given as a velocity: x = F t (t + dt) / 2m, exactly what
-// semi-implicit Euler makes of a constant force.
-TEST(Simulation, ForceThroughEveryStepAccelerates) {
+// The velocity is changed as by a constant force. The integrator then gives
+// x = F t (t + dt) / 2m.
+TEST(Simulation, AcceleratesByAChangeOfVelocityInEveryStep) {
   Simulation simulation(preliminary() + rectangle(0, 0, 1, 1));
   const Eigen::Vector2d start = simulation.centroid(1), force(300.0, -200.0);
   for (int i = 0; i < 100; ++i) {
@@ -130,8 +126,8 @@ TEST(Simulation, ForceThroughEveryStepAccelerates) {
             1e-12 * expected.norm());
 }
 
-// A block on two planes of a corner: planes are named, and carry the weight.
-TEST(Simulation, SymmetryPlanesStandAmongTheContacts) {
+// The two lower corners of the block are on the plane.
+TEST(Simulation, HasContactsWithSymmetryPlanes) {
   Simulation simulation(preliminary() + rectangle(0, 0, 1, 1) +
                         "SPLANE, 0, 0, 1, 0\nGRAVITY, 0, -9.81\nDAMPING, 0.4\n");
   simulation.step(3000);
@@ -145,9 +141,8 @@ TEST(Simulation, SymmetryPlanesStandAmongTheContacts) {
   }
 }
 
-// Faults of the cards are the messages of `blocks check`, all of them, with their
-// place; and cards at fault do nothing.
-TEST(Simulation, TellsEveryFaultOfTheCards) {
+// The messages are those of `blocks check`.
+TEST(Simulation, ReportsEveryFaultOfTheCards) {
   try {
     Simulation simulation(stack + "FRICTN, -1\nSETVEL, 9\n");
     FAIL() << "accepted";
@@ -157,6 +152,9 @@ TEST(Simulation, TellsEveryFaultOfTheCards) {
     EXPECT_THAT(error.what(), HasSubstr("blocks 1 to 4 exist here"));
     EXPECT_THAT(error.what(), HasSubstr("2 errors"));
   }
+}
+
+TEST(Simulation, IsNotChangedByFaultyCards) {
   Simulation simulation(stack);
   const std::vector<double> before = corners(simulation);
   EXPECT_THROW(simulation.cards("FIX, 2\nFIX, 7\n"), DeckError);
@@ -169,15 +167,21 @@ TEST(Simulation, TellsEveryFaultOfTheCards) {
                 HasSubstr("cards:1:1: error: STIFF: a preliminary card cannot follow"));
   }
   EXPECT_EQ(corners(simulation), before);
+}
+
+TEST(Simulation, RefusesUnknownAndFixedBlocks) {
+  Simulation simulation(stack);
   EXPECT_THROW(simulation.velocity(5), std::out_of_range);
   EXPECT_THROW(simulation.set_velocity(1, {0.0, 0.0}), std::logic_error);
+}
+
+TEST(Simulation, RefusesToBeginWithoutCheckpointOrBlocks) {
   EXPECT_THROW(Simulation("RESTART\n"), DeckError);
   EXPECT_THROW(Simulation("RESTART, absent.ckpt.h5\n"), std::runtime_error);
   EXPECT_THROW(Simulation(preliminary()).step(), std::logic_error);
 }
 
-// What stops a run stops a step, and no number that is none comes in.
-TEST(Simulation, RefusesWhatNoRunGoesOnFrom) {
+TEST(Simulation, RefusesToContinueAnUnsoundRun) {
   Simulation thrown(preliminary() + rectangle(0, 0, 1, 1) +
                     rectangle(1.01, 0, 2.01, 1));
   thrown.set_velocity(1, {400.0, 0.0});
@@ -196,12 +200,15 @@ TEST(Simulation, RefusesWhatNoRunGoesOnFrom) {
   } catch (const UnsoundRun& error) {
     EXPECT_THAT(error.what(), HasSubstr("cannot continue an unsound run: at time"));
   }
-  thrown.write_frame(folder / "last.vtkhdf");  // to look at
+  thrown.write_frame(folder / "last.vtkhdf");
+}
+
+TEST(Simulation, RefusesAWrongNumberOfThreads) {
   EXPECT_THROW(Simulation(stack, 0), std::invalid_argument);
   EXPECT_THROW(Simulation(stack, 100000), std::invalid_argument);
 }
 
-TEST(Simulation, WritesEachOfSeveralResults) {
+TEST(Simulation, WritesSeveralResultsFiles) {
   const TemporaryFolder folder;
   Simulation driven(stack);
   for (int k = 0; k < 3; ++k) {
@@ -216,9 +223,8 @@ TEST(Simulation, WritesEachOfSeveralResults) {
   }
 }
 
-// A block made between two calls at one time is in the second frame; a state is not
-// written twice, and a file has one writer whatever it is called.
-TEST(Simulation, FramesAreNeitherLostNorMixed) {
+// The second frame has a block that was made between two calls at the same time.
+TEST(Simulation, WritesEachStateOnce) {
   const TemporaryFolder folder;
   Simulation driven(stack);
   const std::string file = folder / "w.vtkhdf";
@@ -230,7 +236,13 @@ TEST(Simulation, FramesAreNeitherLostNorMixed) {
   const Outcome told = blocks("history w.vtkhdf -q y:5 --csv", folder.path());
   EXPECT_EQ(std::count(told.out.begin(), told.out.end(), '\n'), 3) << told.out;
   EXPECT_THAT(told.out, HasSubstr("4.5")) << told.out;
+}
 
+TEST(Simulation, DoesNotWriteTheResultsOfAnotherSimulation) {
+  const TemporaryFolder folder;
+  Simulation driven(stack);
+  const std::string file = folder / "w.vtkhdf";
+  driven.write_frame(file);
   Simulation other(stack);
   try {
     other.write_frame(file);
@@ -243,15 +255,13 @@ TEST(Simulation, FramesAreNeitherLostNorMixed) {
   EXPECT_TRUE(std::filesystem::exists(file + ".bak"));
 }
 
-// What deserves a warning on the command line deserves it here, with the card that is
-// to blame.
-TEST(Simulation, WarnsOfOverlap) {
+TEST(Simulation, WarnsOfOverlappingBlocks) {
   const Simulation simulation(stack + rectangle(0.5, 2.5, 1.5, 3.5));
   ASSERT_EQ(simulation.warnings().size(), 1u);
   EXPECT_THAT(simulation.warnings().front(), HasSubstr("blocks 4 and 5 overlap"));
 }
 
-TEST(Simulation, WarnsOfWhatMoves) {
+TEST(Simulation, WarnsOfFastBlocksAndOfBlocksThatLeaveTheDomain) {
   Simulation thrown(preliminary() + rectangle(0, 0, 1, 1));
   thrown.set_velocity(1, {500.0, 0.0});
   thrown.step(100);
@@ -261,7 +271,7 @@ TEST(Simulation, WarnsOfWhatMoves) {
   EXPECT_FALSE(thrown.is_free(1));
 }
 
-TEST(Simulation, BlamesTheCardThatSetsThePace) {
+TEST(Simulation, NamesTheCardThatMakesTheTimeStepTooLarge) {
   const Simulation simulation(stack + "DAMPING, 0.9\nPLOTS, 1\n");
   ASSERT_EQ(simulation.warnings().size(), 1u);
   EXPECT_THAT(simulation.warnings().front(), HasSubstr("warning: DAMPING: FRACTION"));

@@ -1,5 +1,4 @@
-// Other numbers for the same blocks: which models get them, and that nothing but the
-// numbers changes.
+// Blocks are renumbered internally for memory locality. Only the numbers change.
 #include "model/numbering.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +20,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// Draws that are the same everywhere.
+/// Random numbers that are the same on every machine.
 class Dice {
  public:
   explicit Dice(unsigned seed) : random_(seed) {}
@@ -36,13 +35,15 @@ class Dice {
   std::mt19937 random_;
 };
 
+/// Returns 0 to n - 1 in order.
 std::vector<int> counted(int n) {
   std::vector<int> all(n);
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
-/// Boxes of a grid, numbered in this order of their numbers along rows.
+/// Returns the boxes of a grid in this order; box k of a row-wise count is in row
+/// k / width.
 Blocks grid(int width, const std::vector<int>& order) {
   std::vector<NewBlock> boxes;
   for (const int k : order) {
@@ -54,9 +55,7 @@ Blocks grid(int width, const std::vector<int>& order) {
   return blocks;
 }
 
-// What is numbered along rows or columns stays as it is, to the last bit of its
-// results; and what is small.
-TEST(BetterOrder, IsForLargeModelsWithNumbersAtRandom) {
+TEST(BetterOrder, IsGivenToLargeModelsNumberedAtRandom) {
   constexpr int width = 100, rows = 50, n = width * rows;
   std::vector<int> along_rows = counted(n), columns, random = along_rows;
   for (int k = 0; k < n; ++k)
@@ -69,8 +68,9 @@ TEST(BetterOrder, IsForLargeModelsWithNumbersAtRandom) {
   EXPECT_THAT(better_order({}, 0), IsEmpty());
 }
 
-// One column of boxes or two to a strip, each from below: the wall is wider than high.
-TEST(StripOrder, FollowsTheShorterSide) {
+// The wall is wider than high, so strips are one or two columns of boxes, numbered from
+// below.
+TEST(StripOrder, RunsAlongTheShorterSideOfTheModel) {
   std::vector<int> random = counted(300);
   Dice(2).shuffle(random);
   const Blocks wall = grid(30, random);
@@ -83,7 +83,7 @@ TEST(StripOrder, FollowsTheShorterSide) {
   EXPECT_LE(down, 29);
 }
 
-/// Polygons anywhere, with contacts, planes and loads between any of them.
+/// Returns random polygons with contacts, planes and loads between any of them.
 Model random_model(Dice& dice) {
   Model model;
   const int n = 2 + dice.below(40);
@@ -149,7 +149,7 @@ Model renumbered(const Model& from, const Numbering& by) {
   return to;
 }
 
-/// Corner and edge of each contact by their coordinates, and its forces.
+/// Returns the coordinates of corner and edge of each contact, and its forces.
 std::multiset<std::vector<double>> acting(const Model& model) {
   std::multiset<std::vector<double>> all;
   for (const Contact& contact : model.contacts) {
@@ -161,28 +161,58 @@ std::multiset<std::vector<double>> acting(const Model& model) {
   return all;
 }
 
-bool in_order(const Model& model) {
+bool is_in_order(const Model& model) {
   return std::is_sorted(model.contacts.begin(), model.contacts.end(),
                         [&](const Contact& l, const Contact& r) {
                           return sort_key(model.blocks, l) < sort_key(model.blocks, r);
                         });
 }
 
-TEST(Numbering, ThereAndBackIsTheSameModel) {
-  for (unsigned seed = 1; seed <= 200; ++seed) {
-    Dice dice(seed);
-    const Model model = random_model(dice);
+/// A random model, the same model renumbered at random, and the numbering.
+struct Renumbered {
+  explicit Renumbered(unsigned seed)
+      : dice(seed), model(random_model(dice)), order(shuffled(dice, model)),
+        numbering(model.blocks, order), other(renumbered(model, numbering)) {}
+  static std::vector<int> shuffled(Dice& dice, const Model& model) {
     std::vector<int> order = counted(model.blocks.size());
     dice.shuffle(order);
-    const Numbering there(model.blocks, order);
-    const Model other = renumbered(model, there);
-    ASSERT_EQ(samples::fields(renumbered(other, there.reverse())),
-              samples::fields(model))
+    return order;
+  }
+  Dice dice;
+  Model model;
+  std::vector<int> order;
+  Numbering numbering;
+  Model other;
+};
+
+constexpr unsigned models = 200;
+
+TEST(Numbering, IsUndoneByItsReverse) {
+  for (unsigned seed = 1; seed <= models; ++seed) {
+    const Renumbered r(seed);
+    ASSERT_EQ(samples::fields(renumbered(r.other, r.numbering.reverse())),
+              samples::fields(r.model))
         << seed;
-    ASSERT_TRUE(in_order(other)) << seed;
-    ASSERT_EQ(acting(other), acting(model)) << seed;
-    for (int b = 0; b < model.blocks.size(); ++b)
-      ASSERT_EQ(other.blocks.outline(b), model.blocks.outline(order[b])) << seed;
+  }
+}
+
+TEST(Numbering, KeepsContactsSortedByTheNewNumbers) {
+  for (unsigned seed = 1; seed <= models; ++seed)
+    ASSERT_TRUE(is_in_order(Renumbered(seed).other)) << seed;
+}
+
+TEST(Numbering, KeepsContactsAndTheirForces) {
+  for (unsigned seed = 1; seed <= models; ++seed) {
+    const Renumbered r(seed);
+    ASSERT_EQ(acting(r.other), acting(r.model)) << seed;
+  }
+}
+
+TEST(Numbering, PutsBlocksInTheGivenOrder) {
+  for (unsigned seed = 1; seed <= models; ++seed) {
+    const Renumbered r(seed);
+    for (int b = 0; b < r.model.blocks.size(); ++b)
+      ASSERT_EQ(r.other.blocks.outline(b), r.model.blocks.outline(r.order[b])) << seed;
   }
 }
 

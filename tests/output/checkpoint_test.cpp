@@ -19,7 +19,7 @@ using samples::overwrite;
 using samples::TemporaryFolder;
 using ::testing::HasSubstr;
 
-// Sets every field to something of its own, awkward doubles included.
+/// Sets every field to a different value, including special doubles.
 class Filler {
  public:
   template <class T>
@@ -95,7 +95,7 @@ Model filled_model() {
   Model model;
   Filler filler;
   visit_model(model, filler);
-  model.settings.seed = 0xFFFFFFFFFFFFFFFFULL;  // beyond a signed number
+  model.settings.seed = 0xFFFFFFFFFFFFFFFFULL;  // No signed number holds this seed.
   return model;
 }
 
@@ -118,7 +118,7 @@ const CheckpointInfo info = {.deck_file = "crater.deck",
                                           "one\ntwo\n",
                                           {{0, 1, 0.125, {0.25, 0.5}, 0.75}}}};
 
-/// What is written of the model is read back, field by field.
+/// Writes the fields of a model, reads them and requires the same values.
 void expect_kept(const Model& model) {
   const TemporaryFolder folder;
   const auto written = fields(model);
@@ -134,9 +134,8 @@ void expect_kept(const Model& model) {
     EXPECT_EQ(back.at(name), value) << name;
 }
 
-// A continuation is bit-identical, so every field must survive bit by bit,
-// whatever it holds.
-TEST(Checkpoint, KeepsEveryFieldBitByBit) {
+// Continued runs have the same bits only if all fields have the same bits.
+TEST(Checkpoint, KeepsTheBitsOfEveryField) {
   const Model model = filled_model();
   const auto written = fields(model), untouched = fields(Model());
   for (const auto& [name, value] : written) {
@@ -146,7 +145,7 @@ TEST(Checkpoint, KeepsEveryFieldBitByBit) {
 }
 
 // Long lists are written in pieces.
-TEST(Checkpoint, KeepsLongListsBitByBit) {
+TEST(Checkpoint, KeepsTheBitsOfLongLists) {
   Model model = filled_model();
   for (int i = 0; i < 200000; ++i)
     model.contacts.push_back(
@@ -183,7 +182,7 @@ TEST(Checkpoint, KeepsModelAndRun) {
   EXPECT_EQ(read.progress.overlaps[0].place, Vec2(0.25, 0.5));
 }
 
-// A deck that stops before its first block has empty columns.
+// A deck that stops before its first block has empty arrays.
 TEST(Checkpoint, KeepsAModelWithoutBlocks) {
   const TemporaryFolder folder;
   const Model model = samples::no_blocks();
@@ -192,7 +191,6 @@ TEST(Checkpoint, KeepsAModelWithoutBlocks) {
   EXPECT_EQ(fields(read_checkpoint(folder / "a.ckpt.h5", read)), fields(model));
 }
 
-// No damaged byte, wherever it is, may slip into a continuation or crash it.
 TEST(Checkpoint, RefusesAnyDamagedByte) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.ckpt.h5";
@@ -209,11 +207,19 @@ TEST(Checkpoint, RefusesAnyDamagedByte) {
         << "byte " << at;
   }
   RecordProperty("bytes", std::to_string(bytes_tried));
+}
+
+TEST(Checkpoint, RefusesATruncatedFile) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.ckpt.h5";
+  write_checkpoint(path, samples::two_blocks(), info);
+  const std::string sound = contents(path);
+  CheckpointInfo read;
   overwrite(path, sound.substr(0, sound.size() / 2));
   EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }), HasSubstr("damaged"));
 }
 
-TEST(Checkpoint, SaysWhatIsWrong) {
+TEST(Checkpoint, SaysWhyItIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.ckpt.h5";
   CheckpointInfo read;
@@ -233,8 +239,7 @@ TEST(Checkpoint, SaysWhatIsWrong) {
   EXPECT_THAT(written_by("09"), HasSubstr("older version"));
 }
 
-// The last two are kept: a run killed between two checkpoints loses one at most.
-TEST(Checkpoint, KeepsThePreviousOne) {
+TEST(Checkpoint, KeepsThePreviousCheckpoint) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.ckpt.h5";
   Model model = samples::two_blocks();

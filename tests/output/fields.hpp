@@ -1,4 +1,4 @@
-// Every field of a model as text, for tests that compare two.
+// Every field of a model as text, so that tests can compare models.
 #pragma once
 
 #include <bit>
@@ -13,8 +13,7 @@
 
 namespace blocks::samples {
 
-// Writes each field as text, doubles by their bits, so that two models can be compared
-// field by field with a name for each difference.
+/// Writes each field as text by its name. Doubles are written by their bits.
 class Fields {
  public:
   std::map<std::string, std::string> all;
@@ -72,6 +71,7 @@ class Fields {
   }
 };
 
+/// Returns all fields of a model by name.
 inline std::map<std::string, std::string> fields(const Model& model) {
   Fields result;
   output::visit_model(model, result);

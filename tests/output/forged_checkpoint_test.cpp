@@ -1,5 +1,5 @@
-// Checkpoints made up by hand, with the checksum that is right for them: each field is
-// forged in turn. What no run leaves is refused; what could be is stepped.
+// Checkpoints with one forged field and a valid checksum. Values that no run writes are
+// refused. A model with other values is refused or makes a step.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Something in every list.
+/// Returns a model with an entry in every list.
 Model full_model() {
   Model model = samples::two_blocks();
   model.contacts.push_back({7, 1});
@@ -47,7 +47,7 @@ class Forger {
  public:
   enum class How { never, perhaps, longer, shorter };
   Forger(How how, long wanted) : how_(how), wanted_(wanted) {}
-  std::string forged;  ///< the name; empty: there are no more
+  std::string forged;  ///< name of the forged field, empty if there are no more
 
   template <Number T> void operator()(const std::string& name, T& value) {
     if (!std::is_same_v<T, bool>)
@@ -64,7 +64,7 @@ class Forger {
       (*this)(name, value);
       place = value;
     }
-    // May have any length, or is empty because all blocks are convex.
+    // These lists may have any length, or are empty because all blocks are convex.
     if (name == "output/blocks" || name == "blocks/cuts")
       return;
     if (how_ == How::longer && now(name))
@@ -124,7 +124,7 @@ class Forger {
     } else if constexpr (std::is_enum_v<T>) {
       return never ? std::vector<T>{T{-1}, T{3}} : std::vector<T>{T{0}, T{1}, T{2}};
     } else if constexpr (std::is_same_v<T, std::uint64_t>) {
-      return {};  // any seed will do
+      return {};  // All seeds are valid.
     } else {
       constexpr T least = std::numeric_limits<T>::min(),
                   most = std::numeric_limits<T>::max();
@@ -138,8 +138,8 @@ class Forger {
   long wanted_, next_ = 0;
 };
 
-/// Forges everything that can be forged this way; judge(name, reason) hears why each
-/// was refused, "" for one that was stepped.
+/// Forges one value after the other and returns their number. Calls judge(name, reason)
+/// with the reason of each refusal, which is empty if the model made a step.
 template <class Judge> long forge_all(Forger::How how, Judge&& judge) {
   for (long wanted = 0;; ++wanted) {
     Model model = full_model();
@@ -162,16 +162,16 @@ template <class Judge> long forge_all(Forger::How how, Judge&& judge) {
   }
 }
 
-TEST(ForgedCheckpoint, SampleIsSound) {
+TEST(ForgedCheckpoint, IsReadIfNothingIsForged) {
   const TemporaryFolder folder;
   write_checkpoint(folder / "a.ckpt.h5", full_model(), {});
   CheckpointInfo info;
   EXPECT_EQ(file_error([&] { read_checkpoint(folder / "a.ckpt.h5", info); }), "");
 }
 
-// Numbers that are not finite, counts and indices far below zero, columns with a row
-// too many or too few: refused, and the message names a field.
-TEST(ForgedCheckpoint, IsRefusedWhateverFieldNoRunLeaves) {
+// Numbers are not finite, counts and indices are far below zero, or arrays have a row
+// too many or too few.
+TEST(ForgedCheckpoint, IsRefusedIfNoRunWritesTheValue) {
   long forged = 0;
   for (const auto how : {Forger::How::never, Forger::How::longer, Forger::How::shorter})
     forged += forge_all(how, [](const std::string& name, const std::string& message) {
@@ -182,8 +182,8 @@ TEST(ForgedCheckpoint, IsRefusedWhateverFieldNoRunLeaves) {
   EXPECT_GT(forged, 300);
 }
 
-// Values that some run might leave: refused, or a step is made with them.
-TEST(ForgedCheckpoint, IsRefusedOrStepped) {
+// Some run might write these values.
+TEST(ForgedCheckpoint, IsRefusedOrMakesAStep) {
   long refused = 0;
   const long forged = forge_all(Forger::How::perhaps,
                                 [&](const std::string&, const std::string& message) {
@@ -194,7 +194,7 @@ TEST(ForgedCheckpoint, IsRefusedOrStepped) {
   EXPECT_GT(refused, forged / 3);
 }
 
-TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
+TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.ckpt.h5";
   const auto message = [&](auto&& forge) {
@@ -239,8 +239,8 @@ TEST(ForgedCheckpoint, SaysWhatIsImpossible) {
             "run/progress is beyond the end of its results or listing");
 }
 
-// A dataset that is missing, or of another kind.
-TEST(ForgedCheckpoint, IsRefusedWhateverFieldIsMissing) {
+// The dataset is missing or is replaced by another one.
+TEST(ForgedCheckpoint, IsRefusedIfAFieldIsMissing) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.ckpt.h5";
   write_checkpoint(path, full_model(), {});

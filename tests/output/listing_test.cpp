@@ -13,7 +13,7 @@ using samples::file_error;
 using samples::TemporaryFolder;
 using ::testing::HasSubstr;
 
-/// Everything a listing can hold, about the two blocks.
+/// Returns a listing of two blocks with all kinds of entries.
 std::string full_listing() {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
@@ -22,7 +22,7 @@ std::string full_listing() {
   model.loads.forces.push_back({1, {3, -4}, 0.125});
   model.layers.push_back({1, 0, 2, 2, 1, 6, 3, 0, 2});
   model.merges.push_back({1, 2, 3, 0.125, 0.2});
-  model.merges.push_back({1, 4, 5, 3.0, 3.0});  // less by no double
+  model.merges.push_back({1, 4, 5, 3.0, 3.0});  // The doubles are equal.
   model.exits.push_back({1, 0.005});
   {
     Listing listing(folder / "a.out", false);
@@ -37,23 +37,22 @@ std::string full_listing() {
   return contents(folder / "a.out");
 }
 
-// Scripts and eyes compare listings, so a change of the text must be a wish.
-TEST(Listing, IsTheGoldenText) {
+// Scripts compare listings, so any change of the text must be intended.
+TEST(Listing, IsTheRecordedText) {
   const std::string golden =
       std::string(BLOCKS_SOURCE_DIR) + "/tests/output/golden/two_blocks.out";
   EXPECT_EQ(full_listing(), contents(golden)) << "golden text: " << golden;
 }
 
-// "3 < 3" would say nothing.
-TEST(MergeRecord, TellsTheTwoNumbersApart) {
+// The numbers have enough digits to differ.
+TEST(MergeRecord, ShowsThatTheWidthIsLessThanTheLimit) {
   EXPECT_EQ((MergeRecord{1, 2, 3, 0.125, 0.2}.why()), "0.125 < 0.2");
   EXPECT_EQ((MergeRecord{1, 2, 3, 3 - 0x1p-40, 3}.why()), "2.999999999999 < 3");
   EXPECT_EQ((MergeRecord{1, 2, 3, 3, 3}.why()),
             "just below 3, by less than doubles resolve");
 }
 
-// 132 columns, as printers had; numbers never run together.
-TEST(Listing, KeepsNumbersApart) {
+TEST(Listing, SeparatesNumbers) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
   for (auto* matrix : {&model.blocks.centroid, &model.blocks.velocity})
@@ -62,12 +61,15 @@ TEST(Listing, KeepsNumbersApart) {
   Listing(folder / "a.out", false).table(model);
   EXPECT_THAT(contents(folder / "a.out"),
               HasSubstr(" -1.23456789e-300 -1.23456789e-300 -1.23456789e-300"));
+}
+
+TEST(Listing, HasAtMost132Columns) {
   std::istringstream lines(full_listing());
   for (std::string line; std::getline(lines, line);)
     EXPECT_LE(line.size(), 132U) << line;
 }
 
-TEST(Listing, TablesOnlyTheChosenBlocks) {
+TEST(Listing, PrintsOnlyTheChosenBlocks) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
   model.output_blocks = {1};
@@ -82,6 +84,11 @@ TEST(Listing, ContinuesAnEarlierOne) {
   Listing(folder / "a.out", false).message("first");
   Listing(folder / "a.out", true).message("second");
   EXPECT_EQ(contents(folder / "a.out"), "\nfirst\n\nsecond\n");
+}
+
+TEST(Listing, ReplacesAnEarlierOne) {
+  const TemporaryFolder folder;
+  Listing(folder / "a.out", false).message("first");
   Listing(folder / "a.out", false).message("third");
   EXPECT_EQ(contents(folder / "a.out"), "\nthird\n");
 }

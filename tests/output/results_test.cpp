@@ -30,7 +30,7 @@ using ::testing::HasSubstr;
 
 const RunIdentity identity = {"two.deck", "START\n", "Two blocks", "1.0.0", 1982};
 
-/// Moves everything a little, so that no frame equals another.
+/// Moves all blocks a little, so that no frame equals another.
 void move_on(Model& model) {
   model.steps += 10;
   model.time += 0.01;
@@ -40,6 +40,7 @@ void move_on(Model& model) {
   model.blocks.velocity.array() -= 0.7;
 }
 
+/// Requires that the frame has the state of the model.
 void expect_same(const Frame& frame, const Model& model) {
   const Blocks& blocks = model.blocks;
   EXPECT_EQ(frame.time, model.time);
@@ -60,9 +61,8 @@ void expect_same(const Frame& frame, const Model& model) {
   EXPECT_EQ(frame.stress, blocks.stress);
 }
 
-// Blocks may be added between motions; columns that repeat themselves are stored once.
-// What is read must be the state written all the same, corners in their order.
-TEST(Results, ReadBackExactlyWhileBlocksAreAdded) {
+// Blocks may be added between motions. Columns that do not change are stored once.
+TEST(Results, AreReadBackExactlyWhileBlocksAreAdded) {
   const TemporaryFolder folder;
   const std::string path = folder / "two.vtkhdf";
   std::vector<Model> states;
@@ -80,7 +80,8 @@ TEST(Results, ReadBackExactlyWhileBlocksAreAdded) {
       writer.write(model);
       states.push_back(model);
       move_on(model);
-      EXPECT_EQ(ResultsReader(path).frames(), i + 1);  // readable during the run
+      EXPECT_EQ(ResultsReader(path).frames(),
+                i + 1);  // The file is readable during the run.
     }
   }
   const ResultsReader reader(path);
@@ -93,7 +94,7 @@ TEST(Results, ReadBackExactlyWhileBlocksAreAdded) {
   EXPECT_THROW(reader.frame(6), FileError);
 }
 
-/// More blocks, and corners, than are written at a time.
+/// Returns a model with more blocks and corners than are written at a time.
 Model many_boxes() {
   Model model = samples::two_blocks();
   std::vector<NewBlock> row;
@@ -106,9 +107,9 @@ Model many_boxes() {
   return model;
 }
 
-// A large frame is written, and compared with the one before, in pieces: what is read
-// must be the state written, also where only the last block has moved.
-TEST(Results, ReadBackExactlyWhereAFrameIsWrittenInPieces) {
+// A large frame is written in pieces and compared with the frame before in pieces. In
+// one frame only the last block has moved.
+TEST(Results, AreReadBackExactlyIfAFrameIsWrittenInPieces) {
   const TemporaryFolder folder;
   const std::string path = folder / "many.vtkhdf";
   std::vector<Model> states;
@@ -136,7 +137,8 @@ TEST(Results, ReadBackExactlyWhereAFrameIsWrittenInPieces) {
     writer.write(model);
   }
   {
-    ResultsWriter writer = ResultsWriter::reopen(path, 4);  // without the last frame
+    ResultsWriter writer =
+        ResultsWriter::reopen(path, 4);  // The last frame is dropped.
     model = states.back();
     model.steps += 1;
     model.blocks.spin[last + 1] = 3.0;
@@ -157,8 +159,7 @@ TEST(Results, ReadBackExactlyWhereAFrameIsWrittenInPieces) {
   EXPECT_THAT(offsets("Fixed"), ElementsAre(0, 0, n, 2 * n, 2 * n));
 }
 
-// The last frame of a run is the state at its end, once, whatever PLOTS says.
-TEST(Results, WritesAStepOnce) {
+TEST(Results, HaveEachStepOnce) {
   const TemporaryFolder folder;
   ResultsWriter writer(folder / "a.vtkhdf", identity);
   Model model = samples::two_blocks();
@@ -170,9 +171,8 @@ TEST(Results, WritesAStepOnce) {
   EXPECT_EQ(writer.frames(), 2);
 }
 
-// A restart goes on behind the checkpoint's frame; what the lost run wrote after it
-// goes.
-TEST(Results, ReopenedFileForgetsLaterFrames) {
+// A restart appends frames after that of its checkpoint.
+TEST(Results, DropLaterFramesWhenReopened) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.vtkhdf";
   std::vector<Model> states;
@@ -181,7 +181,8 @@ TEST(Results, ReopenedFileForgetsLaterFrames) {
     ResultsWriter writer(path, identity);
     for (int i = 0; i < 4; ++i) {
       if (i == 3)
-        samples::add_box(model, 6, 6, 1, 1);  // only in a frame that is cut off
+        samples::add_box(model, 6, 6, 1,
+                         1);  // This block is only in a frame that is dropped.
       writer.write(model);
       if (i < 2)
         states.push_back(model);
@@ -193,7 +194,7 @@ TEST(Results, ReopenedFileForgetsLaterFrames) {
     ResultsWriter writer = ResultsWriter::reopen(path, 2);
     EXPECT_EQ(writer.frames(), 2);
     EXPECT_EQ(ResultsReader(path).frames(), 2);
-    writer.write(model);  // the same step as the last frame kept
+    writer.write(model);  // This is the step of the last frame that was kept.
     EXPECT_EQ(writer.frames(), 2);
     for (int i = 0; i < 2; ++i) {
       move_on(model);
@@ -208,18 +209,33 @@ TEST(Results, ReopenedFileForgetsLaterFrames) {
     for (long i = 0; i < 4; ++i)
       expect_same(reader.frame(i), states[static_cast<std::size_t>(i)]);
   }
+}
 
+TEST(Results, CannotBeReopenedWithMoreFramesThanTheyHave) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.vtkhdf";
+  {
+    ResultsWriter writer(path, identity);
+    Model model = samples::two_blocks();
+    for (int i = 0; i < 4; ++i) {
+      writer.write(model);
+      move_on(model);
+    }
+  }
   EXPECT_THAT(file_error([&] { ResultsWriter::reopen(path, 5); }),
               HasSubstr("it has 4 frames"));
+  EXPECT_EQ(ResultsWriter::reopen(path, 0).frames(), 0);
+}
+
+TEST(Results, CannotBeReopenedIfTheFileIsNotHdf5) {
   const TemporaryFolder other;
   samples::overwrite(other / "x.vtkhdf", "not HDF5");
   EXPECT_THAT(file_error([&] { ResultsWriter::reopen(other / "x.vtkhdf", 0); }),
               HasSubstr("x.vtkhdf"));
-  EXPECT_EQ(ResultsWriter::reopen(path, 0).frames(), 0);
 }
 
-// The shapes vtkHDFReader asks for: it finds the offsets of a frame's cells at
-// CellOffsets + PartOffsets, n + 1 of them, and its counts at PartOffsets.
+// The reader vtkHDFReader reads the n + 1 cell offsets of a frame at CellOffsets +
+// PartOffsets, and its counts at PartOffsets.
 TEST(Results, HaveTheLayoutOfVtkhdf) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.vtkhdf";
@@ -259,8 +275,8 @@ TEST(Results, HaveTheLayoutOfVtkhdf) {
   EXPECT_EQ(Column::open(vtk.get(), "CellData/StrainRate").width(), 4U);
 }
 
-// Only acting contacts; the normal points out of the block that owns the edge, here up.
-TEST(Results, HoldTheActiveContacts) {
+// The normal points out of the block that owns the edge, here upwards.
+TEST(Results, HaveTheActiveContacts) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.vtkhdf";
   Model model = samples::two_blocks();
@@ -294,7 +310,7 @@ TEST(Results, HoldTheActiveContacts) {
   EXPECT_THAT(real("Overlap"), ElementsAre(0.0625, 0.0625, 0));
 }
 
-TEST(Results, KeepsAnOlderFileAsBak) {
+TEST(Results, KeepAnOlderFileAsBak) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.vtkhdf";
   samples::overwrite(path, "older");
@@ -309,10 +325,9 @@ TEST(Results, KeepsAnOlderFileAsBak) {
   EXPECT_EQ(ResultsReader(path).frames(), 1);
 }
 
-// The state of a run that went wrong is what one wants to look at.
-// A device that is replaced by a file is lost for the whole machine; a fifo stands for
-// it here.
-TEST(Results, ReplaceNothingThatIsNoRegularFile) {
+// A device that is replaced by a file is lost for the whole machine. The test uses a
+// fifo in place of a device.
+TEST(Results, ReplaceNothingButRegularFiles) {
   const TemporaryFolder folder;
   const std::string fifo = folder / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
@@ -325,7 +340,7 @@ TEST(Results, ReplaceNothingThatIsNoRegularFile) {
   EXPECT_FALSE(std::filesystem::exists(fifo + ".tmp"));
 }
 
-TEST(Results, KeepsWhatIsNotANumber) {
+TEST(Results, KeepValuesThatAreNotFinite) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
   model.blocks.velocity(0, 1) = std::numeric_limits<double>::quiet_NaN();
@@ -350,14 +365,14 @@ TEST(Results, ErrorsNameTheFileAndTheReason) {
   EXPECT_THAT(error(), HasSubstr("not a results file"));
 }
 
-// HDF5 1.10 never ended closing a file with a wrong number of rows in its chunks, which
-// could not be continued (a mutant of fuzz_results).
-TEST(Results, AFileThatHdf5DoesNotEndClosingIsTold) {
+// HDF5 1.10 does not finish closing a file whose chunks have a wrong number of rows. A
+// mutant of fuzz_results had such chunks.
+TEST(Results, ReportAFileThatHdf5CannotClose) {
   const auto close = [] {
     const std::string path = "a.vtkhdf";
     FileInHand in_hand("continue", path);
     in_hand.must_end_within(1);
-    // never ends; the thread sanitizer lets signals through at calls only
+    // The loop never ends. The thread sanitizer delivers signals at calls only.
     while (std::time(nullptr) != 0) {
     }
   };

@@ -1,4 +1,4 @@
-// Models for the tests of files: blocks built by hand, values that cannot be mistaken.
+// Small models for the tests of files. All their values differ.
 #pragma once
 
 #include <unistd.h>
@@ -24,7 +24,7 @@ inline void add_triangle(Model& model, double x, double y) {
   model.blocks.append({{{{x, y}, {x, y + 1}, {x + 1, y}}, 4, 1.5, Fixity::free, 0}});
 }
 
-/// Settings and nothing else.
+/// Returns a model with settings only.
 inline Model no_blocks() {
   Model model;
   model.settings.lower = {-10, -10};
@@ -33,7 +33,7 @@ inline Model no_blocks() {
   return model;
 }
 
-/// A box standing on a fixed one, in contact, and a plane.
+/// Returns a box in contact with a fixed one below, and a plane.
 inline Model two_blocks() {
   Model model = no_blocks();
   Settings& s = model.settings;
@@ -65,7 +65,7 @@ inline Model two_blocks() {
   return model;
 }
 
-/// A folder of its own, removed with everything in it.
+/// A new temporary folder. The destructor removes it.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -96,7 +96,7 @@ inline void overwrite(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
 }
 
-/// The message of the FileError that `action` throws; empty when it throws none.
+/// Returns the message of the FileError that `action` throws, or an empty text.
 template <class Action> std::string file_error(Action&& action) {
   try {
     action();

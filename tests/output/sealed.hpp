@@ -1,4 +1,4 @@
-// Puts the seal on a checkpoint that its bytes ask for: what a forger would do.
+// Checkpoints with a valid checksum after a change of their bytes.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 
 namespace blocks::samples {
 
+/// Returns the checkpoint with the header and checksum that fit its bytes.
 inline std::string sealed(std::string bytes) {
   constexpr std::size_t seal_size = 512;
   bytes.resize(std::max(bytes.size(), seal_size));

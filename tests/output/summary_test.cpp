@@ -25,7 +25,7 @@ RunReport report() {
           4};
 }
 
-TEST(Summary, HoldsWhatScriptsAskFor) {
+TEST(Summary, HasTheValuesOfTheRun) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
   model.exits.push_back({1, 0.005});
@@ -43,7 +43,8 @@ TEST(Summary, HoldsWhatScriptsAskFor) {
   EXPECT_EQ(summary["blocks"], 2);
   EXPECT_EQ(summary["corners"], 8);
   EXPECT_EQ(summary["contacts"], json({{"listed", 2}, {"active", 1}}));
-  EXPECT_EQ(summary["kinetic_energy"], 0.5 * 8 * 0.3125);  // mass 8, v^2 = 0.3125
+  EXPECT_EQ(summary["kinetic_energy"],
+            0.5 * 8 * 0.3125);  // The mass is 8, and v^2 = 0.3125.
   EXPECT_EQ(summary["momentum"], json({4.0, -2.0}));
   EXPECT_EQ(summary["worst_overlap"], json({{"end", 0.0625}, {"ever", 0.5}}));
   EXPECT_EQ(summary["fastest_block"]["block"], 2);
@@ -55,9 +56,8 @@ TEST(Summary, HoldsWhatScriptsAskFor) {
   EXPECT_EQ(summary["state_hash"], state_hash(model));
 }
 
-// A run that became unsound, with a title in no known encoding, must still leave a
-// file.
-TEST(Summary, IsValidJsonWhateverHappened) {
+// The run is unsound, and its title has an unknown encoding.
+TEST(Summary, IsValidJsonAfterAnUnsoundRun) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
   model.blocks.velocity(0, 1) = std::numeric_limits<double>::quiet_NaN();
@@ -78,9 +78,7 @@ TEST(Summary, CannotBeWrittenIntoAMissingFolder) {
       HasSubstr("no/a.json: No such file or directory"));
 }
 
-// Equal runs have equal hashes, so the last bit of any coordinate or velocity must
-// count.
-TEST(StateHash, SeesTheLastBit) {
+TEST(StateHash, ChangesWithTheLastBitOfAnyCoordinateOrVelocity) {
   const Model model = samples::two_blocks();
   EXPECT_EQ(state_hash(model), state_hash(samples::two_blocks()));
   const auto changed = [&](auto&& change) {

@@ -1,4 +1,4 @@
-// The benchmark as a user runs it. No time is asserted.
+// The benchmark program. The tests assert no times.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -21,8 +21,7 @@ int bench(const TemporaryFolder& folder, const std::string& arguments) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// Scripts follow the times of a machine by this file.
-TEST(Bench, QuickJsonHasARowForEveryCode) {
+TEST(Bench, WritesARowForEveryCodeToJson) {
   const TemporaryFolder folder;
   ASSERT_EQ(bench(folder, "--quick --largest 2 --rounds 1 wall search generation"), 0)
       << testing::slurp(folder / "err.txt");
@@ -55,8 +54,8 @@ TEST(Bench, KeepsAnOlderFile) {
   EXPECT_EQ(testing::slurp(folder / "bench.json.bak"), "mine");
 }
 
-// Before the ten minutes, not after them.
-TEST(Bench, SaysAtOnceWhereItCannotWrite) {
+// A full benchmark takes ten minutes.
+TEST(Bench, FindsAMissingFolderBeforeItRuns) {
   const TemporaryFolder folder;
   EXPECT_EQ(bench(folder, "-o nowhere/times"), 5);
   EXPECT_EQ(
@@ -64,7 +63,7 @@ TEST(Bench, SaysAtOnceWhereItCannotWrite) {
       "blocks: error: cannot write nowhere/times.md: there is no folder nowhere\n");
 }
 
-TEST(Bench, SaysWhichPartsThereAre) {
+TEST(Bench, NamesItsPartsIfOneIsUnknown) {
   const TemporaryFolder folder;
   EXPECT_EQ(bench(folder, "wal"), 2);
   EXPECT_EQ(testing::slurp(folder / "err.txt"),

@@ -1,5 +1,5 @@
-// The code that speed is measured against computes the same as the program: a ratio of
-// times means nothing between codes that compute different things.
+// The reference code of the benchmark computes the same motion as the program.
+// Otherwise the ratio of their times would have no meaning.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,14 +17,14 @@ double largest_difference(const Eigen::Matrix2Xd& a, const Eigen::Matrix2Xd& b) 
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// Linked lists decide corner by corner, and a spring ends with its contact.
+/// The rules of the linked lists: each corner is decided alone, and a spring ends with
+/// its contact.
 struct CornersWithoutTransfer : study::CornerRules {
   static constexpr bool transfers_springs = false;
 };
 
-// By these rules every contact is the same in both codes, so only the order of sums
-// differs.
-TEST(LinkedLists, MoveTheWallAsTheProgramDoesWithoutHandOver) {
+// With these rules both codes have the same contacts. Only the order of sums differs.
+TEST(LinkedLists, MoveTheWallAsTheProgramWithoutSpringTransfer) {
   Model wall = bench::wall_of_power(2);
   bench::LinkedListCode lists(wall);
   dynamics::Workspace work;
@@ -38,9 +38,9 @@ TEST(LinkedLists, MoveTheWallAsTheProgramDoesWithoutHandOver) {
   EXPECT_LT(largest_difference(wall.blocks.corner, lists.corners()), 1e-13);
 }
 
-// With the contact rule of runs and the transfer of springs, what differs is small
-// against the movement.
-TEST(LinkedLists, MoveTheWallNearlyAsTheProgramDoes) {
+// The contact rule and the transfer of springs of runs make a difference that is small
+// against the motion.
+TEST(LinkedLists, MoveTheWallNearlyAsTheProgram) {
   bench::BlocksCode ours(bench::wall_of_power(2));
   bench::LinkedListCode lists(bench::wall_of_power(2));
   const Eigen::Matrix2Xd start = lists.corners();
@@ -51,15 +51,14 @@ TEST(LinkedLists, MoveTheWallNearlyAsTheProgramDoes) {
             0.05 * moved);
 }
 
-// A code that starts in the middle of a run takes over the springs.
-TEST(LinkedLists, GoOnFromTheSpringsOfAModel) {
+TEST(LinkedLists, ContinueFromTheSpringsOfAModel) {
   bench::BlocksCode ours(bench::wall_of_power(2));
   ours.run(2000);
   bench::LinkedListCode lists(ours.model());
   const Eigen::Matrix2Xd start = lists.corners();
   ours.run(20);
   lists.run(20);
-  // without them the bricks would fall as if they stood on nothing
+  // Without the springs the bricks would fall freely.
   const double free_fall = 0.5 * 9.81 * std::pow(20 * ours.model().time_step.dt, 2);
   EXPECT_LT(largest_difference(ours.model().blocks.corner, lists.corners()),
             0.01 * free_fall);

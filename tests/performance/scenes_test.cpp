@@ -1,4 +1,4 @@
-// The scenes of the benchmark are what their names say.
+// The scenes of the benchmark move as their names say.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace blocks {
 namespace {
 
-using ContactSet = std::set<std::pair<int, int>>;  // corner and edge
+using ContactSet = std::set<std::pair<int, int>>;  ///< corners and edges
 
 ContactSet acting(const Model& model) {
   ContactSet found;
@@ -24,7 +24,7 @@ ContactSet acting(const Model& model) {
   return found;
 }
 
-/// Share of the acting contacts that begin or end in the next step.
+/// Makes a step and returns the share of contacts that begin or end in it.
 double changing_contacts(bench::BlocksCode& code) {
   const ContactSet before = acting(code.model());
   code.run(1);
@@ -35,7 +35,7 @@ double changing_contacts(bench::BlocksCode& code) {
   return static_cast<double>(changed.size()) / static_cast<double>(before.size());
 }
 
-TEST(Scenes, WallHasAPowerOfTenOfBricksThatTouchAndFillIt) {
+TEST(Scenes, WallIsFilledByAPowerOfTenOfBricks) {
   for (const int power : {1, 2, 3}) {
     const Model wall = bench::wall_of_power(power);
     EXPECT_EQ(bench::free_blocks(wall), static_cast<int>(std::pow(10.0, power)));
@@ -47,8 +47,8 @@ TEST(Scenes, WallHasAPowerOfTenOfBricksThatTouchAndFillIt) {
   }
 }
 
-// A pile that has fallen through its floor would be fast to step.
-TEST(Scenes, PileFallsTogetherAndStaysInItsBox) {
+// A pile that falls through its floor would need little time per step.
+TEST(Scenes, PileSettlesInItsBox) {
   bench::BlocksCode code(bench::loose_pile(60));
   const Model& model = code.model();
   const double width = model.settings.upper.x() - 2;
@@ -67,8 +67,7 @@ TEST(Scenes, PileFallsTogetherAndStaysInItsBox) {
   EXPECT_GT(totals(code.model()).active_contacts, 60);
 }
 
-// Chatter that dies away would be timed as a calm wall, at its price.
-TEST(Scenes, ChatteringWallRattlesOnAndCalmWallDoesNot) {
+TEST(Scenes, ChatteringWallKeepsChangingContactsUnlikeTheCalmWall) {
   for (const bool rigid : {true, false}) {
     bench::BlocksCode calm(bench::advanced(bench::calm_wall(2), rigid));
     bench::BlocksCode chatter(bench::advanced(bench::chattering_wall(2), rigid));
@@ -80,27 +79,25 @@ TEST(Scenes, ChatteringWallRattlesOnAndCalmWallDoesNot) {
   }
 }
 
-// Layers that stuck together would be timed as a wall that moves.
-TEST(Scenes, LayersOfTheSlopeSlideOnTheFloorAndOnEachOther) {
+TEST(Scenes, LayersOfTheSlopeSlideOnEachOther) {
   const bench::Scene scene = bench::slope_scene();
   bench::BlocksCode code(bench::advanced(scene, true));
   EXPECT_EQ(bench::free_blocks(code.model()), 1000);
   while (code.model().time < 0.1)
     code.run(100);
   const Blocks& blocks = code.model().blocks;
-  double slowest = 0.0;  // of the layer below
+  double speed_below = 0.0;
   const int first = blocks.size() - 1000;
   for (int layer = 0, b = first; layer < 4; ++layer) {
     const int bricks = 280 - 20 * layer;
     const double speed = blocks.velocity.middleCols(b, bricks).colwise().norm().mean();
-    EXPECT_GT(speed, slowest + 0.8) << layer;
-    slowest = speed;
+    EXPECT_GT(speed, speed_below + 0.8) << layer;
+    speed_below = speed;
     b += bricks;
   }
 }
 
-// The blast is over when the window is, and no block has a number that is none.
-TEST(Scenes, DecksMove) {
+TEST(Scenes, DecksMoveDuringTheMeasuredTime) {
   for (const bench::Scene& scene : {bench::crater_scene(), bench::subsidence_scene()}) {
     bench::BlocksCode code(bench::advanced(scene, true));
     const double end = code.model().time + scene.window;

@@ -58,7 +58,7 @@ class Browser:
         return json.loads(text)
 
     def evaluate(self, expression):
-        """The value of an expression, or of the promise it gives."""
+        """Returns the value of an expression, or of its promise."""
         answer = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
         assert "exceptionDetails" not in answer, (expression, answer)
         return answer["result"].get("value")
@@ -70,7 +70,7 @@ class Browser:
             time.sleep(0.02)
 
     def drawn(self):
-        """Behind the next picture of the screen."""
+        """Waits until the next frame of the screen is drawn."""
         self.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(1))))")
 
     def open(self, path):
@@ -93,7 +93,7 @@ class Browser:
         self.drawn()
 
     def touch(self, *steps):
-        """Fingers down at the first step's points, moved through the others, and up."""
+        """Puts fingers down at the points of the first step, moves them through the others, and lifts them."""
         for i, points in enumerate(steps):
             self.call("Input.dispatchTouchEvent", type="touchMove" if i else "touchStart",
                       touchPoints=[{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(points)])
@@ -113,6 +113,6 @@ class Browser:
         return [e["params"] for e in self.events if e["method"] == "Runtime.exceptionThrown"]
 
     def requests(self):
-        """Addresses asked for, without the page itself."""
+        """Returns the requested addresses without the page itself."""
         asked = [e["params"]["request"]["url"] for e in self.events if e["method"] == "Network.requestWillBeSent"]
         return [url for url in asked[1:] if not url.startswith(("data:", "blob:"))]

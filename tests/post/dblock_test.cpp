@@ -1,4 +1,4 @@
-// `blocks plot --dblock`: the cards of Appendix E give the plots they gave in 1982.
+// `blocks plot --dblock` draws the plots of the cards of Appendix E.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,26 +23,29 @@ class Dblock : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Dblock, TimesAreThoseAskedFor) {
+TEST_F(Dblock, PlotsAllTimesOfTheCards) {
   const Outcome plots = plot("TIMES, 0.\nTIMES, 0.01, 0.02\nENDDATA\nNONSENSE\n");
   EXPECT_EQ(plots.code, 0) << plots.err;
   for (const char* name : {"fall_01.png", "fall_02.png", "fall_03.png"})
     EXPECT_TRUE(folder_.holds(name)) << name;
   EXPECT_FALSE(folder_.holds("fall_04.png"));
+}
+
+TEST_F(Dblock, PlotsTheLastFrameWithoutTimes) {
   EXPECT_EQ(plot("BLOCKS\nFLIP\nRED, 1\nFRAMESIZE, 2\n").code, 0);
   EXPECT_TRUE(folder_.holds("fall.png"));
 }
 
-// TMIN and TMAX are limits, not times.
-TEST_F(Dblock, LimitsBeyondTheResultsAreTheirEnds) {
+// TMIN and TMAX limit the times of the frames.
+TEST_F(Dblock, AcceptsTimeLimitsBeyondTheResults) {
   const Outcome plots = plot("TMIN, -5\nTMAX, 100\nNTIMES, 2\n");
   EXPECT_EQ(plots.code, 0) << plots.err;
   EXPECT_THAT(plots.out, HasSubstr("fall_01.png time 0\nfall_02.png time 0.04"));
   EXPECT_THAT(plot("TMIN, 50").err, HasSubstr("no picture between TMIN and TMAX"));
 }
 
-// One of the two would do nothing.
-TEST_F(Dblock, CardsAndOptionsDoNotOverruleEachOther) {
+// A card or option without effect would be misleading.
+TEST_F(Dblock, RefusesAnOptionThatContradictsACard) {
   folder_.write("cards.txt", "ZOOM, 0, 1, 0, 1\nFLIP\nRED, 1\n");
   const auto said = [&](const std::string& options) {
     const Outcome outcome =
@@ -56,12 +59,12 @@ TEST_F(Dblock, CardsAndOptionsDoNotOverruleEachOther) {
   EXPECT_THAT(said("--materials 1=BLUE"), HasSubstr("--materials 1=... and the card"));
 }
 
-TEST_F(Dblock, PrintGivesTheCorners) {
+TEST_F(Dblock, PrintsTheCornersOfBlocks) {
   EXPECT_THAT(plot("print\nblocks\n").out,
               HasSubstr("       1       2                 0                 1\n"));
 }
 
-TEST_F(Dblock, FaultsAreReportedAtTheirPlaces) {
+TEST_F(Dblock, ReportsFaultsWithTheirPlaces) {
   const Outcome faults = plot("ZOOM, 1, 0, 0, 1\nTMAX, late\nGREAN, 1\nFRAMESIZE, 4\n");
   EXPECT_EQ(faults.code, 3);
   EXPECT_THAT(faults.err,

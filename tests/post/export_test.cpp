@@ -1,4 +1,4 @@
-// `blocks export` of many times: CSV reads back bit for bit, older files are kept.
+// `blocks export` of many times.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ class ExportTimes : public ::testing::Test {
   Outcome run(const std::string& arguments) const {
     return blocks("export fall.vtkhdf " + arguments, folder_.path());
   }
-  /// Rows of a CSV file as numbers, by column name.
+  /// Returns the rows of a CSV file, with numbers by the name of the column.
   std::vector<std::map<std::string, double>> table(const std::string& name) const {
     std::istringstream lines(slurp(folder_ / name));
     std::string line, field;
@@ -45,8 +45,7 @@ class ExportTimes : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// A script gets the doubles of the results file.
-TEST_F(ExportTimes, CsvHoldsEveryNumberOfTheFile) {
+TEST_F(ExportTimes, WritesTheBitsOfAllNumbersToCsv) {
   ASSERT_EQ(run("-o all.csv").code, 0);
   const auto rows = table("all.csv"), contacts = table("all_contacts.csv");
   const post::ResultsReader results((folder_ / "fall.vtkhdf").string());
@@ -72,12 +71,17 @@ TEST_F(ExportTimes, CsvHoldsEveryNumberOfTheFile) {
   EXPECT_GT(acting_row, 3U) << "nothing touched";
 }
 
-TEST_F(ExportTimes, OlderFilesAreKeptOnceAndForeignOnesAreNotTouched) {
+TEST_F(ExportTimes, KeepsOneOlderVersionOfItsFiles) {
   for (int i = 0; i < 3; ++i)
     ASSERT_EQ(run("-o a.pvd").code, 0);
   for (const char* name : {"a.pvd", "a.pvd.bak", "a_contacts.pvd.bak",
                            "a_vtu/blocks_0.vtu", "a_vtu.bak/contacts_0.vtu"})
     EXPECT_TRUE(folder_.holds(name)) << name;
+}
+
+TEST_F(ExportTimes, DoesNotReplaceAFolderWithForeignFiles) {
+  for (int i = 0; i < 2; ++i)
+    ASSERT_EQ(run("-o a.pvd").code, 0);
   folder_.write("a_vtu.bak/mine.txt", "precious");
   const Outcome refused = run("-o a.pvd");
   EXPECT_EQ(refused.code, 5);
@@ -86,10 +90,13 @@ TEST_F(ExportTimes, OlderFilesAreKeptOnceAndForeignOnesAreNotTouched) {
   EXPECT_TRUE(folder_.holds("a_vtu/blocks_0.vtu"));
 }
 
-TEST_F(ExportTimes, RefusalsNameWhatIsAvailable) {
+TEST_F(ExportTimes, NamesTheChoicesIfAnOptionIsWrong) {
   EXPECT_THAT(run("-o a.xyz").err, HasSubstr(".txt, .pvd or .csv"));
   EXPECT_THAT(run("-o a.csv -t 7").err, HasSubstr("fall.vtkhdf has times 0 to 0.04"));
   EXPECT_EQ(run("-o none/a.csv").code, 5);
+}
+
+TEST_F(ExportTimes, RefusesFilesThatAreNoResults) {
   const Outcome deck = blocks("export fall.deck -o a.pvd", folder_.path());
   EXPECT_EQ(deck.code, 2);
   EXPECT_THAT(deck.err, HasSubstr("first run the deck with blocks run fall.deck"));

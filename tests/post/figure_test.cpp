@@ -1,4 +1,4 @@
-// Figures: what stands on the page, and what is refused.
+// Figures, their axes and the quantities that they show.
 #include "post/figure.hpp"
 
 #include <cairo.h>
@@ -25,7 +25,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Two unit squares side by side, of materials 1 and 2; the second is fixed.
+/// Returns two unit squares side by side, of materials 1 and 2. The second one is
+/// fixed.
 Frame two_squares() {
   Frame frame;
   frame.outlines = {{{0, 0}, {0, 1}, {1, 1}, {1, 0}}, {{1, 0}, {1, 1}, {2, 1}, {2, 0}}};
@@ -41,6 +42,7 @@ Frame two_squares() {
   return frame;
 }
 
+/// A new temporary folder. The destructor removes it.
 class Folder {
  public:
   Folder() { std::filesystem::create_directories(path_); }
@@ -52,8 +54,7 @@ class Folder {
                                 ("blocks_figure_" + std::to_string(getpid()));
 };
 
-// The middle of a free block has the colour of its material.
-TEST(Figure, PaintsBlocksInTheirMaterialsColour) {
+TEST(Figure, PaintsBlocksInTheColourOfTheirMaterial) {
   const Folder folder;
   const std::string path = folder.file("a.png");
   FigureOptions options;
@@ -62,7 +63,7 @@ TEST(Figure, PaintsBlocksInTheirMaterialsColour) {
   cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
   ASSERT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
   EXPECT_EQ(cairo_image_surface_get_width(image), 1200);
-  const Axes axes({0, 2, 0, 2}, 84, 78, 966);  // where a single picture stands
+  const Axes axes({0, 2, 0, 2}, 84, 78, 966);  // This is the place of a single picture.
   const int x = static_cast<int>(axes.x(0.4)), y = static_cast<int>(axes.y(0.4));
   const unsigned char* pixel = cairo_image_surface_get_data(image) +
                                y * cairo_image_surface_get_stride(image) + 4 * x;
@@ -73,8 +74,8 @@ TEST(Figure, PaintsBlocksInTheirMaterialsColour) {
   cairo_surface_destroy(image);
 }
 
-// The image of a block that goes right goes left.
-TEST(Figure, QuantitiesWithADirectionTurnRoundInTheMirror) {
+// A block moves to the right, so its mirror image moves to the left.
+TEST(Figure, ReversesVectorsInTheMirrorImage) {
   const Folder folder;
   const std::string path = folder.file("mirror.png");
   Frame frame = two_squares();
@@ -107,30 +108,34 @@ TEST(Figure, QuantitiesWithADirectionTurnRoundInTheMirror) {
   cairo_surface_destroy(image);
 }
 
-// Far from the origin labels of six digits would all read alike.
-TEST(Ticks, AreToldApartFarFromTheOrigin) {
+// Far from the origin all labels would have the same six digits.
+TEST(Ticks, HaveAnOffsetFarFromTheOrigin) {
   const TickLabels far = label_ticks(1e9 - 1.1, 1e9 + 1.1, 5);
   EXPECT_THAT(far.labels, ElementsAre("-1", "-0.5", "0", "0.5", "1"));
   EXPECT_EQ(far.offset, "+1000000000");
   const TickLabels below = label_ticks(-500003.05, -500002.35, 4);
   EXPECT_THAT(below.labels, ElementsAre("0", "0.2", "0.4", "0.6"));
   EXPECT_EQ(below.offset, "-500003");
-  const TickLabels national = label_ticks(500000, 500010, 5);  // not -10 ... 0
+  const TickLabels national =
+      label_ticks(500000, 500010, 5);  // The labels do not run from -10 to 0.
   EXPECT_THAT(national.labels, ElementsAre("0", "2", "4", "6", "8", "10"));
   EXPECT_EQ(national.offset, "+500000");
-  const TickLabels late = label_ticks(4e6 - 1.6e-4, 4e6, 4);  // not -5e-05
+  const TickLabels late = label_ticks(4e6 - 1.6e-4, 4e6, 4);  // No label is -5e-05.
   EXPECT_THAT(late.labels, ElementsAre("-0.00015", "-0.00010", "-0.00005", "0"));
   EXPECT_EQ(label_ticks(1000, 1100, 5).offset, "");
-  const TickLabels energy = label_ticks(0.0, 1.8e6, 6);  // not 800000 beside 1e+06
+  EXPECT_TRUE(label_ticks(1e17, 1e17 + 64, 10).ticks.empty());  // Doubles are 16 apart.
+}
+
+TEST(Ticks, OfLargeAndSmallNumbersHaveAPowerOfTenInTheTitle) {
+  const TickLabels energy = label_ticks(0.0, 1.8e6, 6);
   EXPECT_EQ(energy.titled("energy [J/m]"), "energy [10⁶ J/m]");
   EXPECT_THAT(energy.labels, ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1", "1.2",
                                          "1.4", "1.6", "1.8"));
   EXPECT_EQ(label_ticks(0, 2e-4, 4).titled("contacts"), "contacts [10⁻⁶]");
   EXPECT_EQ(label_ticks(0, 5e4, 4).titled("x [m]"), "x [m]");
-  EXPECT_TRUE(label_ticks(1e17, 1e17 + 64, 10).ticks.empty());  // doubles lie 16 apart
 }
 
-TEST(Figure, WritesVectorFormatsWholeOrNotAtAll) {
+TEST(Figure, LeavesNoTemporaryFileOfVectorFormats) {
   const Folder folder;
   for (const char* name : {"a.svg", "a.pdf"}) {
     draw_frame(folder.file(name), two_squares(), two_squares(), "", {});
@@ -139,12 +144,16 @@ TEST(Figure, WritesVectorFormatsWholeOrNotAtAll) {
     EXPECT_GT(text.size(), 1000U);
     EXPECT_FALSE(std::filesystem::exists(folder.file(name) + ".tmp"));
   }
+}
+
+TEST(Figure, CannotBeWrittenIntoAMissingFolder) {
+  const Folder folder;
   EXPECT_THROW(
       draw_frame(folder.file("none/a.png"), two_squares(), two_squares(), "", {}),
       std::runtime_error);
 }
 
-TEST(Figure, LeavesAFifoWhereItIs) {
+TEST(Figure, DoesNotReplaceAFifo) {
   const Folder folder;
   const std::string fifo = folder.file("p.svg");
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
@@ -153,7 +162,7 @@ TEST(Figure, LeavesAFifoWhereItIs) {
   EXPECT_TRUE(std::filesystem::is_fifo(fifo));
 }
 
-TEST(Figure, RefusalsNameWhatIsAvailable) {
+TEST(Figure, NamesTheFormatsIfOneIsUnknown) {
   const Folder folder;
   try {
     draw_frame(folder.file("a.bmp"), two_squares(), two_squares(), "", {});
@@ -161,6 +170,10 @@ TEST(Figure, RefusalsNameWhatIsAvailable) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr(".png, .svg or .pdf"));
   }
+}
+
+TEST(Figure, NamesTheQuantitiesIfOneIsUnknown) {
+  const Folder folder;
   FigureOptions options;
   options.colour = "heat";
   try {
@@ -171,7 +184,7 @@ TEST(Figure, RefusalsNameWhatIsAvailable) {
   }
 }
 
-// Principal stresses of (3, 1; 1, 3) are 4 and 2; the speed of (3, 4) is 5.
+// The principal stresses of (3, 1; 1, 3) are 4 and 2. The speed of (3, 4) is 5.
 TEST(Quantity, FollowsItsDefinition) {
   const Frame frame = two_squares();
   EXPECT_DOUBLE_EQ(quantity("speed", frame, frame).values[0], 5.0);

@@ -1,4 +1,4 @@
-// The help of every command opens with an example that works in this repository.
+// The help of every command begins with an example that works in this repository.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ std::vector<std::string> lines(const std::string& text) {
   return found;
 }
 
-/// Names in the list of commands.
+/// Returns the names of all commands.
 std::vector<std::string> commands(const TemporaryFolder& folder) {
   std::vector<std::string> names;
   bool listed = false;
@@ -34,7 +34,7 @@ std::vector<std::string> commands(const TemporaryFolder& folder) {
   return names;
 }
 
-/// Runs a line of the help as it stands.
+/// Runs a line of the help and returns its exit code.
 int run_line(const std::string& line, const TemporaryFolder& folder) {
   const std::string program_folder =
       std::filesystem::path(BLOCKS_PROGRAM).parent_path().string();

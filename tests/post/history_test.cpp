@@ -1,5 +1,4 @@
-// Histories and profiles: the numbers are the file's, and motions with an answer come
-// out as that answer.
+// Histories and profiles have the numbers of the results file.
 #include "post/history.hpp"
 
 #include <gmock/gmock.h>
@@ -16,12 +15,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Two squares fly at each other, collide off centre and part.
+/// The deck of two squares that move towards each other, collide off centre and
+/// separate.
 const std::string collision = preliminary() + rectangle(0, 0, 1, 1) +
                               rectangle(1.02, 0.4, 2.02, 1.4) +
                               "SETVEL, 1, 0, 1\nSETVEL, 2, 0, -2\nPLOTS, 0.004\n"
                               "CYCLE, 100\n";
 
+/// Reads the curves from the results NAME.vtkhdf.
 post::History history(const TemporaryFolder& folder, const std::string& name,
                       const std::vector<std::string>& curves) {
   const post::ResultsReader results((folder / (name + ".vtkhdf")).string());
@@ -31,8 +32,8 @@ post::History history(const TemporaryFolder& folder, const std::string& name,
   return post::read_history(results, parsed);
 }
 
-// v = -g dt n and y = y0 - g dt^2 n (n + 1) / 2: semi-implicit Euler, eqs (1)-(3).
-TEST(History, OfAFallIsItsSum) {
+// By (1) to (3) v = -g dt n and y = y0 - g dt^2 n (n + 1) / 2.
+TEST(History, OfAFallIsTheSumOfTheIntegrator) {
   const TemporaryFolder folder;
   run_text(folder, "fall",
            preliminary() + rectangle(0, 0, 1, 1) +
@@ -46,8 +47,8 @@ TEST(History, OfAFallIsItsSum) {
   }
 }
 
-// The energy is the run's own to the last bit; what a collision conserves is constant.
-TEST(History, SumsAreThoseOfTheModel) {
+// The energy has the bits of the run. The collision conserves both momenta.
+TEST(History, HasEnergyAndMomentaOfTheModel) {
   const TemporaryFolder folder;
   run_text(folder, "hit", collision);
   const post::ResultsReader results((folder / "hit.vtkhdf").string());
@@ -66,9 +67,8 @@ TEST(History, SumsAreThoseOfTheModel) {
   EXPECT_GT(most, 0.0) << "they never met";
 }
 
-// A rigid corner moves as the end of its arm: after the blocks spin, its speed is not
-// the centroid's, and the difference of positions follows it.
-TEST(History, OfACornerFollowsItsPath) {
+// The block spins about its centroid, which is at rest.
+TEST(History, OfACornerHasItsOwnSpeed) {
   const TemporaryFolder folder;
   run_text(folder, "spin",
            preliminary() + rectangle(0, 0, 2, 1) + "SETVEL, 1, 0, 0, 0, 3\nCYCLE, 1\n");
@@ -79,8 +79,7 @@ TEST(History, OfACornerFollowsItsPath) {
   EXPECT_NEAR(spin.series[2].values.back(), 3 * spin.time.back() * 180 / M_PI, 1e-12);
 }
 
-// A script gets the doubles of the file, not their first digits.
-TEST(History, CsvReadsBackBitForBit) {
+TEST(History, WritesTheBitsOfAllNumbersToCsv) {
   const TemporaryFolder folder;
   run_text(folder, "hit", collision);
   const Outcome csv = blocks("history hit.vtkhdf -q x:2,fx:1 --csv", folder.path());
@@ -102,13 +101,19 @@ TEST(History, CsvReadsBackBitForBit) {
     EXPECT_EQ(std::stod(fx), frame.force(0, 0));
   }
   EXPECT_EQ(i, results.frames());
+}
+
+TEST(History, WritesTheBitsOfAllNumbersToJson) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  const post::ResultsReader results((folder / "hit.vtkhdf").string());
   const Outcome json = blocks("history hit.vtkhdf -q x:2 --json", folder.path());
   const auto column = nlohmann::json::parse(json.out)["runs"][0]["columns"][1];
   EXPECT_EQ(column["values"].back().get<double>(),
             results.frame(results.frames() - 1).centroid(0, 1));
 }
 
-TEST(History, UnitsAreTheUsers) {
+TEST(History, HasTheUnitsOfTheUser) {
   const TemporaryFolder folder;
   run_text(folder, "hit", collision);
   const auto table = [&](const std::string& more) {
@@ -120,63 +125,86 @@ TEST(History, UnitsAreTheUsers) {
   EXPECT_THAT(table("--units cm,g,ms"), HasSubstr("g cm⁻¹ ms⁻²"));
 }
 
-// Every refusal says what there is.
-TEST(History, RefusalsNameWhatIsAvailable) {
+TEST(History, NamesTheChoicesIfAnOptionIsWrong) {
   const TemporaryFolder folder;
   run_text(folder, "hit", collision);
-  folder.write("text.vtkhdf", "no results");
-  const auto refused = [&](const std::string& arguments, int code,
-                           const std::string& words) {
+  const auto expect_refusal = [&](const std::string& arguments, int code,
+                                  const std::string& words) {
     const Outcome run = blocks("history " + arguments, folder.path());
     EXPECT_EQ(run.code, code) << arguments;
     EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
   };
-  refused("hit.vtkhdf --from nan", 2, "--from and --to need a number");
-  refused("hit.vtkhdf --csv -o a.csv", 2, "remove one of them");
+  expect_refusal("hit.vtkhdf --from nan", 2, "--from and --to need a number");
+  expect_refusal("hit.vtkhdf --csv -o a.csv", 2, "remove one of them");
   std::filesystem::copy_file(folder / "hit.vtkhdf", folder / "hit.csv");
-  refused("hit.csv -o hit.csv", 2, "would overwrite the results hit.csv");
-  refused("hit.vtkhdf -q heat", 2, "speed, displacement, rotation");
-  refused("hit.vtkhdf -q speed", 2, "speed:9 is that of block 9");
-  refused("hit.vtkhdf -q speed:3", 2, "blocks 1 to 2, no block 3");
-  refused("hit.vtkhdf -q x:1.5", 2, "corners 1 to 4, no corner 5");
-  refused("hit.vtkhdf -q s11:1.2", 2, "a corner has no s11");
-  refused("hit.vtkhdf -q x:1 --from 7", 2, "has times 0 to 0.04");
-  refused("hit.vtkhdf --profile top -t 7", 2, "has times 0 to 0.04");
-  refused("hit.vtkhdf --profile 5,5,6,6", 2, "their centroids lie in x 0.5 to 1.52");
-  refused("hit.vtkhdf -o hit.gif", 2, ".csv, .json, .png, .svg or .pdf");
-  refused("hit.deck", 5, "cannot read hit.deck");
-  refused("text.vtkhdf", 5,
-          "cannot read text.vtkhdf: it is not a results file of BLOCKS\n  hint: "
-          "results in this folder: hit.vtkhdf\n");
-  refused("none.vtkhdf", 5,
-          "cannot read none.vtkhdf: No such file or directory\n  hint: results in this "
-          "folder: hit.vtkhdf\n");
-  folder.write("empty.vtkhdf", "");
-  refused("empty.vtkhdf", 5, "cannot read empty.vtkhdf: it is empty\n  hint: ");
-  fs::create_directory(folder / "far");
-  folder.write("far/text.vtkhdf", "no results");
-  refused("far/text.vtkhdf", 5, "hint: blocks run DECK writes results to NAME.vtkhdf");
+  expect_refusal("hit.csv -o hit.csv", 2, "would overwrite the results hit.csv");
+  expect_refusal("hit.vtkhdf -q heat", 2, "speed, displacement, rotation");
+  expect_refusal("hit.vtkhdf -q speed", 2, "speed:9 is that of block 9");
+  expect_refusal("hit.vtkhdf -q speed:3", 2, "blocks 1 to 2, no block 3");
+  expect_refusal("hit.vtkhdf -q x:1.5", 2, "corners 1 to 4, no corner 5");
+  expect_refusal("hit.vtkhdf -q s11:1.2", 2, "a corner has no s11");
+  expect_refusal("hit.vtkhdf -q x:1 --from 7", 2, "has times 0 to 0.04");
+  expect_refusal("hit.vtkhdf --profile top -t 7", 2, "has times 0 to 0.04");
+  expect_refusal("hit.vtkhdf --profile 5,5,6,6", 2,
+                 "their centroids lie in x 0.5 to 1.52");
+  expect_refusal("hit.vtkhdf -o hit.gif", 2, ".csv, .json, .png, .svg or .pdf");
 }
 
-TEST(History, FiguresAreWrittenAndOlderOnesKept) {
+TEST(History, NamesTheResultsOfTheFolderIfItCannotReadAFile) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  folder.write("text.vtkhdf", "no results");
+  const auto expect_refusal = [&](const std::string& arguments, int code,
+                                  const std::string& words) {
+    const Outcome run = blocks("history " + arguments, folder.path());
+    EXPECT_EQ(run.code, code) << arguments;
+    EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
+  };
+  expect_refusal("hit.deck", 5, "cannot read hit.deck");
+  expect_refusal("text.vtkhdf", 5,
+                 "cannot read text.vtkhdf: it is not a results file of BLOCKS\n  hint: "
+                 "results in this folder: "
+                 "hit.vtkhdf\n");
+  expect_refusal("none.vtkhdf", 5,
+                 "cannot read none.vtkhdf: No such file or directory\n  hint: results "
+                 "in this folder: "
+                 "hit.vtkhdf\n");
+  folder.write("empty.vtkhdf", "");
+  expect_refusal("empty.vtkhdf", 5, "cannot read empty.vtkhdf: it is empty\n  hint: ");
+  fs::create_directory(folder / "far");
+  folder.write("far/text.vtkhdf", "no results");
+  expect_refusal("far/text.vtkhdf", 5,
+                 "hint: blocks run DECK writes results to NAME.vtkhdf");
+}
+
+TEST(History, WritesFiguresOfSeveralRuns) {
   const TemporaryFolder folder;
   run_text(folder, "hit", collision);
   run_text(folder, "again", collision);
   const std::string both =
       "history hit.vtkhdf again.vtkhdf -q speed:1,x:2 -o a.svg,a.png,a.csv";
-  for (int i = 0; i < 2; ++i) {
-    const Outcome figure = blocks(both, folder.path());
-    ASSERT_EQ(figure.code, 0) << figure.err;
-  }
+  const Outcome figure = blocks(both, folder.path());
+  ASSERT_EQ(figure.code, 0) << figure.err;
   EXPECT_THAT(slurp(folder / "a.svg"), HasSubstr("<svg"));
   EXPECT_THAT(slurp(folder / "a.csv"), HasSubstr("\nagain.vtkhdf,"));
+}
+
+TEST(History, KeepsOlderFigures) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  for (int i = 0; i < 2; ++i) {
+    const Outcome figure =
+        blocks("history hit.vtkhdf -q speed:1,x:2 -o a.svg,a.png,a.csv", folder.path());
+    ASSERT_EQ(figure.code, 0) << figure.err;
+  }
   for (const char* name : {"a.svg.bak", "a.png.bak", "a.csv.bak"})
     EXPECT_TRUE(folder.holds(name)) << name;
   EXPECT_FALSE(folder.holds("a.svg.tmp"));
 }
 
-// Of two layers, the surface is the upper one; an upright line meets one block of each.
-TEST(Profile, FindsTheSurfaceAndTheLine) {
+// The frame has two layers. The surface is the upper one, and a vertical line meets one
+// block of each.
+TEST(Profile, FindsTheBlocksOfTheSurfaceAndOfALine) {
   post::Frame frame;
   frame.centroid.resize(2, 6);
   for (int b = 0; b < 6; ++b) {
@@ -200,9 +228,8 @@ TEST(Profile, FindsTheSurfaceAndTheLine) {
       2.5);
 }
 
-// What a mirror about x = plane makes of a vector and of places; nothing is lost or
-// doubled.
-TEST(Profile, BothHalvesOfAHalfModel) {
+// The mirror plane is at x = 1. Each place occurs once.
+TEST(Profile, MirrorsPositionsAndVectorsOfAHalfModel) {
   post::Frame first, now;
   first.centroid.resize(2, 3);
   first.centroid << 1, 2, 3, 0, 0, 0;

@@ -15,13 +15,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A square on a fixed floor beside another one that flies into it.
+/// The deck of a square on a fixed floor, and another one that moves towards it.
 const std::string scene = preliminary() + "FRICTN, 0.8\n" +
                           rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
                           rectangle(1.02, 0.3, 2.02, 1.3) +
                           "SETVEL, 3, 0, -2, -2\nPLOTS, 0.004\nCYCLE, 100\n";
 
-class Plots : public ::testing::Test {
+class PlotCommand : public ::testing::Test {
  protected:
   void SetUp() override { run_text(folder_, "hit", scene); }
   Outcome plot(const std::string& arguments) const {
@@ -35,7 +35,7 @@ class Plots : public ::testing::Test {
     cairo_surface_destroy(image);
     return found;
   }
-  /// Another program under the name of ffmpeg, for this test.
+  /// Puts a script in place of ffmpeg for this test.
   void with_ffmpeg(const std::string& script) {
     std::filesystem::create_directory(folder_ / "bin");
     folder_.write("bin/ffmpeg", script);
@@ -49,10 +49,10 @@ class Plots : public ::testing::Test {
   const std::string path_ = std::getenv("PATH");
 };
 
-// Without gravity the links to a free block add up to the force that the run stored
-// for it, whatever the side they are written from. A frame's edges stand where the
-// blocks are a step after its forces, turned by the spin of that step.
-TEST_F(Plots, ForcesOfTheNetworkMoveTheBlocks) {
+// Without gravity the links to a free block add up to the stored force on it. The edges
+// of a frame are one step later than its forces, so they have turned by the spin of a
+// step.
+TEST_F(PlotCommand, HasTheForcesThatMoveTheBlocks) {
   const post::ResultsReader results((folder_ / "hit.vtkhdf").string());
   double most = 0.0, shear = 0.0;
   for (long i = 0; i < results.frames(); ++i) {
@@ -74,20 +74,23 @@ TEST_F(Plots, ForcesOfTheNetworkMoveTheBlocks) {
   EXPECT_GT(shear, 0.1 * most) << "nothing slid";
 }
 
-// Two times beside each other are half as wide, so the sheet is lower.
-TEST_F(Plots, SheetsHoldSeveralTimes) {
+// Two pictures side by side are half as wide, so the sheet has less height.
+TEST_F(PlotCommand, PutsSeveralTimesOnASheet) {
   ASSERT_EQ(plot("-t 0,0.02 --columns 2 -o two.png").code, 0);
   ASSERT_EQ(plot("-t 0 -o one.png").code, 0);
   EXPECT_EQ(size("two.png").first, 1200);
   EXPECT_LT(size("two.png").second, size("one.png").second);
+}
+
+TEST_F(PlotCommand, DrawsASheetWithAllDecorations) {
   const Outcome all = plot("--sheet 3 --forces --arrows velocity --corners --numbers "
                            "--colour overlap --range 0,1 --units m,kg,s -o three.svg");
   EXPECT_EQ(all.code, 0) << all.err;
   EXPECT_THAT(slurp(folder_ / "three.svg"), HasSubstr("<svg"));
 }
 
-// What goes to ffmpeg is every picture, four bytes a pixel, and no two are alike.
-TEST_F(Plots, MoviesHandEveryPictureToFfmpeg) {
+// A pixel has four bytes, and no two pictures are equal.
+TEST_F(PlotCommand, SendsEveryPictureOfAMovieToFfmpeg) {
   with_ffmpeg("#!/bin/sh\nfor last; do :; done\necho \"$@\" > words\n"
               "cat > ${last#file:}\n");
   const Outcome movie = plot("--width 200 --every 2 --rate 5 -o hit.mp4");
@@ -104,16 +107,24 @@ TEST_F(Plots, MoviesHandEveryPictureToFfmpeg) {
   for (std::size_t k = 1; k < 6; ++k)
     EXPECT_NE(bytes.substr(0, picture), bytes.substr(k * picture, picture)) << k;
   EXPECT_THAT(words, HasSubstr("-framerate 5 "));
+}
+
+TEST_F(PlotCommand, KeepsAnOlderMovie) {
+  with_ffmpeg("#!/bin/sh\nfor last; do :; done\ncat > ${last#file:}\n");
+  ASSERT_EQ(plot("--width 200 --every 2 --rate 5 -o hit.mp4").code, 0);
   ASSERT_EQ(plot("--width 200 -o hit.mp4").code, 0);
   EXPECT_TRUE(folder_.holds("hit.mp4.bak"));
 }
 
-TEST_F(Plots, MoviesSayWhatIsMissing) {
+TEST_F(PlotCommand, SaysThatFfmpegFailed) {
   with_ffmpeg("#!/bin/sh\nexit 3\n");
   const Outcome failed = plot("-o hit.gif");
   EXPECT_EQ(failed.code, 5);
   EXPECT_THAT(failed.err, HasSubstr("cannot write hit.gif: ffmpeg failed"));
   EXPECT_FALSE(folder_.holds("hit.gif"));
+}
+
+TEST_F(PlotCommand, SaysThatFfmpegIsMissing) {
   setenv("PATH", folder_.path().c_str(), 1);
   const Outcome missing = plot("-o hit.gif");
   EXPECT_EQ(missing.code, 5);
@@ -121,26 +132,26 @@ TEST_F(Plots, MoviesSayWhatIsMissing) {
               HasSubstr("needs the program ffmpeg, which is not installed"));
 }
 
-TEST_F(Plots, RefusalsNameWhatIsAvailable) {
-  const auto refused = [&](const std::string& arguments, const std::string& words) {
+TEST_F(PlotCommand, NamesTheChoicesIfAnOptionIsWrong) {
+  const auto expect_refusal = [&](const std::string& arguments,
+                                  const std::string& words) {
     const Outcome run = plot(arguments);
     EXPECT_EQ(run.code, 2) << arguments;
     EXPECT_THAT(run.err, HasSubstr(words)) << arguments;
   };
-  refused("-o hit.bmp", ".mp4 or .gif (a movie), found 'hit.bmp'");
-  refused("--colour heat", "choose material, speed, displacement, rotation");
-  refused("--colour heat", "normal_force, overlap, shear_force");
-  refused("--sheet 3 --from 7", "has times 0 to 0.04, none between 7 and 0.04");
-  refused("--zoom 1,0,0,1", "xmin < xmax");
-  refused("--zoom 8,9,8,9",
-          "no block in the zoom: the blocks lie in x -5 to 5, y -1 to ");
-  refused("--colour speed --range 1,1", "low < high");
-  refused("--materials 7=RED", "there is no material 7; ");
-  refused("--materials 1=REED", "BLUE, CLEARC, CYAN, GREEN");
+  expect_refusal("-o hit.bmp", ".mp4 or .gif (a movie), found 'hit.bmp'");
+  expect_refusal("--colour heat", "choose material, speed, displacement, rotation");
+  expect_refusal("--colour heat", "normal_force, overlap, shear_force");
+  expect_refusal("--sheet 3 --from 7", "has times 0 to 0.04, none between 7 and 0.04");
+  expect_refusal("--zoom 1,0,0,1", "xmin < xmax");
+  expect_refusal("--zoom 8,9,8,9",
+                 "no block in the zoom: the blocks lie in x -5 to 5, y -1 to ");
+  expect_refusal("--colour speed --range 1,1", "low < high");
+  expect_refusal("--materials 7=RED", "there is no material 7; ");
+  expect_refusal("--materials 1=REED", "BLUE, CLEARC, CYAN, GREEN");
 }
 
-// An option that would do nothing is refused, not passed over.
-TEST_F(Plots, OptionsThatDoNothingAreRefused) {
+TEST_F(PlotCommand, RefusesOptionsWithoutEffect) {
   for (const char* options :
        {"--rate 10", "--every 2", "--columns 3", "--range 0,1", "--from 0",
         "--mirror nan", "--colour speed --materials 1=RED", "--sheet 3 -o hit.mp4"}) {
@@ -148,6 +159,9 @@ TEST_F(Plots, OptionsThatDoNothingAreRefused) {
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_THAT(run.err, HasSubstr("blocks: error: --")) << options;
   }
+}
+
+TEST_F(PlotCommand, PaintsAMaterialInTheChosenColour) {
   EXPECT_EQ(plot("--materials 1=zuni --colour MATERIAL -o painted.svg").code, 0);
   const std::regex zuni("rgb\\(45%, ?70%, ?92%\\)");
   EXPECT_TRUE(std::regex_search(slurp(folder_ / "painted.svg"), zuni));

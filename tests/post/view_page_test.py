@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """The page of `blocks view` in a browser: view_page_test.py PROGRAM SOURCE [FOLDER].
 
-Plays it, picks every block where the file says it is, and compares the numbers shown with
-those of `blocks history`. Skipped (77) where there is no chromium. With FOLDER pages and
-pictures are kept there.
+The test plays the page, picks every block at its place in the file, and compares the numbers
+with those of `blocks history`. It is skipped (77) without chromium. With FOLDER it keeps pages
+and pictures there.
 """
 
 import csv
@@ -30,13 +30,13 @@ def history(program, results, curves):
 
 
 def same_number(shown, exact):
-    """Shown is the file's number to six digits or more, however it is written."""
+    """Whether the shown number has at least six digits of the number in the file."""
     places = max(6, len(shown.split("e")[0].lstrip("-0.").replace(".", "")))
     return float(shown) == float(f"{exact:.{places}g}")
 
 
 def screen(page, x, y):
-    """Where a point of the model is on the screen."""
+    """Returns the place of a point of the model on the screen."""
     return page.evaluate(f"(() => {{ const box = $('model').getBoundingClientRect(), p = to_screen({x!r}, {y!r});"
                          "return [box.left + p[0], box.top + p[1]]; })()")
 
@@ -53,7 +53,7 @@ def check_numbers(page, rows, followed, deck):
 
 
 def check_corners(page, program, results, block):
-    """Rigid or strained, the outline drawn is the file's to a hundred-thousandth of the block."""
+    """The outline on the page is that of the file to a hundred-thousandth of the block size."""
     first, end = page.evaluate(f"[data.first_corner[{block - 1}], data.first_corner[{block}]]")
     curves = [f"{axis}:{block}.{c + 1}" for c in range(end - first) for axis in "xy"]
     for frame, row in enumerate(history(program, results, curves)):
@@ -70,13 +70,13 @@ def check_playing(page, frames):
     while page.evaluate("$('play').getAttribute('aria-label')") == "pause":
         seen.append(int(page.evaluate("$('scrub').value")))
         assert time.monotonic() < end, "it plays for ever"
-    assert seen == sorted(seen) and len(set(seen)) > 3, seen  # how many depends on the machine
+    assert seen == sorted(seen) and len(set(seen)) > 3, seen  # The number depends on the machine.
     assert page.evaluate("state.frame") == frames - 1
 
 
 def check_forces(page, acting):
-    """At rest every force of the stack stands upright, at a corner where two bricks meet, and together the forces on
-    the floor, of opposite sign on the bricks, carry twelve bricks of 10 kN (in steps of 3 %)."""
+    """At rest every force of the stack is vertical and at a corner where two bricks meet. The forces on the floor
+    carry twelve bricks of 10 kN (in steps of 3 %)."""
     count, directions, heights, floor = page.evaluate(
         "(() => { const {corner, direction, size} = data.forces.at(-1);"
         "const at = [...corner].map((c) => corners[2 * c + 1]);"
@@ -89,7 +89,7 @@ def check_forces(page, acting):
 
 
 def check_hands(page):
-    """Every key that draws something changes the picture; wheel and fingers zoom and pan."""
+    """Every key that draws something changes the picture. Wheel and fingers zoom and pan."""
     pictures = set()
     page.key("Home")
     for name in ["ArrowRight", "o", "c", "n", "+", "]", "t"]:
@@ -112,13 +112,13 @@ def check_hands(page):
 
 
 def check_draft(page, blocks):
-    """The picture of a hurry has the colours of the fine one in the middle of every block, and it is replaced."""
+    """The draft picture has the colours of the fine one in the middle of every block, and is replaced by it."""
     page.evaluate("colour_by('y')")
     page.drawn()
     colours = f"""[...Array({blocks}).keys()].map((b) => [...pen.getImageData(
         ...to_screen(...centre(b, state.frame)).map(Math.round), 1, 1).data].join())"""
     fine, picture = page.evaluate(colours), page.evaluate("$('model').toDataURL()")
-    # at once: a moment later the fine picture would be back
+    # The fine picture replaces the draft after a moment.
     draft, hurried = page.evaluate(f"draft_above = 0; moves(); draw(); [{colours}, $('model').toDataURL()]")
     assert draft == fine and len(set(fine)) > 2, (draft, fine)
     assert hurried != picture, "no draft was drawn"
@@ -129,7 +129,7 @@ def check_draft(page, blocks):
 
 
 def check_mirror(program, results, folder, page, block, x, y):
-    """The other half of a half model is drawn and picked; M hides it."""
+    """The other half of a half model is drawn and can be picked. M hides it."""
     path = folder / "whole.html"
     subprocess.run([program, "view", results, "-o", path, "--mirror", "-2"], check=True, capture_output=True)
     page.open(path)
@@ -188,8 +188,8 @@ def check(program, deck, folder, followed, page, hands):
 
 
 def check_far_from_the_origin(program, folder, page):
-    """In national coordinates numbers and history of a place are those of the file, to a hundred-thousandth of the
-    model; axis and colour bar count from a round number."""
+    """Far from the origin, numbers and history of a place are those of the file to a hundred-thousandth of the model
+    size. Axis and colour bar have a round number as offset."""
     deck = folder / "far.deck"
     deck.write_text("""START, 4, 4
 FAR AWAY

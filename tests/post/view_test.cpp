@@ -1,5 +1,5 @@
-// The page of `blocks view`: what it carries. How it behaves is tested in a browser by
-// view_page_test.py.
+// The content of the page of `blocks view`. view_page_test.py tests its behaviour in a
+// browser.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,9 +24,9 @@ using ::testing::Not;
 
 float six_digits(double value) { return post::float_of(post::six_digits_of(value)); }
 
-// The page shows the float to six digits; they must be those of the double. A plain
-// conversion to float loses this where a digit is about to turn.
-TEST(View, SixDigitsSurviveTheFloat) {
+// The page shows six digits of a float. A plain conversion from double to float would
+// change some of them.
+TEST(View, KeepsSixDigitsInAFloat) {
   std::mt19937_64 random(1982);
   std::uniform_real_distribution<double> mantissa(1, 10);
   std::uniform_int_distribution<int> power(-30, 30);
@@ -43,8 +43,8 @@ TEST(View, SixDigitsSurviveTheFloat) {
   EXPECT_EQ(six_digits(1e-40), 0.0F);
 }
 
-// What a guess misses, put back on it, is the number; whatever the guess was worth.
-TEST(View, NumbersAreToldByWhatAGuessMisses) {
+// A guess plus its difference is the number, for any guess.
+TEST(View, StoresNumbersAsDifferencesFromAGuess) {
   post::DigitColumn column{2, {}, {}};
   const double inf = std::numeric_limits<double>::infinity();
   for (const double value :
@@ -52,9 +52,11 @@ TEST(View, NumbersAreToldByWhatAGuessMisses) {
     column.add(value);
   EXPECT_EQ(column.shown[4], -inf);
   EXPECT_TRUE(std::isnan(column.shown[5]));
-  EXPECT_EQ(column.exact[3].power, column.exact[1].power);  // of a zero: as before
+  EXPECT_EQ(column.exact[3].power,
+            column.exact[1].power);  // A zero has the power of the number before.
   const auto in_time = post::TimeGuess{true}.of(column);
-  EXPECT_EQ(post::differences(column, in_time)[2], 2U);  // one more, folded
+  EXPECT_EQ(post::differences(column, in_time)[2],
+            2U);  // The difference is one, and signs are folded.
   for (const double guess : {0.0, 1e300, -inf, std::nan("")}) {
     const auto told = post::differences(column, [=](std::size_t) { return guess; });
     for (std::size_t i = 0; i < told.size(); ++i) {
@@ -69,13 +71,20 @@ TEST(View, NumbersAreToldByWhatAGuessMisses) {
   }
 }
 
-TEST(View, WritesOnePageAndKeepsTheOlder) {
+TEST(View, KeepsAnOlderPage) {
   const TemporaryFolder folder;
   run_text(folder, "fall",
            preliminary() + rectangle(0, 0, 1, 1) + "GRAVITY, 0, -10\nCYCLE, 9\n");
   for (int i = 0; i < 2; ++i)
     ASSERT_EQ(blocks("view fall.vtkhdf", folder.path()).code, 0);
   EXPECT_TRUE(folder.holds("fall.html.bak"));
+}
+
+TEST(View, WritesOnePage) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall",
+           preliminary() + rectangle(0, 0, 1, 1) + "GRAVITY, 0, -10\nCYCLE, 9\n");
+  ASSERT_EQ(blocks("view fall.vtkhdf", folder.path()).code, 0);
   const std::string page = slurp(folder / "fall.html");
   EXPECT_THAT(page, HasSubstr("\"blocks\":1"));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
@@ -85,15 +94,14 @@ Contact touching(int corner, int edge) {
   return {corner, edge, 0.0, 0.0, 1e5, 2e4, 0.0};
 }
 
-/// A contact that acts in some of the frames.
+/// A contact that acts in some frames.
 struct PassingContact {
   Contact contact;
   bool acts = true;
 };
 
-/// Whatever is drawn at random has six digits in every frame and no pattern:
-/// velocities, spins, forces, stresses. Places go on as the velocities say; contacts
-/// last.
+/// Moves the model to its next frame. Velocities, spins, forces and stresses are random
+/// numbers with six digits. Positions follow the velocities, and contacts persist.
 void jolt(Model& model, std::vector<PassingContact>& passing, std::mt19937_64& random) {
   std::uniform_real_distribution<double> any(-1, 1);
   const auto shake = [&](auto& values, double scale) {
@@ -134,8 +142,8 @@ void jolt(Model& model, std::vector<PassingContact>& passing, std::mt19937_64& r
   }
 }
 
-// 850 blocks x 100 frames in full motion, deformable: the requirement is 5 MB.
-TEST(View, AHundredFramesOfMotionStayBelowFiveMegabytes) {
+// The results have 850 deformable blocks in motion and 100 frames.
+TEST(View, NeedsLessThanFiveMegabytesForAHundredFrames) {
   const TemporaryFolder folder;
   const std::string path = (folder / "motion.vtkhdf").string();
   {
@@ -157,11 +165,11 @@ TEST(View, AHundredFramesOfMotionStayBelowFiveMegabytes) {
   }
   const post::ViewData page = post::view_data(post::ResultsReader(path), 1, {});
   EXPECT_LT(page.packed.size() + page.meta.size(), 5'000'000U);
-  EXPECT_GT(page.packed.size(), 2'000'000U);  // else nothing moved
+  EXPECT_GT(page.packed.size(), 2'000'000U);  // Otherwise nothing has moved.
 }
 
-// A title ends neither the script nor the page.
-TEST(View, TitleIsOnlyText) {
+// The title has tags that would end the script of the page.
+TEST(View, EscapesTheTitle) {
   const TemporaryFolder folder;
   std::string deck = preliminary();
   const auto line = deck.find('\n') + 1;
@@ -173,8 +181,7 @@ TEST(View, TitleIsOnlyText) {
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
 }
 
-// One value that no run writes.
-TEST(View, AContactAtNoCornerIsRefused) {
+TEST(View, RefusesAContactAtAMissingCorner) {
   const TemporaryFolder folder;
   run_text(folder, "two",
            preliminary() + rectangle(0, 0, 1, 1, true) + rectangle(0, 1, 1, 2) +
@@ -198,7 +205,7 @@ TEST(View, AContactAtNoCornerIsRefused) {
                                  "at corner 2000000000 of block "));
 }
 
-TEST(View, RefusalsNameTheFile) {
+TEST(View, NamesTheFileThatItCannotRead) {
   const TemporaryFolder folder;
   folder.write("text.vtkhdf", "no results");
   for (const char* name : {"text.vtkhdf", "none.vtkhdf"}) {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""VTK's own reader opens what `blocks export` writes, and finds the numbers of its CSV.
+"""The reader of VTK opens the files of `blocks export` and finds the numbers of its CSV.
 
 vtu_test.py PROGRAM SOURCE; skipped without Debian's python3-vtk9.
 """
@@ -27,7 +27,7 @@ CONTACTS = {"corner_block": ("CornerBlock", 0), "corner": ("Corner", 0), "edge_b
 
 
 def pieces(folder, name):
-    """(time, grid) of every data set of a PVD file."""
+    """Yields (time, grid) of every data set of a PVD file."""
     for one in xml.parse(folder / name).iter("DataSet"):
         reader = vtkXMLUnstructuredGridReader()
         reader.SetFileName(str(folder / one.get("file")))
@@ -62,7 +62,7 @@ def area(grid, cell):
 
 
 def compare_results(folder, first):
-    """The results as the run wrote them, behind their head of 512 bytes: the first frame, which every version reads."""
+    """Compares the first frame of the results file, which every version of VTK reads."""
     reader = vtkHDFReader()
     reader.SetFileName(str(folder / "stack.vtkhdf"))
     assert reader.CanReadFile(str(folder / "stack.vtkhdf"))

@@ -1,5 +1,4 @@
-// Looking at a run that is still going: its results file, and the line that says how
-// far it is.
+// Reading the results of a run in progress, and its line of progress.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pty.h>
@@ -23,8 +22,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// The writer holds its file open; every command sees the frames published so far.
-TEST(WhileRunning, ResultsCanBeLookedAt) {
+// The writer keeps its file open. Commands read the frames published so far.
+TEST(WhileRunning, CommandsReadThePublishedFrames) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
   output::ResultsWriter writer((folder / "going.vtkhdf").string(), {});
@@ -44,7 +43,7 @@ TEST(WhileRunning, ResultsCanBeLookedAt) {
   EXPECT_EQ(writer.frames(), 2);
 }
 
-/// Frame i of a row of blocks that says in every number which frame it is.
+/// Returns the state of frame i of a row of blocks. Its numbers identify the frame.
 Model state(int i) {
   Model model = samples::no_blocks();
   for (int k = 0; k < 300; ++k)
@@ -57,7 +56,7 @@ Model state(int i) {
   return model;
 }
 
-/// Readings beside the writer, and how many frames came out otherwise than written.
+/// The number of readings during writing, and of frames that differ from those written.
 struct Tally {
   long readings = 0, wrong = 0;
 };
@@ -82,10 +81,8 @@ Tally read_until(const std::string& path, const std::function<bool()>& ended) {
   return tally;
 }
 
-// A reader that caught an index between two of its nodes found zeros in frames that
-// were there long before, or failed: every number must be as written, whenever it is
-// asked.
-TEST(WhileRunning, EveryReadingDuringWritesIsRight) {
+// A reader must not see an index between two changes of its nodes.
+TEST(WhileRunning, ReadersSeeCompleteFramesOnly) {
   const TemporaryFolder folder;
   const std::string path = (folder / "going.vtkhdf").string();
   const pid_t writer = fork();
@@ -112,8 +109,8 @@ TEST(WhileRunning, EveryReadingDuringWritesIsRight) {
   EXPECT_EQ(post::ResultsReader(path).frames(), 400);
 }
 
-// Killed within a change, or stopped: the first is read as it lies, the second tells.
-TEST(WhileRunning, AWriterThatDiedIsNotWaitedFor) {
+// One writer is killed within a change of the file, the other one ends normally.
+TEST(WhileRunning, ReadersDoNotWaitForADeadWriter) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.vtkhdf").string();
   output::ResultsWriter(path, {}).write(state(0));
@@ -127,13 +124,13 @@ TEST(WhileRunning, AWriterThatDiedIsNotWaitedFor) {
   const std::string odd = slurp(path);
   mark.reset();
   EXPECT_EQ(watch.settled(soon()), watch.number());
-  std::ofstream(path, std::ios::binary) << odd;  // as kill -9 leaves it
+  std::ofstream(path, std::ios::binary) << odd;  // This is the file after kill -9.
   EXPECT_EQ(watch.number() % 2, 1U);
   EXPECT_EQ(watch.settled(soon()), watch.number());
   EXPECT_EQ(post::ResultsReader(path).frame(0).spin[7], 1);
 }
 
-/// What a run of half a second writes to standard error when that is a terminal.
+/// Returns what a run of half a second writes to standard error on a terminal.
 std::string on_a_terminal(const TemporaryFolder& folder, const std::string& arguments) {
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
@@ -153,8 +150,8 @@ std::string on_a_terminal(const TemporaryFolder& folder, const std::string& argu
   return text;
 }
 
-// One line that is written over, with all that tells a run from a run gone astray.
-TEST(WhileRunning, OneLineTellsHowFarItIsOnATerminalOnly) {
+// The line overwrites itself.
+TEST(WhileRunning, ProgressIsShownOnATerminalOnly) {
   const TemporaryFolder folder;
   folder.write("long.deck", preliminary() + rectangle(0, 0, 1, 1) +
                                 "GRAVITY, 0, -1E-9\nCYCLE, 2000000000\n");

@@ -30,7 +30,7 @@ Verdict try_deck(const std::string& text, const std::string& folder, int steps) 
     return refused(told);
   if (cards.commands.empty() ||
       std::holds_alternative<deck::Restart>(cards.commands.front().card))
-    return Verdict::refused;  // the checkpoint is looked for first
+    return Verdict::refused;  // A restart needs a checkpoint, which is missing.
   Model model;
   run::Builder builder(model, told, cards.commands,
                        {.seed = {}, .tape9 = "tape9", .folder = folder, .unread = {}});

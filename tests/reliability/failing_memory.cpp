@@ -1,8 +1,8 @@
-// Preloaded into a run (LD_PRELOAD): the BLOCKS_FAIL_AT-th request of the program for
-// memory fails, and with BLOCKS_FAIL_ON all later ones too. Requests are counted from
-// main on: those by operator new, and those to malloc out of the program itself, which
-// are Eigen's. Libraries get what they ask for. The number of requests so far goes to
-// the file BLOCKS_COUNT when the program ends.
+// A library for LD_PRELOAD. The BLOCKS_FAIL_AT-th memory request of the program fails,
+// and with BLOCKS_FAIL_ON all later ones fail, too. It counts operator new and calls of
+// malloc from the program itself (those of Eigen) after main begins. Requests of
+// libraries never fail. The file BLOCKS_COUNT has the number of requests when the
+// program ends.
 #include <dlfcn.h>
 #include <link.h>
 
@@ -26,7 +26,7 @@ int find_program(dl_phdr_info* info, std::size_t, void*) {
       program_from = info->dlpi_addr + info->dlpi_phdr[i].p_vaddr;
       program_to = program_from + info->dlpi_phdr[i].p_memsz;
     }
-  return 1;  // the program comes first
+  return 1;  // The program is the first object.
 }
 
 bool fails() {

@@ -1,5 +1,5 @@
-// Memory that fails at the k-th request of the program, once or from then on: a message
-// that says so, exit 1 or 5, and no half file.
+// The k-th memory request of the program fails, alone or with all later ones. The
+// program ends with a message and exit code 1 or 5, and leaves no incomplete file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ Outcome run_without_memory(const TemporaryFolder& folder, long fail_at, bool on)
   return run;
 }
 
-TEST_P(FailingMemory, IsAnErrorThatLeavesNoHalfFile) {
+TEST_P(FailingMemory, IsAnErrorAndLeavesNoIncompleteFile) {
 #ifdef BLOCKS_SANITIZED
   GTEST_SKIP() << "sanitizers answer requests for memory themselves";
 #endif
@@ -57,7 +57,7 @@ TEST_P(FailingMemory, IsAnErrorThatLeavesNoHalfFile) {
                              std::to_string(requests) +
                              (k % 2 == 0 ? " and later ones\n" : " only\n");
     if (run.code == 0)
-      continue;  // the library found another way
+      continue;  // The library did without this memory.
     EXPECT_TRUE(run.code == 1 || run.code == 5) << run.code << ", " << when << run.err;
     EXPECT_THAT(run.err, AnyOf(HasSubstr("not enough memory"),
                                HasSubstr("Cannot allocate memory")))

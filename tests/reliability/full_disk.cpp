@@ -1,6 +1,6 @@
-// Preloaded into a run (LD_PRELOAD): from the BLOCKS_FAIL_AT-th change of a file on,
-// the disk is full: a write takes half of its bytes once, then nothing; fsync and
-// rename fail. The number of changes so far goes to the file BLOCKS_COUNT.
+// A library for LD_PRELOAD. The disk is full at the BLOCKS_FAIL_AT-th change of a file.
+// That write takes half of its bytes. Later writes, fsync and rename fail. The file
+// BLOCKS_COUNT has the number of changes.
 #include <dlfcn.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -22,7 +22,8 @@ void count(long changes) {
   std::fflush(file);
 }
 
-/// Whether this change fails; `size` is cut for the one that still takes half.
+/// Whether this change fails. For the write that takes half of its bytes, `size` is
+/// halved.
 bool fails(int file, std::size_t* size) {
   static const long fail_at = std::atol(std::getenv("BLOCKS_FAIL_AT"));
   static long changes = 0;

@@ -1,6 +1,6 @@
-// A disk that is full from the n-th change of a file on, for every n; folders that do
-// not exist or may not be written; limits on file size. Exit 5, a message with name and
-// reason, and what an earlier run left is there, whole.
+// Disks that are full at the n-th change of a file, missing and read-only folders, and
+// limits of file size. The program ends with exit code 5 and a message. The files of an
+// earlier run stay complete.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -30,7 +30,7 @@ Files files_of_run(const TemporaryFolder& folder) {
   return files;
 }
 
-/// Files of an earlier run lie under their own names, or put aside by the next one.
+/// Requires that the files of an earlier run exist, with their own names or as backups.
 void expect_earlier(const TemporaryFolder& folder, const Files& earlier,
                     const std::string& when) {
   for (const auto& [name, bytes] : earlier) {
@@ -51,7 +51,7 @@ Outcome run_on_full_disk(const TemporaryFolder& folder, long fail_at) {
   return run;
 }
 
-TEST(FullDisk, IsAnErrorThatLosesNothing) {
+TEST(FullDisk, IsAnErrorAndLosesNoEarlierFile) {
   const TemporaryFolder first;
   first.write("a.deck", deck);
   ASSERT_EQ(run_on_full_disk(first, 0).code, 0);
@@ -60,7 +60,7 @@ TEST(FullDisk, IsAnErrorThatLosesNothing) {
   const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
   const long stride = all ? 1 : changes / 20, tail = all ? 0 : 12;
   long tried = 0;
-  // The last changes are those of checkpoint and summary: each of them counts.
+  // The last changes are those of checkpoint and summary. The test tries each of them.
   for (long at = 1; at <= changes; at += at > changes - tail ? 1 : stride, ++tried) {
     const TemporaryFolder folder;
     for (const char* name :
@@ -92,7 +92,7 @@ TEST(FullDisk, IsAnErrorThatLosesNothing) {
   RecordProperty("tried", std::to_string(tried));
 }
 
-TEST(FileSizeLimit, IsAnErrorLikeAFullDisk) {
+TEST(FileSizeLimit, IsAFileError) {
   const TemporaryFolder folder;
   folder.write("a.deck", deck);
   rlimit before{};
@@ -105,7 +105,7 @@ TEST(FileSizeLimit, IsAnErrorLikeAFullDisk) {
   EXPECT_EQ(run.err, "blocks: error: cannot write a.vtkhdf: File too large\n");
 }
 
-TEST(Folder, ThatIsMissingOrAFileIsNamed) {
+TEST(Folder, IsNamedIfItIsMissingOrAFile) {
   const TemporaryFolder folder;
   folder.write("a.deck", deck);
   const auto fault = [&](const std::string& output) {
@@ -118,6 +118,16 @@ TEST(Folder, ThatIsMissingOrAFileIsNamed) {
   EXPECT_EQ(fault("a.deck/a"),
             "blocks: error: cannot write a.deck/a.vtkhdf: Not a directory\n");
   EXPECT_EQ(slurp(folder / "a.deck"), deck);
+}
+
+TEST(Folder, IsNamedIfAFileIsNeeded) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", deck);
+  const auto fault = [&](const std::string& output) {
+    const Outcome run = blocks("run a.deck -q -o " + output, folder.path());
+    EXPECT_EQ(run.code, 5);
+    return run.err;
+  };
   fs::create_directory(folder / "b.out");
   EXPECT_EQ(
       fault("b"),
@@ -125,8 +135,8 @@ TEST(Folder, ThatIsMissingOrAFileIsNamed) {
   EXPECT_FALSE(folder.holds("b.vtkhdf") || folder.holds("b.vtkhdf.tmp"));
 }
 
-// Root may write everywhere save where the kernel makes the files.
-TEST(Folder, ThatIsReadOnlyIsNamed) {
+// Root may write to all folders except those of the kernel.
+TEST(Folder, IsNamedIfItIsReadOnly) {
   const TemporaryFolder folder;
   folder.write("a.deck", deck);
   const bool root = geteuid() == 0;
@@ -142,8 +152,7 @@ TEST(Folder, ThatIsReadOnlyIsNamed) {
                                     "system)\n"));
 }
 
-// Two decks that share a name do not lose their results to each other.
-TEST(OlderFiles, OfAnotherDeckAreKeptAndTold) {
+TEST(OlderFiles, OfAnotherDeckAreKeptWithAWarning) {
   const TemporaryFolder folder;
   folder.write("a.deck", deck);
   folder.write("b.deck", deck + "CYCLE, 5\n");
@@ -165,8 +174,8 @@ TEST(OlderFiles, OfAnotherDeckAreKeptAndTold) {
     EXPECT_TRUE(slurp(folder / (name + ".bak2")) == bytes) << name;
 }
 
-// Nor do versions of one deck, by its text or by options.
-TEST(OlderFiles, OfTheDeckAsItWasAreKeptAndTold) {
+// The versions differ by text or by options.
+TEST(OlderFiles, OfAnEarlierVersionOfTheDeckAreKeptWithAWarning) {
   const TemporaryFolder folder;
   std::vector<Files> versions;
   for (const char* cycles : {"CYCLE, 30", "CYCLE, 31", "CYCLE, 32"}) {

@@ -1,6 +1,6 @@
-// kill -9 at a random moment of a run: what lies there can be read, and the run that
-// goes on from its checkpoint, or starts again without one, leaves the straight run's
-// bits.
+// A run is killed with kill -9 at a random moment. Its files can be read, and a run
+// that continues from its checkpoint, or starts again, has the bits of the
+// uninterrupted run.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -16,6 +16,7 @@
 namespace blocks::testing {
 namespace {
 
+/// Requires that results and checkpoints in the folder can be read.
 void expect_readable(const TemporaryFolder& folder, const std::string& when) {
   if (folder.holds("a.vtkhdf")) {
     const post::ResultsReader reader((folder / "a.vtkhdf").string());
@@ -30,7 +31,7 @@ void expect_readable(const TemporaryFolder& folder, const std::string& when) {
     }
 }
 
-TEST(Killed, AtAnyMomentLosesNothingBehindItsCheckpoint) {
+TEST(Killed, AtAnyMomentContinuesWithTheSameBits) {
   const std::string deck =
       layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 500\n";
   const std::string arguments = "run a.deck -q --checkpoint-every 0.004";
@@ -47,7 +48,7 @@ TEST(Killed, AtAnyMomentLosesNothingBehindItsCheckpoint) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> moment(0.0, 1.0);
   int kills = 0, restarts = 0;
-  // Some runs are over before their moment: the machine was busier before.
+  // Some runs end before their moment, because the machine was slower before.
   for (int trials = 0; kills < enough && trials < 4 * enough; ++trials) {
     const TemporaryFolder folder;
     folder.write("a.deck", deck);

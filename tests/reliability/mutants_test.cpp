@@ -1,6 +1,6 @@
-// Sound and bad decks, changed at random: each mutant is refused with a message, runs,
-// or ends as unsound. A crash, a hang, an exception or a demand for more memory than a
-// small machine has ends the test.
+// Random changes of sound and faulty decks. Each mutant is refused with a message,
+// runs, or ends as unsound. The test fails at a crash, a hang, an exception or a
+// request for much memory.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -47,7 +47,7 @@ std::string keyword(Random& random) {
                 random);
 }
 
-/// Some [from, to) of the text: a value, a word, a line.
+/// Returns the range [from, to) of a random value, word or line of the text.
 std::pair<std::size_t, std::size_t> piece(const std::string& text, const char* ends,
                                           Random& random) {
   const std::size_t at = below(text.size(), random);
@@ -105,7 +105,7 @@ void mutate(std::string& text, const std::vector<std::string>& decks, Random& ra
   }
 }
 
-/// Kept for the signal handler: the mutant that is tried.
+/// The mutant under test, for the signal handler.
 std::string tried;
 
 void hang(int) {
@@ -124,7 +124,7 @@ TEST(Mutants, AreRefusedOrRun) {
       if (fs::file_size(path) < 20000)
         decks.push_back(slurp(path));
   ASSERT_GE(decks.size(), 70U);
-  const std::size_t sound = decks_below("decks").size();  // they come first
+  const std::size_t sound = decks_below("decks").size();  // Sound decks are first.
   const std::string meshes =
       (fs::path(BLOCKS_SOURCE_DIR) / "decks/every_card").string();
 #ifndef BLOCKS_SANITIZED

@@ -1,5 +1,5 @@
-// The results file as it stands between any two changes of it, which is what a reader
-// finds during the run and what kill -9 leaves: every frame published by then is there.
+// The results file between any two changes of it, which readers find during a run and
+// after kill -9. It has every frame that was published before.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 namespace blocks::testing {
 namespace {
 
-/// The changes of a file, one by one (write_log.cpp).
+/// Repeats the changes of a file one by one (write_log.cpp).
 class Changes {
  public:
   Changes(const fs::path& log, const fs::path& image)
@@ -39,9 +39,9 @@ class Changes {
                  offset >= lseek(image_, 0, SEEK_END);
     return pwrite(image_, bytes_.data(), bytes_.size(), offset) == size;
   }
-  /// The last change was a new node of an index: others will be led to it.
+  /// Whether the last change was a new node of an index.
   bool grew_node() const { return grew_node_; }
-  /// Under its own name by now.
+  /// Whether the file has its own name by now.
   bool named() const { return named_; }
   const std::string& path() const { return path_; }
 
@@ -64,7 +64,7 @@ struct Tally {
   std::string first_fault;
 };
 
-/// Looks at the file at every `stride`-th of its moments, and at every one while its
+/// Reads the file after every `stride`-th change, and after every change while its
 /// indices grow.
 Tally look_at_all_moments(const std::string& deck, long stride) {
   const TemporaryFolder folder;
@@ -110,7 +110,7 @@ const std::string many_blocks =
     "MATERIAL, 1, 1.E9, 4.E8, 1000\nRIGID\nEND\nCLOOP, 260, 2, 0\nCREATE, 4, 1\n"
     "0, 0, 1, 1\n0, 1, 1, 0\nGRAVITY, 0, -9.8\nPLOTS, 1.E-6\n";
 
-TEST(ResultsAtAnyMoment, HoldEveryPublishedFrame) {
+TEST(ResultsAtAnyMoment, HaveEveryPublishedFrame) {
   const bool all = std::getenv("BLOCKS_THOROUGH") != nullptr;
   const Tally tally = look_at_all_moments(
       many_blocks + "CYCLE, 70\nCREATE, 4, 1\n0, 0, 1, 1\n5, 6, 6, 5\nCYCLE, 70\n",

@@ -1,5 +1,5 @@
-// Decks that are spoilt as files: not text, or one line, or asking for more than any
-// machine has. The message is short, and little memory is used.
+// Decks that are no text, have one long line, or need more memory than any machine has.
+// The message is short, and the program needs little memory.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -46,8 +46,7 @@ std::string with(const std::string& from, const std::string& to) {
   return deck.replace(deck.find(from), from.size(), to);
 }
 
-// What editors on other systems write is no fault.
-TEST(WholeFile, MayComeFromAnyEditor) {
+TEST(WholeFile, MayHaveTheLineEndsOfAnySystem) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_small(folder, sound).code, 0);
   const auto hash = summary(folder, "a")["state_hash"];
@@ -63,7 +62,7 @@ TEST(WholeFile, MayComeFromAnyEditor) {
   }
 }
 
-TEST(WholeFile, ThatIsNoTextIsRefused) {
+TEST(WholeFile, IsRefusedIfItIsNoText) {
   expect_refused("", "a.deck:1:1: error: the deck is empty");
   expect_refused("\n\n\n", "a.deck:1:1: error: the deck is empty");
   expect_refused(with("GRAVITY", std::string("GRA\0ITY", 7)),
@@ -78,7 +77,7 @@ TEST(WholeFile, ThatIsNoTextIsRefused) {
                  "not a text file");
 }
 
-TEST(WholeFile, OfOneLongLineIsRefusedInFewWords) {
+TEST(WholeFile, IsRefusedWithAShortMessageIfItHasALongLine) {
   const std::size_t size = 10 << 20;
   const std::string words = "bytes, a line of a deck at most 1000000";
   expect_refused(std::string(size, 'A'),
@@ -92,8 +91,8 @@ TEST(WholeFile, OfOneLongLineIsRefusedInFewWords) {
                  "a.deck:15:18: error: GRAVITY: one value too many");
 }
 
-// As many as a line has room for.
-TEST(WholeFile, OfManyBlocksInTheTableNeedsLittle) {
+// These are as many as fit into a line.
+TEST(WholeFile, NeedsLittleMemoryForALongOutputCard) {
   const TemporaryFolder folder;
   std::string ones = "OUTPUT, 1";
   for (int i = 0; i < 300000; ++i)
@@ -101,8 +100,8 @@ TEST(WholeFile, OfManyBlocksInTheTableNeedsLittle) {
   EXPECT_EQ(run_small(folder, with("GRAVITY", ones + "\nGRAVITY")).code, 0);
 }
 
-// Before the memory is asked for.
-TEST(WholeFile, ThatAsksForMoreThanThereIsIsRefused) {
+// The deck is refused before memory is requested.
+TEST(WholeFile, IsRefusedIfItNeedsTooMuchMemory) {
   const auto blocks_of = [](const std::string& card) {
     return with("START, 100, 6", "START, 2000000000, 6") + card;
   };

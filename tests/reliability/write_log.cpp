@@ -1,6 +1,7 @@
-// Preloaded into a run (LD_PRELOAD): notes every change of the results in the file
-// BLOCKS_LOG, so that a test can make the file as it was between any two of them. A
-// record: offset, size (-1: truncated to offset, -2: it took its name), bytes.
+// A library for LD_PRELOAD. It records every change of the results in the file
+// BLOCKS_LOG, so that a test can repeat them one by one. A record has offset, size and
+// bytes. The size is -1 for a truncation to the offset and -2 for a rename to the final
+// name.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,5 +1,4 @@
-// `blocks run --audit` as a user sees it: what it counts, and what it tells of contacts
-// that are wrong.
+// Counts and messages of `blocks run --audit`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,8 +16,7 @@ const std::string pair_of_squares = preliminary() + rectangle(-2, -1, 2, 0, true
                                     rectangle(-0.5, 0, 0.5, 1) +
                                     "GRAVITY, 0, -10\nDAMPING, 0.3\n";
 
-// An audit judges and changes nothing: no bit of the run.
-TEST(RunAudit, ChangesNoBit) {
+TEST(RunAudit, ChangesNoResult) {
   const TemporaryFolder folder;
   run_text(folder, "plain", pair_of_squares + "MOTION, 0.4\nSTOP\n");
   run_text(folder, "audited", pair_of_squares + "MOTION, 0.4\nSTOP\n", "--audit=50");
@@ -28,11 +26,15 @@ TEST(RunAudit, ChangesNoBit) {
   const auto& audit = audited["audit"];
   EXPECT_EQ(audit["every"], 50);
   EXPECT_EQ(audit["moments"], (audited["steps"].get<long>() + 49) / 50);
-  // two corners on the floor; in the first step nothing overlaps yet
+  // Two corners are on the floor. In the first step nothing overlaps yet.
   EXPECT_EQ(audit["acting"], 2 * (audit["moments"].get<long>() - 1));
   EXPECT_EQ(audit["wrong_decisions"], 0);
   EXPECT_EQ(audit["missed_pairs"], 0);
-  // a run that is stopped and goes on leaves the same listing
+}
+
+TEST(RunAudit, WritesTheSameListingIfTheRunIsResumed) {
+  const TemporaryFolder folder;
+  run_text(folder, "audited", pair_of_squares + "MOTION, 0.4\nSTOP\n", "--audit=50");
   folder.write("resumed.deck", pair_of_squares + "MOTION, 0.4\nSTOP\n");
   ASSERT_EQ(blocks("run resumed.deck --audit=50 --stop-after 77", folder.path()).code,
             75);
@@ -44,8 +46,7 @@ TEST(RunAudit, ChangesNoBit) {
   EXPECT_EQ(listing, slurp(folder / "audited.out"));
 }
 
-// Blocks in flight and rubble, as a shipped deck makes them.
-TEST(RunAudit, CraterIsCleanWhileBlocksFly) {
+TEST(RunAudit, FindsNoFaultInTheCraterDeck) {
   const TemporaryFolder folder;
   const Outcome run = blocks("run '" BLOCKS_SOURCE_DIR "/decks/crater/crater.deck' "
                              "--set MOTION.dt=0.06 --audit",
@@ -57,7 +58,7 @@ TEST(RunAudit, CraterIsCleanWhileBlocksFly) {
   EXPECT_EQ(audit["excess_pairs"], 0);
 }
 
-/// A square that rests on a floor, and a watch that has seen a step of it.
+/// A square that rests on a floor, and an audit watch that has recorded one step.
 class WatchedStep : public ::testing::Test {
  protected:
   WatchedStep() : watch(1) {
@@ -78,7 +79,7 @@ class WatchedStep : public ::testing::Test {
   std::vector<std::pair<int, int>> listed;
 };
 
-TEST_F(WatchedStep, TellsNothingOfASoundStep) {
+TEST_F(WatchedStep, HasNoFaultIfItIsSound) {
   const auto verdict = watch.after(scene.model, listed);
   EXPECT_TRUE(verdict.faults.empty());
   EXPECT_TRUE(verdict.stories.empty());
@@ -90,9 +91,7 @@ TEST_F(WatchedStep, TellsNothingOfASoundStep) {
                 "acting contacts; pairs missed: 0; wrong decisions: 0; "));
 }
 
-// A list that misses a pair, and a contact that does not act though it should, are
-// faults, with the story of the two blocks.
-TEST_F(WatchedStep, TellsMissedPairsAndWrongDecisions) {
+TEST_F(WatchedStep, ReportsMissedPairsAndWrongDecisions) {
   listed.clear();
   scene.model.contacts.erase(scene.model.contacts.begin());
   const auto verdict = watch.after(scene.model, listed);
@@ -110,7 +109,7 @@ TEST_F(WatchedStep, TellsMissedPairsAndWrongDecisions) {
   EXPECT_EQ(watch.totals().faults, verdict.faults);
 }
 
-TEST(RunAudit, EveryIsAWholeNumberOfSteps) {
+TEST(RunAudit, RefusesAnIntervalThatIsNoWholeNumberOfSteps) {
   const TemporaryFolder folder;
   folder.write("a.deck", pair_of_squares + "CYCLE, 5\nSTOP\n");
   for (const char* value : {"0", "-1", "1.5", "x", "99999999999999999999"}) {
@@ -119,10 +118,15 @@ TEST(RunAudit, EveryIsAWholeNumberOfSteps) {
     EXPECT_EQ(run.code, 2) << value;
     EXPECT_THAT(run.err, HasSubstr("expected a number of steps, 1 or more")) << value;
   }
+}
+
+TEST(RunAudit, NeedsNoNumberOfSteps) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", pair_of_squares + "CYCLE, 5\nSTOP\n");
   EXPECT_EQ(blocks("run --audit a.deck -o b", folder.path()).code, 0);
 }
 
-TEST(AuditOption, SaysHowTheNumberIsGiven) {
+TEST(RunAudit, SaysHowTheIntervalIsWritten) {
   const TemporaryFolder folder;
   folder.write("t.deck", pair_of_squares + "STOP\n");
   for (const char* words : {"run --audit 5 t.deck", "run t.deck --audit 5"}) {

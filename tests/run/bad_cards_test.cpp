@@ -1,6 +1,6 @@
-// tests/corpus/bad_cards/CARD.txt: base.deck with one card spoilt, and exactly what is
-// told. A case: "== name", the lines that take the place of the card, "--", the
-// messages.
+// Messages about faulty cards. A file tests/corpus/bad_cards/CARD.txt has cases of
+// base.deck with one faulty card. A case consists of "== name", the lines that replace
+// the card, "--", and the messages.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -29,17 +29,18 @@ struct BadCard {
   std::string name, text, expected;
 };
 
+/// Reads the cases of a file.
 std::vector<BadCard> cases_of(const fs::path& file) {
   std::vector<BadCard> cases;
-  bool told = false;
+  bool in_messages = false;
   for (const std::string& line : lines_of(slurp(file))) {
     if (line.starts_with("== ")) {
       cases.push_back({line.substr(3), "", ""});
-      told = false;
+      in_messages = false;
     } else if (line == "--") {
-      told = true;
+      in_messages = true;
     } else {
-      (told ? cases.back().expected : cases.back().text) += line + "\n";
+      (in_messages ? cases.back().expected : cases.back().text) += line + "\n";
     }
   }
   return cases;
@@ -49,9 +50,9 @@ bool is_card(const std::string& line) {
   return deck::find_card(line.substr(0, line.find(','))) != nullptr;
 }
 
-/// The sound deck with the last card of that name, and its lists, replaced; one that is
-/// not in it stands before DUMP.
-std::string spoilt(const std::string& card, const std::string& text) {
+/// Returns the sound deck with the last card of that name and its lists replaced by
+/// `text`. If it has no such card, the text replaces DUMP.
+std::string with_fault(const std::string& card, const std::string& text) {
   const std::vector<std::string> lines = lines_of(slurp(corpus / "base.deck"));
   const auto last = [&](const std::string& name) {
     std::size_t at = lines.size();
@@ -86,10 +87,10 @@ std::vector<fs::path> files() {
 
 class BadCards : public ::testing::TestWithParam<fs::path> {
  protected:
-  // Messages name the deck as it was named.
+  // Messages have the name of the deck as it was given.
   void SetUp() override { fs::current_path(folder_.path()); }
   void TearDown() override { fs::current_path(fs::temp_directory_path()); }
-  std::string told(const std::string& deck, bool& sound) {
+  std::string messages_about(const std::string& deck, bool& sound) {
     folder_.write("deck", deck);
     run::RunOptions options;
     options.deck = "deck";
@@ -100,12 +101,13 @@ class BadCards : public ::testing::TestWithParam<fs::path> {
   TemporaryFolder folder_;
 };
 
-// Every card, every field: missing, surplus, out of range, no number, not finite,
-// beyond what there is. Place, reason and hint are what a user meets.
+// Fields are missing, surplus, out of range, not numbers or not finite, or name
+// something that does not exist.
 TEST_P(BadCards, GetExactlyTheseDiagnostics) {
   for (const BadCard& one : cases_of(GetParam())) {
     bool sound = true;
-    EXPECT_EQ(told(spoilt(GetParam().stem().string(), one.text), sound), one.expected)
+    EXPECT_EQ(messages_about(with_fault(GetParam().stem().string(), one.text), sound),
+              one.expected)
         << one.name;
     EXPECT_FALSE(sound) << one.name;
   }
@@ -114,9 +116,7 @@ TEST_P(BadCards, GetExactlyTheseDiagnostics) {
 INSTANTIATE_TEST_SUITE_P(Corpus, BadCards, ::testing::ValuesIn(files()),
                          [](const auto& one) { return one.param.stem().string(); });
 
-// Guards the corpus itself: each card is there, each case once, and the deck is sound
-// where nothing is spoilt.
-TEST(BadCardsCorpus, HoldsEveryCard) {
+TEST(BadCardsCorpus, HasEveryCardAndNoCaseTwice) {
   std::size_t count = 0;
   std::set<std::string> cards;
   for (const fs::path& file : files()) {
@@ -130,6 +130,9 @@ TEST(BadCardsCorpus, HoldsEveryCard) {
     EXPECT_TRUE(cards.contains(std::string(card))) << card;
   RecordProperty("decks", std::to_string(count));
   EXPECT_GE(count, 500U);
+}
+
+TEST(BadCardsCorpus, HasASoundBaseDeck) {
   EXPECT_EQ(blocks("check '" + (corpus / "base.deck").string() + "'", "/tmp").code, 0);
 }
 

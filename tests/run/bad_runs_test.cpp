@@ -1,5 +1,5 @@
-// Decks that parse but cannot be executed: tests/corpus/bad_run/NAME.deck, what
-// `blocks run NAME.deck` prints on standard error, in NAME.expected.
+// Decks that parse but cannot be executed, tests/corpus/bad_run/NAME.deck. The file
+// NAME.expected has what `blocks run NAME.deck` prints on standard error.
 #include <gtest/gtest.h>
 
 #include "run/program.hpp"
@@ -9,8 +9,8 @@ namespace {
 
 class BadRun : public ::testing::TestWithParam<fs::path> {};
 
-// Faults that only the built model shows are told like faults of the text: place, card,
-// reason, hint, all in one pass, and before anything is written.
+// Only the model of the deck shows these faults. They are reported before any file is
+// written.
 TEST_P(BadRun, GetsExactlyTheseDiagnostics) {
   auto expected = GetParam();
   expected.replace_extension(".expected");
@@ -24,8 +24,7 @@ TEST_P(BadRun, GetsExactlyTheseDiagnostics) {
       << "a refused deck leaves no file";
 }
 
-// `check` says the same as `run`.
-TEST_P(BadRun, IsRefusedByCheckAlike) {
+TEST_P(BadRun, IsRefusedByCheckWithTheSameDiagnostics) {
   auto expected = GetParam();
   expected.replace_extension(".expected");
   const Outcome check =
@@ -38,11 +37,10 @@ INSTANTIATE_TEST_SUITE_P(Corpus, BadRun,
                          ::testing::ValuesIn(decks_below("tests/corpus/bad_run")),
                          [](const auto& one) { return one.param.stem().string(); });
 
-// Guards the corpus itself: an empty folder would pass every comparison.
-TEST(BadRuns, AreThere) { EXPECT_GE(decks_below("tests/corpus/bad_run").size(), 15U); }
+// Without decks the tests above would pass.
+TEST(BadRuns, AreFound) { EXPECT_GE(decks_below("tests/corpus/bad_run").size(), 15U); }
 
-// A block drawn anticlockwise is no fault: it is turned, corner 1 kept, and told once.
-TEST(AnticlockwiseCreate, IsAWarningAndTheBlockIsTurned) {
+TEST(AnticlockwiseCreate, IsWarnedOfOnce) {
   const TemporaryFolder folder;
   const Outcome run = run_text(folder, "turned",
                                preliminary() + "CREATE, 4, 1\n0, 1, 1, 0\n0, 0, 2, 2\n"

@@ -1,4 +1,4 @@
-// What a card does to a run: one small deck each, judged by its results and listing.
+// The effect of each card on results and listing, tested with small decks.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Runs the cards behind the preliminary data of a rigid problem.
+/// Runs cards after the preliminary cards of a rigid problem.
 class CardsAtWork : public ::testing::Test {
  protected:
   void run(const std::string& cards) {
@@ -33,7 +33,7 @@ class CardsAtWork : public ::testing::Test {
   nlohmann::json json_;
 };
 
-/// Block numbers in the rows of the first table behind every OUTPUT heading.
+/// Returns the block numbers in the rows of the first table after each OUTPUT heading.
 std::vector<std::vector<int>> output_rows(const std::string& listing) {
   std::vector<std::vector<int>> tables;
   std::istringstream in(listing);
@@ -51,6 +51,7 @@ std::vector<std::vector<int>> output_rows(const std::string& listing) {
   return tables;
 }
 
+/// Counts how often `what` occurs in the text.
 int count(const std::string& text, const std::string& what) {
   int found = 0;
   for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
@@ -61,10 +62,9 @@ int count(const std::string& text, const std::string& what) {
 const std::string four_squares = "CLOOP, 4, 3, 0.5\nCREATE, 4, 1\n-6, -6, -5, -5\n"
                                  "0, 1, 1, 0\n";
 
-// A frictionless elastic wall: the block comes back with the speed it came with, up to
-// the order (w dt)^2 = 0.0016 at which a contact's last step ends, and keeps its speed
-// along the plane.
-TEST_F(CardsAtWork, SplaneSendsABlockBack) {
+// The plane is elastic and has no friction. The speed changes by at most the order
+// (w dt)^2 = 0.0016, because the last step of a contact ends after it has opened.
+TEST_F(CardsAtWork, SplaneReflectsABlock) {
   run(rectangle(0.5, 0, 1.5, 1) + "SPLANE, 0, 9, 0, -9\nFRICTN, 0.9\n"
                                   "SETVEL, 1, 0, -2, 0.25\nMOTION, 1\n");
   EXPECT_NEAR(last().velocity(0, 0), 2.0, 2.0 * 0.0016);
@@ -73,9 +73,9 @@ TEST_F(CardsAtWork, SplaneSendsABlockBack) {
   EXPECT_GT(last().centroid(0, 0), 0.5);
 }
 
-// Semi-implicit Euler under a constant acceleration: v = n g dt, x = g dt^2 n (n + 1)
+// Under a constant acceleration the integrator gives v = n g dt, x = g dt^2 n (n + 1)
 // / 2.
-TEST_F(CardsAtWork, GravityPullsEveryFreeBlock) {
+TEST_F(CardsAtWork, GravityAcceleratesEveryFreeBlock) {
   run(rectangle(0, 0, 1, 1) + rectangle(5, 0, 6, 1) + rectangle(-5, 0, -4, 1, true) +
       "GRAVITY, 1, -10\nCYCLE, 100\n");
   const double dt = 0.0004, n = 100;
@@ -87,7 +87,7 @@ TEST_F(CardsAtWork, GravityPullsEveryFreeBlock) {
   EXPECT_EQ(last().centroid(1, 2), 0.5);
 }
 
-// FIX takes a moving block's speed, and SETVEL is ignored after it.
+// FIX stops a moving block, and SETVEL after FIX has no effect.
 TEST_F(CardsAtWork, FixHoldsABlock) {
   run(rectangle(0, 0, 1, 1) + rectangle(5, 0, 6, 1) +
       "GRAVITY, 0, -10\nSETVEL, 1, 2, 1, 1, 1\nFIX, 1\nSETVEL, 1, 0, 3, 3\n"
@@ -99,8 +99,9 @@ TEST_F(CardsAtWork, FixHoldsABlock) {
   EXPECT_NE(last().velocity(1, 1), 0.0);
 }
 
-// nb2 = 0: one block; nb2 > nb1: a range; nb2 < 0: all so far from nb1 on.
-TEST_F(CardsAtWork, SetvelActsOnARange) {
+// With nb2 = 0 the card selects one block, nb2 > nb1 a range, and nb2 < 0 all present
+// blocks from nb1.
+TEST_F(CardsAtWork, SetvelActsOnARangeOfBlocks) {
   run(four_squares +
       "SETVEL, 1, 2, 1, 0, 0.5\nSETVEL, 3, -1, 2, 0, 0\n"
       "SETVEL, 2, 0, 3, 0, 0\n" +
@@ -111,8 +112,8 @@ TEST_F(CardsAtWork, SetvelActsOnARange) {
   EXPECT_EQ(first().spin[1], 0.0);
 }
 
-// Only blocks of the material that exist where the card stands.
-TEST_F(CardsAtWork, SetvelmActsOnAMaterial) {
+// The card acts on the blocks of the material that precede it.
+TEST_F(CardsAtWork, SetvelmActsOnBlocksOfAMaterial) {
   run(rectangle(0, 0, 1, 1) + "CREATE, 4, 2\n5, 5, 6, 6\n0, 1, 1, 0\n"
                               "SETVELM, 2, 0, 1, 0.25\n"
                               "CREATE, 4, 2\n-5, -5, -4, -4\n0, 1, 1, 0\nCYCLE, 1\n");
@@ -121,8 +122,8 @@ TEST_F(CardsAtWork, SetvelmActsOnAMaterial) {
   EXPECT_EQ(first().spin[1], 0.25);
 }
 
-// n blocks in total, the first where the CREATE puts it.
-TEST_F(CardsAtWork, CloopRepeatsWithAShift) {
+// CLOOP makes n blocks in total. The first one is at the place of the CREATE card.
+TEST_F(CardsAtWork, CloopRepeatsABlockWithAShift) {
   run(four_squares + "CYCLE, 1\n");
   ASSERT_EQ(first().number.size(), 4U);
   for (int copy = 0; copy < 4; ++copy) {
@@ -131,9 +132,7 @@ TEST_F(CardsAtWork, CloopRepeatsWithAShift) {
   }
 }
 
-// Blocks that MERGE absorbed are on record with their reason, and only they are
-// missing.
-TEST_F(CardsAtWork, MergeIsOnRecord) {
+TEST_F(CardsAtWork, MergeRecordsTheAbsorbedBlocks) {
   run("MERGE, 0.7\nLAYER, -30, 1, -9,0, -9,1, 9,1, 9,0, RANDOM\nCYCLE, 1\n");
   const auto& merges = json_["merges"];
   ASSERT_GT(merges.size(), 0U);
@@ -148,7 +147,7 @@ TEST_F(CardsAtWork, MergeIsOnRecord) {
   EXPECT_EQ(count(table, "\n") - 2, static_cast<int>(merges.size())) << table;
 }
 
-// Tables at the start, at every interval and at the end, of the chosen blocks only.
+// Tables are printed at the start, at every interval and at the end.
 TEST_F(CardsAtWork, OutputPrintsTheChosenBlocks) {
   run(four_squares + "OUTPUT, 0.1, 4, 2\nMOTION, 0.5\n");
   const auto tables = output_rows(listing_);
@@ -157,23 +156,22 @@ TEST_F(CardsAtWork, OutputPrintsTheChosenBlocks) {
     EXPECT_THAT(rows, ElementsAre(4, 2));
 }
 
-// Without a list every block is printed; without OUTPUT the start and the end are.
-TEST_F(CardsAtWork, OutputIsNotNeededForTheEnds) {
+TEST_F(CardsAtWork, StartAndEndArePrintedWithoutOutput) {
   run(four_squares + "MOTION, 0.5\n");
   EXPECT_THAT(output_rows(listing_),
               ElementsAre(ElementsAre(1, 2, 3, 4), ElementsAre(1, 2, 3, 4)));
 }
 
-// The sums of dt must neither lose nor double a frame: 250 steps each, five times.
-TEST_F(CardsAtWork, PlotsWritesAFrameEachInterval) {
+// An interval has 250 steps. The sum of dt must neither lose nor repeat a frame.
+TEST_F(CardsAtWork, PlotsWritesAFrameAtEachInterval) {
   run(four_squares + "PLOTS, 0.1\nMOTION, 0.5\n");
   ASSERT_EQ(results_->frames(), 6);
   for (long i = 0; i < 6; ++i)
     EXPECT_EQ(results_->frame(i).step, 250 * i);
 }
 
-// A second PLOTS card counts from where it stands.
-TEST_F(CardsAtWork, PlotsMayBeChangedOnTheWay) {
+// The interval of the second PLOTS card begins at that card.
+TEST_F(CardsAtWork, PlotsMayBeChangedDuringTheRun) {
   run(four_squares + "PLOTS, 0.2\nMOTION, 0.2\nPLOTS, 0.05\nMOTION, 0.1\n");
   std::vector<long> steps;
   for (long i = 0; i < results_->frames(); ++i)
@@ -181,7 +179,7 @@ TEST_F(CardsAtWork, PlotsMayBeChangedOnTheWay) {
   EXPECT_THAT(steps, ElementsAre(0, 500, 625, 750));
 }
 
-// The full print shows both corners of the brick that rests on the floor.
+// Both lower corners of the brick are in contact with the floor.
 TEST_F(CardsAtWork, DumpPrintsTheContacts) {
   run(rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
       "GRAVITY, 0, -10\nDAMPING, 0.5\nMOTION, 0.2\nDUMP\n");
@@ -193,22 +191,19 @@ TEST_F(CardsAtWork, DumpPrintsTheContacts) {
   EXPECT_EQ(count(table, " yes "), json_["contacts"]["active"].get<int>());
 }
 
-// CYCLE counts steps, MOTION time; both add up.
 TEST_F(CardsAtWork, CycleAndMotionAddUp) {
   run(rectangle(0, 0, 1, 1) + "CYCLE, 7\nMOTION, 0.0041\nCYCLE, 1\n");
   EXPECT_EQ(json_["steps"], 7 + 11 + 1);
   EXPECT_NEAR(json_["time"].get<double>(), 19 * 0.0004, 1e-15);
 }
 
-// Nothing behind STOP is executed, and a deck without MOTION still writes its state.
-TEST_F(CardsAtWork, StopEndsTheRun) {
+TEST_F(CardsAtWork, DeckWithoutMotionWritesItsState) {
   run(four_squares);
   EXPECT_EQ(json_["steps"], 0);
   EXPECT_EQ(results_->frames(), 1);
 }
 
-// A block that crosses the border of the domain stops there, with a message.
-TEST_F(CardsAtWork, DomainHoldsWhatLeavesIt) {
+TEST_F(CardsAtWork, DomainStopsABlockThatLeavesIt) {
   run(rectangle(8, 0, 9, 1) + "SETVEL, 1, 0, 4\nMOTION, 1\n");
   EXPECT_EQ(json_["domain_exits"].size(), 1U);
   EXPECT_NEAR(json_["domain_exits"][0]["time"].get<double>(), 0.25, 0.001);

@@ -1,4 +1,4 @@
-// Toes at joints of a floor or a wall of blocks, as in one of one piece.
+// A corner at a joint of a floor or wall moves as on a floor or wall of one block.
 #include <gtest/gtest.h>
 
 #include "run/program.hpp"
@@ -6,7 +6,7 @@
 namespace blocks::testing {
 namespace {
 
-/// The first cards, for springs of so many N/m.
+/// Returns the preliminary cards with a stiffness in N/m.
 std::string cards(const std::string& stiffness, const std::string& fraction) {
   return "START, 20, 4\nTOE\nXLIMITS, -60, 60\nYLIMITS, -60, 60\nBOXES, 40, 40, 0.05\n"
          "STIFF, " +
@@ -14,10 +14,10 @@ std::string cards(const std::string& stiffness, const std::string& fraction) {
          "\nMATERIAL, 1, 1.E9, 4.E8, 2000\nRIGID\nEND\n";
 }
 
-// A smooth triangle leans against a smooth wall with its toe exactly at a joint, by
-// overlaps below and above the slack: it slips. In the first step, when nothing
-// overlaps yet, the joint may take a little.
-TEST(ClosedJoint, APropSlips) {
+// A frictionless triangle leans against a wall, and its lowest corner is exactly at a
+// joint of the floor. The overlaps are below and above the slack. In the first step,
+// before anything overlaps, the joint may absorb a little energy.
+TEST(ClosedJoint, DoesNotHoldAPropThatSlips) {
   const std::string wall_and_prop =
       rectangle(0.3, 0.2, 1, 1, true) +
       "CREATE, 3, 1\n0, -0.02, 0.3\n0, 0.3, 0.5\nGRAVITY, 0, -10\nFRICTN, 0\n"
@@ -36,9 +36,9 @@ TEST(ClosedJoint, APropSlips) {
   }
 }
 
-// A bar lies flush beside a joint and turns: first one, then the other end of its side
-// is the lower one, and only that stands in the joint.
-TEST(ClosedJoint, ABarThatTurnsChangesItsToe) {
+// A bar is flush with a wall beside a joint and turns. The two ends of its side enter
+// the joint one after the other.
+TEST(ClosedJoint, IsDecidedExactlyWhileABarTurns) {
   for (const char* const spin : {"5", "10"}) {
     const TemporaryFolder folder;
     run_text(folder, "bar",

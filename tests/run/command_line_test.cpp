@@ -1,4 +1,4 @@
-// The command line: exit codes, files kept, standard input, the card reference,
+// The command line: exit codes, older files, standard input, the card reference and
 // figures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,8 +15,7 @@ using ::testing::StartsWith;
 const std::string falling =
     preliminary() + rectangle(0, 0, 1, 1) + "GRAVITY, 0, -10\nPLOTS, 0.1\n";
 
-// Scripts tell the faults apart by these numbers.
-TEST(ExitCode, TellsTheKindOfFault) {
+TEST(ExitCode, ShowsTheKindOfFault) {
   const TemporaryFolder folder;
   folder.write("good.deck", falling + "CYCLE, 3\n");
   folder.write("bad.deck", falling + "CYLCE, 3\n");
@@ -44,8 +43,7 @@ TEST(ExitCode, TellsTheKindOfFault) {
   EXPECT_EQ(code("run good.deck -o nowhere/good"), 5);
 }
 
-// A misspelt instruction set was taken for none at all.
-TEST(Environment, UnknownInstructionSetIsAnError) {
+TEST(Environment, RefusesAnUnknownInstructionSet) {
   const TemporaryFolder folder;
   folder.write("good.deck", falling + "CYCLE, 3\n");
   ASSERT_EQ(setenv("BLOCKS_SIMD", "avx", 1), 0);
@@ -57,12 +55,11 @@ TEST(Environment, UnknownInstructionSetIsAnError) {
   EXPECT_THAT(misspelt.err,
               StartsWith("blocks: error: BLOCKS_SIMD=avx is no instruction set of this "
                          "machine; there are baseline"));
-  EXPECT_FALSE(folder.holds("good.out.bak"));  // only the second run wrote
+  EXPECT_FALSE(folder.holds("good.out.bak"));  // Only the second run has written files.
   EXPECT_EQ(known.code, 0);
 }
 
-// A step far beyond stability must end as a fault (4), not as a result.
-TEST(ExitCode, IsFourWhenTheRunIsUnsound) {
+TEST(ExitCode, IsFourIfTheRunIsUnstable) {
   const TemporaryFolder folder;
   folder.write("wild.deck", preliminary() + rectangle(0, 0, 1, 1) +
                                 "GRAVITY, 1.E308, 1.E308\nCYCLE, 99\n");
@@ -71,9 +68,8 @@ TEST(ExitCode, IsFourWhenTheRunIsUnsound) {
   EXPECT_EQ(summary(folder, "wild")["status"], "unsound");
 }
 
-// The listing ends with the overlaps of the step that went wrong, as that of an audited
-// run does.
-TEST(Unsound, LastMomentHasItsForces) {
+// The listing ends with the overlaps of the step that failed.
+TEST(Unsound, ListingHasTheOverlapsOfTheLastStep) {
   const TemporaryFolder folder;
   const auto listing = [&](const std::string& options) {
     EXPECT_EQ(blocks("run shot.deck -o shot " + options, folder.path()).code, 4);
@@ -94,16 +90,14 @@ TEST(Unsound, LastMomentHasItsForces) {
   }
 }
 
-// What is done is done, however late it is.
-TEST(TimeLimit, DoesNotStopARunThatIsOver) {
+TEST(TimeLimit, DoesNotStopARunAtItsEnd) {
   const TemporaryFolder folder;
   folder.write("short.deck", falling + "CYCLE, 40\n");
   EXPECT_EQ(blocks("run short.deck --time-limit 0.0001", folder.path()).code, 0);
 }
 
-// A spin whose square overflows turns by NaN. The corners were taken for having left
-// the domain, and the run went on without a word.
-TEST(ExitCode, IsFourWhenATurnOverflows) {
+// The square of the spin overflows, so that the rotation is NaN.
+TEST(ExitCode, IsFourIfARotationOverflows) {
   for (const char* kind : {"RIGID\n", ""}) {
     const TemporaryFolder folder;
     folder.write("spun.deck", preliminary(kind) + rectangle(0, 0, 1, 1) +
@@ -113,8 +107,7 @@ TEST(ExitCode, IsFourWhenATurnOverflows) {
   }
 }
 
-// A run stopped by the clock leaves a checkpoint from which it goes on.
-TEST(TimeLimit, StopsWithACheckpoint) {
+TEST(TimeLimit, LeavesACheckpointToContinueFrom) {
   const TemporaryFolder folder;
   folder.write("long.deck", falling + "CYCLE, 900000000\n");
   const Outcome run = blocks("run long.deck --time-limit 0.2", folder.path());
@@ -127,7 +120,6 @@ TEST(TimeLimit, StopsWithACheckpoint) {
   EXPECT_EQ(summary(folder, "long")["steps"], stopped["steps"].get<long>() + 10);
 }
 
-// An afternoon's results are not lost to a second start.
 TEST(OlderResults, AreKept) {
   const TemporaryFolder folder;
   run_text(folder, "fall", falling + "CYCLE, 3\n");
@@ -139,8 +131,7 @@ TEST(OlderResults, AreKept) {
   EXPECT_NE(slurp(folder / "fall.out"), listing);
 }
 
-// A deck as punched in 1982 runs from standard input, and means what the same deck in
-// today's habits means.
+// The deck has the style of 1982. The same deck in today's style has the same results.
 TEST(StandardInput, RunsADeckOf1982) {
   const std::string old = "START,10,4\n"
                           "TWO BRICKS ON A FLOOR\n"
@@ -167,27 +158,27 @@ TEST(StandardInput, RunsADeckOf1982) {
   EXPECT_EQ(json["title"], "TWO BRICKS ON A FLOOR");
   run_text(folder, "today", today);
   EXPECT_EQ(json["state_hash"], summary(folder, "today")["state_hash"]);
+}
 
+TEST(StandardInput, IsNamedInMessages) {
+  const TemporaryFolder folder;
   const Outcome bad = blocks("check -", folder.path(), "START\n");
   EXPECT_EQ(bad.code, 3);
   EXPECT_THAT(bad.err, StartsWith("<standard input>:1:"));
 }
 
-// For scripts: with --json standard output is one JSON value and nothing else.
-TEST(JsonOption, PrintsTheSummaryAlone) {
+TEST(JsonOption, PrintsNothingButTheSummary) {
   const TemporaryFolder folder;
   const Outcome run = run_text(folder, "fall", falling + "CYCLE, 3\n", "--json");
   EXPECT_EQ(nlohmann::json::parse(run.out), summary(folder, "fall"));
 }
 
-// --set acts on the deck that is executed, not only on the one that is checked.
-TEST(SetOption, ReplacesAField) {
+TEST(SetOption, ReplacesAFieldOfTheRun) {
   const TemporaryFolder folder;
   run_text(folder, "fall", falling + "CYCLE, 3\n", "--set cycle.NCYCLE=5");
   EXPECT_EQ(summary(folder, "fall")["steps"], 5);
 }
 
-// The reference is made of the card table: no card is left out.
 TEST(Cards, AreAllListed) {
   const TemporaryFolder folder;
   const Outcome all = blocks("cards", folder.path());
@@ -198,15 +189,22 @@ TEST(Cards, AreAllListed) {
     EXPECT_EQ(one.code, 0);
     EXPECT_THAT(one.out, StartsWith(std::string(name)));
   }
+}
+
+TEST(Cards, AreFoundInAnyLetterCase) {
+  const TemporaryFolder folder;
   EXPECT_EQ(blocks("cards layer", folder.path()).out,
             blocks("cards LAYER", folder.path()).out);
+}
+
+TEST(Cards, RefusesAnUnknownCard) {
+  const TemporaryFolder folder;
   const Outcome none = blocks("cards LAYRE", folder.path());
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, StartsWith("blocks: error: there is no card LAYRE\n"));
 }
 
-// docs/cards.md is that reference, and not an older one.
-TEST(Cards, DocumentationIsTheTable) {
+TEST(Cards, AreThoseOfTheReferencePage) {
   const TemporaryFolder folder;
   EXPECT_EQ(blocks("cards --markdown", folder.path()).out,
             slurp(fs::path(BLOCKS_SOURCE_DIR) / "docs/cards.md"));
@@ -221,19 +219,21 @@ class Plot : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// The ending chooses the format; the file's first bytes say what it really is.
-TEST_F(Plot, WritesTheFormatOfTheEnding) {
+// The first bytes of a file identify its format.
+TEST_F(Plot, WritesTheFormatOfTheFileExtension) {
   for (const auto& [name, begin] :
        {std::pair{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}}) {
     const Outcome outcome = plot(std::string("fall.vtkhdf -o ") + name);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(slurp(folder_ / name), StartsWith(begin));
   }
+}
+
+TEST_F(Plot, WritesPngUnlessAFileIsNamed) {
   EXPECT_EQ(plot("fall.vtkhdf").code, 0);
   EXPECT_TRUE(folder_.holds("fall.png"));
 }
 
-// The time and the quantity reach the figure.
 TEST_F(Plot, ShowsTheChosenTimeAndQuantity) {
   const auto figure = [&](const std::string& options) {
     EXPECT_EQ(plot("fall.vtkhdf -o a.svg " + options).code, 0) << options;
@@ -244,8 +244,7 @@ TEST_F(Plot, ShowsTheChosenTimeAndQuantity) {
   EXPECT_NE(figure("--colour speed"), figure("--colour material"));
 }
 
-// A wrong name is answered with the right ones, and nothing is written.
-TEST_F(Plot, RefusesWhatItCannotDraw) {
+TEST_F(Plot, NamesTheChoicesIfAnOptionIsWrong) {
   const Outcome ending = plot("fall.vtkhdf -o a.bmp");
   EXPECT_NE(ending.code, 0);
   EXPECT_THAT(ending.err, HasSubstr(".mp4 or .gif (a movie), found 'a.bmp'"));
@@ -257,6 +256,9 @@ TEST_F(Plot, RefusesWhatItCannotDraw) {
   EXPECT_EQ(time.code, 2);
   EXPECT_THAT(time.err, HasSubstr("fall.vtkhdf has times 0 to "));
   EXPECT_FALSE(folder_.holds("a.bmp") || folder_.holds("a.png"));
+}
+
+TEST_F(Plot, RefusesFilesThatAreNoResults) {
   EXPECT_EQ(plot("absent.vtkhdf").code, 5);
   EXPECT_EQ(plot("fall.ckpt.h5").code, 5);
   EXPECT_EQ(plot("fall.deck").code, 5);

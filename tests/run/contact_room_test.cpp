@@ -1,4 +1,4 @@
-// How many pairs a list is likely to hold, without making it.
+// The estimated number of pairs in a contact list.
 #include "run/contact_room.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ NewBlock rectangle(double x, double y, double width, double height) {
   return block;
 }
 
-// The floor, the first of the deck, is beside every brick: it is no sample of the rest.
-TEST(ContactRoom, OneFloorBelowManyBricks) {
+// Block 1 is the floor, which is near many bricks and so no typical sample.
+TEST(LikelyList, HasNearlyTheNumberOfPairsOfAWall) {
   constexpr int columns = 5000, rows = 3;
   std::vector<NewBlock> wall = {rectangle(0.0, -1.0, columns, 1.0)};
   for (int row = 0; row < rows; ++row)
@@ -24,7 +24,8 @@ TEST(ContactRoom, OneFloorBelowManyBricks) {
       wall.push_back(rectangle(column, 0.5 * row, 1.0, 0.5));
   Blocks blocks;
   blocks.append(wall);
-  // beside, above (three each), on the floor
+  // Pairs are beside each other, above each other (three for a brick), and on the
+  // floor.
   const double pairs = (columns - 1.0) * rows + (3.0 * columns - 2.0) * (rows - 1.0) +
                        static_cast<double>(columns);
   const LikelyList list = likely_list(blocks, 1e-3);

@@ -1,4 +1,4 @@
-// Every deck that ships with the program: checked, then run cut short.
+// Every shipped deck passes the check and a short run.
 #include <gtest/gtest.h>
 
 #include "post/results_reader.hpp"
@@ -13,8 +13,6 @@ class ShippedDeck : public ::testing::TestWithParam<fs::path> {
   std::string quoted() const { return "'" + GetParam().string() + "'"; }
 };
 
-// The decks are what a new user meets first: an error in one is an error in the
-// program.
 TEST_P(ShippedDeck, PassesCheck) {
   const TemporaryFolder folder;
   const Outcome check = blocks("check " + quoted(), folder.path());
@@ -23,9 +21,8 @@ TEST_P(ShippedDeck, PassesCheck) {
   EXPECT_TRUE(fs::is_empty(folder.path())) << "check writes no file";
 }
 
-// The state at the start and at the end is always in the results, whatever PLOTS says,
-// and every run leaves all four files.
-TEST_P(ShippedDeck, RunsAndWritesItsFiles) {
+// The results have the states at the start and at the end for any PLOTS card.
+TEST_P(ShippedDeck, RunsSoundlyAndWritesItsFiles) {
   const TemporaryFolder folder;
   const Outcome run =
       blocks("run " + quoted() + " --set MOTION.dt=0.002 --audit=20", folder.path());
@@ -42,7 +39,7 @@ TEST_P(ShippedDeck, RunsAndWritesItsFiles) {
   EXPECT_EQ(results.frame(results.frames() - 1).step, json["steps"].get<long>());
   EXPECT_EQ(results.frames(), json["frames"].get<long>());
   EXPECT_EQ(results.frame(0).outlines.size(), json["blocks"].get<std::size_t>());
-  // MOTION counts ceil(dt / TDEL - 1e-9) steps: round-off in n TDEL is not a step more
+  // MOTION makes ceil(dt / TDEL - 1e-9) steps, so that round-off adds no step.
   EXPECT_GE(json["time"].get<double>(), 0.002 * (1 - 1e-9));
   EXPECT_EQ(json["status"], "done");
   EXPECT_GE(json["audit"]["moments"].get<long>(), 1);
@@ -53,8 +50,8 @@ TEST_P(ShippedDeck, RunsAndWritesItsFiles) {
 INSTANTIATE_TEST_SUITE_P(Decks, ShippedDeck, ::testing::ValuesIn(decks_below("decks")),
                          [](const auto& one) { return one.param.stem().string(); });
 
-// An empty folder would pass every test above.
-TEST(ShippedDecks, AreThere) { EXPECT_GE(decks_below("decks").size(), 8U); }
+// Without decks the tests above would pass.
+TEST(ShippedDecks, AreFound) { EXPECT_GE(decks_below("decks").size(), 8U); }
 
 }  // namespace
 }  // namespace blocks::testing

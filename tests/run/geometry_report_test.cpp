@@ -1,4 +1,4 @@
-// `blocks check --geometry` as a user sees it.
+// The report of `blocks check --geometry`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-// A base, two blocks that share a quarter of a unit square, and one that hangs 0.0004
-// above the base.
+// Block 1 is a base. Blocks 2 and 3 overlap by a quarter of a unit square. Block 4 is
+// 0.0004 above the base.
 const std::string overlapping = preliminary() + rectangle(-4, -1, 4, 0, true) +
                                 rectangle(0, 0, 2, 1) + rectangle(1.5, 0.5, 3.5, 1.5) +
                                 rectangle(-3, 0.0004, -1, 1) + "CYCLE, 3\n";
@@ -26,8 +26,6 @@ Json geometry_json(const TemporaryFolder& folder, const std::string& deck, int c
   return Json::parse(check.out);
 }
 
-// Blocks that overlap fail the certificate: exit 3, and the pair, its area and place.
-// A run goes on, since such an overlap carries no force, and keeps the verdict.
 TEST(GeometryReport, NamesTheBlocksThatOverlap) {
   const TemporaryFolder folder;
   const Json json = geometry_json(folder, overlapping, 3);
@@ -37,7 +35,13 @@ TEST(GeometryReport, NamesTheBlocksThatOverlap) {
   EXPECT_EQ(certificate["overlaps"][0]["blocks"], Json({2, 3}));
   EXPECT_DOUBLE_EQ(certificate["overlaps"][0]["area"].get<double>(), 0.25);
   EXPECT_EQ(certificate["overlaps"][0]["place"], Json({1.75, 0.75}));
+}
 
+// A run accepts overlaps of the deck, because they carry no force.
+TEST(GeometryReport, IsKeptInSummaryAndListingOfARun) {
+  const TemporaryFolder folder;
+  const Json json = geometry_json(folder, overlapping, 3);
+  const Json& certificate = json["certificate"];
   run_text(folder, "a", overlapping);
   const Json kept = summary(folder, "a")["certificate"];
   EXPECT_FALSE(kept["holds"].get<bool>());
@@ -57,7 +61,7 @@ TEST(GeometryReport, NamesTheBlocksThatOverlap) {
   EXPECT_THAT(blocks("check a.deck", folder.path()).out, HasSubstr("\n" + gap));
 }
 
-// 90 equal blocks in one place are 4005 pairs: 100 are named, all are counted.
+// There are 4005 pairs of 90 equal blocks in one place.
 TEST(GeometryReport, NamesAHundredPairsAndCountsTheRest) {
   const TemporaryFolder folder;
   run_text(folder, "a",
@@ -68,9 +72,9 @@ TEST(GeometryReport, NamesAHundredPairsAndCountsTheRest) {
   EXPECT_THAT(slurp(folder / "a.out"), HasSubstr("    and 3905 more\n"));
 }
 
-// What presses on each other after motion is no fault of the deck; what is made later
-// is judged against the blocks as they stand, on a RESTART too.
-TEST(GeometryReport, CertifiesWhatIsMadeAfterMotion) {
+// Overlaps of blocks that have moved are contacts and no faults of the deck. Blocks
+// made after motion, or after a RESTART, are compared with the present positions.
+TEST(GeometryReport, ComparesLaterBlocksWithPresentPositions) {
   const TemporaryFolder folder;
   const std::string settled = preliminary() + rectangle(-4, -1, 4, 0, true) +
                               rectangle(0, 0, 1, 1) + "GRAVITY, 0, -9.81\nCYCLE, 20\n";
@@ -87,7 +91,8 @@ TEST(GeometryReport, CertifiesWhatIsMadeAfterMotion) {
   EXPECT_EQ(still["verdict"], "no two of 2 blocks overlap; all blocks have moved, "
                               "overlaps between them are contacts: 1 pair");
   run_text(folder, "second", "RESTART, first.ckpt.h5\n" + later + "CYCLE, 20\nSTOP\n");
-  run_text(folder, "last", settled + later + "STOP\n");  // no time passes for them
+  run_text(folder, "last",
+           settled + later + "STOP\n");  // The last blocks make no step.
   for (const char* name : {"whole", "second", "last"}) {
     const Json kept = summary(folder, name)["certificate"];
     EXPECT_EQ(kept["blocks"], 4) << name;
@@ -102,13 +107,12 @@ TEST(GeometryReport, CertifiesWhatIsMadeAfterMotion) {
 TEST(GeometryReport, FindsGapsAndTJunctions) {
   const TemporaryFolder folder;
   const Json json = geometry_json(folder, overlapping, 3);
-  EXPECT_EQ(json["t_junctions"].size(), 2);  // block 2 on the base
+  EXPECT_EQ(json["t_junctions"].size(), 2);  // Block 2 is on the base.
   ASSERT_EQ(json["gaps"].size(), 1U);
   EXPECT_EQ(json["gaps"][0]["blocks"], Json({1, 4}));
   EXPECT_DOUBLE_EQ(json["widest_gap"].get<double>(), 0.0004);
 }
 
-// The text says what the JSON says.
 TEST(GeometryReport, TextAndJsonAgree) {
   const TemporaryFolder folder;
   const std::string deck = preliminary() +
@@ -163,13 +167,12 @@ TEST(GeometryReport, TextAndJsonAgree) {
   EXPECT_THAT(text, HasSubstr("proved: no two of "));
 }
 
-// Far from the origin doubles are too coarse for small blocks, and the report says what
-// to do about it.
-TEST(GeometryReport, WarnsFarFromTheOrigin) {
+// Far from the origin doubles are too coarse for small blocks.
+TEST(GeometryReport, WarnsOfBlocksFarFromTheOrigin) {
   const TemporaryFolder folder;
   const auto deck = [](const std::string& x) {
     std::string cards = preliminary();
-    cards.replace(cards.find("-10, 10"), 7, "0, 1.E9");  // XLIMITS
+    cards.replace(cards.find("-10, 10"), 7, "0, 1.E9");  // These are the XLIMITS.
     return cards + fmt::format("CREATE, 4, 1\n{0}.25, {0}.25, {0}.5, {0}.5\n"
                                "0, 0.25, 0.25, 0\n",
                                x);
@@ -182,28 +185,42 @@ TEST(GeometryReport, WarnsFarFromTheOrigin) {
               HasSubstr("move the origin of the deck near the blocks"));
 }
 
-// The figure shows the overlap, and an older figure is kept.
-TEST(GeometryReport, DrawsTheOffendingPlaces) {
+TEST(GeometryReport, DrawsFaultyPlaces) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", overlapping);
+  EXPECT_EQ(blocks("check --geometry -q --plot a.svg a.deck", folder.path()).code, 3);
+  const std::string svg = slurp(folder / "a.svg");
+  EXPECT_THAT(svg, StartsWith("<?xml"));
+  // These are the colours of overlaps, gaps, T-junctions and short sides.
+  for (const char* colour : {"84%,10%,11%", "3%,38%,72%", "0%,50%,42%", "42%,26%,10%"})
+    EXPECT_NE(svg.find(colour), std::string::npos) << colour;
+}
+
+TEST(GeometryReport, KeepsAnOlderFigure) {
   const TemporaryFolder folder;
   folder.write("a.deck", overlapping);
   folder.write("a.svg", "older");
   EXPECT_EQ(blocks("check --geometry -q --plot a.svg a.deck", folder.path()).code, 3);
   EXPECT_EQ(slurp(folder / "a.svg.bak"), "older");
-  const std::string svg = slurp(folder / "a.svg");
-  EXPECT_THAT(svg, StartsWith("<?xml"));
-  // the colours of overlaps, gaps, T-junctions and short sides; all corners are alike
-  for (const char* colour : {"84%,10%,11%", "3%,38%,72%", "0%,50%,42%", "42%,26%,10%"})
-    EXPECT_NE(svg.find(colour), std::string::npos) << colour;
+}
+
+TEST(GeometryReport, RefusesOtherFormatsOfAFigure) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", overlapping);
   const Outcome gif = blocks("check --geometry -q --plot a.gif a.deck", folder.path());
   EXPECT_EQ(gif.code, 5);
   EXPECT_THAT(gif.err, HasSubstr(".png, .svg or .pdf, found 'a.gif'"));
 }
 
-TEST(GeometryReport, OptionsNeedTheReport) {
+TEST(GeometryReport, OptionsAreRefusedWithoutTheReport) {
   const TemporaryFolder folder;
   folder.write("a.deck", overlapping);
   for (const char* option : {"--json", "--plot a.png"})
     EXPECT_EQ(blocks(std::string("check a.deck ") + option, folder.path()).code, 2);
+}
+
+TEST(GeometryReport, IsNotMadeForAFaultyDeck) {
+  const TemporaryFolder folder;
   folder.write("bad.deck", "START\n");
   EXPECT_EQ(blocks("check --geometry bad.deck", folder.path()).code, 3);
 }

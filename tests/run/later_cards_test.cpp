@@ -1,4 +1,4 @@
-// Cards that act in the middle of a run, and runs that end before their time.
+// Cards in the middle of a run, and runs that end early.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,25 +14,32 @@ using ::testing::Not;
 const std::string moving = preliminary() + rectangle(0, 0, 1, 1) +
                            rectangle(4, 0, 5, 1) + "SETVEL, 2, 0, 2, 0\nMOTION, 1\n";
 
-// Block 2 has left its place when the third one is made there ...
-TEST(LaterCreate, IsJudgedWhereTheBlocksStandByThen) {
+// Block 2 has left the place where block 3 is made.
+TEST(LaterCreate, MayUseAPlaceThatABlockHasLeft) {
   const TemporaryFolder folder;
   const Outcome free =
       run_text(folder, "free", moving + rectangle(4, 0, 5, 1) + "MOTION, 0.01\n");
   EXPECT_THAT(free.err, Not(HasSubstr("overlap")));
-  // ... and stands where the other third one is.
+}
+
+// Block 2 has moved to the place where block 3 is made.
+TEST(LaterCreate, IsWarnedOfOverlapsWithPresentPositions) {
+  const TemporaryFolder folder;
   const Outcome hit =
       run_text(folder, "hit", moving + rectangle(6, 0, 7, 1) + "MOTION, 0.01\n");
   EXPECT_THAT(hit.err, HasSubstr("warning: MOTION: blocks 2 and 3 overlap"));
   EXPECT_THAT(summary(folder, "hit")["warnings"].dump(), HasSubstr("2 and 3 overlap"));
 }
 
-// A plane in front of nothing stops the run where it is, with its files whole.
-TEST(LaterSplane, IsJudgedWhereTheBlocksStandByThen) {
+TEST(LaterSplane, IsComparedWithPresentPositions) {
   const TemporaryFolder folder;
-  // all behind it at first, block 2 in front of it by then
+  // At first all blocks are behind the plane. Block 2 is in front of it later.
   folder.write("late.deck", moving + "SPLANE, 5.5, 5, 5.5, -5\nMOTION, 0.01\n");
   EXPECT_EQ(blocks("run late.deck", folder.path()).code, 0);
+}
+
+TEST(LaterSplane, StopsTheRunIfAllBlocksAreBehindIt) {
+  const TemporaryFolder folder;
   folder.write("front.deck", moving + "SPLANE, 8, 5, 8, -5\nMOTION, 0.01\n");
   const Outcome front = blocks("run front.deck", folder.path());
   EXPECT_EQ(front.code, 3);
@@ -42,9 +49,8 @@ TEST(LaterSplane, IsJudgedWhereTheBlocksStandByThen) {
   EXPECT_NEAR(summary(folder, "front")["time"].get<double>(), 1.0, 1e-3);
 }
 
-// The warning about the time step belongs to the pair FRACTION and DAMPING, which
-// DAMPING changes.
-TEST(LaterDamping, IsWarnedOfAnew) {
+// The limit of the time step depends on FRACTION and DAMPING.
+TEST(LaterDamping, IsWarnedOfIfTheTimeStepIsTooLarge) {
   const TemporaryFolder folder;
   folder.write("d.deck", preliminary() + rectangle(0, 0, 1, 1) +
                              "DAMPING, 0.1\nCYCLE, 1\nDAMPING, 0.9\nCYCLE, 1\n");
@@ -53,16 +59,15 @@ TEST(LaterDamping, IsWarnedOfAnew) {
   EXPECT_THAT(run.err, Not(HasSubstr("DAMPING 0.1 may")));
 }
 
-// OUTPUT may name blocks that are made after it (report A.2.0: any order).
-TEST(Output, MayNameBlocksThatComeLater) {
+// Cards may come in any order (report A.2.0).
+TEST(Output, MayNameLaterBlocks) {
   const TemporaryFolder folder;
   run_text(folder, "o",
            preliminary() + "OUTPUT, 1, 1\n" + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
   EXPECT_EQ(summary(folder, "o")["blocks"], 1);
 }
 
-// Faults of blocks, loads and materials are told beside the fault of another card.
-TEST(Check, TellsEverythingInOnePass) {
+TEST(Check, ReportsFaultsOfAllCardsAtOnce) {
   const TemporaryFolder folder;
   folder.write("bad.deck",
                preliminary() + rectangle(0, 0, 1, 1) +
@@ -75,8 +80,7 @@ TEST(Check, TellsEverythingInOnePass) {
     EXPECT_THAT(check.err, HasSubstr(fault));
 }
 
-// A time beyond counting is refused, not rounded to no step at all.
-TEST(Motion, OfTooManyStepsIsRefused) {
+TEST(Motion, IsRefusedIfItHasTooManySteps) {
   const TemporaryFolder folder;
   folder.write("long.deck", preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 1.E300\n");
   const Outcome run = blocks("run long.deck", folder.path());
@@ -85,23 +89,21 @@ TEST(Motion, OfTooManyStepsIsRefused) {
               HasSubstr("long.deck:15:9: error: MOTION: 1e+300 would take more"));
 }
 
-// Nor is one that no step fits into done in silence.
-TEST(Motion, OfNoStepIsWarnedOf) {
+TEST(Motion, IsWarnedOfIfItHasNoStep) {
   const TemporaryFolder folder;
   const Outcome run = run_text(
       folder, "short", preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 1.E-300\n");
   EXPECT_THAT(run.err, HasSubstr("warning: MOTION: 1e-300 is too short"));
 }
 
-// An interval of PLOTS far below the step gives a frame in every step.
-TEST(Plots, MoreOftenThanStepsIsEveryStep) {
+TEST(Plots, WritesAFrameInEveryStepIfItsIntervalIsShorter) {
   const TemporaryFolder folder;
   run_text(folder, "p",
            preliminary() + rectangle(0, 0, 1, 1) + "PLOTS, 1.E-320\nCYCLE, 5\n");
   EXPECT_EQ(summary(folder, "p")["frames"], 6);
 }
 
-// The largest overlap is looked for in every step, not only where a frame is written.
+// The largest overlap is updated in every step, also if no frame is written.
 TEST(WorstOverlap, DoesNotDependOnPlots) {
   const std::string falling = preliminary() + rectangle(0, 0, 1, 1, true) +
                               rectangle(0, 1.01, 1, 2) +
@@ -117,8 +119,7 @@ TEST(WorstOverlap, DoesNotDependOnPlots) {
   EXPECT_EQ(summary(folder, "parts")["worst_overlap"], often);
 }
 
-// The checkpoint of one run and the results of another do not become one file.
-TEST(Restart, LeavesTheResultsOfAnotherRunAlone) {
+TEST(Restart, KeepsTheResultsOfAnotherRun) {
   const std::string one = preliminary() + rectangle(0, 0, 1, 1);
   const TemporaryFolder folder;
   run_text(folder, "first", one + "CYCLE, 5\n", "-o x");
@@ -131,7 +132,6 @@ TEST(Restart, LeavesTheResultsOfAnotherRunAlone) {
   EXPECT_TRUE(slurp(folder / "x.vtkhdf.bak2") == results);
 }
 
-// Tables later than the checkpoint are written once: a restart cuts the listing there.
 TEST(Restart, CutsTheListingAtTheCheckpoint) {
   const std::string start =
       preliminary() + rectangle(0, 0, 1, 1) + "SETVEL, 1, 0, 1, 0\nOUTPUT, 0.02\n";
@@ -145,8 +145,7 @@ TEST(Restart, CutsTheListingAtTheCheckpoint) {
   EXPECT_THAT(slurp(folder / "x.out"), Not(HasSubstr("a crash took back")));
 }
 
-// What a time limit left over can be done to the step, by the command that is shown.
-TEST(TimeLimit, SaysWhatRemains) {
+TEST(TimeLimit, SaysHowManyStepsRemainAndHowToContinue) {
   const std::string start =
       preliminary() + rectangle(0, 0, 1, 1) + "SETVEL, 1, 0, 1.E-9, 0\n";
   const TemporaryFolder folder;
@@ -160,9 +159,8 @@ TEST(TimeLimit, SaysWhatRemains) {
                                     rest)));
 }
 
-// Springs pressed in by half a block are no physics: the run ends, and the last good
-// checkpoint stays.
-TEST(Unsound, RunEndsWhenContactsRunAway) {
+// Springs that are compressed by half a block are unphysical.
+TEST(Unsound, RunEndsAndKeepsTheCheckpointIfAnOverlapIsTooDeep) {
   const TemporaryFolder folder;
   run_text(folder, "good",
            preliminary() + rectangle(0, 0, 1, 1, true) + rectangle(0, 1, 1, 2) +
@@ -176,9 +174,8 @@ TEST(Unsound, RunEndsWhenContactsRunAway) {
   EXPECT_EQ(slurp(folder / "x.ckpt.h5.prev"), good);
 }
 
-// Without a checkpoint before: what is left is a state between two steps from which the
-// very run goes on to the same end, and another deck in another way.
-TEST(Unsound, RunLeavesItsLastGoodState) {
+// The run has no earlier checkpoint.
+TEST(Unsound, RunLeavesACheckpointOfItsLastSoundState) {
   const TemporaryFolder folder;
   folder.write("shot.deck", preliminary() + rectangle(0, 0, 1, 1, true) +
                                 rectangle(0, 2, 1, 3) +
@@ -196,7 +193,7 @@ TEST(Unsound, RunLeavesItsLastGoodState) {
   EXPECT_EQ(summary(folder, "shot")["state_hash"], hash);
 }
 
-TEST(Unsound, RunEndsWhenABlockGoesThroughAPlane) {
+TEST(Unsound, RunEndsIfABlockPassesThroughAPlane) {
   const TemporaryFolder folder;
   folder.write("through.deck",
                preliminary() + rectangle(0, 0, 1, 1) +
@@ -207,7 +204,7 @@ TEST(Unsound, RunEndsWhenABlockGoesThroughAPlane) {
               HasSubstr("a contact of block 1 and a symmetry plane is pressed"));
 }
 
-TEST(Unsound, RunEndsWhenABlockMayHavePassedThroughAnother) {
+TEST(Unsound, RunEndsIfABlockMayHavePassedThroughAnother) {
   const TemporaryFolder folder;
   folder.write("fast.deck", preliminary() + rectangle(0, 0, 1, 1, true) +
                                 rectangle(0, 2, 1, 3) +
@@ -218,7 +215,6 @@ TEST(Unsound, RunEndsWhenABlockMayHavePassedThroughAnother) {
   EXPECT_THAT(run.err, HasSubstr("it may have passed through another"));
 }
 
-// A deck in which no time passes is echoed all the same.
 TEST(Listing, EchoesADeckWithoutMotion) {
   const TemporaryFolder folder;
   run_text(folder, "still", preliminary() + rectangle(0, 0, 1, 1) + "DUMP\nSTOP\n");
@@ -227,8 +223,7 @@ TEST(Listing, EchoesADeckWithoutMotion) {
   EXPECT_LT(listing.find("MATERIALS"), listing.find("\nDUMP "));
 }
 
-// Blocks of vanishing or endless size are a fault of the deck, told at their card.
-TEST(Create, RefusesSizesNoMassCanBeMadeOf) {
+TEST(Create, RefusesSizesWithoutAFiniteMass) {
   const TemporaryFolder folder;
   for (const char* size : {"1.E-200", "1.E200"}) {
     const std::string s = size;
@@ -241,8 +236,7 @@ TEST(Create, RefusesSizesNoMassCanBeMadeOf) {
   }
 }
 
-// A deck that happens to bear the listing's name is not written over.
-TEST(Deck, IsNotTakenForAnOldListing) {
+TEST(Deck, IsNotOverwrittenByTheListing) {
   const TemporaryFolder folder;
   const std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n";
   folder.write("x.out", deck);
@@ -251,13 +245,13 @@ TEST(Deck, IsNotTakenForAnOldListing) {
   EXPECT_FALSE(folder.holds("x.out.bak"));
 }
 
-TEST(TimeLimit, IsANumber) {
+TEST(TimeLimit, RefusesTextThatIsNoNumber) {
   const TemporaryFolder folder;
   folder.write("x.deck", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
   EXPECT_EQ(blocks("run x.deck --time-limit nan", folder.path()).code, 2);
 }
 
-// An option's file is meant from here, a card's from the deck's folder.
+// A file on a card is relative to the folder of the deck.
 TEST(Tape9, OptionIsRelativeToTheCurrentFolder) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "sub");

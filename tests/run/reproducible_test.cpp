@@ -1,4 +1,4 @@
-// The same deck and seed give the same bits, today and on every machine.
+// The same deck and seed give the same bits on every machine.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ std::string shipped(const std::string& name) {
   return fmt::format("'{}/decks/{}/{}.deck' ", BLOCKS_SOURCE_DIR, name, name);
 }
 
-// Golden: a change means that some number of the loop changed. Record the new value
-// only when that was meant.
+// If the hash changes, some number of the time loop has changed. Record the new value
+// only if the change is intended.
 TEST(StackDeck, EndsInTheRecordedState) {
   const TemporaryFolder folder;
   ASSERT_EQ(blocks("run " + shipped("stack"), folder.path()).code, 0);
@@ -22,8 +22,8 @@ TEST(StackDeck, EndsInTheRecordedState) {
   EXPECT_EQ(summary(folder, "stack")["state_hash"], "8514e6d8fadf7611");
 }
 
-// The arithmetic of contacts is compiled for several instruction sets.
-TEST(StackDeck, EndsInTheSameStateByTheBaselineInstructions) {
+// Contact forces are computed with the best instruction set unless BLOCKS_SIMD is set.
+TEST(StackDeck, EndsInTheRecordedStateWithBaselineInstructions) {
   const TemporaryFolder folder;
   ::setenv("BLOCKS_SIMD", "baseline", 1);
   const int code = blocks("run " + shipped("stack"), folder.path()).code;
@@ -32,12 +32,12 @@ TEST(StackDeck, EndsInTheSameStateByTheBaselineInstructions) {
   EXPECT_EQ(summary(folder, "stack")["state_hash"], "8514e6d8fadf7611");
 }
 
-// Golden: the random blocks of every user's deck. Streams are named by the layer
-// itself, and corners inside slanted sides are rounded out of them, the same
-// everywhere.
+// The hashes record the random blocks of decks of users. Random streams depend on the
+// layer itself. Corners inside slanted sides are rounded out of them.
 class RandomDeck : public ::testing::Test {
  protected:
-  /// The blocks of a deck with these cards, a line each, every coordinate to the bit.
+  /// Returns the blocks of a deck with these cards. Each line has one block, with all
+  /// digits of its coordinates.
   static std::string blocks_of(const std::string& cards) {
     const TemporaryFolder folder;
     folder.write("a.deck",
@@ -46,7 +46,8 @@ class RandomDeck : public ::testing::Test {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return slurp(folder / "a.wkt");
   }
-  static std::uint64_t hash_of(const std::string& text) {  // FNV-1a
+  /// Returns the FNV-1a hash of the text.
+  static std::uint64_t hash_of(const std::string& text) {
     std::uint64_t value = 0xcbf29ce484222325ULL;
     for (const char c : text)
       value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
@@ -64,13 +65,13 @@ TEST_F(RandomDeck, HasTheRecordedBlocks) {
   EXPECT_EQ(hash_of(blocks_of(std::string(dip) + below)), 12673284550278504968U);
 }
 
-TEST_F(RandomDeck, ALayerDoesNotChangeTheOthers) {
+TEST_F(RandomDeck, HasLayersThatDoNotDependOnEachOther) {
   const std::string alone = blocks_of(dip);
   EXPECT_EQ(blocks_of(std::string(dip) + flat), alone + blocks_of(flat));
   EXPECT_EQ(blocks_of(std::string(flat) + dip), blocks_of(flat) + alone);
 }
 
-class SameSeed : public ::testing::Test {
+class Seed : public ::testing::Test {
  protected:
   static void run(const TemporaryFolder& folder, const std::string& more) {
     const Outcome outcome = blocks(
@@ -79,8 +80,7 @@ class SameSeed : public ::testing::Test {
   }
 };
 
-// Nothing of the place, the time of day or the memory's contents leaks into a run.
-TEST_F(SameSeed, GivesTheSameListingAndState) {
+TEST_F(Seed, GivesTheSameListingAndStateInAnotherFolder) {
   const TemporaryFolder one, two;
   run(one, "");
   run(two, "");
@@ -88,8 +88,7 @@ TEST_F(SameSeed, GivesTheSameListingAndState) {
   EXPECT_EQ(summary(one, "crater")["state_hash"], summary(two, "crater")["state_hash"]);
 }
 
-// Random layers follow the seed, and nothing else: another one, another rock.
-TEST_F(SameSeed, AndAnotherSeedDiffers) {
+TEST_F(Seed, GivesAnotherStateIfItDiffers) {
   const TemporaryFolder one, two;
   run(one, "");
   run(two, "--seed 99");
@@ -97,8 +96,7 @@ TEST_F(SameSeed, AndAnotherSeedDiffers) {
   EXPECT_EQ(summary(two, "crater")["seed"], 99);
 }
 
-// --seed wins over the SEED card, and means the same as the card.
-TEST(SeedOption, WinsOverTheCard) {
+TEST(SeedOption, ReplacesTheSeedCard) {
   const std::string rest = "LAYER, -9, 1, -8,0, -8,1, 8,1, 8,0, RANDOM\nCYCLE, 1\n";
   const TemporaryFolder folder;
   run_text(folder, "card7", preliminary("SEED, 7\nRIGID\n") + rest);

@@ -1,5 +1,4 @@
-// RESTART continues bit-identically: the state after both halves is the state of the
-// whole run.
+// A run continued with RESTART ends in the state of the uninterrupted run, bit for bit.
 #include <gtest/gtest.h>
 
 #include "post/results_reader.hpp"
@@ -8,7 +7,7 @@
 namespace blocks::testing {
 namespace {
 
-/// The name keeps the deck out of the test's listing.
+/// A deck with a name for the list of tests.
 struct Case {
   std::string name, deck;
   friend std::ostream& operator<<(std::ostream& out, const Case& one) {
@@ -33,8 +32,8 @@ const std::string deformable =
 
 class Restart : public ::testing::TestWithParam<Case> {};
 
-// What the checkpoint forgot would show here: contact forces, clocks of OUTPUT and
-// PLOTS, planes, loads, stress.
+// A checkpoint needs contact forces, clocks of OUTPUT and PLOTS, planes, loads and
+// stresses for this.
 TEST_P(Restart, ContinuesBitForBit) {
   const TemporaryFolder folder;
   run_text(folder, "whole", GetParam().deck + "MOTION, 0.2\nMOTION, 0.2\nSTOP\n");
@@ -49,9 +48,8 @@ TEST_P(Restart, ContinuesBitForBit) {
     EXPECT_EQ(parts[key], whole[key]) << key;
 }
 
-// The results go on behind the checkpoint's frames as if nothing had happened, save for
-// the one frame that the end of the first part wrote.
-TEST_P(Restart, ContinuesTheResults) {
+// The results have one more frame, written at the end of the first part.
+TEST_P(Restart, AppendsFramesToTheResults) {
   const TemporaryFolder folder;
   run_text(folder, "whole", GetParam().deck + "MOTION, 0.2\nMOTION, 0.2\nSTOP\n");
   run_text(folder, "first", GetParam().deck + "MOTION, 0.2\nSTOP\n", "-o parts");
@@ -71,9 +69,9 @@ INSTANTIATE_TEST_SUITE_P(Decks, Restart,
                                            Case{"Deformable", deformable}),
                          [](const auto& one) { return one.param.name; });
 
-// A layer cut after the restart is the one the whole run would have cut: seed, layer
-// count, ORIENT and MERGE are part of the state, which the 1982 list forgot.
-TEST(RestartOfRandomLayers, CutsTheNextLayerAlike) {
+// Seed, number of layers, ORIENT and MERGE are part of the state. The list of 1982 left
+// them out.
+TEST(RestartOfRandomLayers, CutsTheSameNextLayer) {
   const std::string next = "LAYER, -20, 1, -8,3, -8,4, 8,4, 8,3, RANDOM\nMOTION, 0.1\n";
   const TemporaryFolder folder;
   run_text(folder, "whole", random_layers + "MOTION, 0.1\n" + next);
@@ -85,11 +83,27 @@ TEST(RestartOfRandomLayers, CutsTheNextLayerAlike) {
   EXPECT_EQ(second["layers"].size(), 3U);
 }
 
-// --restart wins over the card, and a checkpoint that is none is a file error.
-TEST(RestartFile, IsNamedByTheOption) {
+TEST(RestartOption, ReplacesTheFileOfTheCard) {
   const TemporaryFolder folder;
   run_text(folder, "first", deformable + "CYCLE, 20\n");
   run_text(folder, "whole", deformable + "CYCLE, 30\n");
+  folder.write("second.deck", "RESTART, nowhere.ckpt.h5\nCYCLE, 10\n");
+  const Outcome found =
+      blocks("run second.deck --restart first.ckpt.h5", folder.path());
+  ASSERT_EQ(found.code, 0) << found.err;
+  EXPECT_EQ(summary(folder, "second")["state_hash"],
+            summary(folder, "whole")["state_hash"]);
+}
+
+TEST(RestartOption, RefusesAFileThatIsNoCheckpoint) {
+  const TemporaryFolder folder;
+  run_text(folder, "first", deformable + "CYCLE, 20\n");
+  folder.write("second.deck", "RESTART, nowhere.ckpt.h5\nCYCLE, 10\n");
+  EXPECT_EQ(blocks("run second.deck --restart first.out", folder.path()).code, 5);
+}
+
+TEST(RestartCard, IsReportedIfItsFileIsMissing) {
+  const TemporaryFolder folder;
   folder.write("second.deck", "RESTART, nowhere.ckpt.h5\nCYCLE, 10\n");
   const Outcome lost = blocks("run second.deck", folder.path());
   EXPECT_EQ(lost.code, 5);
@@ -99,12 +113,6 @@ TEST(RestartFile, IsNamedByTheOption) {
       "directory\n  RESTART, nowhere.ckpt.h5\n           ^~~~~~~~~~~~~~~\n  hint: name "
       "another checkpoint with --restart FILE\n1 error\n");
   EXPECT_EQ(blocks("check second.deck", folder.path()).code, 5);
-  const Outcome found =
-      blocks("run second.deck --restart first.ckpt.h5", folder.path());
-  ASSERT_EQ(found.code, 0) << found.err;
-  EXPECT_EQ(summary(folder, "second")["state_hash"],
-            summary(folder, "whole")["state_hash"]);
-  EXPECT_EQ(blocks("run second.deck --restart first.out", folder.path()).code, 5);
 }
 
 }  // namespace

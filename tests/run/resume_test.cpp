@@ -1,5 +1,5 @@
-// A run stopped anywhere and resumed with --restart is the run that was never stopped:
-// the same bits in state, listing and results.
+// A run that is stopped and resumed with --restart has the bits of the uninterrupted
+// run in state, listing and results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Runs a deck to its end, stopping after each of these steps.
+/// Runs a deck to its end and stops after each of these steps.
 void run_in_parts(const TemporaryFolder& folder, const std::string& arguments,
                   const std::set<long>& stops, const std::string& name) {
   long before = 0;
@@ -38,7 +38,7 @@ void run_in_parts(const TemporaryFolder& folder, const std::string& arguments,
   ASSERT_EQ(last.code, 0) << last.err;
 }
 
-/// Every file of a folder by its name.
+/// Returns the content of every file in a folder by its name.
 std::map<std::string, std::string> contents(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(folder))
@@ -46,9 +46,10 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
   return files;
 }
 
-bool thorough() { return std::getenv("BLOCKS_THOROUGH") != nullptr; }
+bool is_thorough() { return std::getenv("BLOCKS_THOROUGH") != nullptr; }
 
-/// Returns at how many steps it was stopped.
+/// Requires that a run stopped at random steps and resumed has the bits of the
+/// uninterrupted run. Returns the number of stops.
 std::size_t expect_resumable(const fs::path& deck, const std::string& options,
                              int splits) {
   const TemporaryFolder straight, parts;
@@ -74,8 +75,8 @@ std::size_t expect_resumable(const fs::path& deck, const std::string& options,
 
 class ResumedDeck : public ::testing::TestWithParam<fs::path> {};
 
-TEST_P(ResumedDeck, IsTheStraightRun) {
-  const int splits = thorough() ? 5 : 2;
+TEST_P(ResumedDeck, HasTheBitsOfTheUninterruptedRun) {
+  const int splits = is_thorough() ? 5 : 2;
   const std::string deck = slurp(GetParam());
   const bool moves = deck.find("MOTION") != std::string::npos;
   const bool large = deck.find("LAYER") != std::string::npos;
@@ -88,11 +89,11 @@ TEST_P(ResumedDeck, IsTheStraightRun) {
   RecordProperty("splits", std::to_string(stops));
 }
 
-/// The shipped decks; at length those of the problems with known answers and of other
-/// tests too.
+/// Returns the shipped decks. Thorough tests add the decks of problems with known
+/// answers and those of other tests.
 std::vector<fs::path> decks_to_resume() {
   std::vector<fs::path> decks = decks_below("decks");
-  if (thorough())
+  if (is_thorough())
     for (const char* folder : {"validation", "tests/post"}) {
       const std::vector<fs::path> more = decks_below(folder);
       decks.insert(decks.end(), more.begin(), more.end());
@@ -102,24 +103,23 @@ std::vector<fs::path> decks_to_resume() {
 
 INSTANTIATE_TEST_SUITE_P(
     Decks, ResumedDeck, ::testing::ValuesIn(decks_to_resume()),
-    [](const auto& one) {  // decks/stack/stack: decks_stack_stack
+    [](const auto& one) {  // decks/stack/stack becomes decks_stack_stack.
       std::string name =
           fs::relative(one.param, BLOCKS_SOURCE_DIR).replace_extension().string();
       std::replace(name.begin(), name.end(), '/', '_');
       return name;
     });
 
-// Layers after a stop, loads, planes, DUMP, warnings and cards between the motions.
-TEST(Resumed, DeckWithCardsBetweenItsMotionsIsTheStraightRun) {
+// The deck has layers, loads, planes, DUMP, warnings and cards between its motions.
+TEST(Resumed, DeckWithCardsBetweenMotionsHasTheSameBits) {
   const TemporaryFolder folder;
   folder.write("between.deck", layers_and_loads);
   expect_resumable(folder / "between.deck", "", 5);
   expect_resumable(folder / "between.deck", "--seed 5 --set STIFF.stifn=1.E8", 5);
 }
 
-// Inside in an order of its own, which was chosen before anything had moved; and in
-// another one when there are more blocks.
-TEST(Resumed, WallNumberedAtRandomIsTheStraightRun) {
+// The internal order was chosen before anything moved. A later block changes the order.
+TEST(Resumed, WallNumberedAtRandomHasTheSameBits) {
   const TemporaryFolder folder;
   folder.write("wall.deck", wall_at_random() +
                                 "PLOTS, 0.003\nOUTPUT, 0.003, 2, 4162\nCYCLE, 40\n"
@@ -133,19 +133,17 @@ TEST(Resumed, WallNumberedAtRandomIsTheStraightRun) {
   EXPECT_EQ(summary(folder, "wall")["fastest_block"]["block"], 4162);
 }
 
-// Arms that turn change their lengths by round-off, and how far a step moves anything
-// is judged by the lengths at the latest search, or at the restart: the travel, by
-// which searches are timed, differed in its last bits.
-TEST(Resumed, SpinningBlockIsTheStraightRun) {
+// Arms that turn change their lengths by round-off. The motion bound of a step must use
+// the lengths at the latest search also after a restart.
+TEST(Resumed, SpinningBlockHasTheSameBits) {
   const TemporaryFolder folder;
   folder.write("spinning.deck", preliminary() + rectangle(0, 0, 1.3, 0.7) +
                                     "SETVEL, 1, 0, 0.1, 0.2, 0.3\nCYCLE, 200\n");
   expect_resumable(folder / "spinning.deck", "", 9);
 }
 
-// At the last step of a card the next card is the one to go on with, at the last step
-// of the deck none is.
-TEST(Resumed, AtTheSeamOfCardsIsTheStraightRun) {
+// The run stops at the last step of a card and at the last step of the deck.
+TEST(Resumed, BetweenTwoCardsHasTheSameBits) {
   const TemporaryFolder straight, parts;
   for (const TemporaryFolder* folder : {&straight, &parts})
     folder->write("seam.deck",
@@ -155,14 +153,13 @@ TEST(Resumed, AtTheSeamOfCardsIsTheStraightRun) {
   run_in_parts(parts, "seam.deck", {1, 10, 11, 20}, "seam");
   const auto whole = left_by_run(straight.path(), "seam");
   expect_same(left_by_run(parts.path(), "seam"), whole, "seams");
-  // Once more: nothing is left to do, and nothing changes.
+  // The run is at its end, so that another restart changes nothing.
   ASSERT_EQ(blocks("run seam.deck --restart seam.ckpt.h5", parts.path()).code, 0);
   expect_same(left_by_run(parts.path(), "seam"), whole, "again");
 }
 
-// A restart deck that was stopped goes on where it stopped, not at its checkpoint's
-// beginning.
-TEST(Resumed, RestartDeckIsTheStraightRestart) {
+// A restart deck must not begin again at the checkpoint that it names.
+TEST(Resumed, RestartDeckHasTheSameBits) {
   const TemporaryFolder straight, parts;
   for (const TemporaryFolder* folder : {&straight, &parts}) {
     run_text(*folder, "first", layers_and_loads);
@@ -176,8 +173,8 @@ TEST(Resumed, RestartDeckIsTheStraightRestart) {
               left_by_run(straight.path(), "second"), "restart deck");
 }
 
-// Killed between checkpoints: what was written after the last one is made again.
-TEST(Resumed, AfterKillIsTheStraightRun) {
+// The run is killed between checkpoints, so that later steps are made again.
+TEST(Resumed, AfterAKillHasTheSameBits) {
   const TemporaryFolder straight, parts;
   const std::string deck =
       layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 2000\n";
@@ -197,9 +194,9 @@ TEST(Resumed, AfterKillIsTheStraightRun) {
               left_by_run(straight.path(), "killed"), "killed");
 }
 
-// Ctrl-C, SIGTERM (130) and a time limit (75): the step is finished, a checkpoint
-// written.
-TEST(Resumed, AfterASignalOrATimeLimitIsTheStraightRun) {
+// After SIGINT, SIGTERM (130) and a time limit (75) the program finishes the step and
+// writes a checkpoint.
+TEST(Resumed, AfterASignalOrATimeLimitHasTheSameBits) {
   const TemporaryFolder straight, parts;
   const std::string deck =
       layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 20000\n";
@@ -222,8 +219,7 @@ TEST(Resumed, AfterASignalOrATimeLimitIsTheStraightRun) {
               left_by_run(straight.path(), "signal"), "signals");
 }
 
-// A checkpoint continues its own deck only, with its own options.
-TEST(Resumed, ForeignDeckIsRefused) {
+TEST(Resumed, WithAnotherDeckOrOptionsIsRefused) {
   const TemporaryFolder folder;
   const std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 9\n";
   folder.write("one.deck", deck);
@@ -254,9 +250,8 @@ TEST(Resumed, ForeignDeckIsRefused) {
   EXPECT_EQ(slurp(folder / "one.out"), listing) << "a refusal touches nothing";
 }
 
-// Where a run goes on in its own files they must be whole, else it does not begin and
-// touches nothing; under another name it begins new ones.
-TEST(Resumed, OwnFilesMustHoldWhatCameBefore) {
+// A refused run changes no file. Under another name the run begins new files.
+TEST(Resumed, WithDamagedFilesOfItsOwnIsRefused) {
   const TemporaryFolder folder;
   folder.write("own.deck", preliminary() + rectangle(0, 0, 1, 1) +
                                "PLOTS, 1e-9\nOUTPUT, 1e-9, 1\nCYCLE, 20\n");
@@ -267,7 +262,7 @@ TEST(Resumed, OwnFilesMustHoldWhatCameBefore) {
       bytes == 0 ? static_cast<void>(fs::remove(path)) : fs::resize_file(path, bytes);
     };
   };
-  const auto no_frames = [&] {  // another run's, of the same deck
+  const auto no_frames = [&] {  // The results are of another run of the same deck.
     const TemporaryFolder other;
     fs::copy_file(folder / "own.deck", other / "own.deck");
     ASSERT_EQ(blocks("run own.deck", other.path()).code, 0);
@@ -297,7 +292,6 @@ TEST(Resumed, OwnFilesMustHoldWhatCameBefore) {
   }
 }
 
-// While a run is at work nobody else writes its files.
 TEST(Resumed, WhileAnotherRunWritesIsRefused) {
   const TemporaryFolder folder;
   folder.write("long.deck",
@@ -322,7 +316,7 @@ TEST(Resumed, WhileAnotherRunWritesIsRefused) {
   }
 }
 
-// A mesh that is read behind the stop is the one it was.
+// The mesh is read after the stop.
 TEST(Resumed, WithAnotherMeshIsRefused) {
   const TemporaryFolder folder;
   const auto mesh = [&](const std::string& width) {
@@ -342,8 +336,8 @@ TEST(Resumed, WithAnotherMeshIsRefused) {
   EXPECT_EQ(blocks("run mesh.deck -q --restart mesh.ckpt.h5", folder.path()).code, 0);
 }
 
-// The same files by another name of their folder.
-TEST(Resumed, FromWithinItsFolderIsTheStraightRun) {
+// The files are named by other paths to their folder.
+TEST(Resumed, FromWithinItsFolderHasTheSameBits) {
   const TemporaryFolder straight, parts;
   for (const TemporaryFolder* folder : {&straight, &parts}) {
     folder->write("way.deck",

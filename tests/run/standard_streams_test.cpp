@@ -1,5 +1,5 @@
-// Standard output and error that are full, closed or left by their reader: told by exit
-// code and message, and the files of a run are whole all the same.
+// Standard output and error may be full, closed, or a pipe without reader. The exit
+// code shows it, and the files of a run are complete.
 #include <gtest/gtest.h>
 
 #include "post/results_reader.hpp"
@@ -8,7 +8,7 @@
 namespace blocks::testing {
 namespace {
 
-// Rows of the table every 0.002: one before the steps, several between them.
+// A row of the table is printed every 0.002.
 const std::string falling = preliminary() + rectangle(0, 0, 1, 1) +
                             "GRAVITY, 0, -10\nOUTPUT, 0.002\nCYCLE, 30\n";
 
@@ -20,7 +20,7 @@ class Streams : public ::testing::Test {
     return blocks(arguments, folder_.path());
   }
 
-  /// A finished run of the deck, all four files whole.
+  /// Requires that the run has finished and its files are complete.
   void expect_whole(const std::string& name) {
     EXPECT_EQ(summary(folder_, name)["status"], "done") << name;
     EXPECT_TRUE(folder_.holds(name + ".ckpt.h5")) << name;
@@ -31,7 +31,7 @@ class Streams : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Streams, OutputThatIsFullIsAFaultOfAFile) {
+TEST_F(Streams, FullOutputIsAFileError) {
   ASSERT_EQ(run("run a.deck -q").code, 0);
   for (const char* command :
        {"cards", "cards --markdown", "manual deck", "--help", "check a.deck",
@@ -45,39 +45,37 @@ TEST_F(Streams, OutputThatIsFullIsAFaultOfAFile) {
   }
 }
 
-TEST_F(Streams, OutputThatIsFullDoesNotEndARun) {
+TEST_F(Streams, FullOutputDoesNotEndARun) {
   EXPECT_EQ(run("run a.deck >/dev/full").code, 5);
   expect_whole("a");
 }
 
-TEST_F(Streams, AFaultOfTheDeckKeepsItsCode) {
+TEST_F(Streams, FullOutputDoesNotHideOtherExitCodes) {
   EXPECT_EQ(run("run a.deck --set CYLCE.ncycle=4 >/dev/full").code, 3);
   EXPECT_EQ(run("run a.deck --stop-after 3 >/dev/full").code, 75);
 }
 
-// An exception while printing ended the program with SIGABRT.
-TEST_F(Streams, ErrorsThatCannotBeToldKeepARunWhole) {
+TEST_F(Streams, FullErrorOutputDoesNotEndARun) {
   EXPECT_EQ(run("run absent.deck 2>/dev/full").code, 5);
   EXPECT_EQ(run("walk 2>/dev/full").code, 2);
   EXPECT_EQ(run("run a.deck 2>/dev/full").code, 0);
   expect_whole("a");
 }
 
-// SIGPIPE ended the run: no summary, no checkpoint.
-TEST_F(Streams, AReaderThatLeavesDoesNotEndARun) {
+// SIGPIPE must not end the run.
+TEST_F(Streams, ClosedPipeDoesNotEndARun) {
   EXPECT_EQ(run("run a.deck -o b | true").code, 0);
   expect_whole("b");
 }
 
-// A filter that nobody reads any more ends as others do, without a word.
-TEST_F(Streams, AReaderThatLeavesEndsAFilter) {
+TEST_F(Streams, ClosedPipeEndsAFilterWithoutAMessage) {
   const Outcome filter = run("cards --markdown | head -n 1");
   EXPECT_EQ(filter.out, "# Deck reference\n");
   EXPECT_EQ(filter.err, "");
 }
 
-// The results got the number of the closed stream, and the table went into them.
-TEST_F(Streams, ClosedOnesDoNotSpoilTheFilesOfARun) {
+// A file must not get the descriptor of a closed stream.
+TEST_F(Streams, ClosedStreamsDoNotDamageTheFilesOfARun) {
   EXPECT_EQ(run("run a.deck -o c >&-").code, 5);
   expect_whole("c");
   EXPECT_EQ(run("run a.deck -q -o d <&- >&- 2>&-").code, 0);

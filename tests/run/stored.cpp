@@ -15,7 +15,7 @@ using output::hdf5::check;
 using output::hdf5::Handle;
 using Contents = std::map<std::string, std::string>;
 
-/// Shape, then the bytes that `read` fills in.
+/// Returns the shape and the bytes that `read` fills in.
 template <class Read> std::string value(hid_t space, hid_t type, Read&& read) {
   const auto points =
       static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space)));

@@ -1,5 +1,4 @@
-// Everything an HDF5 file holds, as text, so that two files can be compared item by
-// item.
+// The content of HDF5 files as text, so that tests can compare files item by item.
 #pragma once
 
 #include <filesystem>
@@ -8,21 +7,21 @@
 
 namespace blocks::testing {
 
-/// Path of every dataset -> its type's size, shape and bytes; of every attribute
-/// likewise, as PATH@NAME. A failure of the test if the file cannot be read.
+/// Returns shape, size of the type and bytes of every dataset by its path, and of every
+/// attribute by PATH@NAME. The test fails if the file cannot be read.
 std::map<std::string, std::string> stored(const std::filesystem::path& file);
 
-/// All the run NAME left in the folder, by file and item; what names the run and its
-/// clock is left out.
+/// Returns all that the run NAME wrote, by file and item, without the identity of the
+/// run and its wall clock time.
 std::map<std::string, std::string> left_by_run(const std::filesystem::path& folder,
                                                const std::string& name);
 
-/// Tests that both runs left the same. how: for messages.
+/// Requires that both runs wrote the same. `how` describes the runs in messages.
 void expect_same(const std::map<std::string, std::string>& found,
                  const std::map<std::string, std::string>& wanted,
                  const std::string& how);
 
-/// A deck with layers, loads and cards between its motions.
+/// The text of a deck with layers, loads and cards between its motions.
 extern const std::string layers_and_loads;
 
 }  // namespace blocks::testing

@@ -1,5 +1,4 @@
-// `blocks why` as a user sees it: the story of a contact, and what it says when there
-// is none.
+// `blocks why` explains a contact, or why there is none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +10,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// A floor of two boxes, 1 and 2; block 3 rests on both, block 4 flies, block 5 is
+/// Blocks 1 and 2 are the floor. Block 3 rests on both, block 4 falls, and block 5 is
 /// fixed on the floor.
 const std::string scene = preliminary() + rectangle(-4, -1, 0, 0, true) +
                           rectangle(0, -1, 4, 0, true) + rectangle(-1, 0, 1, 1) +
@@ -24,9 +23,9 @@ class Why : public ::testing::Test {
   Outcome why(const std::string& arguments) const {
     return blocks("why " + arguments, folder.path());
   }
-  /// Refused as usage, naming what there is.
-  void refused(const std::string& arguments, const std::string& fault,
-               const std::string& hint) const {
+  /// Requires a usage error with this message and hint.
+  void expect_refusal(const std::string& arguments, const std::string& fault,
+                      const std::string& hint) const {
     const Outcome answer = why(arguments);
     EXPECT_EQ(answer.code, 2) << arguments;
     EXPECT_EQ(answer.out, "");
@@ -36,7 +35,7 @@ class Why : public ::testing::Test {
   TemporaryFolder folder;
 };
 
-TEST_F(Why, TellsTheChoiceAndTheContacts) {
+TEST_F(Why, ExplainsTheChoiceOfTheContacts) {
   const Outcome answer = why("scene.vtkhdf --block 3 --block 1");
   ASSERT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out, HasSubstr("scene.vtkhdf: frame 5 of 5, time 0.4"));
@@ -52,8 +51,7 @@ TEST_F(Why, TellsTheChoiceAndTheContacts) {
                                     "block 1 acted in the step before: normal force "));
 }
 
-// The same answer in both forms, and both from the results and from the checkpoint.
-TEST_F(Why, ResultsAndCheckpointAgree) {
+TEST_F(Why, GivesTheSameAnswerForResultsAndCheckpoint) {
   const Outcome results = why("scene.vtkhdf --block 3 --block 1 --json");
   const Outcome checkpoint = why("scene.ckpt.h5 --block 3 --block 1 --json");
   ASSERT_EQ(results.code, 0) << results.err;
@@ -73,7 +71,9 @@ TEST_F(Why, TakesTheNearestFrameAndSaysSo) {
   ASSERT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out, HasSubstr("frame 3 of 5, time 0.2"));
   EXPECT_THAT(answer.out, HasSubstr("the nearest to 0.17"));
-  // at the start nothing overlaps: no contact, but a story all the same
+}
+
+TEST_F(Why, ExplainsWhyThereIsNoContact) {
   const Outcome start = why("scene.vtkhdf --time 0 --block 3 --block 2");
   EXPECT_THAT(start.out, HasSubstr("they do not overlap"));
   EXPECT_THAT(start.out, HasSubstr("blocks 2 and 3: no contact"));
@@ -81,49 +81,51 @@ TEST_F(Why, TakesTheNearestFrameAndSaysSo) {
   EXPECT_THAT(start.out, HasSubstr("refused: the corner is not inside the side"));
 }
 
-TEST_F(Why, SaysWhatThereIs) {
-  refused("scene.vtkhdf --time 9 --block 3 --block 1",
-          "time 9 is outside of scene.vtkhdf",
-          "it holds 5 frames from time 0 to 0.4: 0, 0.1, 0.2, 0.3, 0.4");
-  refused("scene.vtkhdf --time nan --block 3 --block 1", "time nan is outside",
-          "it holds");
-  refused("scene.ckpt.h5 --time 0 --block 3 --block 1", "time 0 is outside of",
-          "it holds the state at time 0.4 only");
-  refused("scene.vtkhdf --block 3 --block 6", "there is no block 6",
-          "its blocks are 1 to 5");
-  refused("scene.vtkhdf --block 0 --block 1", "there is no block 0",
-          "its blocks are 1 to 5");
-  refused("scene.vtkhdf --block 3 --block 4",
-          "blocks 3 and 4 are not near each other at time 0.4",
-          "near block 3: 1 (in contact), 2 (in contact); no block is near block 4");
-  refused("scene.vtkhdf --block 1 --block 5", "blocks 1 and 5 are both fixed",
-          "near block 1: 3 (in contact); no block is near block 5");
-  refused("scene.vtkhdf --block a --block 1",
-          "'a' is not the number of a block of scene.vtkhdf", "its blocks are 1 to 5");
-  refused("scene.vtkhdf --block 3.5 --block 1", "'3.5' is not the number",
-          "its blocks are 1 to 5");
-  refused("scene.vtkhdf --block 3 --block 1 --time late", "'late' is not a time",
-          "it holds 5 frames from time 0 to 0.4");
-  refused("scene.vtkhdf --block 3", "a contact has two blocks",
-          "near block 3: 1 (in contact), 2 (in contact)");
-  refused("scene.vtkhdf", "a contact has two blocks",
-          "the blocks of scene.vtkhdf are 1 to 5");
+TEST_F(Why, NamesTheChoicesIfAnOptionIsWrong) {
+  expect_refusal("scene.vtkhdf --time 9 --block 3 --block 1",
+                 "time 9 is outside of scene.vtkhdf",
+                 "it holds 5 frames from time 0 to 0.4: 0, 0.1, 0.2, 0.3, 0.4");
+  expect_refusal("scene.vtkhdf --time nan --block 3 --block 1", "time nan is outside",
+                 "it holds");
+  expect_refusal("scene.ckpt.h5 --time 0 --block 3 --block 1", "time 0 is outside of",
+                 "it holds the state at time 0.4 only");
+  expect_refusal("scene.vtkhdf --block 3 --block 6", "there is no block 6",
+                 "its blocks are 1 to 5");
+  expect_refusal("scene.vtkhdf --block 0 --block 1", "there is no block 0",
+                 "its blocks are 1 to 5");
+  expect_refusal(
+      "scene.vtkhdf --block 3 --block 4",
+      "blocks 3 and 4 are not near each other at time 0.4",
+      "near block 3: 1 (in contact), 2 (in contact); no block is near block 4");
+  expect_refusal("scene.vtkhdf --block 1 --block 5", "blocks 1 and 5 are both fixed",
+                 "near block 1: 3 (in contact); no block is near block 5");
+  expect_refusal("scene.vtkhdf --block a --block 1",
+                 "'a' is not the number of a block of scene.vtkhdf",
+                 "its blocks are 1 to 5");
+  expect_refusal("scene.vtkhdf --block 3.5 --block 1", "'3.5' is not the number",
+                 "its blocks are 1 to 5");
+  expect_refusal("scene.vtkhdf --block 3 --block 1 --time late", "'late' is not a time",
+                 "it holds 5 frames from time 0 to 0.4");
+  expect_refusal("scene.vtkhdf --block 3", "a contact has two blocks",
+                 "near block 3: 1 (in contact), 2 (in contact)");
+  expect_refusal("scene.vtkhdf", "a contact has two blocks",
+                 "the blocks of scene.vtkhdf are 1 to 5");
 }
 
-// Block 6 is created at time 0.4: later frames hold it, the checkpoint too.
-TEST_F(Why, TellsWhenABlockComes) {
+// Block 6 is created at time 0.4.
+TEST_F(Why, SaysWhenABlockIsCreated) {
   run_text(folder, "later",
            scene + "MOTION, 0.4\n" + rectangle(-3, 0, -2, 1) + "MOTION, 0.2\nSTOP\n");
-  refused("later.vtkhdf --time 0.1 --block 6 --block 1",
-          "there is no block 6 in later.vtkhdf at time 0.1",
-          "it exists from time 0.5 on; before that, its blocks are 1 to 5");
-  refused("later.vtkhdf --time 0.1 --block 7 --block 1", "there is no block 7",
-          "its blocks are 1 to 5");
+  expect_refusal("later.vtkhdf --time 0.1 --block 6 --block 1",
+                 "there is no block 6 in later.vtkhdf at time 0.1",
+                 "it exists from time 0.5 on; before that, its blocks are 1 to 5");
+  expect_refusal("later.vtkhdf --time 0.1 --block 7 --block 1", "there is no block 7",
+                 "its blocks are 1 to 5");
   EXPECT_EQ(why("later.vtkhdf --time 0.5 --block 6 --block 1").code, 0);
   EXPECT_EQ(why("later.ckpt.h5 --block 6 --block 1").code, 0);
 }
 
-TEST_F(Why, RefusesOtherFiles) {
+TEST_F(Why, RefusesFilesThatAreNoResults) {
   for (const char* file : {"scene.deck", "scene.out", "nowhere.vtkhdf"}) {
     const Outcome answer = why(std::string(file) + " --block 1 --block 2");
     EXPECT_EQ(answer.code, 5) << file;

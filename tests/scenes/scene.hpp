@@ -1,4 +1,4 @@
-// Small models built by hand, in any frame of reference, for tests of the motion.
+// Small models in any frame of reference, for tests of the motion.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace blocks::scenes {
 
-/// A frame turned by `angle` (anticlockwise) and shifted: physics must not depend on
-/// it.
+/// A frame of reference turned by `angle` (anticlockwise) and shifted. Results must not
+/// depend on it, up to rounding.
 struct Frame {
   double angle = 0.0;
   Vec2 offset = Vec2::Zero();
@@ -21,11 +21,12 @@ struct Frame {
     const double c = std::cos(angle), s = std::sin(angle);
     return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
   }
+  /// Turns a vector back into the frame.
   Vec2 back(const Vec2& v) const { return Frame{-angle, Vec2::Zero()}.turn(v); }
   Vec2 place(const Vec2& p) const { return turn(p) + offset; }
 };
 
-/// A model with its working memory; lengths in m, masses in kg, times in s.
+/// A model with its working memory. Lengths are in m, masses in kg, times in s.
 class Scene {
  public:
   explicit Scene(Frame frame = {}, int threads = 1) : frame_(frame), work_(threads) {
@@ -42,8 +43,8 @@ class Scene {
     s.materials[1] = {1e10, 4e9, 2000.0};
   }
 
-  /// Adds a block of material 1; corners clockwise in the scene's own frame. Returns
-  /// its index.
+  /// Adds a block of material 1 and returns its index. Corners are clockwise, in the
+  /// frame of the scene.
   int add(const geometry::Polygon& corners, bool fixed = false) {
     NewBlock block{{},
                    1,
@@ -86,7 +87,7 @@ class Scene {
   double weight(int b) const {
     return model.blocks.mass[b] * model.settings.gravity.norm();
   }
-  /// Position, velocity in the scene's own frame.
+  /// Return position and velocity in the frame of the scene.
   Vec2 centroid(int b) const {
     return frame_.back(Vec2(model.blocks.centroid.col(b)) - frame_.offset);
   }
@@ -99,11 +100,12 @@ class Scene {
   dynamics::Workspace work_;
 };
 
-/// 40 frames: random rotations, offsets 0, 1, 1e3 and 1e6 in random directions.
+/// Returns frames with random rotations and offsets of 0, 1, 1e3 and 1e6 in random
+/// directions.
 inline std::vector<Frame> random_frames(int count = 40) {
   std::vector<Frame> frames;
   std::uint64_t state = 0x9E3779B97F4A7C15ULL;
-  const auto next = [&state] {  // xorshift: the same frames everywhere
+  const auto next = [&state] {  // Xorshift gives the same frames on every machine.
     state ^= state << 13, state ^= state >> 7, state ^= state << 17;
     return static_cast<double>(state >> 11) * 0x1p-53;
   };

@@ -1,5 +1,5 @@
-// The contact rule decided pair by pair: keeping decisions changes no bit, and blocks
-// of every shape hold each other up.
+// Contact decisions of block pairs: kept decisions change no bit, and blocks of every
+// shape carry each other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,26 +20,26 @@ namespace {
 
 using geometry::Polygon;
 
-/// The same rule, every pair decided in every step.
-struct DecidedAnew : dynamics::ContactRules {
+/// The contact rule that decides every pair in every step.
+struct WithoutKeptDecisions : dynamics::ContactRules {
   static constexpr bool keeps_decisions = false;
 };
 
-/// Steps of both, from the same start: the same bits all the way. Returns how many
-/// pairs were taken from an earlier step, summed over the steps.
+/// Steps a model with and without kept decisions and requires the same bits. Returns
+/// the number of kept decisions, summed over the steps.
 long compare(const Model& start, int steps) {
   const std::unique_ptr<VariantRun> run = find_variant("default")->start();
-  Model kept = start, anew = start;
+  Model kept = start, decided = start;
   dynamics::Workspace a, b;
-  dynamics::prepare(kept), dynamics::prepare(anew);
+  dynamics::prepare(kept), dynamics::prepare(decided);
   long reused = 0;
   for (int k = 0; k < steps; ++k) {
-    run->find(kept, a), run->find(anew, b);
-    run->step(kept, a), dynamics::step_by(DecidedAnew(), anew, b);
+    run->find(kept, a), run->find(decided, b);
+    run->step(kept, a), dynamics::step_by(WithoutKeptDecisions(), decided, b);
     for (int p = 0; p < a.index.size(); ++p)
       reused += a.decisions.left_of(kept.blocks, a.index, p) > 0.0;
-    if (kept.blocks.corner != anew.blocks.corner ||
-        kept.blocks.velocity != anew.blocks.velocity) {
+    if (kept.blocks.corner != decided.blocks.corner ||
+        kept.blocks.velocity != decided.blocks.velocity) {
       ADD_FAILURE() << "the runs part in step " << k;
       return reused;
     }
@@ -47,8 +47,7 @@ long compare(const Model& start, int steps) {
   return reused;
 }
 
-// What may act with room for motion is what acts, as long as blocks move by less.
-TEST(Pairs, KeepDecisionsBitForBit) {
+TEST(Pairs, GiveTheSameBitsWithKeptDecisions) {
   long reused = 0;
   for (const std::string_view name : scene_names())
     for (const int number : {4, 7}) {
@@ -62,17 +61,17 @@ TEST(Pairs, KeepDecisionsBitForBit) {
   EXPECT_GT(reused, 10000) << "hardly any decision is kept";
 }
 
-// Far from the origin the rounding of a stored corner moves it farther than its block
-// goes in a step: enough to pass the limit of the slack of an edge.
-TEST(Pairs, KeepDecisionsWhereCoordinatesAreCoarse) {
+// Far from the origin, rounding moves a stored corner farther than its block moves in a
+// step. This is enough to pass the slack of an edge.
+TEST(Pairs, GiveTheSameBitsFarFromTheOrigin) {
   const Scene scene = make_scene("wall");
   for (const int number : {1, 2, 9})
     compare(place(scene.model, random_frame({}, number, scene.size), Corners::sharp),
             1500);
 }
 
-// Stress, strain and changing shapes widen what a decision has to hold for.
-TEST(Pairs, KeepDecisionsOfDeformableBlocks) {
+// A decision must remain valid while the shapes change.
+TEST(Pairs, GiveTheSameBitsForDeformableBlocks) {
   long reused = 0;
   for (const char* name :
        {"wall", "soft", "stake", "bricks", "step-slabs", "undercut"}) {
@@ -86,7 +85,7 @@ TEST(Pairs, KeepDecisionsOfDeformableBlocks) {
   EXPECT_GT(reused, 1000) << "hardly any decision is kept";
 }
 
-// Each part of the rule has a scene that goes wrong without it.
+// Without a part of the rule one scene fails.
 TEST(Pairs, NeedEveryPartOfTheRule) {
   struct Known {
     const char *scene, *variant;
@@ -97,15 +96,13 @@ TEST(Pairs, NeedEveryPartOfTheRule) {
                              {"bow", "no-faces", 4, 4}}) {
     StudyChoice choice;
     choice.count = known.frames;
-    choice.frames.offset = 1e3;  // Farther off, rounding moves tips out of the slack.
+    choice.frames.offset = 1e3;  // Farther away, rounding moves tips out of the slack.
     choice.variants = {find_variant(known.variant), find_variant("default")};
     const Study study = run_study(make_scene(known.scene), choice);
     EXPECT_GE(study.rows[0].hung, known.least) << known.variant;
     EXPECT_EQ(study.rows[1].hung + study.rows[1].fell, 0) << known.scene;
   }
 }
-
-// Shapes that are not convex
 
 Polygon star(int tips, double inner) {
   Polygon outline;
@@ -159,7 +156,7 @@ const std::vector<Shape> shapes = {
       {3, 0}}},
     {"needle", {{0, 0}, {0, 0.003}, {3, 0.003}, {3, 0}}}};
 
-/// The largest part of the smaller one of two blocks that the two share.
+/// Returns the largest share of the smaller of two blocks that is in the other one.
 double most_shared(const Blocks& blocks) {
   std::vector<Polygon> outlines;
   for (int b = 0; b < blocks.size(); ++b)
@@ -187,9 +184,8 @@ double lowest(const Polygon& outline) {
   return y;
 }
 
-// Each falls on a floor of boxes, and a box and a triangle fall on it: no corner, notch
-// or inner side between two parts lets another block through.
-TEST(Pairs, HoldUpBlocksOfEveryShape) {
+// A block of each shape falls on a floor of boxes, and a box and a triangle fall on it.
+TEST(Pairs, CarryBlocksOfEveryShape) {
   for (const Shape& shape : shapes)
     for (int turn = 0; turn < 8; ++turn) {
       scenes::Draft draft("shape", "", 0);

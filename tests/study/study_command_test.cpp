@@ -1,4 +1,4 @@
-// `blocks study contacts` as a user meets it.
+// The command `blocks study contacts`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(StudyCommand, TableCsvAndJson) {
+TEST(StudyCommand, WritesTableCsvAndJson) {
   const TemporaryFolder folder;
   folder.write("t.csv", "older");
   const Outcome done = blocks("study contacts tee figure4b --frames 3 --steps 20 "
@@ -26,7 +26,7 @@ TEST(StudyCommand, TableCsvAndJson) {
   EXPECT_EQ(json["studies"][0]["variants"][0]["hang_ups"]["value"], 0.0);
 }
 
-TEST(StudyCommand, TakesADeck) {
+TEST(StudyCommand, RunsADeck) {
   const TemporaryFolder folder;
   const Outcome done =
       blocks("study contacts " BLOCKS_SOURCE_DIR "/decks/stack/stack.deck --frames 2 "
@@ -37,8 +37,8 @@ TEST(StudyCommand, TakesADeck) {
   EXPECT_EQ(blocks("study contacts none.deck", folder.path()).code, 5);
 }
 
-// At 1e12 block sizes doubles are coarser than the slack, and frame 9 is known to hang.
-TEST(StudyCommand, GateShutsAndSaysWhy) {
+// At 1e12 block sizes doubles are coarser than the slack, and a block hangs in frame 9.
+TEST(StudyCommand, FailsAtTheGateWithTheReason) {
   const TemporaryFolder folder;
   const std::string one = "study contacts diagonal --first 9 --frames 1 --gate "
                           "--variants default --offset ";
@@ -50,17 +50,25 @@ TEST(StudyCommand, GateShutsAndSaysWhy) {
   EXPECT_EQ(blocks(one + "1e3", folder.path()).code, 0);
 }
 
-TEST(StudyCommand, SaysWhatThereIs) {
+TEST(StudyCommand, NamesTheScenesIfOneIsUnknown) {
   const TemporaryFolder folder;
   const Outcome scene = blocks("study contacts figure4", folder.path());
   EXPECT_EQ(scene.code, 2);
   EXPECT_THAT(scene.err, HasSubstr("no scene 'figure4'; did you mean figure4b?"));
   EXPECT_THAT(scene.err, HasSubstr("\n  shaft "));
+}
+
+TEST(StudyCommand, NamesTheVariantsIfOneIsUnknown) {
+  const TemporaryFolder folder;
   const Outcome variant =
       blocks("study contacts tee --variants default,exakt", folder.path());
   EXPECT_EQ(variant.code, 2);
   EXPECT_THAT(variant.err, HasSubstr("there is no variant 'exakt'"));
   EXPECT_THAT(variant.err, HasSubstr("\n  no-joints "));
+}
+
+TEST(StudyCommand, RefusesWrongArguments) {
+  const TemporaryFolder folder;
   EXPECT_EQ(blocks("study contacts", folder.path()).code, 2);
   const Outcome seed = blocks("study contacts tee --seed -1", folder.path());
   EXPECT_EQ(seed.code, 2);
@@ -72,9 +80,8 @@ TEST(StudyCommand, SaysWhatThereIs) {
   EXPECT_EQ(blocks("study contacts tee --csv x --json x", folder.path()).code, 5);
 }
 
-// A plate 1e-9 thin can be made near the origin only: what ran before it is on disk,
-// what comes after it runs.
-TEST(StudyCommand, KeepsWhatIsFinished) {
+// A plate with thickness 1e-9 can be made near the origin only.
+TEST(StudyCommand, WritesTheResultsOfOtherDecksIfOneFails) {
   const TemporaryFolder folder;
   folder.write("thin.deck", preliminary() + rectangle(0, 0, 1, 1e-9, true) +
                                 rectangle(2, 0, 3, 1) + "STOP\n");
@@ -88,20 +95,28 @@ TEST(StudyCommand, KeepsWhatIsFinished) {
   const std::string csv = slurp(folder / "t.csv");
   EXPECT_THAT(csv, HasSubstr("\ntee,default,2,"));
   EXPECT_THAT(csv, HasSubstr("\nslab,skin,2,"));
+}
+
+TEST(StudyCommand, SaysWhichVariantCannotRun) {
+  const TemporaryFolder folder;
+  folder.write("thin.deck", preliminary() + rectangle(0, 0, 1, 1e-9, true) +
+                                rectangle(2, 0, 3, 1) + "STOP\n");
   const Outcome near = blocks("study contacts thin.deck --frames 2 --steps 5 "
                               "--variants default,skin --offset 0 --csv t.csv",
                               folder.path());
   EXPECT_EQ(near.code, 0) << near.err;
   EXPECT_THAT(near.out, HasSubstr("skin not run: block 1 is too small for a skin"));
   EXPECT_THAT(slurp(folder / "t.csv"), HasSubstr("\nthin.deck,skin,0,"));
-  // an unreadable deck is found before anything runs
+}
+
+TEST(StudyCommand, FindsAMissingDeckBeforeItRuns) {
+  const TemporaryFolder folder;
   const Outcome late = blocks("study contacts tee none.deck", folder.path());
   EXPECT_EQ(late.code, 5);
   EXPECT_EQ(late.out, "");
 }
 
-// Names that cannot be written are told at once, not after an hour of work.
-TEST(StudyCommand, LooksAtTheOutputsFirst) {
+TEST(StudyCommand, TestsItsOutputFilesBeforeItRuns) {
   const TemporaryFolder folder;
   for (const char* outputs : {"--csv .", "--json none/t.json", "--figure none/t.png",
                               "--csv t.txt --json ./t.txt"}) {
@@ -113,9 +128,9 @@ TEST(StudyCommand, LooksAtTheOutputsFirst) {
   }
 }
 
-// Ways are expected from the deck's own run: when that one goes wrong, nothing hangs
-// against it, and the table alone would praise the rules.
-TEST(StudyCommand, DoubtsADeckThatGoesWrongByItself) {
+// The expected distances are those of the run of the deck itself. If that run fails,
+// the table shows no hang-up.
+TEST(StudyCommand, WarnsIfTheRunOfTheDeckItselfFails) {
   const TemporaryFolder folder;
   const std::string blocks_on_a_floor =
       preliminary() + rectangle(-2, -1, 2, 0, true) + rectangle(-0.5, 0, 0.5, 1);
@@ -127,7 +142,8 @@ TEST(StudyCommand, DoubtsADeckThatGoesWrongByItself) {
     EXPECT_EQ(done.code, 0) << done.err;
     return done.err;
   };
-  // sinks in by a tenth; falls through within 70 steps
+  // With the first gravity the block overlaps by a tenth. With the second one it falls
+  // through the floor within 70 steps.
   for (const char* gravity : {"GRAVITY, 0, -2E3\nDAMPING, 0.3\n", "GRAVITY, 0, -1E5\n"})
     EXPECT_THAT(warned(gravity),
                 HasSubstr("blocks: warning: t.deck: the run of default, which is the "

@@ -1,5 +1,5 @@
-// The study of contact detection: its statistics, that it studies what runs do, that it
-// finds what is known to go wrong, and that with our rules nothing does.
+// The study of contact detection. Its default variant has the bits of runs and passes;
+// other variants fail as expected.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,8 +24,9 @@ StudyChoice choice_of(std::initializer_list<const char*> names, int frames) {
   return choice;
 }
 
-// Wilson (1927); values of the closed form worked out by hand to four digits.
-TEST(Statistics, WilsonInterval) {
+// The values of the closed form of Wilson (1927) were calculated by hand to four
+// digits.
+TEST(Statistics, RateHasTheWilsonInterval) {
   EXPECT_NEAR(rate(0, 10).high, 0.2775, 5e-5);
   EXPECT_EQ(rate(0, 10).low, 0.0);
   EXPECT_NEAR(rate(3, 10).low, 0.1078, 5e-5);
@@ -34,8 +35,8 @@ TEST(Statistics, WilsonInterval) {
   EXPECT_NEAR(rate(0, 1000).high, 0.003827, 5e-7);
 }
 
-// The interval must cover the true mean about as often as it says.
-TEST(Statistics, BootstrapCoversTheMean) {
+// An interval of 95 % must cover the true mean in about 95 % of the trials.
+TEST(Statistics, BootstrapIntervalCoversTheMean) {
   std::mt19937_64 random(3);
   std::exponential_distribution<double> draw(1.0);
   int covered = 0;
@@ -50,9 +51,9 @@ TEST(Statistics, BootstrapCoversTheMean) {
   EXPECT_LT(covered, 200);
 }
 
-// Ranks as tables of the sign test have them; below six values even the whole range is
-// no 95 % interval.
-TEST(Statistics, MedianWithOrderStatistics) {
+// The ranks are those of tables of the sign test. With less than six values even the
+// whole range is no 95 % interval.
+TEST(Statistics, MedianHasTheRanksOfTheSignTest) {
   const auto of = [](int n) {
     std::vector<double> values;
     for (int i = n; i > 0; --i)
@@ -67,11 +68,12 @@ TEST(Statistics, MedianWithOrderStatistics) {
     EXPECT_EQ(of(n).high, n + 1 - low) << n;
     EXPECT_EQ(of(n).value, 0.5 * (n + 1)) << n;
   }
-  EXPECT_NEAR(of(100000).low, 50000 - 0.98 * std::sqrt(100000.0), 2.0);  // normal limit
+  EXPECT_NEAR(of(100000).low, 50000 - 0.98 * std::sqrt(100000.0),
+              2.0);  // This is the normal limit.
   EXPECT_TRUE(std::isnan(median({}).value));
 }
 
-TEST(Frames, AreRotationsOfEveryKind) {
+TEST(Frames, AreRotationsWithOffsetsOfAllMagnitudes) {
   std::set<double> offsets;
   int straight = 0;
   for (int i = 0; i < 200; ++i) {
@@ -88,8 +90,8 @@ TEST(Frames, AreRotationsOfEveryKind) {
   EXPECT_NEAR(random_frame({1982, 5.0, 4.0}, 7, 2.0).offset.norm(), 40.0, 1e-12);
 }
 
-// Strict, inclusive and exact, against whole numbers.
-TEST(ExactSigns, BetweenWithoutSlack) {
+// Coordinates are whole numbers.
+TEST(ExactSigns, AreExactWithoutSlack) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> draw(-3, 3);
   int on_limit = 0;
@@ -114,9 +116,9 @@ TEST(ExactSigns, BetweenWithoutSlack) {
   EXPECT_GT(on_limit, 500);
 }
 
-// Runs keep decisions over steps and find their pairs themselves; a study finds them
-// before the step. The same bits, or the study would be of something else.
-TEST(DefaultVariant, IsWhatRunsDo) {
+// Runs find their pairs themselves and keep decisions over steps. A study finds the
+// pairs before the step.
+TEST(DefaultVariant, GivesTheBitsOfARun) {
   long kept = 0;
   for (const std::string_view name : scene_names()) {
     const Scene scene = make_scene(name);
@@ -138,8 +140,8 @@ TEST(DefaultVariant, IsWhatRunsDo) {
   EXPECT_GT(kept, 10000) << "decisions are not kept, which is what runs do";
 }
 
-/// A scene in which the default rules are known to fail in some frames. The limits hold
-/// for the twelve frames of the test, so that nothing gets worse unseen.
+/// A scene in which the default rules fail in some frames. The limits are those of the
+/// twelve frames of the test, so that a test fails if more frames do.
 struct KnownFailure {
   std::string_view scene;
   long most_hung;      ///< frames
@@ -147,16 +149,18 @@ struct KnownFailure {
   double most_energy;  ///< worst error
 };
 constexpr std::array known_failures = {
-    // far from the origin, rounding moves a tip out of the slack of a closed joint
+    // Far from the origin, rounding moves a tip out of the slack of a closed joint.
     KnownFailure{"stake", 1, 0.0, 0.5},
-    // tips that cross sideways have no edge that they face
+    // Tips that cross sideways face no edge.
     KnownFailure{"triangles", 0, 0.0, 0.06},
-    // a toe that slides out of the slack of a joint loses a spring
+    // A corner that slides out of the slack of a joint loses its spring.
     KnownFailure{"toe", 0, 0.0, 0.12},
-    // no rule of geometry says on which of two bricks with flush undersides one rests
+    // Geometry alone does not determine which of two bricks with flush lower sides
+    // carries
+    // the other.
     KnownFailure{"bricks", 10, 0.9, 0.002}};
 
-/// The entry of a scene; null: the scene must pass.
+/// Returns the entry of a scene, or null if the scene must pass.
 const KnownFailure* known_failure(std::string_view scene) {
   for (const KnownFailure& known : known_failures)
     if (known.scene == scene)
@@ -164,15 +168,15 @@ const KnownFailure* known_failure(std::string_view scene) {
   return nullptr;
 }
 
-// The gate of `./go study` and the tests below must agree on what is known to fail.
-TEST(DefaultVariant, KnownFailuresAreThoseOfTheGate) {
+// The gate of `./go study` must expect the same failures.
+TEST(DefaultVariant, HasTheKnownFailuresOfTheGate) {
   for (const std::string_view name : scene_names())
     EXPECT_EQ(make_scene(name).must_pass, known_failure(name) == nullptr) << name;
 }
 
-// A slice; `./go study` takes 1,000 frames of each scene. Phantom and missed contacts
-// are those against decisions taken anew in each step: kept ones must be the same.
-TEST(DefaultVariant, NeverHangsNorFallsThrough) {
+// `./go study` runs 1,000 frames of each scene. Phantom and missed contacts are counted
+// against decisions that are not kept.
+TEST(DefaultVariant, NeitherHangsNorFallsThrough) {
   for (const std::string_view name : scene_names()) {
     const Row row = run_study(make_scene(name), choice_of({"default"}, 12)).rows[0];
     EXPECT_EQ(row.wrong_signs.value, 0.0) << name;
@@ -187,17 +191,16 @@ TEST(DefaultVariant, NeverHangsNorFallsThrough) {
     }
     EXPECT_EQ(row.hung, 0) << name;
     EXPECT_EQ(row.fell, 0) << name;
-    // a bounce times friction; what starts slowly loses a share of little
+    // The speed lost is that of a bounce times friction. Blocks with a soft front start
+    // slowly, so they lose a larger share.
     const bool soft_front = name == "nose" || name == "bow";
     EXPECT_FALSE(row.speed_lost.high > (soft_front ? 0.02 : 0.001)) << name;
-    // springs that take up all the energy are seen half a step off: omega dt / 2
+    // The energy of springs is half a step late, which is a share of omega dt / 2.
     const bool strikes = name == "needle" || name == "plate" || name == "tip";
     EXPECT_LT(row.worst_energy, strikes ? 0.03 : 1e-4) << name;
   }
 }
 
-// A scene whose blocks differ from frame to frame is the same for the same seed and
-// number.
 TEST(VariedScenes, DependOnSeedAndNumberOnly) {
   int varied = 0;
   for (const std::string_view name : scene_names()) {
@@ -218,11 +221,10 @@ TEST(VariedScenes, DependOnSeedAndNumberOnly) {
   EXPECT_GT(varied, 5);
 }
 
-// What is known to go wrong is found, in the scene made for it.
-TEST(Variants, FailWhereTheyMust) {
+TEST(Variants, FailInTheScenesMadeForThem) {
   struct Known {
     const char *scene, *variant;
-    bool hangs;  ///< else falls through
+    bool hangs;  ///< if false, the block falls through
     int frames = 6;
   };
   for (const Known& known :
@@ -235,13 +237,16 @@ TEST(Variants, FailWhereTheyMust) {
     EXPECT_GE(known.hangs ? row.hung : row.fell, 5) << known.scene << known.variant;
     EXPECT_GT(row.phantom.value + row.missed.value, 0.0);
   }
+}
+
+TEST(Variants, PrintedFormulaDivergesWithWrongSigns) {
   const Row printed = run_study(make_scene("tee"), choice_of({"printed"}, 6)).rows[0];
   EXPECT_GT(printed.wrong_signs.value, 0.05);
   EXPECT_GT(printed.diverged, 3);
 }
 
-// Rounding corners is a shape of its own: convex, and smaller.
-TEST(Place, CornersOfOtherCodes) {
+// Blocks with modified corners are convex and a little smaller.
+TEST(Corners, OfOtherCodesMakeBlocksSmaller) {
   const Scene scene = make_scene("wedge");
   const Model sharp = place(scene.model, {}, Corners::sharp);
   for (const Corners corners :
@@ -255,10 +260,9 @@ TEST(Place, CornersOfOtherCodes) {
   }
 }
 
-// A box that comes 97 % of its way over the floor has all the same lost a tenth of its
-// speed at the first joint. (v + mu w is braked by mu g exactly, w the speed upwards:
-// the impulse of friction is mu times that of the normal force.)
-TEST(Floor, SeesTheSnagOfAJoint) {
+// A box that covers 97 % of its distance has lost a tenth of its speed at the first
+// joint. Friction reduces v + mu w by mu g exactly, where w is the upward speed.
+TEST(Floor, ShowsTheSpeedLostAtAJoint) {
   const Study study =
       run_study(make_scene("floor"), choice_of({"default", "no-joints"}, 3));
   EXPECT_NEAR(study.rows[0].speed_lost.value, 0.0, 0.001);
@@ -266,8 +270,8 @@ TEST(Floor, SeesTheSnagOfAJoint) {
   EXPECT_EQ(study.rows[1].hung, 3);
 }
 
-// Where nothing is to move nothing can hang: not "0 of 3".
-TEST(Study, AsksForHangUpsWhereSomethingMoves) {
+// In these scenes no block has to move, so none can hang.
+TEST(Study, CountsHangUpsOnlyIfABlockHasToMove) {
   StudyChoice choice = choice_of({"default"}, 3);
   choice.steps = 50;
   for (const char* name : {"stack", "wall"}) {
@@ -280,8 +284,8 @@ TEST(Study, AsksForHangUpsWhereSomethingMoves) {
   EXPECT_EQ(run_study(make_scene("tee"), choice).rows[0].hang_ups.value, 0.0);
 }
 
-// A plate 1e-7 thin is no block any more without a skin of 0.1 %; the others run.
-TEST(Study, RefusesAVariantWithoutRoom) {
+// A plate with thickness 1e-7 has no area left without a skin of 0.1 %.
+TEST(Study, RefusesAVariantThatLeavesNoBlock) {
   Scene scene = make_scene("slab");
   scene.model.blocks.append(
       {{{{0, 5}, {0, 5 + 1e-7}, {1, 5 + 1e-7}, {1, 5}}, 1, 2000.0, Fixity::by_user}});
@@ -295,8 +299,15 @@ TEST(Study, RefusesAVariantWithoutRoom) {
   EXPECT_EQ(study.rows[1].frames, 0);
   EXPECT_EQ(study.rows[2].frames, 2);
   EXPECT_NE(text(study).find("skin not run: block 3"), std::string::npos);
-  // far away not even the block itself can be made
-  choice.frames.offset = 1e12;
+}
+
+TEST(Study, RefusesASceneWhoseBlocksAreTooSmallFarAway) {
+  Scene scene = make_scene("slab");
+  scene.model.blocks.append(
+      {{{{0, 5}, {0, 5 + 1e-7}, {1, 5 + 1e-7}, {1, 5}}, 1, 2000.0, Fixity::by_user}});
+  scene.expected = nullptr;
+  StudyChoice choice = choice_of({"default", "skin", "rounded"}, 2);
+  choice.steps = 10, choice.frames.offset = 1e12;
   const Study far = run_study(scene, choice);
   EXPECT_NE(far.refused.find("block 3 is too small for the doubles there"),
             std::string::npos);
@@ -309,6 +320,12 @@ TEST(Study, DoesNotDependOnThreads) {
   const std::string one = csv({run_study(make_scene("shaft"), choice)});
   choice.threads = 3;
   EXPECT_EQ(csv({run_study(make_scene("shaft"), choice)}), one);
+}
+
+TEST(Study, DependsOnTheSeed) {
+  StudyChoice choice = choice_of({"default", "printed", "chamfer"}, 5);
+  choice.steps = 60;
+  const std::string one = csv({run_study(make_scene("shaft"), choice)});
   choice.frames.seed = 1;
   EXPECT_NE(csv({run_study(make_scene("shaft"), choice)}), one);
 }
