@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "validation/robustness/contact_draw.hpp"
+#include "validation/geometry/contact_draw.hpp"
 
 namespace blocks::geometry {
 
 using Rational = boost::multiprecision::cpp_rational;
 using Wide = boost::multiprecision::cpp_bin_float_100;
 
-using Case = robustness::ContactCase;
+using Case = validation::ContactCase;
 
 /// The definitions of geometry/contact_predicates.hpp, written out on rationals.
 struct Judge {
@@ -107,15 +107,15 @@ struct Judge {
 };
 
 /// The random draws of the robustness study, with a fixed seed.
-class Random : public robustness::Draw {
+class Random : public validation::Draw {
  public:
   Random() : Draw(0, 12345) {}
-  Case any(double size) { return robustness::anywhere(*this, size); }
+  Case any(double size) { return validation::anywhere(*this, size); }
 };
 
 /// A brick near the origin and a corner of its wall. Coordinates are whole and half
 /// numbers.
-inline Case wall(Random& random) { return robustness::brick(random, 4, 3); }
+inline Case wall(Random& random) { return validation::brick(random, 4, 3); }
 
 /// Returns whole numbers p, q <= limit whose ratios approach tan 10 degrees from both
 /// sides. They are the convergents of its continued fraction and the fractions between.

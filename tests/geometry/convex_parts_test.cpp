@@ -15,14 +15,14 @@
 
 #include "geometry/overlap.hpp"
 #include "geometry/polygon.hpp"
-#include "validation/robustness/contact_draw.hpp"
+#include "validation/geometry/contact_draw.hpp"
 
 namespace blocks::geometry {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
 using Parts = std::vector<std::vector<int>>;
-using robustness::Draw;
+using validation::Draw;
 
 /// Returns twice the area of the triangle a, b, c, negative if it is clockwise.
 Rational turn(const Vec2& a, const Vec2& b, const Vec2& c) {

@@ -8,13 +8,13 @@
 #include <cstdint>
 
 #include "layers.hpp"
-#include "validation/robustness/layer_hash.hpp"
+#include "validation/geometry/layer_hash.hpp"
 
 namespace blocks::geometry {
 namespace {
 
-using robustness::families;
-using robustness::hash_of;
+using validation::families;
+using validation::hash_of;
 
 // Hashes of the first 24 layers of each family (2 of the family with 2000 blocks). If
 // one of them changes, users get other blocks from the same deck and seed.
@@ -72,8 +72,8 @@ TEST(GoldenLayers, DoNotDependOnTheOrderOfGeneration) {
     return request;
   };
   const auto bits = [&](std::uint64_t layer) {
-    robustness::BitHash hash;
-    robustness::add_layer(hash, make(layer));
+    validation::BitHash hash;
+    validation::add_layer(hash, make(layer));
     return hash.value();
   };
   std::array<std::uint64_t, 5> forward{};

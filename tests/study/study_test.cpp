@@ -168,13 +168,13 @@ const KnownFailure* known_failure(std::string_view scene) {
   return nullptr;
 }
 
-// The gate of `./go study` must expect the same failures.
+// The gate of `./go validate study` must expect the same failures.
 TEST(DefaultVariant, HasTheKnownFailuresOfTheGate) {
   for (const std::string_view name : scene_names())
     EXPECT_EQ(make_scene(name).must_pass, known_failure(name) == nullptr) << name;
 }
 
-// `./go study` runs 1,000 frames of each scene. Phantom and missed contacts are counted
+// `./go validate study` runs 1,000 frames of each scene. Phantom and missed contacts are counted
 // against decisions that are not kept.
 TEST(DefaultVariant, NeitherHangsNorFallsThrough) {
   for (const std::string_view name : scene_names()) {

@@ -16,47 +16,49 @@ int refuse(int code, const std::string& message) {
   return code;
 }
 
-/// To the screen and into the report.
-void say(const std::string& words, std::string& report) {
-  std::printf("%s", words.c_str());
+/// Prints the text and appends it to the report.
+void print_and_append(const std::string& text, std::string& report) {
+  std::printf("%s", text.c_str());
   std::fflush(stdout);
-  report += words;
+  report += text;
 }
 
-int make_steps(Model& model, long steps, const Study& study, Watch& watch,
+/// Makes all steps and returns the exit code.
+int make_steps(Model& model, long steps, const Study& study, Observer& observer,
                std::string& report) {
   dynamics::Workspace work;
   dynamics::prepare(model);
-  watch.start(model);
-  say(study.columns + "\n" + study.ruler + "\n", report);
+  observer.start(model);
+  print_and_append(study.columns + "\n" + study.ruler + "\n", report);
   for (long i = 1; i <= steps; ++i) {
-    const bool told = i * rows / steps != (i - 1) * rows / steps;
-    const auto made = dynamics::advance(model, work, told);
-    if (told)
+    const bool has_row = i * row_count / steps != (i - 1) * row_count / steps;
+    const auto result = dynamics::advance(model, work, has_row);
+    if (has_row)
       dynamics::catch_up(model, work);
-    if (!made.finite) {
-      say(text("\n**Step %ld: not a number.**\n", i), report);
+    if (!result.finite) {
+      print_and_append(format_text("\n**Step %ld: not a number.**\n", i), report);
       return run::unsound_run;
     }
-    if (told)
-      say(watch.row(i, model, made), report);
+    if (has_row)
+      print_and_append(observer.make_row(i, model, result), report);
   }
-  const Verdict verdict = watch.verdict(steps, model);
-  say("\n" + verdict.text, report);
+  const Verdict verdict = observer.judge(steps, model);
+  print_and_append("\n" + verdict.text, report);
   return verdict.passed ? run::done : run::unsound_run;
 }
 
 }  // namespace
 
-int run(int argc, char** argv, const Study& study, Watch& watch) {
+int run(int argc, char** argv, const Study& study, Observer& observer) {
   CLI::App app{study.about};
   run::RunOptions options;
   options.deck = BLOCKS_SOURCE_DIR "/" + study.deck;
   std::string report;
   long steps = study.steps;
   app.add_option("--deck", options.deck,
-                 "the deck; its MOTION and CYCLE cards are not used");
-  app.add_option("--steps", steps, "time steps")->check(CLI::Range(rows, 1000000000L));
+                 "the deck; its MOTION and CYCLE cards are ignored");
+  app.add_option("--steps", steps, "number of time steps")
+      ->check(CLI::Range(row_count, 1000000000L));
   app.add_option("--report", report, "write NAME.md");
   try {
     app.parse(argc, argv);
@@ -67,7 +69,7 @@ int run(int argc, char** argv, const Study& study, Watch& watch) {
     return refuse(run::internal_error, fault);
   const std::string file = report.empty() ? "" : report + ".md";
   try {
-    output::check_outputs({file});  // before hours of work
+    output::check_outputs({file});  // Fails now rather than after hours of work.
   } catch (const output::FileError& error) {
     return refuse(run::file_error, error.what());
   }
@@ -76,7 +78,7 @@ int run(int argc, char** argv, const Study& study, Watch& watch) {
     return checked.code;
 
   std::string table;
-  const int code = make_steps(checked.model, steps, study, watch, table);
+  const int code = make_steps(checked.model, steps, study, observer, table);
   if (!report.empty()) {
     std::ofstream out(file);
     out << "# " << study.title << "\n\n" << study.remark << "\n\n" << table;

@@ -1,4 +1,4 @@
-// Times of the program, alone and against other codes: ./go bench.
+// Measures times of the program, alone and against other codes: ./go validate bench.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,8 +24,8 @@ struct Options {
   std::vector<std::string> parts;
   std::string output = "bench";
   bool quick = false;
-  int rounds = 0;   // 0: five, quick: three
-  int largest = 0;  // 0: a million, quick: a thousand
+  int rounds = 0;   // 0: five, or three if quick
+  int largest = 0;  // 0: six, or four if quick
 };
 
 std::string names() {
@@ -35,7 +35,7 @@ std::string names() {
   return all;
 }
 
-/// An older file becomes NAME.bak.
+/// Renames an existing file to NAME.bak.
 void keep_older(const std::string& path) {
   if (std::filesystem::exists(path))
     std::filesystem::rename(path, path + ".bak");
@@ -75,7 +75,7 @@ bool is_asked_for(const Part& part, const Options& options) {
 }
 
 int run(const Options& options) {
-  // known before ten minutes have gone by
+  // Fails now rather than after minutes of work.
   blocks::output::check_outputs(
       {options.output + ".md", options.output + ".json", options.output + ".png"});
   const Plan plan = plan_of(options);

@@ -20,7 +20,7 @@ BlocksCode::BlocksCode(Model start, std::string name, int threads)
 
 void BlocksCode::run(long steps) {
   for (long i = 0; i < steps; ++i) {
-    const bool read = ++made_ % 64 == 0;  // as a run does
+    const bool read = ++made_ % 64 == 0;  // A run reads as often.
     if (!dynamics::advance(model_, work_, read).finite)
       throw std::runtime_error(name_ + ": a corner is no longer a number");
     if (read)

@@ -1,4 +1,4 @@
-// The program's own time loop as a contestant.
+// The time loop of the program as a contestant.
 #pragma once
 
 #include "contestant.hpp"
@@ -8,24 +8,24 @@
 
 namespace blocks::bench {
 
-/// How many blocks of a model can move.
+/// Returns the number of blocks of a model that can move.
 int free_blocks(const Model& model);
 
 class BlocksCode : public Contestant {
  public:
-  /// Steps the model from its present state.
+  /// Starts from the present state of the model.
   explicit BlocksCode(Model start, std::string name = "blocks", int threads = 1);
 
   std::string name() const override { return name_; }
   int threads() const override { return work_.workers->threads(); }
   double work_per_step() const override { return free_; }  ///< block-steps
-  /// Throws std::runtime_error when a corner is no longer a number.
+  /// Throws std::runtime_error if a corner is no longer finite.
   void run(long steps) override;
-  /// Runs that many steps. Returns how the time of a step divides: shares of 1.
+  /// Runs `steps` steps. Returns the share of each phase in the time of a step.
   Phases run_phases(long steps);
 
   const Model& model();
-  /// The next step begins with a search.
+  /// Does the next step begin with a search?
   bool searches() const { return !model_.search.current; }
 
  private:

@@ -42,7 +42,7 @@ class Box2dCode : public Contestant {
       shape.SetTwoSided(vector(plane.a), vector(plane.b));
       b2FixtureDef fixture;
       fixture.shape = &shape;
-      fixture.friction = 0.0f;  // Box2D takes the geometric mean of both sides
+      fixture.friction = 0.0f;  // Box2D takes the geometric mean of both sides.
       const b2BodyDef body;
       world_.CreateBody(&body)->CreateFixture(&fixture);
     }

@@ -1,4 +1,4 @@
-// A run of a program as a user starts it, and what it cost.
+// Runs a program as a user starts it, and measures its time.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace blocks::bench {
 
-/// Seconds: of the processor in user mode, of all threads, and on the clock.
+/// Seconds: user-mode processor time of all threads, and wall-clock time.
 struct RunSeconds {
   double user = 0.0, clock = 0.0;
 };
 
-/// What `words` (program, then arguments) took. Throws std::runtime_error when it
-/// cannot be started or fails.
+/// Runs `words`, a program and its arguments, and returns the time it took. Throws
+/// std::runtime_error if it cannot be started or fails.
 RunSeconds run_child(std::vector<std::string> words);
 
 }  // namespace blocks::bench

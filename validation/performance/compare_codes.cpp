@@ -17,15 +17,15 @@ namespace {
 
 using Code = std::unique_ptr<Contestant>;
 
-// A profile of fewer steps depends on whether a search is among them.
+// A profile of fewer steps depends on whether it includes a search.
 constexpr long least_profiled = 30;
-// These steps are not timed, because Box2D comes to rest in its own way.
+// Box2D makes these steps untimed, because it approaches rest in its own way.
 constexpr long box2d_steps = 20;
 
 using Start = std::function<Code()>;
 
-/// Starts a code over after a number of steps, so that a short event can be timed for
-/// as long as a turn lasts.
+/// Restarts a code after a number of steps, so that a short event can be timed for the
+/// length of a turn.
 class Replay : public Contestant {
  public:
   Replay(Start start, long window)
@@ -53,7 +53,7 @@ class Replay : public Contestant {
   Code code_;
 };
 
-/// Times one thread by the clock, as two are timed.
+/// Times one thread by wall-clock time, like two threads.
 class ByClock : public Contestant {
  public:
   explicit ByClock(Contestant& code) : code_(code) {}
@@ -66,18 +66,18 @@ class ByClock : public Contestant {
   Contestant& code_;
 };
 
-/// Returns the steps of the scene's window, 0 where it has none.
+/// Returns the number of steps of the scene's window, or 0 if it has none.
 long window_steps(const Scene& scene, const Model& state) {
   return std::lround(scene.window / state.time_step.dt);
 }
 
-/// Returns the code, replayed where the scene has a window.
+/// Returns the code; if the scene has a window, the code is restarted after it.
 Code replayed(const Scene& scene, const Model& state, const Start& start) {
   const long window = window_steps(scene, state);
   return window > 0 ? std::make_unique<Replay>(start, window) : start();
 }
 
-/// Returns the program; it refers to the state, which must live longer.
+/// Returns the program. It refers to the state, which must outlive it.
 Code program(const Scene& scene, const Model& state, int threads) {
   return replayed(scene, state, [&state, threads] {
     return std::make_unique<BlocksCode>(
@@ -85,10 +85,10 @@ Code program(const Scene& scene, const Model& state, int threads) {
   });
 }
 
-/// An entry is a code in the turns and the number of the one it is compared with.
+/// A code that takes turns, and the index of the code that it is compared with.
 struct Entry {
   Contestant* code;
-  std::size_t against;  ///< Its own number means that it is compared with none.
+  std::size_t against;  ///< its own index: no comparison
 };
 
 /// Times the codes in turns and adds a row for each.
@@ -115,7 +115,7 @@ void time_entries(const Plan& plan, const Scene& scene, double blocks,
   }
 }
 
-/// Times threads in turns of their own, in which no other code shares the cores.
+/// Times one and two threads in separate turns, in which no other code uses the cores.
 void time_threads(const Plan& plan, const Scene& scene, const Code& rigid,
                   const Model& rigid_state, const Code& deformable,
                   const Model& deformable_state, Report& report) {
@@ -134,8 +134,8 @@ void time_threads(const Plan& plan, const Scene& scene, const Code& rigid,
                report);
 }
 
-/// Divides the `cost` of a block-step, in nanoseconds, by phase. A window is profiled
-/// from its start; otherwise as many steps are made before those that are profiled.
+/// Divides the cost of a block-step, in nanoseconds, among the phases. A window is
+/// profiled from its start. Otherwise the same number of steps precedes the profile.
 Phases profiled(const Plan& plan, const Scene& scene, const Model& state, double cost) {
   BlocksCode code(state);
   long steps = window_steps(scene, state);

@@ -1,4 +1,4 @@
-// A scene is stepped by every code that can step it, and timed.
+// Times every code that can step a scene.
 #pragma once
 
 #include "parts.hpp"
@@ -7,14 +7,15 @@
 
 namespace blocks::bench {
 
-/// Rows have these names of codes.
+/// The names of codes in the rows.
 constexpr const char* rigid_blocks = "blocks";
 constexpr const char* deformable_blocks = "blocks, deformable";
 constexpr const char* linked_lists = "linked lists of 1982";
 constexpr const char* box2d_name = "Box2D 2.4.1";
 
-/// Adds a row for each code: the program rigid and deformable, with one and two
-/// threads, the linked lists, and Box2D. Notes which code cannot step the scene.
+/// Adds a row for each code: the program with rigid and deformable blocks and with one
+/// and two threads, the linked lists, and Box2D. Adds a note for each code that cannot
+/// step the scene.
 void compare_codes(const Plan& plan, const Scene& scene, Report& report);
 
 }  // namespace blocks::bench

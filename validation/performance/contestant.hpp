@@ -1,4 +1,4 @@
-// Codes that step the same scene, measured against each other.
+// A code that steps a scene and is compared with others.
 #pragma once
 
 #include <string>
@@ -10,11 +10,12 @@ class Contestant {
   virtual ~Contestant() = default;
   virtual std::string name() const = 0;
   virtual int threads() const { return 1; }
-  /// Whether it is timed by the clock on the wall, else by the processor's.
+  /// Is it timed by wall-clock time instead of processor time?
   virtual bool by_clock() const { return threads() > 1; }
-  /// Free blocks times what one step does to each: the number a time is divided by.
+  /// The units of work in one step, by which a time is divided: free blocks times the
+  /// work on each.
   virtual double work_per_step() const = 0;
-  /// Goes on by so many steps.
+  /// Makes `steps` further steps.
   virtual void run(long steps) = 0;
 };
 

@@ -1,4 +1,4 @@
-// The example decks become models here.
+// Builds models of the example decks.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace blocks::bench {
 std::string deck_path(const std::string& name);
 
 /// Returns the model of an example deck before its first step. Throws
-/// std::runtime_error when the deck has faults.
+/// std::runtime_error if the deck has errors.
 Model deck_model(const std::string& name);
 
 }  // namespace blocks::bench

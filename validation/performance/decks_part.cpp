@@ -1,5 +1,5 @@
-// Whole runs of the example decks: by the program, with its output, and step by step,
-// to see the share of the search.
+// Times whole runs of the example decks: by the program, with its output, and step by
+// step, to measure the share of the search.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, removed at the end.
+/// A temporary folder.
 class Folder {
  public:
   Folder()
@@ -43,7 +43,8 @@ struct WholeRun {
   long steps = 0;
 };
 
-/// threads: 1 on processor time, more on the clock, for who waits for another counts.
+/// Times a run. One thread is timed by processor time; several are timed by wall-clock
+/// time, which includes waiting.
 WholeRun run_program(const std::string& deck, bool whole, int threads) {
   const Folder folder;
   const std::string output = folder / "run";
@@ -65,7 +66,8 @@ struct StepRun {
   double all = 0.0, searching = 0.0;  ///< seconds
 };
 
-/// The deck's steps without output. A step that searches costs a step and a search.
+/// Times the steps of a deck without output. A step with a search counts as the cost of
+/// a step plus that of the search.
 StepRun run_steps(const std::string& name, long steps) {
   BlocksCode code(deck_model(name));
   StepRun run;

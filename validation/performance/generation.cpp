@@ -14,7 +14,8 @@ using namespace geometry;
 
 Decimal decimal(const std::string& text) { return *Decimal::parse(text); }
 
-// 1 high and one long for each block, ORIENT +-10; slanted: a turned trapezoid.
+// Requests a layer of height 1 and length 1 per block with ORIENT +-10, or a slanted
+// trapezoid of that size.
 LayerRequest layer_of(int count, bool slanted, std::uint64_t number) {
   LayerRequest request;
   const std::string length = std::to_string(count);
@@ -39,7 +40,7 @@ LayerRequest layer_of(int count, bool slanted, std::uint64_t number) {
 GenerationCost cost_of_layers(int layers, int blocks, bool slanted) {
   std::vector<Layer> made;
   made.reserve(static_cast<std::size_t>(layers));
-  const std::clock_t start = std::clock();  // of the processor: machines are shared
+  const std::clock_t start = std::clock();  // Processor time: machines are shared.
   for (int k = 0; k < layers; ++k)
     made.push_back(cut_layer(layer_of(blocks, slanted, static_cast<std::uint64_t>(k))));
   const std::clock_t cut = std::clock();

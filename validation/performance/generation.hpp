@@ -1,17 +1,17 @@
-// Time of generating random layers.
+// Times the generation of random layers.
 #pragma once
 
 namespace blocks::bench {
 
-/// Nanoseconds of the processor for one block.
+/// Processor time per block, in nanoseconds.
 struct GenerationCost {
-  double all = 0.0;          ///< cut, rounded and certified
-  double certificate = 0.0;  ///< the tiling certificate, of `all` or made once more
+  double all = 0.0;          ///< cutting, rounding and certifying
+  double certificate = 0.0;  ///< the tiling certificate alone
 };
 
-/// So many layers of so many blocks each, random spacing, ORIENT +-10; slanted: between
-/// lines that are not level. Throws std::runtime_error when a certificate does not
-/// hold.
+/// Times `layers` layers of `blocks` blocks each, with random spacing and ORIENT +-10.
+/// The bounding lines of slanted layers are not level. Throws std::runtime_error if a
+/// certificate does not hold.
 GenerationCost cost_of_layers(int layers, int blocks, bool slanted);
 
 }  // namespace blocks::bench

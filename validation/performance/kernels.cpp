@@ -16,14 +16,16 @@ namespace {
 
 using namespace geometry;
 
-/// A corner near the top of a unit square, its neighbours, and two edges of the square.
+/// A corner near the top of a unit square, its neighbour corners, and two edges of the
+/// square.
 struct Case {
   Vec2 corner, before, after, centroid, p1, p2, q2;
 };
 
 constexpr int cases = 1024;
 
-/// above: where the corner is over the top, [L]; zero: a tie that no filter decides.
+/// Makes cases with the corner between `low` and `high` above the top [L]. 0 is a tie,
+/// which no filter decides.
 std::vector<Case> near_an_edge(double low, double high) {
   const auto uniform = [](int number, std::uint32_t draw, double from, double to) {
     const auto bits =
@@ -40,7 +42,7 @@ std::vector<Case> near_an_edge(double low, double high) {
   return made;
 }
 
-/// Answers `ask` for one case after the other.
+/// Registers a benchmark that calls `ask` for one case after another.
 template <class Ask>
 void add(std::vector<std::string>& names, const std::string& name, std::vector<Case> of,
          Ask ask) {
@@ -55,7 +57,7 @@ void add(std::vector<std::string>& names, const std::string& name, std::vector<C
       });
 }
 
-/// Names, in order.
+/// Registers all benchmarks and returns their names in order.
 std::vector<std::string> register_all() {
   std::vector<std::string> names;
   const auto touching = near_an_edge(-1e-3, 1e-3);

@@ -1,4 +1,4 @@
-// Predicates and the contact law alone, by Google Benchmark.
+// Times predicates and the contact law alone, with Google Benchmark.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace blocks::bench {
 
-/// Nanoseconds of one call of each, the median of so many repetitions of least this
-/// long.
+/// Returns a row for each: nanoseconds per call, the median of `rounds` repetitions of
+/// at least `seconds`.
 std::vector<Row> time_kernels(int rounds, double seconds);
 
 }  // namespace blocks::bench

@@ -1,4 +1,4 @@
-// Construction of the code of 1982, and its search (UPDAT).
+// Construction and search (UPDAT) of the code of 1982.
 #include "linked_list.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace blocks::bench {
 namespace {
 
-/// (4), for the lightest block.
+/// Equation (4) for the lightest block.
 double critical_time_step(const Model& model) {
   const Settings& s = model.settings;
   return s.fraction * 2.0 *

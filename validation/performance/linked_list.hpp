@@ -1,8 +1,8 @@
-// The code of 1982 in C++: contacts as records in linked lists, one list for each
-// block, checked and evaluated corner by corner (report 3.1-3.3, Appendix D: BOX,
-// UPDAT, FORD, MOTION, REBOX), in plain doubles. It is what the program's time loop is
-// measured against, and with the program's rules computes the same (tests/performance).
-// Shares no code with src/dynamics.
+// The code of 1982 in C++ and plain doubles. Each block has a linked list of contacts,
+// which are checked and evaluated corner by corner (report 3.1-3.3, Appendix D: BOX,
+// UPDAT, FORD, MOTION, REBOX). The time loop of the program is compared with it. With
+// the rules of the program it computes the same results (tests/performance). It shares
+// no code with src/dynamics.
 #pragma once
 
 #include <algorithm>
@@ -13,26 +13,26 @@
 
 namespace blocks::bench {
 
-/// How it is decided whether a corner acts on an edge.
+/// The rules that decide whether a corner acts on an edge.
 enum class Checks {
-  report,  ///< (19), between the edge's corners, (20)
-  program  ///< one block against another, without closed joints
+  report,  ///< (19), between the ends of the edge, (20)
+  program  ///< those of the program, without closed joints
 };
 
 class LinkedListCode : public Contestant {
  public:
-  /// Rigid blocks without planes and loads only.
+  /// Returns true for rigid blocks without planes and loads.
   static bool can_step(const Model& model);
 
-  /// Starts from the model's present state, springs of its contacts included. Throws
-  /// std::invalid_argument unless can_step().
+  /// Starts from the present state of the model, including the springs of its contacts.
+  /// Throws std::invalid_argument unless can_step().
   explicit LinkedListCode(const Model& start, Checks checks = Checks::program);
 
   std::string name() const override { return "linked lists of 1982"; }
   double work_per_step() const override { return free_; }  ///< block-steps
   void run(long steps) override;
 
-  /// Corners block by block, as Blocks::corner: [L] (2, m).
+  /// Returns the corners block by block, like Blocks::corner: [L] (2, m).
   Eigen::Matrix2Xd corners() const;
   int acting_contacts() const;
   long searches() const { return searches_; }
@@ -43,20 +43,20 @@ class LinkedListCode : public Contestant {
   struct Corner {
     double x, y;          ///< [L]
     double arm_x, arm_y;  ///< [L] from the centroid
-    int box;              ///< it stands in
+    int box;              ///< box that contains the corner
     int link;             ///< address of the next corner in that box
   };
   struct Block {
     int corners;
     bool fixed;
     bool convex;
-    int contact;                ///< address of the first record against its edges
+    int contact;                ///< address of the first contact of its edges
     double x, y, vx, vy, spin;  ///< centroid, velocity, TDOT
     double fx, fy, moment;
     double applied[4];  ///< sums f_i x_j (9)
     double mass, inertia, area;
   };
-  /// Appendix D. `edge` belongs to the block that holds the list.
+  /// A contact of Appendix D. `edge` belongs to the block that has the list.
   struct Contact {
     int edge;             ///< NPE
     int corner;           ///< NPC

@@ -9,7 +9,7 @@
 namespace blocks::bench {
 namespace {
 
-constexpr double slack = 1e-6;                         // of an edge's length
+constexpr double slack = 1e-6;  // relative to the length of an edge
 constexpr double sin_minus_10 = -0.17364817766693035;  // (20)
 constexpr double inadmissible = std::numeric_limits<double>::infinity();
 
@@ -40,7 +40,7 @@ void LinkedListCode::contact_forces() {
     }
 }
 
-/// The checks of report 3.3, with slack (docs/departures.md#between).
+/// Applies the checks of report 3.3, with slack (docs/departures.md#between).
 bool LinkedListCode::touches(int b, const Contact& record) const {
   const Corner &c = corner(record.block, record.corner), &p1 = corner(b, record.edge),
                &p2 = corner(b, after(b, record.edge));
@@ -69,7 +69,7 @@ bool LinkedListCode::touches_nearest(int b, const Contact& record) const {
   return true;
 }
 
-/// Behind all edges, up to the slack.
+/// Is the corner behind all edges, up to the slack?
 bool LinkedListCode::inside(int b, const Corner& c) const {
   for (int edge = 0; edge < blocks_[b].corners; ++edge) {
     const Corner &p1 = corner(b, edge), &p2 = corner(b, after(b, edge));
@@ -80,8 +80,8 @@ bool LinkedListCode::inside(int b, const Corner& c) const {
   return true;
 }
 
-/// Overlap of a corner with an edge; infinite where it is not below the limit or the
-/// checks of 3.3 exclude it.
+/// Returns the overlap of a corner with an edge. It is infinite if it is not below the
+/// limit or if the checks of 3.3 exclude it.
 double LinkedListCode::admissible_depth(int b, int edge, int other, int k,
                                         double limit) const {
   const Corner &c = corner(other, k), &p1 = corner(b, edge),
@@ -93,17 +93,18 @@ double LinkedListCode::admissible_depth(int b, int edge, int other, int k,
   const double depth = wx * sine - wy * cosine, along = wx * cosine + wy * sine;
   if (!(depth < limit))
     return inadmissible;
-  // between the corners of the edge; of a convex block that is asked as a whole
+  // The corner must be between the ends of the edge. For a convex block, `inside` has
+  // tested all edges.
   if (!blocks_[b].convex && (depth < -slack * length || along < -slack * length ||
                              along > (1.0 + slack) * length))
     return inadmissible;
-  // not deeper than the centroid
+  // The corner must not be deeper than the centroid.
   if (depth > (blocks_[b].x - p1.x) * sine - (blocks_[b].y - p1.y) * cosine)
     return inadmissible;
   return faces(sine, cosine, other, k) ? depth : inadmissible;
 }
 
-/// (20), for both edges of the corner.
+/// Applies (20) to both edges of the corner.
 bool LinkedListCode::faces(double sine, double cosine, int other, int k) const {
   const Corner& c = corner(other, k);
   for (const int neighbour : {before(other, k), after(other, k)}) {
@@ -127,7 +128,7 @@ void LinkedListCode::act(int b, Contact& record) {
   record.y = c.y;
   record.overlap = (c.x - p1.x) * record.sine - (c.y - p1.y) * record.cosine;
 
-  // velocity of the corner against the edge
+  // The velocity of the corner relative to the edge.
   const double x1 = record.x - one.x, y1 = record.y - one.y;
   const double x2 = record.x - two.x, y2 = record.y - two.y;
   const double vx = (one.vx - one.spin * y1) - (two.vx - two.spin * y2);
@@ -135,13 +136,13 @@ void LinkedListCode::act(int b, Contact& record) {
   const double closing = vx * record.sine - vy * record.cosine;
   const double sliding = vx * record.cosine + vy * record.sine;
 
-  // (16)-(18)
+  // Equations (16) to (18).
   const double mass = one.fixed   ? two.mass
                       : two.fixed ? one.mass
                                   : one.mass * two.mass / (one.mass + two.mass);
   const double damping =
       2.0 * settings_.damping * std::sqrt(settings_.normal_stiffness * mass);
-  double share = 1.0;  // of the step in which the contact began
+  double share = 1.0;  // part of the step since the contact began
   if (!record.active && closing * dt_ > record.overlap)
     share = record.overlap / (closing * dt_);
   record.fn =

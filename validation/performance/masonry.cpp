@@ -36,7 +36,7 @@ Model masonry(const std::string& title, const std::vector<NewBlock>& blocks,
   s.friction = 0.6;
   s.gravity = {0, -9.81};
   s.rigid = true;
-  // so soft that contacts limit the time step of deformable blocks, too
+  // So soft that contacts limit the time step of deformable blocks too.
   s.materials[1] = {4e9, 1.6e9, rock_density};
   model.blocks.append(blocks);
   return model;

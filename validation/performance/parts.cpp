@@ -16,7 +16,7 @@
 namespace blocks::bench {
 namespace {
 
-/// The search for near pairs of blocks in a wall, again and again.
+/// Repeats the search for near pairs of blocks in a wall.
 class Search : public Contestant {
  public:
   explicit Search(int power) : model_(wall_of_power(power)) {

@@ -8,14 +8,14 @@
 
 namespace blocks::bench {
 
-/// How much is run.
+/// The extent of the benchmark.
 struct Plan {
   int rounds = 5;
-  double seconds = 0.2;  ///< least length of a code's turn
-  int smallest = 3;      ///< power of ten of blocks
+  double seconds = 0.2;  ///< minimum length of a turn of a code
+  int smallest = 3;      ///< exponent: 10^3 blocks
   int largest = 6;
   int polygons = 1000;
-  bool whole_decks = true;  ///< else: their first tenth of a second
+  bool whole_decks = true;  ///< false: only their first tenth of a second
 };
 
 struct Part {
@@ -24,10 +24,10 @@ struct Part {
   bool scenes = false;  ///< its rows are scenes in a state
 };
 
-/// In the order of the report.
+/// Returns all parts in the order of the report.
 const std::vector<Part>& parts();
 
-/// Says on standard error what is running.
+/// Prints on standard error what is running.
 void announce(const std::string& what);
 
 void run_wall(const Plan& plan, Report& report);

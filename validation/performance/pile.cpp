@@ -12,14 +12,14 @@ namespace {
 
 constexpr int layers = 10;
 
-/// Uniform in [low, high), for draw `draw` of polygon `number`.
+/// Returns a uniform number in [low, high) for draw `draw` of polygon `number`.
 double uniform(int number, std::uint32_t draw, double low, double high) {
   const auto bits =
       geometry::random_53_bits({1982, 0}, static_cast<std::uint64_t>(number), draw, 0);
   return low + (high - low) * static_cast<double>(bits) * 0x1p-53;
 }
 
-/// Corners on a circle at uneven angles: convex whatever the angles are.
+/// Returns a polygon with corners on a circle at irregular angles. It is always convex.
 geometry::Polygon polygon(int number, const Vec2& centre) {
   const int corners = 4 + static_cast<int>(uniform(number, 0, 0, 5));
   const double radius = uniform(number, 1, 0.4, 0.5);

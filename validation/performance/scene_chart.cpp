@@ -32,7 +32,8 @@ constexpr std::array phases{Phase{"decisions", &Phases::decisions, {0.00, 0.36, 
                             Phase{"motion", &Phases::motion, {0.66, 0.73, 0.62}},
                             Phase{"search", &Phases::search, {0.85, 0.66, 0.25}}};
 
-/// This is a code beside the program; its mark has so many corners, 0 means a circle.
+/// A code that is compared with the program, and the number of corners of its mark; 0
+/// is a circle.
 struct Other {
   const char* legend;
   const char* code;
@@ -94,7 +95,7 @@ class SceneDrawing {
  private:
   static constexpr double bars_left = 330, bars_right = 700;
   static constexpr double marks_left = 750, marks_right = 1170;
-  // Bars longer than so many medians are cut: one slow scene would hide the others.
+  // Bars longer than this many medians are cut, so one slow scene does not hide others.
   static constexpr double longest_bar = 3.0;
 
   const Row* find(const Row& row, const Other& other) const {
@@ -223,7 +224,7 @@ class SceneDrawing {
   double bottom_;
   double most_ = 0.0;  ///< end of the axis of the bars, nanoseconds
   double least_ratio_ = 0.4, most_ratio_ = 12.0;
-  std::string scene_;  ///< of the row above
+  std::string scene_;  ///< scene of the row above
 };
 
 }  // namespace

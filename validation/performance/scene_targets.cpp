@@ -8,11 +8,11 @@
 namespace blocks::bench {
 namespace {
 
-/// Box2D v3 cannot be installed beside 2.4.1. On the same wall, measured side by side,
-/// it did `v3_over_2_4` times the iterations of 2.4.1 in the same time.
+/// A target against Box2D v3, which cannot be installed beside 2.4.1. Measured on the
+/// same wall, v3 made `v3_over_2_4` times as many iterations per time as 2.4.1.
 struct Box2dTarget {
   int power;
-  double times_v3;  ///< So many block-steps shall cost as much as a body-substep of v3.
+  double times_v3;  ///< block-steps for the cost of one body-substep of v3
   double v3_over_2_4;
 };
 constexpr Box2dTarget box2d_targets[] = {{3, 1.8, 3.5}, {4, 2.5, 3.3}, {5, 8.0, 11.0}};

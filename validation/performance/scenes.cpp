@@ -15,11 +15,11 @@
 namespace blocks::bench {
 namespace {
 
-constexpr long batch = 100;  // So many steps pass between two looks at the time.
+constexpr long batch = 100;  // steps between two tests of the time
 
 // At a FRACTION of 0.1 and half of critical damping a wall never comes to rest.
 constexpr double chatter_fraction = 0.1;
-// Bricks meet within so many steps; later they settle.
+// The bricks meet within this many steps and settle later.
 constexpr long wall_steps = 100;
 // [L/T] The first velocity of a brick is at most this; a larger one opens joints.
 constexpr double kick = 0.02;
@@ -29,18 +29,18 @@ constexpr double pile_time = 1.5;
 // [T] The pile changes little in this time; it is nearly at rest after 2.
 constexpr double pile_window = 0.1;
 
-// The layers settle on the floor in so many steps.
+// The layers settle on the floor within this many steps.
 constexpr long slope_steps = 1000;
 // [T] The slope gains 0.8 [L/T] in this time.
 constexpr double slope_window = 0.5;
 
-constexpr double blast_window = 0.01;  // [T] The deck's pressure ends then.
+constexpr double blast_window = 0.01;  // [T] end of the pressure of the deck
 
-// [T] The roof falls fastest from then on, for the time of the window.
+// [T] The roof falls fastest from this time on, for the length of the window.
 constexpr double cave_in_time = 0.6;
 constexpr double cave_in_window = 0.2;
 
-/// Makes all bricks rattle at once; otherwise the weight has to reach them first.
+/// Makes all bricks move at once. Otherwise the weight would have to reach them first.
 void kick_bricks(Blocks& blocks) {
   for (int b = 0; b < blocks.size(); ++b)
     for (int axis = 0; axis < 2 && blocks.is_free(b); ++axis) {

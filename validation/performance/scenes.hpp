@@ -1,5 +1,4 @@
-// This header lists the scenes of the benchmark, each in the state in which it is
-// timed.
+// The scenes of the benchmark, each in the state in which it is timed.
 #pragma once
 
 #include <string>
@@ -10,14 +9,14 @@ namespace blocks::bench {
 
 struct Scene {
   std::string part, name, state;
-  Model start;        ///< It may be rigid or not: it is timed both ways.
-  long steps = 0;     ///< At least so many steps are made before the timing.
-  double time = 0.0;  ///< [T] The timing does not begin earlier.
-  /// [T] The program and the linked lists start over after that time; 0 means never.
+  Model start;        ///< rigid or not: it is timed both ways
+  long steps = 0;     ///< minimum number of steps before the timing
+  double time = 0.0;  ///< [T] earliest time of the timing
+  /// [T] The program and the linked lists restart after this time; 0: never.
   double window = 0.0;
 };
 
-/// Returns the scene's model at the moment when the timing begins.
+/// Returns the model of the scene when the timing begins.
 Model advanced(const Scene& scene, bool rigid);
 
 constexpr const char* calm_state = "calm";
@@ -26,17 +25,17 @@ constexpr const char* chatter_state = "chatter";
 /// Returns the name of the wall of 10^power bricks: "wall, 10,000 bricks".
 std::string wall_name(int power);
 
-/// With FRACTION 0.025 the bricks settle, and hardly a contact begins or ends.
+/// With FRACTION 0.025 the bricks settle, and contacts hardly begin or end.
 Scene calm_wall(int power);
-/// With FRACTION 0.1 the step is too long for the dashpots, so the bricks rattle on.
+/// With FRACTION 0.1 the step is too long for the dashpots, so the bricks never settle.
 Scene chattering_wall(int power);
 /// The polygons have fallen on one another and settle.
 Scene settling_pile(int polygons);
 /// Layers of bricks slide on an inclined floor and on each other.
 Scene slope_scene();
-/// The crater deck runs from its start until the blast ends.
+/// The crater deck is timed from its start until the blast ends.
 Scene crater_scene();
-/// The subsidence deck runs in the middle of the cave-in.
+/// The subsidence deck is timed in the middle of the cave-in.
 Scene subsidence_scene();
 
 }  // namespace blocks::bench

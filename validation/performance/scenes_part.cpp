@@ -1,5 +1,4 @@
-// The scenes are timed against other codes, and walls of several sizes against each
-// other.
+// Times the scenes against other codes, and walls of several sizes against each other.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -15,11 +14,11 @@
 namespace blocks::bench {
 namespace {
 
-// Other codes step at most 10^5 bricks: they would take minutes for more.
+// Other codes step at most 10^5 bricks, because more would take minutes.
 constexpr int largest_compared = 5;
-// Steps before the timing of the largest wall: chatter has begun.
+// Steps before the timing of the largest wall. By then chatter has begun.
 constexpr long million_steps = 40;
-constexpr long million_turn = 2;  // A turn of the largest wall has so many steps.
+constexpr long million_turn = 2;  // steps in a turn of the largest wall
 
 void add_chatter_target(const std::string& scene, const Ratio& ratio, Report& report) {
   report.targets.push_back({scene + ": cost of a chattering block over a calm one",
@@ -34,8 +33,8 @@ void compare_states(const Plan& plan, const Scene& calm, const Scene& chatter,
   add_chatter_target(calm.name, ratio(times[0], times[1]), report);
 }
 
-/// Times a wall so large that only the program steps it, calm and chattering, beside
-/// 10,000 bricks in the same steps.
+/// Times a wall that only the program can step in reasonable time, calm and chattering,
+/// together with 10,000 bricks in the same steps.
 void compare_sizes(const Plan& plan, int power, Report& report) {
   constexpr int small = 4;
   std::vector<Scene> scenes{calm_wall(small), calm_wall(power), chattering_wall(small),

@@ -13,14 +13,14 @@ constexpr double angle = 20.0 * std::numbers::pi / 180.0;
 constexpr int layers = 4;
 // The layers have 280, 260, 240 and 220 bricks.
 constexpr int longest = 280, shorter = 20;
-constexpr double height = 0.5;  // [L] A layer is as high as this.
-// [L] A layer begins so far down the one below and ends as far before its end, for it
-// slides. The half makes a running bond.
+constexpr double height = 0.5;  // [L] height of a layer
+// [L] A layer begins this far behind the start of the one below and ends as far before
+// its end, because it slides. The half makes a running bond.
 constexpr double shift = 10.5;
-// [L] The floor has pieces of this length, before and after the bricks, too.
+// [L] Length of a piece of the floor, and of the floor before and after the bricks.
 constexpr double piece = 20.0, before = 20.0, after = 500.0;
 
-/// Inclines an upright block. The floor ends at y = 0 and begins at x = 0.
+/// Inclines an upright block. The floor starts at x = 0 and ends at y = 0.
 NewBlock inclined(NewBlock block) {
   const double fall = (longest + after) * std::sin(angle);
   for (Vec2& p : block.outline)

@@ -20,9 +20,9 @@ double wall_seconds() {
       .count();
 }
 
-/// So many steps that a turn takes `seconds`, the caches being warm.
+/// Returns the number of steps for which a turn takes `seconds` with warm caches.
 long steps_for(Contestant& code, double seconds) {
-  code.run(1);  // makes its lists
+  code.run(1);  // The first step builds the lists.
   for (long steps = 1;; steps *= 2) {
     const double taken = seconds_of_run(code, steps);
     if (taken >= 0.25 * seconds)

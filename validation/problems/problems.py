@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """Validation problems: problems.py PROGRAM [NAME...] [--quick] [--report] [--kept].
 
-Runs the check of each problem (or of those named; --quick: of those that take about a second, and
-`blocks check` on all decks) and prints one line per row of its table. With
---report figures and results are written beside the problems, and REPORT.md and REPORT.html, from
-these results and the kept ones of the others, above them; rows carry the program that measured
-them. --kept: runs nothing, says which kept results are of another program.
+Runs the check of each problem, or of those named, and prints one line per row of its table. With
+--quick it runs the problems that take about a second, and `blocks check` on all decks. With
+--report it writes figures and results into the folders of the problems, and REPORT.md and
+REPORT.html above them from these results and the kept ones of the others. Rows carry the program
+that measured them. With --kept it runs nothing and lists the kept results of another program.
 
-Exit code 4 if a row misses that is not in known_misses.json of its problem, or by other values than
-these (with --kept: if a result is of another program), 1 if a deck does not run.
+The exit code is 4 if a row misses that is not in known_misses.json of its problem, or misses by
+other values; with --kept, if a result is of another program. It is 1 if a deck does not run.
 """
 
 import argparse
@@ -30,12 +30,12 @@ from suite import program as programs  # noqa: E402
 from suite import report  # noqa: E402
 from suite.case import Case, Row, RunFailed  # noqa: E402
 
-# in the order of the report: from one block to many
+# The order of the report: from one block to many.
 ORDER = (HERE / "order.txt").read_text().split()
 
 
 def load(name):
-    """check.py of a problem: check(case), and LENGTH, "quick" or "long"."""
+    """Loads check.py of a problem: check(case), and LENGTH, "quick" or "long"."""
     spec = importlib.util.spec_from_file_location(f"check_{name}", HERE / name / "check.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -43,9 +43,9 @@ def load(name):
 
 
 def solve(name, program, write):
-    """Rows and figures of one problem; rows None if a deck did not run, those so far in
-    "before". A check that does not come to its end, as its deck gives what it cannot evaluate,
-    misses: a row says so after those it has."""
+    """Runs the check of one problem and returns its rows and figures. If a deck does not run,
+    "rows" is None and "before" has the rows until then. If the check raises an exception, because
+    it cannot evaluate the results of its deck, a further row says so and misses."""
     with tempfile.TemporaryDirectory() as scratch:
         case = Case(HERE / name, program, Path(scratch), HERE / name if write else None)
         try:
@@ -54,7 +54,7 @@ def solve(name, program, write):
         except RunFailed as fault:
             return {"problem": name, "rows": None, "fault": str(fault),
                     "before": [row.as_dict() for row in case.rows]}
-        except Exception as fault:  # one problem, whatever it is, does not cost the others
+        except Exception as fault:  # The other problems must run in any case.
             traceback.print_exc()
             case.same("the check comes to its end", "yes", f"no: {type(fault).__name__}: {fault}",
                       "a check evaluates every answer, the wrong ones too")
@@ -64,9 +64,9 @@ def solve(name, program, write):
 
 
 def explain(name, rows):
-    """Gives rows that miss, as they are known to, the reason that stands in known_misses.json:
-    {quantity: {"between": [least, most], "why": why}}. A miss beyond these values is a new one, and
-    so is a known miss that no row has: rows for these."""
+    """Adds to known misses their reason from known_misses.json:
+    {quantity: {"between": [least, most], "why": why}}. A miss outside these values is new. Returns
+    a row that misses for each entry without a row."""
     path = HERE / name / "known_misses.json"
     known = json.loads(path.read_text()) if path.exists() else {}
     for row in rows:
@@ -86,7 +86,7 @@ def explain(name, rows):
 
 
 def check_decks(program):
-    """Decks that `blocks check` refuses, with what it says."""
+    """Returns the decks that `blocks check` refuses, with its messages."""
     decks = sorted(HERE.glob("*/*.deck"))
     assert len(decks) > 20, decks
     outcomes = [(deck, subprocess.run([program, "check", deck], text=True, capture_output=True,
@@ -145,7 +145,7 @@ def main():
 
 
 def tell_kept(who, kept):
-    """Prints which kept results the report has, and whose; how many are of other numerics."""
+    """Prints the kept results and their programs. Returns how many have other numerics."""
     print(f"this program: {programs.told(who)}")
     others = 0
     for result in kept:
@@ -158,15 +158,15 @@ def tell_kept(who, kept):
 
 
 def kept_results():
-    """What result.json of the problems say, in the order of the report."""
+    """Returns the contents of result.json of the problems, in the order of the report."""
     paths = [HERE / name / "result.json" for name in ORDER]
     return [json.loads(path.read_text()) for path in paths if path.exists()]
 
 
 def write_report(results, who):
-    """Keeps these results, and writes the report from all that are kept."""
+    """Keeps these results and writes the report of all kept results."""
     for result in results:
-        if result["rows"] is None:  # or the report would go on saying what once held
+        if result["rows"] is None:  # Otherwise the report would show an older result.
             row = Row("every deck runs", "yes", "no", "", "",
                       "; ".join(result["fault"].split("\n")), False)
             result = {"problem": result["problem"], "rows": [*result["before"], row.as_dict()],

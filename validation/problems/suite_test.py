@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The judge is judged: verdicts, fits and turned decks of suite/."""
+"""Tests of suite/: verdicts, fits and turned decks."""
 
 import contextlib
 import io
@@ -72,7 +72,7 @@ def test_known_misses():
 
 
 def test_wrong_answers_are_misses():
-    """A limit outside its bracket, and a check that its deck's answer breaks."""
+    """A limit outside its bracket, and a check that raises an exception, are misses."""
     assert math.isnan(bisect(lambda v: v < 3, 0, 2, 1e-6))
     assert math.isnan(bisect(lambda v: v < -1, 0, 2, 1e-6))
     with tempfile.TemporaryDirectory() as folder:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The counts in docs/reliability.md, taken from the reports of the runs beside this file.
-counts.py: writes them; counts.py --check: exit 4 when they are others."""
+"""Copies the counts of the reports in this folder to docs/reliability.md. With --check it changes
+nothing and exits with 4 if the page has other counts."""
 
 import re
 import sys
@@ -14,12 +14,12 @@ WHAT = [("FUZZ", "any bytes, by libFuzzer"), ("SANITIZERS", "every test under th
 
 
 def table(text):
-    """Rows of the first table of a page, without head."""
+    """Returns the rows of the first table of a page, without its head."""
     return [line for line in text.splitlines() if line.startswith("|")][2:]
 
 
 def paragraphs(text):
-    """Plain paragraphs behind the table."""
+    """Returns the plain paragraphs after the table."""
     return [part.replace("\n", " ") for part in text.strip().split("\n\n")
             if not part.startswith(("|", "#", "-", "Written by"))]
 
@@ -54,7 +54,7 @@ def main():
     wanted = before + BEGIN + "\n" + counts() + "\n" + END + after
     if sys.argv[1:] == ["--check"]:
         if wanted != text:
-            print("docs/reliability.md holds other counts than the reports: run "
+            print("docs/reliability.md has other counts than the reports: run "
                   "validation/reliability/counts.py", file=sys.stderr)
             return 4
         return 0

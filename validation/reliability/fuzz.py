@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""libFuzzer on every reader for so many executions, with the address and
-undefined-behaviour sanitizers: fuzz.py BUILD REPORT [TARGET[=EXECUTIONS]...].
+"""Runs libFuzzer on every reader, with the address and undefined-behaviour sanitizers.
 
-BUILD: of the fuzz preset. REPORT: the page without its ending; rows of targets that are
-not run stay as they are, and executions with the same sources add up. Inputs found are kept in
-BUILD/../found/TARGET and are where the next run begins.
+fuzz.py BUILD REPORT [TARGET[=EXECUTIONS]...]: BUILD is a build folder of the fuzz preset, REPORT
+the page without its ending. Rows of targets that do not run stay as they are, and executions of
+the same sources add up.
+fuzz.py BUILD REPORT --seconds N TARGET...: runs each target for N seconds, prints the output of
+libFuzzer and writes no page.
+The inputs that it finds are kept in BUILD/../found/TARGET, where the next run continues.
 """
 
+import argparse
 import re
 import subprocess
 import sys
@@ -18,8 +21,8 @@ SOURCE = Path(__file__).resolve().parents[2]
 CORPUS = SOURCE / "tests/corpus"
 DICTIONARY = [f"-dict={SOURCE}/tests/fuzz/deck.dict"]
 
-# target: what it reads, executions, folders of first inputs, options. HDF5 does not
-# survive every damaged file of results, so each of these has a process of its own.
+# Each target: what it reads, the number of executions, folders of first inputs, options.
+# HDF5 does not survive every damaged results file, so each of these runs in its own process.
 TARGETS = {
     "mesh": ("READ9's meshes", 5000000, [SOURCE / "tests/data/mesh", CORPUS / "fuzz/mesh"],
              []),
@@ -32,7 +35,7 @@ TARGETS = {
     "checkpoint": ("checkpoints, sealed anew", 5000, [], []),
     "results": ("results", 5000, [], []),
 }
-# What a reader is made of, where it is not the whole program.
+# The sources of each reader that does not need the whole program.
 READER = {"mesh": ["src/deck", "geometry"], "deck": ["src/deck", "geometry"],
           "wkt": ["src/deck", "src/exchange", "geometry"],
           "geojson": ["src/deck", "src/exchange", "geometry"]}
@@ -44,37 +47,61 @@ HEAD = ["# Fuzzing", "",
         "|---|---|---|---|---|---|"]
 
 
-def fuzz(build, name, executions):
-    """Executions made, inputs kept, faults found."""
-    reads, _, folders, options = TARGETS[name]
+def parse_targets(words):
+    """Maps each target to its executions, from words TARGET or TARGET=EXECUTIONS; all targets if
+    there are no words. Ends the program if a target does not exist or a number is not one."""
+    asked = {}
+    for word in words or TARGETS:
+        name, _, executions = word.partition("=")
+        if name not in TARGETS:
+            fail(f"there is no target {name}; the targets are {', '.join(TARGETS)}")
+        if executions and not executions.isdigit():
+            fail(f"{word}: {executions} is not a number of executions")
+        asked[name] = int(executions or TARGETS[name][1])
+    return asked
+
+
+def fail(message):
+    print(f"fuzz.py: error: {message}", file=sys.stderr)
+    sys.exit(2)
+
+
+def command_of(build, name, limit):
+    """Returns the command that runs a target up to a limit, and makes the folders it needs."""
+    _, _, folders, options = TARGETS[name]
     found = build.parent / "found" / name
     seeds = build.parent / "found/seeds" / name
     faults = build.parent / "found/crash" / name
     for folder in (found, seeds, faults):
         folder.mkdir(parents=True, exist_ok=True)
-    print(f"{name}: {reads}", flush=True)
-    run = subprocess.run(
-        [build / f"tests/fuzz/fuzz_{name}", f"-runs={executions}", "-timeout=60",
-         "-rss_limit_mb=4096", "-print_final_stats=1", f"-artifact_prefix={faults}/",
-         *options, found, seeds, *folders],
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=build, check=False)
-    told = run.stdout.decode(errors="replace")
-    (build.parent / "found" / f"{name}.log").write_text(told)
-    stats = dict(re.findall(r"stat::(\w+):\s+(\d+)", told))
+    return [build / f"tests/fuzz/fuzz_{name}", limit, "-timeout=60", "-rss_limit_mb=4096",
+            "-print_final_stats=1", f"-artifact_prefix={faults}/", *options, found, seeds,
+            *folders]
+
+
+def fuzz(build, name, executions):
+    """Runs a target; returns the executions made, the inputs kept and the exit code."""
+    print(f"{name}: {TARGETS[name][0]}", flush=True)
+    run = subprocess.run(command_of(build, name, f"-runs={executions}"), cwd=build, check=False,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    output = run.stdout.decode(errors="replace")
+    found = build.parent / "found"
+    (found / f"{name}.log").write_text(output)
+    stats = dict(re.findall(r"stat::(\w+):\s+(\d+)", output))
     made = int(stats.get("number_of_executed_units", 0))
-    kept = sum(1 for _ in found.iterdir())
+    kept = sum(1 for _ in (found / name).iterdir())
     print(f"  {made:,} executions, exit {run.returncode}", flush=True)
     return made, kept, run.returncode
 
 
 def rows_of(page):
-    """Target to row of an earlier page."""
+    """Maps each target to its row of an earlier page."""
     lines = page.read_text().splitlines() if page.exists() else []
     return {line.split("`")[1]: line for line in lines if line.startswith("| `")}
 
 
 def row(name, made, kept, code, earlier):
-    """With the executions of an earlier row of the same sources."""
+    """Returns a row of the page; executions of an earlier row with the same sources are added."""
     sources = version.sources(READER.get(name, ["src", "geometry"]))
     clean = code == 0
     if earlier and sources in earlier:
@@ -89,19 +116,24 @@ def executions_of(line):
 
 
 def main():
-    build, page = Path(sys.argv[1]).resolve(), Path(sys.argv[2] + ".md")
-    asked = dict((name.split("=") + [None])[:2] for name in sys.argv[3:]) \
-        or dict.fromkeys(TARGETS)
-    if unknown := set(asked) - set(TARGETS):
-        print(f"blocks: error: no target {', '.join(unknown)}; there are "
-              + ", ".join(TARGETS), file=sys.stderr)
-        return 2
+    reader = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    reader.add_argument("build", type=Path)
+    reader.add_argument("report")
+    reader.add_argument("targets", nargs="*")
+    reader.add_argument("--seconds", type=int)
+    arguments = reader.parse_intermixed_args()
+    build, page = arguments.build.resolve(), Path(arguments.report + ".md")
+    asked = parse_targets(arguments.targets)
     if {"checkpoint", "results"} & set(asked):
         subprocess.run([build / "tests/fuzz/fuzz_seeds", build.parent / "found/seeds"],
                        check=True)
     failed = 0
     for name, executions in asked.items():
-        made, kept, code = fuzz(build, name, int(executions or TARGETS[name][1]))
+        if arguments.seconds is not None:
+            command = command_of(build, name, f"-max_total_time={arguments.seconds}")
+            failed += subprocess.run(command, cwd=build, check=False).returncode != 0
+            continue
+        made, kept, code = fuzz(build, name, executions)
         failed += code != 0
         rows = rows_of(page)
         rows[name] = row(name, made, kept, code, rows.get(name))

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Runs the tests of reliability and writes what they counted:
-report.py BUILD REPORT [WORD...]; with words only the rows that hold one, the others stay.
+"""Runs the tests of reliability and writes their counts: report.py BUILD REPORT [WORD...].
 
-BUILD: a build folder with the test programs; REPORT: the page without its ending.
-BLOCKS_THOROUGH in the environment makes the runs long; the page says how long they were.
+BUILD is a build folder with the test programs, REPORT the page without its ending. With words,
+only the rows that contain one of them are measured; the others are kept.
+BLOCKS_THOROUGH in the environment makes the runs long; the page has their lengths.
 """
 
 import json
@@ -16,8 +16,8 @@ from pathlib import Path
 
 import version
 
-# promise, how it is tested, program, filter of its tests, property that is counted (none:
-# the tests themselves), what is counted
+# Promise, how it is tested, program, filter of its tests, property with the count (None: the
+# tests are counted), what is counted.
 TESTS = [
     ("a run stopped anywhere and resumed leaves the bits of the straight run",
      "every deck of `decks/`, at length of `validation/` and `tests/` too, stopped at "
@@ -55,7 +55,7 @@ TESTS = [
      "up to 4 changes", "reliability/reliability_tests", "Mutants.*", "tried", "decks"),
 ]
 
-# target, options, inputs of a short and of a thorough run, folders
+# Target, options, inputs of a short and of a thorough run, folders.
 FUZZ = [
     ("deck", [], 2000, 50000, ["tests/corpus/bad", "decks"]),
     ("run", [], 200, 10000, ["decks/every_card", "tests/corpus/fuzz/run"]),
@@ -69,7 +69,7 @@ FUZZ = [
 
 
 def run_tests(program, wanted):
-    """Outcome of the wanted tests, as gtest tells it."""
+    """Runs the wanted tests and returns their outcomes as reported by gtest."""
     with tempfile.TemporaryDirectory() as folder:
         told = Path(folder) / "told.json"
         subprocess.run([program, f"--gtest_filter={wanted}", f"--gtest_output=json:{told}"],
@@ -81,7 +81,7 @@ def run_tests(program, wanted):
 
 
 def name_of(test):
-    """Of a row: the filter of its tests."""
+    """Returns the name of a row: the filter of its tests."""
     return test[3].strip("*").rstrip(".")
 
 
@@ -90,7 +90,7 @@ def asked_for(text):
 
 
 def earlier_rows(page):
-    """Name to row of the page as it is."""
+    """Maps each name to its row of the existing page."""
     rows = {}
     for line in page.read_text().splitlines():
         if line.startswith("| ") and "`" in line:

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""The same bits from every compiler, level of optimisation, number of threads and
-instruction set: builds the program with each compiler at each level, runs ten decks and
-compares the hashes of their last states.
+"""Tests that every compiler, level of optimisation, number of threads and instruction set gives
+the same bits. Builds the program with each compiler at each level, runs ten decks and compares the
+hashes of their last states.
 
-BUILDS: a folder for the builds, used again. REPORT: the page without its ending.
---program NAME=PATH: a program that is already there, too.
---quick: one build only, that differs most from the usual one, a quarter of the steps,
-one and two threads.
+BUILDS: a folder for the builds, which is reused. REPORT: the page without its ending.
+--program NAME=PATH: also runs an existing program.
+--quick: one build only, which differs most from the usual one, a quarter of the steps, one and two
+threads.
 """
 
 import argparse
@@ -22,8 +22,8 @@ import version
 
 SOURCE = Path(__file__).resolve().parents[2]
 
-# Decks and the most steps of each: those of many blocks are what threads share, and
-# what takes a minute a run at -O0 beyond these.
+# The decks and the maximum number of steps of each. The decks of many blocks use all threads;
+# more steps of them would take more than a minute per run at -O0.
 DECKS = {
     "decks/bounce/bounce.deck": 20000,
     "decks/sliding/sliding.deck": 20000,
@@ -49,7 +49,7 @@ def fail(message):
 
 
 def built(folder, compiler, level):
-    """The program of this compiler at this level."""
+    """Builds the program with this compiler at this level and returns its path."""
     if shutil.which(compiler) is None:
         fail(f"no {compiler} on this machine (packages.txt names it)")
     build = folder / f"{compiler}-{level}"
@@ -68,7 +68,8 @@ def built(folder, compiler, level):
 
 
 def hash_of(program, deck, steps, threads=1, simd=None):
-    """Of the last state; None: this machine has no such instruction set."""
+    """Runs a deck; returns the steps and the hash of the last state, or None if this machine does
+    not have the instruction set."""
     environment = dict(os.environ)
     environment.pop("BLOCKS_SIMD", None)
     if simd:
@@ -88,7 +89,7 @@ def hash_of(program, deck, steps, threads=1, simd=None):
 
 
 def variants(program, deck):
-    """Name and hash of each way to run the deck with one program."""
+    """Yields the name and the hash of each way to run the deck with one program."""
     steps = DECKS[deck]
     for threads in THREADS:
         yield f"-j {threads}", hash_of(program, deck, steps, threads)

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Every test under a sanitizer, and the reports counted that any process wrote:
-sanitizers.py KIND BUILD REPORT [ctest options]. KIND: asan (address, undefined) or tsan.
+"""Runs every test under a sanitizer and counts the reports of all processes:
+sanitizers.py KIND BUILD REPORT [ctest options]. KIND is asan (address, undefined) or tsan.
 
-BUILD: a build of that kind. REPORT: the page without its ending; the row of the other kind
-stays as it is. A report of a child process is found even where its exit code is not looked
-at: sanitizers write to files.
+BUILD is a build of that kind, REPORT the page without its ending. The row of the other kind stays
+as it is. The sanitizers write to files, so reports of child processes are found even if a test
+ignores their exit codes.
 """
 
 import os
@@ -20,14 +20,14 @@ import version
 LEAKS = Path(__file__).resolve().parent / "leaks.supp"
 KINDS = {"asan": "address and undefined behaviour", "tsan": "threads"}
 HEAD = ["# Every test under the sanitizers", "",
-        "Written by `./go asan` and `./go tsan`; do not edit. Reports are counted from all "
+        "Written by `./go validate asan` and `./go validate tsan`; do not edit. Reports are counted from all "
         "processes, also those that a test starts.", "",
         "| sanitizer | tests passed | of | not run | reports | minutes | run with |",
         "|---|---|---|---|---|---|---|"]
 
 
 def environment(reports):
-    """Options of every sanitizer, behind those of the user."""
+    """Returns the environment with the options of every sanitizer, followed by those of the user."""
     options = {"ASAN_OPTIONS": "verify_asan_link_order=0", "UBSAN_OPTIONS":
                "print_stacktrace=1", "TSAN_OPTIONS": "",
                "LSAN_OPTIONS": f"print_suppressions=0:suppressions={LEAKS}"}
@@ -39,7 +39,7 @@ def environment(reports):
 
 
 def told_by(command, environment):
-    """What the command prints, shown while it runs."""
+    """Runs the command, prints its output as it appears, and returns it."""
     with subprocess.Popen(command, env=environment, text=True, errors="replace",
                           stdout=subprocess.PIPE) as run:
         lines = []

@@ -1,5 +1,5 @@
-// Many steps of the 850 blocks of decks/subsidence without output: is every number
-// finite, is the energy bounded, do blocks at rest stay where they are?
+// Runs many steps of the 850 blocks of decks/subsidence without output. Is every number
+// finite, is the energy bounded, and do blocks at rest remain at rest?
 #include <algorithm>
 #include <vector>
 
@@ -9,9 +9,9 @@ namespace {
 
 using blocks::Blocks;
 using blocks::Model;
-using blocks::long_run::text;
+using blocks::long_run::format_text;
 
-/// Kinetic energy and that of the weight, per unit thickness.
+/// Kinetic and gravitational energy per unit thickness.
 double energy(const Model& model) {
   const Blocks& b = model.blocks;
   double sum = 0.0;
@@ -22,50 +22,53 @@ double energy(const Model& model) {
   return sum;
 }
 
-/// How far the centroids of the free blocks moved, the least first.
-std::vector<double> moved(const Blocks& b, const Eigen::Matrix2Xd& before) {
-  std::vector<double> way;
+/// Returns the distances that the centroids of the free blocks moved, in ascending
+/// order.
+std::vector<double> distances_moved(const Blocks& b, const Eigen::Matrix2Xd& before) {
+  std::vector<double> distance;
   for (int k = 0; k < b.size(); ++k)
     if (b.is_free(k))
-      way.push_back((b.centroid.col(k) - before.col(k)).norm());
-  std::sort(way.begin(), way.end());
-  return way;
+      distance.push_back((b.centroid.col(k) - before.col(k)).norm());
+  std::sort(distance.begin(), distance.end());
+  return distance;
 }
 
-class Soak : public blocks::long_run::Watch {
+class Soak : public blocks::long_run::Observer {
  public:
   void start(const Model& model) override {
     start_ = energy(model);
     before_ = model.blocks.centroid;
   }
 
-  std::string row(long step, const Model& model,
-                  const blocks::dynamics::StepResult&) override {
+  std::string make_row(long step, const Model& model,
+                       const blocks::dynamics::StepResult&) override {
     const double above = energy(model) - start_;
     highest_ = std::max(highest_, above);
-    const auto way = moved(model.blocks, before_);
+    const auto distance = distances_moved(model.blocks, before_);
     before_ = model.blocks.centroid;
     before_last_ = last_;
-    highest_way_ = std::max(highest_way_, way.back());
-    last_ = way[way.size() * 9 / 10];
-    return text("| %ld | %.3f | %.3e | %.1e | %.1e | %.1e | %.2e |\n", step, model.time,
-                above, way[way.size() / 2], last_, way.back(), model.worst_overlap);
+    largest_distance_ = std::max(largest_distance_, distance.back());
+    last_ = distance[distance.size() * 9 / 10];
+    return format_text("| %ld | %.3f | %.3e | %.1e | %.1e | %.1e | %.2e |\n", step,
+                       model.time, above, distance[distance.size() / 2], last_,
+                       distance.back(), model.worst_overlap);
   }
 
-  blocks::long_run::Verdict verdict(long steps, const Model& model) const override {
-    const bool bounded = highest_ <= 0.0;             // falling blocks only lose
-    const bool quiet = last_ <= 1e-6 * highest_way_;  // of the way they fell at most
-    return {text("%ld steps of %d blocks, %.1f of time: every position finite, energy "
-                 "%s what it was at the start, and nine in ten of the blocks moved by "
-                 "at most %.1e in the last twentieth (%.1e in the one before).\n",
-                 steps, model.blocks.size(), model.time,
-                 bounded ? "never above" : "**above**", last_, before_last_),
+  blocks::long_run::Verdict judge(long steps, const Model& model) const override {
+    const bool bounded = highest_ <= 0.0;  // Falling blocks only lose energy.
+    const bool quiet = last_ <= 1e-6 * largest_distance_;  // Compared with their fall.
+    return {format_text(
+                "%ld steps of %d blocks, %.1f of time: every position finite, energy "
+                "%s what it was at the start, and nine in ten of the blocks moved by "
+                "at most %.1e in the last twentieth (%.1e in the one before).\n",
+                steps, model.blocks.size(), model.time,
+                bounded ? "never above" : "**above**", last_, before_last_),
             bounded && quiet};
   }
 
  private:
   double start_ = 0.0, highest_ = 0.0, before_last_ = 0.0, last_ = 0.0;
-  double highest_way_ = 0.0;
+  double largest_distance_ = 0.0;
   Eigen::Matrix2Xd before_;
 };
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What a report was run with, in one sentence that stays true: version of the program,
-hashes of the sources by content (git rev-parse HEAD:src), day, processor."""
+"""Describes what a report was run with in one sentence: version of the program, hashes of the
+contents of the sources (git rev-parse HEAD:src), day and number of cores."""
 
 import os
 import re
@@ -18,7 +18,7 @@ def git(*words):
 
 
 def sources(folders=("src", "geometry")):
-    """blocks 1.0.0 (src 1a2b3c4, geometry 5d6e7f8); without hashes outside of git."""
+    """Returns "blocks 1.0.0 (src 1a2b3c4, geometry 5d6e7f8)", without hashes outside of git."""
     version = re.search(r"project\(blocks VERSION ([\d.]+)",
                         (SOURCE / "CMakeLists.txt").read_text())[1]
     trees = [(folder, git("rev-parse", "--short=7", f"HEAD:{folder}"))

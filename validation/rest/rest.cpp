@@ -1,5 +1,5 @@
-// Does a wall at rest stay at rest? Runs a deck without output for many steps and
-// tells how its kinetic energy and its corners went.
+// Does a wall at rest stay at rest? Runs many steps of a deck without output and
+// reports the kinetic energy and the movement of the corners.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace {
 
 using blocks::Model;
-using blocks::long_run::text;
+using blocks::long_run::format_text;
 
 double kinetic_energy(const blocks::Blocks& b) {
   double energy = 0.0;
@@ -18,36 +18,38 @@ double kinetic_energy(const blocks::Blocks& b) {
   return energy;
 }
 
-/// Energy of all acting springs pressed by the rounding of the largest coordinate, u
-/// |x|: less cannot be told from rest.
+/// The energy of all acting springs if each is compressed by the rounding error of the
+/// largest coordinate, u |x|. A smaller kinetic energy cannot be distinguished from
+/// rest.
 double energy_of_rounding(const Model& model) {
   const double rounding = 0x1p-53 * model.blocks.corner.cwiseAbs().maxCoeff();
   return 0.5 * model.settings.normal_stiffness * rounding * rounding *
          static_cast<double>(model.contacts.size());
 }
 
-class Rest : public blocks::long_run::Watch {
+class Rest : public blocks::long_run::Observer {
  public:
   void start(const Model& model) override { before_ = model.blocks.corner; }
 
-  std::string row(long step, const Model& model,
-                  const blocks::dynamics::StepResult& made) override {
+  std::string make_row(long step, const Model& model,
+                       const blocks::dynamics::StepResult& result) override {
     energy_ = kinetic_energy(model.blocks);
     rounding_ = energy_of_rounding(model);
     drift_ = (model.blocks.corner - before_).colwise().norm().maxCoeff();
     before_ = model.blocks.corner;
-    return text("| %ld | %.2e | %.1e | %.1e | %.1e | %ld | %ld |\n", step, energy_,
-                rounding_, made.largest, drift_, model.contacts.size(),
-                model.search.updates);
+    return format_text("| %ld | %.2e | %.1e | %.1e | %.1e | %ld | %ld |\n", step,
+                       energy_, rounding_, result.largest, drift_,
+                       model.contacts.size(), model.search.updates);
   }
 
-  blocks::long_run::Verdict verdict(long steps, const Model&) const override {
+  blocks::long_run::Verdict judge(long steps, const Model&) const override {
     const bool quiet = energy_ <= rounding_;
-    return {text("At the end the kinetic energy is %.2e, %s the energy of rounding "
-                 "%.1e; the corners moved by up to %.1e in the last %ld steps.\n",
-                 energy_, quiet ? "at most" : "above", rounding_, drift_,
-                 steps / blocks::long_run::rows),
-            quiet};
+    return {
+        format_text("At the end the kinetic energy is %.2e, %s the energy of rounding "
+                    "%.1e; the corners moved by up to %.1e in the last %ld steps.\n",
+                    energy_, quiet ? "at most" : "above", rounding_, drift_,
+                    steps / blocks::long_run::row_count),
+        quiet};
   }
 
  private:

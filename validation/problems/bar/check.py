@@ -16,7 +16,7 @@ def modulus(stiffness, length=1.0, c11=C11):
 
 
 def held(stiffness, c12=4e9):
-    """Modulus of a block between planes that give by s22 / K, blocks of 1 m x 1 m."""
+    """Modulus of a block of 1 m x 1 m between planes that yield by s22 / K."""
     return C11 - c12 ** 2 / stiffness / (1 + C11 / stiffness)
 
 
@@ -25,7 +25,7 @@ STRAIGHT = "MATERIAL, 1, 1.2E10, 6.E9, 2500"  # nu = 0, the same C11
 
 def speed(case, stiffness, rise, blocks=60, material=STRAIGHT, smooth=True,
           fraction=0.02, time=None, pressure=P):
-    """By the times at which blocks 6 m to 36 m along the bar reach half the pressure."""
+    """Wave speed from the times when blocks 6 m to 36 m along the bar reach half the pressure."""
     text = with_lines(case.text("decks/wave/wave.deck"), PLOTS="PLOTS, 5E-5", MATERIAL=material,
                       FRACTION=f"FRACTION, {fraction}",
                       STIFF=f"STIFF, {stiffness:g}, {stiffness:g}",
@@ -87,7 +87,7 @@ def check(case):
 
 
 def chain_speed(hertz, stiffness, length):
-    """Phase speed in a chain of deformable blocks, exactly: 1 / (4 K) = 4 sin^2(q/2) / (rho l w^2) -
+    """Exact phase speed in a chain of deformable blocks: 1 / (4 K) = 4 sin^2(q/2) / (rho l w^2) -
     l cos^2(q/2) / (C11 - rho l^2 w^2 / 4), solved for sin^2(q/2)."""
     w = 2 * pi * hertz
     give = length / (C11 - RHO * length ** 2 * w ** 2 / 4)
@@ -96,8 +96,8 @@ def chain_speed(hertz, stiffness, length):
 
 
 def phase_speed(run, hertz, length):
-    """By the phases of what the stress gains from frame to frame in blocks 6 m to 36 m along the bar,
-    until something comes back from its end."""
+    """Phase speeds from the phases of the stress increments in blocks 6 m to 36 m along the bar,
+    until the reflection from its end arrives."""
     numbers = [b for b in range(1, run.blocks + 1) if 5.5 <= (b - 0.5) * length <= 36]
     window = run.times < 0.035
     t = 0.5 * (run.times[window][1:] + run.times[window][:-1])
@@ -108,7 +108,7 @@ def phase_speed(run, hertz, length):
 
 
 def dispersion(case):
-    """Phase speeds of one pulse, in blocks of three lengths whose joints give alike per metre."""
+    """Phase speeds of one pulse in blocks of three lengths, with equal joint compliance per metre."""
     exact = sqrt(modulus(2e11) / RHO)
     lengths, hertz = np.array([1.0, 0.5, 0.25]), np.array([50, 100, 150, 200, 250, 300])
     chart = Chart("Phase speed over that of the bar, K l = 2e11 N/m", "frequency, Hz",

@@ -35,7 +35,7 @@ def check(case):
         chart.ours(damping, ours, how)
     case.chart(chart)
 
-    # the error depends on where within a step a square first touches: sixteen of them
+    # The error depends on where within a step a square first touches, so there are sixteen.
     fractions, exact = (0.08, 0.04, 0.02, 0.01, 0.005), restitution(0.2 * math.sqrt(2))
     errors = []
     for fraction in fractions:

@@ -12,8 +12,8 @@ CHARGE = 3.0  # depth of the bottom of the charge, m
 
 
 def crater(run):
-    """Half width and depth of what has risen by more than 0.25 m; height of the highest block;
-    number of risen blocks; largest x of a risen corner, by level."""
+    """Returns, for blocks that have risen by more than 0.25 m: half width, depth, height of the
+    highest block, number of blocks, and largest x of a corner by level."""
     way = (run.all("Centroid")[-1] - run.all("Centroid")[0])[:, 1]
     width, depth, rim = 0.0, 0.0, {}
     for block in run.free():
@@ -35,7 +35,7 @@ def spread(values, unit):
 
 
 def with_charge(text, factor):
-    """The deck with pressures and initial velocities times this factor."""
+    """Returns the deck with pressures and initial velocities multiplied by this factor."""
     def scaled(match):
         words = match[0].split(",")
         return ",".join(words[:3] + [f" {factor * float(word):g}" for word in words[3:]])

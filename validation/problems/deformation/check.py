@@ -36,7 +36,7 @@ def check(case):
         flat, upright = corner[2] - corner[0], corner[1] - corner[3]
         angle.append(np.arccos(flat @ upright / np.linalg.norm(flat) / np.linalg.norm(upright)))
     stress = run.of("Stress", 1)[run.times > 0.2].mean(axis=0)
-    # sides 1 and 3 face the upper left and the lower right: pressed there, sigma12 > 0
+    # Sides 1 and 3 face the upper left and the lower right. Pressure on them gives sigma12 > 0.
     case.equal("pure shear: angle between the diagonals, less than a right angle by", P / G,
                np.pi / 2 - np.mean(angle), 1e-3, because, "rad")
     case.equal("pure shear: sigma12", P, stress[1], 1e-3, because, "Pa")

@@ -7,15 +7,15 @@ from suite.numbers import order, slope
 
 LENGTH = "long"
 MU, G, SPEED = 0.4, 10.0, 10.0
-# deck, turned by, stiffness, way
+# deck, angle of the frame, stiffness, direction
 SCENES = (("fixed", 0, 1e7, 1), ("fixed", 33, 1e7, 1), ("fixed", 0, 1e7, -1),
           ("free", 0, 1e9, 1), ("free", 0, 1e9, -1), ("free", 0, 1e8, 1), ("free", 0, 1e8, -1),
           ("free", 33, 1e8, 1), ("free", 33, 1e8, -1), ("free", 0, 1e7, 1), ("free", 0, 1e7, -1))
 
 
 def scene(text, stiffness, way, beside=0.0):
-    """The deck with this stiffness; to the left the box starts 10 m farther to the right. It starts
-    flush with a joint, or that far beside it."""
+    """Returns the deck with this stiffness. A box that moves to the left starts 10 m farther to the
+    right. It starts flush with a joint, or this far beside it."""
     text = text.replace("1.E7", f"{stiffness:g}")
     assert "0, 0, 1, 1\n0, 1, 1, 0" in text and "SETVEL, 1, 0, 10, 0, 0" in text
     left = beside + (0 if way > 0 else 10)
@@ -24,8 +24,8 @@ def scene(text, stiffness, way, beside=0.0):
 
 
 def losses(case, stiffness, beside, fraction=0.02):
-    """What the box has lost of its speed 0.02 s after its start, beyond mu g t, in frames turned by
-    six angles and both ways [m/s]."""
+    """Returns the speed that the box has lost 0.02 s after its start, beyond mu g t, in frames
+    turned by six angles and in both directions [m/s]."""
     frames = [(7 + 60.37 * k, way) for k in range(6) for way in (1, -1)]
     decks = [turned(with_lines(scene(case.text("free.deck"), stiffness, way, beside), PLOTS="PLOTS, 0.02",
                                FRACTION=f"FRACTION, {fraction}").replace("MOTION, 1\nSTOP", "MOTION, 0.1\nSTOP"),
@@ -40,7 +40,7 @@ def losses(case, stiffness, beside, fraction=0.02):
 
 
 def starts(case):
-    """Rows: a box that starts flush with a joint, and one that starts beside it."""
+    """Adds rows for a box that starts flush with a joint and one that starts beside it."""
     for stiffness in (1e8, 1e9):
         for beside, where in ((0.3, "0.3 m beside a joint"), (0.0, "flush with a joint")):
             lost = losses(case, stiffness, beside)
@@ -56,7 +56,7 @@ def starts(case):
 
 def check(case):
     chart = Chart("A box on a floor of boxes", "time, s", "speed, m/s")
-    hops = {}  # of free boxes, by stiffness
+    hops = {}  # hops of free boxes by stiffness
     heights = Chart("Its height less that at the start, of W / (2 K)", "way, m", "height")
     for deck, angle, stiffness, way in SCENES:
         run = case.run(deck, text=turned(scene(case.text(deck + ".deck"), stiffness, way), angle))

@@ -15,7 +15,7 @@ HEIGHT = {n: 4.0 * n if n <= 10 else 40.0 - 6 * (n - 10) for n in range(1, 17)}
 
 
 def equilibrium(phi):
-    """Forces P_(n-1) below columns 16 ... 1, and how each column gives way."""
+    """Returns the forces P_(n-1) below columns 16 ... 1, and how each column fails."""
     force, mode, above = {}, {}, 0.0
     for n in range(16, 0, -1):
         y, weight = HEIGHT[n], HEIGHT[n] * WIDTH * UNIT
@@ -26,7 +26,8 @@ def equilibrium(phi):
             topple = (above * (m - WIDTH * t) +
                       weight / 2 * (y * sin(DIP) - WIDTH * cos(DIP))) / low
         slide = above - weight * (cos(DIP) * t - sin(DIP)) / (1 - t * t)
-        # the lowest column lacks the lever L, so it slides; the others do what needs more support
+        # The lowest column has no lever arm L, so it slides. The others fail in the way that
+        # needs more support.
         below = max(topple, slide) if n > 1 else slide
         mode[n] = "stands" if below <= 0 and n > 1 else "topples" if topple > slide else "slides"
         above = force[n] = below if n == 1 else max(below, 0.0)
@@ -34,7 +35,7 @@ def equilibrium(phi):
 
 
 def between(run, frame):
-    """Normal force of column n on column n - 1, of all n."""
+    """Returns the normal force of column n on column n - 1 for all n."""
     contacts = run.contacts(frame)
     pair = np.sort([contacts["CornerBlock"], contacts["EdgeBlock"]], axis=0)
     return {n: contacts["NormalForce"][(pair[0] == n - 1) & (pair[1] == n)].sum()
@@ -42,7 +43,7 @@ def between(run, frame):
 
 
 def slips(run, frame, friction):
-    """Whether friction between all columns is as large as it can get, to 1/1000."""
+    """Is friction between all columns fully mobilised, to 1/1000?"""
     contacts = run.contacts(frame)
     free = np.maximum(contacts["CornerBlock"], contacts["EdgeBlock"]) <= 13
     return np.all(np.abs(contacts["ShearForce"][free]) >=
@@ -50,14 +51,14 @@ def slips(run, frame, friction):
 
 
 def at_no_rotation(run, turn, low, high):
-    """These forces led back to no rotation, by a line through those at turns from low to high."""
+    """Extrapolates the forces to no rotation by a line through those at rotations low to high."""
     frames = np.nonzero((turn >= low) & (turn <= high))[0]
     forces = [between(run, k) for k in frames]
     return {n: np.polyfit(turn[frames], [one[n] for one in forces], 1)[1] for n in range(2, 14)}
 
 
 def observed(run):
-    """How each column gives way, when column 13 has turned by 0.02 rad."""
+    """Returns how each column fails when column 13 has turned by 0.02 rad."""
     start = np.searchsorted(run.times, 8.0)
     turn = np.abs(run.all("Angle") - run.all("Angle")[start])
     now = np.argmax(turn[:, 12] > 0.02)
@@ -71,7 +72,7 @@ def observed(run):
 
 
 def classes(mode):
-    """Column by column, from the toe: s(lides), t(opples), stands as -."""
+    """Returns one letter per column from the toe: s slides, t topples, - is stable."""
     short = {"slides": "s", "topples": "t", "stands": "-", "creeps": "?"}
     return " ".join(f"{short[mode[n]]}{n}" for n in range(1, 17))
 

@@ -8,15 +8,15 @@ from suite.chart import Chart
 from suite.deck import polygon, with_lines
 
 LENGTH = "long"
-K, MASS, RATIO = 1e8, 2000.0, 4.0  # contacts of a joint over those of the soft one
-POINTS, LIGHT, WIDE = 4, 0.01, 0.25  # more points in series: their mass over that of a block, width
+K, MASS, RATIO = 1e8, 2000.0, 4.0  # number of contacts of a joint relative to the soft one
+POINTS, LIGHT, WIDE = 4, 0.01, 0.25  # more points in series: number, relative mass, width
 
 
 def softer(text):
-    """The deck with light blocks that end in points before the one that has a point."""
+    """Returns the deck with light pointed blocks in front of the pointed one."""
     away = POINTS * WIDE
     outline = [(x, y) for x, y in ((0, 0.5), (0.05, 1), (WIDE, 1), (WIDE, 0), (0.05, 0))]
-    density = LIGHT * 2000 / (WIDE - 0.025)  # their area is that of the box less two triangles
+    density = LIGHT * 2000 / (WIDE - 0.025)  # Their area is that of the box minus two triangles.
     head, tail = text.split("$ block 101")
     rest, squares = tail.split("CLOOP, 99, 1, 0")
     links = "".join(polygon([(100 + k * WIDE + x, y) for x, y in outline], material=2)
@@ -48,7 +48,7 @@ def transmission(q, springs, masses):
     forward = np.exp(1j * q)
     matrix = np.zeros((count + 2, count + 2), complex)
     right = np.zeros(count + 2, complex)
-    # in: exp(iqn), back: r exp(-iqn), n <= 0; through: t exp(iqn), n >= 0
+    # incoming: exp(iqn), reflected: r exp(-iqn), n <= 0; transmitted: t exp(iqn), n >= 0
     matrix[0, 0] = -MASS * w2 + chain * (1 - forward) + springs[0]
     right[0] = -(-MASS * w2 + chain * (1 - 1 / forward) + springs[0])
     matrix[0, 1] = -springs[0]
@@ -63,8 +63,8 @@ def transmission(q, springs, masses):
 
 
 def passing(case, deck, block=115, text=None):
-    """Times and velocity after the pulse was given, less those of a run without the pulse, in which
-    the chain still swings as a whole."""
+    """Returns times and velocity after the pulse starts, minus the velocity of a run without the
+    pulse, in which the chain still oscillates as a whole."""
     text = text or case.text(deck)
     before, after = text.split("$ a pulse")
     still = before + "$" + "".join(line for line in after.splitlines(True) if "SETVEL" not in line)
@@ -75,7 +75,7 @@ def passing(case, deck, block=115, text=None):
 
 
 def spectrum(t, v, w):
-    """Of frequencies w, over the window; it begins and ends with rest."""
+    """Spectrum at the frequencies w over the window, which begins and ends at rest."""
     window = t < 0.36
     return np.abs(np.exp(-1j * np.outer(w, t[window])) @ v[window])
 

@@ -9,14 +9,14 @@ MIDDLE = 15  # the block of the lowest bed at x = 0
 
 
 def deflection(run):
-    """Times after the roof is let go and deflection of its middle."""
+    """Returns the times after the roof is released and the deflection of its middle."""
     begin = np.searchsorted(run.times, 8.0)
     y = run.of("Centroid", MIDDLE)[:, 1]
     return run.times[begin:] - run.times[begin], y[begin] - y[begin:]
 
 
 def caving(t, w):
-    """Deflection where the speed is three times that of the first second."""
+    """Returns the deflection when the speed is three times that of the first second."""
     speed = np.gradient(w, t)
     first = w[np.searchsorted(t, 1.0)] / 1.0
     fast = np.nonzero((speed > 3 * first) & (t > 1))[0]

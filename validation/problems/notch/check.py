@@ -13,14 +13,14 @@ STUCK = 4 * K
 RETURN = 4 * K * sin(TH) * (sin(TH) - MU * cos(TH))
 
 
-# a joint of which a part slips: contacts on treads, on facets at 45 degrees
+# A joint that slips in part: contacts on treads, and on facets at 45 degrees.
 TREADS, FACETS, FRICTION = 20, 12, 0.28674538575
-# the published crack: GPa, m, GPa/m
+# The published crack: GPa, m, GPa/m.
 HEIGHT, WIDTH, MODULUS, JOINT, LENGTH_OF_JOINT = 2, 1, 88.9, 220, 2 ** 0.5
 
 
 def part_slips(mu):
-    """N/m: the block gives way sideways by r of its displacement, which treads carry."""
+    """Stiffness in N/m: the block moves sideways by r of its displacement, against the treads."""
     r = FACETS * (1 - mu) / (2 * TREADS)
     return K * (TREADS + FACETS * (1 + mu) / (2 * (1 + r)))
 
@@ -50,8 +50,8 @@ def check(case):
     t, u = run.times, 1e3 * (run.of("Centroid", 3)[0, 1] - run.of("Centroid", 3)[:, 1])
     force = 1e6 * np.minimum(t, 8 - t) / 4
     most = 1e6 / LOADING * 1e3
-    # unloading: stuck until the friction of mu N has turned round, at the force F where
-    # F = RETURN u and F = 1e6 - STUCK (most - u)
+    # On unloading it sticks until the friction mu N is reversed, at the force F where
+    # F = RETURN u and F = 1e6 - STUCK (most - u).
     turn = (STUCK * most / 1e3 - 1e6) / (STUCK - RETURN) * 1e3
     because = "swings of the wedge on its springs"
     up = (t > 0.4) & (t < 3.8)

@@ -22,7 +22,7 @@ def check(case):
     case.equal(f"box: W / (2 K) = {box:g} m, {over}", 0,
                worst(box, lambda run: run.overlap(2, 1)), 1e-7, because, absolute=True)
     weight = RHO * G * 0.54
-    lean = weight / K * np.array([7, 5]) / 12  # corner 1 stands left, corner 3 right
+    lean = weight / K * np.array([7, 5]) / 12  # Corner 1 is on the left, corner 3 on the right.
     case.equal(f"triangle: 7/12 and 5/12 of W / K, {over}", 0,
                worst(lean, lambda run: run.overlap(3, 1)), 1e-3,
                "the triangle leans by its own overlaps, 1e-4", absolute=True)

@@ -1,4 +1,4 @@
-"""Times between impacts and loss of spin in them, against rigid-body theory for any angle."""
+"""Times between impacts and their loss of spin, against rigid-body theory for any angle."""
 
 from math import acos, acosh, atan, cos, hypot, sin, sqrt
 
@@ -14,8 +14,8 @@ DEAD = 4.0  # DAMPING of an impact that does not rebound
 
 
 def rock(case, b, stiffness=1e9, damping=DEAD, time=1.2, fraction=0.00125, tilt=0.5):
-    """A column of half sizes b and 1, let go at this part of its angle of stability: the run, and
-    the angles."""
+    """Runs a column of half sizes b and 1, released at this part of its angle of stability. Returns
+    the run and the angles."""
     start = tilt * atan(b)
     c, s = cos(start), sin(start)
     text = case.text("rocking.deck")
@@ -29,7 +29,7 @@ def rock(case, b, stiffness=1e9, damping=DEAD, time=1.2, fraction=0.00125, tilt=
 
 
 def quarter(b, start):
-    """Exact time between this angle, at rest, and 0, by the middle rule in x: th = start (1 - x^2)."""
+    """Exact time from rest at this angle to 0, by the midpoint rule in x: th = start (1 - x^2)."""
     a, p2 = atan(b), 0.75 * G / hypot(b, 1)
     x = (np.arange(100000) + 0.5) / 100000
     spin = np.sqrt(2 * p2 * (np.cos(a - start) - np.cos(a - start * (1 - x * x))))
@@ -37,18 +37,18 @@ def quarter(b, start):
 
 
 def kept(b):
-    """Exact spin after / before an impact that neither slips nor rebounds."""
+    """Exact spin after / before an impact without slip and rebound."""
     return 1 - 1.5 * sin(atan(b)) ** 2
 
 
 def ratio(b, angle):
-    """The same, measured: by the greatest angles before and after it."""
+    """The measured ratio, from the largest angles before and after the impact."""
     a = atan(b)
     return sqrt((cos(a + angle.min()) - cos(a)) / (cos(a - angle[0]) - cos(a)))
 
 
 def times(case):
-    """Rows and figures of the times; the run of the slender column."""
+    """Adds rows and figures of the times. Returns the run of the slender column."""
     a = atan(0.2)
     run, angle = rock(case, 0.2, 1e10, time=1.5)
     first = first_time(run.times, -angle, 0.0)
@@ -95,7 +95,7 @@ def times(case):
 
 
 def impacts(case):
-    """Rows and figure of the loss of spin."""
+    """Adds rows and the figure of the loss of spin."""
     chart = Chart("Spin after / before the impact: distance from 1 - 1.5 sin^2 a",
                   "stiffness, N/m per m", "distance", log="xy")
     for b in (0.1, 0.2, 0.25, 0.5):

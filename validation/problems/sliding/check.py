@@ -13,8 +13,8 @@ PSI, G = radians(40), 10.0
 def check(case):
     deck = case.text("sliding.deck")
     square = deck.replace("0, 5, 5, 0", "0, 10, 10, 0")
-    # settled with much friction first: a block put down at once slides a little while it settles,
-    # and at 40.1 degrees friction takes minutes to stop it
+    # The block first settles with much friction. Otherwise it slides a little while it settles, and
+    # at 40.1 degrees friction takes minutes to stop it.
     run = case.run("square", text=with_lines(
         square, FRICTN="FRICTN, 2",
         MOTION=f"MOTION, 5\nFRICTN, {tan(radians(40.1)):.15g}\nMOTION, 20"))

@@ -11,15 +11,15 @@ SEEDS = (1, 2, 3, 4, 5)
 
 
 def with_panel(text, half):
-    """Coal from x = half on, in blocks of about the same width."""
+    """Returns the deck with coal from x = half on, in blocks of about the same width."""
     blocks = round((100 - half) / 70 * 32)
-    text = text.replace("OUTPUT, 2, 3, 100, 850", "OUTPUT, 2, 3")  # there may be fewer blocks
+    text = text.replace("OUTPUT, 2, 3, 100, 850", "OUTPUT, 2, 3")  # There may be fewer blocks.
     return text.replace("START, 850", "START, 900").replace(
         "LAYER, -32, 2, 30,0, 30,2,", f"LAYER, -{blocks}, 2, {half},0, {half},2,")
 
 
 def measure(run):
-    """x, subsidence less that of the far field, and what the far field has sunk."""
+    """Returns x, the subsidence minus that of the far field, and that of the far field."""
     x, s = trough.surface(run, 49.9)
     far = np.median(s[x > 70])
     return x, s - far, far
@@ -95,7 +95,7 @@ def check(case):
 
     short = ("--set", "MOTION.dt=0.3")
     per_step = {"rigid": [], "deformable": []}
-    for _ in range(3):  # in turn, so that a busy machine slows both
+    for _ in range(3):  # In turn, so that a busy machine slows both.
         for kind, deck in (("rigid", text), ("deformable", text.replace("\nRIGID\n", "\n"))):
             run = case.run(kind, *short, text=deck)
             per_step[kind].append(run.processor_seconds / run.summary["steps"])

@@ -1,1 +1,1 @@
-"""Runs decks, compares what they give with answers known beforehand, writes the report."""
+"""Runs decks, compares the results with known answers and writes the report."""

@@ -1,4 +1,4 @@
-"""One problem at work: its check runs decks, adds rows to the table and draws figures."""
+"""What the check of a problem uses to run decks, add rows to the table and draw figures."""
 
 import itertools
 import math
@@ -14,16 +14,16 @@ from .results import Results
 
 @dataclass
 class Row:
-    """One line of the table."""
+    """A row of the table."""
     quantity: str
     expected: str
     ours: str
     error: str
     tolerance: str
     reason: str
-    holds: bool | None  # None: nothing known to compare with
-    note: str = ""  # why it misses, if that is known (known_misses.json)
-    value: float | None = None  # ours, as a number: what a known miss is held to
+    holds: bool | None  # None: no known answer
+    note: str = ""  # reason of a known miss (known_misses.json)
+    value: float | None = None  # ours as a number, which a known miss limits
 
     def as_dict(self):
         return asdict(self)
@@ -34,7 +34,7 @@ class RunFailed(Exception):
 
 
 def number(value, unit=""):
-    """Six digits, and the unit."""
+    """Formats a value with six digits and its unit."""
     if isinstance(value, float) and (math.isinf(value) or math.isnan(value)):
         return str(value)
     text = f"{value:.6g}"
@@ -42,17 +42,17 @@ def number(value, unit=""):
 
 
 def finite(value):
-    """As JSON knows it: None if it is no number."""
+    """Returns the value for JSON: None if it is not finite."""
     return float(value) if math.isfinite(value) else None
 
 
 def small(value):
-    """An error or a tolerance: two digits."""
+    """Formats an error or a tolerance with two digits."""
     return "0" if value == 0 else f"{value:.2g}"
 
 
 class Case:
-    """What check.py of a problem gets."""
+    """The argument of check() in the check.py of a problem."""
 
     def __init__(self, folder, program, scratch, figures=None):
         self.folder, self.source = folder, folder.parents[2]
@@ -61,12 +61,12 @@ class Case:
         self._count = itertools.count(1)
 
     def text(self, deck):
-        """Text of a deck: beside check.py, or by its path in the repository."""
+        """Returns the text of a deck beside check.py, or of a path in the repository."""
         path = self.source / deck if "/" in deck else self.folder / deck
         return path.read_text()
 
     def run(self, deck, *options, text=None):
-        """Runs a deck (or the text under that name) on one thread; options as of `blocks run`."""
+        """Runs a deck, or the text in its place, on one thread with options of `blocks run`."""
         stem = self.scratch / f"{Path(deck).stem}_{next(self._count)}"
         path = stem.with_name(stem.name + ".deck")
         path.write_text(self.text(deck) if text is None else text)
@@ -83,14 +83,15 @@ class Case:
         return Results(stem, usage.ru_utime + usage.ru_stime)
 
     def run_all(self, decks):
-        """Runs many, two at a time: (deck, options, text or None) each; results in their order."""
+        """Runs many decks, two at a time, each (deck, options, text or None). Returns the results
+        in the same order."""
         with ThreadPoolExecutor(2) as workers:
             return list(workers.map(lambda one: self.run(one[0], *one[1], text=one[2]), decks))
 
     def equal(self, quantity, expected, ours, within, because, unit="", absolute=False):
-        """A row: |ours - expected| at most `within`, relative unless told absolute."""
+        """Adds a row: |ours - expected| is at most `within`, relative unless absolute."""
         error = abs(ours - expected) if absolute else abs(ours - expected) / abs(expected)
-        holds = bool(error <= within)  # not a number: a miss
+        holds = bool(error <= within)  # False for NaN
         told = unit if absolute else ""
         self.rows.append(Row(quantity, number(expected, unit), number(ours, unit),
                              f"{small(error)} {told}".strip() if absolute else percent(error),
@@ -98,31 +99,31 @@ class Case:
                              because, holds, value=finite(ours)))
 
     def at_most(self, quantity, bound, ours, because, unit=""):
-        """A row: ours is at most the bound."""
+        """Adds a row: ours is at most the bound."""
         self.rows.append(Row(quantity, f"at most {number(bound, unit)}", number(ours, unit), "",
                              "the bound", because, bool(ours <= bound), value=finite(ours)))
 
     def at_least(self, quantity, bound, ours, because, unit=""):
-        """A row: ours is at least the bound."""
+        """Adds a row: ours is at least the bound."""
         self.rows.append(Row(quantity, f"at least {number(bound, unit)}", number(ours, unit), "",
                              "the bound", because, bool(ours >= bound), value=finite(ours)))
 
     def compared(self, quantity, expected, ours, because, unit=""):
-        """A row with an error but no verdict: the expected is of a model that is not ours."""
+        """Adds a row with an error but no verdict: the expected value is of another model."""
         self.rows.append(Row(quantity, number(expected, unit), number(ours, unit),
                              percent(abs(ours / expected - 1)), "none", because, None))
 
     def same(self, quantity, expected, ours, because):
-        """A row: ours is what is expected, in words."""
+        """Adds a row: ours is the expected text."""
         self.rows.append(Row(quantity, expected, ours, "", "the same", because, ours == expected))
 
     def told(self, quantity, ours, because, unit=""):
-        """A row without a verdict: measured, and nothing known to compare with."""
+        """Adds a row without a verdict: a measurement with no known answer."""
         value = ours if isinstance(ours, str) else number(ours, unit)
         self.rows.append(Row(quantity, "", value, "", "", because, None))
 
     def chart(self, chart):
-        """Adds a figure, if figures are wanted: figure.svg, figure2.svg ..."""
+        """Adds a figure: figure.svg, figure2.svg ... Writes it if there is a folder for figures."""
         name = "figure.svg" if not self.charts else f"figure{len(self.charts) + 1}.svg"
         self.charts.append(name)
         if self.figures is not None:
@@ -133,7 +134,7 @@ class Case:
         name = "blocks.png" if "blocks.png" not in self.charts else "blocks2.png"
         self.charts.append(name)
         if self.figures is not None:
-            # by way of scratch: blocks plot keeps the picture that it replaces
+            # The scratch folder is used because blocks plot keeps the picture that it replaces.
             subprocess.run([self.program, "plot", results.path, "-o", self.scratch / name,
                             "--units", "m,kg,s", *map(str, options)], check=True,
                            cwd=self.scratch, capture_output=True, text=True)
@@ -141,5 +142,5 @@ class Case:
 
 
 def percent(share):
-    """0.00123 as 0.12 %, and what is round-off as a power of ten."""
+    """Formats 0.00123 as 0.12 %, and round-off as a power of ten."""
     return f"{small(100 * share)} %" if share >= 1e-6 or share == 0 else f"{share:.1e}"

@@ -1,4 +1,4 @@
-"""A small chart as SVG: lines for what is expected, marks for what is measured."""
+"""A small chart as SVG: lines for expected values, marks for measured ones."""
 
 import math
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ GREY = "#555555"
 
 @dataclass
 class Series:
-    """Points of one curve and how they are drawn."""
+    """The points of one curve and how they are drawn."""
     x: list
     y: list
     label: str
@@ -22,7 +22,7 @@ class Series:
 
 @dataclass
 class Chart:
-    """Title, axes with units in their labels; log: "", "x", "y" or "xy"."""
+    """A chart with a title and labels with units; log is "", "x", "y" or "xy"."""
     title: str
     x_label: str
     y_label: str
@@ -31,18 +31,18 @@ class Chart:
     series: list = field(default_factory=list)
 
     def expected(self, x, y, label="expected", colour=None):
-        """A thin line."""
+        """Adds a thin line."""
         self.series.append(Series(list(x), list(y), label, False, colour or GREY))
         return self
 
     def ours(self, x, y, label="ours", line=False):
-        """Marks, or a thick line where there are many points."""
+        """Adds marks, or a thick line."""
         colour = COLOURS[sum(s.colour in COLOURS for s in self.series) % len(COLOURS)]
         self.series.append(Series(list(x), list(y), label, not line, colour))
         return self
 
     def svg(self):
-        """The picture."""
+        """Returns the chart as SVG."""
         x_axis = Axis([v for s in self.series for v in s.x], "x" in self.log)
         y_axis = Axis([v for s in self.series for v in s.y], "y" in self.log)
         if self.same_scale:
@@ -90,7 +90,7 @@ class Chart:
         return "\n".join([*out, *self._legend(px, py), "</svg>", ""])
 
     def _legend(self, px, py):
-        """At the top or the bottom, where the fewest points lie."""
+        """Draws the legend at the top or the bottom, where the fewest points are."""
         named = [s for s in self.series if s.label]
         if not named:
             return []
@@ -121,7 +121,7 @@ class Chart:
 
 
 class Axis:
-    """From values to shares 0 ... 1, and the places of its ticks."""
+    """Maps values to shares 0 ... 1 and places the ticks."""
 
     def __init__(self, values, log):
         values = [v for v in values if math.isfinite(v) and (v > 0 or not log)]
@@ -133,7 +133,7 @@ class Axis:
         self.low, self.high = low - margin, high + margin
 
     def as_wide_as(self, other, aspect):
-        """The same length for a unit on both, this one `aspect` times as long."""
+        """Gives both axes the same scale; this one is `aspect` times as long."""
         mine, theirs = self.high - self.low, (other.high - other.low) * aspect
         if mine < theirs:
             self.low, self.high = self.low - (theirs - mine) / 2, self.high + (theirs - mine) / 2
@@ -161,5 +161,5 @@ class Axis:
 
 
 def told(value):
-    """A tick: as short as it can be said."""
+    """Formats the value of a tick as briefly as possible."""
     return f"{value:.4g}".replace("e+0", "e").replace("e-0", "e-")

@@ -1,39 +1,40 @@
-"""Decks made from decks: values replaced, the whole scene turned and shifted."""
+"""Makes decks from decks: replaces cards, or turns and shifts the whole scene."""
 
 import math
 import re
 
 
 def polygon(corners, fixed=False, material=1):
-    """CREATE with these corners, clockwise."""
+    """Returns CREATE with these corners, clockwise."""
     xs = ", ".join(f"{x:.15g}" for x, _ in corners)
     ys = ", ".join(f"{y:.15g}" for _, y in corners)
     return f"CREATE, {len(corners)}, {material}, {int(fixed)}\n{xs}\n{ys}\n"
 
 
 def rectangle(left, bottom, right, top, fixed=False, material=1):
-    """CREATE of a rectangle."""
+    """Returns CREATE of a rectangle."""
     return polygon([(left, bottom), (left, top), (right, top), (right, bottom)], fixed, material)
 
 
 def with_lines(text, **lines):
-    """The deck with the card of each keyword replaced: MOTION="MOTION, 3"."""
+    """Returns the deck with the card of each keyword replaced: MOTION="MOTION, 3"."""
     for card, line in lines.items():
         text, count = re.subn(rf"^{card}\b.*$", line, text, flags=re.M)
         assert count, f"the deck has no card {card}"
     return text
 
 
-# cards that say the same in every frame
+# Cards that are the same in every frame.
 FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "BOXES", "FUNCTION",
              "FIX", "FRICTN", "DAMPING", "MERGE", "ORIENT", "PRESSBC", "OUTPUT", "PLOTS", "DUMP",
              "MOTION", "CYCLE", "STOP"}
 
 
 def turned(text, degrees, shift=(0.0, 0.0)):
-    """The deck in a frame turned anticlockwise and then shifted: corners of CREATE and LAYER,
-    CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE; the domain grows around it. ValueError for a card that it
-    cannot turn (READ9, RESTART), or one that goes on on the next line."""
+    """Returns the deck in a frame turned anticlockwise and then shifted. It turns the corners of
+    CREATE and LAYER, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY and SPLANE, and enlarges the
+    domain. Raises ValueError for a card that it cannot turn (READ9, RESTART) or that continues on
+    the next line."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
 
     def turn(x, y, by=(0.0, 0.0)):
@@ -47,13 +48,13 @@ def turned(text, degrees, shift=(0.0, 0.0)):
         return float(word.upper().replace("D", "E")) if word else 0.0
 
     def with_pairs(card, first, pairs, by=(0.0, 0.0)):
-        """The card with the pairs from that field on turned."""
+        """Returns the card with `pairs` pairs, from field `first` on, turned."""
         card = card + [""] * (first - len(card))
         new = [v for k in range(pairs)
                for v in turn(real(card, first + 2 * k), real(card, first + 2 * k + 1), by)]
         return ", ".join([*card[:first], *(f"{v:.15g}" for v in new), *card[first + 2 * pairs:]])
 
-    # field of the first pair, how many pairs, whether they are points
+    # Field of the first pair, number of pairs, and whether they are points.
     pairs = {"CLOOP": (2, 1, False), "GRAVITY": (1, 1, False), "SETVEL": (3, 1, False),
              "SETVELM": (2, 1, False), "FORCE": (2, 1, False), "SPLANE": (1, 2, True), "LAYER": (3, 4, True)}
     lines, out, limits = text.splitlines(), [], []
@@ -66,7 +67,7 @@ def turned(text, degrees, shift=(0.0, 0.0)):
         if name == "CREATE":
             xs, ys = ([float(word) for word in words(lines[at + k])] for k in (0, 1))
             if not len(xs) == len(ys) == int(card[1]):
-                raise ValueError(f"CREATE goes on on a third line: {line}")
+                raise ValueError(f"CREATE continues on a third line: {line}")
             at += 2
             points = [turn(x, y, shift) for x, y in zip(xs, ys)]
             fixed = len(card) > 3 and card[3] not in ("", "0")
@@ -74,14 +75,14 @@ def turned(text, degrees, shift=(0.0, 0.0)):
         elif name in pairs:
             first, count, points = pairs[name]
             if points and len(card) < first + 2 * count:
-                raise ValueError(f"{name} goes on on the next line: {line}")
+                raise ValueError(f"{name} continues on the next line: {line}")
             out.append(with_pairs(card, first, count, shift if points else (0.0, 0.0)))
         elif name in ("XLIMITS", "YLIMITS"):
             limits += [float(word) for word in card[1:]]
             out.append(name)
         elif name in FRAMELESS or not name or re.match(r"[-+.\d]", name):
             out.append(line)
-            if name == "START":  # its title
+            if name == "START":  # The next line is the title.
                 out.append(lines[at])
                 at += 1
         else:

@@ -4,7 +4,7 @@ import numpy as np
 
 
 def slope(x, y):
-    """Of the straight line of least squares."""
+    """Slope of the least-squares line."""
     return np.polyfit(x, y, 1)[0]
 
 
@@ -14,8 +14,8 @@ def order(steps, errors):
 
 
 def bisect(fails, low, high, width):
-    """Where `fails` turns from true (at low) to false (at high), to +-width / 2; not a number if
-    it does not turn between them: a limit that far off misses."""
+    """Returns where `fails` changes from true (at low) to false (at high), to +-width / 2. Returns
+    NaN if it does not change between them, so such a limit misses."""
     if not fails(low) or fails(high):
         return float("nan")
     while high - low > width:
@@ -28,7 +28,7 @@ def bisect(fails, low, high, width):
 
 
 def first_time(times, values, level):
-    """When values first reach a level, linear between frames."""
+    """Returns the time when values first reach a level, linear between frames."""
     reached = np.nonzero(values >= level)[0]
     if len(reached) == 0:
         return float("nan")

@@ -1,4 +1,4 @@
-"""Which program measured: its version, its commit, and a fingerprint of its arithmetic."""
+"""Identifies the program that measured: version, commit and fingerprint of its arithmetic."""
 
 import datetime
 import hashlib
@@ -8,20 +8,20 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-# short, and with all that moves blocks: springs, dashpots, friction, planes, random layers,
-# deformation, pressure, initial velocities
+# Short runs with everything that moves blocks: springs, dashpots, friction, planes, random
+# layers, deformation, pressure, initial velocities.
 RUNS = (("decks/bounce/bounce.deck", "MOTION.dt=0.5"),
         ("decks/sliding/sliding.deck", "MOTION.dt=0.2"),
         ("decks/crater/crater.deck", "MOTION.dt=0.01"),
         ("decks/subsidence/subsidence.deck", "MOTION.dt=0.02"),
         ("validation/problems/joint_wave/joint.deck", "MOTION.dt=0.02"))
-# what a number of the report can depend on
+# The sources on which a number of the report can depend.
 FOLDERS = ("CMakeLists.txt", "geometry", "src/deck", "src/model", "src/dynamics", "src/run")
 
 
 def fingerprint(program, source):
-    """Eight digits from the last bits of five short runs: two programs that share them compute
-    alike, whatever their texts say."""
+    """Returns eight digits from the last bits of five short runs. Two programs with the same
+    digits compute the same results, even if their sources differ."""
     def state(run):
         deck, short = run
         with tempfile.TemporaryDirectory() as scratch:
@@ -36,7 +36,7 @@ def fingerprint(program, source):
 
 
 def commit(source):
-    """The last commit that changed what a number can depend on; + if there is more than it."""
+    """Returns the last commit that changed these sources, with + if there are further changes."""
     def git(*words):
         done = subprocess.run(["git", "-C", source, *words, "--", *FOLDERS], text=True,
                               capture_output=True, check=False)
@@ -50,7 +50,7 @@ def commit(source):
 
 
 def identity(program, source):
-    """All of it, as it is kept with the rows."""
+    """Returns what is kept with the rows."""
     version = subprocess.run([program, "--version"], check=True, text=True, capture_output=True)
     return {"version": version.stdout.strip(), "commit": commit(source),
             "numerics": fingerprint(program, source),
@@ -58,7 +58,7 @@ def identity(program, source):
 
 
 def told(who):
-    """In words; rows of before there were stamps have none."""
+    """Describes the program in words; rows of early reports have none."""
     if not who:
         return "a program not recorded"
     at = f", commit {who['commit']}" if who["commit"] else ""

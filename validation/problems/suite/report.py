@@ -1,4 +1,4 @@
-"""One report from the results of all problems: REPORT.md and REPORT.html."""
+"""Writes one report of the results of all problems: REPORT.md and REPORT.html."""
 
 import base64
 import re
@@ -11,7 +11,7 @@ COLUMNS = ["quantity", "expected", "ours", "error", "tolerance", "reason of the 
 
 
 def verdict(row):
-    """holds, misses, a miss that is known, or nothing where there is nothing to compare with."""
+    """Returns whether a row holds, misses, or misses as known; - if there is no known answer."""
     if row["holds"] is False and row["note"]:
         return "known miss"
     return {True: "holds", False: "MISSES", None: "-"}[row["holds"]]
@@ -28,7 +28,7 @@ def title(readme):
 
 
 def count(results):
-    """A sentence: how many rows hold and miss."""
+    """Returns a sentence with the numbers of rows that hold and miss."""
     rows = [row for result in results for row in result["rows"] if row["holds"] is not None]
     missed = [row for row in rows if not row["holds"]]
     known = sum(bool(row["note"]) for row in missed)
@@ -39,7 +39,7 @@ def count(results):
 
 
 def misses(results):
-    """What misses, and why: (problem, quantity, told)."""
+    """Lists the misses and their reasons: (problem, quantity, text)."""
     return [(title(result["readme"]), row["quantity"],
              f"{row['ours']}, expected {row['expected']}. " +
              (f"Known: {row['note']}" if row["note"] else "New: not explained."))
@@ -47,7 +47,7 @@ def misses(results):
 
 
 def measured_by(results):
-    """A sentence: the program of all rows, or that they are of several."""
+    """Returns a sentence on the program that measured all rows, or on the several that did."""
     by = {}
     for result in results:
         who = result.get("program")
@@ -71,7 +71,7 @@ agree to the last bit in five short runs."""
 
 
 def markdown(results):
-    """The report as Markdown, figures by their paths."""
+    """Returns the report as Markdown, with figures by their paths."""
     out = ["# Validation", "", HEAD, "", measured_by(results), "", count(results), ""]
     out += [f"- **{name}**: {quantity}: {told}" for name, quantity, told in misses(results)] + [""]
     for result in results:
@@ -108,12 +108,12 @@ nav a { display: block; color: #1f6fb2; text-decoration: none; }"""
 
 
 def prose(text):
-    """The little Markdown that our pages use: paragraphs, lists, tables, code, headings."""
+    """Converts the Markdown that our pages use: paragraphs, lists, tables, code, headings."""
     out = []
     for part in re.split(r"\n\s*\n", text.strip()):
         lines = part.splitlines()
         if part.startswith("!["):
-            continue  # figures are shown below the table
+            continue  # Figures are shown below the table.
         if all(line.startswith("    ") for line in lines):
             out.append("<pre>" + escape("\n".join(line[4:] for line in lines)) + "</pre>")
         elif part.startswith("#"):
@@ -150,7 +150,7 @@ def picture(path):
 
 
 def html(results, folder):
-    """The report as one page with everything in it."""
+    """Returns the report as one page that includes everything."""
     out = ['<!DOCTYPE html>', '<html lang="en"><head><meta charset="utf-8">',
            "<title>Validation of BLOCKS</title>", f"<style>{STYLE}</style></head><body>",
            "<h1>Validation of BLOCKS</h1>", f"<p>{words(HEAD)}</p>",

@@ -1,4 +1,4 @@
-"""What a run left: NAME.vtkhdf and NAME.summary.json, blocks by their numbers (1, 2, ...)."""
+"""Reads the output of a run, NAME.vtkhdf and NAME.summary.json. Blocks are numbered from 1."""
 
 import json
 
@@ -10,7 +10,7 @@ class Results:
     """One finished run."""
 
     def __init__(self, stem, processor_seconds):
-        self.processor_seconds = processor_seconds  # of the whole run, files included
+        self.processor_seconds = processor_seconds  # of the whole run, including files
         self.path = stem.with_name(stem.name + ".vtkhdf")
         self.summary = json.loads(stem.with_name(stem.name + ".summary.json").read_text())
         self._file = h5py.File(self.path)
@@ -29,53 +29,53 @@ class Results:
         return self.summary["blocks"]
 
     def all(self, field):
-        """A quantity of all blocks, shape (frames, blocks[, components])."""
+        """Returns a quantity of all blocks, shape (frames, blocks[, components])."""
         if field not in self._data:
-            # rows that do not change are stored once: every frame knows where its rows begin
+            # Rows that do not change are stored once. Every frame has the index of its first row.
             starts = self._vtk["Steps/CellDataOffsets/" + field][:]
             values = self._vtk["CellData/" + field][:]
             self._data[field] = np.array([values[s:s + self.blocks] for s in starts])
         return self._data[field]
 
     def of(self, field, block):
-        """A quantity of one block over the frames."""
+        """Returns a quantity of one block over the frames."""
         return self.all(field)[:, block - 1]
 
     def outline(self, block, frame):
-        """Corners of a block, clockwise, shape (n, 2)."""
+        """Returns the corners of a block, clockwise, shape (n, 2)."""
         start = self._vtk["Steps/PointOffsets"][frame]
         first, last = self._vtk["Offsets"][block - 1], self._vtk["Offsets"][block]
         return self._vtk["Points"][start + first:start + last, :2]
 
     def contacts(self, frame):
-        """Acting contacts of a frame: name to column."""
+        """Returns the acting contacts of a frame as a dictionary of columns."""
         group = self._file["BLOCKS/contacts"]
         start, count = group["Offsets"][frame], group["Counts"][frame]
         return {name: group[name][start:start + count] for name in group
                 if name not in ("Counts", "Offsets")}
 
     def overlap(self, corner_block, edge_block, frame=-1):
-        """Overlaps [L] of corners of one block in another, in the order of corners."""
+        """Returns the overlaps [L] of the corners of one block in another, by corner."""
         found = self.contacts(frame)
         mine = (found["CornerBlock"] == corner_block) & (found["EdgeBlock"] == edge_block)
         return found["Overlap"][mine]
 
     def free(self):
-        """Numbers of the blocks that are free at the end."""
+        """Returns the numbers of the blocks that are free at the end."""
         return [b + 1 for b in range(self.blocks) if not self.all("Fixed")[-1][b]]
 
     def kinetic_energy(self):
-        """Of all free blocks, over the frames [F L]."""
+        """Kinetic energy of all free blocks over the frames [F L]."""
         v, spin = self.all("Velocity"), self.all("Spin")
         mass, inertia = self.all("Mass"), self.all("Inertia")
         return 0.5 * (mass * (v ** 2).sum(axis=2) + inertia * spin ** 2).sum(axis=1)
 
     def momentum(self):
-        """Of all blocks, over the frames, shape (frames, 2)."""
+        """Momentum of all blocks over the frames, shape (frames, 2)."""
         return (self.all("Mass")[:, :, None] * self.all("Velocity")).sum(axis=1)[:, :2]
 
     def angular_momentum(self):
-        """Of all blocks about the origin, over the frames."""
+        """Angular momentum of all blocks about the origin over the frames."""
         x, v = self.all("Centroid"), self.all("Velocity")
         orbit = x[:, :, 0] * v[:, :, 1] - x[:, :, 1] * v[:, :, 0]
         return (self.all("Mass") * orbit + self.all("Inertia") * self.all("Spin")).sum(axis=1)

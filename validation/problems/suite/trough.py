@@ -1,4 +1,4 @@
-"""Subsidence of a surface, and the profile functions it is compared with."""
+"""Subsidence of a surface, and the profile functions for comparison."""
 
 import math
 
@@ -9,8 +9,8 @@ FUNCTIONS = {"error integral": lambda u: ERF(math.sqrt(math.pi) * u), "hyperboli
 
 
 def surface(results, above, frame=-1):
-    """Places x and subsidence s of the upper corners of all blocks that began above this height,
-    from the left; x as at the start."""
+    """Returns the initial x and the subsidence s of the upper corners of all blocks that started
+    above this height, from the left."""
     places = []
     for block in range(1, results.blocks + 1):
         start = results.outline(block, 0)
@@ -22,15 +22,15 @@ def surface(results, above, frame=-1):
 
 
 def profile(name, x, depth, half, length):
-    """Trough over a panel: depth / 2 (f((x + half) / length) - f((x - half) / length)), f being the
-    error integral (Knothe, length = radius of influence) or the hyperbolic tangent."""
+    """Returns the trough over a panel: depth / 2 (f((x + half) / length) - f((x - half) / length)).
+    f is the error integral (Knothe, length = radius of influence) or the hyperbolic tangent."""
     f = FUNCTIONS[name]
     return 0.5 * depth * (f((x + half) / length) - f((x - half) / length))
 
 
 def fit(name, x, s):
-    """Least squares: (depth, half, length) and the root mean square of what is left. Depth is
-    linear; the other two are searched on grids around the best so far."""
+    """Fits by least squares. Returns (depth, half, length) and the root mean square of the
+    residual. Depth is linear; the other two are searched on grids around the best values."""
     best = (math.inf, 0.0, 0.0, 0.0)
     halves, lengths = np.linspace(1, 60, 60), np.linspace(1, 60, 60)
     for _ in range(5):
@@ -48,8 +48,8 @@ def fit(name, x, s):
 
 
 def reach(x, s, level):
-    """Where the subsidence falls below this level for good, linear between places; 0 if it never
-    is as large."""
+    """Returns the last x where the subsidence falls below this level, linear between places, or 0
+    if it never reaches the level."""
     above = np.nonzero(s >= level)[0]
     if len(above) == 0:
         return 0.0

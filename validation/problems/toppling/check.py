@@ -55,5 +55,5 @@ def check(case):
 
 
 def limit(case, stiffness):
-    """Stands below, topples above."""
+    """Is the column stable below the limit and unstable above?"""
     return bisect(lambda angle: not topples(case, angle, stiffness), 21, 22, 0.002)

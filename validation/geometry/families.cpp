@@ -1,11 +1,11 @@
-#include "validation/robustness/families.hpp"
+#include "validation/geometry/families.hpp"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 using geometry::Decimal;
@@ -22,7 +22,7 @@ Decimal decimal(Whole digits, int exponent = 0) {
   return *value;
 }
 
-// Numbers of one layer. (The modulus prefers small results by less than 1e-6.)
+// The random numbers of one layer. The modulus favours small results by less than 1e-6.
 class Draw {
  public:
   Draw(std::uint64_t family, std::uint64_t number) : key_{family, number} {}
@@ -38,12 +38,12 @@ class Draw {
   std::uint64_t next_ = 0;
 };
 
-// A trapezoid with leaning ends in a frame of whole numbers.
+// A trapezoid with inclined ends, in a frame of whole numbers.
 struct Shape {
   Whole length = 0;
   Whole left = 0;  // heights of the two ends
   Whole right = 0;
-  Whole lean_left = 0;  // tops of the ends to the right of their feet
+  Whole lean_left = 0;  // offsets to the right of the tops of the ends
   Whole lean_right = 0;
   Whole along_x = 1;  // direction of the bottom line
   Whole along_y = 0;
@@ -69,7 +69,8 @@ void turn(Shape& shape, Draw& draw) {
   } while (shape.along_x == 0 && shape.along_y == 0);
 }
 
-// Heights of 0.4 to 4 and lengths of 12 to 60 heights, in thousandths.
+// Makes a rectangle with a height of 0.4 to 4 and a length of 12 to 60 heights. One
+// unit is a thousandth.
 Shape plain_shape(Draw& draw) {
   Shape s;
   s.exponent = -3;
@@ -90,7 +91,7 @@ void angles(LayerRequest& request, Draw& draw, Whole millidegrees) {
   request.angle_max = decimal(std::max(a, b), -3);
 }
 
-// Random spacing with mean width/height between 0.3 and 2.
+// Makes a layer of random spacing with a mean width/height between 0.3 and 2.
 LayerRequest random_layer(const Shape& shape, Draw& draw) {
   LayerRequest request;
   request.corners = corners(shape);
@@ -139,7 +140,7 @@ LayerRequest steep(std::uint64_t number) {
   return request;
 }
 
-// 1e-12 high, near the origin or about 1 away from it.
+// Makes a layer 1e-12 high, near the origin or about 1 away from it.
 LayerRequest sliver(std::uint64_t number) {
   Draw draw(4, number);
   Shape s;
@@ -190,7 +191,7 @@ LayerRequest offset(std::uint64_t number) {
   return request;
 }
 
-// One end almost closed: down to 1e-9 of the other.
+// Makes a layer with one end almost closed: down to 1e-9 of the other.
 LayerRequest wedge(std::uint64_t number) {
   Draw draw(7, number);
   Shape s;
@@ -236,7 +237,7 @@ LayerRequest merged(std::uint64_t number) {
   return request;
 }
 
-// Even spacing, or listed widths: equal, few large, or down to 1e-12 of the largest.
+// Makes a layer of even spacing, or of listed widths down to 1e-12 of the largest.
 LayerRequest listed(std::uint64_t number) {
   Draw draw(10, number);
   LayerRequest request;
@@ -248,13 +249,13 @@ LayerRequest listed(std::uint64_t number) {
   const int finest = draw.one_in(4) ? 12 : 2;
   for (auto* widths : {&request.bottom, &request.top})
     for (int i = 0; i < request.count; ++i) {
-      const Whole digit = draw.whole(1, 9);  // one draw a statement: a fixed order
+      const Whole digit = draw.whole(1, 9);  // One draw per statement fixes the order.
       widths->push_back(decimal(digit, -static_cast<int>(draw.whole(0, finest))));
     }
   return request;
 }
 
-// Bow-ties, darts, reversed and degenerate quads.
+// Makes a quadrilateral that is not a layer: a bow-tie, a dart, reversed or degenerate.
 LayerRequest no_layer(std::uint64_t number) {
   Draw draw(11, number);
   Shape s = draw.one_in(2) ? plain_shape(draw) : slanted_shape(draw);
@@ -262,20 +263,21 @@ LayerRequest no_layer(std::uint64_t number) {
   auto& c = request.corners;
   switch (draw.whole(0, 4)) {
   case 0:
-    std::swap(c[0], c[1]);  // two sides cross
+    std::swap(c[0], c[1]);  // Two sides cross.
     break;
   case 1:
-    std::swap(c[1], c[3]);  // anticlockwise
+    std::swap(c[1], c[3]);  // The corners are anticlockwise.
     break;
-  case 2:  // a corner behind the diagonal
+  case 2:  // One corner is behind the diagonal.
     s.lean_left = s.length * draw.whole(51, 90) / 100;
     s.left = std::max<Whole>(1, s.right / draw.whole(4, 20));
     c = corners(s);
     break;
   case 3:
-    c[1] = c[2] = c[static_cast<std::size_t>(draw.whole(1, 3))];  // repeated
+    c[1] = c[2] =
+        c[static_cast<std::size_t>(draw.whole(1, 3))];  // Two corners coincide.
     break;
-  default:  // three corners on one line: top left on the diagonal
+  default:  // Three corners are collinear: the top left one is on the diagonal.
     s.lean_left = s.length;
     s.left = s.right;
     s.length *= 2;
@@ -309,4 +311,4 @@ constexpr std::array<Family, 11> all = {{
 
 std::span<const Family> families() { return all; }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

@@ -1,14 +1,14 @@
-// One number for the bits of many layers: equal numbers, equal layers.
+// One hash for the bits of many layers, to compare builds.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
-#include "validation/robustness/families.hpp"
+#include "validation/geometry/families.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 
-/// FNV-1a over 64-bit words, byte by byte.
+/// FNV-1a over the bytes of 64-bit words.
 class BitHash {
  public:
   void add(std::uint64_t word) {
@@ -22,7 +22,7 @@ class BitHash {
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-/// Vertices, cells and counts of one layer, or the kind of its refusal.
+/// Adds the vertices, cells and counts of one layer, or the kind of its refusal.
 inline void add_layer(BitHash& hash, const geometry::LayerRequest& request) {
   try {
     const geometry::Layer layer = geometry::cut_layer(request);
@@ -44,7 +44,7 @@ inline void add_layer(BitHash& hash, const geometry::LayerRequest& request) {
   }
 }
 
-/// The first layers of a family together.
+/// Returns the hash of the first `layers` layers of a family.
 inline std::uint64_t hash_of(const Family& family, int layers) {
   BitHash hash;
   for (int number = 0; number < layers; ++number)
@@ -52,4 +52,4 @@ inline std::uint64_t hash_of(const Family& family, int layers) {
   return hash.value();
 }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

@@ -1,4 +1,5 @@
-// What random spacing and ORIENT really give: the tables of docs/distributions.md.
+// Measures the widths and angles that random spacing and ORIENT give: the tables of
+// docs/distributions.md.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
-// A layer 1 high and hundredths/100 long for each block.
+// Requests a layer of height 1 with a mean block width of hundredths/100.
 LayerRequest layer_of(int blocks, int hundredths, const std::string& angle,
                       int number) {
   const Decimal length =
@@ -66,8 +67,9 @@ std::string widths_row(int blocks, int hundredths) {
   double worst = 0.0;
   for (const double sum : place)
     worst = std::max(worst, std::abs(sum) / layers);
-  const double error = deviation * std::sqrt(blocks / (blocks - 1.0) /
-                                             layers);  // of the mean of a place
+  const double error =
+      deviation * std::sqrt(blocks / (blocks - 1.0) /
+                            layers);  // standard error of the mean at one place
   std::ostringstream row;
   row << "| " << blocks << " | " << fixed(mean, 2) << " | " << layers << " | "
       << fixed(deviation, 4) << " | "
@@ -114,7 +116,8 @@ std::string angles_row(const std::string& angle, int hundredths) {
 std::string tables() {
   std::string text =
       "# Random widths and angles as they come\n\n"
-      "Written by `./go validate`; do not edit. The law: docs/distributions.md.\n\n"
+      "Written by `./go validate layers`; do not edit. The law: "
+      "docs/distributions.md.\n\n"
       "Widths over height. Uniform: standard deviation of the uniform law about the "
       "mean\n"
       "that fits between 0.2 and 3, the limit for many blocks. Correlation of "

@@ -1,4 +1,4 @@
-// Makes many random layers in three ways and judges each: the failure table.
+// Makes many random layers in three ways, judges each one and writes the failure table.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
@@ -8,12 +8,12 @@
 #include <optional>
 #include <thread>
 
-#include "validation/robustness/exact_judge.hpp"
-#include "validation/robustness/families.hpp"
-#include "validation/robustness/naive_layer.hpp"
-#include "validation/robustness/tally.hpp"
+#include "validation/geometry/exact_judge.hpp"
+#include "validation/geometry/families.hpp"
+#include "validation/geometry/naive_layer.hpp"
+#include "validation/geometry/tally.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 using geometry::LayerRequest;
@@ -27,7 +27,7 @@ std::array<Vec2, 4> corners_of(const LayerRequest& request) {
   return corners;
 }
 
-// Nothing where the layer is refused.
+// Returns the layer of a generator, or nothing if it is refused.
 std::optional<Mesh> make(const LayerRequest& request, std::size_t generator) {
   if (generator == 1)
     return naive_layer(request, Crossings::ignored);
@@ -54,7 +54,7 @@ void examine(const Family& family, std::uint64_t number, bool brute_force,
     tally.blocks += static_cast<long>(mesh->cells.size());
     const bool certified = geometry::certify_tiling(*mesh).holds;
     bool failed = !certified || family.refuse;
-    // The judge needs n^2: a layer of 2000 blocks takes it minutes.
+    // The judge needs n^2 comparisons: minutes for a layer of 2000 blocks.
     if (brute_force && mesh->cells.size() <= 300) {
       const Judgement judgement = judge(*mesh);
       const bool good = judgement.tiles && judgement.conforming;
@@ -71,7 +71,7 @@ void examine(const Family& family, std::uint64_t number, bool brute_force,
   }
 }
 
-// The layers of a run one after the other: number k of each family in turn.
+// The list of all layers of a run, family by family: entry i is a family and a number.
 class Work {
  public:
   explicit Work(long layers) {
@@ -127,7 +127,8 @@ Run run_all(long layers, long every, int threads) {
   return run;
 }
 
-// One layer again, in words.
+// Makes one layer again and prints what each generator, the certificate and the judge
+// say.
 int replay(const std::string& which) {
   const auto colon = which.rfind(':');
   for (const Family& family : families()) {
@@ -181,13 +182,14 @@ int run(int argc, char** argv) {
   int threads = 2;
   std::string report;
   std::string again;
-  app.add_option("--layers", layers, "layers of the run")
+  app.add_option("--layers", layers, "number of layers")
       ->check(CLI::Range(1L, 100000000L));
-  app.add_option("--every", every, "brute force on every so many layers, 0: on none")
+  app.add_option("--every", every, "brute force on every K-th layer; 0: on none")
       ->check(CLI::Range(0L, 1000000000L));
-  app.add_option("--threads", threads, "threads")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", threads, "number of threads")->check(CLI::Range(1, 1024));
   app.add_option("--report", report, "write NAME.md and NAME.json");
-  app.add_option("--replay", again, "FAMILY:NUMBER, one layer in words");
+  app.add_option("--replay", again,
+                 "make the layer FAMILY:NUMBER again and print the verdicts");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -211,6 +213,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace blocks::robustness
+}  // namespace blocks::validation
 
-int main(int argc, char** argv) { return blocks::robustness::run(argc, argv); }
+int main(int argc, char** argv) { return blocks::validation::run(argc, argv); }

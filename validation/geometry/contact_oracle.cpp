@@ -1,4 +1,4 @@
-#include "validation/robustness/contact_oracle.hpp"
+#include "validation/geometry/contact_oracle.hpp"
 
 #include <mpfr.h>
 
@@ -6,10 +6,10 @@
 
 #include "geometry/contact_predicates.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
-/// What MPFR keeps for each thread goes with it.
+/// The precision of a thread. Its end also frees what MPFR caches for the thread.
 struct ThreadBits {
   mpfr_prec_t bits = 0;
   ~ThreadBits() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
@@ -72,21 +72,21 @@ struct Vector {
 Number cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 Number dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
 
-/// sine >= -sin(10 degrees) sqrt(q), as signs of squares: sine |sine| + sin^2 q.
+/// Is sine >= -sin(10 degrees) sqrt(q)? Decided by the sign of sine |sine| + sin^2 q.
 bool faces(const Number& sine, const Number& q) {
   if (q.sign() == 0 || sine.sign() >= 0)
     return true;
   const Number sin10 = Number::sin10();
   const Number excess = sin10 * sin10 * q - sine * sine;
-  // relative errors of a few 2^-bits, of terms below 2 q
+  // The terms are below 2 q and have relative errors of a few 2^-bits.
   const Number error = Number::power_of_two(8 - static_cast<long>(of_thread.bits)) * q;
   if ((excess.size() - error).sign() > 0)
     return excess.sign() > 0;
   of_thread.bits *= 2;
-  return faces(sine, q);  // their own bits hold them exactly
+  return faces(sine, q);  // The arguments keep their own bits, so they remain exact.
 }
 
-/// Nothing was rounded: the answers are exact.
+/// Computes all answers. Returns false if MPFR rounded, so they may not be exact.
 bool try_to_judge(const ContactCase& k, ContactTruth& truth) {
   mpfr_clear_flags();
   const Vector e(k.p1, k.p2), f(k.q1, k.q2), w(k.p1, k.c);
@@ -119,4 +119,4 @@ ContactTruth judge(const ContactCase& k) {
   }
 }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

@@ -1,6 +1,6 @@
-// The certificate of geometry/tiling against brute force, on meshes spoilt in every way
-// we could think of. It holds if and only if the cells tile the outline corner to
-// corner.
+// Compares the certificate of geometry/tiling with brute force on meshes that are
+// spoilt in many ways. The certificate must hold if and only if the cells tile the
+// outline corner to corner.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "geometry/random.hpp"
-#include "validation/robustness/exact_judge.hpp"
-#include "validation/robustness/families.hpp"
+#include "validation/geometry/exact_judge.hpp"
+#include "validation/geometry/families.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 using geometry::Mesh;
@@ -43,7 +43,7 @@ class Draw {
   std::uint64_t next_ = 0;
 };
 
-// columns by rows cells on whole places.
+// Makes a mesh of columns by rows unit squares.
 Mesh wall(int columns, int rows) {
   Mesh mesh;
   const auto at = [columns](int i, int j) { return j * (columns + 1) + i; };
@@ -64,7 +64,7 @@ Mesh wall(int columns, int rows) {
   return mesh;
 }
 
-// A wall, a wall whose corners are not on lines, or a layer of any family.
+// Makes a wall, a wall with displaced vertices, or a layer of any family.
 Mesh sound_mesh(Draw& draw) {
   const std::size_t kind = draw.below(4);
   if (kind < 2) {
@@ -112,7 +112,8 @@ void move_by(Mesh& mesh, Draw& draw, double part) {
       part * size_of(mesh) * Vec2(2 * draw.uniform() - 1, 2 * draw.uniform() - 1);
 }
 
-// A new vertex in the middle of an edge of the list; returns its index and the edge.
+// Inserts a vertex in the middle of a random edge of the loop. Returns its index, and
+// the edge in `edge`.
 int split(Mesh& mesh, std::vector<int>& loop, Draw& draw, std::pair<int, int>& edge) {
   const std::size_t i = draw.below(loop.size());
   edge = {loop[i], loop[(i + 1) % loop.size()]};
@@ -254,7 +255,8 @@ struct Row {
 std::string markdown(const std::vector<Row>& rows) {
   std::ostringstream out;
   out << "# The certificate against brute force\n\n"
-         "Written by `./go validate`; do not edit. Walls, walls off the lines and "
+         "Written by `./go validate layers`; do not edit. Walls, walls off the lines "
+         "and "
          "generated\n"
          "layers, spoilt in one way (one in five twice), judged by brute force on "
          "whole "
@@ -294,7 +296,8 @@ int run(int argc, char** argv) {
   CLI::App app{"the certificate against brute force on spoilt meshes"};
   std::uint64_t meshes = 20000;
   std::string report;
-  app.add_option("--meshes", meshes, "meshes")->check(CLI::Range(1, 100000000));
+  app.add_option("--meshes", meshes, "number of meshes")
+      ->check(CLI::Range(1, 100000000));
   app.add_option("--report", report, "write NAME.md");
   try {
     app.parse(argc, argv);
@@ -339,6 +342,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace blocks::robustness
+}  // namespace blocks::validation
 
-int main(int argc, char** argv) { return blocks::robustness::run(argc, argv); }
+int main(int argc, char** argv) { return blocks::validation::run(argc, argv); }

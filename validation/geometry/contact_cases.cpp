@@ -1,4 +1,4 @@
-#include "validation/robustness/contact_cases.hpp"
+#include "validation/geometry/contact_cases.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -10,7 +10,7 @@
 
 #include "geometry/contact_predicates.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 Vec2 turned(const Vec2& v, double cosine, double sine) {
@@ -25,7 +25,7 @@ void turn_and_move(ContactCase& k, double angle, const Vec2& origin) {
 constexpr std::array<std::pair<int, int>, 6> pythagorean{
     {{4, 3}, {12, 5}, {21, 20}, {15, 8}, {56, 33}, {72, 65}}};
 
-/// The first proper case that `draw_case` makes.
+/// Returns the first proper case that `draw_case` makes.
 template <class DrawCase>
 ContactCase first_proper(std::uint64_t family, std::uint64_t number,
                          DrawCase&& draw_case) {
@@ -50,7 +50,8 @@ ContactCase flush_brick(std::uint64_t number) {
   });
 }
 
-/// Whole numbers stay whole: truly on the line, at the ends, equally deep.
+/// A Pythagorean angle keeps whole numbers whole, so corners are exactly on the line,
+/// at the ends, or equally deep.
 ContactCase pythagorean_brick(std::uint64_t number) {
   return first_proper(2, number, [number](Draw& draw) {
     const auto [a, b] = pythagorean[number % pythagorean.size()];
@@ -83,8 +84,8 @@ ContactCase far_brick(std::uint64_t number) {
   });
 }
 
-/// Up to three doubles from the line, the slack, the ends, the centroid's depth, the
-/// bisectors of two edges.
+/// Puts the corner up to three doubles away from a limit: the line, the slack, an end,
+/// the depth of the centroid, or a bisector of two edges.
 ContactCase next_to_limit(std::uint64_t number) {
   return first_proper(5, number, [](Draw& draw) {
     ContactCase k = anywhere(draw, 1);
@@ -107,8 +108,8 @@ ContactCase next_to_limit(std::uint64_t number) {
   });
 }
 
-/// Whole numbers p, q < 2^46 with p / q ever closer to tan 10 degrees, from both sides:
-/// the convergents of its continued fraction and the fractions between them.
+/// Returns whole numbers p, q < 2^46 with p / q converging to tan 10 degrees from both
+/// sides: the convergents and semiconvergents of its continued fraction.
 std::vector<Vec2> fractions_near_tan10() {
   using Wide = boost::multiprecision::cpp_bin_float_100;
   using Whole = boost::multiprecision::cpp_int;
@@ -140,7 +141,7 @@ ContactCase near_ten_degrees(std::uint64_t number) {
     const double edge = std::ldexp(draw.whole(1, 9), draw.whole(-60, 60));
     k.c = k.p1 = {0, 0};
     k.p2 = edge * Vec2(a, b);
-    // 10 degrees into the block, towards p2 or towards p1
+    // The tangent points 10 degrees into the block, towards p2 or towards p1.
     const double way = draw.coin() ? 1 : -1;
     k.neighbour = tangent * turned({way * f.y(), -f.x()}, a, b);
     if (draw.whole(0, 3) == 0)
@@ -149,8 +150,8 @@ ContactCase near_ten_degrees(std::uint64_t number) {
   });
 }
 
-/// Corners of very different size on a line through the origin: no difference is a
-/// double, and the last bit of the smallest decides.
+/// Points of very different magnitude on a line through the origin. No difference is a
+/// double, and the last bit of the smallest point decides.
 ContactCase inexact_differences(std::uint64_t number) {
   return first_proper(7, number, [](Draw& draw) {
     const Vec2 along(draw.whole(1, 1 << 26), draw.whole(1, 1 << 26));
@@ -178,7 +179,8 @@ ContactCase subnormal(std::uint64_t number) {
   });
 }
 
-/// Anything from the smallest subnormal to near overflow, together or mixed.
+/// Scales a case by a power of two between the smallest subnormal and overflow: all
+/// points by the same power, or each by its own.
 ContactCase any_magnitude(std::uint64_t number) {
   return first_proper(9, number, [](Draw& draw) {
     ContactCase k = draw.coin() ? brick(draw) : anywhere(draw, 1);
@@ -191,9 +193,9 @@ ContactCase any_magnitude(std::uint64_t number) {
   });
 }
 
-/// x1 x2 - y1 y2 is zero but for a few units in the last place. The factors are
-/// multiples of 2^-52 and the products stay below 1.5, so that three units there exceed
-/// 2u times their sum, and the roundings can add up to more.
+/// Factors for which x1 x2 - y1 y2 is zero up to a few units in the last place. They
+/// are multiples of 2^-52 and the products stay below 1.5. Three units therefore exceed
+/// 2u times the sum of the products, and the rounding errors can add up to more.
 struct Factors {
   double x1, x2, y1, y2;
 
@@ -204,19 +206,20 @@ struct Factors {
   }
 };
 
-/// Nearly half a unit in the last place of a number between 1 and 2: what a difference
-/// may lose.
+/// Returns nearly half a unit in the last place of a number between 1 and 2: the
+/// largest rounding error of a difference.
 double lost(Draw& draw) { return std::ldexp(draw.uniform(0.98, 1.0), -53); }
 
-/// The overlap, or with a slack the limit of the nearest edge: both differences of one
-/// product round away from zero, both of the other towards it, or the reverse.
+/// Sets a case near the error bound of `overlap`, or of `near_or_inside` with a slack.
+/// Both differences of one product round away from zero, and both of the other towards
+/// it, or the reverse.
 void overlap_near_bound(ContactCase& k, Draw& draw, bool slack) {
   const double sx = draw.coin() ? 1 : -1, sy = draw.coin() ? 1 : -1;
   const double way = draw.coin() ? 1 : -1;
   const Factors f(draw);
   k.c = {sx * f.x1, -sy * f.y2};
   k.p2 = {-sx * f.y1, sy * f.x2};
-  if (slack)  // the slack belongs to this very edge
+  if (slack)  // The slack is that of this edge.
     k.c.y() = draw.nudge(-sy *
                              (f.x1 * f.x2 + sx * sy * geometry::contact_slack *
                                                 (f.y1 * f.y1 + f.x2 * f.x2)) /
@@ -224,10 +227,11 @@ void overlap_near_bound(ContactCase& k, Draw& draw, bool slack) {
                          4);
   k.p1.x() = sx * way * lost(draw);
   k.p1.y() = sy * way * lost(draw);
-  k.q1 = k.c;  // as deep as nothing: compare_depth has the same sign
+  k.q1 = k.c;  // The depth below edge q is zero, so compare_depth has the same sign.
 }
 
-/// The first end of the edge, far from the corner as the edge is short.
+/// Sets a case near the error bound of the first end of the edge. The edge is short, so
+/// the corner is far from that end.
 void end_near_bound(ContactCase& k, Draw& draw) {
   const double s = std::ldexp(1, -draw.whole(5, 8));  // length of the edge
   const double sx = draw.coin() ? 1 : -1, sy = draw.coin() ? 1 : -1;
@@ -236,7 +240,8 @@ void end_near_bound(ContactCase& k, Draw& draw) {
   f.y1 = draw.nudge(
       (f.x1 * f.x2 + geometry::contact_slack * s * (f.x2 * f.x2 + f.y2 * f.y2)) / f.y2,
       4);
-  // the coarse part takes from the corner's differences, the fine one from the edge's
+  // The coarse part rounds the differences of the corner, the fine part those of the
+  // edge.
   const Vec2 coarse = std::ldexp(1 - 2 * s, -53) * Vec2(sx * way, -sy * way);
   const double x = s * lost(draw);
   const Vec2 fine(sx * way * x, sy * way * s * lost(draw));
@@ -245,8 +250,9 @@ void end_near_bound(ContactCase& k, Draw& draw) {
   k.p2 = coarse + Vec2(sx * f.x2 * s, -sy * f.y2 * s);
 }
 
-/// As deep as the centroid, which lies far away along a short edge, with the corner in
-/// reach of the edge in every other respect.
+/// Sets a case near the error bound of `within_depth`: the corner is as deep as the
+/// centroid, which is far away along a short edge. All other conditions of
+/// `in_reach_of_edge` hold.
 void depth_near_bound(ContactCase& k, Draw& draw) {
   const double s = std::ldexp(1, -draw.whole(5, 8));  // length of the edge
   const double sx = draw.coin() ? 1 : -1, sy = draw.coin() ? 1 : -1;
@@ -264,7 +270,8 @@ void depth_near_bound(ContactCase& k, Draw& draw) {
   k.c.y() = grid.y() + across * way * lost(draw);
 }
 
-/// A tangent at -10 degrees, every difference rounded by as much as it can be.
+/// Sets a tangent at -10 degrees such that every difference has the largest rounding
+/// error.
 void tangent_near_bound(ContactCase& k, Draw& draw) {
   constexpr double degrees = 0.017453292519943295;
   const double angle = (draw.coin() ? -10 : -170) * degrees;
@@ -277,8 +284,8 @@ void tangent_near_bound(ContactCase& k, Draw& draw) {
       (*v)[axis] = sign() * lost(draw);
 }
 
-/// Inputs whose error is near the bound of a filter: a bound too small by a third is
-/// shown wrong (docs/predicates.md says which can be).
+/// Inputs whose error is near the bound of a filter. They expose a bound that is too
+/// small by a third; docs/predicates.md says for which bounds this is possible.
 ContactCase near_the_bound(std::uint64_t number) {
   return first_proper(10, number, [number](Draw& draw) {
     ContactCase k = anywhere(draw, 1);
@@ -321,4 +328,4 @@ const std::array<ContactFamily, contact_family_count>& contact_families() {
   return all;
 }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

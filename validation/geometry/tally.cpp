@@ -1,12 +1,12 @@
-#include "validation/robustness/tally.hpp"
+#include "validation/geometry/tally.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "validation/robustness/families.hpp"
+#include "validation/geometry/families.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 const char* const names[generators] = {"ours", "naive", "naive_checked"};
@@ -54,7 +54,8 @@ std::string markdown(const Run& run) {
   const FamilyTally total = sum(run);
   std::ostringstream out;
   out << "# Generated layers: failures\n\n"
-         "Written by `./go validate`; do not edit. Each layer is made three times: by\n"
+         "Written by `./go validate layers`; do not edit. Each layer is made three "
+         "times: by\n"
          "`geometry::cut_layer`, by a plain program of doubles as in 1982 (naive), and "
          "by\n"
          "that program with a crossing check. A failure is a layer that does not tile "
@@ -83,7 +84,7 @@ std::string markdown(const Run& run) {
       << total[0].judge_says << "; of naive " << total[1].judge_says << " of "
       << total[1].judged << ", of naive with check " << total[2].judge_says << " of "
       << total[2].judged << ". Certificate and judge disagreed " << disagree
-      << " times.\n\nFailures for replay (`robustness --replay FAMILY:NUMBER`):\n\n";
+      << " times.\n\nFailures for replay (`layers --replay FAMILY:NUMBER`):\n\n";
   bool any = false;
   for (std::size_t i = 0; i < run.families.size(); ++i)
     for (std::size_t g = 0; g < generators; ++g) {
@@ -128,4 +129,4 @@ std::string json(const Run& run) {
   return root.dump() + "\n";
 }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

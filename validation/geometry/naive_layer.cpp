@@ -1,9 +1,9 @@
-#include "validation/robustness/naive_layer.hpp"
+#include "validation/geometry/naive_layer.hpp"
 
 #include <cmath>
 #include <numbers>
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 using geometry::LayerRequest;
@@ -15,7 +15,7 @@ struct Corners {
   Vec2 bl, tl, tr, br;
 };
 
-// Bottom and top end of one side.
+// The bottom and top end of one side.
 struct Ends {
   Vec2 bottom, top;
 };
@@ -36,7 +36,8 @@ std::vector<double> listed_places(const std::vector<geometry::Decimal>& widths) 
   return places;
 }
 
-// The law of the random widths in doubles, then MERGE; numbers: which blocks end there.
+// Applies the law of the random widths in doubles, then MERGE. `numbers` receives the
+// number of the block that ends at each place.
 std::vector<double> random_places(const LayerRequest& request, double length,
                                   double height, std::vector<std::size_t>& numbers) {
   const double low = 0.2 * height;
@@ -75,7 +76,7 @@ std::vector<double> random_places(const LayerRequest& request, double length,
   return places;
 }
 
-// Where the line through p along u meets the line q + f v.
+// Returns the intersection of the line through p along u with the line q + f v.
 Vec2 intersection(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v) {
   return q + v * (geometry::cross(p - q, u) / geometry::cross(v, u));
 }
@@ -91,8 +92,8 @@ std::vector<Ends> random_sides(const LayerRequest& request, const Corners& c,
   const Vec2 top = c.tr - c.tl;
   const Vec2 start = (c.bl + c.tl) / 2.0;
   const Vec2 mid = (bottom + top) / 2.0;
-  const double area =
-      std::abs(geometry::cross(c.tr - c.bl, c.br - c.tl)) / 2.0;  // as it is meant
+  const double area = std::abs(geometry::cross(c.tr - c.bl, c.br - c.tl)) /
+                      2.0;  // for either orientation
   const double length = mid.norm();
   std::vector<std::size_t> numbers;
   const auto places = random_places(request, length, area / length, numbers);
@@ -120,7 +121,7 @@ std::vector<Ends> random_sides(const LayerRequest& request, const Corners& c,
       for (std::uint32_t draw = 1; draw <= 16 && !fits(); ++draw)
         side = drawn(draw);
       if (!fits()) {
-        // Half way between the last side and the far end, by equal fractions.
+        // The side joins equal fractions between the last side and the far end.
         const double s = (places[i] - places[i - 1]) / (1.0 - places[i - 1]);
         side = {sides.back().bottom + (last.bottom - sides.back().bottom) * s,
                 sides.back().top + (last.top - sides.back().top) * s};
@@ -175,4 +176,4 @@ Mesh naive_layer(const LayerRequest& request, Crossings crossings) {
   return mesh;
 }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

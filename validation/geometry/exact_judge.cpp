@@ -1,4 +1,4 @@
-#include "validation/robustness/exact_judge.hpp"
+#include "validation/geometry/exact_judge.hpp"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 using geometry::Mesh;
 using geometry::Vec2;
 namespace mp = boost::multiprecision;
-// Any width; 512 bits without a trip to the heap.
+// Integers of any width; up to 512 bits need no allocation.
 using Whole = mp::number<mp::cpp_int_backend<512>, mp::et_off>;
 
 struct Place {
@@ -24,13 +24,13 @@ using Triangle = std::array<Place, 3>;
 
 bool same(const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; }
 
-// 1: a, b, c turn left; -1: right; 0: on one line.
+// Returns 1 if a, b, c turn left, -1 if they turn right, 0 if they are collinear.
 int turn(const Place& a, const Place& b, const Place& c) {
   const Whole d = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   return d.sign();
 }
 
-// c, known to be on the line through a and b, lies between them or on one.
+// Is c between a and b, or equal to one of them? c must be collinear with a and b.
 bool between(const Place& a, const Place& b, const Place& c) {
   return std::min(a.x, b.x) <= c.x && c.x <= std::max(a.x, b.x) &&
          std::min(a.y, b.y) <= c.y && c.y <= std::max(a.y, b.y);
@@ -47,7 +47,7 @@ bool boxes_apart(const Place& a, const Place& b, const Place& c, const Place& d)
          std::max(c.y, d.y) < std::min(a.y, b.y);
 }
 
-// Two closed segments have a point in common.
+// Do the closed segments a-b and c-d have a common point?
 bool meet(const Place& a, const Place& b, const Place& c, const Place& d) {
   if (boxes_apart(a, b, c, d))
     return false;
@@ -69,7 +69,7 @@ bool simple(const Loop& loop) {
     if (same(loop[i], next(loop, i)))
       return false;
     for (std::size_t j = i + 1; j < n; ++j) {
-      if (j == i + 1 || (i == 0 && j == n - 1)) {  // neighbours share one corner only
+      if (j == i + 1 || (i == 0 && j == n - 1)) {  // Neighbours share one corner.
         const std::size_t first = j == i + 1 ? i : j;
         const Place& far = loop[(first + 2) % n];
         if (on_segment(loop[first], next(loop, first), far) ||
@@ -83,7 +83,7 @@ bool simple(const Loop& loop) {
   return true;
 }
 
-// Twice the area, positive for clockwise loops.
+// Returns twice the area, positive for a clockwise loop.
 Whole area(const Loop& loop) {
   Whole sum = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -99,7 +99,7 @@ bool in_closed(const Triangle& t, const Place& p) {
          turn(t[2], t[0], p) <= 0;
 }
 
-// Ears of a simple clockwise loop, cut one by one.
+// Triangulates a simple clockwise loop by cutting off one ear after another.
 std::vector<Triangle> triangles(Loop loop) {
   std::vector<Triangle> result;
   while (loop.size() > 2) {
@@ -126,7 +126,7 @@ std::vector<Triangle> triangles(Loop loop) {
   return result;
 }
 
-// All of other lies on the outer side of an edge of t, or on that edge.
+// Does all of `other` lie outside one edge of t, or on that edge?
 template <class Places> bool beyond_an_edge(const Triangle& t, const Places& other) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (std::all_of(other.begin(), other.end(),
@@ -140,7 +140,7 @@ bool interiors_meet(const Triangle& a, const Triangle& b) {
   return !beyond_an_edge(a, b) && !beyond_an_edge(b, a);
 }
 
-// The segment passes through the interior of the triangle.
+// Does the segment a-b pass through the interior of the triangle?
 bool enters(const Triangle& t, const Place& a, const Place& b) {
   if (beyond_an_edge(t, std::array<Place, 2>{a, b}))
     return false;
@@ -165,7 +165,7 @@ bool inside(const Loop& loop, const Place& p) {
   return odd;
 }
 
-// A box in whole numbers, to skip pairs far apart.
+// A bounding box, used to skip pairs that are far apart.
 struct Box {
   Place low, high;
 };
@@ -209,7 +209,7 @@ bool within(const Cell& cell, const Loop& outline) {
         return false;
   }
   for (const Triangle& t : cell.parts) {
-    // Coordinates are multiples of 3: the centroid is whole.
+    // The coordinates are multiples of 3, so the centroid is a whole number.
     const Place centroid = {(t[0].x + t[1].x + t[2].x) / 3,
                             (t[0].y + t[1].y + t[2].y) / 3};
     if (!inside(outline, centroid))
@@ -218,7 +218,7 @@ bool within(const Cell& cell, const Loop& outline) {
   return true;
 }
 
-// Doubles as whole numbers: mantissa * 2^(exponent - least) * 3.
+// Converts doubles to whole numbers: mantissa * 2^(exponent - least) * 3.
 class Scale {
  public:
   void see(double x) {
@@ -356,4 +356,4 @@ bool within_corners(const Mesh& mesh, const std::array<Vec2, 4>& corners) {
   });
 }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

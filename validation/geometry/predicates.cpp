@@ -1,4 +1,5 @@
-// The contact predicates on millions of inputs, scalar and in batches, against MPFR.
+// Compares the contact predicates, scalar and in batches, with MPFR on millions of
+// inputs.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -13,24 +14,25 @@
 
 #include "geometry/contact_predicates_batch.hpp"
 #include "geometry/numeric_environment.hpp"
-#include "validation/robustness/contact_cases.hpp"
-#include "validation/robustness/contact_oracle.hpp"
+#include "validation/geometry/contact_cases.hpp"
+#include "validation/geometry/contact_oracle.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 namespace {
 
 using geometry::Answers;
 using geometry::Points;
 constexpr std::size_t lanes = geometry::batch_lanes;
 
-/// Of one family.
+/// The counts of one family.
 struct Count {
   long inputs = 0, answers = 0;
-  long undecided = 0;       ///< left open by a filter
-  long multiprecision = 0;  ///< of these, not settled by exact sums of doubles
+  long undecided = 0;  ///< answers that a filter could not decide
+  long multiprecision =
+      0;  ///< of these, those that exact sums of doubles could not decide
   long wrong = 0, wrong_batch = 0;
-  long plain = 0;         ///< answers that plain doubles get wrong
-  long first_wrong = -1;  ///< a number of the family
+  long plain = 0;         ///< wrong answers of plain doubles
+  long first_wrong = -1;  ///< number of the first wrong input
 
   void add(const Count& other) {
     inputs += other.inputs, answers += other.answers, undecided += other.undecided;
@@ -41,7 +43,7 @@ struct Count {
   }
 };
 
-/// Four inputs, each predicate of them scalar and as lanes.
+/// Examines four inputs: each predicate as a scalar and as a batch.
 class Examination {
  public:
   Examination(const std::array<ContactCase, lanes>& cases, long number, Count& count)
@@ -132,7 +134,7 @@ class Examination {
 
 using Counts = std::array<Count, contact_family_count>;
 
-/// Portions of 4096 inputs of one family each, shared out to the threads.
+/// Examines all families. The threads take portions of 4096 inputs of one family each.
 Counts examine_all(long inputs, int threads) {
   struct Portion {
     std::size_t family;
@@ -206,9 +208,9 @@ int run(int argc, char** argv) {
   long inputs = 10000000;
   int threads = 2;
   std::string report;
-  app.add_option("--inputs", inputs, "inputs of the run")
+  app.add_option("--inputs", inputs, "number of inputs")
       ->check(CLI::Range(100L, 1000000000L));
-  app.add_option("--threads", threads, "threads")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", threads, "number of threads")->check(CLI::Range(1, 1024));
   app.add_option("--report", report, "write NAME.md");
   try {
     app.parse(argc, argv);
@@ -243,6 +245,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace blocks::robustness
+}  // namespace blocks::validation
 
-int main(int argc, char** argv) { return blocks::robustness::run(argc, argv); }
+int main(int argc, char** argv) { return blocks::validation::run(argc, argv); }

@@ -1,5 +1,5 @@
-// Random corners, edges and bricks on which the contact predicates are tried: here for
-// the study, and for the tests.
+// Random corners, edges and bricks for the contact predicates, shared by the study and
+// the tests.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "geometry/vec2.hpp"
 
-namespace blocks::robustness {
+namespace blocks::validation {
 
 using geometry::Vec2;
 
@@ -21,7 +21,7 @@ struct ContactCase {
     for (Vec2* v : {&c, &p1, &p2, &q1, &q2, &centroid, &neighbour})
       *v = map(*v);
   }
-  /// Finite, with edges longer than zero, as predicates ask for.
+  /// Are all coordinates finite and both edges longer than zero, as predicates require?
   bool proper() const {
     bool finite = true;
     for (const Vec2* v : {&c, &p1, &p2, &q1, &q2, &centroid, &neighbour})
@@ -30,7 +30,7 @@ struct ContactCase {
   }
 };
 
-/// Splitmix64 from a number of its own for each case.
+/// Random numbers by Splitmix64, seeded by the family and number of the case.
 class Draw {
  public:
   Draw(std::uint64_t family, std::uint64_t number)
@@ -52,7 +52,7 @@ class Draw {
     const double x = uniform(-size, size);
     return {x, uniform(-size, size)};
   }
-  /// Up to `most` doubles further in either direction.
+  /// Moves x by up to `most` doubles in a random direction.
   double nudge(double x, int most) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double to = coin() ? infinity : -infinity;
@@ -69,14 +69,16 @@ class Draw {
   std::uint64_t state_;
 };
 
+/// Makes a case of random points with coordinates up to `size`.
 inline ContactCase anywhere(Draw& draw, double size) {
   ContactCase k;
   k.transform([&](const Vec2&) { return draw.vector(size); });
   return k;
 }
 
-/// A brick (2 x 1, edge p its top, edge q its right side) of a wall in half-brick bond,
-/// and a corner of the same wall; columns and rows lie to either side of the origin.
+/// Makes a case from a wall in half-brick bond: a brick of 2 x 1 (edge p is its top,
+/// edge q its right side) and a corner of the same wall. The wall extends by `columns`
+/// and `rows` to either side of the origin.
 inline ContactCase brick(Draw& draw, int columns = 20, int rows = 20) {
   const double i = draw.whole(-columns, columns), j = draw.whole(-rows, rows);
   const Vec2 c(i + draw.whole(-1, 3), j + draw.whole(-1, 2));
@@ -90,4 +92,4 @@ inline ContactCase brick(Draw& draw, int columns = 20, int rows = 20) {
           c + (draw.coin() ? along : across)};
 }
 
-}  // namespace blocks::robustness
+}  // namespace blocks::validation

@@ -1,11 +1,11 @@
 #!/bin/sh
-# The same layers from every compiler: builds geometry/ and layer_hashes with g++ and
-# clang++ at -O0 to -O3 and compares what they print. Usage: compilers.sh BUILD_DIR
+# Do all compilers make the same layers? Builds geometry/ and layer_hashes with g++ and
+# clang++ at -O0 to -O3 and compares the output. Usage: compilers.sh BUILD_DIR
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 out=${1:?usage: compilers.sh BUILD_DIR}
 mkdir -p "$out"
-# As in CMakeLists.txt, and -frounding-math as CGAL asks for.
+# The options of CMakeLists.txt, and -frounding-math, which CGAL requires.
 flags="-std=c++20 -w -frounding-math -ffp-contract=off -fno-math-errno -fno-trapping-math"
 flags="$flags -I$here $(pkg-config --cflags eigen3)"
 failed=0
@@ -15,8 +15,9 @@ for compiler in g++ clang++; do
     exit 5
   fi
   for level in -O0 -O1 -O2 -O3; do
+    # shellcheck disable=SC2086  # $flags is a list of options.
     (cd "$here" && $compiler $flags $level -o "$out/hashes" \
-      validation/robustness/families.cpp validation/robustness/layer_hashes.cpp \
+      validation/geometry/families.cpp validation/geometry/layer_hashes.cpp \
       geometry/decimal.cpp geometry/layer.cpp geometry/merge.cpp \
       geometry/numeric_environment.cpp geometry/polygon.cpp geometry/random.cpp \
       geometry/tiling.cpp geometry/exact/numbers.cpp geometry/exact/quad.cpp -lmpfr -lgmp)

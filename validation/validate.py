@@ -1,0 +1,247 @@
+#!/usr/bin/python3
+"""Long checks and measurements: ./go validate SUBCOMMAND [ARGUMENTS].
+
+Each subcommand builds what it needs, runs it, and writes a report into the folder of its subject.
+The exit code is 0 if everything passed.
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+BUILD = ROOT / "build"
+RELEASE = BUILD / "release"
+RELIABILITY = HERE / "reliability"
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(RELIABILITY))
+
+import fuzz  # noqa: E402
+import version  # noqa: E402
+
+
+def build(preset, *targets):
+    """Builds the targets, or everything if none is named; ends the program if that fails."""
+    code = run(ROOT / "go", "build", preset, *targets)
+    if code:
+        sys.exit(code)
+
+
+def run(*command, environment=None):
+    """Runs a command and returns its exit code."""
+    sys.stdout.flush()
+    return subprocess.run([str(word) for word in command], check=False,
+                          env={**os.environ, **(environment or {})}).returncode
+
+
+def run_python(script, *arguments, environment=None):
+    return run(sys.executable, HERE / script, *arguments, environment=environment)
+
+
+def report_option(count, full, report, option="--report"):
+    """Returns the option that writes the report. A run with fewer inputs than the full number
+    gets no such option and leaves the committed report as it is."""
+    return [option, HERE / report] if count >= full else []
+
+
+def layers(asked):
+    build("release", "layers", "certificate_study", "distribution_study")
+    programs = RELEASE / "validation/geometry"
+
+    def report(name):
+        return report_option(asked.count, asked.full, f"geometry/{name}")
+
+    first_failure = 0
+    for command in (
+            [programs / "layers", "--layers", asked.count, *report("LAYERS")],
+            [programs / "certificate_study", *report("CERTIFICATE")],
+            [programs / "distribution_study", *report("DISTRIBUTION")],
+            [HERE / "geometry/compilers.sh", BUILD / "compilers"]):
+        code = run(*command)
+        if code:
+            print(f"validate: {command[0].name}: exit code {code}", file=sys.stderr)
+        first_failure = first_failure or code
+    return first_failure
+
+
+def predicates(asked):
+    build("release", "predicates")
+    return run(RELEASE / "validation/geometry/predicates", "--inputs", asked.count,
+               *report_option(asked.count, asked.full, "geometry/PREDICATES"))
+
+
+def problems(asked):
+    build("release", "blocks")
+    return run_python("problems/problems.py", RELEASE / "src/blocks", "--report",
+                      *asked.names, *(["--kept"] if asked.kept else []))
+
+
+def study(asked):
+    build("release", "blocks")
+    return run(RELEASE / "src/blocks", "study", "contacts", "all", "--variants", "default",
+               "--frames", asked.count, "-j", os.cpu_count(), "--gate",
+               *report_option(asked.count, asked.full, "robustness/CONTACTS.csv", "--csv"))
+
+
+def reliability(asked):
+    build("release")
+    return run_python("reliability/report.py", RELEASE, RELIABILITY / "REPORT", *asked.words,
+                      environment={"BLOCKS_THOROUGH": "1"})
+
+
+def bits(asked):
+    builds = BUILD / "bits"
+    if not asked.quick:
+        return run_python("reliability/same_bits.py", builds, RELIABILITY / "SAME_BITS")
+    build("ci", "blocks")
+    return run_python("reliability/same_bits.py", builds, builds / "QUICK", "--quick",
+                      "--program", f"g++ -O3={BUILD / 'ci/src/blocks'}")
+
+
+def fuzz_readers(asked):
+    targets = fuzz.parse_targets(asked.targets)
+    build("fuzz", "fuzz_seeds", *(f"fuzz_{name}" for name in targets))
+    limit = [] if asked.seconds is None else ["--seconds", asked.seconds]
+    return run_python("reliability/fuzz.py", BUILD / "fuzz", RELIABILITY / "FUZZ",
+                      *limit, *asked.targets)
+
+
+def soak(asked):
+    build("release", "soak")
+    report = report_option(asked.count, asked.full, "reliability/SOAK")
+    code = run(RELEASE / "validation/reliability/soak", "--steps", asked.count, *report)
+    if report and code == 0:
+        with open(RELIABILITY / "SOAK.md", "a", encoding="utf-8") as page:
+            page.write(f"\n{version.sentence()}\n")
+    return code
+
+
+def rest(asked):
+    build("release", "rest")
+    return run(RELEASE / "validation/rest/rest", "--steps", asked.count,
+               *report_option(asked.count, asked.full, "rest/REST"))
+
+
+def bench(asked):
+    build("release", "bench")
+    options = ["--quick"] if asked.quick else []
+    for name in ("output", "rounds", "largest"):
+        value = getattr(asked, name)
+        options += [f"--{name}", value] if value else []
+    return run(RELEASE / "validation/performance/bench", *options, *asked.parts)
+
+
+def sanitizers(asked):
+    preset = "fuzz" if asked.subcommand == "asan" else "tsan"  # The fuzz preset has ASan.
+    build(preset)
+    # A run of selected tests leaves the committed report as it is.
+    folder = BUILD / preset if asked.options else RELIABILITY
+    return run_python("reliability/sanitizers.py", asked.subcommand, BUILD / preset,
+                      folder / "SANITIZERS", *asked.options)
+
+
+def whole_number(text):
+    if not text.isdigit() or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text} is not a whole number above 0")
+    return int(text)
+
+
+def parser():
+    top = argparse.ArgumentParser(prog="./go validate", description=__doc__.split("\n\n", 1)[1],
+                                  epilog="./go validate SUBCOMMAND --help explains one of them.")
+    subcommands = top.add_subparsers(dest="subcommand", required=True, metavar="SUBCOMMAND")
+
+    def add(name, function, summary, more="", count=None):
+        """Adds a subcommand; count is the full number of its inputs and what they are."""
+        command = subcommands.add_parser(name, help=summary,
+                                         description=f"{summary[0].upper()}{summary[1:]}. {more}")
+        command.set_defaults(run=function)
+        if count:
+            full, what = count
+            command.add_argument("count", metavar="N", nargs="?", type=whole_number, default=full,
+                                 help=f"number of {what} (default {full:,}); with fewer, the "
+                                      "committed report is left as it is")
+            command.set_defaults(full=full)
+        return command
+
+    command = add("problems", problems, "problems with known answers",
+                  "Writes validation/REPORT.md and REPORT.html, and the figures and results of "
+                  "each problem. Exit code 4: a row misses that is not a known miss.")
+    command.add_argument("names", metavar="NAME", nargs="*",
+                         help="folders of validation/problems (default: all); the report keeps "
+                              "the rows of the others")
+    command.add_argument("--kept", action="store_true",
+                         help="run nothing; print which program measured the rows of the report")
+    add("layers", layers, "generated layers and their certificate",
+        "Writes LAYERS.md, CERTIFICATE.md and DISTRIBUTION.md in validation/geometry and compares "
+        "the layers that g++ and clang++ make. All four parts run; the exit code is that of the "
+        "first part that fails.", (100_000, "random layers"))
+    add("predicates", predicates, "the contact predicates against MPFR",
+        "Writes validation/geometry/PREDICATES.md.", (10_000_000, "inputs"))
+    add("study", study, "every scene of contact detection by the default rules",
+        "Exit code 4: a hang-up or fall-through in a scene that is known to pass, or a decision "
+        "that is not exact. Writes validation/robustness/CONTACTS.csv.",
+        (1000, "frames of each scene"))
+    command = add("reliability", reliability, "files and inputs that are damaged or forged",
+                  "Kills runs, fills disks, lets memory requests fail and changes files at random, "
+                  "at length. Writes validation/reliability/REPORT.md.")
+    command.add_argument("words", metavar="WORD", nargs="*",
+                         help="run only the rows that contain one of these words")
+    command = add("bits", bits, "the same bits from every compiler and thread count",
+                  "Runs ten decks with builds of g++ and clang++ at -O0, -O2 and -O3, with 1 to 8 "
+                  "threads and every instruction set. Writes validation/reliability/SAME_BITS.md.")
+    command.add_argument("--quick", action="store_true",
+                         help="two builds, a quarter of the steps, one and two threads; writes "
+                              "build/bits/QUICK.md")
+    command = add("fuzz", fuzz_readers, "every reader under libFuzzer",
+                  "Writes validation/reliability/FUZZ.md and keeps the inputs that it finds in "
+                  "build/found/TARGET, where the next run continues.")
+    command.add_argument("targets", metavar="TARGET[=N]", nargs="*",
+                         help=f"{', '.join(fuzz.TARGETS)} (default: all), with N executions")
+    command.add_argument("--seconds", type=whole_number,
+                         help="run each target for this time, print the output of libFuzzer and "
+                              "leave the committed report as it is")
+    add("soak", soak, "many steps of the 850 blocks of subsidence",
+        "Exit code 4: a number is not finite, the energy rises above its start, or blocks still "
+        "move at the end. Writes validation/reliability/SOAK.md.", (10_000_000, "steps"))
+    add("rest", rest, "many steps of a wall of 1,000 bricks at rest",
+        "Exit code 4: the wall is not at rest at the end. Writes validation/rest/REST.md.",
+        (1_000_000, "steps"))
+    command = add("bench", bench, "times of scenes in several states, against other codes",
+                  "Takes 6 minutes. Writes bench.md, bench.json and bench.png in the current "
+                  "folder.")
+    command.add_argument("parts", metavar="PART", nargs="*",
+                         help="wall, pile, slope, crater, subsidence, decks, search, predicates, "
+                              "generation (default: all)")
+    command.add_argument("--quick", action="store_true", help="small scenes; takes one minute")
+    command.add_argument("-o", "--output", metavar="NAME", help="write NAME.md, .json and .png")
+    command.add_argument("--rounds", type=whole_number, help="turns of each code (5; quick: 3)")
+    command.add_argument("--largest", type=whole_number, metavar="K",
+                         help="at most 10^K blocks (6; quick: 4)")
+    for name, what in (("asan", "the address and undefined-behaviour sanitizers"),
+                       ("tsan", "the thread sanitizer")):
+        add(name, sanitizers, f"every test under {what}",
+            "Writes the row of this sanitizer in validation/reliability/SANITIZERS.md. Further "
+            "options go to ctest, for example -R NAME; with any, the committed report is left as "
+            "it is.")
+    return top
+
+
+def main():
+    reader = parser()
+    asked, further = reader.parse_known_args()
+    if further and asked.run is not sanitizers:
+        reader.error(f"unrecognized arguments: {' '.join(further)}")
+    asked.options = further
+    try:
+        return asked.run(asked)
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())
