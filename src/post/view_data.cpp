@@ -277,8 +277,9 @@ class Packer {
   }
 
   /// Stores the number of forces of each corner in each frame, then the direction and
-  /// size of all forces as differences from the same corner in the previous frame. The
-  /// size is on a logarithmic scale of 255 steps over six decades below the largest.
+  /// size of all forces. They are stored as differences from the same corner in the
+  /// previous frame. The size is on a logarithmic scale of 255 steps over six decades
+  /// below the largest.
   void add_forces(ViewStore& store) const {
     const auto corners = static_cast<std::size_t>(first_corner_.back());
     Bytes acting, directions, sizes;
