@@ -48,16 +48,16 @@ def report_option(count, full, report, option="--report"):
     return [option, HERE / report] if count >= full else []
 
 
-def layers(asked):
+def layers(arguments):
     build("release", "layers", "certificate_study", "distribution_study")
     programs = RELEASE / "validation/geometry"
 
     def report(name):
-        return report_option(asked.count, asked.full, f"geometry/{name}")
+        return report_option(arguments.count, arguments.full, f"geometry/{name}")
 
     first_failure = 0
     for command in (
-            [programs / "layers", "--layers", asked.count, *report("LAYERS")],
+            [programs / "layers", "--layers", arguments.count, *report("LAYERS")],
             [programs / "certificate_study", *report("CERTIFICATE")],
             [programs / "distribution_study", *report("DISTRIBUTION")],
             [HERE / "geometry/compilers.sh", BUILD / "compilers"]):
@@ -68,80 +68,80 @@ def layers(asked):
     return first_failure
 
 
-def predicates(asked):
+def predicates(arguments):
     build("release", "predicates")
-    return run(RELEASE / "validation/geometry/predicates", "--inputs", asked.count,
-               *report_option(asked.count, asked.full, "geometry/PREDICATES"))
+    return run(RELEASE / "validation/geometry/predicates", "--inputs", arguments.count,
+               *report_option(arguments.count, arguments.full, "geometry/PREDICATES"))
 
 
-def problems(asked):
+def problems(arguments):
     build("release", "blocks")
     return run_python("problems/problems.py", RELEASE / "src/blocks", "--report",
-                      *asked.names, *(["--kept"] if asked.kept else []))
+                      *arguments.names, *(["--kept"] if arguments.kept else []))
 
 
-def study(asked):
+def study(arguments):
     build("release", "blocks")
     return run(RELEASE / "src/blocks", "study", "contacts", "all", "--variants", "default",
-               "--frames", asked.count, "-j", os.cpu_count(), "--gate",
-               *report_option(asked.count, asked.full, "robustness/CONTACTS.csv", "--csv"))
+               "--frames", arguments.count, "-j", os.cpu_count(), "--gate",
+               *report_option(arguments.count, arguments.full, "robustness/CONTACTS.csv", "--csv"))
 
 
-def reliability(asked):
+def reliability(arguments):
     build("release")
-    return run_python("reliability/report.py", RELEASE, RELIABILITY / "REPORT", *asked.words,
+    return run_python("reliability/report.py", RELEASE, RELIABILITY / "REPORT", *arguments.words,
                       environment={"BLOCKS_THOROUGH": "1"})
 
 
-def bits(asked):
+def bits(arguments):
     builds = BUILD / "bits"
-    if not asked.quick:
+    if not arguments.quick:
         return run_python("reliability/same_bits.py", builds, RELIABILITY / "SAME_BITS")
     build("ci", "blocks")
     return run_python("reliability/same_bits.py", builds, builds / "QUICK", "--quick",
                       "--program", f"g++ -O3={BUILD / 'ci/src/blocks'}")
 
 
-def fuzz_readers(asked):
-    targets = fuzz.parse_targets(asked.targets)
+def fuzz_readers(arguments):
+    targets = fuzz.parse_targets(arguments.targets)
     build("fuzz", "fuzz_seeds", *(f"fuzz_{name}" for name in targets))
-    limit = [] if asked.seconds is None else ["--seconds", asked.seconds]
+    limit = [] if arguments.seconds is None else ["--seconds", arguments.seconds]
     return run_python("reliability/fuzz.py", BUILD / "fuzz", RELIABILITY / "FUZZ",
-                      *limit, *asked.targets)
+                      *limit, *arguments.targets)
 
 
-def soak(asked):
+def soak(arguments):
     build("release", "soak")
-    report = report_option(asked.count, asked.full, "reliability/SOAK")
-    code = run(RELEASE / "validation/reliability/soak", "--steps", asked.count, *report)
+    report = report_option(arguments.count, arguments.full, "reliability/SOAK")
+    code = run(RELEASE / "validation/reliability/soak", "--steps", arguments.count, *report)
     if report and code == 0:
         with open(RELIABILITY / "SOAK.md", "a", encoding="utf-8") as page:
             page.write(f"\n{version.sentence()}\n")
     return code
 
 
-def rest(asked):
+def rest(arguments):
     build("release", "rest")
-    return run(RELEASE / "validation/rest/rest", "--steps", asked.count,
-               *report_option(asked.count, asked.full, "rest/REST"))
+    return run(RELEASE / "validation/rest/rest", "--steps", arguments.count,
+               *report_option(arguments.count, arguments.full, "rest/REST"))
 
 
-def bench(asked):
+def bench(arguments):
     build("release", "bench")
-    options = ["--quick"] if asked.quick else []
+    options = ["--quick"] if arguments.quick else []
     for name in ("output", "rounds", "largest"):
-        value = getattr(asked, name)
+        value = getattr(arguments, name)
         options += [f"--{name}", value] if value else []
-    return run(RELEASE / "validation/performance/bench", *options, *asked.parts)
+    return run(RELEASE / "validation/performance/bench", *options, *arguments.parts)
 
 
-def sanitizers(asked):
-    preset = "fuzz" if asked.subcommand == "asan" else "tsan"  # The fuzz preset has ASan.
+def sanitizers(arguments):
+    preset = "fuzz" if arguments.subcommand == "asan" else "tsan"  # The fuzz preset has ASan.
     build(preset)
     # A run of selected tests leaves the committed report as it is.
-    folder = BUILD / preset if asked.options else RELIABILITY
-    return run_python("reliability/sanitizers.py", asked.subcommand, BUILD / preset,
-                      folder / "SANITIZERS", *asked.options)
+    folder = BUILD / preset if arguments.options else RELIABILITY
+    return run_python("reliability/sanitizers.py", arguments.subcommand, BUILD / preset,
+                      folder / "SANITIZERS", *arguments.options)
 
 
 def whole_number(text):
@@ -233,12 +233,12 @@ def parser():
 
 def main():
     reader = parser()
-    asked, further = reader.parse_known_args()
-    if further and asked.run is not sanitizers:
+    arguments, further = reader.parse_known_args()
+    if further and arguments.run is not sanitizers:
         reader.error(f"unrecognized arguments: {' '.join(further)}")
-    asked.options = further
+    arguments.options = further
     try:
-        return asked.run(asked)
+        return arguments.run(arguments)
     except KeyboardInterrupt:
         return 130
 

@@ -112,47 +112,47 @@ def main():
     parser.add_argument("--report", action="store_true")
     parser.add_argument("--kept", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
-    asked = parser.parse_intermixed_args()
-    unknown = sorted(set(asked.names) - set(ORDER))
+    arguments = parser.parse_intermixed_args()
+    unknown = sorted(set(arguments.names) - set(ORDER))
     if unknown:
         print(f"problems.py: error: no problem {', '.join(unknown)}; there are: "
               f"{', '.join(ORDER)}", file=sys.stderr)
         return 2
-    names = asked.names or [name for name in ORDER
-                            if not asked.quick or load(name).LENGTH == "quick"]
-    program = asked.program.resolve()
-    if asked.kept:
-        return 4 if tell_kept(programs.identity(program, SOURCE), kept_results()) else 0
-    with ThreadPoolExecutor(asked.jobs) as workers:
+    names = arguments.names or [name for name in ORDER
+                            if not arguments.quick or load(name).LENGTH == "quick"]
+    program = arguments.program.resolve()
+    if arguments.kept:
+        return 4 if print_kept(programs.identity(program, SOURCE), kept_results()) else 0
+    with ThreadPoolExecutor(arguments.jobs) as workers:
         results = []
-        for result in workers.map(lambda name: solve(name, program, asked.report), names):
+        for result in workers.map(lambda name: solve(name, program, arguments.report), names):
             show(result)
             results.append(result)
-    refused = check_decks(program) if asked.quick else []
+    refused = check_decks(program) if arguments.quick else []
     for words in refused:
         print(f"FAILED: {words}")
     failed = [result for result in results if result["rows"] is None]
     sound = [result for result in results if result["rows"] is not None]
     missed = [row for result in sound for row in result["rows"] if row["holds"] is False]
     new = sum(not row["note"] for row in missed)
-    if asked.report:
+    if arguments.report:
         who = programs.identity(program, SOURCE)
         write_report(results, who)
-        tell_kept(who, [result for result in kept_results() if result["problem"] not in names])
+        print_kept(who, [result for result in kept_results() if result["problem"] not in names])
     print(f"{len(sound)} problems, {new} misses, {len(missed) - new} known misses"
           f"{f', {len(failed)} FAILED' if failed else ''}")
     return 1 if failed or refused else 4 if new else 0
 
 
-def tell_kept(who, kept):
+def print_kept(who, kept):
     """Prints the kept results and their programs. Returns how many have other numerics."""
-    print(f"this program: {programs.told(who)}")
+    print(f"this program: {programs.describe(who)}")
     others = 0
     for result in kept:
         by = result.get("program")
         other = not by or by["numerics"] != who["numerics"]
         others += other
-        print(f"kept, not run now: {result['problem']}: {programs.told(by)}"
+        print(f"kept, not run now: {result['problem']}: {programs.describe(by)}"
               f"{': ANOTHER PROGRAM' if other else ''}")
     return others
 

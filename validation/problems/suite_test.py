@@ -29,7 +29,7 @@ def test_verdicts():
     case.equal("not a number", 1.0, math.nan, 1e9, "a run gone wrong is a miss")
     case.at_most("above", 1.0, 1.1, "bound")
     case.at_least("not a number", 1.0, math.nan, "bound")
-    case.told("no verdict", 1.0, "nothing known")
+    case.measured("no verdict", 1.0, "nothing known")
     assert [row.holds for row in case.rows] == [True, False, True, False, False, False, None]
     case.same("in words", "slides", "slides", "the same")
     case.same("other words", "slides", "topples", "the same")
@@ -79,11 +79,11 @@ def test_wrong_answers_are_misses():
         problems.HERE = Path(folder) / "a" / "b"
         (problems.HERE / "x").mkdir(parents=True)
         (problems.HERE / "x" / "check.py").write_text(
-            "def check(case):\n    case.told('before', 1.0, '')\n    return {}[4.25]\n")
-        with contextlib.redirect_stderr(io.StringIO()) as said:
+            "def check(case):\n    case.measured('before', 1.0, '')\n    return {}[4.25]\n")
+        with contextlib.redirect_stderr(io.StringIO()) as output:
             rows = problems.solve("x", Path("none"), False)["rows"]
     assert [row["holds"] for row in rows] == [None, False], rows
-    assert rows[1]["ours"] == "no: KeyError: 4.25" and "check.py" in said.getvalue(), rows
+    assert rows[1]["ours"] == "no: KeyError: 4.25" and "check.py" in output.getvalue(), rows
 
 
 def test_turned_deck():

@@ -10,7 +10,7 @@ HERE = Path(__file__).resolve().parent
 PAGE = HERE.parents[1] / "docs/reliability.md"
 BEGIN, END = "<!-- counts: by counts.py, do not edit -->\n", "<!-- end of the counts -->\n"
 WHAT = [("FUZZ", "any bytes, by libFuzzer"), ("SANITIZERS", "every test under the sanitizers"),
-        ("SAME_BITS", "the same bits from every compiler"), ("SOAK", "850 blocks, on and on")]
+        ("SAME_BITS", "the same bits from every compiler"), ("SOAK", "many steps of 850 blocks")]
 
 
 def table(text):
@@ -39,10 +39,10 @@ def counts():
         if not page.exists():
             continue
         text = page.read_text()
-        told = " ".join(paragraphs(text))
+        text_of_counts = " ".join(paragraphs(text))
         if name == "SANITIZERS":
-            told = ". ".join(sanitizer(row) for row in table(text)) + "."
-        lines.append(f"- {what[0].upper() + what[1:]}: {told} "
+            text_of_counts = ". ".join(sanitizer(row) for row in table(text)) + "."
+        lines.append(f"- {what[0].upper() + what[1:]}: {text_of_counts} "
                      f"([{name}.md](../validation/reliability/{name}.md))")
     return "\n".join(lines) + "\n"
 

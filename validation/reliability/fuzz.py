@@ -32,7 +32,7 @@ TARGETS = {
     "geojson": ("GeoJSON", 2000000, [CORPUS / "bad_exchange"], []),
     "layer": ("layers to be cut", 20000, [CORPUS / "fuzz/layer"], []),
     "run": ("decks, built and stepped", 5000, [CORPUS / "fuzz/run"], DICTIONARY),
-    "checkpoint": ("checkpoints, sealed anew", 5000, [], []),
+    "checkpoint": ("checkpoints with a new checksum", 5000, [], []),
     "results": ("results", 5000, [], []),
 }
 # The sources of each reader that does not need the whole program.

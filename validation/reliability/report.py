@@ -19,28 +19,28 @@ import version
 # Promise, how it is tested, program, filter of its tests, property with the count (None: the
 # tests are counted), what is counted.
 TESTS = [
-    ("a run stopped anywhere and resumed leaves the bits of the straight run",
+    ("a run that is stopped anywhere and resumed has the same bits as an uninterrupted run",
      "every deck of `decks/`, at length of `validation/` and `tests/` too, stopped at "
      "random steps",
      "run/run_tests", "*ResumedDeck*",
      "splits", "stops"),
-    ("so does a run killed at any moment, and its files can be read",
+    ("a run that is killed at any moment does too, and its files are readable",
      "kill -9 at random moments, then resumed", "reliability/reliability_tests", "Killed.*",
      "kills", "kills"),
     ("a damaged checkpoint is refused", "one bit changed", "output/output_tests",
      "Checkpoint.RefusesAnyDamagedByte", "bytes", "bytes"),
-    ("a checkpoint that no run leaves is refused, whatever its checksum",
+    ("a checkpoint that no run can write is refused, whatever its checksum",
      "each value of a model forged", "output/output_tests",
      "ForgedCheckpoint.IsRefusedIfNoRunWritesTheValue", "forged", "forgeries"),
-    ("a forged checkpoint that some run might leave is refused or stepped",
+    ("a forged checkpoint that a run might write is refused or stepped",
      "each value of a model forged", "output/output_tests",
      "ForgedCheckpoint.IsRefusedOrMakesAStep", "forged", "forgeries"),
-    ("results stand whole at every moment", "the file between any two changes of it",
+    ("the results file is complete at every moment", "the file between any two of its changes",
      "reliability/reliability_tests", "ResultsAtAnyMoment.*", "moments", "moments"),
-    ("a full disk is told, and what was there stays",
-     "the disk full from the n-th change of a file on", "reliability/reliability_tests",
+    ("a full disk is reported, and existing files remain",
+     "the disk is full from the n-th change of a file on", "reliability/reliability_tests",
      "FullDisk.*", "tried", "places"),
-    ("failing memory is told, and leaves no half file",
+    ("failing memory is reported, and leaves no incomplete file",
      "the k-th request fails, once or from then on", "reliability/reliability_tests",
      "*FailingMemory*", "tried", "requests"),
     ("a bad card gets exactly its message", "a sound deck with one card spoilt",
@@ -48,7 +48,7 @@ TESTS = [
     ("a deck that cannot be read or built gets exactly its messages",
      "`tests/corpus/bad`", "deck/deck_tests", "*BadDeck.*", None, "decks"),
     ("", "`tests/corpus/bad_run`", "run/run_tests", "*BadRun.Gets*", None, "decks"),
-    ("a file that is no deck is refused in few words and with little memory",
+    ("a file that is not a deck is refused with a short message and little memory",
      "binary, one line of 10 MB, counts of 1e12 ...", "reliability/reliability_tests",
      "WholeFile.*", None, "groups"),
     ("a deck changed at random is refused, runs or ends as unsound",
@@ -71,7 +71,7 @@ FUZZ = [
 def run_tests(program, wanted):
     """Runs the wanted tests and returns their outcomes as reported by gtest."""
     with tempfile.TemporaryDirectory() as folder:
-        told = Path(folder) / "told.json"
+        told = Path(folder) / "outcome.json"
         subprocess.run([program, f"--gtest_filter={wanted}", f"--gtest_output=json:{told}"],
                        stdout=sys.stderr, check=False)
         if not told.exists():
@@ -85,7 +85,7 @@ def name_of(test):
     return test[3].strip("*").rstrip(".")
 
 
-def asked_for(text):
+def is_requested(text):
     return not sys.argv[3:] or any(word in text for word in sys.argv[3:])
 
 
@@ -130,9 +130,9 @@ def main():
     source = Path(__file__).resolve().parents[2]
     earlier = earlier_rows(report) if sys.argv[3:] else {}
     subprocess.run([build / "tests/fuzz/fuzz_seeds", build / "tests/fuzz/seeds"], check=True)
-    rows = [row_of_tests(build, test) if asked_for(test[1] + test[3]) else
+    rows = [row_of_tests(build, test) if is_requested(test[1] + test[3]) else
             earlier[name_of(test)] for test in TESTS]
-    fuzzed = [row_of_fuzz(build, source, target) if asked_for("fuzz_" + target[0]) else
+    fuzzed = [row_of_fuzz(build, source, target) if is_requested("fuzz_" + target[0]) else
               earlier["fuzz_" + target[0]] for target in FUZZ]
     fuzzed[0] = ("readers take any bytes, and cut any layer", *fuzzed[0][1:])
     lines = ["# What is promised of files and inputs, as tested", "",

@@ -84,8 +84,8 @@ def hash_of(program, deck, steps, threads=1, simd=None):
             return None
         if run.returncode not in (0, 75):
             fail(f"{deck} by {program} ended with {run.returncode}: {run.stderr}")
-        told = json.loads((Path(folder) / "a.summary.json").read_text())
-        return told["steps"], told["state_hash"]
+        summary = json.loads((Path(folder) / "a.summary.json").read_text())
+        return summary["steps"], summary["state_hash"]
 
 
 def variants(program, deck):
@@ -100,20 +100,20 @@ def variants(program, deck):
 
 
 def main():
-    reader = argparse.ArgumentParser(
+    parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    reader.add_argument("builds", type=Path)
-    reader.add_argument("report")
-    reader.add_argument("--quick", action="store_true")
-    reader.add_argument("--program", action="append", default=[])
-    asked = reader.parse_args()
-    programs = dict(given.split("=", 1) for given in asked.program)
-    if asked.quick:
+    parser.add_argument("builds", type=Path)
+    parser.add_argument("report")
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--program", action="append", default=[])
+    arguments = parser.parse_args()
+    programs = dict(given.split("=", 1) for given in arguments.program)
+    if arguments.quick:
         THREADS[:] = [1, 2]
         DECKS.update({deck: steps // 4 for deck, steps in DECKS.items()})
-    for compiler, level in QUICK if asked.quick else BUILDS:
+    for compiler, level in QUICK if arguments.quick else BUILDS:
         print(f"building with {compiler} -{level} ...", flush=True)
-        programs[f"{compiler} -{level}"] = built(asked.builds.resolve(), compiler, level)
+        programs[f"{compiler} -{level}"] = built(arguments.builds.resolve(), compiler, level)
     golden, differing, runs, ways = {}, [], 0, []
     for deck in DECKS:
         for name, program in programs.items():
@@ -135,7 +135,7 @@ def main():
               + ("All have these hashes." if not differing else
                  f"**{len(differing)} differ**:"), ""]
     lines += [f"- {one}" for one in differing]
-    Path(asked.report + ".md").write_text("\n".join(lines).rstrip() + "\n")
+    Path(arguments.report + ".md").write_text("\n".join(lines).rstrip() + "\n")
     print(lines[-2 if not differing else -1])
     return 4 if differing else 0
 

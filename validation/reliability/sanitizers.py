@@ -38,7 +38,7 @@ def environment(reports):
     return result
 
 
-def told_by(command, environment):
+def output_of(command, environment):
     """Runs the command, prints its output as it appears, and returns it."""
     with subprocess.Popen(command, env=environment, text=True, errors="replace",
                           stdout=subprocess.PIPE) as run:
@@ -53,15 +53,15 @@ def main():
     kind, build, page = sys.argv[1], sys.argv[2], Path(sys.argv[3] + ".md")
     began = time.time()
     with tempfile.TemporaryDirectory() as reports:
-        told = told_by(["ctest", "--test-dir", build, "--output-on-failure",
+        output = output_of(["ctest", "--test-dir", build, "--output-on-failure",
                         "-j", str(os.cpu_count()), *sys.argv[4:]], environment(reports))
         found = sorted(Path(reports).iterdir())
         texts = [one.read_text(errors="replace") for one in found]
     for text in texts[:10]:
         print(text[:5000])
-    summary = re.search(r"(\d+) tests failed out of (\d+)", told)
+    summary = re.search(r"(\d+) tests failed out of (\d+)", output)
     failed, of = map(int, summary.groups()) if summary else (0, 0)
-    left_out = len(re.findall(r"\(Disabled\)|\*\*\*Skipped", told))
+    left_out = len(re.findall(r"\(Disabled\)|\*\*\*Skipped", output))
     rows = {line.split("`")[1]: line for line in
             (page.read_text().splitlines() if page.exists() else [])
             if line.startswith("| `")}

@@ -80,9 +80,9 @@ int main(int argc, char** argv) {
       argc, argv,
       {"many steps of a deck: finite, bounded, at rest",
        "decks/subsidence/subsidence.deck", 10000000,
-       "Soak: the subsidence deck, on and on",
-       "Written by `./go validate soak`; do not edit. Energy is kinetic and of the "
-       "weight; ways are those of centroids since the row before.",
+       "Soak: many steps of the subsidence deck",
+       "Written by `./go validate soak`; do not edit. Energy is kinetic and "
+       "gravitational. Movements are those of centroids since the previous row.",
        "| step | t | energy above the start | half of the blocks moved less than | "
        "nine in ten | all | largest overlap |",
        "|---|---|---|---|---|---|---|"},

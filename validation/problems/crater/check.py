@@ -67,13 +67,13 @@ def check(case):
         if run.outline(b, 0)[:, 0].max() > 7.9 and run.outline(b, 0)[:, 1].max() < 5),
         "the crater ends within the model", "m")
     five = "five layerings, mean and standard deviation"
-    case.told("half width of the crater", spread(width, "m"), five)
-    case.told("depth of the crater", spread(depth, "m"), five)
-    case.told("width over depth", spread(2 * np.array(width) / np.array(depth), ""), five)
-    case.told("height of the highest block above the surface at 0.5 s",
+    case.measured("half width of the crater", spread(width, "m"), five)
+    case.measured("depth of the crater", spread(depth, "m"), five)
+    case.measured("width over depth", spread(2 * np.array(width) / np.array(depth), ""), five)
+    case.measured("height of the highest block above the surface at 0.5 s",
               spread(np.array(height) - SURFACE, "m"), five)
-    case.told("blocks that have risen by more than 0.25 m", spread(moved, ""), five)
-    case.told("worst overlap on the way", spread(
+    case.measured("blocks that have risen by more than 0.25 m", spread(moved, ""), five)
+    case.measured("worst overlap on the way", spread(
         [1e3 * run.summary["worst_overlap"]["ever"] for run in runs], "mm"), five)
     chart = Chart("Rim of the crater by level: blocks that have risen by more than 0.25 m", "x, m",
                   "y, m (surface 6, charge 3 to 4)")

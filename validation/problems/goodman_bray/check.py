@@ -118,11 +118,11 @@ def check(case):
                  "the answer must not hang on the moment of comparison")
     for moment in (0.001, 0.004, 0.016):
         now = between(yields, np.argmax(turn > moment))
-        case.told(f"the same forces at the moment of {moment} rad, of the expected, column 13 to 2",
+        case.measured(f"the same forces at the moment of {moment} rad, of the expected, column 13 to 2",
                   " ".join(f"{now[n] / force[n]:.2f}" for n in reversed(columns)),
                   "first friction comes into play everywhere, then the slope changes its shape")
     held = between(run(ours + 0.02), -1)
-    case.told("the same forces while it still holds", " ".join(
+    case.measured("the same forces while it still holds", " ".join(
         f"{held[n] / force[n]:.2f}" for n in reversed(columns)),
         "not at the limit everywhere: they depend on how the columns settled")
 

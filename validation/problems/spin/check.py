@@ -30,7 +30,7 @@ def check(case):
     case.equal("angle of the corners after 2 s", 2 * np.arctan(h) / run.dt * t[-1], turned[-1],
                1e-10, "round-off; 2 atan(spin dt / 2) a step", "rad")
     steps = run.summary["steps"]
-    case.told("area by the printed, linear update, for comparison",
+    case.measured("area by the printed, linear update, for comparison",
               f"{(1 + (SPIN * run.dt) ** 2) ** steps:.3g} times as large",
               "(1 + (spin dt)^2)^steps")
     chart = Chart("Area of a spinning block", "angle, rad", "area / first area", log="y")

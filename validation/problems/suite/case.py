@@ -70,15 +70,15 @@ class Case:
         stem = self.scratch / f"{Path(deck).stem}_{next(self._count)}"
         path = stem.with_name(stem.name + ".deck")
         path.write_text(self.text(deck) if text is None else text)
-        said = stem.with_name(stem.name + ".said")
-        with said.open("w") as sink:
+        log = stem.with_name(stem.name + ".log")
+        with log.open("w") as sink:
             child = subprocess.Popen([self.program, "run", "-q", "-j", "1", path, "-o", stem,
                                       *map(str, options)], cwd=self.scratch, stdout=sink,
                                      stderr=subprocess.STDOUT)
             _, status, usage = os.wait4(child.pid, 0)
             child.returncode = os.waitstatus_to_exitcode(status)
         if child.returncode != 0:
-            raise RunFailed(f"{path.name}: exit code {child.returncode}\n{said.read_text()}")
+            raise RunFailed(f"{path.name}: exit code {child.returncode}\n{log.read_text()}")
         self.runs += 1
         return Results(stem, usage.ru_utime + usage.ru_stime)
 
@@ -92,10 +92,10 @@ class Case:
         """Adds a row: |ours - expected| is at most `within`, relative unless absolute."""
         error = abs(ours - expected) if absolute else abs(ours - expected) / abs(expected)
         holds = bool(error <= within)  # False for NaN
-        told = unit if absolute else ""
+        text_unit = unit if absolute else ""
         self.rows.append(Row(quantity, number(expected, unit), number(ours, unit),
-                             f"{small(error)} {told}".strip() if absolute else percent(error),
-                             f"{small(within)} {told}".strip() if absolute else percent(within),
+                             f"{small(error)} {text_unit}".strip() if absolute else percent(error),
+                             f"{small(within)} {text_unit}".strip() if absolute else percent(within),
                              because, holds, value=finite(ours)))
 
     def at_most(self, quantity, bound, ours, because, unit=""):
@@ -117,7 +117,7 @@ class Case:
         """Adds a row: ours is the expected text."""
         self.rows.append(Row(quantity, expected, ours, "", "the same", because, ours == expected))
 
-    def told(self, quantity, ours, because, unit=""):
+    def measured(self, quantity, ours, because, unit=""):
         """Adds a row without a verdict: a measurement with no known answer."""
         value = ours if isinstance(ours, str) else number(ours, unit)
         self.rows.append(Row(quantity, "", value, "", "", because, None))

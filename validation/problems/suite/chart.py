@@ -63,12 +63,12 @@ class Chart:
             out.append(f'<line x1="{px(v):.1f}" x2="{px(v):.1f}" y1="{TOP}" '
                        f'y2="{HEIGHT - BOTTOM}" stroke="#e4e4e4"/>')
             out.append(f'<text x="{px(v):.1f}" y="{HEIGHT - BOTTOM + 17}" '
-                       f'text-anchor="middle">{told(v)}</text>')
+                       f'text-anchor="middle">{format_tick(v)}</text>')
         for v in y_axis.ticks():
             out.append(f'<line x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{py(v):.1f}" '
                        f'y2="{py(v):.1f}" stroke="#e4e4e4"/>')
             out.append(f'<text x="{LEFT - 7}" y="{py(v) + 4:.1f}" '
-                       f'text-anchor="end">{told(v)}</text>')
+                       f'text-anchor="end">{format_tick(v)}</text>')
         out.append(f'<rect x="{LEFT}" y="{TOP}" width="{WIDTH - LEFT - RIGHT}" '
                    f'height="{HEIGHT - TOP - BOTTOM}" fill="none" stroke="#888888"/>')
         out.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2:.0f}" y="{HEIGHT - 14}" '
@@ -160,6 +160,6 @@ class Axis:
         return [k * step for k in range(first, math.floor(self.high / step) + 1)]
 
 
-def told(value):
+def format_tick(value):
     """Formats the value of a tick as briefly as possible."""
     return f"{value:.4g}".replace("e+0", "e").replace("e-0", "e-")

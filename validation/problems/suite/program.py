@@ -57,7 +57,7 @@ def identity(program, source):
             "day": datetime.date.today().isoformat()}
 
 
-def told(who):
+def describe(who):
     """Describes the program in words; rows of early reports have none."""
     if not who:
         return "a program not recorded"

@@ -4,7 +4,7 @@ import base64
 import re
 from html import escape
 
-from .program import told as told_program
+from .program import describe as describe_program
 
 COLUMNS = ["quantity", "expected", "ours", "error", "tolerance", "reason of the tolerance",
            "verdict"]
@@ -18,8 +18,8 @@ def verdict(row):
 
 
 def cells(row):
-    told = row["reason"] + (f". Why it misses: {row['note']}" if row["note"] else "")
-    return [row["quantity"], row["expected"], row["ours"], row["error"], row["tolerance"], told,
+    text = row["reason"] + (f". Why it misses: {row['note']}" if row["note"] else "")
+    return [row["quantity"], row["expected"], row["ours"], row["error"], row["tolerance"], text,
             verdict(row)]
 
 
@@ -32,10 +32,10 @@ def count(results):
     rows = [row for result in results for row in result["rows"] if row["holds"] is not None]
     missed = [row for row in rows if not row["holds"]]
     known = sum(bool(row["note"]) for row in missed)
-    told = f"{len(results)} problems, {len(rows)} verdicts: {len(rows) - len(missed)} hold, "
+    text = f"{len(results)} problems, {len(rows)} verdicts: {len(rows) - len(missed)} hold, "
     if not missed:
-        return told + "none misses."
-    return told + f"{len(missed)} miss; {known} of them {'is' if known == 1 else 'are'} known."
+        return text + "none misses."
+    return text + f"{len(missed)} miss; {known} of them {'is' if known == 1 else 'are'} known."
 
 
 def misses(results):
@@ -55,30 +55,30 @@ def measured_by(results):
     if len(by) == 1 and "" not in by:
         return ("All rows were measured by programs of the same arithmetic; the line of a problem "
                 "says by which.")
-    told = "; ".join(f"numerics {numerics or 'not recorded'}: " +
+    text = "; ".join(f"numerics {numerics or 'not recorded'}: " +
                      ", ".join(result["problem"] for result in group)
                      for numerics, group in by.items())
-    return f"**Rows of different programs** ({told}): `./go validate problems` measures all."
+    return f"**Rows of different programs** ({text}): `./go validate problems` measures all."
 
 
 HEAD = """Written by `./go validate problems`; do not edit. Each problem is a folder in
-`validation/problems` with its decks, its answer derived in words, and its check. No tolerance was
-widened to pass: a miss is shown as a miss and explained; known ones stand with their reasons in
-`known_misses.json` of their problem. Rows without a verdict are measurements with nothing known to
-compare them with, or with an answer that is not ours to reach, which the reason then says.
-Numerics is a fingerprint of what the program computes (`suite/program.py`): programs that share it
-agree to the last bit in five short runs."""
+`validation/problems` with its decks, the derivation of its answer, and its check. No tolerance was
+widened to pass: a miss is shown as a miss and explained. Known misses have their reasons in
+`known_misses.json` of their problem. Rows without a verdict are measurements without a known
+answer, or with the answer of another model, as the reason says. Numerics is a fingerprint of what
+the program computes (`suite/program.py`): programs with the same numerics agree to the last bit in
+five short runs."""
 
 
 def markdown(results):
     """Returns the report as Markdown, with figures by their paths."""
     out = ["# Validation", "", HEAD, "", measured_by(results), "", count(results), ""]
-    out += [f"- **{name}**: {quantity}: {told}" for name, quantity, told in misses(results)] + [""]
+    out += [f"- **{name}**: {quantity}: {text}" for name, quantity, text in misses(results)] + [""]
     for result in results:
         name = result["problem"]
         out += [f"## {title(result['readme'])}", "",
                 f"[{name}](problems/{name}/README.md), {result['runs']} "
-                f"run{'s' if result['runs'] > 1 else ''} of {told_program(result.get('program'))}", "",
+                f"run{'s' if result['runs'] > 1 else ''} of {describe_program(result.get('program'))}", "",
                 "| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
         for row in result["rows"]:
             line = [text.replace("|", "\\|") for text in cells(row)]
@@ -155,8 +155,8 @@ def html(results, folder):
            "<title>Validation of BLOCKS</title>", f"<style>{STYLE}</style></head><body>",
            "<h1>Validation of BLOCKS</h1>", f"<p>{words(HEAD)}</p>",
            f"<p>{words(measured_by(results))}</p>", f"<p><b>{count(results)}</b></p>", "<ul>",
-           *(f"<li><b>{words(name)}</b>: {words(quantity)}: {words(told)}</li>"
-             for name, quantity, told in misses(results)), "</ul>", "<nav>"]
+           *(f"<li><b>{words(name)}</b>: {words(quantity)}: {words(text)}</li>"
+             for name, quantity, text in misses(results)), "</ul>", "<nav>"]
     for result in results:
         missed = any(row["holds"] is False for row in result["rows"])
         mark = ' <span class="misses">misses</span>' if missed else ""
@@ -167,7 +167,7 @@ def html(results, folder):
         out += [f'<h2 id="{name}">{words(title(readme))}</h2>',
                 prose(readme.partition("\n")[2]),
                 f"<p>{result['runs']} run{'s' if result['runs'] > 1 else ''} of "
-                f"{told_program(result.get('program'))}</p>", "<table><tr>" +
+                f"{describe_program(result.get('program'))}</p>", "<table><tr>" +
                 "".join(f"<th>{column}</th>" for column in COLUMNS) + "</tr>"]
         for row in result["rows"]:
             line = [words(text) for text in cells(row)]
