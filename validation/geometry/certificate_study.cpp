@@ -254,22 +254,17 @@ struct Row {
 
 std::string markdown(const std::vector<Row>& rows) {
   std::ostringstream out;
-  out << "# The certificate against brute force\n\n"
-         "Written by `./go validate layers`; do not edit. Walls, walls off the lines "
-         "and "
-         "generated\n"
-         "layers, spoilt in one way (one in five twice), judged by brute force on "
-         "whole "
-         "numbers\n"
-         "and by the certificate. The certificate has to hold exactly where the cells "
-         "tile\n"
-         "the outline corner to corner; where they tile it with a corner inside an "
-         "edge or\n"
-         "two vertices at one place it refuses, because such neighbours share no "
-         "vertex.\n\n"
-         "| spoilt | meshes | tile | tile, not corner to corner | do not tile | "
-         "certificate "
-         "holds | disagreements |\n|---|---|---|---|---|---|---|\n";
+  out << R"(# The certificate against brute force
+
+Written by `./go validate layers`; do not edit. Walls, walls with displaced vertices and
+generated layers are spoilt in one way (one in five twice). Brute force on whole numbers
+and the certificate judge them. The certificate must hold exactly if the cells tile the
+outline corner to corner. If they tile it with a corner inside an edge or with two
+vertices at one place, it refuses, because such neighbours share no vertex.
+
+| spoilt | meshes | tile | tile, not corner to corner | do not tile | certificate holds | disagreements |
+|---|---|---|---|---|---|---|
+)";
   Row total;
   const auto line = [&out](const char* name, const Row& r) {
     out << "| " << name << " | " << r.meshes << " | " << r.tile << " | " << r.apart

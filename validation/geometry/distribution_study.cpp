@@ -115,29 +115,30 @@ std::string angles_row(const std::string& angle, int hundredths) {
 
 std::string tables() {
   std::string text =
-      "# Random widths and angles as they come\n\n"
-      "Written by `./go validate layers`; do not edit. The law: "
-      "docs/distributions.md.\n\n"
-      "Widths over height. Uniform: standard deviation of the uniform law about the "
-      "mean\n"
-      "that fits between 0.2 and 3, the limit for many blocks. Correlation of "
-      "neighbours,\n"
-      "and -1/(n-1), what the fixed sum makes of any two. Worst place: the largest\n"
-      "deviation of the mean width at one place of the layer, in its standard "
-      "errors.\n\n"
-      "| blocks n | mean | layers | deviation | uniform | least | greatest | "
-      "correlation "
-      "| -1/(n-1) | worst place |\n|---|---|---|---|---|---|---|---|---|---|\n";
+      R"(# Random widths and angles as they come
+
+Written by `./go validate layers`; do not edit. The law: docs/distributions.md.
+
+Widths over height. Uniform: standard deviation of the uniform law about the mean that
+fits between 0.2 and 3, the limit for many blocks. Correlation is that of neighbours;
+-1/(n-1) is that of any two widths with a fixed sum. Worst place: the largest deviation
+of the mean width at one place of the layer, in its standard errors.
+
+| blocks n | mean | layers | deviation | uniform | least | greatest | correlation | -1/(n-1) | worst place |
+|---|---|---|---|---|---|---|---|---|---|
+)";
   for (const int blocks : {2, 5, 20, 1000})
     for (const int hundredths : {30, 60, 160, 250})
       text += widths_row(blocks, hundredths);
   text +=
-      "\nAngles of the sides, degrees, 50 layers of 400 blocks. Redrawn: angles drawn\n"
-      "again, for each side; ruled: sides that took the ruling. Uniform: the deviation "
-      "if\n"
-      "no side had been drawn again.\n\n"
-      "| ORIENT | mean width/height | redrawn | ruled | mean | deviation | uniform |\n"
-      "|---|---|---|---|---|---|---|\n";
+      R"(
+Angles of the sides in degrees, 50 layers of 400 blocks. Redrawn: number of angles drawn
+again, per side. Ruled: share of sides that took the ruling. Uniform: the deviation if no
+side were drawn again.
+
+| ORIENT | mean width/height | redrawn | ruled | mean | deviation | uniform |
+|---|---|---|---|---|---|---|
+)";
   for (const char* angle : {"5", "15", "30", "45", "60", "79.999"})
     for (const int hundredths : {50, 100, 200})
       text += angles_row(angle, hundredths);

@@ -181,14 +181,14 @@ std::string markdown(const Counts& counts) {
   std::ostringstream out;
   out << R"(# The contact predicates against MPFR
 
-Written by `./go validate predicates`; do not edit. Each input is a corner with a
-tangent, two edges and a centroid, and is put to seven predicates (six, and
-`in_reach_of_edge`), scalar and as a lane of a batch. The judge takes the definitions in
-MPFR with as many bits as make every sum and product exact; it shares nothing with the
-filters, with the exact sums of doubles or with CGAL. *Plain wrong*: the same formulas
-in doubles without a bound. *Undecided*: how often a filter left the sign open;
-*multiprecision*: how often multiple-precision numbers were then taken, where exact sums
-of a few doubles did not do (for one answer it may be more than once). A lane of a
+Written by `./go validate predicates`; do not edit. Each input is a corner with a tangent,
+two edges and a centroid. It is tested with seven predicates (six, and
+`in_reach_of_edge`), scalar and as a lane of a batch. The judge uses the definitions in
+MPFR with enough bits to make every sum and product exact. It shares nothing with the
+filters, with the exact sums of doubles or with CGAL. *Plain wrong*: wrong answers of the
+same formulas in doubles without a bound. *Undecided*: how often a filter left the sign
+open. *Multiprecision*: how often multiple-precision numbers were needed because exact
+sums of a few doubles were not enough (possibly more than once per answer). A lane of a
 batch is wrong if it is decided and wrong.
 
 | family | inputs | answers | plain wrong | undecided | multiprecision | wrong | wrong lanes |

@@ -53,21 +53,18 @@ void Tally::add(const Tally& other) {
 std::string markdown(const Run& run) {
   const FamilyTally total = sum(run);
   std::ostringstream out;
-  out << "# Generated layers: failures\n\n"
-         "Written by `./go validate layers`; do not edit. Each layer is made three "
-         "times: by\n"
-         "`geometry::cut_layer`, by a plain program of doubles as in 1982 (naive), and "
-         "by\n"
-         "that program with a crossing check. A failure is a layer that does not tile "
-         "its\n"
-         "outline, by the certificate, or one made of corners that are no layer. "
-         "Refused:\n"
-         "an error instead of a layer (blocks that do not survive rounding to doubles, "
-         "or\n"
-         "the last family, where every one has to be refused).\n\n"
-         "| family | layers of it | layers | blocks | ours: refused | ours: failures | "
-         "naive: failures | naive with check: failures |\n"
-         "|---|---|---|---|---|---|---|---|\n";
+  out << R"(# Generated layers: failures
+
+Written by `./go validate layers`; do not edit. Each layer is made three times: by
+`geometry::cut_layer`, by a plain program of doubles as in 1982 (naive), and by that
+program with a crossing check. A failure is a layer that does not tile its outline
+according to the certificate, or a layer from corners that admit none. Refused: an error
+instead of a layer. Either blocks do not survive rounding to doubles, or the layer is of
+the last family, where each one must be refused.
+
+| family | layers of it | layers | blocks | ours: refused | ours: failures | naive: failures | naive with check: failures |
+|---|---|---|---|---|---|---|---|
+)";
   for (std::size_t i = 0; i < run.families.size(); ++i)
     row(out, families()[i].name, families()[i].about, run.families[i]);
   row(out, "**all**", "", total);
