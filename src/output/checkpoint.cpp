@@ -11,9 +11,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "output/checkpoint_validation.hpp"
 #include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
-#include "output/possible.hpp"
 
 namespace blocks::output {
 namespace {
@@ -171,7 +171,7 @@ Model read_checkpoint(const std::string& path, CheckpointInfo& info) {
     Model model;
     LoadingArchive archive(file.get());
     visit(model, info, archive);
-    expect_possible(model, info);
+    validate_checkpoint(model, info);
     return model;
   } catch (const hdf5::Failure& failure) {
     refuse(path, failure.what());

@@ -47,7 +47,7 @@ void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info);
 
 /// Restores a model bit for bit. Throws FileError if the file is missing, not a
-/// checkpoint, damaged, of another format or invalid (expect_possible).
+/// checkpoint, damaged, of another format or invalid (validate_checkpoint).
 Model read_checkpoint(const std::string& path, CheckpointInfo& info);
 
 }  // namespace blocks::output

@@ -8,8 +8,8 @@
 
 #include "dynamics/stepper.hpp"
 #include "output/checkpoint.hpp"
+#include "output/checkpoint_validation.hpp"
 #include "output/model_archive.hpp"
-#include "output/possible.hpp"
 #include "sample_model.hpp"
 #include "sealed.hpp"
 
@@ -149,7 +149,7 @@ template <class Judge> long forge_all(Forger::How how, Judge&& judge) {
       return wanted;
     std::string reason;
     try {
-      expect_possible(model, {});
+      validate_checkpoint(model, {});
       dynamics::Workspace work;
       dynamics::prepare(model);
       dynamics::Stepper stepper(model, work);

@@ -11,6 +11,6 @@ namespace blocks::output {
 /// "blocks/mass: value 3 is -1, expected a number above 0". It rejects numbers that are
 /// not finite or out of range, columns of different lengths, invalid indices, and
 /// contacts out of order.
-void expect_possible(const Model& model, const CheckpointInfo& info);
+void validate_checkpoint(const Model& model, const CheckpointInfo& info);
 
 }  // namespace blocks::output

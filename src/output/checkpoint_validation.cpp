@@ -1,4 +1,4 @@
-#include "output/possible.hpp"
+#include "output/checkpoint_validation.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace blocks::output {
 namespace {
 
-[[noreturn]] void impossible(const std::string& what) {
+[[noreturn]] void reject_checkpoint(const std::string& what) {
   throw hdf5::Failure("no run writes such a state: " + what);
 }
 
@@ -38,7 +38,7 @@ bool holds(const Range& range, double value) {
 
 void expect(const std::string& name, double value, const Range& range) {
   if (!holds(range, value))
-    impossible(fmt::format("{} is {}, expected {}", name, value, range.words));
+    reject_checkpoint(fmt::format("{} is {}, expected {}", name, value, range.words));
 }
 
 void expect(const std::string& name, const Vec2& point) {
@@ -55,23 +55,24 @@ void expect_all(const char* name, const Column& column, Eigen::Index rows,
     if (Column::ColsAtCompileTime != 1)
       width = column.rows(), length = column.cols();
   if (length != rows)
-    impossible(fmt::format("{} has {} rows, expected {}", name, length, rows));
+    reject_checkpoint(fmt::format("{} has {} rows, expected {}", name, length, rows));
   for (Eigen::Index i = 0; i < rows * width; ++i)
     if (const auto value = static_cast<double>(column.data()[i]); !holds(range, value))
-      impossible(fmt::format("{}: value {} is {}, expected {}", name, i / width + 1,
-                             value, range.words));
+      reject_checkpoint(fmt::format("{}: value {} is {}, expected {}", name,
+                                    i / width + 1, value, range.words));
 }
 
 /// Expects an index in [0, n).
 void expect_index(const std::string& name, long index, long n) {
   if (index < 0 || index >= n)
-    impossible(fmt::format("{} names number {} of {}", name, index + 1, n));
+    reject_checkpoint(fmt::format("{} names number {} of {}", name, index + 1, n));
 }
 
 void expect_indices(const char* name, const std::vector<int>& column, std::size_t rows,
                     long n) {
   if (column.size() != rows)
-    impossible(fmt::format("{} has {} rows, expected {}", name, column.size(), rows));
+    reject_checkpoint(
+        fmt::format("{} has {} rows, expected {}", name, column.size(), rows));
   for (const int index : column)
     expect_index(name, index, n);
 }
@@ -82,7 +83,7 @@ void expect_settings(const Settings& s) {
   expect("settings/lower", s.lower);
   expect("settings/upper", s.upper);
   if (!(s.lower.x() < s.upper.x()) || !(s.lower.y() < s.upper.y()))
-    impossible("settings/upper is not above settings/lower");
+    reject_checkpoint("settings/upper is not above settings/lower");
   const Range boxes{1.0, largest, "a number from 1"};
   expect("settings/boxes_x", s.boxes_x, boxes);
   expect("settings/boxes_y", s.boxes_y, boxes);
@@ -108,10 +109,10 @@ void expect_settings(const Settings& s) {
     expect("settings/planes", plane.a);
     expect("settings/planes", plane.b);
     if (plane.a == plane.b)
-      impossible("settings/planes has a plane through one point");
+      reject_checkpoint("settings/planes has a plane through one point");
   }
   if (s.angle_min.value() > s.angle_max.value())
-    impossible("settings/angle_min is above angle_max");
+    reject_checkpoint("settings/angle_min is above angle_max");
   if (s.merge_ratio)
     expect("settings/merge_ratio", s.merge_ratio->value(), not_negative);
 }
@@ -120,33 +121,34 @@ void expect_settings(const Settings& s) {
 void expect_corners(const Blocks& b) {
   const std::size_t n = b.material.size();
   if (b.first_corner.size() != n + 1 || b.first_corner[0] != 0)
-    impossible(fmt::format("blocks/first_corner has {} rows, expected {} from 0",
-                           b.first_corner.size(), n + 1));
+    reject_checkpoint(fmt::format("blocks/first_corner has {} rows, expected {} from 0",
+                                  b.first_corner.size(), n + 1));
   for (std::size_t i = 0; i < n; ++i)
     if (const long count = long{b.first_corner[i + 1]} - b.first_corner[i];
         count < 3 || count > geometry::most_corners)
-      impossible(fmt::format("blocks/first_corner: block {} has {} than {} corners",
-                             i + 1, count < 3 ? "less" : "more",
-                             count < 3 ? 3 : geometry::most_corners));
+      reject_checkpoint(fmt::format(
+          "blocks/first_corner: block {} has {} than {} corners", i + 1,
+          count < 3 ? "less" : "more", count < 3 ? 3 : geometry::most_corners));
   const auto m = static_cast<std::size_t>(b.corners());
   for (const auto& [name, column] : {std::pair{"blocks/next", &b.next},
                                      {"blocks/previous", &b.previous},
                                      {"blocks/corner_block", &b.corner_block}})
     if (column->size() != m)
-      impossible(fmt::format("{} has {} rows, expected {}", name, column->size(), m));
+      reject_checkpoint(
+          fmt::format("{} has {} rows, expected {}", name, column->size(), m));
   for (int k = 0; k < b.size(); ++k)
     for (int first = b.first_corner[k], last = b.first_corner[k + 1] - 1, c = first;
          c <= last; ++c)
       if (b.corner_block[c] != k || b.next[c] != (c == last ? first : c + 1) ||
           b.previous[c] != (c == first ? last : c - 1))
-        impossible(
+        reject_checkpoint(
             fmt::format("corner {} of block {} is out of order", c - first + 1, k + 1));
 }
 
 /// Expects convex parts of blocks that are not convex, each with at least three
 /// corners.
 void expect_cuts(const Blocks& b) {
-  const auto refuse = [] { impossible("blocks/cuts holds no convex parts"); };
+  const auto refuse = [] { reject_checkpoint("blocks/cuts holds no convex parts"); };
   std::vector<char> is_cut(b.convex.begin(), b.convex.end());
   for (std::size_t k = 0; k < b.cuts.size();) {
     const std::size_t left = b.cuts.size() - k;
@@ -170,8 +172,8 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
   expect_all("blocks/corner", b.corner, m, finite);
   for (const int number : b.material)
     if (!settings.materials.contains(number))
-      impossible(fmt::format("blocks/material names material {}, which does not exist",
-                             number));
+      reject_checkpoint(fmt::format(
+          "blocks/material names material {}, which does not exist", number));
   expect_all("blocks/fixity", b.fixity, n, {0.0, 2.0, "0, 1 or 2"});
   expect_all("blocks/convex", b.convex, n, yes_or_no);
   expect_cuts(b);
@@ -201,7 +203,7 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
     const Vec2 there = b.centroid.col(b.corner_block[c]) + arm;
     const double size = there.cwiseAbs().maxCoeff() + arm.norm();
     if (!((there - b.corner.col(c)).norm() <= 1e-9 * size))
-      impossible(fmt::format(
+      reject_checkpoint(fmt::format(
           "blocks/corner: value {} is not the centroid plus the deformed arm", c + 1));
   }
 }
@@ -215,9 +217,9 @@ void expect_contacts(const std::vector<Contact>& contacts, const Blocks& b) {
     const Contact& contact = contacts[i];
     const auto [low, high] = pair_of(b, contact);
     if (low == high)
-      impossible(fmt::format("contact {} is between a block and itself", i + 1));
+      reject_checkpoint(fmt::format("contact {} is between a block and itself", i + 1));
     if (i > 0 && !(sort_key(b, contacts[i - 1]) < sort_key(b, contact)))
-      impossible(fmt::format("contact {} is out of order", i + 1));
+      reject_checkpoint(fmt::format("contact {} is out of order", i + 1));
     for (const auto& [name, value, range] :
          {std::tuple{"normal_elastic", contact.normal_elastic, &not_negative},
           {"normal_force", contact.normal_force, &not_negative},
@@ -238,7 +240,7 @@ void expect_plane_contacts(const PlaneContacts& c, const Model& model) {
   for (std::size_t i = 1; i < k; ++i)
     if (!(std::pair(c.plane[i - 1], c.corner[i - 1]) <
           std::pair(c.plane[i], c.corner[i])))
-      impossible(fmt::format("plane contact {} is out of order", i + 1));
+      reject_checkpoint(fmt::format("plane contact {} is out of order", i + 1));
   expect_all("plane_contacts/active", c.active, rows, yes_or_no);
   expect_all("plane_contacts/normal_elastic", c.normal_elastic, rows, not_negative);
   expect_all("plane_contacts/normal_force", c.normal_force, rows, not_negative);
@@ -251,7 +253,7 @@ void expect_loads(const Loads& loads, const Blocks& b) {
   expect_all("loads/function/p", loads.function.p, points, finite);
   for (std::size_t i = 1; i < loads.function.t.size(); ++i)
     if (!(loads.function.t[i - 1] < loads.function.t[i]))
-      impossible("loads/function/t does not increase");
+      reject_checkpoint("loads/function/t does not increase");
   for (const Pressure& pressure : loads.pressures) {
     expect_index("loads/pressures/block", pressure.block, b.size());
     expect_index("loads/pressures/side", pressure.side, b.corners_of(pressure.block));
@@ -264,7 +266,7 @@ void expect_loads(const Loads& loads, const Blocks& b) {
     expect("loads/forces/arrival", force.arrival, finite);
   }
   if (loads.function.empty() && !(loads.pressures.empty() && loads.forces.empty()))
-    impossible("loads without a function of time");
+    reject_checkpoint("loads without a function of time");
 }
 
 /// Expects no order, or each block of the time step exactly once.
@@ -276,7 +278,7 @@ void expect_order(const Model& model) {
   std::vector<char> named(blocks, 0);
   for (const int block : model.order)
     if (std::exchange(named[block], 1) != 0)
-      impossible(fmt::format("order names block {} twice", block + 1));
+      reject_checkpoint(fmt::format("order names block {} twice", block + 1));
 }
 
 /// Expects all blocks to have a time step and a place in the order if a motion is
@@ -284,8 +286,8 @@ void expect_order(const Model& model) {
 void expect_all_move(const Model& model, const Progress& at) {
   const int blocks = model.time_step.blocks;
   if (at.steps_left > 0 && blocks != model.blocks.size())
-    impossible(fmt::format("time_step/blocks is {}, but {} blocks are in motion",
-                           blocks, model.blocks.size()));
+    reject_checkpoint(fmt::format("time_step/blocks is {}, but {} blocks are in motion",
+                                  blocks, model.blocks.size()));
 }
 
 /// Expects valid output blocks, domain exits, merges and layers.
@@ -308,7 +310,7 @@ void expect_records(const Model& model) {
                             layer.ruled, layer.redrawn_sides})
       expect("layers", count, not_negative);
     if (layer.blocks > model.blocks.size() - layer.first_block)
-      impossible("layers names blocks that do not exist");
+      reject_checkpoint("layers names blocks that do not exist");
   }
 }
 
@@ -316,21 +318,21 @@ void expect_time(const Model& model) {
   expect("steps", static_cast<double>(model.steps), count_from_0);
   expect("step_origin", static_cast<double>(model.step_origin), count_from_0);
   if (model.step_origin > model.steps)
-    impossible("step_origin is greater than steps");
+    reject_checkpoint("step_origin is greater than steps");
   expect("time", model.time, not_negative);
   expect("time_origin", model.time_origin, not_negative);
   const TimeStep& step = model.time_step;
   expect("time_step/dt", step.dt, not_negative);
   if (step.block < -1 || step.block >= model.blocks.size())
-    impossible(fmt::format("time_step/block names number {}", step.block + 1L));
+    reject_checkpoint(fmt::format("time_step/block names number {}", step.block + 1L));
   if (step.blocks < 0 || step.blocks > model.blocks.size())
-    impossible(fmt::format("time_step/blocks is {}", step.blocks));
+    reject_checkpoint(fmt::format("time_step/blocks is {}", step.blocks));
   if (model.steps > 0 && !(step.dt > 0.0))
-    impossible("steps without a time_step/dt");
+    reject_checkpoint("steps without a time_step/dt");
   const double time = model.time_origin +
                       static_cast<double>(model.steps - model.step_origin) * step.dt;
   if (!(std::abs(model.time - time) <= 1e-9 * time))
-    impossible(fmt::format("time is {}, its steps make {}", model.time, time));
+    reject_checkpoint(fmt::format("time is {}, its steps make {}", model.time, time));
   expect("search/left", model.search.left, not_negative);
   expect("search/updates", static_cast<double>(model.search.updates), count_from_0);
   expect("worst_overlap", model.worst_overlap, not_negative);
@@ -353,7 +355,7 @@ void expect_info(const CheckpointInfo& info, int blocks) {
                                      std::min(at.tabled_step, -1L) + 1}})
     expect(std::string("run/") + name, static_cast<double>(count), count_from_0);
   if (at.frames > info.results_frames || at.listing_bytes > info.listing_bytes)
-    impossible("run/progress is beyond the end of its results or listing");
+    reject_checkpoint("run/progress is beyond the end of its results or listing");
   // It is infinite if no block is convex.
   expect("run/progress/half_depth", at.half_depth, {0.0, infinite, "a number from 0"});
   for (const geometry::BlockOverlap& overlap : at.overlaps) {
@@ -367,7 +369,7 @@ void expect_info(const CheckpointInfo& info, int blocks) {
 
 }  // namespace
 
-void expect_possible(const Model& model, const CheckpointInfo& info) {
+void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_settings(model.settings);
   expect_blocks(model.blocks, model.settings);
   expect_contacts(model.contacts, model.blocks);
