@@ -22,7 +22,7 @@
 #include "history_command.hpp"
 #include "import_command.hpp"
 #include "manual_command.hpp"
-#include "output/file_in_hand.hpp"
+#include "output/file_access_guard.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
 #include "run/run.hpp"

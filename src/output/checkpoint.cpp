@@ -165,7 +165,7 @@ void write_checkpoint(const std::string& path, const Model& model,
 
 Model read_checkpoint(const std::string& path, CheckpointInfo& info) {
   verify_seal(path);
-  const FileInHand in_hand("read", path);
+  const FileAccessGuard in_hand("read", path);
   try {
     const hdf5::Handle file = hdf5::open_file(path, false);
     Model model;

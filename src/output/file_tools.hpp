@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "output/file_in_hand.hpp"
+#include "output/file_access_guard.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
 
@@ -15,7 +15,7 @@ namespace blocks::output {
 /// Runs `action` and converts hdf5::Failure to FileError: "cannot write NAME: reason".
 template <class Action>
 auto naming(const char* verb, const std::string& path, Action&& action) {
-  const FileInHand in_hand(verb, path);
+  const FileAccessGuard in_hand(verb, path);
   try {
     return action();
   } catch (const hdf5::Failure& failure) {

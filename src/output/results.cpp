@@ -399,7 +399,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
 ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
-  FileInHand in_hand("continue", path);  // also covers closing after a failure
+  FileAccessGuard in_hand("continue", path);  // also covers closing after a failure
   auto file = std::make_unique<File>();
   file->path = path;
   try {
@@ -429,7 +429,7 @@ ResultsWriter::~ResultsWriter() {
   if (file_ == nullptr)
     return;
   file_->discard();
-  const FileInHand in_hand("close", file_->path);
+  const FileAccessGuard in_hand("close", file_->path);
   file_.reset();
 }
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;

@@ -239,7 +239,8 @@ auto ResultsReader::File::soundly(Action&& action) -> decltype(action()) {
 
 ResultsReader::ResultsReader(const std::string& path)
     : file_(std::make_unique<File>(path)) {
-  const output::FileInHand in_hand("read", path);  // covers closing it after a failure
+  const output::FileAccessGuard in_hand("read",
+                                        path);  // covers closing it after a failure
   File& from = *file_;
   const auto read = [&] {
     const auto frames = output::hdf5::read_attribute(from.steps.get(), "NSteps");
@@ -259,7 +260,7 @@ ResultsReader::ResultsReader(const std::string& path)
 }
 
 ResultsReader::~ResultsReader() {
-  const output::FileInHand in_hand("read", file_->path);
+  const output::FileAccessGuard in_hand("read", file_->path);
   file_.reset();
 }
 

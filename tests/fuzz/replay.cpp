@@ -3,7 +3,7 @@
 //   fuzz_NAME [--children] MUTANTS FOLDER...
 // An input that crashes the program is stored as crash.fuzz_NAME in the current folder.
 // With --children every input has its own process. A crash inside HDF5 that the program
-// reports (output/file_in_hand.hpp) is counted and is no failure.
+// reports (output/file_access_guard.hpp) is counted and is no failure.
 #include <algorithm>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "output/file_in_hand.hpp"
+#include "output/file_access_guard.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

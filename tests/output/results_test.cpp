@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "output/checkpoint.hpp"
-#include "output/file_in_hand.hpp"
+#include "output/file_access_guard.hpp"
 #include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
 #include "post/results_reader.hpp"
@@ -370,7 +370,7 @@ TEST(Results, ErrorsNameTheFileAndTheReason) {
 TEST(Results, ReportAFileThatHdf5CannotClose) {
   const auto close = [] {
     const std::string path = "a.vtkhdf";
-    FileInHand in_hand("continue", path);
+    FileAccessGuard in_hand("continue", path);
     in_hand.must_end_within(1);
     // The loop never ends. The thread sanitizer delivers signals at calls only.
     while (std::time(nullptr) != 0) {

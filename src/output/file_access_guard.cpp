@@ -1,4 +1,4 @@
-#include "output/file_in_hand.hpp"
+#include "output/file_access_guard.hpp"
 
 #include <sys/time.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 namespace blocks::output {
 namespace {
 
-thread_local const FileInHand* in_hand = nullptr;
+thread_local const FileAccessGuard* in_hand = nullptr;
 int exit_code = 5;
 
 void tell(std::string_view text) {
@@ -25,12 +25,12 @@ void limit_processor_time(int seconds) {
 
 }  // namespace
 
-FileInHand::FileInHand(const char* verb, const std::string& path) noexcept
+FileAccessGuard::FileAccessGuard(const char* verb, const std::string& path) noexcept
     : outer_(in_hand), verb_(verb), path_(path) {
   in_hand = this;
 }
 
-FileInHand::~FileInHand() {
+FileAccessGuard::~FileAccessGuard() {
   in_hand = outer_;
   if (timed_)
     limit_processor_time(0);
@@ -51,7 +51,7 @@ void file_crash(int signal) {
   _exit(exit_code);
 }
 
-void FileInHand::must_end_within(int seconds) noexcept {
+void FileAccessGuard::must_end_within(int seconds) noexcept {
   timed_ = true;
   std::signal(SIGVTALRM, file_crash);
   limit_processor_time(seconds);
