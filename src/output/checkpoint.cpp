@@ -147,7 +147,7 @@ void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info) {
   expect_replaceable(path);
   TemporaryFile temporary(path + ".tmp");
-  naming("write", path, [&] {
+  with_file_errors("write", path, [&] {
     hdf5::Handle file = hdf5::create_file(temporary.path(), seal_size);
     hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
     hdf5::write_attribute(file.get(), "format", format);

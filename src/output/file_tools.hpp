@@ -14,7 +14,7 @@ namespace blocks::output {
 
 /// Runs `action` and converts hdf5::Failure to FileError: "cannot write NAME: reason".
 template <class Action>
-auto naming(const char* verb, const std::string& path, Action&& action) {
+auto with_file_errors(const char* verb, const std::string& path, Action&& action) {
   const FileAccessGuard in_hand(verb, path);
   try {
     return action();

@@ -389,7 +389,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     to.mark.end();
   };
   try {
-    naming("write", path, create);
+    with_file_errors("write", path, create);
   } catch (...) {
     to.discard();
     throw;
@@ -403,7 +403,7 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
   auto file = std::make_unique<File>();
   file->path = path;
   try {
-    naming("continue", path, [&] {
+    with_file_errors("continue", path, [&] {
       file->mark = ChangeMark::find(path);
       file->mark.begin();
       file->file = hdf5::open_file(path, true);
@@ -438,14 +438,14 @@ ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 void ResultsWriter::write(const Model& model, bool changed) {
   if (!changed && file_->frames > 0 && file_->last_step == model.steps)
     return;
-  naming("write", file_->path, [&] { file_->append(model); });
+  with_file_errors("write", file_->path, [&] { file_->append(model); });
 }
 
 long ResultsWriter::frames() const { return file_->frames; }
 
 std::string ResultsWriter::run_id() const {
-  return naming("read", file_->path,
-                [&] { return hdf5::read_text(file_->own.get(), "run_id"); });
+  return with_file_errors("read", file_->path,
+                          [&] { return hdf5::read_text(file_->own.get(), "run_id"); });
 }
 
 }  // namespace blocks::output

@@ -250,7 +250,7 @@ ResultsReader::ResultsReader(const std::string& path)
   };
   try {
     std::tie(from.times, from.title) =
-        output::naming("read", path, [&] { return from.soundly(read); });
+        output::with_file_errors("read", path, [&] { return from.soundly(read); });
   } catch (const output::FileError& error) {
     file_.reset();
     const std::string words = error.what();
@@ -281,14 +281,14 @@ void ResultsReader::File::require(long i) const {
 
 Frame ResultsReader::frame(long i) const {
   file_->require(i);
-  return output::naming("read", file_->path, [&] {
+  return output::with_file_errors("read", file_->path, [&] {
     return file_->soundly([&] { return file_->read(static_cast<hsize_t>(i)); });
   });
 }
 
 FrameContacts ResultsReader::contacts(long i) const {
   file_->require(i);
-  return output::naming("read", file_->path, [&] {
+  return output::with_file_errors("read", file_->path, [&] {
     return file_->soundly(
         [&] { return file_->read_contacts(static_cast<hsize_t>(i)); });
   });
