@@ -102,7 +102,7 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
   find_near_pairs(blocks, model.search.left, work.search, found);
   ContactsOfPairs contacts;
   if (!from_list)
-    work.contacts.take_out(contacts);
+    work.contacts.copy_contacts(contacts);
   add_pairs(found, from_list ? pairs_with_springs(blocks, model.contacts)
                              : pairs_with_springs(work.index, contacts));
   add_pairs(found, also);

@@ -38,7 +38,7 @@ void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const
   });
 }
 
-void ContactArrays::take_out(ContactsOfPairs& all) const {
+void ContactArrays::copy_contacts(ContactsOfPairs& all) const {
   all.clear();
   std::vector<PairContact> own;
   for (int p = 0; p < static_cast<int>(lane_of_pair.size()); ++p)

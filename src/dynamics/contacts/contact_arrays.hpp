@@ -41,7 +41,7 @@ struct ContactArrays {
               const std::vector<CornerOnEdge>& found, bool tested,
               ContactChanges& changes);
   /// Copies the contacts of all pairs.
-  void take_out(ContactsOfPairs& all) const;
+  void copy_contacts(ContactsOfPairs& all) const;
 
   /// Calls visit(slot) for each slot of a pair, in ascending order.
   template <class Visit> void each_slot(int p, const Visit& visit) const {

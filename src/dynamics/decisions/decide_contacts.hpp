@@ -135,7 +135,7 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
   join_changes(memory, released);
   if (memory.grown.pair.empty())
     return;
-  arrays.take_out(memory.kept);
+  arrays.copy_contacts(memory.kept);
   arrays.make(blocks, settings, index, memory.kept, memory.grown);
   split.split_batches(arrays.first_batch);
 }
