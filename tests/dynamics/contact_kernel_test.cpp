@@ -79,7 +79,7 @@ struct Scene {
       batches.set(i, &ContactTests::certain, p[3] == 2);
       batches.set(i, &ContactStates::touches, p[4] > 0);
       batches.set(i, &ContactStates::starts, p[4] == 2);
-      batches.set(i, &ContactTests::flips, p[5] == 1);
+      batches.set(i, &ContactTests::edge_is_low, p[5] == 1);
       batches.at(i, &SpringRow::normal_elastic) = std::abs(springs[2 * i]);
       batches.at(i, &SpringRow::shear_elastic) = springs[2 * i + 1];
     }

@@ -155,7 +155,7 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
   to.corner[k] = vacant ? 0 : contact.at.corner;
   to.edge[k] = vacant ? 0 : contact.at.edge;
   to.edge_end[k] = vacant ? 0 : blocks.next[contact.at.edge];
-  batches.set(slot, &ContactTests::flips,
+  batches.set(slot, &ContactTests::edge_is_low,
               !vacant && blocks.corner_block[contact.at.edge] == low);
   batches.set(slot, &ContactTests::tested, contact.tested);
   batches.set(slot, &ContactTests::certain, contact.certain);

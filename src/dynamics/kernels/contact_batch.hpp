@@ -36,9 +36,9 @@ struct ContactRow {
 /// How the contacts of a row are decided. A contact that is neither tested nor certain
 /// does not act.
 struct ContactTests {
-  LaneBits tested;   ///< it acts if its corner is inside (19) and between the ends
-  LaneBits certain;  ///< it acts: the exact rule has decided it for this step
-  LaneBits flips;    ///< the edge, not the corner, belongs to the low block
+  LaneBits tested;       ///< it acts if its corner is inside (19) and between the ends
+  LaneBits certain;      ///< it acts: the exact rule has decided it for this step
+  LaneBits edge_is_low;  ///< the edge, not the corner, belongs to the low block
 };
 /// Which contacts of a row act in a step.
 struct ContactStates {

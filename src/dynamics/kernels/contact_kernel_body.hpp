@@ -144,7 +144,7 @@ BLOCKS_INLINE Frame frame_of(const BatchArrays& batches, int s,
   const Pack per_length = 1.0 / root(sides.square);
   const Pack depth = sides.value * per_length;
   const Pack turned =
-      where(choice_of(load(batches.tests[s].flips, i)), -per_length, per_length);
+      where(choice_of(load(batches.tests[s].edge_is_low, i)), -per_length, per_length);
   return {sides.xc, sides.yc, sides.ex * turned, sides.ey * turned,
           depth > 0.0 ? depth : Pack{}};
 }
