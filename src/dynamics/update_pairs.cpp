@@ -115,7 +115,7 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
   } else {
     renumber(found, work.index.pairs, contacts, work.contacts.slots_of_pair);
   }
-  work.decisions.forget(blocks, work.index.size());
+  work.decisions.reset(blocks, work.index.size());
   work.split.start(blocks.size(), work.index.pairs, pairs_of_window,
                    work.workers->threads());
   work.contacts.make(blocks, model.settings, work.index, contacts, {});

@@ -126,7 +126,7 @@ TEST(CertainDecisions, AgreeWithTheExactRuleAfterMotionWithinTheirRoom) {
         for (int b = 0; b < start.size(); ++b)
           if (b != pair.low && b != pair.high && left > 0.0)
             cluster.move(b, cluster.clusters.uniform(0.0, 0.7) * left);
-        if (decisions.left_of(blocks, index, p) > 0.0) {
+        if (decisions.growth_left(blocks, index, p) > 0.0) {
           const Contacts after = cluster.exact(p);
           ASSERT_EQ(cluster.acting(p), after) << "pair " << p << " moved by " << own;
           ++count.moved;

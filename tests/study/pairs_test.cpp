@@ -37,7 +37,7 @@ long compare(const Model& start, int steps) {
     run->find(kept, a), run->find(decided, b);
     run->step(kept, a), dynamics::step_by(WithoutKeptDecisions(), decided, b);
     for (int p = 0; p < a.index.size(); ++p)
-      reused += a.decisions.left_of(kept.blocks, a.index, p) > 0.0;
+      reused += a.decisions.growth_left(kept.blocks, a.index, p) > 0.0;
     if (kept.blocks.corner != decided.blocks.corner ||
         kept.blocks.velocity != decided.blocks.velocity) {
       ADD_FAILURE() << "the runs part in step " << k;

@@ -91,7 +91,7 @@ void find_due(const Blocks& blocks, const PairIndex& index, Decisions& decisions
     if (Rules::keeps_decisions && most < decisions.next_check[p])
       continue;
     const double left =
-        Rules::keeps_decisions ? decisions.left_of(blocks, index, p) : 0.0;
+        Rules::keeps_decisions ? decisions.growth_left(blocks, index, p) : 0.0;
     if (left > 0.0)
       decisions.next_check[p] = most + left;
     else

@@ -25,7 +25,7 @@ void Decisions::begin_phase(const Blocks& blocks) {
   spoiled = 0;
 }
 
-void Decisions::forget(const Blocks& blocks, int pairs) {
+void Decisions::reset(const Blocks& blocks, int pairs) {
   begin_phase(blocks);
   limits.assign(static_cast<std::size_t>(pairs), {});
   next_check.assign(static_cast<std::size_t>(pairs), 0.0);
@@ -50,7 +50,8 @@ PairMotion Decisions::motion_of(const Blocks& blocks, const PairIndex& index, in
   return {two, two + farthest};
 }
 
-double Decisions::left_of(const Blocks& blocks, const PairIndex& index, int p) const {
+double Decisions::growth_left(const Blocks& blocks, const PairIndex& index,
+                              int p) const {
   const bool neighbours = limits[p].neighbours < infinite;
   const PairMotion now = motion_of(blocks, index, p, neighbours);
   return growth_until({limits[p].two - now.two, limits[p].neighbours - now.neighbours});

@@ -34,7 +34,7 @@ struct Decisions {
   static constexpr int cost_of_decision = 64;
 
   /// Discards all decisions and begins a phase. pairs: the number of pairs.
-  void forget(const Blocks& blocks, int pairs);
+  void reset(const Blocks& blocks, int pairs);
   /// Returns whether the spoiled decisions of the phase cost more than a new phase. If
   /// so, call carry_over() for all pairs and then begin_phase().
   bool phase_is_over() const {
@@ -51,7 +51,7 @@ struct Decisions {
                        bool neighbours) const;
   /// Returns by how much MotionBounds::most may grow before the decision of pair p may
   /// expire, [L]. If the result is not positive, the decision has expired.
-  double left_of(const Blocks& blocks, const PairIndex& index, int p) const;
+  double growth_left(const Blocks& blocks, const PairIndex& index, int p) const;
   /// Keeps the decision of pair p, made now, while its motions from now on are less
   /// than `room`. Returns whether the decision is spoiled.
   bool keep(const Blocks& blocks, const PairIndex& index, int p,
