@@ -35,7 +35,7 @@ void settle_doubts(const Blocks& blocks, ContactBatches& batches, int batch) {
                p2 = at(&ContactRow::edge_end);
     if (geometry::overlap_sign(c, p1, p2) > 0 && geometry::between(c, p1, p2))
       return;
-    batches.set(slot, &ContactStates::touches, false);
+    batches.set(slot, &ContactStates::acts, false);
     if (!batches.is(slot, &ContactStates::starts))
       batches.set(slot, &ContactStates::ends, true), batches.marks[batch].ends = true;
   });
@@ -64,12 +64,13 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
   const BlockState state = state_of(blocks);
   ContactBatches& batches = arrays.batches;
   const auto act = [&](int batch) {
-    return kernels().act(batches, state, law, settings.rigid, false, batch, batch + 1);
+    return kernels().compute_forces(batches, state, law, settings.rigid, false, batch,
+                                    batch + 1);
   };
   workers.each(split.batches, [&](int k, int begin, int end) {
     ForceThread& thread = memory.threads[k];
-    thread.extremes.include(
-        kernels().touch_and_act(batches, state, law, settings.rigid, begin, end));
+    thread.extremes.include(kernels().test_and_compute_forces(
+        batches, state, law, settings.rigid, begin, end));
     for (int batch = begin; batch < end; ++batch) {
       if (batches.marks[batch].in_doubt) {
         settle_doubts(blocks, batches, batch);
@@ -106,13 +107,13 @@ void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& s
   ContactBatches& batches = arrays.batches;
   if (settings.rigid)
     blocks.applied.setZero();
-  kernels().act(batches, state_of(blocks), law_of(settings, dt), settings.rigid, true,
-                0, batches.batches());
+  kernels().compute_forces(batches, state_of(blocks), law_of(settings, dt),
+                           settings.rigid, true, 0, batches.batches());
   write_list(arrays, list);
   auto contact = list.begin();
   for (int p = 0; p < index.size(); ++p) {
     arrays.each_slot(p, [&](int slot) {
-      if (!batches.is(slot, &ContactStates::touches))
+      if (!batches.is(slot, &ContactStates::acts))
         return;
       const int row = slot / lane_count, k = slot % lane_count;
       const ReadingRow& reading = batches.readings[row];

@@ -23,14 +23,14 @@ class Choice {
     // Few contacts have the same corner, so this is tested first.
     arrays_.each_lane_of(block_, [&](unsigned lane, bool) {
       each_row(static_cast<int>(lane), [&](int row, const ContactRow& contacts, int k) {
-        if (contacts.corner[k] == released_.at.corner && touches(row, k))
+        if (contacts.corner[k] == released_.at.corner && acts(row, k))
           consider(row, static_cast<int>(lane), 0.0);
       });
     });
     const int own = arrays_.lane_of_pair[released_.pair];
     if (own >= 0)
       each_row(own, [&](int row, const ContactRow&, int k) {
-        if (touches(row, k))
+        if (acts(row, k))
           consider(row, own, geometry::successor_cosine);
       });
     return best_;
@@ -42,8 +42,8 @@ class Choice {
     for (int row = batch.first_row; row < batch.first_row + batch.rows; ++row)
       visit(row, arrays_.batches.contacts[row], lane % lane_count);
   }
-  bool touches(int row, int k) const {
-    return (arrays_.batches.states[row].touches >> k & 1U) != 0;
+  bool acts(int row, int k) const {
+    return (arrays_.batches.states[row].acts >> k & 1U) != 0;
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
   /// Returns the unit vector along an edge.

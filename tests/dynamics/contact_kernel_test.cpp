@@ -77,7 +77,7 @@ struct Scene {
                     batches.at(i, &ContactRow::edge_end) = p[2];
       batches.set(i, &ContactTests::tested, p[3] == 1);
       batches.set(i, &ContactTests::certain, p[3] == 2);
-      batches.set(i, &ContactStates::touches, p[4] > 0);
+      batches.set(i, &ContactStates::acts, p[4] > 0);
       batches.set(i, &ContactStates::starts, p[4] == 2);
       batches.set(i, &ContactTests::edge_is_low, p[5] == 1);
       batches.at(i, &SpringRow::normal_elastic) = std::abs(springs[2 * i]);
@@ -113,7 +113,7 @@ std::vector<std::uint64_t> bits(const ContactBatches& batches, Extremes extremes
     }
   }
   for (int row = 0; row < batches.rows(); ++row) {
-    found.push_back(batches.states[row].touches);
+    found.push_back(batches.states[row].acts);
     found.push_back(batches.states[row].starts);
     found.push_back(batches.states[row].ends);
     found.push_back(batches.states[row].in_doubt);
@@ -147,11 +147,11 @@ TEST(ContactKernel, GivesTheSameBitsWithEveryInstructionSet) {
       for (const Kernels& arithmetic : all_kernels()) {
         ContactBatches batches;
         scene.put(batches);
-        Extremes extremes = arithmetic.touch_and_act(batches, scene.state, law, rigid,
-                                                     0, batches.batches());
+        Extremes extremes = arithmetic.test_and_compute_forces(
+            batches, scene.state, law, rigid, 0, batches.batches());
         if (readings)
-          extremes = arithmetic.act(batches, scene.state, law, rigid, true, 0,
-                                    batches.batches());
+          extremes = arithmetic.compute_forces(batches, scene.state, law, rigid, true,
+                                               0, batches.batches());
         const auto found = bits(batches, extremes, !rigid || readings, readings);
         if (expected.empty())
           expected = found;
@@ -187,17 +187,17 @@ TEST(ContactKernel, DecidesWhatTouchesExactly) {
       row.edge_end[k] = below(Scene::corners);
       batches.set(k, &ContactTests::tested, true);
     }
-    kernels().touch_and_act(batches, state, {1.0, 1.0, 1.0, 1.0}, true, 0, 1);
+    kernels().test_and_compute_forces(batches, state, {1.0, 1.0, 1.0, 1.0}, true, 0, 1);
     for (int k = 0; k < lane_count; ++k) {
       const Vec2 c = at(row.corner[k]), p1 = at(row.edge[k]), p2 = at(row.edge_end[k]);
       const int sign = geometry::exact::overlap_sign(c, p1, p2);
       const bool acts = sign > 0 && geometry::exact::between(c, p1, p2);
-      const bool touches = batches.is(k, &ContactStates::touches);
+      const bool found = batches.is(k, &ContactStates::acts);
       if (!batches.is(k, &ContactStates::in_doubt)) {
-        ASSERT_EQ(touches, acts) << trial;
+        ASSERT_EQ(found, acts) << trial;
       }
-      ties += !touches && sign == 0;
-      open += touches && !acts;
+      ties += !found && sign == 0;
+      open += found && !acts;
     }
   }
   EXPECT_GT(ties, 2000);
@@ -215,11 +215,12 @@ TEST(ContactKernel, GivesTheSameForcesWithAndWithoutReadings) {
       ContactBatches batches;
       scene.put(batches);
       const Kernels& arithmetic = kernels();
-      arithmetic.touch_and_act(batches, scene.state, law, rigid, 0, batches.batches());
+      arithmetic.test_and_compute_forces(batches, scene.state, law, rigid, 0,
+                                         batches.batches());
       const auto found = bits(batches, {}, !rigid, false);
       for (const bool readings : {false, true}) {
-        arithmetic.act(batches, scene.state, law, rigid, readings, 0,
-                       batches.batches());
+        arithmetic.compute_forces(batches, scene.state, law, rigid, readings, 0,
+                                  batches.batches());
         ASSERT_EQ(bits(batches, {}, !rigid, false), found);
       }
     }

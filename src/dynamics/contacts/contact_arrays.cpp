@@ -30,11 +30,11 @@ void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const
   each_slot(p, [&](int slot) {
     if (is_vacant(slot))
       return;
-    const bool touches = batches.is(slot, &ContactStates::touches);
+    const bool acts = batches.is(slot, &ContactStates::acts);
     contacts.push_back({at(slot), batches.is(slot, &ContactTests::tested),
-                        batches.is(slot, &ContactTests::certain), touches,
-                        touches ? batches.at(slot, &SpringRow::normal_elastic) : 0.0,
-                        touches ? batches.at(slot, &SpringRow::shear_elastic) : 0.0});
+                        batches.is(slot, &ContactTests::certain), acts,
+                        acts ? batches.at(slot, &SpringRow::normal_elastic) : 0.0,
+                        acts ? batches.at(slot, &SpringRow::shear_elastic) : 0.0});
   });
 }
 
@@ -159,7 +159,7 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
               !vacant && blocks.corner_block[contact.at.edge] == low);
   batches.set(slot, &ContactTests::tested, contact.tested);
   batches.set(slot, &ContactTests::certain, contact.certain);
-  batches.set(slot, &ContactStates::touches, contact.acted);
+  batches.set(slot, &ContactStates::acts, contact.acted);
   batches.set(slot, &ContactStates::starts, false);
   batches.springs[row].normal_elastic[k] = contact.normal;
   batches.springs[row].shear_elastic[k] = contact.shear;

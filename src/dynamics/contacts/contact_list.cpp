@@ -34,7 +34,7 @@ void write_list(const ContactArrays& arrays, std::vector<Contact>& list) {
   list.clear();
   for (int p = 0; p < static_cast<int>(arrays.lane_of_pair.size()); ++p)
     arrays.each_slot(p, [&](int slot) {
-      if (!batches.is(slot, &ContactStates::touches))
+      if (!batches.is(slot, &ContactStates::acts))
         return;
       Contact& contact = list.emplace_back();
       contact.corner = arrays.at(slot).corner;

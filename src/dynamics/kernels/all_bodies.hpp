@@ -13,8 +13,8 @@ namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 
 extern const Kernels kernels;
 constinit const Kernels kernels = {BLOCKS_NAME_OF(BLOCKS_INSTRUCTION_SET),
-                                   touch_and_act,
-                                   act,
+                                   test_and_compute_forces,
+                                   compute_forces,
                                    find_faces,
                                    update_velocities,
                                    update_strain,

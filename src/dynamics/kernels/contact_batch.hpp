@@ -42,9 +42,9 @@ struct ContactTests {
 };
 /// Which contacts of a row act in a step.
 struct ContactStates {
-  LaneBits touches;  ///< it acts in this step
-  LaneBits starts;   ///< it did not act in the step before, or has taken over a spring
-  LaneBits ends;     ///< it acted in the step before and does not act now
+  LaneBits acts;    ///< it acts in this step
+  LaneBits starts;  ///< it did not act in the step before, or has taken over a spring
+  LaneBits ends;    ///< it acted in the step before and does not act now
   /// It is taken to act, but a sign is too close to zero for doubles.
   LaneBits in_doubt;
 };

@@ -54,10 +54,10 @@ BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
 
 /// Stores which lanes act. A lane with a sign in doubt is taken to act, and its bit
 /// in_doubt is set.
-BLOCKS_INLINE void find_touching(const ContactTests& tests, ContactStates& states,
-                                 const Sides& sides, int i) {
+BLOCKS_INLINE void find_acting(const ContactTests& tests, ContactStates& states,
+                               const Sides& sides, int i) {
   const Pack bound = sides.bound();
-  const Bits tested = load(tests.tested, i), before = load(states.touches, i);
+  const Bits tested = load(tests.tested, i), before = load(states.acts, i);
   Bits inside = ~less(sides.value, -bound);
   Bits open = tested & inside & ~less(bound, sides.value);
   if (open != 0) {
@@ -70,7 +70,7 @@ BLOCKS_INLINE void find_touching(const ContactTests& tests, ContactStates& state
   open &= inside;
   open |= tested & inside & ~less(error, between);
   const Bits touch = load(tests.certain, i) | (tested & inside);
-  store(states.touches, i, touch);
+  store(states.acts, i, touch);
   store(states.starts, i, touch & ~before);
   store(states.ends, i, before & ~touch);
   store(states.in_doubt, i, open);
@@ -140,7 +140,7 @@ BLOCKS_INLINE Frame frame_of(const BatchArrays& batches, int s,
                              const BlockState& blocks, int i) {
   const Sides sides(batches.contacts[s], blocks, i);
   if constexpr (find)
-    find_touching(batches.tests[s], batches.states[s], sides, i);
+    find_acting(batches.tests[s], batches.states[s], sides, i);
   const Pack per_length = 1.0 / root(sides.square);
   const Pack depth = sides.value * per_length;
   const Pack turned =
@@ -174,7 +174,7 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
                            const Frame& at, Pack damping, const ContactLaw& law, int i,
                            Sums& sums, Most& most) {
   const ContactStates& row = batches.states[s];
-  const Choice acts = choice_of(load(row.touches, i));
+  const Choice acts = choice_of(load(row.acts, i));
   const Bits starts = load(row.starts, i);
   const Pack nx = -at.ty, ny = at.tx;
   const Pack x = at.x - two.low_x, y = at.y - two.low_y;
@@ -280,15 +280,17 @@ Extremes act_batches(const BatchArrays& batches, const BlockState& blocks,
 
 }  // namespace
 
-Extremes touch_and_act(const BatchArrays& batches, const BlockState& blocks,
-                       const ContactLaw& law, bool rigid, int first, int last) {
+Extremes test_and_compute_forces(const BatchArrays& batches, const BlockState& blocks,
+                                 const ContactLaw& law, bool rigid, int first,
+                                 int last) {
   const auto all =
       rigid ? act_batches<true, true, false> : act_batches<true, false, false>;
   return all(batches, blocks, law, first, last);
 }
 
-Extremes act(const BatchArrays& batches, const BlockState& blocks,
-             const ContactLaw& law, bool rigid, bool readings, int first, int last) {
+Extremes compute_forces(const BatchArrays& batches, const BlockState& blocks,
+                        const ContactLaw& law, bool rigid, bool readings, int first,
+                        int last) {
   const auto all = rigid      ? readings ? act_batches<false, true, true>
                                          : act_batches<false, true, false>
                         : readings ? act_batches<false, false, true>

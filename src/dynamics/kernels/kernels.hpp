@@ -20,12 +20,13 @@ struct Kernels {
   /// Finds which tested contacts of the batches [begin, end) act and computes their
   /// forces. Batches in doubt are not included in the extremes. Their signs have to be
   /// decided exactly, and then `act` has to be called for them.
-  Extremes (*touch_and_act)(const BatchArrays&, const BlockState&, const ContactLaw&,
-                            bool rigid, int begin, int end);
-  /// Computes the forces of the contacts whose `touches` bit is set. With `readings`,
+  Extremes (*test_and_compute_forces)(const BatchArrays&, const BlockState&,
+                                      const ContactLaw&, bool rigid, int begin,
+                                      int end);
+  /// Computes the forces of the contacts whose `acts` bit is set. With `readings`,
   /// also writes ReadingRow, and PairStress of rigid blocks.
-  Extremes (*act)(const BatchArrays&, const BlockState&, const ContactLaw&, bool rigid,
-                  bool readings, int begin, int end);
+  Extremes (*compute_forces)(const BatchArrays&, const BlockState&, const ContactLaw&,
+                             bool rigid, bool readings, int begin, int end);
   /// Finds which faces act, for eight pairs of convex parts (face_kernel.hpp).
   void (*find_faces)(const PartPairs&, const BlockState&, FacingAnswers&);
 
