@@ -32,13 +32,13 @@ BlockColumns columns_of(Blocks& blocks) {
 
 /// Calls work(first, last) for pieces of a range that a kernel takes at a time.
 template <class Work> void each_part(BlockRange range, const Work& work) {
-  for (int first = range.begin; first < range.end; first += most_at_once)
-    work(first, std::min(range.end, first + most_at_once));
+  for (int first = range.begin; first < range.end; first += max_at_once)
+    work(first, std::min(range.end, first + max_at_once));
 }
 
 /// The elastic moduli of each block of a piece. Those of fixed blocks are not used.
 struct ModuliOfBlocks {
-  double c11[most_at_once], c12[most_at_once], twice_shear[most_at_once];
+  double c11[max_at_once], c12[max_at_once], twice_shear[max_at_once];
 
   ModuliOfBlocks(const Blocks& blocks, int first, int last, const Settings& settings) {
     // Moduli are looked up only when the material changes: successive blocks often have

@@ -143,7 +143,7 @@ void CertainDecisions::find(const Blocks& blocks, const BlockParts& parts,
         std::numeric_limits<double>::infinity();
     const NearPair& pair = index.pairs[due[k]];
     each_pair_of_parts(parts, pair.low, pair.high, [&](int p, int q) {
-      if (std::max(parts.corners(p), parts.corners(q)) <= PartPairs::most_corners)
+      if (std::max(parts.corners(p), parts.corners(q)) <= PartPairs::max_corners)
         two_parts_.push_back({static_cast<int>(k), {p, q}});
       else
         decisions_[k].room = 0.0;

@@ -12,9 +12,9 @@ namespace blocks::dynamics {
 /// Unused lanes repeat a pair of another lane.
 struct alignas(64) PartPairs {
   /// Pairs with a larger part are decided by the exact rule.
-  static constexpr int most_corners = 32;
+  static constexpr int max_corners = 32;
   /// The corners of each part, clockwise. The rest is filled with its first corner.
-  PerLane<int> corner[2][most_corners];
+  PerLane<int> corner[2][max_corners];
   PerLane<int> block[2];
   PerLane<double> corners[2];  ///< number of corners of each part
   PerLane<double> longest[2];  ///< [L] MotionBounds::longest of each block

@@ -29,7 +29,7 @@ struct FacingSide {
 };
 
 struct Part {
-  FacingSide side[PartPairs::most_corners];
+  FacingSide side[PartPairs::max_corners];
   Pack corners;
   Pack x, y;      ///< [L] centroid of the block
   Pack shortest;  ///< [L] length of the shortest side

@@ -37,7 +37,7 @@ struct Kernels {
   /// block `begin`.
   void (*update_strain)(const BlockColumns&, const Moduli&, int begin, int end,
                         double dt);
-  /// (3), (13)-(15): moves at most most_at_once blocks. longest_arm:
+  /// (3), (13)-(15): moves at most max_at_once blocks. longest_arm:
   /// MotionBounds::longest.
   Moved (*move)(const BlockColumns&, const double* longest_arm, const Rectangle& domain,
                 bool rigid, int begin, int end, double dt);

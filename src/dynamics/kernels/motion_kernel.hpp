@@ -28,7 +28,7 @@ struct Rectangle {
 };
 
 /// The largest number of blocks in one call of move().
-inline constexpr int most_at_once = 64;
+inline constexpr int max_at_once = 64;
 
 /// Results of move().
 struct Moved {
