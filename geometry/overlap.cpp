@@ -211,7 +211,7 @@ std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines
                                  if (one_tiling(first, second))
                                    return;
                                  blocks.compare(first, second, found);
-                                 if (found.size() == most_overlaps)
+                                 if (found.size() == max_overlaps)
                                    throw Enough{};
                                });
   } catch (Enough) {

@@ -33,7 +33,7 @@ enum class Figures { exact, quick };
 ///
 /// layer: for each outline, the number of the certified tiling of which it is a cell,
 /// or 0. Pairs of one tiling are known to be disjoint and are not tested. The search
-/// stops after most_overlaps pairs, because longer lists are of no use.
+/// stops after max_overlaps pairs, because longer lists are of no use.
 std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines,
                                             const std::vector<int>& layer = {},
                                             Figures figures = Figures::exact);
@@ -42,6 +42,6 @@ std::vector<BlockOverlap> overlapping_pairs(const std::vector<Polygon>& outlines
 /// rounded to zero: "0.25", "1.2e-31", "less than 5e-324".
 std::string positive_text(double value, int digits);
 
-constexpr std::size_t most_overlaps = 1'000'000;
+constexpr std::size_t max_overlaps = 1'000'000;
 
 }  // namespace blocks::geometry

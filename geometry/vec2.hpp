@@ -13,7 +13,7 @@ using Vec2 = Eigen::Vector2d;
 /// the first). Side i runs from corner i to corner i + 1.
 using Polygon = std::vector<Vec2>;
 /// The largest number of corners of a block.
-inline constexpr int most_corners = 32767;
+inline constexpr int max_corners = 32767;
 
 /// z component of a x b: positive when b is anticlockwise of a.
 inline double cross(const Vec2& a, const Vec2& b) {

@@ -32,7 +32,7 @@ std::vector<CardSpec> preliminary_cards() {
                   {"ncmx",
                    integer,
                    {},
-                   {3, geometry::most_corners, false, false, false},
+                   {3, geometry::max_corners, false, false, false},
                    "[-]",
                    "maximum number of corners per block"}},
        .follow_on = {{"title", "title of the problem, one line, 80 characters"}},

@@ -49,10 +49,10 @@ std::string named(const std::string& title, const List& list, std::size_t count,
   if (count == 0)
     return {};
   std::string text = "\n  " + title + "\n";
-  for (std::size_t i = 0; i < std::min(count, most_pairs_named); ++i)
+  for (std::size_t i = 0; i < std::min(count, max_pairs_named); ++i)
     text += "    " + line(list[i]) + "\n";
-  if (count > most_pairs_named)
-    text += fmt::format("    and {} more\n", count - most_pairs_named);
+  if (count > max_pairs_named)
+    text += fmt::format("    and {} more\n", count - max_pairs_named);
   text.pop_back();
   return text;
 }

@@ -14,7 +14,7 @@ namespace blocks {
 
 /// Listing and summary name at most this many pairs of each kind, beside the total
 /// count.
-constexpr std::size_t most_pairs_named = 100;
+constexpr std::size_t max_pairs_named = 100;
 
 /// The result of certify_assembly. Overlapping blocks that have both moved are in
 /// contact: the motion made them overlap, not the deck.
@@ -59,7 +59,7 @@ std::string verdict(const AssemblyCertificate& certificate);
 /// (-3, 0); 2 T-junctions".
 std::string joints_line(const AssemblyCertificate& certificate);
 
-/// Returns the lines of the listing: verdict, joints, and the first `most_pairs_named`
+/// Returns the lines of the listing: verdict, joints, and the first `max_pairs_named`
 /// pairs of each kind, with the number of further ones.
 std::string full_text(const AssemblyCertificate& certificate);
 

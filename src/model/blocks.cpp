@@ -22,9 +22,9 @@ void Blocks::append(const std::vector<NewBlock>& added) {
   const int old_corners = corners();
   int new_corners = old_corners;
   for (const NewBlock& block : added) {
-    if (block.outline.size() > geometry::most_corners)
+    if (block.outline.size() > geometry::max_corners)
       throw std::invalid_argument("a block has at most " +
-                                  std::to_string(geometry::most_corners) + " corners");
+                                  std::to_string(geometry::max_corners) + " corners");
     new_corners += static_cast<int>(block.outline.size());
   }
   const int new_blocks = old_blocks + static_cast<int>(added.size());

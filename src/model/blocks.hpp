@@ -76,7 +76,7 @@ struct Blocks {
   geometry::Polygon outline(int b) const;
 
   /// Appends blocks at rest. Throws std::invalid_argument if a corner is not finite, an
-  /// area or a density is not positive, or a block has more than geometry::most_corners
+  /// area or a density is not positive, or a block has more than geometry::max_corners
   /// corners.
   void append(const std::vector<NewBlock>& blocks);
 

@@ -125,10 +125,10 @@ void expect_corners(const Blocks& b) {
                                   b.first_corner.size(), n + 1));
   for (std::size_t i = 0; i < n; ++i)
     if (const long count = long{b.first_corner[i + 1]} - b.first_corner[i];
-        count < 3 || count > geometry::most_corners)
+        count < 3 || count > geometry::max_corners)
       reject_checkpoint(fmt::format(
           "blocks/first_corner: block {} has {} than {} corners", i + 1,
-          count < 3 ? "less" : "more", count < 3 ? 3 : geometry::most_corners));
+          count < 3 ? "less" : "more", count < 3 ? 3 : geometry::max_corners));
   const auto m = static_cast<std::size_t>(b.corners());
   for (const auto& [name, column] : {std::pair{"blocks/next", &b.next},
                                      {"blocks/previous", &b.previous},

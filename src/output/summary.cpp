@@ -46,7 +46,7 @@ Json layers(const Model& model) {
 /// The first pairs. The certificate also holds the number of all pairs.
 Json pairs(const std::vector<geometry::BlockOverlap>& overlaps) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < std::min(overlaps.size(), most_pairs_named); ++i)
+  for (std::size_t i = 0; i < std::min(overlaps.size(), max_pairs_named); ++i)
     list.push_back({{"blocks", {overlaps[i].first + 1, overlaps[i].second + 1}},
                     {"area", overlaps[i].area},
                     {"place", vector(overlaps[i].place)}});
@@ -55,7 +55,7 @@ Json pairs(const std::vector<geometry::BlockOverlap>& overlaps) {
 
 Json gaps(const AssemblyCertificate& proof) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < std::min(proof.gaps(), most_pairs_named); ++i) {
+  for (std::size_t i = 0; i < std::min(proof.gaps(), max_pairs_named); ++i) {
     const geometry::Slit& slit = proof.joints.slits[i];
     list.push_back({{"blocks", {slit.first + 1, slit.second + 1}},
                     {"width", slit.width},
