@@ -45,7 +45,8 @@ struct Cover {
 /// The neighbours cover the side if they cover half of the stretch and half of the
 /// interval. The result is the neighbour side that covers the longest part of the
 /// stretch, or the first of several equal ones.
-Cover covering(const SideEnd& end, Outline other, std::span<const Outline> neighbours);
+Cover find_cover(const SideEnd& end, Outline other,
+                 std::span<const Outline> neighbours);
 
 /// A quick test in plain doubles, with margins for rounding and motion: do the
 /// neighbours certainly not cover the side? It allocates no memory. It bounds the

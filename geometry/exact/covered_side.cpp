@@ -278,7 +278,8 @@ std::optional<Cover> answer_by_intervals(const SideEnd& end, Outline other,
 
 unsigned long long exact::covering_calls() { return undecided_by_intervals; }
 
-Cover covering(const SideEnd& end, Outline other, std::span<const Outline> neighbours) {
+Cover find_cover(const SideEnd& end, Outline other,
+                 std::span<const Outline> neighbours) {
   if (const auto sure = answer_by_intervals(end, other, neighbours))
     return *sure;
   ++undecided_by_intervals;

@@ -36,7 +36,7 @@ template <class Float> struct TranslatedArea {
   }
 };
 
-/// Predicates in plain floating point, without control of round-off. Only `covering`,
+/// Predicates in plain floating point, without control of round-off. Only `find_cover`,
 /// which finds the neighbours that cover a side, is exact.
 template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   using Number = typename Area::Number;

@@ -31,7 +31,7 @@ struct Scene {
     for (Polygon& neighbour : neighbours)
       apply(neighbour);
   }
-  /// Whether coordinates are finite and no side has length zero, as `covering`
+  /// Whether coordinates are finite and no side has length zero, as `find_cover`
   /// requires.
   bool is_proper() const {
     const auto proper = [](const Polygon& p) {
@@ -158,7 +158,7 @@ inline Scene mirrored(Scene s) {
 
 inline Cover covering_of(const Scene& s) {
   const std::vector<Outline> neighbours(s.neighbours.begin(), s.neighbours.end());
-  return covering({s.own, s.side, s.at_start}, s.other, neighbours);
+  return find_cover({s.own, s.side, s.at_start}, s.other, neighbours);
 }
 
 inline std::string text(const Scene& s) {

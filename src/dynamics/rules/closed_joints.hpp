@@ -166,7 +166,7 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     if (is_surely_uncovered(joint, part, other))
       return {};
     gather(part, other);
-    const geometry::Cover found = ask_.covering(
+    const geometry::Cover found = ask_.find_cover(
         {scratch_.outlines[0], joint.side.index, joint.surface_is_before},
         scratch_.outlines[1], {scratch_.outlines.begin() + 2, scratch_.outlines.end()});
     if (!found)

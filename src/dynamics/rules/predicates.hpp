@@ -68,9 +68,10 @@ struct ExactPredicates {
   static bool re_entrant(const Vec2& before, const Vec2& c, const Vec2& after) {
     return geometry::overlap_sign(after, before, c) < 0;
   }
-  static geometry::Cover covering(const geometry::SideEnd& end, geometry::Outline other,
-                                  std::span<const geometry::Outline> neighbours) {
-    return geometry::covering(end, other, neighbours);
+  static geometry::Cover find_cover(const geometry::SideEnd& end,
+                                    geometry::Outline other,
+                                    std::span<const geometry::Outline> neighbours) {
+    return geometry::find_cover(end, other, neighbours);
   }
 };
 
