@@ -79,7 +79,7 @@ template <class Predicates, class Neighbours> class ClosedJoints {
                const Neighbours& neighbours, PairShape<Predicates>& shape,
                Predicates& ask, JointScratch& scratch)
       : blocks_(blocks), parts_(parts), neighbours_(neighbours), shape_(shape),
-        ask_(ask), scratch_(scratch) {}
+        predicates_(ask), scratch_(scratch) {}
 
   /// Calls visit(surface) for each joint that hides the axis until a call returns true,
   /// and returns whether one did. Joints at the corner of the axis are tested only if
@@ -135,8 +135,8 @@ template <class Predicates, class Neighbours> class ClosedJoints {
   }
   /// Returns whether the outline of the block turns inwards at a corner.
   bool is_notch(int corner) {
-    return ask_.re_entrant(at(blocks_.previous[corner]), at(corner),
-                           at(blocks_.next[corner]));
+    return predicates_.re_entrant(at(blocks_.previous[corner]), at(corner),
+                                  at(blocks_.next[corner]));
   }
   /// Returns whether side e turns away from the surface
   /// (docs/contact-rule.md#hidden-axes). From the surface to the reversed side e, the
@@ -158,15 +158,15 @@ template <class Predicates, class Neighbours> class ClosedJoints {
       return {};
     const int part = shape_.part(joint.side.part),
               other = shape_.part(1 - joint.side.part);
-    if (!ask_.may_be_outside(shape_.centroid(1 - joint.side.part), surface.start,
-                             surface.end))
+    if (!predicates_.may_be_outside(shape_.centroid(1 - joint.side.part), surface.start,
+                                    surface.end))
       return {};
     if (g.is_inner)
       return {true, parts_.twin(parts_.side(part, joint.side.index))};
     if (is_surely_uncovered(joint, part, other))
       return {};
     gather(part, other);
-    const geometry::Cover found = ask_.find_cover(
+    const geometry::Cover found = predicates_.find_cover(
         {scratch_.outlines[0], joint.side.index, joint.surface_is_before},
         scratch_.outlines[1], {scratch_.outlines.begin() + 2, scratch_.outlines.end()});
     if (!found)
@@ -227,7 +227,7 @@ template <class Predicates, class Neighbours> class ClosedJoints {
   const BlockParts& parts_;
   const Neighbours& neighbours_;
   PairShape<Predicates>& shape_;
-  Predicates& ask_;
+  Predicates& predicates_;
   JointScratch& scratch_;
 };
 

@@ -10,7 +10,8 @@ namespace blocks::dynamics {
 
 template <class Predicates> class Entry {
  public:
-  Entry(PairShape<Predicates>& shape, Predicates& ask) : shape_(shape), ask_(ask) {}
+  Entry(PairShape<Predicates>& shape, Predicates& ask)
+      : shape_(shape), predicates_(ask) {}
 
   /// Returns whether an axis is entered. The depths below all sides of both parts must
   /// have been found.
@@ -35,7 +36,7 @@ template <class Predicates> class Entry {
   /// within the slack of an end.
   bool is_beyond(const Axis& axis) {
     const Segment& e = shape_.at(axis.side);
-    return !ask_.well_between(shape_.at(axis.corner).start, e.start, e.end);
+    return !predicates_.well_between(shape_.at(axis.corner).start, e.start, e.end);
   }
   /// Returns whether sides cross. `out` is the only side that has the corner of the
   /// axis outside. It must be an edge next to the axis side, and the end that the two
@@ -53,7 +54,7 @@ template <class Predicates> class Entry {
   }
 
   PairShape<Predicates>& shape_;
-  Predicates& ask_;
+  Predicates& predicates_;
 };
 
 }  // namespace blocks::dynamics

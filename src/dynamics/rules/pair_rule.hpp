@@ -79,7 +79,7 @@ template <class Predicates, class Neighbours> class PairRule {
   PairRule(const Blocks& blocks, const BlockParts& parts, const Neighbours& neighbours,
            PairScratch& scratch)
       : blocks_(blocks), parts_(parts), scratch_(scratch),
-        joints_(blocks, parts, neighbours, shape_, ask_, scratch.joints) {}
+        joints_(blocks, parts, neighbours, shape_, predicates_, scratch.joints) {}
 
   /// Returns the contacts between two blocks, without duplicates. The result is valid
   /// until the next call.
@@ -139,7 +139,7 @@ template <class Predicates, class Neighbours> class PairRule {
   bool is_near_or_inside(const Axis& axis) {
     const Segment& e = shape_.at(axis.side);
     return shape_.depth(axis).positive() ||
-           ask_.near_or_inside(shape_.at(axis.corner).start, e.start, e.end);
+           predicates_.near_or_inside(shape_.at(axis.corner).start, e.start, e.end);
   }
   /// Removes the least axis from the list and returns it. Of equally deep axes it is
   /// the one that was found first.
@@ -155,7 +155,7 @@ template <class Predicates, class Neighbours> class PairRule {
   }
   /// Returns the first entered axis in the order of depth.
   std::optional<Axis> find_entered(const Axis& least) {
-    Entry<Predicates> entry(shape_, ask_);
+    Entry<Predicates> entry(shape_, predicates_);
     for (Axis axis = least;; axis = take_least()) {
       if (!Predicates::entry || entry.is_entered(axis))
         return axis;
@@ -217,7 +217,7 @@ template <class Predicates, class Neighbours> class PairRule {
   }
   bool is_between(const PairSide& corner, const PairSide& side) {
     const Segment& e = shape_.at(side);
-    return ask_.between(shape_.at(corner).start, e.start, e.end);
+    return predicates_.between(shape_.at(corner).start, e.start, e.end);
   }
   void add(const PairSide& corner, const PairSide& side) {
     scratch_.add({shape_.at(corner).corner, shape_.at(side).corner});
@@ -226,8 +226,8 @@ template <class Predicates, class Neighbours> class PairRule {
   const Blocks& blocks_;
   const BlockParts& parts_;
   PairScratch& scratch_;
-  Predicates ask_;
-  PairShape<Predicates> shape_{scratch_.shape, ask_};
+  Predicates predicates_;
+  PairShape<Predicates> shape_{scratch_.shape, predicates_};
   ClosedJoints<Predicates, Neighbours> joints_;
 };
 

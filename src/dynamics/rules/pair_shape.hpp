@@ -50,7 +50,7 @@ using PairMemory = std::array<PartShape, 2>;
 
 template <class Predicates> class PairShape {
  public:
-  PairShape(PairMemory& memory, Predicates& ask) : parts_(memory), ask_(ask) {}
+  PairShape(PairMemory& memory, Predicates& ask) : parts_(memory), predicates_(ask) {}
 
   /// Copies the current corners of two parts. The depths are computed later, one side
   /// at a time (find_depths).
@@ -81,7 +81,7 @@ template <class Predicates> class PairShape {
     geometry::filter::Estimate* const depths = row(s);
     int deepest = 0;
     for (int k = 0; k < count; ++k) {
-      depths[k] = ask_.depth(at({other, k}).start, e.start, e.end, e.per_length);
+      depths[k] = predicates_.depth(at({other, k}).start, e.start, e.end, e.per_length);
       deepest = depths[k].value > depths[deepest].value ? k : deepest;
     }
     return {s, {other, deepest}};
@@ -120,7 +120,8 @@ template <class Predicates> class PairShape {
   int compare_corners(const PairSide& s, int k, int l) {
     const int other = 1 - s.part;
     const Segment& e = at(s);
-    return ask_.turn_sign(at({other, k}).start, at({other, l}).start, e.start, e.end);
+    return predicates_.turn_sign(at({other, k}).start, at({other, l}).start, e.start,
+                                 e.end);
   }
   /// Returns whether the depth of an axis is certainly larger than that of corner k
   /// below side s. If the result is false, either may be larger.
@@ -135,16 +136,16 @@ template <class Predicates> class PairShape {
     if (is_surely_deeper(a, b.side, b.corner.index))
       return false;
     const Segment &e = at(a.side), &f = at(b.side);
-    return ask_.compare_depths(at(a.corner).start, e.start, e.end, at(b.corner).start,
-                               f.start, f.end) < 0;
+    return predicates_.compare_depths(at(a.corner).start, e.start, e.end,
+                                      at(b.corner).start, f.start, f.end) < 0;
   }
 
   /// Returns -1 if a corner of the other part is outside a side, +1 if it is inside,
   /// and 0 if it is on the side's line.
   int depth_sign(const PairSide& s, int corner) {
     const Segment& e = at(s);
-    return ask_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start, e.start,
-                           e.end);
+    return predicates_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start,
+                                  e.start, e.end);
   }
   /// Counts the sides of a part, except side `except`, that have a corner of the other
   /// part outside. `out` gets the last of them.
@@ -168,7 +169,7 @@ template <class Predicates> class PairShape {
   /// side itself, then the sides before it, then those after it.
   template <class Visit> void each_in_line(const PairSide& s, const Visit& visit) {
     const auto run_on = [&](const PairSide& first, const PairSide& next) {
-      return ask_.in_line(at(first).start, at(first).end, at(next).end);
+      return predicates_.in_line(at(first).start, at(first).end, at(next).end);
     };
     visit(s);
     for (PairSide side = before(s); run_on(side, after(side)); side = before(side))
@@ -185,7 +186,8 @@ template <class Predicates> class PairShape {
     const Segment &b = at(before), &a = at(after);
     const bool one = face(e, b), other = face(e, a);
     if (one && other)
-      return ask_.compare_slopes(e.start, e.end, a.start, a.end, b.start, b.end) < 0
+      return predicates_.compare_slopes(e.start, e.end, a.start, a.end, b.start,
+                                        b.end) < 0
                  ? after
                  : before;
     if (one)
@@ -194,12 +196,12 @@ template <class Predicates> class PairShape {
   }
   /// Returns whether two sides run against each other within ten degrees (20).
   bool face(const Segment& s, const Segment& t) {
-    return ask_.edges_face(s.start, s.end, t.start, t.end);
+    return predicates_.edges_face(s.start, s.end, t.start, t.end);
   }
   /// Returns +1 if the direction turns anticlockwise from one side to the other, -1 if
   /// clockwise, and 0 if the sides are parallel.
   int turn(const Segment& from, const Segment& to) {
-    return ask_.turn_sign(from.start, from.end, to.start, to.end);
+    return predicates_.turn_sign(from.start, from.end, to.start, to.end);
   }
 
  private:
@@ -237,7 +239,7 @@ template <class Predicates> class PairShape {
   }
 
   PairMemory& parts_;
-  Predicates& ask_;
+  Predicates& predicates_;
 };
 
 }  // namespace blocks::dynamics
