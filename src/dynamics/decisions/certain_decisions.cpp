@@ -33,7 +33,7 @@ class LaneDecision {
       decision.room = std::min(decision.room, apart);
       return;
     }
-    if (!(room_ > 0.0) || !sides_are_plain() || !joints_are_open()) {
+    if (!(room_ > 0.0) || !sides_are_isolated() || !joints_are_open()) {
       decision.room = 0.0;
       return;
     }
@@ -44,9 +44,9 @@ class LaneDecision {
   }
 
  private:
-  bool sides_are_plain() const {
-    return parts_.is_plain(own_, side_) &&
-           (facing_ < 0 || parts_.is_plain(other_, facing_));
+  bool sides_are_isolated() const {
+    return parts_.is_isolated(own_, side_) &&
+           (facing_ < 0 || parts_.is_isolated(other_, facing_));
   }
   int before(int part, int k) const { return (k > 0 ? k : parts_.corners(part)) - 1; }
   bool joints_are_open() {

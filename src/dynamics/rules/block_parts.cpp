@@ -37,10 +37,10 @@ void BlockParts::make(const Blocks& blocks) {
     }
     first_part_.push_back(static_cast<int>(block_.size()));
   }
-  find_plain_sides(blocks);
+  find_isolated_sides(blocks);
 }
 
-void BlockParts::find_plain_sides(const Blocks& blocks) {
+void BlockParts::find_isolated_sides(const Blocks& blocks) {
   is_plain_.resize(corner_.size());
   for (int part = 0; part < static_cast<int>(block_.size()); ++part)
     for (int i = 0; i < corners(part); ++i) {

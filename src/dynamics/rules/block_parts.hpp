@@ -52,7 +52,7 @@ class BlockParts {
   }
   /// Returns whether the side is an edge of the block and no other side of the part is
   /// in line with it, or nearly so.
-  bool is_plain(int part, int index) const {
+  bool is_isolated(int part, int index) const {
     return is_plain_[first_corner_[part] + index];
   }
   /// Returns the corners of a part. If the block is convex, they are read from the
@@ -64,7 +64,7 @@ class BlockParts {
   Side twin(const Side& inner) const;
 
  private:
-  void find_plain_sides(const Blocks& blocks);
+  void find_isolated_sides(const Blocks& blocks);
   /// Returns whether two successive sides are in line, or may become so by strain.
   static bool may_be_in_line(const Blocks& blocks, const Side& first, const Side& next);
 
