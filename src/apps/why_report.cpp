@@ -98,10 +98,10 @@ Json axes(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
                 {"corner", place(blocks, axis.corner)},
                 {"depth", axis.depth},
                 {"facing", axis.facing ? side(blocks, *axis.facing) : Json()},
-                {"examined", axis.examined}};
-    if (axis.examined)
+                {"entry_known", axis.entry_known}};
+    if (axis.entry_known)
       one["entered"] = word(axis.entry);
-    if (axis.looked_at) {
+    if (axis.joints_known) {
       Json joints = Json::array();
       for (const audit::HidingJoint& hiding : axis.hidden_by) {
         Json closed = joint(blocks, hiding.joint);
@@ -114,7 +114,7 @@ Json axes(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
                                  : Json();
     }
     one["acts"] = i == part.chosen;
-    if (axis.examined || axis.looked_at || i == part.chosen)
+    if (axis.entry_known || axis.joints_known || i == part.chosen)
       one["verdict"] = audit::verdict(rule, part, i);
     list.push_back(one);
   }

@@ -9,9 +9,9 @@ namespace blocks::audit {
 /// Finds the closed joints that hide the axis and the surface that takes over.
 void ExactPairRule::look_for_joints(PartDecision& decision, int index) const {
   Axis& axis = decision.axes[index];
-  if (axis.looked_at)
+  if (axis.joints_known)
     return;
-  axis.looked_at = true;
+  axis.joints_known = true;
   const auto axis_along = [&](const PartSide& side) {
     const auto found = std::find_if(decision.axes.begin(), decision.axes.end(),
                                     [&](const Axis& a) { return a.side == side; });
@@ -50,7 +50,7 @@ void ExactPairRule::choose(PartDecision& decision) const {
     return find_contacts(decision);
   }
   const auto entered = std::find_if(axes.begin(), axes.end(), [&](Axis& axis) {
-    axis.examined = true;
+    axis.entry_known = true;
     axis.entry = entry(axis);
     return axis.entry != Entry::none;
   });

@@ -92,9 +92,9 @@ struct Axis {
   double depth = 0.0;  ///< [L]
   int depth_sign = 0;
   std::optional<PartSide> facing;
-  bool examined = false;  ///< `entry` has been determined
+  bool entry_known = false;  ///< `entry` has been determined
   Entry entry = Entry::none;
-  bool looked_at = false;  ///< `hidden_by` and `taken_over_by` have been determined
+  bool joints_known = false;  ///< `hidden_by` and `taken_over_by` have been determined
   std::vector<HidingJoint> hidden_by;  ///< empty if the axis is not hidden
   /// Index of the least axis of the surfaces; -1 if the axis is not hidden.
   int taken_over_by = -1;

@@ -105,7 +105,7 @@ std::vector<int> used_axes(const PartDecision& decision) {
       used.push_back(axis);
   };
   for (int i = 0; i < static_cast<int>(decision.axes.size()); ++i)
-    if (decision.axes[i].examined)
+    if (decision.axes[i].entry_known)
       add(i);
   for (const int axis : decision.path)
     add(axis);
@@ -171,9 +171,9 @@ std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int
   std::string text;
   if (a.depth_sign <= 0)
     text += "not deeper than zero; ";
-  if (a.examined)
+  if (a.entry_known)
     text += words(a.entry) + "; ";
-  if (a.looked_at)
+  if (a.joints_known)
     text += hiding_in_words(rule, decision, a) + "; ";
   return text + result_in_words(decision, axis);
 }

@@ -84,10 +84,10 @@ struct Branches {
     for (const audit::PartDecision& part : decision.parts) {
       add_choice(part);
       for (const audit::Axis& axis : part.axes)
-        if (axis.examined)
+        if (axis.entry_known)
           add_entry(axis);
       for (const audit::Axis& axis : part.axes)
-        if (axis.looked_at)
+        if (axis.joints_known)
           add_joints(axis, part);
       count["face of several sides in line"] += part.candidates.size() > 5;
       for (const audit::Candidate& candidate : part.candidates) {
