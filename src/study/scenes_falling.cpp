@@ -1,11 +1,12 @@
 // Scenes in which a block leaves its neighbours or falls past them.
-#include "study/draft.hpp"
+#include "study/scene_builder.hpp"
 #include "study/scenes.hpp"
 
 namespace blocks::study::scenes {
 
 Scene figure4b() {
-  Draft draft("figure4b", "of two blocks side by side one is fixed and one falls", 530);
+  SceneBuilder draft("figure4b",
+                     "of two blocks side by side one is fixed and one falls", 530);
   draft.box(0, 0, 1, 1, true);
   const int b = draft.box(-1, 0, 1, 1);
   draft.gravity(0, -g);
@@ -13,8 +14,8 @@ Scene figure4b() {
 }
 
 Scene diagonal() {
-  Draft draft("diagonal", "a block falls past the top corner of its diagonal neighbour",
-              530);
+  SceneBuilder draft(
+      "diagonal", "a block falls past the top corner of its diagonal neighbour", 530);
   draft.box(0, 0, 1, 1, true);
   const int b = draft.box(-1, 1, 1, 1);
   draft.gravity(0, -g);
@@ -22,8 +23,8 @@ Scene diagonal() {
 }
 
 Scene wedge() {
-  Draft draft("wedge", "a wedge slides along one slanted face and leaves the other",
-              530);
+  SceneBuilder draft("wedge",
+                     "a wedge slides along one slanted face and leaves the other", 530);
   draft.add({{-3, 0}, {-3, 1}, {-0.3, 1}, {-0.6, 0}}, true);
   draft.add({{0.6, 0}, {0.3, 1}, {3, 1}, {3, 0}}, true);
   const int b = draft.add({{-0.6, 0}, {-0.3, 1}, {0.3, 1}, {0.6, 0}}, false);
@@ -33,9 +34,9 @@ Scene wedge() {
 }
 
 Scene tee() {
-  Draft draft("tee",
-              "a block moves out of two T-junctions, between a floor and a ceiling",
-              530);
+  SceneBuilder draft(
+      "tee", "a block moves out of two T-junctions, between a floor and a ceiling",
+      530);
   draft.box(-2, -1, 6, 1, true);
   draft.box(-2, 1, 6, 1, true);
   draft.box(-1, 0, 1, 1, true);
@@ -45,7 +46,8 @@ Scene tee() {
 }
 
 Scene shaft() {
-  Draft draft("shaft", "a brick falls down a shaft of bricks exactly as wide", 1060);
+  SceneBuilder draft("shaft", "a brick falls down a shaft of bricks exactly as wide",
+                     1060);
   for (int i = 0; i < 6; ++i) {
     draft.box(-1, -0.5 * i, 1, 0.5, true);
     draft.box(1, -0.5 * i, 1, 0.5, true);
@@ -56,8 +58,8 @@ Scene shaft() {
 }
 
 Scene slot() {
-  Draft draft("slot",
-              "a thin slab falls down a slot exactly as wide, pressed to a side", 1500);
+  SceneBuilder draft(
+      "slot", "a thin slab falls down a slot exactly as wide, pressed to a side", 1500);
   draft.box(-1.02, -1, 1, 1, true);
   draft.box(0, -1, 1, 1, true);
   const int b = draft.box(-0.02, -0.05, 0.02, 0.2);
@@ -69,8 +71,8 @@ Scene slot() {
 }
 
 Scene slab() {
-  Draft draft("slab", "a thin plate passes under a thin slab without touching it",
-              1000);
+  SceneBuilder draft("slab",
+                     "a thin plate passes under a thin slab without touching it", 1000);
   draft.box(0, 0, 1, 0.1, true);
   draft.rub(0.4, 0.0);
   const int b = draft.box(-1.1, -0.06, 1, 0.05);
@@ -84,8 +86,8 @@ Scene slab() {
 /// The shaft must stay, because it stands on a floor. The brick between its sides has
 /// nothing below it and touches them without pressure, so it must fall freely.
 Scene bricks() {
-  Draft draft("bricks", "a brick falls down a shaft of free bricks exactly as wide",
-              1060);
+  SceneBuilder draft("bricks",
+                     "a brick falls down a shaft of free bricks exactly as wide", 1060);
   draft.box(-2, -2.5, 1, 3, true);
   draft.box(2, -2.5, 1, 3, true);
   draft.box(-2, -3.5, 5, 1, true);

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/draft.hpp"
+#include "study/scene_builder.hpp"
 #include "study/scenes.hpp"
 
 namespace blocks::study::scenes {
 
 Scene stack() {
-  Draft draft("stack", "four aligned bricks stand on a floor", 1500);
+  SceneBuilder draft("stack", "four aligned bricks stand on a floor", 1500);
   draft.rub(0.6, 0.5);
   draft.box(-3, -1, 6, 1, true);
   for (int i = 0; i < 4; ++i)
@@ -18,7 +18,7 @@ Scene stack() {
 }
 
 Scene wall() {
-  Draft draft("wall", "a brick wall in running bond stands on a floor", 1500);
+  SceneBuilder draft("wall", "a brick wall in running bond stands on a floor", 1500);
   draft.rub(0.6, 0.5);
   draft.box(-1, -1, 6, 1, true);
   for (int row = 0; row < 4; ++row) {
@@ -60,7 +60,8 @@ geometry::Polygon random_polygon(Draws& draw, const Vec2& centre, double radius,
 /// at 6 m/s, a block of 500 kg overlaps by 4.2 cm. Half as much more is allowed,
 /// because blocks strike each other.
 Scene terrain(Draws& draw) {
-  Draft draft("terrain", "blocks fall on a terrain of fixed blocks that overlap", 1500);
+  SceneBuilder draft("terrain", "blocks fall on a terrain of fixed blocks that overlap",
+                     1500);
   draft.rub(0.5, 0.3);
   draft.fraction(0.05);
   for (int i = 0; i < 14; ++i)
@@ -97,7 +98,8 @@ Scene terrain(Draws& draw) {
 /// The lower block does not tip over, because the upper one has less than half the
 /// moment about the end of its base. So everything rests.
 Scene undercut(Draws& draw) {
-  Draft draft("undercut", "an undercut tip props a block over an open gap", 1200);
+  SceneBuilder draft("undercut", "an undercut tip props a block over an open gap",
+                     1200);
   draft.rub(0.5, 0.3);
   const double lean = std::tan(radians(draw.between(10, 50)));
   const int kind = draw.below(3);

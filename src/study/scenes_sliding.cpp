@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dynamics/step.hpp"
-#include "study/draft.hpp"
+#include "study/scene_builder.hpp"
 #include "study/scenes.hpp"
 
 namespace blocks::study::scenes {
@@ -13,7 +13,7 @@ namespace blocks::study::scenes {
 namespace {
 
 /// A box of 1 m slides at 10 m/s over `boxes` fixed boxes.
-Scene braked(Draft draft, double friction, int boxes) {
+Scene braked(SceneBuilder draft, double friction, int boxes) {
   constexpr double speed = 10.0;
   draft.rub(friction, 0.2);
   for (int i = 0; i < boxes; ++i)
@@ -36,18 +36,19 @@ Scene floor_of_boxes() {
 }
 
 Scene soft_floor() {
-  Draft draft("soft",
-              "a box slides over a floor of boxes so soft that it sinks in by 1 % of "
-              "their width",
-              600);
+  SceneBuilder draft(
+      "soft",
+      "a box slides over a floor of boxes so soft that it sinks in by 1 % of "
+      "their width",
+      600);
   draft.stiffness(1e6);
   return braked(draft, 0.1, 20);
 }
 
 Scene nose() {
-  Draft draft("nose",
-              "a block with a front of 40 degrees is pulled over a floor of boxes",
-              1600);
+  SceneBuilder draft(
+      "nose", "a block with a front of 40 degrees is pulled over a floor of boxes",
+      1600);
   draft.stiffness(1e6);
   draft.rub(0.0, 0.1);
   for (int i = 0; i < 10; ++i)
@@ -68,7 +69,7 @@ namespace {
 /// overlap first sinks in twice as deep as at rest.
 Scene sunken(const char* name, const char* what, double stiffness, double share,
              long steps) {
-  Draft draft(name, what, steps);
+  SceneBuilder draft(name, what, steps);
   draft.stiffness(stiffness);
   Scene scene = braked(draft, 0.1, 20);
   scene.most_shared = scene.most_sinking = 2.5 * share;
@@ -93,8 +94,8 @@ Scene soft_floor_8() {
 /// so nothing slows the block down: it keeps the speed that it starts with.
 Scene bow() {
   constexpr double speed = 1.0;
-  Draft draft("bow",
-              "a block with a bow of 5 degrees slides over a soft floor of boxes", 800);
+  SceneBuilder draft(
+      "bow", "a block with a bow of 5 degrees slides over a soft floor of boxes", 800);
   draft.stiffness(2e5);
   draft.rub(0.0, 0.1);
   for (int i = 0; i < 16; ++i)
@@ -115,10 +116,10 @@ constexpr int pieces = 24;
 constexpr double piece_length = 0.25;
 
 /// A regular polygon that rolls about its front lower corner, without a floor.
-Draft rolling(int corners) {
+SceneBuilder rolling(int corners) {
   constexpr double radius = 0.5, speed = 1.2;
-  Draft draft("roller", "a regular polygon rolls over a floor of 24 flush pieces",
-              1400);
+  SceneBuilder draft("roller",
+                     "a regular polygon rolls over a floor of 24 flush pieces", 1400);
   draft.fraction(0.05);
   draft.rub(0.5, 0.3);
   const double half = std::numbers::pi / corners;
@@ -135,15 +136,15 @@ Draft rolling(int corners) {
   return draft;
 }
 
-Draft rolling_on_pieces(int corners, double floor) {
-  Draft draft = rolling(corners);
+SceneBuilder rolling_on_pieces(int corners, double floor) {
+  SceneBuilder draft = rolling(corners);
   for (int i = 0; i < pieces; ++i)
     draft.box(piece_length * i + floor, -10, piece_length, 10, true);
   return draft;
 }
 
 /// The floor is one block, with two corners at each place where pieces would meet.
-Draft rolling_on_one_block(int corners, double floor) {
+SceneBuilder rolling_on_one_block(int corners, double floor) {
   constexpr double apart = 1e-6;
   geometry::Polygon outline{{floor, -10}, {floor, 0}};
   for (int i = 1; i < pieces; ++i)
@@ -151,7 +152,7 @@ Draft rolling_on_one_block(int corners, double floor) {
       outline.emplace_back(piece_length * i + floor + beside, 0);
   outline.emplace_back(piece_length * pieces + floor, 0);
   outline.emplace_back(piece_length * pieces + floor, -10);
-  Draft draft = rolling(corners);
+  SceneBuilder draft = rolling(corners);
   draft.add(outline, true);
   return draft;
 }
@@ -168,7 +169,7 @@ Draft rolling_on_one_block(int corners, double floor) {
 Scene roller(Draws& draw) {
   const int corners = 12 + draw.below(13);
   const double floor = draw.between(-1.25, -1.0);
-  Draft draft = rolling_on_pieces(corners, floor);
+  SceneBuilder draft = rolling_on_pieces(corners, floor);
   Model single = rolling_on_one_block(corners, floor).model();
   dynamics::Workspace work;
   dynamics::prepare(single);

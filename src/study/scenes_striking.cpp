@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "geometry/contact_predicates.hpp"
-#include "study/draft.hpp"
+#include "study/scene_builder.hpp"
 #include "study/scenes.hpp"
 
 namespace blocks::study::scenes {
@@ -16,8 +16,8 @@ Scene needle() {
   constexpr double speed = 3.0, width = 0.02;
   const double c = std::cos(std::numbers::pi / 18.0),
                s = std::sin(std::numbers::pi / 18.0);
-  Draft draft("needle", "a needle strikes a wide floor at 10 degrees and glides on",
-              600);
+  SceneBuilder draft("needle",
+                     "a needle strikes a wide floor at 10 degrees and glides on", 600);
   draft.box(-10, -1, 20, 1, true);
   // point at distance t along and w across the needle, from its foot
   const auto at = [&](double t, double w) {
@@ -31,9 +31,9 @@ Scene needle() {
 }
 
 Scene plate() {
-  Draft draft("plate",
-              "a thin plate strikes a floor so fast that it sinks in by its thickness",
-              600);
+  SceneBuilder draft(
+      "plate", "a thin plate strikes a floor so fast that it sinks in by its thickness",
+      600);
   draft.stiffness(1e6);
   draft.box(-10, -1, 20, 1, true);
   const int b = draft.box(0, 0.01, 1, 0.02);
@@ -44,7 +44,8 @@ Scene plate() {
 
 Scene tip() {
   constexpr double speed = 3.0;
-  Draft draft("tip", "a tip strikes a floor of boxes and glides over a joint", 600);
+  SceneBuilder draft("tip", "a tip strikes a floor of boxes and glides over a joint",
+                     600);
   draft.stiffness(1e9);
   for (int i = 0; i < 4; ++i)
     draft.box(0.5 * i - 1, -1, 0.5, 1, true);
@@ -80,7 +81,7 @@ struct Impact {
 /// pi T and rises. The deepest overlap is the speed times T. Two springs at the joint
 /// instead of one throw the tip back earlier by 0.9 T. So it may miss its expected
 /// position by a tenth of its path.
-Scene bounces(Draft draft, double stiffness, const Impact& impact) {
+Scene bounces(SceneBuilder draft, double stiffness, const Impact& impact) {
   draft.stiffness(stiffness);
   const double w = impact.width,
                half = impact.height * std::tan(0.5 * radians(impact.angle));
@@ -106,7 +107,8 @@ Scene bounces(Draft draft, double stiffness, const Impact& impact) {
 
 /// In half of the frames the tip falls on the joint itself, otherwise beside it.
 Scene stake(Draws& draw) {
-  Draft draft("stake", "a stake of 4 to 40 degrees is driven into a closed joint", 600);
+  SceneBuilder draft("stake",
+                     "a stake of 4 to 40 degrees is driven into a closed joint", 600);
   Impact impact{draw.between(4, 40), 0.4, 1, 0, 3, 0};
   const double aside = draw.between(-1e-3, 1e-3);
   impact.aside = draw.below(2) == 0 ? 0.0 : aside;
@@ -116,9 +118,9 @@ Scene stake(Draws& draw) {
 /// The tip falls within twice the slack of the joint, which is a millionth of a box's
 /// width. Its overlaps are a fifth of a micrometre, no more than the slack.
 Scene toe(Draws& draw) {
-  Draft draft("toe",
-              "a pointed block strikes flush boxes within the slack of their joint",
-              600);
+  SceneBuilder draft(
+      "toe", "a pointed block strikes flush boxes within the slack of their joint",
+      600);
   Impact impact{draw.between(20, 100), 0.2, 0.25, 0, 3e-3, 0};
   impact.aside = draw.between(-2, 2) * geometry::contact_slack * impact.width;
   impact.sideways = draw.below(2) == 0 ? 0.0 : draw.between(-3e-3, 3e-3);
@@ -191,7 +193,7 @@ namespace {
 
 /// Two triangles fly at each other. In half of the frames only their tips meet: their
 /// extents across the flight overlap by up to 10 cm.
-void throw_two(Draft& draft, Draws& draw, double speed) {
+void throw_two(SceneBuilder& draft, Draws& draw, double speed) {
   const geometry::Polygon one = random_triangle(draw, 0.5);
   const geometry::Polygon other = random_triangle(draw, 0.5);
   const double highest = extent(one, 1.0) + extent(other, -1.0);
@@ -205,7 +207,7 @@ void throw_two(Draft& draft, Draws& draw, double speed) {
 }
 
 /// Six triangles on a circle fly at its centre and press each other there.
-void throw_six(Draft& draft, Draws& draw, double speed) {
+void throw_six(SceneBuilder& draft, Draws& draw, double speed) {
   for (int i = 0; i < 6; ++i) {
     const Vec2 out(std::cos(radians(60 * i)), std::sin(radians(60 * i)));
     const int b = draft.add(shifted(random_triangle(draw, 0.35), 0.75 * out), false);
@@ -219,7 +221,7 @@ void throw_six(Draft& draft, Draws& draw, double speed) {
 /// overlap may be deeper than that of a spring that takes up all the energy.
 Scene triangles(Draws& draw) {
   constexpr double speed = 4.0, stiffness = 1e8;
-  Draft draft("triangles", "random triangles are thrown at each other", 1500);
+  SceneBuilder draft("triangles", "random triangles are thrown at each other", 1500);
   draft.stiffness(stiffness);
   const bool two = draw.below(2) == 0;
   two ? throw_two(draft, draw, speed) : throw_six(draft, draw, speed);

@@ -1,7 +1,7 @@
 // Columns on a stepped base at the limit angle of toppling (Goodman and Bray 1976).
 #include <cmath>
 
-#include "study/draft.hpp"
+#include "study/scene_builder.hpp"
 #include "study/scenes.hpp"
 
 namespace blocks::study::scenes {
@@ -31,7 +31,7 @@ double turned(double excess, double t) {
 /// row. Friction (mu = 1) is twice what they need in order not to slide. Half of the
 /// frames dip by 0.5 to 1 degree less than the limit: the columns must stand. The
 /// others dip by as much more: they must topple.
-Scene columns_on(Draft draft, Draws& draw) {
+Scene columns_on(SceneBuilder draft, Draws& draw) {
   const bool topples = draw.below(2) == 1;
   const double excess = radians((topples ? 1.0 : -1.0) * draw.between(0.5, 1.0));
   const double dip = std::atan(width / height) + excess;
@@ -67,7 +67,8 @@ Scene columns_on(Draft draft, Draws& draw) {
 }  // namespace
 
 Scene step_notch(Draws& draw) {
-  Draft draft("step-notch", "columns on a stepped base of one non-convex block", 1200);
+  SceneBuilder draft("step-notch", "columns on a stepped base of one non-convex block",
+                     1200);
   geometry::Polygon base = {{0, -3}};
   for (int i = 0; i < columns; ++i) {
     base.emplace_back(i * width, -i * rise);
@@ -79,7 +80,7 @@ Scene step_notch(Draws& draw) {
 }
 
 Scene step_flush(Draws& draw) {
-  Draft draft("step-flush", "columns on a stepped base of flush blocks", 1200);
+  SceneBuilder draft("step-flush", "columns on a stepped base of flush blocks", 1200);
   for (int i = 0; i < columns; ++i)
     draft.box(i * width, -3, width, 3 - i * rise, true);
   return columns_on(draft, draw);
@@ -87,7 +88,8 @@ Scene step_flush(Draws& draw) {
 
 /// A slab reaches back below the next one up, so the slabs overlap from the start.
 Scene step_slabs(Draws& draw) {
-  Draft draft("step-slabs", "columns on a stepped base of slabs that overlap", 1200);
+  SceneBuilder draft("step-slabs", "columns on a stepped base of slabs that overlap",
+                     1200);
   for (int i = 0; i < columns; ++i)
     draft.box(i * width - 1.5, -i * rise - 1, width + 1.5, 1, true);
   return columns_on(draft, draw);

@@ -11,7 +11,7 @@
 #include "audit/moments.hpp"
 #include "audit/words.hpp"
 #include "model/numbering.hpp"
-#include "study/draft.hpp"
+#include "study/scene_builder.hpp"
 
 namespace blocks {
 namespace {
@@ -100,7 +100,7 @@ TEST(Audit, FindsNoFaultInDeepOverlaps) {
   long deep = 0;
   for (int k = 0; k < 2000; ++k) {
     SCOPED_TRACE(k);
-    Model model = study::scenes::Draft("cluster", "", 0).model();
+    Model model = study::scenes::SceneBuilder("cluster", "", 0).model();
     model.settings.lower = {-200, -200}, model.settings.upper = {200, 200};
     testing::Clusters clusters(static_cast<std::uint64_t>(k));
     model.blocks.append(clusters.make(k % testing::Clusters::kinds));

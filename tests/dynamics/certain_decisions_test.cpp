@@ -15,7 +15,7 @@
 #include "audit/clusters.hpp"
 #include "dynamics/decisions/decide_contacts.hpp"
 #include "dynamics/step.hpp"
-#include "study/draft.hpp"
+#include "study/scene_builder.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -32,7 +32,7 @@ void sort(Contacts& contacts) {
 /// A random cluster of blocks with its near pairs and their certain decisions.
 struct Cluster {
   explicit Cluster(std::uint64_t number)
-      : model(study::scenes::Draft("cluster", "", 0).model()), clusters(number) {
+      : model(study::scenes::SceneBuilder("cluster", "", 0).model()), clusters(number) {
     model.settings.lower = {-200, -200}, model.settings.upper = {200, 200};
     model.blocks.append(
         clusters.make(static_cast<int>(number % testing::Clusters::kinds)));

@@ -10,8 +10,8 @@
 
 #include "dynamics/update_pairs.hpp"
 #include "geometry/overlap.hpp"
-#include "study/draft.hpp"
 #include "study/frame.hpp"
+#include "study/scene_builder.hpp"
 #include "study/study.hpp"
 #include "study/variants.hpp"
 
@@ -188,7 +188,7 @@ double lowest(const Polygon& outline) {
 TEST(Pairs, CarryBlocksOfEveryShape) {
   for (const Shape& shape : shapes)
     for (int turn = 0; turn < 8; ++turn) {
-      scenes::Draft draft("shape", "", 0);
+      scenes::SceneBuilder draft("shape", "", 0);
       draft.rub(0.5, 0.5);
       for (int i = -4; i < 4; ++i)
         draft.box(2 * i, -1, 2, 1, true);

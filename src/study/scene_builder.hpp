@@ -16,9 +16,9 @@ inline constexpr double g = 10.0;  ///< [L/T^2]
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 /// Builds a scene. Lengths are in m, masses in kg, times in s.
-class Draft {
+class SceneBuilder {
  public:
-  Draft(std::string name, std::string what, long steps) {
+  SceneBuilder(std::string name, std::string what, long steps) {
     scene_.name = std::move(name), scene_.what = std::move(what);
     scene_.steps = steps;
     Settings& s = scene_.model.settings;
