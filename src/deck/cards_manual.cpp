@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "deck/card_descriptions.hpp"
 #include "deck/card_table.hpp"
-#include "deck/card_words.hpp"
 #include "deck/cards_text.hpp"
 #include "deck/roff.hpp"
 
@@ -25,9 +25,9 @@ std::string page_of(const CardSpec& card) {
   std::string lines = card.syntax();
   for (const FollowOn& line : card.follow_on)
     lines += fmt::format("\n{}", line.syntax);
-  std::string out =
-      roff::subsection(card.name) + roff::example(lines) +
-      roff::paragraph(fmt::format("{} ({})", sentence(card.summary), standing(card)));
+  std::string out = roff::subsection(card.name) + roff::example(lines) +
+                    roff::paragraph(fmt::format("{} ({})", sentence(card.summary),
+                                                occurrence_text(card)));
   for (const FieldSpec& field : card.fields)
     out += field_item(field);
   for (const FollowOn& line : card.follow_on)

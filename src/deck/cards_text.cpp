@@ -4,8 +4,8 @@
 #include <array>
 #include <fmt/format.h>
 
+#include "deck/card_descriptions.hpp"
 #include "deck/card_table.hpp"
-#include "deck/card_words.hpp"
 
 namespace blocks::deck {
 namespace {
@@ -90,8 +90,9 @@ std::string markdown(std::string_view text) {
 }
 
 std::string markdown_page(const CardSpec& card) {
-  std::string out = fmt::format("### {}\n\n{} ({})\n\n```\n{}\n", card.name,
-                                sentence(card.summary), standing(card), card.syntax());
+  std::string out =
+      fmt::format("### {}\n\n{} ({})\n\n```\n{}\n", card.name, sentence(card.summary),
+                  occurrence_text(card), card.syntax());
   for (const FollowOn& line : card.follow_on) {
     out += fmt::format("{}\n", line.syntax);
   }
@@ -142,7 +143,7 @@ std::optional<std::string> card_page(std::string_view name) {
     out += fmt::format("{}\n", line.syntax);
   }
   out += "\n" + wrapped(sentence(card->summary), 2);
-  out += fmt::format("  ({})\n", standing(*card));
+  out += fmt::format("  ({})\n", occurrence_text(*card));
   if (!card->fields.empty()) {
     out += "\nFields\n" + field_table(*card);
   }

@@ -1,4 +1,4 @@
-#include "deck/card_words.hpp"
+#include "deck/card_descriptions.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ std::string range_text(const FieldSpec& field) {
   return out.empty() ? "any" : out;
 }
 
-std::string standing(const CardSpec& card) {
+std::string occurrence_text(const CardSpec& card) {
   std::string out = card.required ? "required" : "optional";
   if (card.phase == Phase::preliminary) {
     out += card.once ? ", once" : ", may repeat";

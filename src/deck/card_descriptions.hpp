@@ -18,7 +18,7 @@ std::string default_text(const FieldSpec& field);
 /// Returns the allowed values of a field, or "any" if there is no limit.
 std::string range_text(const FieldSpec& field);
 /// Says how often the card may occur, and where the report describes it.
-std::string standing(const CardSpec& card);
+std::string occurrence_text(const CardSpec& card);
 /// Returns the text with an initial capital and a final full stop.
 std::string sentence(std::string_view text);
 
