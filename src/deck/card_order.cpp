@@ -29,7 +29,7 @@ bool CardOrder::pass_first(const CardSpec& spec, SourceLocation where) {
     diagnostics_.error(where, std::string(spec.name),
                        "the first card must be START or RESTART",
                        "a new run begins with START, nblok, ncmx and a title line");
-    if (!stands_in_deck("START")) {
+    if (!is_in_deck("START")) {
       first_line_.emplace("START", where.line);
     }
   }
@@ -48,7 +48,7 @@ bool CardOrder::unique(const CardSpec& spec, SourceLocation where) {
 
 bool CardOrder::pass_preliminary(const CardSpec& spec, SourceLocation where) {
   const std::string card(spec.name);
-  if (behind_deck_) {
+  if (after_deck_) {
     diagnostics_.error(where, card,
                        "a preliminary card cannot follow once the model is built",
                        "use problem cards only; 'blocks cards' lists them");
@@ -97,7 +97,7 @@ bool CardOrder::pass_problem(const CardSpec& spec, SourceLocation where) {
     return true;
   }
   const std::string card(spec.name);
-  if (stands_in_deck("END")) {
+  if (is_in_deck("END")) {
     diagnostics_.error(where, card, "a problem card must come after END",
                        "END closes the preliminary data; move this card below it");
     return false;
@@ -112,7 +112,7 @@ bool CardOrder::pass_problem(const CardSpec& spec, SourceLocation where) {
 void CardOrder::report_missing(SourceLocation where) {
   for (const CardSpec& spec : card_table()) {
     if (!spec.required || spec.name == "END" || first_line_.contains(spec.name) ||
-        stands_in_deck(spec.name)) {
+        is_in_deck(spec.name)) {
       continue;
     }
     const std::string example(spec.example.substr(0, spec.example.find('\n')));

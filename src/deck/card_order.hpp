@@ -24,7 +24,7 @@ class CardOrder {
 
   /// Declares that the cards follow a deck that was read before, so no preliminary card
   /// is allowed.
-  void begin_behind_deck() { started_ = ended_ = behind_deck_ = true; }
+  void begin_after_deck() { started_ = ended_ = after_deck_ = true; }
 
   /// Registers the next card. Returns false if it is out of place, which has then been
   /// reported. misspelt: the name is a guess and is not reported again.
@@ -39,15 +39,15 @@ class CardOrder {
   bool pass_problem(const CardSpec& spec, SourceLocation where);
   bool unique(const CardSpec& spec, SourceLocation where);
   void report_missing(SourceLocation where);
-  bool stands_in_deck(std::string_view name) const { return names_.contains(name); }
+  bool is_in_deck(std::string_view name) const { return names_.contains(name); }
 
   std::set<std::string_view> names_;
   Diagnostics& diagnostics_;
   std::map<std::string_view, int> first_line_;  ///< first line of each card read so far
   bool started_ = false;
   bool restart_ = false;
-  bool ended_ = false;        ///< the preliminary data have ended
-  bool behind_deck_ = false;  ///< these cards follow a deck
+  bool ended_ = false;       ///< the preliminary data have ended
+  bool after_deck_ = false;  ///< these cards follow a deck
 };
 
 }  // namespace blocks::deck

@@ -136,7 +136,7 @@ void Parser::run() {
 }
 
 void Parser::run_on() {
-  order_.begin_behind_deck();
+  order_.begin_after_deck();
   run();
 }
 

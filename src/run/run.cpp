@@ -66,7 +66,7 @@ struct Job {
   /// Loads the checkpoint of a RESTART deck, or of this deck if it was stopped earlier.
   Model load();
   bool loads() const { return continues() || options.restart; }
-  bool stands_in_deck() const;
+  bool is_in_deck() const;
   /// Index of the first command after the checkpoint.
   std::size_t first_command() const {
     return resumes ? static_cast<std::size_t>(from.progress.card) : 0;
@@ -87,7 +87,7 @@ struct Job {
 /// Whether the position at which the checkpoint's run stopped exists in this deck. A
 /// card with remaining steps must be a MOTION, or a CYCLE with at least that many
 /// steps.
-bool Job::stands_in_deck() const {
+bool Job::is_in_deck() const {
   if (first_command() > deck.commands.size())
     return false;
   if (from.progress.steps_left == 0)
@@ -131,7 +131,7 @@ Model Job::load() {
                      from.overrides.substr(0, from.overrides.size() - 1));
   if (options.seed && *options.seed != model.settings.seed)
     refuse(fmt::format("its seed is {}", model.settings.seed));
-  if (!stands_in_deck())
+  if (!is_in_deck())
     refuse("no run writes such a state: the place in the deck where it stopped");
   return model;
 }
