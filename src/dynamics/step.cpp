@@ -13,7 +13,7 @@ void prepare(Model& model) {
     model.time_origin = model.time;
     model.step_origin = model.steps;
     model.time_step = choose_time_step(model);
-    model.order = better_order(model.blocks);
+    model.order = order_if_worthwhile(model.blocks);
   }
   model.started = true;
 }

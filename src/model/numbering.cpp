@@ -48,7 +48,7 @@ std::vector<int> strip_order(const Blocks& blocks) {
   return order;
 }
 
-std::vector<int> better_order(const Blocks& blocks, int least) {
+std::vector<int> order_if_worthwhile(const Blocks& blocks, int least) {
   if (blocks.size() < least)
     return {};
   // If k blocks side by side are numbered at random, the path is 0.5 sqrt(k) times as

@@ -21,7 +21,8 @@ std::vector<int> strip_order(const Blocks& blocks);
 /// blocks on, if the path from centroid to centroid by number is more than 16 times as
 /// long as by strips. The ratio is 1 to 2 for numbering by rows or columns. It exceeds
 /// 16 if about a thousand blocks side by side are numbered at random.
-std::vector<int> better_order(const Blocks& blocks, int least = least_worth_numbering);
+std::vector<int> order_if_worthwhile(const Blocks& blocks,
+                                     int least = least_worth_numbering);
 
 /// Old and new numbers of the same items.
 struct NewNumbers {

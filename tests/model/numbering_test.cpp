@@ -61,11 +61,11 @@ TEST(BetterOrder, IsGivenToLargeModelsNumberedAtRandom) {
   for (int k = 0; k < n; ++k)
     columns.push_back(k % rows * width + k / rows);
   Dice(1).shuffle(random);
-  EXPECT_THAT(better_order(grid(width, along_rows)), IsEmpty());
-  EXPECT_THAT(better_order(grid(width, columns)), IsEmpty());
-  EXPECT_THAT(better_order(grid(width, random)), SizeIs(n));
-  EXPECT_THAT(better_order(grid(width, random), n + 1), IsEmpty());
-  EXPECT_THAT(better_order({}, 0), IsEmpty());
+  EXPECT_THAT(order_if_worthwhile(grid(width, along_rows)), IsEmpty());
+  EXPECT_THAT(order_if_worthwhile(grid(width, columns)), IsEmpty());
+  EXPECT_THAT(order_if_worthwhile(grid(width, random)), SizeIs(n));
+  EXPECT_THAT(order_if_worthwhile(grid(width, random), n + 1), IsEmpty());
+  EXPECT_THAT(order_if_worthwhile({}, 0), IsEmpty());
 }
 
 // The wall is wider than high, so strips are one or two columns of boxes, numbered from
