@@ -10,16 +10,19 @@
 namespace blocks::deck {
 namespace {
 
-constexpr std::size_t page_width = 80;
+constexpr std::size_t page_width = 80, markdown_width = 100;
 
-/// Wraps a text into lines of at most page_width, each indented.
-std::string wrapped(std::string_view text, std::size_t indent) {
+/// Wraps a text into lines of at most `width`, each indented. No line begins with a
+/// sign, which would begin a list in Markdown.
+std::string wrapped(std::string_view text, std::size_t indent,
+                    std::size_t width = page_width) {
   const std::string margin(indent, ' ');
   std::string out;
   std::size_t column = 0;
   while (!text.empty()) {
     const std::size_t length = std::min(text.find(' '), text.size());
-    if (column > 0 && column + 1 + length > page_width) {
+    const bool is_sign = length == 1 && (text.front() == '-' || text.front() == '+');
+    if (column > 0 && column + 1 + length > width && !is_sign) {
       out += '\n';
       column = 0;
     }
@@ -89,10 +92,16 @@ std::string markdown(std::string_view text) {
   return out;
 }
 
+/// Wraps a paragraph of a Markdown page.
+std::string paragraph(std::string_view text) {
+  return wrapped(text, 0, markdown_width);
+}
+
 std::string markdown_page(const CardSpec& card) {
-  std::string out =
-      fmt::format("### {}\n\n{} ({})\n\n```\n{}\n", card.name, sentence(card.summary),
-                  occurrence_text(card), card.syntax());
+  std::string out = fmt::format(
+      "### {}\n\n{}\n```\n{}\n", card.name,
+      paragraph(fmt::format("{} ({})", sentence(card.summary), occurrence_text(card))),
+      card.syntax());
   for (const FollowOn& line : card.follow_on) {
     out += fmt::format("{}\n", line.syntax);
   }
@@ -109,10 +118,11 @@ std::string markdown_page(const CardSpec& card) {
     out += "\n";
   }
   for (const FollowOn& line : card.follow_on) {
-    out += fmt::format("Then `{}`: {}.\n\n", line.syntax, markdown(line.help));
+    out += paragraph(fmt::format("Then `{}`: {}.", line.syntax, markdown(line.help))) +
+           "\n";
   }
   if (!card.notes.empty()) {
-    out += markdown(card.notes) + "\n\n";
+    out += paragraph(markdown(card.notes)) + "\n";
   }
   return out + fmt::format("Example:\n\n```\n{}\n```\n\n", card.example);
 }
@@ -176,7 +186,7 @@ std::vector<std::string_view> reference_introduction() {
 std::string card_reference_markdown() {
   std::string out = "# Deck reference\n\n";
   for (const std::string_view part : reference_introduction()) {
-    out += fmt::format("{}\n\n", part);
+    out += paragraph(part) + "\n";
   }
   for (const Phase phase : {Phase::preliminary, Phase::problem}) {
     out += fmt::format("## {}\n\n", phase_title(phase));
@@ -186,12 +196,11 @@ std::string card_reference_markdown() {
       }
     }
   }
-  return out +
-         fmt::format(
-             "## The examples in one deck\n\nTogether the examples form a deck, which "
-             "the tests run; `mine.msh` contains two squares of material 1. The "
-             "RESTART example continues from its checkpoint.\n\n```\n{}```\n",
-             all_examples());
+  return out + "## The examples in one deck\n\n" +
+         paragraph("Together the examples form a deck, which the tests run; `mine.msh` "
+                   "contains two squares of material 1. The RESTART example continues "
+                   "from its checkpoint.") +
+         fmt::format("\n```\n{}```\n", all_examples());
 }
 
 std::string all_examples() {

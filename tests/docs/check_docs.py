@@ -185,6 +185,18 @@ def check_examples(source, program):
     return faults
 
 
+def check_width(source):
+    """Prose of a page is wrapped at 100 columns."""
+    faults = []
+    for page in [*source.glob("*.md"), *source.glob("docs/**/*.md"), *source.glob("decks/*/*.md")]:
+        text = re.sub(r"^```.*?^```$", lambda block: "\n" * block[0].count("\n"), page.read_text(),
+                      flags=re.M | re.S)
+        text = re.sub(r"<!-- counts.*?<!-- end", lambda block: "\n" * block[0].count("\n"), text, flags=re.S)
+        faults += [f"{page}:{number}: {len(line)} columns" for number, line in enumerate(text.split("\n"), 1)
+                   if len(line) > 100 and " " in line.strip() and not re.match(r"\||    |!\[", line)]
+    return faults
+
+
 def check_results(source, program):
     """The tables of docs/results.md name all datasets and keys that a run writes, with their
     shapes, and the Python on that page prints what it shows."""
@@ -245,7 +257,7 @@ def check_commands(source, program):
 
 def main():
     what, source, *program = sys.argv[1:]
-    check = {"links": check_links, "citations": check_citations, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples, "results": check_results}[what]
+    check = {"links": check_links, "citations": check_citations, "installed": check_installed, "versions": check_versions, "tutorial": check_tutorial, "commands": check_commands, "examples": check_examples, "results": check_results, "width": check_width}[what]
     faults = check(Path(source), *map(Path, program[:check.__code__.co_argcount - 1]))
     print("\n".join(faults))
     sys.exit(1 if faults else 0)
