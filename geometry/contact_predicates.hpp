@@ -168,8 +168,8 @@ inline Estimate above_centroid(const Point& c, const Point& centroid, const Poin
   return {a.minus - a.plus, u4 * a.magnitude() + underflow};
 }
 
-/// The least of the four values above, and a bound that is larger than any of their
-/// bounds.
+/// The least of the values of near_or_inside, above_centroid and both conditions of
+/// between, and a bound that is larger than any of their bounds.
 template <class Point>
 inline Estimate in_reach_of_edge(const Point& c, const Point& centroid, const Point& p1,
                                  const Point& p2) {

@@ -35,23 +35,23 @@ struct Cover {
 /// covers the common part of the two sides, projected at right angles to the tested
 /// side, if
 /// - the two sides are antiparallel within ten degrees (edges_face),
-/// - no other side of the two polygons is less deep than both (compare_depths), that
-///   is, the two polygons touch or are separated along these sides,
+/// - no other axis of the two polygons is less deep (compare_depths), that is, the two
+///   polygons touch or are separated along these sides,
 /// - the gap between the two sides, in the middle of the covered part of the stretch,
 ///   is at most h,
 /// - `other` reaches at least h below the covering side,
 /// - `other` contains a part of the covering side, or the two sides overlap there by at
 ///   most h.
 /// The neighbours cover the side if they cover half of the stretch and half of the
-/// interval. The result is the neighbour side that covers the longest part of the
-/// stretch, or the first of several equal ones.
+/// interval; what two of them cover counts twice. The result is the neighbour side that
+/// covers the longest part of the stretch, or the first of several equal ones.
 Cover find_cover(const SideEnd& end, Outline other,
                  std::span<const Outline> neighbours);
 
 /// A quick test in plain doubles, with margins for rounding and motion: do the
 /// neighbours certainly not cover the side? It allocates no memory. It bounds the
-/// covered share of the stretch from above. It tests whether two sides touch only where
-/// they overlap, and does not test the share of the interval.
+/// covered share of the stretch from above. Only where two sides overlap does it test
+/// whether the polygons touch along them. It does not test the share of the interval.
 class UncoveredSide {
  public:
   /// The two distances bound the motion, [L]. No difference between two corners of the

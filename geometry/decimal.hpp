@@ -18,10 +18,11 @@ class Decimal {
   Decimal(int value);  // NOLINT(google-explicit-constructor): lets 0, 1 be decimals
 
   /// Reads [+-]digits[.digits][(e|E|d|D)[+-]digits] without anything before or after.
-  /// Returns nothing for any other text and for a value beyond the range of a finite
-  /// double (1e400). A value too small for a double keeps its exact digits down to
-  /// 1e-400; smaller ones are refused. So no deck can require a rational of a million
-  /// digits. The digits have no zeros at either end, so equal values have equal digits.
+  /// Returns nothing for any other text and for a value beyond the range of finite
+  /// doubles (about 1.8e308). A value too small for a double keeps its exact digits
+  /// down to 1e-400; smaller ones are refused. So no deck can require a rational of a
+  /// million digits. The digits have no zeros at either end, so equal values have equal
+  /// digits.
   static std::optional<Decimal> parse(std::string_view text);
 
   /// The nearest double (round to nearest, ties to even).

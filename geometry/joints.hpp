@@ -17,7 +17,8 @@ struct TJunction {
   Vec2 place = Vec2::Zero();
 };
 
-/// Two blocks that nearly touch along facing edges, with no other block between them.
+/// Two blocks that nearly touch along edges that run against each other (their angle
+/// exceeds 90 degrees), with no other block between them.
 struct Slit {
   int first = 0, second = 0;  ///< blocks from 0, first < second
   double width = 0.0;         ///< [L] > 0: largest width along the common length
@@ -34,7 +35,7 @@ struct Joints {
 /// area. Wider gaps are taken as intended.
 constexpr double widest_slit = 1e-2;
 
-/// Finds T-junctions and slits. outlines: simple and clockwise, [L]. Whether facing
+/// Finds T-junctions and slits. outlines: simple and clockwise, [L]. Whether such
 /// edges touch or leave a slit is decided exactly, down to one ulp. Edges form no slit
 /// if their common length is at most the width of the widest slit. Takes O(n log n)
 /// time for n blocks of similar size.

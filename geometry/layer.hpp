@@ -41,7 +41,7 @@ struct Layer {
   Mesh mesh;
   TilingCertificate certificate;
   std::vector<Absorption> absorptions;  ///< blocks absorbed by MERGE, in order
-  bool bottom_scaled = false;  ///< widths miss the bottom line's length by over 1e-9
+  bool bottom_scaled = false;  ///< widths miss the bottom line by over 1e-9 of it
   bool top_scaled = false;     ///< likewise for the top line
   int redrawn = 0;             ///< number of angles redrawn because sides crossed
   int redrawn_sides = 0;       ///< number of sides with a redrawn angle
@@ -89,8 +89,9 @@ QuadShape classify_quad(const std::array<DecimalPoint, 4>& corners);
 /// pencil spanned by its two neighbours. Angles and MERGE apply to random spacing only.
 ///
 /// The corners of the layer are the given doubles, or the nearest ones. Other vertices
-/// on slanted lines are rounded towards the layer. So layers that share a line, a part
-/// of it or an end never overlap.
+/// on slanted lines are rounded towards the layer. So layers that share a line or an
+/// end never overlap. The same holds for layers that share a part of a line, if
+/// `rounded` has the corners of SharedCorners.
 ///
 /// Throws LayerError if the corners are not convex and clockwise, a width is not
 /// positive, or |angle| exceeds 80 degrees. It also throws if the layer is too thin for

@@ -28,7 +28,8 @@ enum class Figures { exact, quick };
 /// Returns every pair of outlines whose interiors intersect, in order of (first,
 /// second). outlines: simple and clockwise, convex or concave, [L]. The decision is
 /// exact; touching along sides or at corners does not count. Guarantees: the result
-/// does not depend on the order of the outlines. No pair is reported for the cells of a
+/// does not depend on the order of the outlines, unless there are more pairs than
+/// max_overlaps. No pair is reported for the cells of a
 /// certified tiling.
 ///
 /// layer: for each outline, the number of the certified tiling of which it is a cell,

@@ -1,6 +1,6 @@
 // Counter-based, portable, seeded random streams (Philox 4x64). Numbers do not depend
-// on the order of the calls. They are keyed by (seed, layer, block), so adding a layer
-// does not change the others (stream_of in layer.hpp derives the key of a layer).
+// on the order of the calls. The key is (seed, layer), so adding a layer does not
+// change the others (stream_of in layer.hpp). The counter is (block, draw, use).
 #pragma once
 
 #include <cstdint>

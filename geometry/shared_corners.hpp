@@ -23,12 +23,13 @@ struct DeckOutline {
 };
 
 /// Finds corners that, in exact decimals, lie strictly inside a side of another
-/// outline. Moves each of them out of that outline until its doubles are not inside the
-/// side. A move is a few units in the last place of the largest coordinate, at most 64
-/// at a time. It follows the axis along which a side at the corner runs, if that is
-/// enough, so that axis-parallel lines keep their coordinate. All other corners keep
-/// the nearest doubles. Guarantees: the order of the outlines has no effect, and an
-/// outline that touches no other is not changed.
+/// outline. Moves each of them out of that outline until its doubles are not behind the
+/// side. A corner that cannot be moved so is left to the certificate. A move is a few
+/// units in the last place of the largest coordinate, at most 64 at a time. It follows
+/// the axis along which a side at the corner runs, if that is enough, so that
+/// axis-parallel lines keep their coordinate. All other corners keep the nearest
+/// doubles. Guarantees: the order of the outlines has no effect, and an outline that
+/// touches no other is not changed.
 class SharedCorners {
  public:
   SharedCorners() = default;

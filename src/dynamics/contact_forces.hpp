@@ -27,7 +27,8 @@ struct ForceMemory {
 /// Finds which potential contacts act, advances their springs and sums their forces for
 /// each pair (FORD, report 2.5). If `transfers_springs`, the springs of contacts that
 /// ceased to act and those already in memory.transfer pass to successors. Otherwise
-/// they are lost. Reads blocks and springs; writes the arrays.
+/// they are lost. Reads blocks and springs; writes the arrays. Returns the largest
+/// overlap and spring of the contacts between blocks.
 Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, double dt,
                              ContactArrays& arrays, bool transfers_springs,
                              const WorkSplit& split, Workers& workers,
@@ -35,7 +36,7 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
 
 /// Computes the contacts of this step once more for output. Writes springs at the end
 /// of the step, forces and overlaps to the list of the model. For rigid blocks it also
-/// writes the sums f_i x_j of the contacts to `applied`. Call it after
+/// overwrites `applied` with the sums f_i x_j of the contacts. Call it after
 /// find_contact_forces and before ContactBatches::advance_springs.
 void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& settings,
                    double dt, const PairIndex& index, ContactArrays& arrays);

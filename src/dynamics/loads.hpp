@@ -11,10 +11,11 @@ namespace blocks::dynamics {
 bool has_loads(const Model& model);
 
 /// Overwrites force and moment of all blocks with those of planes and of loads at
-/// model.time. In deformable runs it also overwrites the sums f_i x_j; in rigid runs it
-/// adds to them. A pressure acts as the nodal loads L (2 p1 + p2) / 6 and
-/// L (p1 + 2 p2) / 6 at the current corners. A force at a centroid adds nothing to
-/// moment and stress. Returns the extremes of the contacts with planes.
+/// model.time. In deformable runs it also overwrites the sums f_i x_j. In rigid runs it
+/// adds to them; they are meaningful only in a step that read_contacts() has set. A
+/// pressure acts as the nodal loads L (2 p1 + p2) / 6 and L (p1 + 2 p2) / 6 at the
+/// current corners. A force at a centroid adds nothing to moment and stress. Returns
+/// the extremes of the contacts with planes.
 Extremes add_loads(Model& model);
 
 }  // namespace blocks::dynamics

@@ -36,7 +36,8 @@ struct Displacement {
 /// Sums the forces of contacts for each block, in the order of the pairs, and moves all
 /// blocks by one step. If `loaded`, blocks.force, moment and applied hold the loads,
 /// and the contacts are added. Otherwise they are overwritten. Reads forces of pairs
-/// and settings; writes blocks and bounds.
+/// and settings; writes blocks and bounds. shares: WorkSplit::blocks; threads: working
+/// memory, one for each thread.
 Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
                          bool loaded, const ContactArrays& contacts,
                          MotionBounds& bounds, const std::vector<int>& shares,

@@ -26,12 +26,14 @@ struct SpringTransfer {
 };
 
 /// Passes each released spring to the contact whose normal spring it strengthens most.
-/// A candidate has the same corner, or belongs to the same pair and has a nearly
-/// parallel edge. All released springs choose a successor at the same time. They are
-/// then passed on in the order of pair, corner and edge, whatever their order in the
-/// list. If the chosen contact has received another spring in the meantime, the choice
-/// is repeated. Each batch that has received springs is listed once in `receivers`.
-/// normal_stiffness: [F/L].
+/// A candidate acts. It has the same corner and an edge within 90 degrees, or it
+/// belongs to the same pair and has a nearly parallel edge
+/// (geometry::successor_cosine). It takes the shear spring only if it has none. All
+/// released springs choose a successor at the same time. They are then passed on in the
+/// order of pair, corner and edge, whatever their order in the list. If the chosen
+/// contact has received another spring in the meantime, the choice is repeated. Each
+/// batch that has received springs is listed once in `receivers`. normal_stiffness:
+/// [F/L].
 void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
                       double normal_stiffness, const WorkSplit& split, Workers& workers,
                       SpringTransfer& transfer, std::vector<int>& receivers);

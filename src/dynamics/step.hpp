@@ -21,7 +21,7 @@ struct StepResult {
   double largest = 0.0;    ///< [L] Displacement::largest
   int block = -1;          ///< the first block that moved by `largest`
   bool finite = true;      ///< whether all corners are finite numbers
-  double strongest = 0.0;  ///< [F] largest elastic normal force of a contact
+  double strongest = 0.0;  ///< [F] largest elastic normal force, planes included
 };
 
 /// Prepares a model for stepping after cards have acted. Fixes blocks outside the
@@ -36,8 +36,8 @@ double time_after_step(const Model& model);
 /// Advances the model by one step of model.time_step.dt, without input or output. The
 /// list of contacts is then out of date until catch_up(), which must be called before
 /// anything else reads or changes the model. Forces and overlaps of contacts and the
-/// applied stress of rigid blocks are computed only with `readings`, or if a contact
-/// spring exceeds `alarm` [F]. Otherwise they are 0.
+/// applied stress of rigid blocks are computed only with `readings`, or if the
+/// spring of a contact between blocks exceeds `alarm` [F]. Otherwise they are 0.
 StepResult advance(Model& model, Workspace& work, bool readings,
                    double alarm = std::numeric_limits<double>::infinity());
 /// Brings the list of contacts up to date.

@@ -10,8 +10,8 @@ namespace blocks::dynamics {
 /// l sqrt(rho / C11) over the free blocks; l is the least width in any direction.
 TimeStep choose_time_step(const Model& model);
 
-/// Returns the largest fraction of (4) at which a block with `contacts` contacts comes
-/// to rest under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n).
+/// Returns the largest fraction of (4) at which a block with `contacts` contacts is
+/// stable under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n).
 double safe_fraction(double damping, int contacts = 8);
 
 /// Returns the extents of the current corners of block b along x and y, l_1 and l_2 of

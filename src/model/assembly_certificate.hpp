@@ -1,4 +1,4 @@
-// Certificate that no two blocks overlap before a run starts, and a record of how they
+// Certificate that no two blocks overlap before a motion, and a record of how they
 // meet. Blocks of one layer are certified when the layer is cut. Independent of cards.
 #pragma once
 

@@ -54,12 +54,14 @@ struct Blocks {
   /// (4, n) deformation gradient since creation: the present arm of a corner is
   /// gradient * arm. For a rigid block it is a rotation.
   Eigen::Matrix4Xd gradient;
-  Eigen::VectorXd angle;     ///< rad (n) accumulated, for output
-  Eigen::VectorXd spin;      ///< rad/T (n) TDOT
-  Eigen::Matrix2Xd force;    ///< [F] (2, n) FX, FY of the last step, without gravity
-  Eigen::VectorXd moment;    ///< [F L] (n) MOM of the last step
-  Eigen::Matrix4Xd applied;  ///< [F/L^2] (4, n) applied stress (9), TAUA
-  Eigen::Matrix4Xd stress;   ///< [F/L^2] (4, n) internal stress (12), TAUI; 12 = 21
+  Eigen::VectorXd angle;   ///< rad (n) accumulated, for output
+  Eigen::VectorXd spin;    ///< rad/T (n) TDOT
+  Eigen::Matrix2Xd force;  ///< [F] (2, n) FX, FY of the last step, without gravity
+  Eigen::VectorXd moment;  ///< [F L] (n) MOM of the last step
+  /// [F/L^2] (4, n) applied stress (9), TAUA. Within a step, until blocks move, it
+  /// holds the sums f_i x_j, [F L].
+  Eigen::Matrix4Xd applied;
+  Eigen::Matrix4Xd stress;       ///< [F/L^2] (4, n) internal stress (12), TAUI; 12 = 21
   Eigen::Matrix4Xd strain_rate;  ///< 1/T (4, n) (10), EDOT; 12 = 21
 
   int size() const { return static_cast<int>(material.size()); }

@@ -17,7 +17,7 @@ struct TimeStep {
   double dt = 0.0;       ///< [T] TDEL; 0 if not chosen yet
   int block = -1;        ///< block that determines it
   int blocks = 0;        ///< number of blocks when it was chosen
-  bool elastic = false;  ///< deformability, not contacts, is the limit (4)
+  bool elastic = false;  ///< deformability is the limit, not (4)
 };
 
 /// State of the search for potential contacts.

@@ -31,10 +31,10 @@ struct Plane {
 /// The settings in force.
 struct Settings {
   std::string title;
-  int max_blocks = 0;                             ///< NBLOKM
-  int max_corners = 0;                            ///< NCMAX
+  int max_blocks = 0;   ///< NBLOKM: more blocks are refused
+  int max_corners = 0;  ///< NCMAX: a block with more corners is refused
   geometry::Vec2 lower = {0, 0}, upper = {0, 0};  ///< [L] domain: XL, YL, XU, YU
-  int boxes_x = 1, boxes_y = 1;                   ///< IBOXES, JBOXES
+  int boxes_x = 1, boxes_y = 1;                   ///< IBOXES, JBOXES: without effect
   double contact_tolerance = 0.1;                 ///< [L] CTOL
   double normal_stiffness = 1e6;                  ///< [F/L] STIFN per unit thickness
   double shear_stiffness = 1e6;                   ///< [F/L] STIFS

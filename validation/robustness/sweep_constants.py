@@ -54,6 +54,10 @@ CHANGES = {
     "geometry/exact/covered_side.cpp": [
         ("(a * (Number(64) * a * a - Number(96) * a * q + Number(36) * q * q) <=\n"
          "            q * q * q)", "(a <= Number(facing_sine_squared) * q)")],
+    "src/dynamics/kernels/face_questions_body.hpp": [
+        ("constexpr double slack =", "const double slack ="),
+        ("constexpr double facing_sine =", "const double facing_sine =")],
+    "src/dynamics/rules/block_parts.cpp": [("constexpr double slack =", "const double slack =")],
     "geometry/covered_side.cpp": [
         ("part = 0.95 -", "part = 0.9645 * std::sqrt(facing_cosine_squared) -")]}
 

@@ -21,22 +21,23 @@ struct ContactArrays {
   ContactBatches batches;
   std::vector<int> lane_of_pair;   ///< -1: the pair has had no contacts
   std::vector<int> pair_of_lane;   ///< -1: the lane is idle
-  std::vector<int> slots_of_pair;  ///< least number of slots that the pair's lane gets
+  std::vector<int> slots_of_pair;  ///< slots that the pair needs; its lane has as many
   std::vector<int> first_batch;    ///< (windows + 1) the first batch of each window
   /// lanes in which each block is the lower one, or the higher one
   Groups lows, highs;
 
-  /// Makes batches for all pairs of the index and puts the contacts into them. A pair
-  /// that is in both `kept` and `grown` gets the contacts of `grown`. No pair may be
-  /// listed twice in either of them. Entries of `kept` with a negative pair are
+  /// Makes batches for the pairs of the index that have or have had contacts, and puts
+  /// the contacts into them. `kept` are the contacts until now, `grown` those of pairs
+  /// that need more slots. A pair that is in both gets the contacts of `grown`. No pair
+  /// may be listed twice in either of them. Entries of `kept` with a negative pair are
   /// ignored.
   void make(const Blocks& blocks, const Settings& settings, const PairIndex& index,
             const ContactsOfPairs& kept, const ContactsOfPairs& grown);
   /// Assigns these contacts to pair p. If `tested`, a contact acts only if its corner
   /// is inside its edge and between the ends. Otherwise all of them act. Contacts that
-  /// the pair had before keep their springs. The springs of its other former contacts
-  /// are added to changes.released. If the pair has too few slots, its contacts are
-  /// added to changes.grown instead.
+  /// the pair had before keep their springs. Loaded springs of its other former
+  /// contacts are added to changes.released. If the pair has too few slots, its
+  /// contacts are added to changes.grown instead of the slots.
   void assign(const Blocks& blocks, const PairIndex& index, int p,
               const std::vector<CornerOnEdge>& found, bool tested,
               ContactChanges& changes);

@@ -7,8 +7,8 @@
 
 namespace blocks::dynamics {
 
-/// Reads the contacts of the list. Contacts of pairs that are not in the index are left
-/// out.
+/// Reads the contacts of the list. They count as certain and as acting in the step
+/// before. Contacts of pairs that are not in the index are left out.
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
                const PairIndex& index, ContactsOfPairs& all);
 

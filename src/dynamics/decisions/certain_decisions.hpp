@@ -30,7 +30,8 @@ struct CertainDecision {
 /// Decides some pairs. Also holds the working memory of one thread.
 class CertainDecisions {
  public:
-  /// Decides the pairs that are due. dt: the time step, [T].
+  /// Decides the pairs that are due. dt: the time step, [T]. If the room has to be
+  /// limited because of joints, it is at least the motion of eight steps.
   void find(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
             const Decisions& decisions, const std::vector<int>& due, double dt);
   /// Returns the decision of due[k].

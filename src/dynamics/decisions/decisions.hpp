@@ -1,6 +1,6 @@
 // Records how long the decision of each pair of blocks holds
-// (docs/contact-rule.md#kept-decisions). This is working state; it has no influence on
-// results.
+// (docs/contact-rule.md#kept-decisions). This is working state; it may be discarded
+// without changing results.
 #pragma once
 
 #include <vector>

@@ -18,8 +18,8 @@ struct MotionBounds {
   /// [L] bound of the error of a corner that comes from rounding its arm
   double rounding = 0.0;
   /// [L] An upper bound of the motion of each block since the beginning of the phase.
-  /// It is summed over the steps from the largest motion of a centroid plus twice the
-  /// change of the longest arm.
+  /// It is the sum over the steps of the largest value, over all blocks, of the motion
+  /// of the centroid plus twice the change of the longest arm.
   double most = 0.0;
   Eigen::Matrix2Xd centroid;  ///< [L] (2, n) at the beginning of the phase
   Eigen::Matrix4Xd gradient;  ///< (4, n) at the beginning of the phase
@@ -36,8 +36,9 @@ struct MotionBounds {
   Vec2 shift(const Blocks& blocks, int b) const {
     return blocks.centroid.col(b) - centroid.col(b);
   }
-  /// Returns at least twice the motion of any arm of block b, [L]. A rotation moves a
-  /// unit arm by the norm of the first column of the difference of the gradients.
+  /// Returns an upper bound of twice the motion of any arm of block b, [L]. A rotation
+  /// moves a unit arm by the norm of the first column of the difference of the
+  /// gradients.
   double turn(const Blocks& blocks, int b) const {
     const double* const now = &blocks.gradient(0, b);
     const double* const then = &gradient(0, b);

@@ -69,10 +69,10 @@ BLOCKS_INLINE void find_acting(const ContactTests& tests, ContactStates& states,
   inside &= ~less(between, -error);
   open &= inside;
   open |= tested & inside & ~less(error, between);
-  const Bits touch = load(tests.certain, i) | (tested & inside);
-  store(states.acts, i, touch);
-  store(states.starts, i, touch & ~before);
-  store(states.ends, i, before & ~touch);
+  const Bits act = load(tests.certain, i) | (tested & inside);
+  store(states.acts, i, act);
+  store(states.starts, i, act & ~before);
+  store(states.ends, i, before & ~act);
   store(states.in_doubt, i, open);
 }
 

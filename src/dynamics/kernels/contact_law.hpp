@@ -16,7 +16,7 @@ struct ContactLaw {
 /// acting forces, including the dashpots: Fn >= 0 in compression, and |Fs| <= mu Fn,
 /// all [F].
 /// closing, sliding: relative velocity of the corner against the edge, inwards and
-/// along the edge [L/T]; overlap: depth [L] > 0; damping: C of (18) [F T/L]; starting:
+/// along the edge [L/T]; overlap: depth [L] >= 0; damping: C of (18) [F T/L]; starting:
 /// 1 if the contact did not act in the step before or has received a spring in this
 /// step, otherwise 0; may_start: false if `starting` is known to be 0.
 /// A Number is a number of one contact, or of all lanes of a vector (simd.hpp), so the

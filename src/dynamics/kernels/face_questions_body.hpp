@@ -82,7 +82,8 @@ struct Slope {
   BLOCKS_INLINE Slope(const FacingSide& e, const FacingSide& f)
       : sine(absolute(e.ux * f.uy - e.uy * f.ux)), cosine(e.ux * f.ux + e.uy * f.uy) {}
   BLOCKS_INLINE Mask face() const { return (cosine < 0.0) & (sine <= facing_sine); }
-  /// Returns by how much the sine exceeds that of a facing side.
+  /// Returns by how much the sine exceeds `other`, or 0.5 if the sides do not run
+  /// against each other.
   BLOCKS_INLINE Pack steeper_than(Pack other) const {
     return cosine < 0.0 ? sine - other : Pack{} + 0.5;
   }

@@ -19,7 +19,7 @@ struct Kernels {
 
   /// Finds which tested contacts of the batches [begin, end) act and computes their
   /// forces. Batches in doubt are not included in the extremes. Their signs have to be
-  /// decided exactly, and then `act` has to be called for them.
+  /// decided exactly, and then `compute_forces` has to be called.
   Extremes (*test_and_compute_forces)(const BatchArrays&, const BlockState&,
                                       const ContactLaw&, bool rigid, int begin,
                                       int end);

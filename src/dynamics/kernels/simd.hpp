@@ -68,8 +68,8 @@ template <std::size_t... k>
 BLOCKS_INLINE Mask number_of_each_lane(std::index_sequence<k...>) {
   return Mask{k...};
 }
-/// Return every other number of two packs in a row, starting with the first or with the
-/// second.
+/// Return every other number of two packs taken together, starting with the first or
+/// with the second.
 template <class Vector, std::size_t... k>
 BLOCKS_INLINE Vector even(Vector a, Vector b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, (2 * k)...);

@@ -41,13 +41,13 @@ void BlockParts::make(const Blocks& blocks) {
 }
 
 void BlockParts::find_isolated_sides(const Blocks& blocks) {
-  is_plain_.resize(corner_.size());
+  is_isolated_.resize(corner_.size());
   for (int part = 0; part < static_cast<int>(block_.size()); ++part)
     for (int i = 0; i < corners(part); ++i) {
       const Side own = side(part, i);
-      is_plain_[first_corner_[part] + i] = !is_inner(blocks, own) &&
-                                           !may_be_in_line(blocks, before(own), own) &&
-                                           !may_be_in_line(blocks, own, after(own));
+      is_isolated_[first_corner_[part] + i] =
+          !is_inner(blocks, own) && !may_be_in_line(blocks, before(own), own) &&
+          !may_be_in_line(blocks, own, after(own));
     }
 }
 

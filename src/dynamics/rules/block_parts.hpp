@@ -23,8 +23,8 @@ struct Side {
 class BlockParts {
  public:
   /// Collects the parts of all blocks. The parts of a block that is not convex are
-  /// those of Blocks::cuts. They stay valid as long as no block is added or changes its
-  /// number of corners.
+  /// those of Blocks::cuts. The parts stay valid as long as no block is added or
+  /// changes its number of corners.
   void make(const Blocks& blocks);
 
   int first_part(int block) const { return first_part_[block]; }
@@ -53,7 +53,7 @@ class BlockParts {
   /// Returns whether the side is an edge of the block and no other side of the part is
   /// in line with it, or nearly so.
   bool is_isolated(int part, int index) const {
-    return is_plain_[first_corner_[part] + index];
+    return is_isolated_[first_corner_[part] + index];
   }
   /// Returns the corners of a part. If the block is convex, they are read from the
   /// block's own columns, otherwise from `copy`.
@@ -72,7 +72,8 @@ class BlockParts {
   std::vector<int> block_;               ///< (parts)
   std::vector<int> first_corner_ = {0};  ///< (parts + 1)
   std::vector<int> corner_;              ///< corner numbers of each part, clockwise
-  std::vector<char> is_plain_;  ///< (corner_) of the side that starts at each of them
+  std::vector<char>
+      is_isolated_;  ///< (corner_) of the side that starts at each of them
 };
 
 }  // namespace blocks::dynamics

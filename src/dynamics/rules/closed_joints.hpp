@@ -113,9 +113,9 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     Side cover;
   };
 
-  /// Returns whether a joint is closed and hides its corner from side e. The surface
-  /// and the next side of the covering part bound a cone of normals; the normal of e
-  /// must be outside this cone by more than ten degrees.
+  /// Returns whether a joint is closed and hides its corner from side e. The normals of
+  /// the surface and of the next side of the covering part bound a cone; the normal of
+  /// e must be outside this cone by more than ten degrees.
   bool hides_corner(const Joint& joint, const PairSide& e) {
     const Segment& surface = shape_.at(joint.surface);
     if (!turns_away(surface, e, joint))

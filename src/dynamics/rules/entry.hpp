@@ -13,8 +13,8 @@ template <class Predicates> class Entry {
   Entry(PairShape<Predicates>& shape, Predicates& ask)
       : shape_(shape), predicates_(ask) {}
 
-  /// Returns whether an axis is entered. The depths below all sides of both parts must
-  /// have been found.
+  /// Returns whether an axis, whose depth is positive, is entered. The depths below all
+  /// sides of both parts must have been found.
   bool is_entered(const Axis& axis) {
     PairSide out;
     const int outside = shape_.sides_outside(axis.corner, axis.side.index, out);
@@ -25,7 +25,7 @@ template <class Predicates> class Entry {
                       (Predicates::crossing &&
                        (is_beyond(axis) || (outside == 1 && sides_cross(axis, out)))));
   }
-  /// Returns whether a corner of the other part is inside a part.
+  /// Returns whether a corner, of the other part, is inside this part.
   bool is_inside(int part, const PairSide& corner) {
     for (int i = 0; i < shape_.corners(part); ++i)
       if (shape_.depth_sign({part, i}, corner.index) <= 0)

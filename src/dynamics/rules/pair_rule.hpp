@@ -1,8 +1,8 @@
 // Decides which corners of two blocks act on which edges: the contact rule
 // (docs/contact-rule.md). The result depends only on the two blocks and on the blocks
-// that either of them is paired with. All predicates are exact. The rule is independent
-// of the contact list and of the time loop. It is a template over the predicates, so
-// that `blocks study` can replace them.
+// whose bounding boxes meet that of one of the two. All predicates are exact. The rule
+// is independent of the contact list and of the time loop. It is a template over the
+// predicates, so that `blocks study` can replace them.
 #pragma once
 
 #include <algorithm>
@@ -92,8 +92,10 @@ template <class Predicates, class Neighbours> class PairRule {
  private:
   /// Makes the choice of docs/contact-rule.md#choice. If the first entered axis is not
   /// hidden, its contacts act. If it is hidden, the surface of a closed joint takes
-  /// over, at most twice. If no axis is entered or no contact acts, the least axis
-  /// stands in. If the second surface is hidden too, the first entered axis stands in.
+  /// over, at most twice. If no axis is entered, or no contact acts along the first
+  /// entered axis and its side is an edge, the least axis is used instead. If the
+  /// second surface is hidden too, the first entered axis is used. If no contact acts
+  /// along a surface that took over, none acts.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!find_axes())

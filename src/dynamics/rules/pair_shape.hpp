@@ -147,8 +147,8 @@ template <class Predicates> class PairShape {
     return predicates_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start,
                                   e.start, e.end);
   }
-  /// Counts the sides of a part, except side `except`, that have a corner of the other
-  /// part outside. `out` gets the last of them.
+  /// Counts the sides, except side `except`, of the part that the corner does not
+  /// belong to, that have the corner outside. `out` gets the last of them.
   int sides_outside(const PairSide& corner, int except, PairSide& out) {
     const int part = 1 - corner.part;
     int count = 0;
@@ -157,7 +157,8 @@ template <class Predicates> class PairShape {
         out = s, ++count;
     return count;
   }
-  /// Returns whether a corner of the other part is outside an edge of a part.
+  /// Returns whether the corner is outside an edge of the part that it does not belong
+  /// to.
   bool has_left(const PairSide& corner) {
     const int part = 1 - corner.part;
     for (int i = 0; i < corners(part); ++i)

@@ -19,11 +19,13 @@ class DeckError : public std::runtime_error {
 };
 
 /// Thrown when a step made the state unusable, most often because the time step is too
-/// large. Lower FRACTION or raise STIFF. There are three causes:
-/// - A position is no longer a number.
-/// - A contact is pressed in by more than half the depth of a block.
-/// - A corner moved in one step by more than ctol and by more than half the depth of a
-///   block.
+/// large. Lower FRACTION or raise STIFF. The causes
+/// (docs/theory.md#the-force-in-its-order):
+/// - A position is no longer a number, or too large to compute with.
+/// - The spring of a contact is compressed by more than half the distance from its edge
+///   to the middle of a block.
+/// - A corner moved in one step by more than ctol and by more than half the distance
+///   from an edge to the middle of the shallowest block.
 ///
 /// The Simulation can still be queried, and write_frame() still works. Every later call
 /// of step, cards, set_velocity or write_checkpoint throws UnsoundRun again.
