@@ -1,4 +1,4 @@
-// Predicates of the contact search (report 3.2, equations (19) and (20)). Each answer
+// Predicates of contact detection (report 3.3, equations (19) and (20)). Each answer
 // is exact for the doubles as they are stored. An inline filter in plain doubles
 // answers first. If its error bound does not decide, exact arithmetic in geometry/exact
 // does. The bounds are proved in docs/predicates.md. Independent of blocks, forces and

@@ -3,6 +3,7 @@
 // the same value and bound as the scalar filter, so the answers agree to the bit. The
 // scalar predicate decides the lanes that are left undecided
 // (docs/predicates.md#batches).
+// Tests and measurements use this header; the kernels of a step have their own form.
 #pragma once
 
 #include <array>

@@ -36,9 +36,9 @@ struct Joints {
 constexpr double widest_slit = 1e-2;
 
 /// Finds T-junctions and slits. outlines: simple and clockwise, [L]. Whether such
-/// edges touch or leave a slit is decided exactly, down to one ulp. Edges form no slit
-/// if their common length is at most the width of the widest slit. Takes O(n log n)
-/// time for n blocks of similar size.
+/// edges touch or leave a slit is decided exactly, so slits of one ulp are found. Edges
+/// form no slit if their common length is at most the width of the widest slit. Takes
+/// O(n log n) time for n blocks of similar size.
 Joints find_joints(const std::vector<Polygon>& outlines);
 
 }  // namespace blocks::geometry

@@ -65,10 +65,10 @@ std::vector<CardSpec> preliminary_cards() {
        .fields = {{"iboxes", integer, {}, from_one, "[-]", "number of boxes along x"},
                   {"jboxes", integer, {}, from_one, "[-]", "number of boxes along y"},
                   {"ctol", real, "0.1", positive, "[L]",
-                   "contact tolerance: pairs within 2 ctol are listed until corners "
-                   "move by ctol"}},
+                   "contact tolerance: least distance that corners move between two "
+                   "searches for near pairs"}},
        .notes =
-           "This card does not change results. It changes speed only if ctol is a "
+           "This card does not change the motion. It changes speed only if ctol is a "
            "large part of a block, because the search chooses its own cells and "
            "look-ahead. A good ctol is a tenth of a block, and less than half the "
            "shortest edge. A run becomes unsound if one step moves a corner by more "
@@ -95,8 +95,9 @@ std::vector<CardSpec> preliminary_cards() {
                    "time step divided by the critical time step of a single contact, "
                    "eq. (4)"}},
        .notes =
-           "A block with n contacts and DAMPING b needs at most (sqrt(1 + 3 n b^2) "
-           "- b sqrt(3 n)) / sqrt(6 n); a warning gives the safe value.",
+           "A block with n contacts and DAMPING b is stable up to a FRACTION of "
+           "(sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). A warning is given above "
+           "this value for n = 8.",
        .example = "FRACTION, .05"});
   add({.name = "MATERIAL",
        .required = true,

@@ -7,7 +7,8 @@
 
 namespace blocks::dynamics {
 
-/// Returns whether the model has symmetry planes, pressures or forces at centroids.
+/// Returns whether corners are listed near a symmetry plane, or the model has pressures
+/// or forces at centroids.
 bool has_loads(const Model& model);
 
 /// Overwrites force and moment of all blocks with those of planes and of loads at

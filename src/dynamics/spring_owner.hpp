@@ -6,8 +6,8 @@ namespace blocks::dynamics {
 
 class SpringOwner {
  public:
-  /// To be called when the model was made, read or changed from outside. The arrays are
-  /// then out of date.
+  /// To be called when the model was made, restored from a checkpoint or changed from
+  /// outside. The arrays are then out of date.
   void list_changed() { owner_ = Owner::list; }
   /// To be called after a step that did not write the list. The list is then out of
   /// date.

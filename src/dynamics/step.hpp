@@ -33,11 +33,12 @@ void prepare(Model& model);
 /// Returns the model's time after one more step.
 double time_after_step(const Model& model);
 
-/// Advances the model by one step of model.time_step.dt, without input or output. The
-/// list of contacts is then out of date until catch_up(), which must be called before
-/// anything else reads or changes the model. Forces and overlaps of contacts and the
-/// applied stress of rigid blocks are computed only with `readings`, or if the
-/// spring of a contact between blocks exceeds `alarm` [F]. Otherwise they are 0.
+/// Advances the model by one step of model.time_step.dt, without input or output. After
+/// a step without readings the list of contacts is out of date until catch_up(), which
+/// must be called before anything else reads or changes the model. Forces and overlaps
+/// of contacts and the applied stress of rigid blocks are computed only with
+/// `readings`, or if the spring of a contact between blocks exceeds `alarm` [F].
+/// Otherwise they are 0.
 StepResult advance(Model& model, Workspace& work, bool readings,
                    double alarm = std::numeric_limits<double>::infinity());
 /// Brings the list of contacts up to date.

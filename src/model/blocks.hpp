@@ -19,7 +19,7 @@ enum class Fixity : int { free = 0, by_user = 1, left_domain = 2 };
 struct NewBlock {
   geometry::Polygon outline;  ///< [L] clockwise
   int material = 0;
-  double density = 0.0;  ///< [M/L^2] per unit thickness, > 0
+  double density = 0.0;  ///< [M/L^3] > 0
   Fixity fixity = Fixity::free;
   int layer = 0;  ///< LAYER card that made it, from 1; 0: none
 };

@@ -16,7 +16,7 @@ namespace blocks {
 struct Material {
   double youngs_modulus = 0.0;  ///< [F/L^2] E
   double shear_modulus = 0.0;   ///< [F/L^2] G; G > E/3 for nu < 0.5
-  double density = 0.0;         ///< [M/L^2] per unit thickness, > 0
+  double density = 0.0;         ///< [M/L^3] > 0
 
   double c11() const;  ///< [F/L^2] plane strain stiffness (12)
   double c12() const;  ///< [F/L^2] plane strain coupling (12)

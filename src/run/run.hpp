@@ -13,7 +13,7 @@
 
 namespace blocks::run {
 
-/// Exit codes of the program, as listed in README.md.
+/// Exit codes of the program, as listed in docs/README.md.
 enum ExitCode : int {
   done = 0,
   internal_error = 1,

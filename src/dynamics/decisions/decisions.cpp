@@ -11,9 +11,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Returns by how much MotionBounds::most may grow before the motion of a pair can grow
 /// by `left`. While `most` grows by d, shift and turn of one block together grow by at
-/// most 2 d. The reason is that `turn` is at most twice the motion of an arm. So the
-/// motion of two blocks grows by at most 4 d. The motion of a neighbour against one of
-/// them adds at most 4 d.
+/// most 2 d. The reason is that `turn` is at most four times the motion of an arm,
+/// which `most` counts twice. So the motion of two blocks grows by at most 4 d. The
+/// motion of a neighbour against one of them adds at most 4 d.
 double growth_until(const PairMotion& left) {
   return std::max(0.0, std::min(0.25 * left.two, 0.125 * left.neighbours));
 }

@@ -16,12 +16,12 @@ struct ContactLaw {
 /// acting forces, including the dashpots: Fn >= 0 in compression, and |Fs| <= mu Fn,
 /// all [F].
 /// closing, sliding: relative velocity of the corner against the edge, inwards and
-/// along the edge [L/T]; overlap: depth [L] >= 0; damping: C of (18) [F T/L]; starting:
-/// 1 if the contact did not act in the step before or has received a spring in this
-/// step, otherwise 0; may_start: false if `starting` is known to be 0.
-/// A Number is a number of one contact, or of all lanes of a vector (simd.hpp), so the
-/// function has no branches. It is always inlined, so that code for one instruction set
-/// never runs on a processor without it.
+/// along the edge, from its start to its end [L/T]; overlap: depth [L] >= 0; damping: C
+/// of (18) [F T/L]; starting: 1 if the contact did not act in the step before or has
+/// received a spring in this step, otherwise 0; may_start: false if `starting` is known
+/// to be 0. A Number is a number of one contact, or of all lanes of a vector
+/// (simd.hpp), so the function has no branches. It is always inlined, so that code for
+/// one instruction set never runs on a processor without it.
 template <bool may_start = true, class Number>
 [[gnu::always_inline]] inline void apply(const ContactLaw& law, Number& normal_elastic,
                                          Number& shear_elastic, const Number& closing,

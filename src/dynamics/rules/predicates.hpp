@@ -15,7 +15,8 @@ using geometry::Vec2;
 /// members.
 struct ExactPredicates {
   static constexpr bool entry = true;     ///< an axis acts only if it is entered
-  static constexpr bool crossing = true;  ///< an axis may be entered where sides cross
+  static constexpr bool crossing = true;  ///< an axis may be entered by conditions 3
+                                          ///< and 4 of docs/contact-rule.md#entry
   static constexpr bool covered_sides = true;  ///< closed joints hide axes
   static constexpr bool faces = true;          ///< all four ends of two faces may act
 
