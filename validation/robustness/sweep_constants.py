@@ -119,11 +119,11 @@ def charts():
     labels = {"slack": ("Slack: 1e-6 in the rule", "slack, part of an edge's length"),
               "degrees": ("Facing sides: ten degrees in the rule",
                           "largest angle between them, degrees"),
-              "successor": ("Successors: 0.95 in the rule",
-                            "least cosine between the two edges"),
               "share": ("Covered sides: half in the rule",
                         "share of a side that has to be covered")}
     for constant, values in CONSTANTS.items():
+        if constant not in labels:
+            continue  # The cosine of successors changes nothing that a chart would show.
         chart = Chart(*labels[constant], "frames that fail, per cent",
                       log="x" if constant == "slack" else "")
         for label, belongs in groups:
@@ -138,13 +138,13 @@ def charts():
 
 
 def draw():
-    """The three charts one below the other."""
+    """The charts one below the other."""
     pictures = [chart.svg() for chart in charts()]
     height = 400
     body = "".join(f'<g transform="translate(0 {i * height})">{picture}</g>'
                    for i, picture in enumerate(pictures))
-    FIGURE.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 {3 * height}" '
-                      f'width="640" height="{3 * height}">{body}</svg>\n', encoding="utf-8")
+    FIGURE.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 {len(pictures) * height}" '
+                      f'width="640" height="{len(pictures) * height}">{body}</svg>\n', encoding="utf-8")
 
 
 if __name__ == "__main__":
