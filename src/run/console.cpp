@@ -1,22 +1,16 @@
 #include "run/console.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <utility>
 
+#include "run/progress_line.hpp"
+
 namespace blocks::run {
 namespace {
-
-std::string duration(double seconds) {
-  const long s = static_cast<long>(seconds + 0.5);
-  if (s < 60)
-    return fmt::format("{} s", s);
-  if (s < 3600)
-    return fmt::format("{} min {:02} s", s / 60, s % 60);
-  return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
-}
 
 /// Prints without throwing. A full disk behind a log must not end the run, as an
 /// exception of fmt::print would.
@@ -25,11 +19,19 @@ void say(std::FILE* stream, fmt::format_string<Values...> text, Values&&... valu
   std::fputs(fmt::format(text, std::forward<Values>(values)...).c_str(), stream);
 }
 
+/// Returns the width of the terminal at this moment; 80 if it is unknown.
+int terminal_width() {
+  constexpr int usual = 80;
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : usual;
+}
+
 }  // namespace
 
-Console::Console(bool table, bool quiet)
-    : table_(table && !quiet), quiet_(quiet),
-      terminal_(!quiet && isatty(STDERR_FILENO)) {}
+Console::Console(bool table, bool quiet, std::chrono::seconds between_log_lines)
+    : table_(table && !quiet), quiet_(quiet), terminal_(isatty(STDERR_FILENO)),
+      between_log_lines_(between_log_lines) {}
 
 void Console::row(const Model& model) {
   if (!table_ || model.steps == last_step_)
@@ -60,21 +62,22 @@ void Console::note(const std::string& message) {
 }
 
 bool Console::progress_due() const {
-  return terminal_ && Clock::now() - drawn_ >= std::chrono::milliseconds(100);
+  constexpr Clock::duration between_drawings = std::chrono::milliseconds(100);
+  return !quiet_ &&
+         Clock::now() - drawn_ >= (terminal_ ? between_drawings : between_log_lines_);
 }
 
 void Console::progress(const Model& model, double share) {
-  const auto now = Clock::now();
-  drawn_ = now;
-  line_shown_ = true;
-  const double spent = std::chrono::duration<double>(now - start_).count();
-  const int width = 24, filled = static_cast<int>(share * width);
-  const std::string remaining =
-      share > 0.0 ? duration(spent * (1.0 - share) / share) + " left" : "";
-  const ModelTotals sum = totals(model);
-  say(stderr, "\r\033[K[{:#<{}}{:.<{}}] step {} t {:.4g} Ek {:.3g} contacts {} {}", "",
-      filled, "", width - filled, model.steps, model.time, sum.kinetic_energy,
-      sum.active_contacts, remaining);
+  drawn_ = Clock::now();
+  const RunProgress run{share, std::chrono::duration<double>(drawn_ - start_).count(),
+                        model.steps, model.time, totals(model)};
+  if (terminal_) {
+    // A line that fills the last column would be wrapped by some terminals.
+    say(stderr, "\r\033[K{}", progress_line(run, terminal_width() - 1));
+    line_shown_ = true;
+  } else {
+    say(stderr, "{}\n", log_line(run));
+  }
   std::fflush(stderr);
 }
 

@@ -1,6 +1,7 @@
 // The terminal output of a run. The table goes to standard output; warnings and the
-// progress line with the remaining time go to standard error. The progress line appears
-// only on a terminal.
+// progress line with the remaining time go to standard error. On a terminal, the
+// progress line is drawn again and again in one place. In a log, a plain line appears
+// now and then.
 #pragma once
 
 #include <chrono>
@@ -12,21 +13,25 @@ namespace blocks::run {
 
 class Console {
  public:
-  /// `table` requests the table on standard output.
-  Console(bool table, bool quiet);
+  /// `table` requests the table on standard output. A run of less than a minute thus
+  /// adds no progress line to a log.
+  Console(bool table, bool quiet,
+          std::chrono::seconds between_log_lines = std::chrono::minutes(1));
 
   void row(const Model& model);
   void warn(const std::string& message);
   void note(const std::string& message);  ///< suppressed by `quiet`
-  /// Whether the progress line is due; it is drawn at most ten times a second.
+  /// Whether the progress line is due. A terminal gets it at most ten times a second.
   bool progress_due() const;
-  /// Draws the progress line. `share` is the completed share of the whole run, 0 to 1.
+  /// Draws the progress line, which fits the present width of the terminal. `share` is
+  /// the completed share of the whole run, 0 to 1.
   void progress(const Model& model, double share);
   void clear_progress();
 
  private:
   using Clock = std::chrono::steady_clock;
   bool table_, quiet_, terminal_;
+  Clock::duration between_log_lines_;
   bool header_shown_ = false, line_shown_ = false;
   long last_step_ = -1;
   Clock::time_point start_ = Clock::now(), drawn_ = Clock::now();
