@@ -190,8 +190,8 @@ int dispatch(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a deck");
   add_deck_options(*run, options, sets);
   run->add_option("-o,--output", options.output,
-                  "output NAME, or FOLDER/ (default: the deck's name without "
-                  "extension, in this folder)");
+                  "output NAME, or FOLDER/; a missing folder is created (default: the "
+                  "deck's name without extension, in this folder)");
   run->add_option("--time-limit", options.time_limit,
                   "stop after this many seconds, exit 75")
       ->check(positive_number());

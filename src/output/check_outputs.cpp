@@ -25,7 +25,7 @@ void check_outputs(const std::vector<std::string>& paths) {
     const fs::path parent = fs::path(path).parent_path();
     const std::string folder = parent.empty() ? "." : parent.string();
     if (!fs::is_directory(folder, ignored))
-      cannot("there is no folder " + folder);
+      cannot("there is no folder " + folder + "; create it with mkdir -p " + folder);
     if (::access(folder.c_str(), W_OK) != 0)
       throw_errno("write", path);
     if (!taken.insert(fs::absolute(path).lexically_normal()).second)

@@ -41,6 +41,16 @@ void expect_replaceable(const std::string& path) {
                     ": it is not a regular file; choose another name");
 }
 
+void create_folder_of(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code fault;
+  if (!folder.empty())
+    std::filesystem::create_directories(folder, fault);
+  if (fault)
+    throw FileError(fmt::format("cannot create the folder {}: {}", folder.string(),
+                                fault.message()));
+}
+
 void move_file(const std::string& from, const std::string& to) {
   expect_replaceable(from);
   expect_replaceable(to);

@@ -30,6 +30,10 @@ auto with_file_errors(const char* verb, const std::string& path, Action&& action
 /// device or a FIFO. Call it before a new file replaces the old one or renames it.
 void expect_replaceable(const std::string& path);
 
+/// Creates the folder of `path` and the folders above it, if they are missing. Throws
+/// FileError.
+void create_folder_of(const std::string& path);
+
 /// Moves a file, replacing its target. Throws FileError, also if either path is a
 /// device, a FIFO or a folder.
 void move_file(const std::string& from, const std::string& to);

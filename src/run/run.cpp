@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "dynamics/support/memory_pages.hpp"
+#include "output/file_tools.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
 #include "run/deck_file.hpp"
@@ -228,6 +229,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       break;
     }
   }
+  output::create_folder_of(job.name);
   const output::RunIdentity identity = job.identity(model);
   RunFiles files =
       job.resumes ? RunFiles::resumed(job.name, identity, job.from, job.checkpoint())

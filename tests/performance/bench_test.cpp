@@ -58,9 +58,9 @@ TEST(Bench, KeepsAnOlderFile) {
 TEST(Bench, FindsAMissingFolderBeforeItRuns) {
   const TemporaryFolder folder;
   EXPECT_EQ(bench(folder, "-o nowhere/times"), 5);
-  EXPECT_EQ(
-      testing::slurp(folder / "err.txt"),
-      "blocks: error: cannot write nowhere/times.md: there is no folder nowhere\n");
+  EXPECT_EQ(testing::slurp(folder / "err.txt"),
+            "blocks: error: cannot write nowhere/times.md: there is no folder nowhere; "
+            "create it with mkdir -p nowhere\n");
 }
 
 TEST(Bench, NamesItsPartsIfOneIsUnknown) {

@@ -40,7 +40,44 @@ TEST(ExitCode, ShowsTheKindOfFault) {
   EXPECT_EQ(code("run good.deck --restart absent.ckpt.h5"), 5);
   EXPECT_EQ(code("run absent.deck"), 5);
   EXPECT_EQ(code("run ."), 5);
-  EXPECT_EQ(code("run good.deck -o nowhere/good"), 5);
+  EXPECT_EQ(code("run good.deck -o good.deck/good"), 5);
+}
+
+TEST(OutputOption, CreatesTheFolder) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", falling + "CYCLE, 3\n");
+  for (const std::string name : {"new/folder/", "another/new/folder/a"}) {
+    const Outcome run = blocks("run a.deck -o " + name, folder.path());
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string written = name.ends_with('/') ? name + "a" : name;
+    for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
+      EXPECT_TRUE(folder.holds(written + ending)) << written << ending;
+  }
+}
+
+TEST(OutputOption, CreatesNoFolderIfTheDeckIsInvalid) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", falling + "CYLCE, 3\n");
+  EXPECT_EQ(blocks("run a.deck -o new/", folder.path()).code, 3);
+  EXPECT_FALSE(folder.holds("new"));
+}
+
+TEST(OutputOption, TellsWhyAFolderCannotBeCreated) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", falling + "CYCLE, 3\n");
+  folder.write("file", "");
+  const Outcome run = blocks("run a.deck -o file/a", folder.path());
+  EXPECT_EQ(run.code, 5);
+  EXPECT_EQ(run.err, "blocks: error: cannot create the folder file: Not a directory\n");
+}
+
+TEST(OutputOption, TellsHowToCreateTheFolderOfAFigure) {
+  const TemporaryFolder folder;
+  run_text(folder, "a", falling + "CYCLE, 3\n", "-q");
+  const Outcome plot = blocks("plot a.vtkhdf -o new/a.png", folder.path());
+  EXPECT_EQ(plot.code, 5);
+  EXPECT_EQ(plot.err, "blocks: error: cannot write new/a.png: there is no folder new; "
+                      "create it with mkdir -p new\n");
 }
 
 TEST(Environment, RefusesAnUnknownInstructionSet) {
