@@ -279,8 +279,7 @@ int dispatch(int argc, char** argv) {
   }
 
   if (*run) {
-    // The run continues if the reader of the table exits (| head).
-    std::signal(SIGPIPE, SIG_IGN);
+    blocks::apps::outlive_broken_pipes();
     return blocks::run::run_deck(options);
   }
   if (*check)

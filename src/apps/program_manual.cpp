@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 
 #include "command_pages.hpp"
 #include "deck/roff.hpp"
@@ -113,7 +114,10 @@ std::string program_manual(const CLI::App& program) {
                          "is too deep, or the audit found a wrong decision"},
       {run::file_error, "a file cannot be read or written"},
       {run::time_limit, "stopped at a limit of time or steps, after a checkpoint"},
-      {run::interrupted, "interrupted, after a checkpoint"}};
+      {run::interrupted, "interrupted, after a checkpoint"},
+      {128 + SIGPIPE,
+       "the reader of standard output has ended (| head); the files of a "
+       "run are complete"}};
   for (const auto& [code, meaning] : codes)
     out += roff::item(roff::bold(std::to_string(code)), meaning);
   out += roff::section("Files");

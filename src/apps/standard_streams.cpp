@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -12,6 +13,9 @@
 
 namespace blocks::apps {
 namespace {
+
+/// The action of SIGPIPE before outlive_broken_pipes(); SIG_ERR if it was not called.
+void (*pipe_action)(int) = SIG_ERR;
 
 /// Returns why writing failed. The C library does not keep the reason, so another byte
 /// is written to get errno again.
@@ -30,14 +34,18 @@ void hold_standard_streams() {
           ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
+void outlive_broken_pipes() { pipe_action = std::signal(SIGPIPE, SIG_IGN); }
+
 int end_standard_output(int code) {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
     return code;
   if (code != run::done)
     return code;
-  std::fprintf(stderr, "blocks: error: cannot write standard output: %s\n",
-               why_not(STDOUT_FILENO));
+  if (pipe_action != SIG_ERR)
+    std::signal(SIGPIPE, pipe_action);
+  const char* const reason = why_not(STDOUT_FILENO);  // a broken pipe ends here
+  std::fprintf(stderr, "blocks: error: cannot write standard output: %s\n", reason);
   return run::file_error;
 }
 

@@ -8,9 +8,14 @@ namespace blocks::apps {
 /// this before any file is opened.
 void hold_standard_streams();
 
+/// Lets the program continue when the reader of its standard output ends (`| head`), so
+/// that a run finishes its files.
+void outlive_broken_pipes();
+
 /// Returns the exit code of the program. It is `code`, unless `code` is 0 and standard
 /// output could not be written; then a message is printed and the result is 5, file
-/// error.
+/// error. If the reader of standard output has ended, SIGPIPE ends the program here
+/// without a message, as it ends a filter.
 int end_standard_output(int code);
 
 }  // namespace blocks::apps

@@ -1,6 +1,9 @@
 // Standard output and error may be full, closed, or a pipe without reader. The exit
 // code shows it, and the files of a run are complete.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <csignal>
 
 #include "post/results_reader.hpp"
 #include "run/program.hpp"
@@ -8,9 +11,16 @@
 namespace blocks::testing {
 namespace {
 
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
 // A row of the table is printed every 0.002.
 const std::string falling = preliminary() + rectangle(0, 0, 1, 1) +
                             "GRAVITY, 0, -10\nOUTPUT, 0.002\nCYCLE, 30\n";
+
+/// How the shell shows the end by SIGPIPE.
+constexpr int ended_by_sigpipe = 128 + SIGPIPE;
 
 class Streams : public ::testing::Test {
  protected:
@@ -18,6 +28,15 @@ class Streams : public ::testing::Test {
 
   Outcome run(const std::string& arguments) {
     return blocks(arguments, folder_.path());
+  }
+
+  /// Runs `blocks arguments | reader`. The command starts after `true` has ended.
+  /// Returns the exit code of blocks.
+  Outcome piped(const std::string& arguments, const std::string& reader) {
+    Outcome outcome = run("--version >/dev/null; { sleep 0.1; '" BLOCKS_PROGRAM "' " +
+                          arguments + "; echo $? >code; } | " + reader);
+    outcome.code = std::stoi(slurp(folder_ / "code"));
+    return outcome;
   }
 
   /// Requires that the run has finished and its files are complete.
@@ -62,10 +81,39 @@ TEST_F(Streams, FullErrorOutputDoesNotEndARun) {
   expect_whole("a");
 }
 
-// SIGPIPE must not end the run.
-TEST_F(Streams, ClosedPipeDoesNotEndARun) {
-  EXPECT_EQ(run("run a.deck -o b | true").code, 0);
+// The run lasts longer than its reader. It finishes its files and then ends like a
+// filter.
+TEST_F(Streams, HeadOfATableDoesNotShortenARun) {
+  const Outcome early = piped("run a.deck -o b --set CYCLE.ncycle=100000", "head -n 1");
+  EXPECT_THAT(early.out, StartsWith("      step         time"));
+  EXPECT_THAT(early.err, Not(HasSubstr("error")));
+  EXPECT_EQ(early.code, ended_by_sigpipe);
+  EXPECT_EQ(summary(folder_, "b")["steps"], 100000);
   expect_whole("b");
+}
+
+TEST_F(Streams, ClosedPipeDoesNotHideOtherExitCodes) {
+  EXPECT_EQ(piped("run a.deck -q --stop-after 3 --json", "true").code, 75);
+}
+
+TEST_F(Streams, ClosedPipeOfMessagesDoesNotEndARun) {
+  folder_.write("w.deck", falling + "STOP\nCYCLE, 5\n");
+  ASSERT_NE(run("check w.deck").err, "");
+  EXPECT_EQ(piped("run w.deck -v 2>&1 >/dev/null", "true").code, 0);
+  expect_whole("w");
+}
+
+TEST_F(Streams, ClosedPipeEndsACommandQuietly) {
+  ASSERT_EQ(run("run a.deck -q").code, 0);
+  for (const char* command :
+       {"run a.deck -q --json", "cards", "cards --markdown", "manual deck",
+        "manual program", "--help", "check a.deck", "history a.vtkhdf -q y:1",
+        "history a.vtkhdf --json", "study contacts --list"}) {
+    const Outcome early = piped(command, "true");
+    EXPECT_EQ(early.err, "") << command;
+    EXPECT_EQ(early.code, ended_by_sigpipe) << command;
+  }
+  expect_whole("a");
 }
 
 TEST_F(Streams, ClosedPipeEndsAFilterWithoutAMessage) {
