@@ -7,6 +7,7 @@
 
 #include "deck/card_table.hpp"
 #include "manual_command.hpp"
+#include "option_text.hpp"
 #include "post/quantity.hpp"
 #include "study/scene.hpp"
 

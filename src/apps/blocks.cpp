@@ -8,17 +8,18 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
 #include "check_command.hpp"
-#include "command_pages.hpp"
 #include "deck/cards_text.hpp"
 #include "dynamics/kernels/kernels.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
+#include "help_page.hpp"
 #include "history_command.hpp"
 #include "import_command.hpp"
 #include "manual_command.hpp"
@@ -113,21 +114,6 @@ void add_deck_options(CLI::App& command, RunOptions& options,
                    "print details of blocks and layers");
 }
 
-/// Puts an example and a longer description at the head of the help page of the command
-/// that the command line names.
-void open_help_with_example(CLI::App& app, int argc, char** argv) {
-  if (argc < 2)
-    return;
-  const auto page = blocks::apps::command_pages().find(argv[1]);
-  if (page == blocks::apps::command_pages().end())
-    return;
-  const std::string head = blocks::apps::help_head(page->second);
-  CLI::App* command = app.get_subcommand(page->first);
-  command->description(head);
-  for (CLI::App* part : command->get_subcommands({}))  // blocks study contacts --help
-    part->description(head);
-}
-
 /// Returns the number 5 of `blocks run --audit 5 DECK`, which should be --audit=5.
 /// Returns an empty text if there is no such number.
 std::string astray_from_audit(const CLI::App& app) {
@@ -178,10 +164,9 @@ int cards(const std::string& name, bool markdown) {
 }
 
 int dispatch(int argc, char** argv) {
-  CLI::App app("Example: blocks run decks/stack/stack.deck\n\nBLOCKS: a 2D block "
-               "motion code for jointed rock.\nExit codes: 0 done, 1 internal error, 2 "
-               "usage error, 3 deck or geometry error,\n4 unsound run, 5 file error, "
-               "75 stopped at a limit of time or steps, 130 interrupted.");
+  CLI::App app("BLOCKS computes how jointed rock moves, as polygonal blocks in two "
+               "dimensions. A deck of cards describes the problem.");
+  app.formatter(std::make_shared<blocks::apps::HelpPage>());
   app.set_version_flag("--version", "blocks " BLOCKS_VERSION);
   app.require_subcommand(1);
 
@@ -191,7 +176,8 @@ int dispatch(int argc, char** argv) {
   add_deck_options(*run, options, sets);
   run->add_option("-o,--output", options.output,
                   "output NAME, or FOLDER/; a missing folder is created (default: the "
-                  "deck's name without extension, in this folder)");
+                  "deck's name without extension, in this folder)")
+      ->type_name("NAME");
   run->add_option("--time-limit", options.time_limit,
                   "stop after this many seconds, exit 75")
       ->check(positive_number());
@@ -216,7 +202,8 @@ int dispatch(int argc, char** argv) {
   auto* check =
       app.add_subcommand("check", "check a deck and its blocks without running it");
   add_deck_options(*check, options, sets);
-  check->add_option("-o,--output", options.output, "output NAME, to find NAME.ckpt.h5");
+  check->add_option("-o,--output", options.output, "output NAME, to find NAME.ckpt.h5")
+      ->type_name("NAME");
   blocks::apps::GeometryOptions geometry_options;
   blocks::apps::add_geometry_options(*check, geometry_options);
 
@@ -256,18 +243,20 @@ int dispatch(int argc, char** argv) {
       study->add_subcommand("contacts", "compare variants of the contact rules");
   blocks::apps::add_study_options(*contacts, study_options);
   blocks::apps::WhyOptions why_options;
-  auto* why =
-      app.add_subcommand("why", "explain why two blocks touch, or do not, at one time");
+  auto* why = app.add_subcommand("why", "explain why two blocks touch or do not");
   blocks::apps::add_why_options(*why, why_options);
 
   blocks::apps::ManualOptions manual_options;
   auto* manual = app.add_subcommand("manual", "print man pages and bash completion");
   blocks::apps::add_manual_options(*manual, manual_options);
 
+  // Commands inherit the footer that the program has when they are added.
+  app.footer("Exit codes: 0 done, 1 internal error, 2 usage error, 3 deck or geometry "
+             "error, 4 unsound run, 5 file error, 75 stopped at a limit of time or "
+             "steps, 130 interrupted.");
   study->allow_extras();
   app.failure_message(tell_usage_fault);
   app.name("blocks");
-  open_help_with_example(app, argc, argv);
   try {
     app.parse(argc, argv);
     if (std::find(argv, argv + argc, std::string("--audit=")) != argv + argc)

@@ -1,31 +1,6 @@
 #include "command_pages.hpp"
 
 namespace blocks::apps {
-namespace {
-
-constexpr std::size_t page_width = 79;
-
-/// Breaks text into lines of at most page_width characters.
-std::string wrapped(const std::string& text) {
-  std::string out;
-  std::size_t column = 0;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t to = std::min(text.find(' ', from), text.size());
-    if (column > 0 && column + 1 + to - from > page_width) {
-      out += '\n';
-      column = 0;
-    } else if (column > 0) {
-      out += ' ';
-      ++column;
-    }
-    out += text.substr(from, to - from);
-    column += to - from;
-    from = to + 1;
-  }
-  return out;
-}
-
-}  // namespace
 
 const std::map<std::string, CommandPage>& command_pages() {
   const std::string run_stack = "blocks run decks/stack/stack.deck";
@@ -80,12 +55,6 @@ const std::map<std::string, CommandPage>& command_pages() {
         "Prints the man page blocks(1) (program), the man page blocks-deck(5) (deck), "
         "or the completion for bash (bash); `man -l FILE` shows a page."}}};
   return pages;
-}
-
-std::string help_head(const CommandPage& page) {
-  return "Example: " + page.example + "\n" +
-         (page.beforehand.empty() ? "" : "(after " + page.beforehand + ")\n") + "\n" +
-         wrapped(page.description);
 }
 
 }  // namespace blocks::apps

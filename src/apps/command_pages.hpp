@@ -15,7 +15,4 @@ struct CommandPage {
 /// Returns the pages by name of the command.
 const std::map<std::string, CommandPage>& command_pages();
 
-/// Formats a page as the head of `blocks NAME --help`.
-std::string help_head(const CommandPage& page);
-
 }  // namespace blocks::apps

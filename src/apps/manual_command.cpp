@@ -43,17 +43,4 @@ std::vector<LeafCommand> leaf_commands(const CLI::App& program) {
   return leaves;
 }
 
-std::string value_name(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  return option.get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
-}
-
-std::vector<std::string> choices(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const auto begin = type.find('{'), end = type.find('}');
-  return begin == std::string::npos || end == std::string::npos
-             ? std::vector<std::string>{}
-             : CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
-}
-
 }  // namespace blocks::apps

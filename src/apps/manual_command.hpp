@@ -26,10 +26,4 @@ struct LeafCommand {
 };
 std::vector<LeafCommand> leaf_commands(const CLI::App& program);
 
-/// Returns the placeholder for the value of an option, such as "FLOAT"; empty for a
-/// flag.
-std::string value_name(const CLI::Option& option);
-/// Returns the words that an option accepts; empty if they are not limited.
-std::vector<std::string> choices(const CLI::Option& option);
-
 }  // namespace blocks::apps

@@ -8,6 +8,7 @@
 #include "command_pages.hpp"
 #include "deck/roff.hpp"
 #include "manual_command.hpp"
+#include "option_text.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {
@@ -15,7 +16,7 @@ namespace {
 
 namespace roff = deck::roff;
 
-/// Returns the names and the value of an option, such as "-o, --output TEXT".
+/// Returns the names and the value of an option, such as "-o, --output FILE".
 std::string option_term(const CLI::Option& option) {
   std::string term;
   for (const std::string& name : option.get_snames())
@@ -25,31 +26,6 @@ std::string option_term(const CLI::Option& option) {
   if (const std::string value = value_name(option); !value.empty())
     term += ' ' + roff::italic(value) + (option.get_expected_max() > 1 ? " ..." : "");
   return term;
-}
-
-/// Rewrites a range of CLI11: "1 - 100]" becomes "1 to 100", and "1 -
-/// 9223372036854775807]" becomes "from 1".
-std::string limits_in_words(std::string limits) {
-  limits = limits.substr(0, limits.find(']'));
-  if (const auto dash = limits.find(" - "); dash != std::string::npos)
-    limits.replace(dash, 3, " to ");
-  const auto no_end = limits.find(" to 9223372036854775807");
-  return no_end == std::string::npos ? CLI::detail::to_lower(limits)
-                                     : "from " + limits.substr(0, no_end);
-}
-
-/// Returns the description of an option, its allowed values and its default.
-std::string option_meaning(const CLI::Option& option) {
-  std::string words = option.get_description();
-  const std::string type = option.get_type_name();
-  if (const auto names = choices(option); !names.empty())
-    words += "; one of " + CLI::detail::join(names, ", ");
-  else if (const auto limits = type.find_first_of("0123456789", type.find(':'));
-           limits != std::string::npos)
-    words += "; " + limits_in_words(type.substr(limits));
-  if (!option.get_default_str().empty())
-    words += "; default " + option.get_default_str();
-  return words;
 }
 
 std::string synopsis(const LeafCommand& command) {

@@ -173,8 +173,11 @@ TEST(Help, OfImportAndExportHasExamplesThatRun) {
   for (const std::string command : {"import", "export"}) {
     const TemporaryFolder folder;
     const std::string help = blocks(command + " --help", folder.path()).out;
-    ASSERT_THAT(help, StartsWith("Example: blocks " + command + " decks/"));
-    std::string example = help.substr(16, help.find('\n') - 16);
+    const std::string begin = "\nExample: blocks ";
+    const auto at = help.find(begin + command + " decks/");
+    ASSERT_NE(at, std::string::npos) << help;
+    const auto from = at + begin.size();
+    std::string example = help.substr(from, help.find('\n', from) - from);
     example.replace(example.find("decks/"), 6, BLOCKS_SOURCE_DIR "/decks/");
     const Outcome outcome = blocks(example, folder.path());
     EXPECT_EQ(outcome.code, 0) << outcome.err;
