@@ -371,8 +371,28 @@ void Parser::check_unused_overrides() {
   }
 }
 
+/// Returns UTF-16, UTF-16LE or UTF-16BE if the text begins like one of them; otherwise
+/// empty. Without a byte order mark, one of the first two bytes is zero, because a deck
+/// begins with an ASCII character.
+std::string_view utf16_kind(std::string_view text) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    return "UTF-16";
+  }
+  if (text.size() < 2 || (text[0] == '\0') == (text[1] == '\0')) {
+    return {};
+  }
+  return text[1] == '\0' ? "UTF-16LE" : "UTF-16BE";
+}
+
 /// Reports a text that cannot be a deck at all, before it is split into fields.
 bool readable(const std::string& text, Diagnostics& diagnostics) {
+  if (const std::string_view kind = utf16_kind(text); !kind.empty()) {
+    diagnostics.error({1, 1, 1}, "", "the deck is stored as UTF-16",
+                      fmt::format("save it as UTF-8, or convert it with iconv -f {} -t "
+                                  "UTF-8 OLD.deck >NEW.deck",
+                                  kind));
+    return false;
+  }
   if (const auto where = first_binary_byte(text)) {
     diagnostics.error(*where, "", "not a text file: a control character",
                       "a deck is plain text, ASCII or UTF-8");

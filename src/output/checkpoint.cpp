@@ -44,6 +44,16 @@ std::string seal_of(std::istream& file) {
   return seal(bytes, hash.text());
 }
 
+/// The size of the file according to its seal; that of the seal itself if it does not
+/// tell.
+std::uint64_t whole_size(const std::string& seal) {
+  unsigned long long bytes = 0;
+  const auto at = seal.find("\nbytes ");
+  if (at != std::string::npos)
+    std::sscanf(seal.c_str() + at, "\nbytes %llu", &bytes);
+  return seal_size + bytes;
+}
+
 /// Writes the seal. `meant` is the file name for messages.
 void set_seal(const std::string& path, const std::string& meant) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
@@ -85,7 +95,10 @@ void verify_seal(const std::string& path) {
     refuse(path, fmt::format("{} version of BLOCKS wrote it (format {}, this version "
                              "reads format {})",
                              found > format ? "a newer" : "an older", found, format));
-  if (file.gcount() < static_cast<std::streamsize>(seal_size) || head != seal_of(file))
+  const std::uint64_t size = std::filesystem::file_size(path, ignored);
+  if (size < whole_size(head))
+    refuse(path, hdf5::truncated(size, whole_size(head)));
+  if (head != seal_of(file))
     refuse(path, "it is damaged: its checksum is wrong");
 }
 

@@ -1,6 +1,9 @@
 #include "output/hdf5_handle.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <new>
 
 #include "output/ordered_file.hpp"
@@ -17,6 +20,18 @@ herr_t take_first(unsigned depth, const H5E_error2_t* entry, void* text) {
     return -1;
   }
   return 0;
+}
+
+/// Returns the reason if the text of HDF5 means a file without its end; otherwise
+/// empty. HDF5 counts the end from the start of its data, after the user block.
+std::string truncation(const std::string& text) {
+  unsigned long long end = 0, start = 0, whole = 0;
+  return std::sscanf(text.c_str(),
+                     "truncated file: eof = %llu, sblock->base_addr = %llu, stored_eof "
+                     "= %llu",
+                     &end, &start, &whole) == 3
+             ? truncated(start + end, whole)
+             : std::string();
 }
 
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
@@ -92,6 +107,12 @@ std::string fetch_text(hid_t object, const std::string& name, const Handle& type
 
 }  // namespace
 
+std::string truncated(std::uint64_t bytes, std::uint64_t whole) {
+  return fmt::format("it is truncated, it has {} of {} bytes; copy it again or repeat "
+                     "the run",
+                     bytes, whole);
+}
+
 std::string last_error() {
   std::string text;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &text);
@@ -102,6 +123,8 @@ std::string last_error() {
     const auto from = start + mark.size();
     return text.substr(from, text.find('\'', from) - from);
   }
+  if (std::string reason = truncation(text); !reason.empty())
+    return reason;
   return text.empty() ? "unknown HDF5 error" : text;
 }
 

@@ -18,6 +18,10 @@ class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The reason why a file cannot be read that has only its first `bytes` of `whole`
+/// bytes.
+std::string truncated(std::uint64_t bytes, std::uint64_t whole);
+
 /// The innermost reason on HDF5's error stack, or the system's error message if it has
 /// one.
 std::string last_error();

@@ -20,6 +20,8 @@ std::string fault_of_head(const std::string& path) {
   in.read(head.data(), 8);
   if (in.gcount() == 0)
     return "it is empty";
+  if (head == output::results_head && fs::file_size(path, ignored) <= output::mark_size)
+    return "it is truncated, it has no data; copy it again or repeat the run";
   const bool older = head == "\x89HDF\r\n\x1a\n";  // older results have no mark
   return older || head == output::results_head ? ""
                                                : "it is not a results file of BLOCKS";

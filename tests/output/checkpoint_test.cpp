@@ -215,8 +215,16 @@ TEST(Checkpoint, RefusesATruncatedFile) {
   write_checkpoint(path, samples::two_blocks(), info);
   const std::string sound = contents(path);
   CheckpointInfo read;
-  overwrite(path, sound.substr(0, sound.size() / 2));
-  EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }), HasSubstr("damaged"));
+  for (const std::size_t bytes : {600UL, sound.size() / 2, sound.size() - 1}) {
+    overwrite(path, sound.substr(0, bytes));
+    EXPECT_EQ(file_error([&] { read_checkpoint(path, read); }),
+              "cannot read " + path + ": it is truncated, it has " +
+                  std::to_string(bytes) + " of " + std::to_string(sound.size()) +
+                  " bytes; copy it again or repeat the run");
+  }
+  overwrite(path, sound.substr(0, 100));  // less than the seal
+  EXPECT_THAT(file_error([&] { read_checkpoint(path, read); }),
+              HasSubstr("it is truncated, it has 100 of "));
 }
 
 TEST(Checkpoint, SaysWhyItIsRefused) {

@@ -367,6 +367,28 @@ TEST(Results, ErrorsNameTheFileAndTheReason) {
 
 // HDF5 1.10 does not finish closing a file whose chunks have a wrong number of rows. A
 // mutant of fuzz_results had such chunks.
+TEST(Results, ReportATruncatedFile) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "a.vtkhdf";
+  {
+    ResultsWriter writer(path, identity);
+    writer.write(samples::two_blocks());
+  }
+  const auto whole = std::filesystem::file_size(path);
+  const auto error = [&](std::uintmax_t bytes) {
+    std::filesystem::resize_file(path, bytes);
+    return file_error([&] { ResultsReader reader(path); });
+  };
+  const std::string begin = "cannot read " + path + ": it is truncated, it has ";
+  for (const auto bytes : {whole - 1, whole / 2, std::uintmax_t{600}})
+    EXPECT_THAT(error(bytes), HasSubstr(begin + std::to_string(bytes) + " of " +
+                                        std::to_string(whole) +
+                                        " bytes; copy it again or repeat the run"));
+  for (const std::uintmax_t bytes : {512, 100})
+    EXPECT_THAT(error(bytes),
+                HasSubstr(begin + "no data; copy it again or repeat the run"));
+}
+
 TEST(Results, ReportAFileThatHdf5CannotClose) {
   const auto close = [] {
     const std::string path = "a.vtkhdf";

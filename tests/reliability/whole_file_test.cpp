@@ -67,14 +67,35 @@ TEST(WholeFile, IsRefusedIfItIsNoText) {
   expect_refused("\n\n\n", "a.deck:1:1: error: the deck is empty");
   expect_refused(with("GRAVITY", std::string("GRA\0ITY", 7)),
                  "a.deck:15:4: error: not a text file");
-  std::string utf16 = "\xff\xfe";
-  for (const char c : sound)
-    utf16 += {c, '\0'};
-  expect_refused(utf16, "a.deck:1:4: error: not a text file");
   expect_refused("\x7f"
                  "ELF" +
                      std::string(1 << 20, '\1'),
                  "not a text file");
+}
+
+// The command of the hint makes a sound deck.
+TEST(WholeFile, IsRefusedWithTheConversionIfItIsUtf16) {
+  std::string little, big;
+  for (const char c : sound) {
+    little += {c, '\0'};
+    big += {'\0', c};
+  }
+  const std::pair<std::string, std::string> decks[] = {{"UTF-16", "\xff\xfe" + little},
+                                                       {"UTF-16", "\xfe\xff" + big},
+                                                       {"UTF-16LE", little},
+                                                       {"UTF-16BE", big}};
+  for (const auto& [kind, deck] : decks) {
+    expect_refused(deck, "a.deck:1:1: error: the deck is stored as UTF-16\n");
+    expect_refused(deck, "\n  hint: save it as UTF-8, or convert it with iconv -f " +
+                             kind + " -t UTF-8 OLD.deck >NEW.deck\n1 error\n");
+    const TemporaryFolder folder;
+    folder.write("old.deck", deck);
+    const Outcome run =
+        blocks("--version >/dev/null; iconv -f " + kind +
+                   " -t UTF-8 old.deck >new.deck; '" BLOCKS_PROGRAM "' check new.deck",
+               folder.path());
+    EXPECT_EQ(run.code, 0) << kind << run.err;
+  }
 }
 
 TEST(WholeFile, IsRefusedWithAShortMessageIfItHasALongLine) {
