@@ -13,6 +13,7 @@
 #include "output/file_tools.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
+#include "run/continuation_hint.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
 #include "run/interrupt.hpp"
@@ -243,6 +244,8 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   if (job.resumes) {
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
     executor.resume(job.from.progress);
+    if (job.from.progress.finished)
+      console.note(continuation_hint(job.checkpoint(), model.time));
   } else {
     for (const std::string& warning : warnings)
       executor.remember(warning);

@@ -219,6 +219,36 @@ TEST(Resumed, AfterASignalOrATimeLimitHasTheSameBits) {
               left_by_run(straight.path(), "signal"), "signals");
 }
 
+// The deck of the hint continues the run for as long again.
+TEST(Resumed, AfterItsEndShowsADeckThatContinues) {
+  const TemporaryFolder folder;
+  const std::string deck = preliminary() + rectangle(0, 0, 1, 1) +
+                           "GRAVITY, 0, -10\nMOTION, 0.002\nMOTION, 0.002\n";
+  run_text(folder, "a", deck);
+  const auto before = summary(folder, "a");
+  const Outcome again = blocks("run a.deck --restart a.ckpt.h5", folder.path());
+  EXPECT_EQ(again.code, 0);
+  EXPECT_EQ(summary(folder, "a")["state_hash"], before["state_hash"]);
+  const std::string begin =
+      "the run of a.ckpt.h5 is finished; nothing remains to be done\n  hint: to "
+      "continue it, run a deck of these lines in its folder\n";
+  const auto at = again.err.find(begin);
+  ASSERT_NE(at, std::string::npos) << again.err;
+  const std::string lines = "    RESTART, a.ckpt.h5\n    MOTION, 0.004\n    STOP\n";
+  EXPECT_EQ(again.err.substr(at + begin.size(), lines.size()), lines);
+  run_text(folder, "more", lines);
+  EXPECT_EQ(summary(folder, "more")["steps"], 2 * before["steps"].get<long>());
+}
+
+TEST(Resumed, BeforeItsEndShowsNoOtherDeck) {
+  const TemporaryFolder folder;
+  folder.write("a.deck", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 9\n");
+  ASSERT_EQ(blocks("run a.deck --stop-after 3", folder.path()).code, 75);
+  const Outcome rest = blocks("run a.deck --restart a.ckpt.h5", folder.path());
+  EXPECT_EQ(rest.code, 0);
+  EXPECT_EQ(rest.err.find("is finished"), std::string::npos) << rest.err;
+}
+
 TEST(Resumed, WithAnotherDeckOrOptionsIsRefused) {
   const TemporaryFolder folder;
   const std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 9\n";
