@@ -31,7 +31,8 @@ std::set<std::string> unread_cards(const deck::Diagnostics& diagnostics) {
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
-      corners_(shared_corners(cards)), checked_blocks_(model.blocks.size()),
+      corners_(shared_corners(cards)), makers_(model.blocks.size()),
+      domain_blocks_(model.blocks.size()), checked_blocks_(model.blocks.size()),
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
@@ -95,10 +96,12 @@ struct Builder::Visitor {
   void operator()(const deck::XLimits& card) {
     settings.lower.x() = card.xmin.value;
     settings.upper.x() = card.xmax.value;
+    self.domain_cards_[0] = command.where;
   }
   void operator()(const deck::YLimits& card) {
     settings.lower.y() = card.ymin.value;
     settings.upper.y() = card.ymax.value;
+    self.domain_cards_[1] = command.where;
   }
   void operator()(const deck::Boxes& card) {
     constexpr long most = 100'000'000;  // 400 MB of box pointers
@@ -275,6 +278,12 @@ struct Builder::Visitor {
 
 void Builder::apply(const Command& command) {
   std::visit(Visitor{*this, command}, command.card);
+  makers_.record(command, model_.blocks.size());
+}
+
+void Builder::check_domain(const Command& motion) {
+  run::check_domain(model_, std::exchange(domain_blocks_, model_.blocks.size()),
+                    domain_cards_, makers_, motion, diagnostics_);
 }
 
 void Builder::check_before_motion(const Command& command, bool in_place) {

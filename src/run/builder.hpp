@@ -17,6 +17,8 @@
 #include "geometry/shared_corners.hpp"
 #include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
+#include "run/block_makers.hpp"
+#include "run/domain_check.hpp"
 
 namespace blocks::run {
 
@@ -56,6 +58,10 @@ class Builder {
   /// Overlapping blocks cause a warning. `in_place` means that no MOTION or CYCLE lies
   /// between, so the blocks are where they will be at that moment.
   void check_before_motion(const deck::Command& command, bool in_place);
+
+  /// Warns of blocks made since the last call that lie outside the domain, because the
+  /// motion will fix them. The run need not repeat this check.
+  void check_domain(const deck::Command& motion);
 
   /// Replaces check_before_motion() before the first MOTION or CYCLE if another builder
   /// has checked the same cards. `certificate` is the certificate of that builder.
@@ -99,6 +105,9 @@ class Builder {
   std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
+  BlockMakers makers_;
+  DomainCards domain_cards_;
+  int domain_blocks_;           ///< blocks that check_domain() has seen
   int checked_blocks_;          ///< blocks checked before an earlier motion
   int moved_blocks_;            ///< blocks that have moved
   double fraction_told_ = 0.0;  ///< safe FRACTION in the last warning

@@ -169,8 +169,10 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
     builder.apply(command);
     if (!passes_time(command))
       continue;
-    if (!job.diagnostics.has_errors())
+    if (!job.diagnostics.has_errors()) {
+      builder.check_domain(command);
       builder.check_before_motion(command, in_place);
+    }
     in_place = false;  // the run moves the blocks; the check does not
   }
   if (in_place && !job.resumes && !job.diagnostics.has_errors() &&

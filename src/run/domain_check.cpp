@@ -1,0 +1,82 @@
+#include "run/domain_check.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "dynamics/domain.hpp"
+
+namespace blocks::run {
+namespace {
+
+/// Returns block numbers as "2, 5 to 9 and 12 more"; block indices count from 0.
+std::string numbers_text(const std::vector<int>& blocks) {
+  constexpr int most_ranges = 8;
+  std::string text;
+  std::size_t i = 0;
+  for (int ranges = 0; i < blocks.size() && ranges < most_ranges; ++ranges) {
+    const int first = blocks[i];
+    while (i + 1 < blocks.size() && blocks[i + 1] == blocks[i] + 1)
+      ++i;
+    text += (text.empty() ? "" : ", ") + std::to_string(first + 1);
+    if (blocks[i] > first)
+      text += " to " + std::to_string(blocks[i] + 1);
+    ++i;
+  }
+  if (i < blocks.size())
+    text += fmt::format(" and {} more", blocks.size() - i);
+  return text;
+}
+
+/// Where a block crosses the limits of an axis: which limit, and how far it reaches.
+struct Crossing {
+  bool outside = false, below = false;
+  double reaches = 0.0;
+};
+
+Crossing crossing(const Model& model, int b, int axis) {
+  const Blocks& blocks = model.blocks;
+  const auto along =
+      blocks.corner.row(axis).segment(blocks.first_corner[b], blocks.corners_of(b));
+  const double low = along.minCoeff(), high = along.maxCoeff();
+  if (low < model.settings.lower[axis])
+    return {true, true, low};
+  return {high > model.settings.upper[axis], false, high};
+}
+
+std::string reach_text(const Model& model, int b, int axis, const BlockMakers& makers) {
+  const Crossing at = crossing(model, b, axis);
+  const Settings& settings = model.settings;
+  const char name = axis == 0 ? 'x' : 'y';
+  const auto* maker = makers.of(b);
+  return fmt::format("block {}{} reaches {} = {:g}, and {}{} is {:g}", b + 1,
+                     maker ? " (" + maker->text() + ")" : "", name, at.reaches, name,
+                     at.below ? "min" : "max",
+                     at.below ? settings.lower[axis] : settings.upper[axis]);
+}
+
+}  // namespace
+
+void check_domain(const Model& model, int begin, const DomainCards& cards,
+                  const BlockMakers& makers, const deck::Command& motion,
+                  deck::Diagnostics& diagnostics) {
+  std::array<std::vector<int>, 2> outside;
+  for (int b = begin; b < model.blocks.size(); ++b)
+    if (model.blocks.is_free(b) &&
+        !dynamics::is_inside_domain(model.blocks, b, model.settings))
+      outside[crossing(model, b, 0).outside ? 0 : 1].push_back(b);
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::vector<int>& found = outside[axis];
+    if (found.empty())
+      continue;
+    const bool one = found.size() == 1;
+    const char* card = axis == 0 ? "XLIMITS" : "YLIMITS";
+    diagnostics.warning(cards[axis].value_or(motion.where),
+                        cards[axis] ? card : motion.name,
+                        fmt::format("{} block{} outside the domain will be fixed: {}",
+                                    found.size(), one ? "" : "s", numbers_text(found)),
+                        reach_text(model, found.front(), axis, makers));
+  }
+}
+
+}  // namespace blocks::run
