@@ -148,10 +148,20 @@ struct Command {
   Card card;
 };
 
+/// A card with a fault. It is not among the commands.
+struct UnreadCard {
+  SourceLocation where;        ///< the keyword
+  std::string name;            ///< in capitals; empty: the card is unknown
+  std::optional<long> number;  ///< its first value, if that is a whole number
+  long blocks = 0;             ///< how many blocks it may have made at most
+  static constexpr long any_number_of_blocks = 1'000'000'000'000;
+};
+
 struct Deck {
   std::string file;               ///< as named by the user; "-" for standard input
   std::string text;               ///< the whole deck
   std::vector<Command> commands;  ///< in the order of the deck
+  std::vector<UnreadCard> unread = {};  ///< cards with faults, in that order
 };
 
 }  // namespace blocks::deck

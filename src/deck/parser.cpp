@@ -1,7 +1,10 @@
 #include "deck/parser.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <map>
+#include <utility>
 
 #include "deck/card_builder.hpp"
 #include "deck/card_order.hpp"
@@ -19,7 +22,7 @@ class Parser {
   Parser(Deck& deck, std::vector<Line> lines, std::vector<OverrideFields> overrides,
          Diagnostics& diagnostics)
       : deck_(deck), lines_(std::move(lines)), overrides_(std::move(overrides)),
-        diagnostics_(diagnostics), order_(names(lines_), diagnostics) {}
+        diagnostics_(&diagnostics), order_(names(lines_), diagnostics) {}
 
   void run();
   /// Parses cards that follow a deck that was read before.
@@ -29,6 +32,9 @@ class Parser {
   /// Returns the card that a keyword means, even if misspelt; null if no card is near.
   static const CardSpec* meant(const Line& line);
   static std::vector<std::string_view> names(const std::vector<Line>& lines);
+  /// Returns the first value of a card if it is a whole number.
+  static std::optional<long> first_number(const Line& line);
+  long most_blocks(const CardSpec& spec, std::optional<long> number) const;
 
   bool more() const { return next_ < lines_.size(); }
   /// Takes the lines of values up to the next keyword.
@@ -36,7 +42,7 @@ class Parser {
   /// Takes a card and joins its continuation lines.
   Line take_card(const CardSpec& spec);
 
-  void card();
+  void card(const CardSpec& spec, bool misspelt);
   void unknown(const Line& line);
   void finish(const CardSpec& spec, Card card, SourceLocation where);
   void check_loop(const CardSpec* next);
@@ -51,7 +57,7 @@ class Parser {
   Deck& deck_;
   std::vector<Line> lines_;
   std::vector<OverrideFields> overrides_;
-  Diagnostics& diagnostics_;
+  Diagnostics* diagnostics_;  ///< never null
   CardOrder order_;
   std::size_t next_ = 0;
   bool stopped_ = false;
@@ -86,6 +92,16 @@ std::vector<std::string_view> Parser::names(const std::vector<Line>& lines) {
   return out;
 }
 
+std::optional<long> Parser::first_number(const Line& line) {
+  if (line.fields.size() < 2) {
+    return std::nullopt;
+  }
+  Diagnostics ignored("", "");
+  const FieldSpec whole{"", Kind::integer, {}, {}, "", ""};
+  const Value value = read_value(line.fields[1], whole, "", ignored);
+  return value.ok && value.given ? std::optional(value.integer) : std::nullopt;
+}
+
 std::vector<Line> Parser::take_data() {
   const std::size_t begin = next_;
   while (more() && lines_[next_].is_data()) {
@@ -109,14 +125,14 @@ Line Parser::take_card(const CardSpec& spec) {
 
 void Parser::run() {
   if (more() && lines_.front().is_data()) {
-    diagnostics_.error(lines_.front().fields.front().where, "",
-                       "the deck must begin with a card, found values",
-                       "a new run begins with START, nblok, ncmx and a title line");
+    diagnostics_->error(lines_.front().fields.front().where, "",
+                        "the deck must begin with a card, found values",
+                        "a new run begins with START, nblok, ncmx and a title line");
     take_data();
   }
   while (more() && !stopped_) {
-    if (find_card(lines_[next_].fields.front().text) != nullptr) {
-      card();
+    if (const CardSpec* spec = find_card(lines_[next_].fields.front().text)) {
+      card(*spec, false);
     } else {
       unknown(lines_[next_]);
     }
@@ -129,8 +145,8 @@ void Parser::run() {
   }
   order_.finish(end);
   if (more()) {
-    diagnostics_.warning(lines_[next_].fields.front().where, "STOP",
-                         "text after STOP is ignored");
+    diagnostics_->warning(lines_[next_].fields.front().where, "STOP",
+                          "text after STOP is ignored");
   }
   check_unused_overrides();
 }
@@ -149,48 +165,72 @@ void Parser::unknown(const Line& line) {
   } else if (capitals(word.text) == "RANDOM") {
     hint = "RANDOM is the last value of the LAYER card";
   }
-  diagnostics_.error(word.where, "", fmt::format("unknown card {}", shown(word.text)),
-                     hint);
+  diagnostics_->error(word.where, "", fmt::format("unknown card {}", shown(word.text)),
+                      hint);
   check_loop(spec);
+  if (spec != nullptr) {
+    // The card is read as the one it means. Its other faults are not reported, because
+    // the guess may be wrong.
+    Diagnostics ignored("", "");
+    Diagnostics* const shown_ones = std::exchange(diagnostics_, &ignored);
+    card(*spec, true);
+    diagnostics_ = shown_ones;
+    return;
+  }
   loop_at_.reset();
   loop_.reset();
-  if (spec != nullptr) {
-    order_.pass(*spec, word.where, true);
-    stopped_ = spec->name == "STOP";
-  }
   ++next_;
-  take_data();
+  const bool has_lines = !take_data().empty();  // so it may be a CREATE or LAYER
+  deck_.unread.push_back({word.where, "", first_number(line),
+                          has_lines ? UnreadCard::any_number_of_blocks : 0});
+}
+
+/// The number of blocks that a faulty card may have made at most. A faulty CLOOP,
+/// ORIENT or MERGE changes the number of blocks of later cards.
+long Parser::most_blocks(const CardSpec& spec, std::optional<long> number) const {
+  constexpr long any = UnreadCard::any_number_of_blocks;
+  if (spec.name == "CREATE") {
+    return loop_ ? std::min(loop_->nloop.value, any) : 1;
+  }
+  if (spec.name == "LAYER") {
+    return number ? std::abs(std::clamp(*number, -any, any)) : any;
+  }
+  const bool counts = spec.name == "READ9" || spec.name == "CLOOP" ||
+                      spec.name == "ORIENT" || spec.name == "MERGE" ||
+                      spec.name == "RESTART";
+  return counts ? any : 0;
 }
 
 /// Reports a CLOOP that is not directly followed by CREATE.
 void Parser::check_loop(const CardSpec* next) {
   if (loop_at_ && (next == nullptr || next->name != "CREATE")) {
-    diagnostics_.error(*loop_at_, "CLOOP", "must be directly followed by CREATE",
-                       "CLOOP repeats the CREATE card that follows it");
+    diagnostics_->error(*loop_at_, "CLOOP", "must be directly followed by CREATE",
+                        "CLOOP repeats the CREATE card that follows it");
     loop_at_.reset();
     loop_.reset();
   }
 }
 
-void Parser::card() {
-  const CardSpec& spec = *find_card(lines_[next_].fields.front().text);
+void Parser::card(const CardSpec& spec, bool misspelt) {
   const Line line = take_card(spec);
   const SourceLocation where = line.fields.front().where;
   check_loop(&spec);
-  order_.pass(spec, where, false);
-  const Values values = read_card(spec, line, overrides_, diagnostics_);
+  const bool in_place = order_.pass(spec, where, misspelt);
+  const Values values = read_card(spec, line, overrides_, *diagnostics_);
   stopped_ = spec.name == "STOP";
   // Lines after STOP belong to no card.
   const std::vector<Line> data = stopped_ ? std::vector<Line>{} : take_data();
 
   if (spec.name == "CLOOP") {
-    loop_at_ = where;
+    if (!misspelt) {
+      loop_at_ = where;
+    }
     if (values.ok) {
       loop_ = Cloop{values.fields[0].as_int(), values.fields[1].as_exact(),
                     values.fields[2].as_exact()};
     }
   }
-  std::optional<Card> built = build_card(spec.name, values, diagnostics_);
+  std::optional<Card> built = build_card(spec.name, values, *diagnostics_);
   if (spec.name == "START") {
     Start untold;
     if (values.ok) {
@@ -204,15 +244,15 @@ void Parser::card() {
   if (!data.empty() && spec.follow_on.empty()) {
     // After a faulty card the lines may be part of the same mistake.
     if (values.ok) {
-      diagnostics_.error(data.front().fields.front().where, std::string(spec.name),
-                         "unexpected line of values after this card",
-                         "syntax: " + spec.syntax());
+      diagnostics_->error(data.front().fields.front().where, std::string(spec.name),
+                          "unexpected line of values after this card",
+                          "syntax: " + spec.syntax());
     }
     built.reset();
   } else if (spec.name == "START" && !data.empty()) {
-    diagnostics_.error(data.front().fields.front().where, "START",
-                       "unexpected line of values after the title",
-                       "the title is one line");
+    diagnostics_->error(data.front().fields.front().where, "START",
+                        "unexpected line of values after the title",
+                        "the title is one line");
     built.reset();
   } else if (!spec.follow_on.empty() && spec.name != "START") {
     // The lists can be checked even if another field of the card is faulty, because
@@ -229,8 +269,13 @@ void Parser::card() {
       built.reset();
     }
   }
-  if (built) {
+  if (built && in_place) {
     finish(spec, std::move(*built), where);
+  } else if (spec.name != "CLOOP" || !values.ok) {
+    const bool sound = !values.fields.empty() && values.fields.front().ok;
+    const std::optional<long> number = sound ? first_number(line) : std::nullopt;
+    deck_.unread.push_back(
+        {where, std::string(spec.name), number, most_blocks(spec, number)});
   }
   if (spec.name != "CLOOP") {
     loop_.reset();
@@ -253,7 +298,7 @@ void Parser::finish(const CardSpec& spec, Card card, SourceLocation where) {
 bool Parser::material(const Material& card) {
   const auto [met, is_new] = materials_.emplace(card.mat.value, card.mat.where.line);
   if (!is_new) {
-    diagnostics_.error(
+    diagnostics_->error(
         card.mat.where, "MATERIAL",
         fmt::format("material {} is defined twice", card.mat.value),
         met->second > 0 ? fmt::format("the first one is on line {}", met->second) : "");
@@ -263,14 +308,14 @@ bool Parser::material(const Material& card) {
 
 bool Parser::title(Start& card, const Line& line) {
   if (!line.title) {
-    diagnostics_.error(line.end, "START", "the title line is missing",
-                       "the line after START is the title of the problem");
+    diagnostics_->error(line.end, "START", "the title line is missing",
+                        "the line after START is the title of the problem");
     return false;
   }
   card.title = *line.title;
   const auto length = static_cast<std::size_t>(line.title_where.length);
   if (length > title_length) {
-    diagnostics_.warning(
+    diagnostics_->warning(
         {line.title_where.line, static_cast<int>(title_length) + 1,
          static_cast<int>(length - title_length)},
         "START",
@@ -281,7 +326,7 @@ bool Parser::title(Start& card, const Line& line) {
   if (!as_card.fields.empty() && line.title->find(',') != std::string::npos) {
     const Field& word = as_card.fields.front();
     if (find_card(word.text) != nullptr) {
-      diagnostics_.warning(
+      diagnostics_->warning(
           word.where, "START",
           fmt::format("the title looks like the card {}", capitals(word.text)),
           "the line after START is always the title");
@@ -299,7 +344,7 @@ bool Parser::lists(Card& card, const std::vector<Line>& data, SourceLocation end
   }
   if (auto* function = std::get_if<Function>(&card)) {
     FunctionPoints points =
-        read_points(function->ntimep.value, data, end, diagnostics_);
+        read_points(function->ntimep.value, data, end, *diagnostics_);
     function->t = std::move(points.t);
     function->p = std::move(points.p);
     return points.ok;
@@ -310,16 +355,16 @@ bool Parser::lists(Card& card, const std::vector<Line>& data, SourceLocation end
 bool Parser::coordinates(Create& card, const std::vector<Line>& data,
                          SourceLocation end) {
   if (most_corners_ && card.nc.value > *most_corners_) {
-    diagnostics_.error(card.nc.where, "CREATE",
-                       fmt::format("{} corners are more than START's maximum of {}",
-                                   card.nc.value, *most_corners_),
-                       "raise ncmx, the second value of START, or correct nc");
+    diagnostics_->error(card.nc.where, "CREATE",
+                        fmt::format("{} corners are more than START's maximum of {}",
+                                    card.nc.value, *most_corners_),
+                        "raise ncmx, the second value of START, or correct nc");
     return false;
   }
   TwoLists lists =
       read_two_lists({"CREATE", card.nc.value, "x coordinates", "y coordinates",
                       FieldSpec{"coordinate ", Kind::exact, {}, {}, "[L]", ""}, false},
-                     data, end, diagnostics_);
+                     data, end, *diagnostics_);
   card.x = std::move(lists.first);
   card.y = std::move(lists.second);
   return lists.ok;
@@ -328,18 +373,18 @@ bool Parser::coordinates(Create& card, const std::vector<Line>& data,
 bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation end) {
   if (card.ns.value < 0) {
     if (!data.empty()) {
-      diagnostics_.error(data.front().fields.front().where, "LAYER",
-                         "unexpected line of values after this card",
-                         "lists of widths follow only where ns > 0");
+      diagnostics_->error(data.front().fields.front().where, "LAYER",
+                          "unexpected line of values after this card",
+                          "lists of widths follow only where ns > 0");
       return false;
     }
     return true;
   }
   if (most_blocks_ && card.ns.value > *most_blocks_) {
-    diagnostics_.error(card.ns.where, "LAYER",
-                       fmt::format("{} blocks are more than START's maximum of {}",
-                                   card.ns.value, *most_blocks_),
-                       "raise nblok, the first value of START, or correct ns");
+    diagnostics_->error(card.ns.where, "LAYER",
+                        fmt::format("{} blocks are more than START's maximum of {}",
+                                    card.ns.value, *most_blocks_),
+                        "raise nblok, the first value of START, or correct ns");
     return false;
   }
   Range positive;
@@ -349,7 +394,7 @@ bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation e
       {"LAYER", card.ns.value, "bottom widths", "top widths",
        FieldSpec{"width ", Kind::exact, {}, positive, "[L]", "listed from the left"},
        true},
-      data, end, diagnostics_);
+      data, end, *diagnostics_);
   card.bottom = std::move(lists.first);
   card.top = std::move(lists.second);
   return lists.ok;
@@ -364,9 +409,9 @@ void Parser::check_unused_overrides() {
       used = used || (spec != nullptr && spec->name == set.card);
     }
     if (!used) {
-      diagnostics_.error(set.fields.front().where, set.card,
-                         "the deck has no such card, so --set cannot change it",
-                         "add the card to the deck");
+      diagnostics_->error(set.fields.front().where, set.card,
+                          "the deck has no such card, so --set cannot change it",
+                          "add the card to the deck");
     }
   }
 }
@@ -418,7 +463,7 @@ bool readable(const std::string& text, Diagnostics& diagnostics) {
 
 Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
            const std::vector<Override>& overrides) {
-  Deck deck{file, text, {}};
+  Deck deck{file, text, {}, {}};
   std::vector<OverrideFields> fields = prepare_overrides(overrides, diagnostics);
   if (!readable(text, diagnostics)) {
     return deck;
@@ -435,7 +480,7 @@ Deck parse(const std::string& file, const std::string& text, Diagnostics& diagno
 
 Deck parse_further(const std::string& file, const std::string& text,
                    Diagnostics& diagnostics) {
-  Deck deck{file, text, {}};
+  Deck deck{file, text, {}, {}};
   if (readable(text, diagnostics)) {
     Parser(deck, split_deck(text), {}, diagnostics).run_on();
   }

@@ -153,7 +153,7 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
                        {.seed = {},
                         .tape9 = "tape9",
                         .folder = folder,
-                        .unread = run::unread_cards(said),
+                        .unread = deck.unread,
                         .overlaps = overlaps});
   bool in_place = true;
   for (const deck::Command& command : deck.commands) {

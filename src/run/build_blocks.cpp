@@ -21,7 +21,7 @@ double BlockBuilder::density(long material, deck::SourceLocation where) {
   if (const auto found = materials.find(static_cast<int>(material));
       in_range && found != materials.end())
     return found->second.density;
-  if (partial_)
+  if (unread_.may_define(material, model_.settings))
     return 1.0;
   std::string known;
   for (const auto& [number, unused] : materials)
@@ -46,7 +46,7 @@ bool BlockBuilder::fits(long more, deck::SourceLocation where) {
     return false;
   }
   const long room = model_.settings.max_blocks - model_.blocks.size();
-  if (more <= room || partial_)
+  if (more <= room || !has_start())
     return true;
   error(where,
         fmt::format("{} more blocks exceed START's maximum of {}", more,
@@ -73,7 +73,7 @@ bool BlockBuilder::has_weight(const geometry::Polygon& clockwise,
 
 bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where,
                           const std::string& what, bool& warned) {
-  if (static_cast<long>(outline.size()) > model_.settings.max_corners && !partial_) {
+  if (static_cast<long>(outline.size()) > model_.settings.max_corners && has_start()) {
     error(where,
           fmt::format("{} has {} corners, more than START's maximum of {}", what,
                       outline.size(), model_.settings.max_corners),
@@ -144,7 +144,7 @@ void BlockBuilder::layer(const deck::Layer& card) {
   const bool random = card.rcommand.given;
   // MERGE may leave fewer than |ns| blocks, so the blocks of a random layer are counted
   // after it is cut.
-  if (model_.settings.max_corners < 4 && !partial_) {
+  if (model_.settings.max_corners < 4 && has_start()) {
     error(card.ns.where, "blocks of a layer have 4 corners",
           fmt::format("START allows {}: raise ncmx, its second value, to 4 or more",
                       model_.settings.max_corners));

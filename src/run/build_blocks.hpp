@@ -8,6 +8,7 @@
 #include "geometry/polygon.hpp"
 #include "geometry/shared_corners.hpp"
 #include "model/model.hpp"
+#include "run/unread_cards.hpp"
 
 namespace blocks::run {
 
@@ -15,13 +16,13 @@ namespace blocks::run {
 class BlockBuilder {
  public:
   /// `corners` holds the shared corners of this section of the deck, up to the next
-  /// MOTION or CYCLE. `partial` means that other cards could not be read, so materials
-  /// and counts are not checked.
+  /// MOTION or CYCLE. `unread` are the cards that could not be read, which may define
+  /// materials. Limits of START are not checked if it is missing.
   BlockBuilder(Model& model, deck::Diagnostics& diagnostics,
                const deck::Command& command, const geometry::SharedCorners& corners,
-               bool partial)
+               const UnreadCards& unread)
       : model_(model), diagnostics_(diagnostics), command_(command), corners_(corners),
-        partial_(partial) {}
+        unread_(unread) {}
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
@@ -29,6 +30,7 @@ class BlockBuilder {
   std::string read_mesh(const deck::Read9& card, const std::string& path);
 
  private:
+  bool has_start() const { return model_.settings.max_blocks > 0; }
   void error(deck::SourceLocation where, const std::string& message,
              const std::string& hint = {}) {
     diagnostics_.error(where, command_.name, message, hint);
@@ -60,7 +62,7 @@ class BlockBuilder {
   deck::Diagnostics& diagnostics_;
   const deck::Command& command_;
   const geometry::SharedCorners& corners_;
-  bool partial_;
+  const UnreadCards& unread_;
 };
 
 }  // namespace blocks::run

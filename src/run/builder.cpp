@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <utility>
 
-#include "deck/card_table.hpp"
 #include "deck/mesh_readers.hpp"
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
@@ -20,19 +20,26 @@ namespace blocks::run {
 
 using deck::Command;
 
-std::set<std::string> unread_cards(const deck::Diagnostics& diagnostics) {
-  std::set<std::string> unread;
-  for (const deck::Diagnostic& diagnostic : diagnostics.all())
-    if (diagnostic.severity == deck::Severity::error)
-      unread.insert(deck::find_card(diagnostic.card) != nullptr ? diagnostic.card : "");
-  return unread;
+namespace {
+
+/// The number of blocks that a card should make at most.
+long most_blocks(const Command& command) {
+  constexpr long any = deck::UnreadCard::any_number_of_blocks;
+  if (const auto* create = std::get_if<deck::Create>(&command.card))
+    return create->loop ? std::min(create->loop->nloop.value, any) : 1;
+  if (const auto* layer = std::get_if<deck::Layer>(&command.card))
+    return std::min(std::abs(layer->ns.value), any);
+  return std::holds_alternative<deck::Read9>(command.card) ? any : 0;
 }
+
+}  // namespace
 
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
-      corners_(shared_corners(cards)), makers_(model.blocks.size()),
-      domain_blocks_(model.blocks.size()), checked_blocks_(model.blocks.size()),
+      unread_(options_.unread), corners_(shared_corners(cards)),
+      makers_(model.blocks.size()), domain_blocks_(model.blocks.size()),
+      checked_blocks_(model.blocks.size()),
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
@@ -63,7 +70,7 @@ struct Builder::Visitor {
   }
   BlockBuilder builder() {
     return {model, self.diagnostics_, command, self.corners_[self.stretch_],
-            self.options_.lacks({"START", "MATERIAL", "RESTART"})};
+            self.unread_};
   }
 
   /// The index of the block with this number, counted from 0. Reports an error and
@@ -77,7 +84,7 @@ struct Builder::Visitor {
   bool material(const deck::Int& number) {
     if (settings.materials.contains(static_cast<int>(number.value)))
       return true;
-    if (self.options_.lacks({"MATERIAL", "RESTART"}))
+    if (self.unread_.may_define(number.value, settings))
       return false;
     std::string known;
     for (const auto& [mat, unused] : settings.materials)
@@ -140,7 +147,7 @@ struct Builder::Visitor {
       settings.seed = static_cast<std::uint64_t>(card.seed.value);
   }
   void operator()(const deck::End&) {
-    if (settings.rigid)
+    if (settings.rigid || self.unread_.has("RIGID"))
       return;
     for (const auto& [where, card] : self.materials_)
       check_elastic(where, card);
@@ -193,7 +200,7 @@ struct Builder::Visitor {
   }
   void operator()(const deck::PressBc& card) {
     const int b = block(card.nblok);
-    if (b < 0 || !has_function())
+    if (!has_function() || b < 0 || self.most_missing(command.where.line) > 0)
       return;
     if (card.nside.value < 1 || card.nside.value > blocks.corners_of(b)) {
       error(card.nside.where, fmt::format("there is no side {}", card.nside.value),
@@ -205,12 +212,13 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Force& card) {
     const int b = block(card.nblok);
-    if (b >= 0 && has_function())
+    if (has_function() && b >= 0)
       model.loads.forces.push_back(
           {b, {card.fx.value, card.fy.value}, card.tarriv.value});
   }
   bool has_function() {
-    if (model.loads.function.empty() && !self.options_.lacks({"FUNCTION", "RESTART"}))
+    if (model.loads.function.empty() && !self.unread_.has("FUNCTION") &&
+        !self.unread_.has("RESTART"))
       error(command.where,
             "no FUNCTION card was given, so the load has no time history",
             "add FUNCTION, ntimep among the preliminary cards, followed by ntimep "
@@ -239,7 +247,7 @@ struct Builder::Visitor {
         set_velocity(b, card.vx.value, card.vy.value, card.tdot.value);
         ++count;
       }
-    if (count == 0)
+    if (count == 0 && self.most_missing(command.where.line) == 0)
       warning(card.mat.where,
               fmt::format("no block of material {} exists here", card.mat.value),
               "SETVELM takes effect at its place in the deck: put it after the cards "
@@ -277,7 +285,10 @@ struct Builder::Visitor {
 };
 
 void Builder::apply(const Command& command) {
+  const int before = model_.blocks.size();
   std::visit(Visitor{*this, command}, command.card);
+  if (model_.blocks.size() == before)
+    failed_blocks_ += most_blocks(command);
   makers_.record(command, model_.blocks.size());
 }
 
@@ -345,20 +356,23 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
   begin_to_move(std::make_shared<const AssemblyCertificate>(std::move(told)));
 }
 
+long Builder::most_missing(int line) const {
+  return failed_blocks_ + unread_.most_blocks_above(line);
+}
+
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
-  if (options_.lacks({"START", "RESTART", "MATERIAL", "CREATE", "CLOOP", "LAYER",
-                      "READ9", "ORIENT", "MERGE"}))
-    return;
-  // A card that failed to make blocks has already been reported.
-  for (const deck::Diagnostic& told : diagnostics_.all())
-    if (told.severity == deck::Severity::error &&
-        (told.card == "CREATE" || told.card == "LAYER" || told.card == "READ9"))
-      return;
   const int count = model_.blocks.size();
-  diagnostics_.error(number.where, command.name,
-                     fmt::format("there is no block {}", number.value),
-                     count == 0 ? "no block has been created so far"
-                                : fmt::format("blocks 1 to {} exist here", count));
+  // OUTPUT may name the blocks of later cards.
+  const bool anywhere = std::holds_alternative<deck::Output>(command.card);
+  const long most = count + most_missing(anywhere ? std::numeric_limits<int>::max()
+                                                  : command.where.line);
+  if (number.value > count && number.value <= most)
+    return;
+  diagnostics_.error(
+      number.where, command.name, fmt::format("there is no block {}", number.value),
+      most == 0       ? "no block has been created so far"
+      : most == count ? fmt::format("blocks 1 to {} exist here", count)
+                      : fmt::format("at most {} blocks exist here", most));
 }
 
 void Builder::check_without_motion(const Command& last) {

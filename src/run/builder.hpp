@@ -3,11 +3,8 @@
 // not on the time loop.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +16,7 @@
 #include "model/model.hpp"
 #include "run/block_makers.hpp"
 #include "run/domain_check.hpp"
+#include "run/unread_cards.hpp"
 
 namespace blocks::run {
 
@@ -26,22 +24,12 @@ struct BuildOptions {
   std::optional<std::uint64_t> seed;  ///< --seed, which overrides the SEED card
   std::string tape9 = "tape9";  ///< --tape9: the mesh of a READ9 card without a name
   std::string folder;           ///< folder of the deck; file names are relative to it
-  /// Names of the cards that could not be read; "" stands for an unknown card. Blocks,
-  /// materials or functions that may be missing for that reason cause no further
-  /// errors.
-  std::set<std::string> unread;
+  /// Cards that could not be read. Blocks, materials or functions that may be missing
+  /// for that reason cause no further errors.
+  std::vector<deck::UnreadCard> unread = {};
   /// Overlaps that were reported before the checkpoint of a RESTART deck was written.
   std::vector<geometry::BlockOverlap> overlaps = {};
-
-  bool lacks(std::initializer_list<const char*> cards) const {
-    return unread.contains("") ||
-           std::any_of(cards.begin(), cards.end(),
-                       [&](const char* card) { return unread.contains(card); });
-  }
 };
-
-/// The value of BuildOptions::unread that follows from these diagnostics.
-std::set<std::string> unread_cards(const deck::Diagnostics& diagnostics);
 
 class Builder {
  public:
@@ -90,6 +78,8 @@ class Builder {
 
  private:
   struct Visitor;
+  /// How many blocks are missing at most above this line, because their cards failed.
+  long most_missing(int line) const;
   void error_no_block(const deck::Command& command, const deck::Int& number);
   void check_planes();
   void check_room(const deck::Command& command);
@@ -100,6 +90,8 @@ class Builder {
   Model& model_;
   deck::Diagnostics& diagnostics_;
   BuildOptions options_;
+  UnreadCards unread_;
+  long failed_blocks_ = 0;  ///< the most blocks that cards with errors should make
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
   std::size_t stretch_ = 0;  ///< index of the section between motions
   std::vector<std::string> notes_;

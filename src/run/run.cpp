@@ -38,8 +38,8 @@ struct Job {
         name(output_name(given.deck, given.output)) {}
 
   BuildOptions build_options() const {
-    return {options.seed, options.tape9, deck_folder(options.deck),
-            unread_cards(diagnostics), from.progress.overlaps};
+    return {options.seed, options.tape9, deck_folder(options.deck), deck.unread,
+            from.progress.overlaps};
   }
   bool continues() const {
     return !deck.commands.empty() &&
@@ -68,7 +68,11 @@ struct Job {
 
   /// Loads the checkpoint of a RESTART deck, or of this deck if it was stopped earlier.
   Model load();
-  bool loads() const { return continues() || options.restart; }
+  /// A faulty deck that does not begin with RESTART is checked as a new run, because no
+  /// checkpoint belongs to it.
+  bool loads() const {
+    return continues() || (options.restart && !diagnostics.has_errors());
+  }
   bool is_in_deck() const;
   /// Index of the first command after the checkpoint.
   std::size_t first_command() const {
@@ -139,27 +143,35 @@ Model Job::load() {
   return model;
 }
 
+/// Loads the checkpoint of a deck to be checked. If that fails, reports it at the
+/// RESTART card, and the model stays empty. Throws output::FileError if --restart alone
+/// is at fault.
+Model load_to_check(Job& job) {
+  try {
+    return job.load();
+  } catch (const output::FileError& fault) {
+    if (job.options.restart && !job.diagnostics.has_errors())
+      throw;
+    const deck::Command& command = job.deck.commands.front();
+    const auto& card = std::get<deck::Restart>(command.card);
+    job.diagnostics.error(card.file.given ? card.file.where : command.where,
+                          command.name, fault.what(),
+                          "name another checkpoint with --restart FILE");
+    job.fault = file_error;
+    job.from = {};
+    job.resumes = false;
+    job.deck.unread.push_back({command.where, command.name, std::nullopt,
+                               deck::UnreadCard::any_number_of_blocks});
+    return {};
+  }
+}
+
 /// Executes every card without making steps. The model is then the one that the deck
 /// describes before its first step. `notes` receives the notes on mesh files and shared
 /// corners. Returns false if there were errors.
 bool check(Job& job, Model& model, std::vector<std::string>& notes) {
-  if (job.loads() && job.diagnostics.has_errors())
-    return false;  // the checkpoint is not read, so its cards cannot be checked
-  if (job.loads()) {
-    try {
-      model = job.load();
-    } catch (const output::FileError& fault) {
-      if (job.options.restart)
-        throw;
-      const deck::Command& command = job.deck.commands.front();
-      const auto& card = std::get<deck::Restart>(command.card);
-      job.diagnostics.error(card.file.given ? card.file.where : command.where,
-                            command.name, fault.what(),
-                            "name another checkpoint with --restart FILE");
-      job.fault = file_error;
-      return false;
-    }
-  }
+  if (job.loads())
+    model = load_to_check(job);
   Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
   if (job.resumes)
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);

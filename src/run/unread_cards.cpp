@@ -1,0 +1,33 @@
+#include "run/unread_cards.hpp"
+
+#include <algorithm>
+
+namespace blocks::run {
+
+using deck::UnreadCard;
+
+bool UnreadCards::has(std::string_view name) const {
+  return std::any_of(cards_.begin(), cards_.end(),
+                     [&](const UnreadCard& card) { return card.name == name; });
+}
+
+bool UnreadCards::may_define(long material, const Settings& settings) const {
+  if (settings.materials.empty() && !has("MATERIAL"))
+    return true;
+  return has("RESTART") ||
+         std::any_of(cards_.begin(), cards_.end(), [&](const UnreadCard& card) {
+           return (card.name == "MATERIAL" &&
+                   card.number.value_or(material) == material) ||
+                  (card.name.empty() && card.number == material);
+         });
+}
+
+long UnreadCards::most_blocks_above(int line) const {
+  long most = 0;
+  for (const UnreadCard& card : cards_)
+    if (card.where.line < line)
+      most = std::min(most + card.blocks, UnreadCard::any_number_of_blocks);
+  return most;
+}
+
+}  // namespace blocks::run
