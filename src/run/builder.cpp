@@ -125,6 +125,7 @@ struct Builder::Visitor {
   void operator()(const deck::Stiff& card) {
     settings.normal_stiffness = card.stifn.value;
     settings.shear_stiffness = card.stifs.value;
+    self.stiffness_ = card.stifn.where;
   }
   void operator()(const deck::Fraction& card) {
     settings.fraction = card.tfrac.value;
@@ -225,7 +226,15 @@ struct Builder::Visitor {
             "lines t, p");
     return !model.loads.function.empty();
   }
-  void operator()(const deck::Frictn& card) { settings.friction = card.fric.value; }
+  void operator()(const deck::Frictn& card) {
+    constexpr double greatest = 5.0;  // tan 79 degrees
+    if (card.fric.value > greatest)
+      warning(
+          card.fric.where,
+          fmt::format("the friction coefficient {:g} is very large", card.fric.value),
+          "fric is the tangent of the friction angle, not an angle in degrees");
+    settings.friction = card.fric.value;
+  }
   void operator()(const deck::SetVel& card) {
     const int first = block(card.nb1);
     if (first < 0)
@@ -292,9 +301,20 @@ void Builder::apply(const Command& command) {
   makers_.record(command, model_.blocks.size());
 }
 
-void Builder::check_domain(const Command& motion) {
-  run::check_domain(model_, std::exchange(domain_blocks_, model_.blocks.size()),
-                    domain_cards_, makers_, motion, diagnostics_);
+void Builder::check_physics(const Command& motion) {
+  check_domain(model_, std::exchange(domain_blocks_, model_.blocks.size()),
+               domain_cards_, makers_, motion, diagnostics_);
+  const auto warn_once = [&](bool& told, const std::optional<Doubt>& doubt,
+                             const std::optional<deck::SourceLocation>& where,
+                             const char* card) {
+    if (told || !doubt)
+      return;
+    told = true;
+    diagnostics_.warning(where.value_or(motion.where), where ? card : motion.name,
+                         doubt->message, doubt->hint);
+  };
+  warn_once(stiffness_told_, doubt_stiffness(model_), stiffness_, "STIFF");
+  warn_once(tolerance_told_, doubt_tolerance(model_), tolerance_, "BOXES");
 }
 
 void Builder::check_before_motion(const Command& command, bool in_place) {
@@ -465,16 +485,26 @@ void Builder::check_overlaps(const Command& command) {
                 [this](const auto& pair) { return pair.second < checked_blocks_; });
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
-    diagnostics_.warning(
-        command.where, command.name,
-        fmt::format("blocks {} and {} overlap by an area of {} near ({:.6g}, {:.6g})",
-                    pairs[i].first + 1, pairs[i].second + 1,
-                    geometry::positive_text(pairs[i].area, 3), pairs[i].place.x(),
-                    pairs[i].place.y()),
-        i + 1 == shown && pairs.size() > shown
-            ? fmt::format("and {} more pairs; an overlap at the start carries no force",
-                          pairs.size() - shown)
-            : "an overlap at the start carries no force");
+    warn_of_overlap(pairs[i], command,
+                    i + 1 == shown && pairs.size() > shown
+                        ? fmt::format("and {} more pairs; ", pairs.size() - shown)
+                        : "");
+}
+
+void Builder::warn_of_overlap(const geometry::BlockOverlap& pair, const Command& motion,
+                              std::string hint) {
+  const BlockMakers::Maker* first = makers_.of(pair.first);
+  const BlockMakers::Maker* second = makers_.of(pair.second);
+  if (first != nullptr && first != second)
+    hint += fmt::format("block {} is made by {}; ", pair.first + 1, first->text());
+  hint += "an overlap at the start carries no force";
+  diagnostics_.warning(
+      second ? second->where : motion.where, second ? second->name : motion.name,
+      fmt::format("blocks {} and {} overlap by an area of {} near ({:.6g}, {:.6g})",
+                  pair.first + 1, pair.second + 1,
+                  geometry::positive_text(pair.area, 3), pair.place.x(),
+                  pair.place.y()),
+      hint);
 }
 
 }  // namespace blocks::run

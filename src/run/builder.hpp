@@ -16,6 +16,7 @@
 #include "model/model.hpp"
 #include "run/block_makers.hpp"
 #include "run/domain_check.hpp"
+#include "run/physics_check.hpp"
 #include "run/unread_cards.hpp"
 
 namespace blocks::run {
@@ -48,8 +49,10 @@ class Builder {
   void check_before_motion(const deck::Command& command, bool in_place);
 
   /// Warns of blocks made since the last call that lie outside the domain, because the
-  /// motion will fix them. The run need not repeat this check.
-  void check_domain(const deck::Command& motion);
+  /// motion will fix them, and once of springs and tolerances that do not fit the
+  /// blocks. The blocks are taken where the deck puts them, so the run need not repeat
+  /// this.
+  void check_physics(const deck::Command& motion);
 
   /// Replaces check_before_motion() before the first MOTION or CYCLE if another builder
   /// has checked the same cards. `certificate` is the certificate of that builder.
@@ -84,6 +87,9 @@ class Builder {
   void check_planes();
   void check_room(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
+  /// Warns at the card that made the second block. `hint` goes before the usual hint.
+  void warn_of_overlap(const geometry::BlockOverlap& pair, const deck::Command& motion,
+                       std::string hint);
   void check_fraction(const deck::Command& command);
   void check_steps(const deck::Command& command);
 
@@ -99,14 +105,15 @@ class Builder {
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
   BlockMakers makers_;
   DomainCards domain_cards_;
-  int domain_blocks_;           ///< blocks that check_domain() has seen
+  int domain_blocks_;  ///< blocks compared with the domain
+  bool stiffness_told_ = false, tolerance_told_ = false;
   int checked_blocks_;          ///< blocks checked before an earlier motion
   int moved_blocks_;            ///< blocks that have moved
   double fraction_told_ = 0.0;  ///< safe FRACTION in the last warning
-  std::optional<deck::Command> fraction_by_;  ///< last FRACTION or DAMPING card
-  std::optional<deck::Command> output_;       ///< OUTPUT card not checked yet
-  std::optional<deck::SourceLocation>
-      tolerance_;  ///< position of ctol on the BOXES card
+  std::optional<deck::Command> fraction_by_;       ///< last FRACTION or DAMPING card
+  std::optional<deck::Command> output_;            ///< OUTPUT card not checked yet
+  std::optional<deck::SourceLocation> tolerance_;  ///< place of ctol on the BOXES card
+  std::optional<deck::SourceLocation> stiffness_;  ///< place of the STIFF card
   SharedCertificate certificate_;
 };
 

@@ -182,7 +182,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
     if (!passes_time(command))
       continue;
     if (!job.diagnostics.has_errors()) {
-      builder.check_domain(command);
+      builder.check_physics(command);
       builder.check_before_motion(command, in_place);
     }
     in_place = false;  // the run moves the blocks; the check does not
@@ -191,6 +191,12 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
       !job.deck.commands.empty())
     builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
+  if (!job.continues() && !job.diagnostics.has_errors() &&
+      std::none_of(job.deck.commands.begin(), job.deck.commands.end(), passes_time))
+    job.diagnostics.warning(
+        job.deck.commands.back().where, job.deck.commands.back().name,
+        "the deck has no MOTION or CYCLE, so a run makes no step",
+        "MOTION, dt passes a time, and CYCLE, ncycle makes a number of steps");
   notes = builder.take_notes();
   job.certificate = builder.certificate();
   return !job.diagnostics.has_errors();

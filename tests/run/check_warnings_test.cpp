@@ -7,6 +7,7 @@
 namespace blocks::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -64,6 +65,65 @@ TEST_F(CheckWarnings, AreToldOnceByARun) {
   const auto first = run.err.find(what);
   ASSERT_NE(first, std::string::npos) << run.err;
   EXPECT_EQ(run.err.find(what, first + 1), std::string::npos) << run.err;
+}
+
+/// Returns the preliminary cards with this stiffness in place of 1.E7.
+std::string with_stiffness(const std::string& stiffness) {
+  std::string cards = preliminary();
+  cards.replace(cards.find("1.E7, 1.E7"), 10, stiffness + ", " + stiffness);
+  return cards;
+}
+
+// A unit square weighs 10 kN. Two of them press springs of 1e5 N/m in by 0.2 m.
+TEST_F(CheckWarnings, BlameStiffIfTheBlocksAreTooHeavyForIt) {
+  const std::string pile = rectangle(0, -1, 1, 0, true) + rectangle(0, 0, 1, 1) +
+                           rectangle(0, 1, 1, 2) + "GRAVITY, 0, -10\nMOTION, 0.1\n";
+  EXPECT_THAT(
+      warnings_of_deck(with_stiffness("1.E5") + pile),
+      AllOf(HasSubstr("small.deck:6:8: warning: STIFF: the contacts are too soft "
+                      "for the weight of the blocks: at rest block 2 overlaps its "
+                      "support by about W/Kn = 0.2, and its width is 1\n"),
+            HasSubstr("W = 2e+04 is the weight of the heaviest column; stifn = "
+                      "2e+06 makes the overlap 1 % of the block")));
+  EXPECT_EQ(warnings_of_deck(with_stiffness("1.E7") + pile), "");
+}
+
+TEST_F(CheckWarnings, AddTheWeightsOfOneColumnOnly) {
+  EXPECT_EQ(
+      warnings_of_deck(with_stiffness("5.E5") +
+                       "CLOOP, 8, 1, 0\nCREATE, 4, 1\n-5, -5, -4, -4\n0, 1, 1, 0\n"
+                       "GRAVITY, 0, -10\nMOTION, 0.1\n"),
+      "");
+}
+
+TEST_F(CheckWarnings, BlameATooLargeContactTolerance) {
+  EXPECT_THAT(warnings_of(rectangle(0, 0, 0.08, 1) + "MOTION, 0.1\n"),
+              AllOf(HasSubstr("warning: BOXES: ctol = 0.1 is more than the width of "
+                              "block 1, 0.08\n"),
+                    HasSubstr("a good ctol is a tenth of a block: 0.008\n")));
+  EXPECT_EQ(warnings_of(rectangle(0, 0, 0.12, 1) + "MOTION, 0.1\n"), "");
+}
+
+TEST_F(CheckWarnings, BlameFrictionGivenInDegrees) {
+  EXPECT_THAT(
+      warnings_of(rectangle(0, 0, 1, 1) + "FRICTN, 30\nMOTION, 0.1\n"),
+      HasSubstr("warning: FRICTN: the friction coefficient 30 is very large\n"));
+  EXPECT_EQ(warnings_of(rectangle(0, 0, 1, 1) + "FRICTN, 5\nMOTION, 0.1\n"), "");
+}
+
+TEST_F(CheckWarnings, TellOfADeckWithoutMotion) {
+  EXPECT_THAT(
+      warnings_of(rectangle(0, 0, 1, 1) + "STOP\n"),
+      HasSubstr("warning: STOP: the deck has no MOTION or CYCLE, so a run makes "
+                "no step\n"));
+}
+
+TEST_F(CheckWarnings, BlameOverlapsOnTheCardsThatMadeTheBlocks) {
+  EXPECT_THAT(
+      warnings_of(rectangle(0, 0, 1, 1) + rectangle(0.5, 0, 1.5, 1) + "MOTION, 0.1\n"),
+      AllOf(HasSubstr("small.deck:15:1: warning: CREATE: blocks 1 and 2 overlap"),
+            HasSubstr("hint: block 1 is made by CREATE in line 12; an overlap at "
+                      "the start carries no force")));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(LaterCreate, IsWarnedOfOverlapsWithPresentPositions) {
   const TemporaryFolder folder;
   const Outcome hit =
       run_text(folder, "hit", moving + rectangle(6, 0, 7, 1) + "MOTION, 0.01\n");
-  EXPECT_THAT(hit.err, HasSubstr("warning: MOTION: blocks 2 and 3 overlap"));
+  EXPECT_THAT(hit.err, HasSubstr("warning: CREATE: blocks 2 and 3 overlap"));
   EXPECT_THAT(summary(folder, "hit")["warnings"].dump(), HasSubstr("2 and 3 overlap"));
 }
 
