@@ -31,6 +31,7 @@
 #include "study_command.hpp"
 #include "view_command.hpp"
 #include "why_command.hpp"
+#include "wrong_word.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define BLOCKS_SANITIZED
@@ -158,8 +159,10 @@ int cards(const std::string& name, bool markdown) {
     std::cout << *page;
     return blocks::run::done;
   }
-  fmt::print(stderr, "blocks: error: there is no card {}\n{}", name,
-             blocks::deck::all_cards());
+  const std::string near = blocks::deck::suggest_card(name);
+  fmt::print(stderr, "blocks: error: there is no card {}\n  hint: {}\n", name,
+             near.empty() ? "'blocks cards' lists all cards"
+                          : fmt::format("did you mean {}?", near));
   return blocks::run::usage_error;
 }
 
@@ -264,6 +267,13 @@ int dispatch(int argc, char** argv) {
     for (const std::string& text : sets)
       options.overrides.push_back(parse_override(text));
   } catch (const CLI::ParseError& error) {
+    const bool is_fault = error.get_exit_code() != 0;
+    if (is_fault && astray_from_audit(app).empty())
+      if (const std::string fault = blocks::apps::tell_wrong_word(app, argc, argv);
+          !fault.empty()) {
+        std::cerr << fault << std::flush;
+        return blocks::run::usage_error;
+      }
     return app.exit(error) == 0 ? blocks::run::done : blocks::run::usage_error;
   }
 

@@ -47,12 +47,15 @@ std::string suggest(std::string_view word,
     const std::size_t distance = edit_distance(wanted, name);
     const std::size_t shorter = std::min(wanted.size(), name.size());
     const bool near = distance <= std::max<std::size_t>(1, shorter / 3);
-    if (!near) {
-      // GRAV for GRAVITY, or SETVELOCITY for SETVEL, ranks after every near miss.
-      if (shorter < 3 || wanted.compare(0, shorter, name, 0, shorter) != 0) {
-        continue;
-      }
+    const bool begins =
+        shorter >= 3 && wanted.compare(0, shorter, name, 0, shorter) == 0;
+    if (!near && !begins) {
+      continue;
     }
+    // DAMP for DAMPING ranks before every near miss, such as DUMP, and SETVELOCITY for
+    // SETVEL after it.
+    const bool shortened = begins && shorter == wanted.size();
+    const long rank = shortened ? 0 : near ? 1 : 2;
     // Each letter of a common beginning cancels half an edit. So FRICTION suggests
     // FRICTN, although FRACTION is fewer edits away.
     const auto same =
@@ -60,8 +63,8 @@ std::string suggest(std::string_view word,
                       name.begin())
             .first -
         wanted.begin();
-    const long score = 2 * static_cast<long>(distance) - same +
-                       (near ? 0 : static_cast<long>(4 * longest));
+    const long score =
+        2 * static_cast<long>(distance) - same + rank * static_cast<long>(4 * longest);
     if (best.empty() || score < least) {
       least = score;
       best = candidate;

@@ -60,8 +60,17 @@ TEST(CardsText, SuggestsTheNearestName) {
   EXPECT_EQ(suggest_card("SETVLEM"), "SETVELM");
   EXPECT_EQ(suggest_card("PRESS"), "PRESSBC");
   EXPECT_EQ(suggest_card("EDN"), "END");
+  EXPECT_EQ(suggest_card("LAYR"), "LAYER");
   EXPECT_EQ(suggest_card("WIND"), "");
   EXPECT_EQ(suggest_card(std::string(100000, 'A')), "");
+}
+
+// DUMP is fewer edits away than DAMPING.
+TEST(CardsText, SuggestsANameThatBeginsWithTheWordFirst) {
+  EXPECT_EQ(suggest_card("DAMP"), "DAMPING");
+  EXPECT_EQ(suggest_card("SETVE"), "SETVEL");
+  EXPECT_EQ(suggest_card("RES"), "RESTART");
+  EXPECT_EQ(suggest_card("STAR"), "START");
 }
 
 }  // namespace

@@ -241,6 +241,39 @@ TEST(Cards, RefusesAnUnknownCard) {
   EXPECT_THAT(none.err, StartsWith("blocks: error: there is no card LAYRE\n"));
 }
 
+TEST(Cards, SuggestsTheNameOfAMisspeltCard) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(blocks("cards LAYR", folder.path()).err,
+            "blocks: error: there is no card LAYR\n  hint: did you mean LAYER?\n");
+}
+
+TEST(WrongCommand, GetsASuggestion) {
+  const TemporaryFolder folder;
+  const Outcome wrong = blocks("runn small.deck", folder.path());
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_EQ(wrong.err, "blocks: error: there is no command runn\n  hint: did you mean "
+                       "run? blocks --help shows what is possible\n");
+}
+
+// Without the option, 4 is the deck.
+TEST(WrongOption, IsBlamedInsteadOfTheDeck) {
+  const TemporaryFolder folder;
+  for (const char* line : {"run --thread 4 small.deck", "run --thread=4"}) {
+    const Outcome wrong = blocks(line, folder.path());
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_EQ(wrong.err,
+              "blocks: error: blocks run has no option --thread\n  hint: did "
+              "you mean --threads? blocks run --help shows what is possible\n");
+  }
+}
+
+TEST(WrongOption, OfANestedCommandIsBlamed) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(blocks("study contacts --lst", folder.path()).err,
+              StartsWith("blocks: error: blocks study contacts has no option --lst\n  "
+                         "hint: did you mean --list?"));
+}
+
 TEST(Cards, AreThoseOfTheReferencePage) {
   const TemporaryFolder folder;
   EXPECT_EQ(blocks("cards --markdown", folder.path()).out,
