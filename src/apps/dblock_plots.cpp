@@ -78,7 +78,7 @@ int plot_dblock(const std::string& cards_file, const post::ResultsReader& result
 
   check_options(cards, figure);
   constexpr double widths[] = {1200, 800, 640};  // FRAMESIZE
-  figure.width = widths[cards.frame_size - 1];
+  figure.page = post::PageSize::on_screen(widths[cards.frame_size - 1]);
   for (const auto& [material, colour] : cards.materials)
     figure.material_colours[material] = colour;
   if (cards.zoom)

@@ -65,6 +65,8 @@ void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs) {
     if (std::find(titles.begin(), titles.end(), run.title) == titles.end())
       titles.push_back(run.title);
   chart.title = fmt::format("{}", fmt::join(titles, "  ·  "));
+  if (chart.title.empty())
+    chart.title = "BLOCKS";
   for (const NumberTable& run : runs)
     chart.subtitle += (chart.subtitle.empty() ? "" : ", ") + run.file;
 }
@@ -183,14 +185,14 @@ void check_names(const std::vector<std::string>& outputs) {
   output::check_outputs(outputs);
 }
 
-void write(const std::string& path, const Answer& answer, double width) {
+void write(const std::string& path, const Answer& answer, const post::PageSize& page) {
   const std::string ending = fs::path(path).extension().string();
   if (ending == ".csv")
     write_text_file(path, post::csv_text(answer.runs));
   else if (ending == ".json")
     write_text_file(path, post::json_text(answer.runs));
   else
-    post::draw_chart(path, answer.chart, width);
+    post::draw_chart(path, answer.chart, page);
   fmt::print("{}\n", path);
 }
 
@@ -247,9 +249,11 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
       ->excludes(csv);
   command.add_option("--units", options.units,
                      "units of length, mass and time, such as m,kg,s");
-  command
-      .add_option("--width", options.width, "width of a figure, in pixels or points")
-      ->check(CLI::Range(100, 20000));
+  auto* width = command
+                    .add_option("--width", options.width,
+                                "width of a figure, in pixels or points")
+                    ->check(CLI::Range(100, 20000));
+  command.add_option("--size", options.size, post::PageSize::help())->excludes(width);
   command.footer("Quantities " + post::history_help());
 }
 
@@ -280,12 +284,15 @@ int history(const HistoryOptions& options) {
     std::optional<post::Units> units;
     if (!options.units.empty())
       units = post::Units::parse(options.units);
+    const post::PageSize page = options.size.empty()
+                                    ? post::PageSize::on_screen(options.width)
+                                    : post::PageSize::in_print(options.size);
     const Answer answer =
         options.profile.empty() ? histories(options, units) : profiles(options, units);
     if (options.outputs.empty())
       print(answer, options);
     for (const std::string& path : options.outputs)
-      write(path, answer, options.width);
+      write(path, answer, page);
     return run::done;
   } catch (const std::runtime_error& error) {
     return tell_fault(error);

@@ -22,6 +22,7 @@ struct HistoryOptions {
   bool csv = false, json = false;    ///< print in this format
   std::string units;                 ///< "m,kg,s"
   double width = 1200;               ///< of a figure, in pixels or points
+  std::string size;                  ///< of a figure in print, "85mm"; empty: width
 };
 
 void add_history_options(CLI::App& command, HistoryOptions& options);

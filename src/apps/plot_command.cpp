@@ -103,6 +103,8 @@ void check_combinations(const PlotOptions& options) {
   const bool movie = post::is_movie(options.output);
   const bool sheet = !movie && (options.sheet > 0 || options.times.size() > 1);
   const std::string a_movie = " is for a movie: -o NAME.mp4 or NAME.gif";
+  refuse(!options.size.empty() && movie,
+         "--size is for a figure; choose the width of a movie with --width");
   refuse(options.every && !movie, "--every" + a_movie);
   refuse(options.rate && !movie, "--rate" + a_movie);
   refuse(options.figure.columns > 0 && !sheet,
@@ -162,6 +164,8 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
   }
   if (deck::capitals(figure.colour) == "MATERIAL")
     figure.colour = "material";
+  figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
+                                     : post::PageSize::in_print(options.size);
   if (!options.units.empty())
     figure.units = post::Units::parse(options.units);
 }
@@ -239,10 +243,12 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command.add_option("--units", options.units,
                      "units of length, mass and time, such as m,kg,s");
   auto* width = command
-                    .add_option("--width", figure.width,
+                    .add_option("--width", options.width,
                                 "width of the figure, in pixels or points")
                     ->check(CLI::Range(100, 20000))
                     ->capture_default_str();
+  auto* size = command.add_option("--size", options.size, post::PageSize::help())
+                   ->excludes(width);
   command
       .add_option("--dblock", options.dblock,
                   "file of DBLOCK cards (Appendix E of the report), which give a "
@@ -253,7 +259,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->excludes(from)
       ->excludes(to)
       ->excludes(every)
-      ->excludes(width);
+      ->excludes(width)
+      ->excludes(size);
 }
 
 int plot(PlotOptions options) {

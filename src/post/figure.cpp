@@ -10,9 +10,8 @@ void draw_figure(const std::string& path, const ResultsReader& results,
   const FigureScales scales = survey_scales(results, frames, options);
   const Frame first = results.frame(0);
   const FigurePage page(frames.size(), results.title(), scales, options);
-  const double unit = options.width / Pen::page;
-  write_page(path, options.width, unit * page.height(), [&](cairo_t* cairo) {
-    Pen pen(cairo, options.width);
+  write_page(path, options.page, page.height(), [&](cairo_t* cairo) {
+    Pen pen(cairo, options.page);
     page.begin(pen);
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const Frame now = results.frame(frames[k]);
@@ -32,13 +31,12 @@ void draw_frame(const std::string& path, const Frame& now, const Frame& first,
   survey.include(picture);
   const FigureScales scales = survey.scales();
   const FigurePage page(1, title, scales, options);
-  write_page(path, options.width, options.width / Pen::page * page.height(),
-             [&](cairo_t* cairo) {
-               Pen pen(cairo, options.width);
-               page.begin(pen);
-               page.picture(pen, 0, picture);
-               page.end(pen, picture);
-             });
+  write_page(path, options.page, page.height(), [&](cairo_t* cairo) {
+    Pen pen(cairo, options.page);
+    page.begin(pen);
+    page.picture(pen, 0, picture);
+    page.end(pen, picture);
+  });
 }
 
 }  // namespace blocks::post

@@ -9,13 +9,14 @@
 
 #include "post/colour_map.hpp"
 #include "post/marks.hpp"
+#include "post/page_size.hpp"
 #include "post/results_reader.hpp"
 #include "post/units.hpp"
 
 namespace blocks::post {
 
 struct FigureOptions {
-  double width = 1200;              ///< pixels (PNG, movies) or points (SVG, PDF)
+  PageSize page;
   std::string colour = "material";  ///< or a name of quantity.hpp
   std::optional<Eigen::Vector2d>
       range;  ///< of the colours; empty: that of all values drawn
@@ -31,6 +32,7 @@ struct FigureOptions {
   std::optional<Units> units;  ///< empty: [L], [T]
   std::vector<Mark> marks;     ///< later marks are drawn on top
   std::vector<MarkName> mark_names;        ///< legend of the marks
+  std::optional<std::string> title;        ///< empty text: no title; none: of the run
   std::string subtitle;                    ///< replaces time and step
   std::map<int, Colour> material_colours;  ///< replace the default colours
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -16,7 +17,11 @@ namespace {
 constexpr double line = 26;        ///< height of an entry
 constexpr double small_line = 19;  ///< height of an entry if there are many materials
 constexpr double least_bar = 170, most_bar = 460;
-constexpr std::size_t few_materials = 10, columns = 3, most_materials = 90;
+constexpr double least_column = 32;  ///< width of an entry if there are many materials
+constexpr std::size_t few_materials = 10, most_materials = 90;
+constexpr double cell = 116, cell_line = 20;  ///< an entry of a legend below
+constexpr double low_bar = 62;                ///< height of a bar in a legend below
+constexpr double arrow_line = 26;             ///< height of the arrow in a legend below
 
 bool by_material(const FigureOptions& options) { return options.colour == "material"; }
 bool with_forces(const FigureScales& scales, const FigureOptions& options) {
@@ -25,12 +30,17 @@ bool with_forces(const FigureScales& scales, const FigureOptions& options) {
 int bars(const FigureScales& scales, const FigureOptions& options) {
   return (by_material(options) ? 0 : 1) + (with_forces(scales, options) ? 1 : 0);
 }
-double materials_height(std::size_t count) {
-  if (count <= few_materials)
-    return static_cast<double>(count) * line;
+std::size_t columns_of(double width) {
+  return static_cast<std::size_t>(std::max(3.0, std::floor(width / least_column)));
+}
+double many_materials_height(std::size_t count, double width) {
   const std::size_t shown = std::min(count, most_materials),
-                    rows = (shown + columns - 1) / columns;
+                    columns = columns_of(width), rows = (shown + columns - 1) / columns;
   return static_cast<double>(rows + 1) * small_line + 10;
+}
+double materials_height(std::size_t count) {
+  return count <= few_materials ? static_cast<double>(count) * line
+                                : many_materials_height(count, 0.0);
 }
 
 /// Draws the entries of the legend from top to bottom.
@@ -46,6 +56,7 @@ class Legend {
       materials();
     if (scales_.fixed)
       swatch({0.9, 0.9, 0.9}, true, "fixed");
+    end_cells();
     if (!options_.arrows.empty())
       arrow();
     const double room = place_.top + place_.height - y_;
@@ -64,14 +75,27 @@ class Legend {
 
  private:
   void swatch(const Colour& fill, bool hatched, const std::string& name) {
-    cairo_rectangle(cairo_, place_.x, y_, 20, 14);
+    const double x = place_.x + across_;
+    cairo_rectangle(cairo_, x, y_, 20, 14);
     pen_.colour(fill);
     cairo_fill_preserve(cairo_);
     if (hatched)
       hatch(pen_, fill);
     pen_.stroke(0.8, ink);
-    words(name);
-    y_ += line;
+    pen_.text(name, x + 28, y_ + 7, 14, ink, 0, 0.5,
+              (place_.below ? cell : room()) - 28);
+    if (!place_.below) {
+      y_ += line;
+      return;
+    }
+    across_ += cell;
+    if (across_ + cell > room())
+      end_cells();
+  }
+  /// Begins a new row of a legend below, unless the row is empty.
+  void end_cells() {
+    y_ += across_ > 0.0 ? cell_line : 0.0;
+    across_ = 0.0;
   }
   void words(const std::string& text) {
     pen_.text(text, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
@@ -86,7 +110,8 @@ class Legend {
                fmt::format("material {}", material));
       return;
     }
-    const double top = y_, across = room() / columns;
+    const std::size_t columns = columns_of(place_.below ? room() : 0.0);
+    const double top = y_, across = room() / static_cast<double>(columns);
     const bool all = present.size() <= most_materials;
     pen_.text(all ? "materials"
                   : fmt::format("{} of {} materials", most_materials, present.size()),
@@ -106,7 +131,7 @@ class Legend {
                 across - 20);
       ++i;
     }
-    y_ = top + materials_height(present.size());
+    y_ = top + many_materials_height(present.size(), place_.below ? room() : 0.0);
   }
 
   void arrow() {
@@ -116,8 +141,15 @@ class Legend {
         {"force", {0, 1, -2, "N/m", ""}}};
     if (scales_.arrow > 0.0)
       draw_arrow(pen_, place_.x, y_ + 7, place_.arrow, 0);
-    y_ += line - 6;
     const std::string unit = unit_text(dimensions.at(options_.arrows), options_.units);
+    if (place_.below) {
+      pen_.text(fmt::format("{} {:.3g} {}", options_.arrows, scales_.arrow, unit),
+                place_.x + place_.arrow + 10, y_ + 7, 14, ink, 0, 0.5,
+                room() - place_.arrow - 10);
+      y_ += arrow_line;
+      return;
+    }
+    y_ += line - 6;
     pen_.text(options_.arrows, place_.x, y_ + 6, 13, ink, 0, 0.5, room());
     pen_.text(fmt::format("{:.3g} {}", scales_.arrow, unit), place_.x, y_ + 22, 13, ink,
               0, 0.5, room());
@@ -126,25 +158,18 @@ class Legend {
 
   void bar(const std::string& label, const Dimension& dimension, double low,
            double high, double room, const std::function<Colour(double)>& colour) {
+    if (place_.below) {
+      bar_along(label, dimension, low, high, colour);
+      return;
+    }
     const double width = 22, end = y_ + room;
     const TickLabels marked =
         label_ticks(low, high, std::max(3, static_cast<int>((room - 70) / 50)));
     y_ += pen_.paragraph(marked.titled(with_unit(label, dimension, options_)), place_.x,
                          y_, 14, ink, this->room());
     const double top = y_ + 10, height = end - 24 - top;
-    cairo_pattern_t* shades = cairo_pattern_create_linear(0, top + height, 0, top);
-    constexpr int steps = 64;
-    for (int i = 0; i <= steps; ++i) {
-      const double at = static_cast<double>(i) / steps;
-      const Colour c = colour(at);
-      cairo_pattern_add_color_stop_rgb(shades, at, c.r, c.g, c.b);
-    }
-    cairo_rectangle(cairo_, place_.x, top, width, height);
-    cairo_set_source(cairo_, shades);
-    cairo_fill(cairo_);
-    cairo_pattern_destroy(shades);
-    cairo_rectangle(cairo_, place_.x, top, width, height);
-    pen_.stroke(0.8, ink);
+    fill_bar(cairo_pattern_create_linear(0, top + height, 0, top),
+             {place_.x, top, width, height}, colour);
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
       const double y = top + height * (high - marked.ticks[i]) / (high - low);
       cairo_move_to(cairo_, place_.x + width, y);
@@ -156,7 +181,46 @@ class Legend {
     y_ = end;
   }
 
-  double room() const { return Pen::page - place_.x - 8; }
+  /// Draws a bar from left to right with its label above it and numbers below it.
+  void bar_along(const std::string& label, const Dimension& dimension, double low,
+                 double high, const std::function<Colour(double)>& colour) {
+    constexpr double thick = 11, margin = 6;
+    const double left = place_.x + margin, width = room() - 2 * margin, top = y_ + 20;
+    const TickLabels marked =
+        label_ticks(low, high, std::max(3, static_cast<int>(width / 70)));
+    pen_.text(marked.titled(with_unit(label, dimension, options_)), left, y_ + 8, 14,
+              ink, 0, 0.5, width);
+    fill_bar(cairo_pattern_create_linear(left, 0, left + width, 0),
+             {left, top, width, thick}, colour);
+    for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
+      const double x = left + width * (marked.ticks[i] - low) / (high - low);
+      cairo_move_to(cairo_, x, top + thick);
+      cairo_rel_line_to(cairo_, 0, 4);
+      pen_.stroke(0.8, ink);
+      pen_.text(marked.labels[i], x, top + thick + 7, 13, ink, 0.5, 0);
+    }
+    pen_.text(marked.offset, left + width, y_ + 8, 13, ink, 1, 0.5);
+    y_ += low_bar;
+  }
+
+  /// Fills a box (x, y, width, height) with the colours along the pattern, and frees
+  /// the pattern.
+  void fill_bar(cairo_pattern_t* shades, const Eigen::Vector4d& box,
+                const std::function<Colour(double)>& colour) {
+    constexpr int steps = 64;
+    for (int i = 0; i <= steps; ++i) {
+      const double at = static_cast<double>(i) / steps;
+      const Colour c = colour(at);
+      cairo_pattern_add_color_stop_rgb(shades, at, c.r, c.g, c.b);
+    }
+    cairo_rectangle(cairo_, box[0], box[1], box[2], box[3]);
+    cairo_set_source(cairo_, shades);
+    cairo_fill_preserve(cairo_);
+    cairo_pattern_destroy(shades);
+    pen_.stroke(0.8, ink);
+  }
+
+  double room() const { return place_.width; }
 
   void marks() {
     y_ += 8;
@@ -177,6 +241,7 @@ class Legend {
   const FigureScales& scales_;
   const FigureOptions& options_;
   double y_;
+  double across_ = 0.0;  ///< of the next entry in a row of a legend below
 };
 
 }  // namespace
@@ -187,6 +252,17 @@ double legend_height(const FigureScales& scales, const FigureOptions& options) {
          (scales.fixed ? line : 0) + (options.arrows.empty() ? 0 : arrow) +
          bars(scales, options) * least_bar +
          mark * static_cast<double>(options.mark_names.size());
+}
+
+double legend_height_below(const FigureScales& scales, const FigureOptions& options,
+                           double width) {
+  const std::size_t materials = by_material(options) ? scales.materials.size() : 0;
+  const std::size_t cells =
+      (materials <= few_materials ? materials : 0) + (scales.fixed ? 1 : 0);
+  const double in_row = std::max(1.0, std::floor(width / cell));
+  return (materials > few_materials ? many_materials_height(materials, width) : 0) +
+         std::ceil(static_cast<double>(cells) / in_row) * cell_line +
+         (options.arrows.empty() ? 0 : arrow_line) + bars(scales, options) * low_bar;
 }
 
 void draw_legend(Pen& pen, const LegendPlace& place, const Picture& picture,

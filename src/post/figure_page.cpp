@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "post/counted.hpp"
 #include "post/figure_legend.hpp"
@@ -12,14 +13,36 @@
 namespace blocks::post {
 namespace {
 
-constexpr double left = 84, top = 78, right = 150, foot = 64, gap = 22, heading = 34;
+constexpr double gap = 22, heading = 34;
+constexpr double narrow = 620;  ///< a printed page has the legend below the pictures
+constexpr double least_plot = 60;
 constexpr Dimension length{1, 0, 0, "m", ""}, time{0, 0, 1, "s", ""};
+
+FigureMargins margins_of(const PageSize& page, bool titled) {
+  FigureMargins found;
+  if (page.printed)
+    found = {76, page.width < narrow ? 14.0 : 128.0, 24, 44, 54, 60};
+  if (!titled) {
+    const double line = found.subtitle - found.title;
+    found.subtitle -= line;
+    found.top -= line;
+  }
+  return found;
+}
 
 }  // namespace
 
 FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales& scales,
                        const FigureOptions& options)
-    : count_(count), title_(std::move(title)), scales_(scales), options_(options) {
+    : count_(count), title_(options.title.value_or(title.empty() ? "BLOCKS" : title)),
+      scales_(scales), options_(options),
+      margins_(margins_of(options.page, !title_.empty())),
+      below_(options.page.printed && options.page.width < narrow) {
+  const double page = options.page.width, fixed_height = options.page.height;
+  const double left = margins_.left, right = margins_.right, top = margins_.top;
+  const double foot =
+      margins_.foot +
+      (below_ ? legend_height_below(scales, options, page - left - right) + 8 : 0.0);
   const double shape = [&] {
     const Axes one(scales.view, 0, 0, 1);
     return one.height;
@@ -31,13 +54,23 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
       continue;
     const auto across = static_cast<double>(columns);
     const auto rows = std::ceil(static_cast<double>(count) / across);
-    const double width = (Pen::page - left - right - (across - 1) * gap) / across;
-    const double height = top + foot +
-                          std::max(rows * (width * shape + (count > 1 ? heading : 0)),
-                                   legend_height(scales, options) - 0.5 * foot);
-    // Choose the page closest to a landscape sheet, with few empty cells.
+    const double above = count > 1 ? heading : 0;
+    double width = (page - left - right - (across - 1) * gap) / across;
+    if (fixed_height > 0.0)
+      width = std::min(width, ((fixed_height - top - foot) / rows - above) / shape);
+    const double needed =
+        top + foot +
+        std::max(rows * (width * shape + above),
+                 below_ ? 0.0 : legend_height(scales, options) - 0.5 * foot);
+    const double height = fixed_height > 0.0 ? fixed_height : needed;
+    // Choose the page closest to a landscape sheet, with few empty cells; on a page of
+    // fixed height choose the largest pictures.
     const double empty = across * rows - static_cast<double>(count);
-    const double far = std::abs(std::log(height / (0.75 * Pen::page))) + 0.2 * empty;
+    const double far = fixed_height > 0.0
+                           ? 1.0 / std::max(width, 1e-9)
+                           : std::abs(std::log(height / (0.75 * page))) + 0.2 * empty;
+    if (fixed_height > 0.0 && needed > height * (1.0 + 1e-9))
+      continue;  // the legend is too high
     if (far >= best)
       continue;
     best = far;
@@ -45,13 +78,18 @@ FigurePage::FigurePage(std::size_t count, std::string title, const FigureScales&
     width_ = width;
     height_ = height;
   }
+  if (width_ < least_plot)
+    throw std::runtime_error(
+        "the size leaves no room for the picture beside its numbers and legend: choose "
+        "a larger size, or fewer times on the sheet");
 }
 
 Axes FigurePage::axes(std::size_t i) const {
   const std::size_t whole_rows = i / columns_;
   const auto column = static_cast<double>(i % columns_);
   const auto row = static_cast<double>(whole_rows);
-  Axes result(scales_.view, left + column * (width_ + gap), top, width_);
+  Axes result(scales_.view, margins_.left + column * (width_ + gap), margins_.top,
+              width_);
   if (count_ > 1)
     result.top += heading + row * (result.height + heading);
   return result;
@@ -60,8 +98,8 @@ Axes FigurePage::axes(std::size_t i) const {
 void FigurePage::begin(Pen& pen) const {
   pen.colour(paper);
   cairo_paint(pen.cairo());
-  pen.text(title_.empty() ? "BLOCKS" : title_, left, 34, 21, ink, 0, 1,
-           Pen::page - left - 20);
+  pen.text(title_, margins_.left, margins_.title, 21, ink, 0, 1,
+           options_.page.width - margins_.left - 14);
 }
 
 void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const {
@@ -77,20 +115,33 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
                  ? fmt::format("{}    step {}    {}", at, picture.now.step,
                                counted(picture.now.outlines.size(), "block"))
                  : options_.subtitle,
-             left, 62, 15, muted, 0, 1);
+             margins_.left, margins_.subtitle, options_.page.printed ? 12.5 : 15, muted,
+             0, 1, options_.page.width - margins_.left - 14);
 }
 
 void FigurePage::end(Pen& pen, const Picture& last) const {
   const Axes first = axes(0), lowest = axes(count_ - 1);
-  const double room = std::max(lowest.bottom(), height_ - 0.5 * foot) - first.top;
+  const double right_of_pictures = axes(std::min(count_, columns_) - 1).right();
+  const double width = options_.page.width - margins_.left - margins_.right;
   if (count_ > 1)
     pen.text(counted(count_, "time") + "    " +
                  counted(last.now.outlines.size(), "block"),
-             left, 62, 15, muted, 0, 1);
+             margins_.left, margins_.subtitle, options_.page.printed ? 12.5 : 15, muted,
+             0, 1, options_.page.width - margins_.left - 14);
+  const double arrow = arrow_length(first, scales_);
+  if (below_) {
+    draw_legend(pen,
+                {margins_.left, lowest.bottom() + margins_.foot, width, 0, arrow, true},
+                last, scales_, options_);
+    return;
+  }
+  const double beside = lowest.bottom() - first.top;
+  const double room =
+      std::max(lowest.bottom(), height_ - 0.5 * margins_.foot) - first.top;
+  const double x = right_of_pictures + 16;
   draw_legend(pen,
-              {Pen::page - right + 16, first.top,
-               lowest.bottom() - first.top < 300 ? room : lowest.bottom() - first.top,
-               arrow_length(first, scales_)},
+              {x, first.top, std::min(options_.page.width - x, margins_.right - 16) - 8,
+               beside < 300 ? room : beside, arrow, false},
               last, scales_, options_);
 }
 

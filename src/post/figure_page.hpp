@@ -9,13 +9,19 @@
 
 namespace blocks::post {
 
+/// The space around the pictures, and the bottoms of the lines above them [units].
+struct FigureMargins {
+  double left = 84, right = 150, title = 34, subtitle = 62, top = 78, foot = 64;
+};
+
 class FigurePage {
  public:
-  /// Lays out `count` pictures with these scales.
+  /// Lays out `count` pictures with these scales. Throws std::runtime_error if the page
+  /// is too small for them.
   FigurePage(std::size_t count, std::string title, const FigureScales& scales,
              const FigureOptions& options);
 
-  double height() const { return height_; }  ///< of a page 1200 wide
+  double height() const { return height_; }  ///< [units]
 
   /// Draws the page; call it once, before the pictures.
   void begin(Pen& pen) const;
@@ -32,6 +38,8 @@ class FigurePage {
   std::string title_;
   const FigureScales& scales_;
   const FigureOptions& options_;
+  FigureMargins margins_;
+  bool below_;                         ///< the legend is below the pictures
   double width_ = 0.0, height_ = 0.0;  ///< of a plot, of the page
 };
 

@@ -49,13 +49,55 @@ struct Range {
   }
 };
 
-class ChartDrawing {
- public:
-  static constexpr double head = 84, panel = 300, between = 34, foot = 66, left = 104,
-                          right = 270, page = Pen::page;
+/// The places of the panels on the page [units].
+struct ChartLayout {
+  double head = 84, panel = 300, between = 34, foot = 66, left = 104, right = 270;
+  double page = 1200, page_height = 0;
+  double title = 34, subtitle = 62;
+  bool keys_above = false;  ///< the legend of a panel is above it, not beside it
+  static constexpr double key_line = 19;
+  static constexpr std::size_t most_keys = 8;
 
-  ChartDrawing(cairo_t* cairo, const Chart& chart, double width)
-      : pen_(cairo, width), cairo_(cairo), chart_(chart) {
+  ChartLayout(const Chart& chart, const PageSize& size);
+
+  /// Returns the height of the legend above a panel.
+  double keys(const ChartPanel& one) const {
+    const std::size_t lines = std::min(one.lines.size(), most_keys);
+    return keys_above ? static_cast<double>(lines) * key_line + 4 : 0.0;
+  }
+};
+
+ChartLayout::ChartLayout(const Chart& chart, const PageSize& size) : page(size.width) {
+  constexpr double narrow = 620, flat = 0.62, least_panel = 50;
+  if (size.printed) {
+    keys_above = size.width < narrow;
+    head = 54, between = 26, foot = 60, left = 84, right = keys_above ? 16.0 : 200.0;
+    title = 24, subtitle = 44;
+    panel = std::clamp(flat * (page - left - right), 120.0, 210.0);
+  }
+  if (chart.title.empty()) {
+    head -= subtitle - title;
+    subtitle = title;
+  }
+  if (chart.subtitle.empty())
+    head -= 22;
+  const auto n = static_cast<double>(chart.panels.size());
+  double rest = head + (n - 1) * between + foot;
+  for (const ChartPanel& one : chart.panels)
+    rest += keys(one);
+  if (size.height > 0.0)
+    panel = (size.height - rest) / n;
+  if (panel < least_panel || page - left - right < least_panel)
+    throw std::runtime_error("the size leaves no room for the curves: choose a larger "
+                             "size, or fewer quantities");
+  page_height = rest + n * panel;
+}
+
+class ChartDrawing : ChartLayout {
+ public:
+  ChartDrawing(cairo_t* cairo, const Chart& chart, const ChartLayout& layout,
+               const PageSize& size)
+      : ChartLayout(layout), pen_(cairo, size), cairo_(cairo), chart_(chart) {
     for (const ChartPanel& one : chart.panels)
       for (const ChartLine& line : one.lines)
         for (std::size_t i = 0; i < line.x.size(); ++i)
@@ -66,19 +108,15 @@ class ChartDrawing {
     x_ = x_.high > x_.low ? x_ : x_.widened(0.0);
   }
 
-  static double height(std::size_t panels) {
-    const auto n = static_cast<double>(panels);
-    return head + n * panel + (n - 1) * between + foot;
-  }
-
   void draw() {
     pen_.colour(paper);
     cairo_paint(cairo_);
-    pen_.text(chart_.title.empty() ? "BLOCKS" : chart_.title, left, 34, 21, ink, 0, 1,
-              page - left - 20);
-    pen_.text(chart_.subtitle, left, 62, 15, muted, 0, 1, page - left - 20);
+    pen_.text(chart_.title, left, title, 21, ink, 0, 1, page - left - 16);
+    pen_.text(chart_.subtitle, left, subtitle, keys_above ? 12.5 : 15, muted, 0, 1,
+              page - left - 16);
     double top = head;
     for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
+      top += keys(chart_.panels[i]);
       draw_panel(chart_.panels[i], top, i + 1 == chart_.panels.size());
       top += panel + between;
     }
@@ -103,14 +141,16 @@ class ChartDrawing {
     pen_.colour({1, 1, 1});
     cairo_fill(cairo_);
     cairo_set_line_width(cairo_, 1);
-    const TickLabels along = label_ticks(x_.low, x_.high, 8);
+    const TickLabels along = label_ticks(
+        x_.low, x_.high, std::clamp(static_cast<int>((end - left) / 80), 3, 8));
     for (std::size_t i = 0; i < along.ticks.size(); ++i) {
       const double x = page_x(along.ticks[i]);
       stroke(x, top, x, bottom, grid);
       if (last)
         pen_.text(along.labels[i], x, bottom + 11, 14, ink, 0.5, 0);
     }
-    const TickLabels up = label_ticks(y.low, y.high, 6);
+    const TickLabels up =
+        label_ticks(y.low, y.high, std::clamp(static_cast<int>(panel / 42), 3, 6));
     for (std::size_t i = 0; i < up.ticks.size(); ++i) {
       const double at = page_y(up.ticks[i]);
       stroke(left, at, end, at, up.ticks[i] == 0.0 ? muted : grid);
@@ -127,13 +167,17 @@ class ChartDrawing {
     cairo_set_line_width(cairo_, 1);
     pen_.colour(ink);
     cairo_stroke(cairo_);
-    pen_.upright(up.titled(one.y_label), 22, top + panel / 2, 15, ink, panel);
+    pen_.upright(up.titled(one.y_label), left > 100 ? 22 : 14, top + panel / 2, 15, ink,
+                 panel);
     if (last) {
       pen_.text(along.titled(chart_.x_label), (left + end) / 2, bottom + 38, 15, ink,
                 0.5, 0);
       pen_.text(along.offset, end, bottom + 38, 14, ink, 1, 0);
     }
-    legend(one, end + 18, top + 6);
+    if (keys_above)
+      legend_above(one, top - keys(one));
+    else
+      legend(one, end + 18, top + 6);
   }
 
   void style(std::size_t i) {
@@ -174,6 +218,24 @@ class ChartDrawing {
       }
   }
 
+  void legend_above(const ChartPanel& one, double y) {
+    for (std::size_t i = 0; i < std::min(one.lines.size(), most_keys); ++i) {
+      y += key_line;
+      if (i + 1 == most_keys && one.lines.size() > most_keys) {
+        pen_.text(fmt::format("and {} more", one.lines.size() - i), left, y - 10, 13,
+                  muted, 0, 0.5);
+        return;
+      }
+      style(i);
+      cairo_move_to(cairo_, left, y - 10);
+      cairo_rel_line_to(cairo_, 26, 0);
+      cairo_stroke(cairo_);
+      cairo_set_dash(cairo_, nullptr, 0, 0);
+      pen_.text(one.lines[i].legend, left + 34, y - 10, 13, ink, 0, 0.5,
+                page - right - left - 34);
+    }
+  }
+
   /// Entries are closer together if there are many.
   void legend(const ChartPanel& one, double x, double y) {
     constexpr double tall = 24, low = 13;
@@ -212,11 +274,10 @@ class ChartDrawing {
 
 }  // namespace
 
-void draw_chart(const std::string& path, const Chart& chart, double width) {
-  const double height =
-      ChartDrawing::height(chart.panels.size()) * width / ChartDrawing::page;
-  write_page(path, width, height,
-             [&](cairo_t* pen) { ChartDrawing(pen, chart, width).draw(); });
+void draw_chart(const std::string& path, const Chart& chart, const PageSize& page) {
+  const ChartLayout layout(chart, page);
+  write_page(path, page, layout.page_height,
+             [&](cairo_t* cairo) { ChartDrawing(cairo, chart, layout, page).draw(); });
 }
 
 }  // namespace blocks::post

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "post/page_size.hpp"
+
 namespace blocks::post {
 
 /// A curve; points that are not finite interrupt the line.
@@ -23,9 +25,9 @@ struct Chart {
   std::vector<ChartPanel> panels;
 };
 
-/// Draws a PNG, SVG or PDF file, depending on the extension. `width` is in pixels or
-/// points. Throws std::runtime_error if the extension is unknown, there is nothing to
-/// draw, or the file cannot be written.
-void draw_chart(const std::string& path, const Chart& chart, double width);
+/// Draws a PNG, SVG or PDF file, depending on the extension. Throws
+/// std::runtime_error if the extension is unknown, there is nothing to draw, the page
+/// is too small, or the file cannot be written.
+void draw_chart(const std::string& path, const Chart& chart, const PageSize& page);
 
 }  // namespace blocks::post

@@ -151,8 +151,8 @@ void draw_movie(const std::string& path, const ResultsReader& results,
   const auto even = [](double size) {
     return 2 * static_cast<int>(std::lround(size / 2));
   };
-  const int width = even(options.width),
-            height = even(options.width / Pen::page * page.height());
+  const int width = even(options.page.unit * options.page.width),
+            height = even(options.page.unit * page.height());
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
                         cairo_surface_destroy);
   output::expect_replaceable(path);
@@ -169,7 +169,7 @@ void draw_movie(const std::string& path, const ResultsReader& results,
     const FrameContacts contacts = contacts_for(options, results, i);
     {
       const Context cairo(cairo_create(surface.get()), cairo_destroy);
-      Pen pen(cairo.get(), options.width);
+      Pen pen(cairo.get(), options.page);
       page.begin(pen);
       page.picture(pen, 0, {now, first, contacts});
       page.end(pen, {now, first, contacts});

@@ -13,6 +13,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
+#include "post/png_resolution.hpp"
 
 namespace blocks::post {
 namespace {
@@ -28,12 +29,24 @@ using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 void write_page(const std::string& path, double width, double height,
                 const std::function<void(cairo_t*)>& draw) {
+  PageSize page;
+  page.width = width;
+  write_page(path, page, height, draw);
+}
+
+void write_page(const std::string& path, const PageSize& page, double page_height,
+                const std::function<void(cairo_t*)>& draw) {
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending != ".png" && ending != ".svg" && ending != ".pdf")
     throw std::runtime_error(
         "the figure's name must end in .png, .svg or .pdf, found '" + path + "'");
   output::expect_replaceable(path);
   const std::string draft = path + ".tmp";
+  constexpr double points_per_inch = 72.0;
+  const double dots =  // per point
+      ending == ".png" && page.printed ? page.resolution() / points_per_inch : 1.0;
+  const double width = page.unit * page.width * dots;
+  const double height = page.unit * page_height * dots;
   const auto pixels = [](double size) { return static_cast<int>(std::ceil(size)); };
   Surface surface(
       ending == ".svg"   ? cairo_svg_surface_create(draft.c_str(), width, height)
@@ -45,6 +58,7 @@ void write_page(const std::string& path, double width, double height,
     cannot_write(path, cairo_status_to_string(cairo_surface_status(surface.get())));
   try {
     const Pen pen(cairo_create(surface.get()), cairo_destroy);
+    cairo_scale(pen.get(), dots, dots);
     draw(pen.get());
     cairo_show_page(pen.get());
   } catch (...) {
@@ -62,6 +76,8 @@ void write_page(const std::string& path, double width, double height,
     std::remove(draft.c_str());
     cannot_write(path, cairo_status_to_string(status));
   }
+  if (dots != 1.0)
+    set_png_resolution(draft, page.resolution());
   take_name(draft, path);
 }
 

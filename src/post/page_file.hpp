@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "post/page_size.hpp"
+
 namespace blocks::post {
 
 /// Writes the file; it appears only when it is complete. Width and height are in pixels
@@ -13,6 +15,11 @@ namespace blocks::post {
 /// NAME.bak. Throws std::runtime_error if the extension is unknown, and
 /// output::FileError if the file cannot be written.
 void write_page(const std::string& path, double width, double height,
+                const std::function<void(cairo_t*)>& draw);
+
+/// Writes a page of this height [units]. A printed page is a PNG with its resolution.
+/// `draw` works in pixels (PNG on the screen) or points.
+void write_page(const std::string& path, const PageSize& page, double height,
                 const std::function<void(cairo_t*)>& draw);
 
 /// Renames the complete file `draft` to `path`; an older file is kept as NAME.bak.

@@ -5,8 +5,8 @@
 
 namespace blocks::post {
 
-Pen::Pen(cairo_t* cairo, double width) : cairo_(cairo) {
-  cairo_scale(cairo_, width / page, width / page);
+Pen::Pen(cairo_t* cairo, const PageSize& page) : cairo_(cairo), page_(page) {
+  cairo_scale(cairo_, page.unit, page.unit);
   cairo_select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
@@ -30,32 +30,53 @@ void Pen::dashes(std::initializer_list<double> lengths) {
   cairo_set_dash(cairo_, lengths.begin(), static_cast<int>(lengths.size()), 0);
 }
 
-void Pen::text(const std::string& text, double x, double y, double size,
-               const Colour& c, double along, double up, double room) {
+double Pen::letters(double size) const {
+  return std::clamp(size, page_.least_text, page_.most_text);
+}
+
+cairo_text_extents_t Pen::measure(const std::string& words, double size) {
   cairo_text_extents_t box;
-  cairo_set_font_size(cairo_, size);
-  cairo_text_extents(cairo_, text.c_str(), &box);
+  cairo_set_font_size(cairo_, letters(size));
+  cairo_text_extents(cairo_, words.c_str(), &box);
+  return box;
+}
+
+/// Returns the text, cut and with an ellipsis if it is longer than the room.
+std::string Pen::fitted(std::string words, double size, double room) {
+  constexpr double rounding = 1e-6;
+  if (measure(words, size).width <= room * (1.0 + rounding))
+    return words;
+  const auto inside_letter = [](char byte) {  // of UTF-8
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+  };
+  while (!words.empty() && measure(words + "…", size).width > room) {
+    while (words.size() > 1 && inside_letter(words.back()))
+      words.pop_back();
+    words.pop_back();
+  }
+  return words + "…";
+}
+
+void Pen::text(const std::string& words, double x, double y, double size,
+               const Colour& c, double along, double up, double room) {
+  cairo_text_extents_t box = measure(words, size);
+  std::string shown = words;
   if (box.width > room) {
-    cairo_set_font_size(cairo_, size * room / box.width);
-    cairo_text_extents(cairo_, text.c_str(), &box);
+    const double smaller = letters(size) * room / box.width;
+    if (smaller < page_.least_text)
+      shown = fitted(words, smaller, room);
+    box = measure(shown, smaller);
   }
   colour(c);
   cairo_move_to(cairo_, x - box.x_bearing - along * box.width,
                 y - box.y_bearing - up * box.height);
-  cairo_show_text(cairo_, text.c_str());
+  cairo_show_text(cairo_, shown.c_str());
   cairo_new_path(cairo_);
-}
-
-double Pen::width_of(const std::string& words, double size) {
-  cairo_text_extents_t box;
-  cairo_set_font_size(cairo_, size);
-  cairo_text_extents(cairo_, words.c_str(), &box);
-  return box.width;
 }
 
 double Pen::paragraph(const std::string& words, double x, double y, double size,
                       const Colour& c, double room) {
-  const double step = 1.25 * size;
+  const double step = 1.25 * letters(size);
   const double from = y;
   std::string line;
   const auto put = [&] {
@@ -69,7 +90,7 @@ double Pen::paragraph(const std::string& words, double x, double y, double size,
     std::string longer = line;
     longer += line.empty() ? "" : " ";
     longer += word;
-    if (!line.empty() && width_of(longer, size) > room) {
+    if (!line.empty() && measure(longer, size).width > room) {
       put();
       line = word;
     } else {
@@ -83,9 +104,7 @@ double Pen::paragraph(const std::string& words, double x, double y, double size,
 
 void Pen::label(const std::string& words, double x, double y, double size,
                 const Colour& c, const Colour& ground) {
-  cairo_text_extents_t box;
-  cairo_set_font_size(cairo_, size);
-  cairo_text_extents(cairo_, words.c_str(), &box);
+  const cairo_text_extents_t box = measure(words, size);
   cairo_move_to(cairo_, x - box.x_bearing - 0.5 * box.width,
                 y - box.y_bearing - 0.5 * box.height);
   cairo_text_path(cairo_, words.c_str());
@@ -104,9 +123,7 @@ void Pen::upright(const std::string& words, double x, double y, double size,
 
 void Pen::tag(const std::string& words, double x, double y, const Colour& c) {
   constexpr double size = 13, edge = 4;
-  cairo_set_font_size(cairo_, size);
-  cairo_text_extents_t box;
-  cairo_text_extents(cairo_, words.c_str(), &box);
+  const cairo_text_extents_t box = measure(words, size);
   cairo_rectangle(cairo_, x - edge, y - 0.5 * box.height - edge, box.width + 2 * edge,
                   box.height + 2 * edge);
   colour(paper, 0.85);

@@ -1,4 +1,4 @@
-// Draws lines and text of the figures on a page that is always 1200 units wide.
+// Draws lines and text of the figures in the units of the page.
 #pragma once
 
 #include <cairo.h>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "post/colour_map.hpp"
+#include "post/page_size.hpp"
 
 namespace blocks::post {
 
@@ -15,10 +16,7 @@ constexpr Colour ink{0.16, 0.16, 0.18}, muted{0.36, 0.36, 0.4}, faint{0.62, 0.62
 
 class Pen {
  public:
-  static constexpr double page = 1200;
-
-  /// `width` is the width of the page in pixels or points.
-  Pen(cairo_t* cairo, double width);
+  Pen(cairo_t* cairo, const PageSize& page);
 
   cairo_t* cairo() const { return cairo_; }
   void colour(const Colour& c, double alpha = 1.0);
@@ -26,9 +24,10 @@ class Pen {
   /// Sets the lengths of dashes and gaps; empty: a solid line.
   void dashes(std::initializer_list<double> lengths);
   /// `along` and `up` choose the anchor of the text at (x, y): 0 is left or top, 1 is
-  /// right or bottom. Text longer than `room` is made smaller.
+  /// right or bottom. Text longer than `room` is made smaller, down to the smallest
+  /// letters of the page, and then cut.
   void text(const std::string& text, double x, double y, double size, const Colour& c,
-            double along, double up, double room = page);
+            double along, double up, double room = unlimited);
   /// Breaks text into lines of width `room`; a unit in brackets is not broken. Returns
   /// the height used.
   double paragraph(const std::string& words, double x, double y, double size,
@@ -45,8 +44,12 @@ class Pen {
   void tag(const std::string& text, double x, double y, const Colour& c);
 
  private:
-  double width_of(const std::string& words, double size);
+  static constexpr double unlimited = 1e9;
+  double letters(double size) const;
+  cairo_text_extents_t measure(const std::string& words, double size);
+  std::string fitted(std::string words, double size, double room);
   cairo_t* cairo_;
+  const PageSize page_;
 };
 
 }  // namespace blocks::post

@@ -162,10 +162,11 @@ class SceneDrawing {
       const auto at = static_cast<Eigen::Index>(b);
       const double x = page_x(now_.centroid(0, at)), y = axes_.y(now_.centroid(1, at));
       const Colour ground = fill_of(b), letters = is_dark(ground) ? white : ink;
-      if (options_.numbers)
+      const bool fits = size > 1.3 * options_.page.least_text;
+      if (options_.numbers && fits)
         pen_.label(std::to_string(now_.number[b]), x, y,
                    std::clamp(0.42 * size, 5.0, 16.0), letters, ground);
-      if (options_.corners)
+      if (options_.corners && size > 3.0 * options_.page.least_text)
         corner_numbers(outline, std::clamp(0.2 * size, 3.0, 12.0), letters, ground);
     }
   }

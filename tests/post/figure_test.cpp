@@ -54,6 +54,12 @@ class Folder {
                                 ("blocks_figure_" + std::to_string(getpid()));
 };
 
+/// Reads the whole file.
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST(Figure, PaintsBlocksInTheColourOfTheirMaterial) {
   const Folder folder;
   const std::string path = folder.file("a.png");
@@ -139,11 +145,59 @@ TEST(Figure, LeavesNoTemporaryFileOfVectorFormats) {
   const Folder folder;
   for (const char* name : {"a.svg", "a.pdf"}) {
     draw_frame(folder.file(name), two_squares(), two_squares(), "", {});
-    std::ifstream in(folder.file(name));
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    EXPECT_GT(text.size(), 1000U);
+    EXPECT_GT(content(folder.file(name)).size(), 1000U);
     EXPECT_FALSE(std::filesystem::exists(folder.file(name) + ".tmp"));
   }
+}
+
+TEST(PageSize, ReadsMillimetresInchesAndColumns) {
+  constexpr double mm = 72 / 25.4;
+  const auto width = [](const char* text) {
+    const PageSize page = PageSize::in_print(text);
+    return page.unit * page.width;
+  };
+  EXPECT_NEAR(width("85mm"), 85 * mm, 1e-9);
+  EXPECT_NEAR(width("8.5cm"), 85 * mm, 1e-9);
+  EXPECT_NEAR(width("3.5in"), 252, 1e-9);
+  EXPECT_NEAR(width("single"), 85 * mm, 1e-9);
+  EXPECT_NEAR(width("double"), 175 * mm, 1e-9);
+  const PageSize both = PageSize::in_print("85mmx60mm");
+  EXPECT_NEAR(both.unit * both.height, 60 * mm, 1e-9);
+  for (const char* wrong : {"85", "mm", "85pt", "85mmx", "5mm", "85mmx1mm", "", "nan"})
+    EXPECT_THROW(PageSize::in_print(wrong), std::runtime_error) << wrong;
+}
+
+// The chunk pHYs holds 11811 dots per metre, which are 300 dots per inch.
+TEST(Figure, InPrintHasItsPhysicalSizeAsPng) {
+  const Folder folder;
+  const std::string path = folder.file("print.png");
+  FigureOptions options;
+  options.page = PageSize::in_print("85mmx60mm");
+  draw_frame(path, two_squares(), two_squares(), "two squares", options);
+  cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
+  ASSERT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
+  EXPECT_EQ(cairo_image_surface_get_width(image), 1004);
+  EXPECT_EQ(cairo_image_surface_get_height(image), 709);
+  cairo_surface_destroy(image);
+  const std::string bytes = content(path), dots{"\0\0\x2e\x23", 4};
+  EXPECT_THAT(bytes, HasSubstr("pHYs" + dots + dots + '\1'));
+}
+
+TEST(Figure, InPrintHasItsPhysicalSizeAsSvg) {
+  const Folder folder;
+  FigureOptions options;
+  options.page = PageSize::in_print("3.5in");
+  draw_frame(folder.file("a.svg"), two_squares(), two_squares(), "", options);
+  EXPECT_THAT(content(folder.file("a.svg")), HasSubstr("width=\"252pt\""));
+}
+
+TEST(Figure, InPrintIsRefusedIfTheSizeHasNoRoomForThePicture) {
+  const Folder folder;
+  FigureOptions options;
+  options.page = PageSize::in_print("30mm");
+  EXPECT_THROW(
+      draw_frame(folder.file("a.png"), two_squares(), two_squares(), "", options),
+      std::runtime_error);
 }
 
 TEST(Figure, CannotBeWrittenIntoAMissingFolder) {

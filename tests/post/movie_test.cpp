@@ -82,6 +82,18 @@ TEST_F(PlotCommand, PutsSeveralTimesOnASheet) {
   EXPECT_LT(size("two.png").second, size("one.png").second);
 }
 
+TEST_F(PlotCommand, DrawsInPrintWithLegendsBesideOrBelow) {
+  const std::string all = "--sheet 2 --forces --arrows velocity --colour speed ";
+  ASSERT_EQ(plot(all + "--size single -o single.png").code, 0);
+  ASSERT_EQ(plot(all + "--size double -o double.png").code, 0);
+  EXPECT_EQ(size("single.png").first, 1004);
+  EXPECT_EQ(size("double.png").first, 2067);
+  const Outcome curves =
+      blocks("history hit.vtkhdf --size 85mmx90mm -o curves.png", folder_.path());
+  ASSERT_EQ(curves.code, 0) << curves.err;
+  EXPECT_EQ(size("curves.png"), std::pair(1004, 1063));
+}
+
 TEST_F(PlotCommand, DrawsASheetWithAllDecorations) {
   const Outcome all = plot("--sheet 3 --forces --arrows velocity --corners --numbers "
                            "--colour overlap --range 0,1 --units m,kg,s -o three.svg");
@@ -146,6 +158,8 @@ TEST_F(PlotCommand, NamesTheChoicesIfAnOptionIsWrong) {
   expect_refusal("--zoom 1,0,0,1", "xmin < xmax");
   expect_refusal("--zoom 8,9,8,9",
                  "no block in the zoom: the blocks lie in x -5 to 5, y -1 to ");
+  expect_refusal("--size 85", "--size needs a width such as 85mm");
+  expect_refusal("--size 85mm -o hit.mp4", "--width");
   expect_refusal("--colour speed --range 1,1", "low < high");
   expect_refusal("--materials 7=RED", "there is no material 7; ");
   expect_refusal("--materials 1=REED", "BLUE, CLEARC, CYAN, GREEN");
