@@ -59,7 +59,8 @@ post::ChartPanel& panel(post::Chart& chart, const std::string& y_label) {
   return chart.panels.back();
 }
 
-void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs) {
+void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs,
+                 const HistoryOptions& options) {
   std::vector<std::string> titles;
   for (const NumberTable& run : runs)
     if (std::find(titles.begin(), titles.end(), run.title) == titles.end())
@@ -67,6 +68,9 @@ void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs) {
   chart.title = fmt::format("{}", fmt::join(titles, "  ·  "));
   if (chart.title.empty())
     chart.title = "BLOCKS";
+  chart.title = options.title.value_or(chart.title);
+  if (!options.paths)
+    return;
   for (const NumberTable& run : runs)
     chart.subtitle += (chart.subtitle.empty() ? "" : ", ") + run.file;
 }
@@ -106,7 +110,7 @@ Answer histories(const HistoryOptions& options,
     answer.chart.x_label = with_unit(x.label, x.unit);
     answer.runs.push_back(std::move(table));
   }
-  set_heading(answer.chart, answer.runs);
+  set_heading(answer.chart, answer.runs, options);
   return answer;
 }
 
@@ -168,7 +172,7 @@ Answer profiles(const HistoryOptions& options,
     answer.runs.push_back(std::move(table));
   }
   answer.chart.x_label = with_unit(position, length);
-  set_heading(answer.chart, answer.runs);
+  set_heading(answer.chart, answer.runs, options);
   return answer;
 }
 
@@ -249,6 +253,10 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
       ->excludes(csv);
   command.add_option("--units", options.units,
                      "units of length, mass and time, such as m,kg,s");
+  command.add_option("--title", options.title,
+                     "title of a figure instead of those of the decks; '' for none");
+  command.add_flag("--paths", options.paths,
+                   "write the paths of the results under the title of a figure");
   auto* width = command
                     .add_option("--width", options.width,
                                 "width of a figure, in pixels or points")

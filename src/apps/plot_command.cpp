@@ -121,6 +121,10 @@ void check_combinations(const PlotOptions& options) {
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(!options.range.empty() && by_material,
          "--range is for --colour QUANTITY; materials have no range");
+  refuse(!options.figure.colour_map.empty() && by_material,
+         "--colormap is for --colour QUANTITY; colours of materials are --materials");
+  if (!options.figure.colour_map.empty())
+    post::colour_map(options.figure.colour_map);  // throws for an unknown name
   refuse(!options.materials.empty() && !by_material,
          "--materials is for --colour material");
 }
@@ -211,6 +215,9 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       .add_option("--colour,--color", figure.colour,
                   "material, " + post::block_quantity_names())
       ->capture_default_str();
+  command.add_option("--colormap,--colourmap", figure.colour_map,
+                     "colours of a quantity: " + post::colour_map_names() +
+                         " (default: bluered for signed quantities, else viridis)");
   command
       .add_option("--materials", options.materials,
                   "colours of materials, such as 1=RED,2=#8fa88b: " + colour_names())
@@ -229,6 +236,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                   fmt::format("draw an arrow on each block: {}",
                               fmt::join(post::arrow_names(), ", ")))
       ->check(CLI::IsMember(post::arrow_names()));
+  command.add_option("--title", options.figure.title,
+                     "title instead of that of the deck; '' for none");
   command.add_flag("--numbers", figure.numbers, "write the block numbers");
   command.add_flag("--corners", figure.corners, "write the corner numbers");
   command.add_flag("--original", figure.original,

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <stdexcept>
 
 namespace blocks::post {
 namespace {
@@ -50,6 +52,18 @@ Colour sequential(double s) {
   return interpolate(stops, s);
 }
 
+Colour cividis(double s) {
+  static constexpr std::array<Colour, 10> stops = {
+      hex(0x00224e), hex(0x123570), hex(0x3b496c), hex(0x575d6d), hex(0x707173),
+      hex(0x8a8678), hex(0xa59c74), hex(0xc3b369), hex(0xe1cc55), hex(0xfee838)};
+  return interpolate(stops, s);
+}
+
+Colour grey(double s) {
+  static constexpr std::array<Colour, 2> stops = {hex(0xf2f2f2), hex(0x1c1c1c)};
+  return interpolate(stops, s);
+}
+
 Colour diverging(double s) {
   static constexpr std::array<Colour, 9> stops = {
       hex(0x2166ac), hex(0x4393c3), hex(0x92c5de), hex(0xd1e5f0), hex(0xf7f7f7),
@@ -62,6 +76,26 @@ Colour intensity(double s) {
       hex(0xfec488), hex(0xfc8961), hex(0xe75263), hex(0xb73779),
       hex(0x832681), hex(0x51127c), hex(0x1d1147)};
   return interpolate(stops, s);
+}
+
+ColourMap colour_map(const std::string& name) {
+  static const std::map<std::string, ColourMap> maps = {{"viridis", {sequential}},
+                                                        {"cividis", {cividis}},
+                                                        {"grey", {grey}},
+                                                        {"bluered", {diverging, true}}};
+  const bool reversed = name.ends_with("_r");
+  const auto found = maps.find(reversed ? name.substr(0, name.size() - 2) : name);
+  if (found == maps.end())
+    throw std::runtime_error("there is no colour map '" + name + "': choose " +
+                             colour_map_names());
+  ColourMap map = found->second;
+  map.reversed = reversed;
+  return map;
+}
+
+std::string colour_map_names() {
+  return "viridis, cividis, grey (light to dark), bluered (centred on 0), or one of "
+         "them in reverse, such as viridis_r";
 }
 
 Colour mix(const Colour& a, const Colour& b, double share) {

@@ -1,6 +1,8 @@
 // Colours of figures: materials, and quantities on perceptually uniform maps.
 #pragma once
 
+#include <string>
+
 namespace blocks::post {
 
 struct Colour {
@@ -11,8 +13,31 @@ struct Colour {
 /// materials.
 Colour material_colour(int material);
 
-/// For magnitudes: dark blue to yellow, 0 <= s <= 1 (clamped).
+/// The colours of a range of values.
+struct ColourMap {
+  Colour (*stops)(double s);
+  bool diverging = false;  ///< zero has the colour in the middle
+  bool reversed = false;
+
+  /// Returns the colour at s, 0 <= s <= 1 (clamped).
+  Colour at(double s) const { return stops(reversed ? 1.0 - s : s); }
+};
+
+/// Returns the map of that name; a name that ends in _r has the colours in reverse.
+/// Throws std::runtime_error that lists the names.
+ColourMap colour_map(const std::string& name);
+
+/// Returns the names for help and messages.
+std::string colour_map_names();
+
+/// For magnitudes: viridis, dark blue to yellow, 0 <= s <= 1 (clamped).
 Colour sequential(double s);
+
+/// For magnitudes: cividis, dark blue to yellow, also for colour-blind readers.
+Colour cividis(double s);
+
+/// For magnitudes printed without colour: light to dark grey.
+Colour grey(double s);
 
 /// For signed quantities: blue, near white, red; 0 <= s <= 1 (clamped), zero at s =
 /// 0.5.

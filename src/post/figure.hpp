@@ -18,6 +18,7 @@ namespace blocks::post {
 struct FigureOptions {
   PageSize page;
   std::string colour = "material";  ///< or a name of quantity.hpp
+  std::string colour_map;           ///< a name of colour_map.hpp; empty: automatic
   std::optional<Eigen::Vector2d>
       range;  ///< of the colours; empty: that of all values drawn
   std::optional<Eigen::Vector4d> zoom;  ///< xmin, xmax, ymin, ymax [L]

@@ -61,7 +61,7 @@ void ScaleSurvey::include(const Picture& picture) {
   if (options_.colour != "material") {
     const Quantity shown =
         quantity(options_.colour, picture.now, picture.first, picture.contacts);
-    is_signed_ = shown.is_signed;
+    centred_ = map_of(options_, shown.is_signed).diverging;
     const auto include_values = [&](const Eigen::VectorXd& values) {
       for (const double value : values)
         if (std::isfinite(value)) {
@@ -109,12 +109,12 @@ FigureScales ScaleSurvey::scales() const {
     if (!(result.low < result.high))
       throw std::runtime_error("the range of the colours needs low < high");
   } else if (least_ <= most_) {
-    result.low = is_signed_ ? -std::max(std::abs(least_), std::abs(most_))
-                            : std::min(0.0, least_);
-    result.high = is_signed_ ? -result.low : most_;
+    result.low =
+        centred_ ? -std::max(std::abs(least_), std::abs(most_)) : std::min(0.0, least_);
+    result.high = centred_ ? -result.low : most_;
     if (!(result.high > result.low)) {  // all values are equal
       result.high = result.low + 1.0;
-      if (is_signed_)
+      if (centred_)
         result.low = -1.0, result.high = 1.0;
     }
   }
@@ -130,6 +130,12 @@ FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& re
                            long frame) {
   const bool shown = options.forces || find_other(options.colour);
   return shown ? results.contacts(frame) : FrameContacts{};
+}
+
+ColourMap map_of(const FigureOptions& options, bool is_signed) {
+  if (options.colour_map.empty())
+    return colour_map(is_signed ? "bluered" : "viridis");
+  return colour_map(options.colour_map);
 }
 
 std::set<int> materials_of(const ResultsReader& results) {

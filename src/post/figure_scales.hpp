@@ -44,7 +44,7 @@ class ScaleSurvey {
   const FigureOptions& options_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Constant(1e300), high_ = -low_;
   double least_ = 1e300, most_ = -1e300;
-  bool is_signed_ = false;
+  bool centred_ = false;                 ///< the colours are centred on 0
   std::vector<double> forces_, arrows_;  ///< the largest of each picture
   double block_size_ = 1.0;
   std::set<int> materials_;
@@ -56,6 +56,9 @@ class ScaleSurvey {
 FigureScales survey_scales(const ResultsReader& results,
                            const std::vector<long>& frames,
                            const FigureOptions& options);
+
+/// Returns the colour map of the options, or the usual one for the quantity.
+ColourMap map_of(const FigureOptions& options, bool is_signed);
 
 /// Returns the materials of all blocks.
 std::set<int> materials_of(const ResultsReader& results);

@@ -91,8 +91,8 @@ class SceneDrawing {
       return colour_of_material(now_.material[b], options_);
     const double value =
         (mirrored_ ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
-    return shade(shown_.is_signed,
-                 (value - scales_.low) / (scales_.high - scales_.low));
+    return map_of(options_, shown_.is_signed)
+        .at((value - scales_.low) / (scales_.high - scales_.low));
   }
 
   void block(std::size_t b) {
@@ -298,10 +298,6 @@ void draw_arrow(Pen& pen, double x, double y, double dx, double dy) {
 
 double arrow_length(const Axes& axes, const FigureScales& scales) {
   return std::clamp(1.8 * scales.block_size * axes.scale(), 24.0, 90.0);
-}
-
-Colour shade(bool is_signed, double s) {
-  return is_signed ? diverging(s) : sequential(s);
 }
 
 Colour colour_of_material(int material, const FigureOptions& options) {

@@ -20,9 +20,6 @@ void draw_arrow(Pen& pen, double x, double y, double dx, double dy);
 /// Returns the length of the arrow for the reference vector [page units].
 double arrow_length(const Axes& axes, const FigureScales& scales);
 
-/// Returns the colour of a value at the relative position s in the range, 0 to 1.
-Colour shade(bool is_signed, double s);
-
 Colour colour_of_material(int material, const FigureOptions& options);
 
 }  // namespace blocks::post

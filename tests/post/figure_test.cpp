@@ -114,6 +114,46 @@ TEST(Figure, ReversesVectorsInTheMirrorImage) {
   cairo_surface_destroy(image);
 }
 
+/// Returns the luminance of a colour as printed without colour.
+double luminance_of(const Colour& c) {
+  return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+}
+
+TEST(ColourMap, IsMonotoneInLuminanceForMagnitudes) {
+  for (const char* name : {"viridis", "cividis", "grey", "viridis_r", "cividis_r"}) {
+    const ColourMap map = colour_map(name);
+    const double way = luminance_of(map.at(1)) - luminance_of(map.at(0));
+    for (int i = 0; i < 50; ++i)
+      EXPECT_GT(
+          (luminance_of(map.at((i + 1) / 50.0)) - luminance_of(map.at(i / 50.0))) * way,
+          0.0)
+          << name << " " << i;
+  }
+}
+
+TEST(ColourMap, OfZeroIsLightInGreyAndInViridisReversed) {
+  EXPECT_GT(luminance_of(colour_map("grey").at(0)), 0.8);
+  EXPECT_GT(luminance_of(colour_map("viridis_r").at(0)), 0.8);
+  EXPECT_LT(luminance_of(colour_map("viridis").at(0)), 0.1);
+}
+
+TEST(ColourMap, ForSignedQuantitiesIsLightestInTheMiddle) {
+  const ColourMap map = colour_map("bluered");
+  EXPECT_TRUE(map.diverging);
+  EXPECT_GT(luminance_of(map.at(0.5)), 0.95);
+  EXPECT_GT(map.at(0).b, map.at(0).r);
+  EXPECT_GT(map.at(1).r, map.at(1).b);
+}
+
+TEST(ColourMap, IsRefusedIfItsNameIsUnknown) {
+  try {
+    colour_map("jet");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("viridis, cividis, grey"));
+  }
+}
+
 // Far from the origin all labels would have the same six digits.
 TEST(Ticks, HaveAnOffsetFarFromTheOrigin) {
   const TickLabels far = label_ticks(1e9 - 1.1, 1e9 + 1.1, 5);

@@ -158,6 +158,7 @@ TEST_F(PlotCommand, NamesTheChoicesIfAnOptionIsWrong) {
   expect_refusal("--zoom 1,0,0,1", "xmin < xmax");
   expect_refusal("--zoom 8,9,8,9",
                  "no block in the zoom: the blocks lie in x -5 to 5, y -1 to ");
+  expect_refusal("--colour speed --colormap jet", "viridis, cividis, grey");
   expect_refusal("--size 85", "--size needs a width such as 85mm");
   expect_refusal("--size 85mm -o hit.mp4", "--width");
   expect_refusal("--colour speed --range 1,1", "low < high");
@@ -167,12 +168,40 @@ TEST_F(PlotCommand, NamesTheChoicesIfAnOptionIsWrong) {
 
 TEST_F(PlotCommand, RefusesOptionsWithoutEffect) {
   for (const char* options :
-       {"--rate 10", "--every 2", "--columns 3", "--range 0,1", "--from 0",
-        "--mirror nan", "--colour speed --materials 1=RED", "--sheet 3 -o hit.mp4"}) {
+       {"--rate 10", "--every 2", "--columns 3", "--range 0,1", "--colormap grey",
+        "--from 0", "--mirror nan", "--colour speed --materials 1=RED",
+        "--sheet 3 -o hit.mp4"}) {
     const Outcome run = plot(options);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_THAT(run.err, HasSubstr("blocks: error: --")) << options;
   }
+}
+
+// The block at rest has the first colour of the map.
+TEST_F(PlotCommand, PaintsAQuantityWithTheChosenColourMap) {
+  EXPECT_EQ(plot("--colour speed --colormap cividis -o c.svg").code, 0);
+  const std::regex first("rgb\\(0%, ?13\\.3");
+  EXPECT_TRUE(std::regex_search(slurp(folder_ / "c.svg"), first));
+}
+
+// Without the title the page is lower.
+TEST_F(PlotCommand, LeavesOutAnEmptyTitle) {
+  ASSERT_EQ(plot("-o titled.png").code, 0);
+  const Outcome bare = plot("--title '' -o bare.png");
+  ASSERT_EQ(bare.code, 0) << bare.err;
+  EXPECT_LT(size("bare.png").second, size("titled.png").second);
+}
+
+TEST_F(PlotCommand, WritesPathsInAFigureOfCurvesOnlyIfAsked) {
+  const auto height = [&](const std::string& options, const std::string& name) {
+    EXPECT_EQ(
+        blocks("history hit.vtkhdf " + options + " -o " + name, folder_.path()).code,
+        0);
+    return size(name).second;
+  };
+  const int usual = height("", "usual.png");
+  EXPECT_LT(usual, height("--paths", "paths.png"));
+  EXPECT_GT(usual, height("--title ''", "bare.png"));
 }
 
 TEST_F(PlotCommand, PaintsAMaterialInTheChosenColour) {
