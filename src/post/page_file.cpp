@@ -9,11 +9,13 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "post/png_resolution.hpp"
+#include "post/svg_text.hpp"
 
 namespace blocks::post {
 namespace {
@@ -56,12 +58,16 @@ void write_page(const std::string& path, const PageSize& page, double page_heigh
       cairo_surface_destroy);
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
     cannot_write(path, cairo_status_to_string(cairo_surface_status(surface.get())));
+  std::optional<SvgText> text;
+  if (ending == ".svg")
+    text.emplace(surface.get());
   try {
     const Pen pen(cairo_create(surface.get()), cairo_destroy);
     cairo_scale(pen.get(), dots, dots);
     draw(pen.get());
     cairo_show_page(pen.get());
   } catch (...) {
+    text.reset();
     surface.reset();
     std::remove(draft.c_str());
     throw;
@@ -76,6 +82,8 @@ void write_page(const std::string& path, const PageSize& page, double page_heigh
     std::remove(draft.c_str());
     cannot_write(path, cairo_status_to_string(status));
   }
+  if (text)
+    text->insert_into(draft);
   if (dots != 1.0)
     set_png_resolution(draft, page.resolution());
   take_name(draft, path);

@@ -1,6 +1,7 @@
 #include "post/pen.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numbers>
 
 namespace blocks::post {
@@ -57,21 +58,52 @@ std::string Pen::fitted(std::string words, double size, double room) {
   return words + "…";
 }
 
-void Pen::text(const std::string& words, double x, double y, double size,
+std::string with_minus_signs(const std::string& words) {
+  const auto is_digit = [&](std::size_t i) {
+    return i < words.size() && std::isdigit(static_cast<unsigned char>(words[i])) != 0;
+  };
+  std::string result;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool begins = i == 0 || words[i - 1] == ' ' || words[i - 1] == '(' ||
+                        (words[i - 1] == 'e' && i > 1 && is_digit(i - 2));
+    if (words[i] == '-' && begins && is_digit(i + 1))
+      result += "−";
+    else
+      result += words[i];
+  }
+  return result;
+}
+
+/// Draws a line of text with cairo or as an SVG element.
+void Pen::put(const TextLine& line) {
+  if (SvgText* svg = SvgText::of(cairo_)) {
+    svg->add(cairo_, line);
+    return;
+  }
+  const cairo_text_extents_t box = measure(line.words, line.size);
+  cairo_move_to(cairo_, line.x - box.x_bearing - line.along * box.width, line.y);
+  if (line.rim > 0.0) {
+    cairo_text_path(cairo_, line.words.c_str());
+    stroke(line.rim, line.rim_colour, 0.85);
+    cairo_move_to(cairo_, line.x - box.x_bearing - line.along * box.width, line.y);
+  }
+  colour(line.colour);
+  cairo_show_text(cairo_, line.words.c_str());
+  cairo_new_path(cairo_);
+}
+
+void Pen::text(const std::string& given, double x, double y, double size,
                const Colour& c, double along, double up, double room) {
+  const std::string words = with_minus_signs(given);
   cairo_text_extents_t box = measure(words, size);
   std::string shown = words;
   if (box.width > room) {
-    const double smaller = letters(size) * room / box.width;
-    if (smaller < page_.least_text)
-      shown = fitted(words, smaller, room);
-    box = measure(shown, smaller);
+    size = letters(size) * room / box.width;
+    if (size < page_.least_text)
+      shown = fitted(words, size, room);
+    box = measure(shown, size);
   }
-  colour(c);
-  cairo_move_to(cairo_, x - box.x_bearing - along * box.width,
-                y - box.y_bearing - up * box.height);
-  cairo_show_text(cairo_, shown.c_str());
-  cairo_new_path(cairo_);
+  put({shown, x, y - box.y_bearing - up * box.height, along, letters(size), c, 0, {}});
 }
 
 double Pen::paragraph(const std::string& words, double x, double y, double size,
@@ -105,11 +137,8 @@ double Pen::paragraph(const std::string& words, double x, double y, double size,
 void Pen::label(const std::string& words, double x, double y, double size,
                 const Colour& c, const Colour& ground) {
   const cairo_text_extents_t box = measure(words, size);
-  cairo_move_to(cairo_, x - box.x_bearing - 0.5 * box.width,
-                y - box.y_bearing - 0.5 * box.height);
-  cairo_text_path(cairo_, words.c_str());
-  stroke(0.3 * size, ground, 0.85);
-  text(words, x, y, size, c, 0.5, 0.5);
+  put({words, x, y - box.y_bearing - 0.5 * box.height, 0.5, letters(size), c,
+       0.3 * letters(size), ground});
 }
 
 void Pen::upright(const std::string& words, double x, double y, double size,

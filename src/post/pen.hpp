@@ -8,11 +8,15 @@
 
 #include "post/colour_map.hpp"
 #include "post/page_size.hpp"
+#include "post/svg_text.hpp"
 
 namespace blocks::post {
 
 constexpr Colour ink{0.16, 0.16, 0.18}, muted{0.36, 0.36, 0.4}, faint{0.62, 0.62, 0.64},
-    paper{0.992, 0.99, 0.984}, white{1, 1, 1};
+    white{1, 1, 1}, paper = white;
+
+/// Returns the words with true minus signs in front of numbers: "−0.5", "1e−05".
+std::string with_minus_signs(const std::string& words);
 
 class Pen {
  public:
@@ -47,6 +51,7 @@ class Pen {
   static constexpr double unlimited = 1e9;
   double letters(double size) const;
   cairo_text_extents_t measure(const std::string& words, double size);
+  void put(const TextLine& line);
   std::string fitted(std::string words, double size, double room);
   cairo_t* cairo_;
   const PageSize page_;

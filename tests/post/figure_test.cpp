@@ -11,11 +11,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "output/results.hpp"
 #include "post/axes.hpp"
 #include "post/colour_map.hpp"
 #include "post/page_file.hpp"
+#include "post/pen.hpp"
 #include "post/quantity.hpp"
 #include "post/whole_file.hpp"
 
@@ -24,6 +26,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Returns two unit squares side by side, of materials 1 and 2. The second one is
 /// fixed.
@@ -229,6 +232,57 @@ TEST(Figure, InPrintHasItsPhysicalSizeAsSvg) {
   options.page = PageSize::in_print("3.5in");
   draw_frame(folder.file("a.svg"), two_squares(), two_squares(), "", options);
   EXPECT_THAT(content(folder.file("a.svg")), HasSubstr("width=\"252pt\""));
+}
+
+/// Returns the contents of an SVG file of the two squares and their numbers.
+std::string svg_of_two_squares(FigureOptions options) {
+  const Folder folder;
+  options.numbers = true;
+  draw_frame(folder.file("a.svg"), two_squares(), two_squares(), "squares & <blocks>",
+             options);
+  return content(folder.file("a.svg"));
+}
+
+TEST(Figure, HasTextElementsInSvg) {
+  const std::string svg = svg_of_two_squares({});
+  EXPECT_THAT(svg, HasSubstr(">squares &amp; &lt;blocks&gt;</text>"));
+  EXPECT_THAT(svg, HasSubstr(">2</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("<symbol")));  // the outlines of letters
+}
+
+TEST(Figure, LeavesOutNumbersOutsideTheZoomInSvg) {
+  FigureOptions options;
+  options.zoom = Eigen::Vector4d(1.2, 1.3, 0.2, 0.3);  // The centroid is not inside.
+  EXPECT_THAT(svg_of_two_squares(options), Not(HasSubstr(">2</text>")));
+}
+
+TEST(Figure, HasAWhiteBackgroundAndTrueMinusSigns) {
+  FigureOptions options;
+  options.zoom = Eigen::Vector4d(-2, 2, -2, 2);
+  const std::string svg = svg_of_two_squares(options);
+  EXPECT_THAT(svg, HasSubstr(">−1</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr(">-1</text>")));
+  EXPECT_THAT(svg, Not(HasSubstr("99.2")));  // no tint
+  EXPECT_EQ(with_minus_signs("LAYER-2 of -3 (-4) 1e-05"), "LAYER-2 of −3 (−4) 1e−05");
+}
+
+TEST(Figure, HasTextOf7To9PointsInPrintForEveryWidth) {
+  for (const char* size : {"single", "double", "60mm", "400mm"}) {
+    FigureOptions options;
+    options.page = PageSize::in_print(size);
+    options.colour = "vx";
+    const std::string svg = svg_of_two_squares(options);
+    const std::regex letters("font-size=\"([0-9.]+)\"");
+    int lines = 0;
+    for (std::sregex_iterator at(svg.begin(), svg.end(), letters), end; at != end;
+         ++at) {
+      const double points = std::stod((*at)[1]);
+      EXPECT_GE(points, 6.99) << size;
+      EXPECT_LE(points, 9.01) << size;
+      ++lines;
+    }
+    EXPECT_GT(lines, 10) << size;
+  }
 }
 
 TEST(Figure, InPrintIsRefusedIfTheSizeHasNoRoomForThePicture) {
