@@ -98,6 +98,30 @@ std::string colour_map_names() {
          "them in reverse, such as viridis_r";
 }
 
+double luminance(const Colour& c) {
+  const auto linear = [](double s) {  // sRGB
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+
+bool is_dark(const Colour& c) {
+  constexpr double equal_contrast = 0.179;  // of black and white: (1 + f) f = (L + f)^2
+  return luminance(c) < equal_contrast;
+}
+
+Colour outline_on(const Colour& ground, bool faint) {
+  constexpr Colour black{0, 0, 0}, light{1, 1, 1};
+  return is_dark(ground) ? mix(ground, light, faint ? 0.7 : 0.4)
+                         : mix(ground, black, faint ? 0.65 : 0.3);
+}
+
+Colour rim_of_line(const Colour& line) {
+  constexpr Colour dark{0.16, 0.16, 0.18}, light{1, 1, 1};
+  constexpr double pale = 0.2;
+  return luminance(line) > pale ? dark : light;
+}
+
 Colour mix(const Colour& a, const Colour& b, double share) {
   return {b.r + share * (a.r - b.r), b.g + share * (a.g - b.g),
           b.b + share * (a.b - b.b)};

@@ -46,6 +46,19 @@ Colour diverging(double s);
 /// For lines on white: pale orange to near black, 0 <= s <= 1 (clamped).
 Colour intensity(double s);
 
+/// Returns the relative luminance, 0 for black to 1 for white.
+double luminance(const Colour& c);
+
+/// True if white is easier to see on the colour than black.
+bool is_dark(const Colour& c);
+
+/// Returns the colour of an outline on a ground: darker on a light ground, lighter on a
+/// dark one. It differs less from the ground if `faint`.
+Colour outline_on(const Colour& ground, bool faint);
+
+/// Returns the colour of the rim of a line, which has a high contrast to the line.
+Colour rim_of_line(const Colour& line);
+
 /// Mixes the fraction `share` of a with the rest of b.
 Colour mix(const Colour& a, const Colour& b, double share);
 

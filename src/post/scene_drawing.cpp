@@ -11,8 +11,6 @@ namespace {
 
 using Outline = std::vector<Eigen::Vector2d>;
 
-bool is_dark(const Colour& c) { return c.r + c.g + c.b < 1.2; }
-
 /// Draws one picture, and stores the data that its parts share.
 class SceneDrawing {
  public:
@@ -103,7 +101,7 @@ class SceneDrawing {
     if (now_.fixed[b] != 0)
       hatch(pen_, fill);
     const double width = std::clamp(0.03 * size_on_page(now_.outlines[b]), 0.25, 1.1);
-    pen_.stroke(width, mix(fill, {0, 0, 0}, options_.forces ? 0.75 : 0.33), 0.9);
+    pen_.stroke(width, outline_on(fill, options_.forces), 0.9);
   }
 
   void original() {
@@ -117,13 +115,21 @@ class SceneDrawing {
   }
 
   /// Draws a line from centroid to centroid through the contact for each pair of
-  /// touching blocks; its width is proportional to the force.
+  /// touching blocks; its width is proportional to the force. A rim, dark beside a pale
+  /// line and white beside a dark one, shows it on blocks of any colour.
   void forces() {
     if (!(scales_.force > 0.0))
       return;
     const double full = std::clamp(0.3 * scales_.block_size * axes_.scale(), 2.5, 14.0);
     cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
-    for (const ForceLink& link : force_network(picture_.contacts)) {
+    const auto links = force_network(picture_.contacts);
+    for (const bool rim : {true, false})
+      force_lines(links, full, rim);
+    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_BUTT);
+  }
+
+  void force_lines(const std::vector<ForceLink>& links, double full, bool rim) {
+    for (const ForceLink& link : links) {
       const double part = link.force.norm() / scales_.force;
       const double width = full * std::min(part, 1.5);
       if (width < 0.15)
@@ -135,9 +141,12 @@ class SceneDrawing {
         cairo_line_to(cairo_, page_x(now_.centroid(0, b)),
                       axes_.y(now_.centroid(1, b)));
       }
-      pen_.stroke(width, intensity(part));
+      const Colour line = intensity(part);
+      if (rim)
+        pen_.stroke(width + std::min(1.4, 0.3 + 0.7 * width), rim_of_line(line));
+      else
+        pen_.stroke(width, line);
     }
-    cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_BUTT);
   }
 
   void arrows() {
