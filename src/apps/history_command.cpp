@@ -89,7 +89,9 @@ Answer histories(const HistoryOptions& options,
 
   Answer answer;
   for (const std::string& file : options.files) {
-    const post::ResultsReader results(file);
+    post::ResultsReader results(file);
+    if (options.compression_positive)
+      results.make_compression_positive();
     const post::History history =
         post::read_history(results, curves, {options.from, options.to});
     const std::string time_unit = post::unit_text({0, 0, 1, "s", ""}, units);
@@ -144,7 +146,9 @@ Answer profiles(const HistoryOptions& options,
       units ? " " + post::unit_text({0, 0, 1, "s", ""}, units) : "";
   const std::string position = line.segment ? "distance along the line" : "x";
   for (const std::string& file : options.files) {
-    const post::ResultsReader results(file);
+    post::ResultsReader results(file);
+    if (options.compression_positive)
+      results.make_compression_positive();
     const post::Frame first = results.frame(0);
     auto places = post::profile_places(first, line);
     if (options.mirror)
@@ -164,7 +168,9 @@ Answer profiles(const HistoryOptions& options,
                                  unit,
                                  post::profile_values(places, *kind, now, first)});
         const std::string run = run_of(file, options.files);
-        panel(answer.chart, with_unit(kind->label, unit))
+        panel(answer.chart,
+              with_unit(kind->label + sign_convention(*kind, now.compression_positive),
+                        unit))
             .lines.push_back({fmt::format("t = {}{}{}", at, time_unit, run),
                               table.columns[0].values, table.columns.back().values});
       }
@@ -255,6 +261,8 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
                      "units of length, mass and time, such as m,kg,s");
   command.add_option("--title", options.title,
                      "title of a figure instead of those of the decks; '' for none");
+  command.add_flag("--compression-positive", options.compression_positive,
+                   "stresses are positive in compression (default: in tension)");
   command.add_flag("--paths", options.paths,
                    "write the paths of the results under the title of a figure");
   auto* width = command

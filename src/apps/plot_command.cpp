@@ -121,6 +121,10 @@ void check_combinations(const PlotOptions& options) {
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(!options.range.empty() && by_material,
          "--range is for --colour QUANTITY; materials have no range");
+  const post::QuantityKind* kind = post::find_quantity(options.figure.colour);
+  refuse(options.compression_positive &&
+             (!kind || post::sign_convention(*kind, true).empty()),
+         "--compression-positive is for --colour with a stress, such as s22 or p1");
   refuse(!options.figure.colour_map.empty() && by_material,
          "--colormap is for --colour QUANTITY; colours of materials are --materials");
   if (!options.figure.colour_map.empty())
@@ -236,6 +240,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                   fmt::format("draw an arrow on each block: {}",
                               fmt::join(post::arrow_names(), ", ")))
       ->check(CLI::IsMember(post::arrow_names()));
+  command.add_flag("--compression-positive", options.compression_positive,
+                   "stresses are positive in compression (default: in tension)");
   command.add_option("--title", options.figure.title,
                      "title instead of that of the deck; '' for none");
   command.add_flag("--numbers", figure.numbers, "write the block numbers");
@@ -280,7 +286,9 @@ int plot(PlotOptions options) {
     output::check_outputs({options.output});
     take(options, options.figure);
     check_combinations(options);
-    const post::ResultsReader results(options.file);
+    post::ResultsReader results(options.file);
+    if (options.compression_positive)
+      results.make_compression_positive();
     options.figure.material_colours = material_colours(options.materials, results);
     const double rate = options.rate.value_or(25.0);
     if (!options.dblock.empty())

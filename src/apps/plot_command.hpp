@@ -23,9 +23,10 @@ struct PlotOptions {
   std::optional<double> mirror;    ///< x of the symmetry plane [L]
   std::string units;               ///< "m,kg,s"
   std::vector<std::string> materials;  ///< "1=RED", "2=#8fa88b"
-  double width = 1200;                 ///< in pixels or points
-  std::string size;                    ///< in print, "85mm"; empty: width
-  std::string dblock;                  ///< file of DBLOCK cards; empty: none
+  bool compression_positive = false;
+  double width = 1200;  ///< in pixels or points
+  std::string size;     ///< in print, "85mm"; empty: width
+  std::string dblock;   ///< file of DBLOCK cards; empty: none
   post::FigureOptions figure;
 };
 

@@ -103,6 +103,11 @@ FigureScales ScaleSurvey::scales() const {
     result.view = {left - margin, right + margin, low_.y() - margin,
                    high_.y() + margin};
   }
+  if (const QuantityKind* kind = find_quantity(options_.colour);
+      kind && is_internal_stress(*kind) && least_ == 0.0 && most_ == 0.0)
+    throw std::runtime_error(
+        "every stress is 0: RIGID blocks have no stress, and other blocks have none "
+        "before they deform; choose another quantity or time");
   if (options_.range) {
     result.low = (*options_.range)[0];
     result.high = (*options_.range)[1];

@@ -35,7 +35,7 @@ class ScaleSurvey {
   explicit ScaleSurvey(const FigureOptions& options) : options_(options) {}
   void include(const Picture& picture);
   /// Throws std::runtime_error if the ends of the zoom or the range are in the wrong
-  /// order.
+  /// order, or every stress is 0.
   FigureScales scales() const;
 
  private:

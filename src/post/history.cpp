@@ -104,22 +104,24 @@ double value(const Curve& curve, const Frame& now, const Frame& first,
 History read_history(const ResultsReader& results, const std::vector<Curve>& curves,
                      const TimeRange& range) {
   History history{results.path(), results.title(), {}, {}};
+  const Frame first = results.frame(0);
   bool with_contacts = false;
   for (const Curve& curve : curves) {
     const OtherKind* other = find_other(curve.quantity);
     const QuantityKind* kind = find_quantity(curve.quantity);
     with_contacts = with_contacts || (other && other->rows);
     const std::string label = other ? other->label : kind->label;
+    const std::string sign =
+        other ? "" : sign_convention(*kind, first.compression_positive);
     Curve read_as = curve;  // "overlap" alone means the largest overlap
     if (other && other->natural == Reduction::largest && curve.of == Of::model)
       read_as.of = Of::largest;
     history.series.push_back({curve,
                               label_of(read_as, label),
-                              label,
+                              label + sign,
                               other ? other->dimension : kind->dimension,
                               {}});
   }
-  const Frame first = results.frame(0);
   const auto check = [&](const Frame& last) {
     for (const Curve& curve : curves) {
       if (curve.block > last.size())

@@ -16,7 +16,7 @@ namespace blocks::post {
 struct Series {
   Curve curve;
   std::string label;     ///< "speed of block 9"
-  std::string quantity;  ///< "speed"
+  std::string quantity;  ///< "speed", "stress 11, tension positive"
   Dimension dimension;
   std::vector<double> values;  ///< (frames)
 };

@@ -136,6 +136,24 @@ const std::vector<QuantityKind>& quantity_kinds() {
   return kinds;
 }
 
+namespace {
+
+bool is_stress(const QuantityKind& kind) {
+  return kind.label.find("stress") != std::string::npos;
+}
+
+}  // namespace
+
+std::string sign_convention(const QuantityKind& kind, bool compression_positive) {
+  if (!is_stress(kind))
+    return "";
+  return compression_positive ? ", compression positive" : ", tension positive";
+}
+
+bool is_internal_stress(const QuantityKind& kind) {
+  return is_stress(kind) && !kind.label.starts_with("applied");
+}
+
 const QuantityKind* find_quantity(const std::string& name) {
   const auto upper = [](std::string text) {
     for (char& c : text)
@@ -185,7 +203,8 @@ Eigen::VectorXd in_mirror(const std::string& name, const Eigen::VectorXd& values
 Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
                   const FrameContacts& contacts) {
   if (const QuantityKind* kind = find_quantity(name))
-    return {kind->label, kind->dimension, kind->values(now, first), kind->is_signed};
+    return {kind->label + sign_convention(*kind, now.compression_positive),
+            kind->dimension, kind->values(now, first), kind->is_signed};
   if (const OtherKind* kind = find_other(name); kind && kind->rows)
     return {kind->label, kind->dimension, per_block(*kind, contacts, now.size()),
             false};

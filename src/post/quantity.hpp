@@ -32,6 +32,13 @@ struct QuantityKind {
   std::function<Eigen::VectorXd(const Frame& now, const Frame& first)> values;
 };
 
+/// Returns what the label of a stress says about its sign: ", tension positive".
+/// Returns an empty text for other quantities.
+std::string sign_convention(const QuantityKind& kind, bool compression_positive);
+
+/// True for the stresses that the material law gives, which RIGID blocks do not have.
+bool is_internal_stress(const QuantityKind& kind);
+
 /// All of them, the most used first.
 const std::vector<QuantityKind>& quantity_kinds();
 

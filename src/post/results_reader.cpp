@@ -36,6 +36,7 @@ struct ResultsReader::File {
   Handle file, vtk, steps, own;
   std::vector<double> times;
   std::string title;
+  bool compression_positive = false;
 
   explicit File(const std::string& name) : path(name), watch(name) {}
 
@@ -279,11 +280,19 @@ void ResultsReader::File::require(long i) const {
                             ", not " + std::to_string(i));
 }
 
+void ResultsReader::make_compression_positive() { file_->compression_positive = true; }
+
 Frame ResultsReader::frame(long i) const {
   file_->require(i);
-  return output::with_file_errors("read", file_->path, [&] {
+  Frame frame = output::with_file_errors("read", file_->path, [&] {
     return file_->soundly([&] { return file_->read(static_cast<hsize_t>(i)); });
   });
+  if (file_->compression_positive) {
+    frame.stress *= -1.0;
+    frame.applied *= -1.0;
+    frame.compression_positive = true;
+  }
+  return frame;
 }
 
 FrameContacts ResultsReader::contacts(long i) const {

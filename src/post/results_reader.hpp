@@ -20,6 +20,7 @@ struct Frame {
   Eigen::Matrix2Xd centroid, velocity, force;
   Eigen::VectorXd angle, spin, moment, area, mass, inertia;
   Eigen::Matrix4Xd stress, applied, strain_rate;  ///< rows 11, 12, 21, 22
+  bool compression_positive = false;              ///< sign of stress and applied
   int size() const { return static_cast<int>(number.size()); }
 };
 
@@ -44,6 +45,9 @@ class ResultsReader {
   const std::vector<double>& times() const;
   std::string title() const;
   const std::string& path() const;
+  /// Changes the sign of the stresses in all frames that are read from now on:
+  /// compression is positive instead of tension.
+  void make_compression_positive();
   /// Reads frame i, 0 <= i < frames().
   Frame frame(long i) const;
   FrameContacts contacts(long i) const;

@@ -362,6 +362,28 @@ TEST(Quantity, FollowsItsDefinition) {
   EXPECT_DOUBLE_EQ(quantity("displacement", frame, frame).values[1], 0.0);
 }
 
+TEST(Quantity, OfStressSaysWhichSignIsPositive) {
+  Frame frame = two_squares();
+  EXPECT_EQ(quantity("s11", frame, frame).label, "stress 11, tension positive");
+  frame.compression_positive = true;
+  EXPECT_EQ(quantity("SIGYY", frame, frame).label, "stress 22, compression positive");
+  EXPECT_EQ(quantity("speed", frame, frame).label, "speed");
+}
+
+TEST(Figure, RefusesStressThatIsZeroEverywhere) {
+  const Folder folder;
+  Frame rigid = two_squares();
+  rigid.stress.setZero();
+  FigureOptions options;
+  options.colour = "s11";
+  try {
+    draw_frame(folder.file("a.png"), rigid, rigid, "", options);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("RIGID blocks have no stress"));
+  }
+}
+
 TEST(Axes, TicksAreRoundNumbers) {
   EXPECT_THAT(nice_ticks(-0.3, 10.2, 5), ElementsAre(0, 2, 4, 6, 8, 10));
   EXPECT_TRUE(nice_ticks(1, 1, 5).empty());

@@ -170,7 +170,7 @@ TEST_F(PlotCommand, RefusesOptionsWithoutEffect) {
   for (const char* options :
        {"--rate 10", "--every 2", "--columns 3", "--range 0,1", "--colormap grey",
         "--from 0", "--mirror nan", "--colour speed --materials 1=RED",
-        "--sheet 3 -o hit.mp4"}) {
+        "--compression-positive", "--sheet 3 -o hit.mp4"}) {
     const Outcome run = plot(options);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_THAT(run.err, HasSubstr("blocks: error: --")) << options;
@@ -182,6 +182,31 @@ TEST_F(PlotCommand, PaintsAQuantityWithTheChosenColourMap) {
   EXPECT_EQ(plot("--colour speed --colormap cividis -o c.svg").code, 0);
   const std::regex first("rgb\\(0%, ?13\\.3");
   EXPECT_TRUE(std::regex_search(slurp(folder_ / "c.svg"), first));
+}
+
+TEST_F(PlotCommand, RefusesTheStressOfRigidBlocks) {
+  const Outcome stress = plot("--colour s22");
+  EXPECT_EQ(stress.code, 2);
+  EXPECT_THAT(stress.err, HasSubstr("RIGID blocks have no stress"));
+}
+
+// The block of strained.deck has a stress.
+TEST(CompressionPositive, ChangesTheSignOfStressesAndTheLegend) {
+  const TemporaryFolder folder;
+  run_text(
+      folder, "strained",
+      slurp(std::filesystem::path(BLOCKS_SOURCE_DIR) / "tests/post/strained.deck"));
+  post::ResultsReader results((folder / "strained.vtkhdf").string());
+  const post::Frame tension = results.frame(results.frames() - 1);
+  results.make_compression_positive();
+  const post::Frame compression = results.frame(results.frames() - 1);
+  EXPECT_GT(tension.stress.norm(), 0.0);
+  EXPECT_EQ(compression.stress, -tension.stress);
+  const Outcome plot = blocks(
+      "plot strained.vtkhdf --colour p1 --compression-positive --size double -o p.svg",
+      folder.path());
+  ASSERT_EQ(plot.code, 0) << plot.err;
+  EXPECT_THAT(slurp(folder / "p.svg"), HasSubstr("compression"));
 }
 
 // Without the title the page is lower.
