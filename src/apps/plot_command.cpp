@@ -301,6 +301,7 @@ int plot(PlotOptions options) {
                  post::counted(frames.size(), "picture"),
                  static_cast<double>(frames.size()) / rate);
     } else {
+      options.figure.asked_times = options.times;
       post::draw_figure(options.output, results, frames, options.figure);
       fmt::print("{}\n", options.output);
     }

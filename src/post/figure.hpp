@@ -34,6 +34,7 @@ struct FigureOptions {
   std::vector<Mark> marks;     ///< later marks are drawn on top
   std::vector<MarkName> mark_names;        ///< legend of the marks
   std::optional<std::string> title;        ///< empty text: no title; none: of the run
+  std::vector<double> asked_times;         ///< of the pictures of a sheet; may be empty
   std::string subtitle;                    ///< replaces time and step
   std::map<int, Colour> material_colours;  ///< replace the default colours
 };

@@ -16,7 +16,7 @@ namespace {
 constexpr double gap = 22, heading = 34;
 constexpr double narrow = 620;  ///< a printed page has the legend below the pictures
 constexpr double least_plot = 60;
-constexpr Dimension length{1, 0, 0, "m", ""}, time{0, 0, 1, "s", ""};
+constexpr Dimension length{1, 0, 0, "m", ""};
 
 FigureMargins margins_of(const PageSize& page, bool titled) {
   FigureMargins found;
@@ -106,8 +106,10 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
   const Axes here = axes(i);
   draw_scene(pen, here, picture, scales_, options_);
   rulers(pen, here, i + columns_ >= count_, i % columns_ == 0);
-  const std::string unit = options_.units ? " " + unit_text(time, options_.units) : "";
-  const std::string at = fmt::format("t = {:.4g}{}", picture.now.time, unit);
+  const auto& asked = options_.asked_times;
+  const std::string at = time_text(
+      picture.now.time, i < asked.size() ? std::optional(asked[i]) : std::nullopt,
+      options_.units);
   if (count_ > 1)
     pen.text(at, here.left, here.top - 9, 15, muted, 0, 1);
   else

@@ -1,5 +1,7 @@
 #include "post/units.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdlib>
 #include <sstream>
@@ -37,6 +39,14 @@ Units Units::parse(const std::string& text) {
         "expected units of length, mass and time, such as m,kg,s, found '" + text +
         "'");
   return {names[0], names[1], names[2]};
+}
+
+std::string time_text(double time, std::optional<double> asked,
+                      const std::optional<Units>& units) {
+  const std::string unit = units ? " " + unit_text({0, 0, 1, "s", ""}, units) : "";
+  const std::string shown = fmt::format("{:.4g}{}", time, unit);
+  const std::string wanted = fmt::format("{:.4g}{}", asked.value_or(time), unit);
+  return "t = " + shown + (shown == wanted ? "" : ", nearest to " + wanted);
 }
 
 std::string unit_text(const Dimension& d, const std::optional<Units>& units) {

@@ -26,6 +26,11 @@ struct Units {
 /// units; empty for a dimensionless quantity.
 std::string unit_text(const Dimension& dimension, const std::optional<Units>& units);
 
+/// Returns "t = 0.3 s", or "t = 0.3 s, nearest to 0.32 s" if the time asked for is
+/// another one when both are written with four digits.
+std::string time_text(double time, std::optional<double> asked,
+                      const std::optional<Units>& units);
+
 /// Returns a power as superscript: "⁶", "⁻¹²".
 std::string superscript(int number);
 

@@ -209,6 +209,14 @@ TEST(CompressionPositive, ChangesTheSignOfStressesAndTheLegend) {
   EXPECT_THAT(slurp(folder / "p.svg"), HasSubstr("compression"));
 }
 
+// The deck stores a frame every 0.004.
+TEST_F(PlotCommand, SaysIfTheNearestFrameIsNotAtTheTimeAskedFor) {
+  ASSERT_EQ(plot("-t 0.008,0.0095 -o times.svg").code, 0);
+  const std::string svg = slurp(folder_ / "times.svg");
+  EXPECT_THAT(svg, HasSubstr(">t = 0.008</text>"));
+  EXPECT_THAT(svg, HasSubstr(">t = 0.008, nearest to 0.0095</text>"));
+}
+
 // Without the title the page is lower.
 TEST_F(PlotCommand, LeavesOutAnEmptyTitle) {
   ASSERT_EQ(plot("-o titled.png").code, 0);
