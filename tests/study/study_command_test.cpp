@@ -135,7 +135,7 @@ TEST(StudyCommand, WarnsIfTheRunOfTheDeckItselfFails) {
   const std::string blocks_on_a_floor =
       preliminary() + rectangle(-2, -1, 2, 0, true) + rectangle(-0.5, 0, 0.5, 1);
   const auto warned = [&](const std::string& cards) {
-    folder.write("t.deck", blocks_on_a_floor + cards + "STOP\n");
+    folder.write("t.deck", blocks_on_a_floor + cards + "CYCLE, 1\nSTOP\n");
     const Outcome done = blocks("study contacts t.deck --frames 1 --steps 400 "
                                 "--variants default",
                                 folder.path());

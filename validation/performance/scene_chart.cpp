@@ -49,8 +49,7 @@ constexpr std::array others{
 
 class SceneDrawing {
  public:
-  static constexpr double head = 132, row_height = 38, foot = 62,
-                          page = post::Pen::page;
+  static constexpr double head = 132, row_height = 38, foot = 62, page = 1200;
 
   static double height(std::size_t rows) {
     return head + row_height * static_cast<double>(rows) + foot;
@@ -58,7 +57,7 @@ class SceneDrawing {
 
   SceneDrawing(cairo_t* cairo, double width, const Report& report,
                const std::vector<const Row*>& rows)
-      : pen_(cairo, width), cairo_(cairo), report_(report), rows_(rows),
+      : pen_(cairo, post::PageSize::on_screen(width)), cairo_(cairo), report_(report), rows_(rows),
         bottom_(head + row_height * static_cast<double>(rows.size())) {
     std::vector<double> costs;
     for (const Row* row : rows)
