@@ -9,9 +9,8 @@
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
-/// Corners and edges in each lane, with the values that decide whether a contact acts:
-/// 2A of (19), and filter::overlap and filter::between of
-/// geometry/contact_predicates.hpp.
+/// Corners and edges in each lane, with the values that decide whether a contact acts
+/// (filter::overlap and filter::between of geometry/contact_predicates.hpp).
 struct Sides {
   Pack xc, yc, ex, ey, cx, cy, plus, minus, value, square;
 
