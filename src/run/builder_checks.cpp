@@ -1,0 +1,186 @@
+// Checks of the model before and between motions: the blocks, the time step, planes and
+// overlaps.
+#include "run/builder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "dynamics/time_step.hpp"
+#include "geometry/contact_predicates.hpp"
+#include "run/contact_room.hpp"
+
+namespace blocks::run {
+
+using deck::Command;
+
+void Builder::check_physics(const Command& motion) {
+  check_domain(model_, std::exchange(domain_blocks_, model_.blocks.size()),
+               domain_cards_, makers_, motion, diagnostics_);
+  const auto warn_once = [&](bool& told, const std::optional<Doubt>& doubt,
+                             const std::optional<deck::SourceLocation>& where,
+                             const char* card) {
+    if (told || !doubt)
+      return;
+    told = true;
+    diagnostics_.warning(where.value_or(motion.where), where ? card : motion.name,
+                         doubt->message, doubt->hint);
+  };
+  warn_once(stiffness_told_, doubt_stiffness(model_), stiffness_, "STIFF");
+  warn_once(tolerance_told_, doubt_tolerance(model_), tolerance_, "BOXES");
+}
+
+void Builder::check_before_motion(const Command& command, bool in_place) {
+  const Blocks& blocks = model_.blocks;
+  if (blocks.size() == 0) {
+    diagnostics_.error(command.where, command.name, "there are no blocks to move",
+                       "make some with CREATE, LAYER or READ9");
+    return;
+  }
+  check_fraction(command);
+  check_steps(command);
+  if (!in_place)
+    return;
+  check_planes();
+  check_overlaps(command);
+  check_room(command);
+  if (!model_.settings.rigid && blocks.size() > checked_blocks_) {
+    const TimeStep chosen = dynamics::choose_time_step(model_);
+    if (chosen.elastic)
+      diagnostics_.warning(
+          command.where, command.name,
+          fmt::format("the time step is cut to {:.4g} by the stiffness of block {}",
+                      chosen.dt, chosen.block + 1),
+          "deformable blocks need dt < l sqrt(rho / C11); half of that is taken");
+  }
+  checked_blocks_ = moved_blocks_ = blocks.size();
+}
+
+void Builder::check_room(const Command& command) {
+  const double ctol = model_.settings.contact_tolerance, memory = physical_memory();
+  const LikelyList list = likely_list(model_.blocks, 2.0 * ctol);
+  if (list.bytes <= 0.8 * memory)  // leaves memory for the rest of the run
+    return;
+  constexpr double gigabyte = 1e9;
+  diagnostics_.error(
+      tolerance_.value_or(command.where), tolerance_ ? "BOXES" : command.name,
+      fmt::format("with ctol = {:g} about {:.2g} pairs of blocks are near each other",
+                  ctol, list.pairs),
+      fmt::format("their contacts need about {:.2g} GB, and this machine has {:.2g} GB "
+                  "for the whole run; reduce ctol to a small part of a block",
+                  list.bytes / gigabyte, memory / gigabyte));
+}
+
+void Builder::check_without_motion(const Command& last) {
+  if (model_.blocks.size() == 0)
+    return;
+  if (model_.blocks.size() != checked_blocks_)
+    check_planes();
+  check_overlaps(last);
+}
+
+void Builder::check_output_blocks() {
+  if (!output_)
+    return;
+  for (const deck::Int& number : std::get<deck::Output>(output_->card).blocks)
+    if (number.value < 1 || number.value > model_.blocks.size())
+      error_no_block(*output_, number);
+  output_.reset();
+}
+
+void Builder::check_fraction(const Command& command) {
+  const Settings& settings = model_.settings;
+  const double safe = dynamics::safe_fraction(settings.damping);
+  const Command& to_blame = fraction_by_ ? *fraction_by_ : command;
+  if (settings.fraction > safe && safe != fraction_told_)
+    diagnostics_.warning(
+        to_blame.where, to_blame.name,
+        fmt::format(
+            "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
+            settings.fraction, settings.damping),
+        fmt::format("for 8 contacts per block the largest safe FRACTION is {:.2g} "
+                    "(docs/departures.md, time step)",
+                    safe));
+  fraction_told_ = safe;
+}
+
+void Builder::check_steps(const Command& command) {
+  const auto* motion = std::get_if<deck::Motion>(&command.card);
+  if (motion == nullptr)
+    return;
+  constexpr double most = 1e15;
+  const double dt = dynamics::choose_time_step(model_).dt;
+  if (!(motion->dt.value / dt <= most))
+    diagnostics_.error(motion->dt.where, command.name,
+                       fmt::format("{:g} would take more than {:g} steps of {:g}",
+                                   motion->dt.value, most, dt),
+                       "give a shorter time");
+  else if (motion->dt.value <= 1e-9 * dt)
+    diagnostics_.warning(motion->dt.where, command.name,
+                         fmt::format("{:g} is too short for a time step of {:.4g}",
+                                     motion->dt.value, dt),
+                         "no time passes; CYCLE, 1 makes one step");
+}
+
+void Builder::check_planes() {
+  const Blocks& blocks = model_.blocks;
+  for (const Command& command : planes_) {
+    const auto& card = std::get<deck::Splane>(command.card);
+    const Vec2 a(card.x1.value, card.y1.value), b(card.x2.value, card.y2.value);
+    const double rounding =
+        0x1p-52 * std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+    if (rounding > 1e-3 * model_.settings.contact_tolerance)
+      diagnostics_.error(
+          command.where, command.name,
+          fmt::format(
+              "the points are too far away: overlaps would be rounded to {:.2g}",
+              rounding),
+          "give two points of the plane near the blocks");
+    bool all_behind = true;
+    for (int c = 0; c < blocks.corners() && all_behind; ++c)
+      all_behind = geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;
+    if (all_behind)
+      diagnostics_.error(command.where, command.name,
+                         "all blocks are on the wrong side of the plane",
+                         "blocks must be on the left when looking from point 1 to "
+                         "point 2: swap the points");
+  }
+  planes_.clear();
+}
+
+void Builder::check_overlaps(const Command& command) {
+  if (certificate_ && certificate_->blocks == model_.blocks.size())
+    return;
+  AssemblyCertificate before;
+  before.overlaps = certificate_ ? certificate_->overlaps : options_.overlaps;
+  AssemblyCertificate found = certify_assembly(model_.blocks, moved_blocks_, before);
+  found.joints.t_junctions = std::vector<geometry::TJunction>();  // number suffices
+  certificate_ = std::make_shared<const AssemblyCertificate>(std::move(found));
+  std::vector<geometry::BlockOverlap> pairs = certificate_->overlaps;
+  std::erase_if(pairs,
+                [this](const auto& pair) { return pair.second < checked_blocks_; });
+  constexpr std::size_t shown = 10;
+  for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
+    warn_of_overlap(pairs[i], command,
+                    i + 1 == shown && pairs.size() > shown
+                        ? fmt::format("and {} more pairs; ", pairs.size() - shown)
+                        : "");
+}
+
+void Builder::warn_of_overlap(const geometry::BlockOverlap& pair, const Command& motion,
+                              std::string hint) {
+  const BlockMakers::Maker* first = makers_.of(pair.first);
+  const BlockMakers::Maker* second = makers_.of(pair.second);
+  if (first != nullptr && first != second)
+    hint += fmt::format("block {} is made by {}; ", pair.first + 1, first->text());
+  hint += "an overlap at the start carries no force";
+  diagnostics_.warning(
+      second ? second->where : motion.where, second ? second->name : motion.name,
+      fmt::format("blocks {} and {} overlap by an area of {} near ({:.6g}, {:.6g})",
+                  pair.first + 1, pair.second + 1,
+                  geometry::positive_text(pair.area, 3), pair.place.x(),
+                  pair.place.y()),
+      hint);
+}
+
+}  // namespace blocks::run
