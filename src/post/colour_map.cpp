@@ -24,6 +24,20 @@ Colour interpolate(const std::array<Colour, n>& stops, double s) {
   return {a.r + f * (b.r - a.r), a.g + f * (b.g - a.g), a.b + f * (b.b - a.b)};
 }
 
+/// For magnitudes: cividis, dark blue to yellow, also for colour-blind readers.
+Colour cividis(double s) {
+  static constexpr std::array<Colour, 10> stops = {
+      hex(0x00224e), hex(0x123570), hex(0x3b496c), hex(0x575d6d), hex(0x707173),
+      hex(0x8a8678), hex(0xa59c74), hex(0xc3b369), hex(0xe1cc55), hex(0xfee838)};
+  return interpolate(stops, s);
+}
+
+/// For magnitudes printed without colour: light to dark grey.
+Colour grey(double s) {
+  static constexpr std::array<Colour, 2> stops = {hex(0xf2f2f2), hex(0x1c1c1c)};
+  return interpolate(stops, s);
+}
+
 }  // namespace
 
 Colour material_colour(int material) {
@@ -49,18 +63,6 @@ Colour sequential(double s) {
   static constexpr std::array<Colour, 9> stops = {
       hex(0x440154), hex(0x472d7b), hex(0x3b528b), hex(0x2c728e), hex(0x21918c),
       hex(0x28ae80), hex(0x5ec962), hex(0xaddc30), hex(0xfde725)};
-  return interpolate(stops, s);
-}
-
-Colour cividis(double s) {
-  static constexpr std::array<Colour, 10> stops = {
-      hex(0x00224e), hex(0x123570), hex(0x3b496c), hex(0x575d6d), hex(0x707173),
-      hex(0x8a8678), hex(0xa59c74), hex(0xc3b369), hex(0xe1cc55), hex(0xfee838)};
-  return interpolate(stops, s);
-}
-
-Colour grey(double s) {
-  static constexpr std::array<Colour, 2> stops = {hex(0xf2f2f2), hex(0x1c1c1c)};
   return interpolate(stops, s);
 }
 

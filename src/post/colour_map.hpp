@@ -33,12 +33,6 @@ std::string colour_map_names();
 /// For magnitudes: viridis, dark blue to yellow, 0 <= s <= 1 (clamped).
 Colour sequential(double s);
 
-/// For magnitudes: cividis, dark blue to yellow, also for colour-blind readers.
-Colour cividis(double s);
-
-/// For magnitudes printed without colour: light to dark grey.
-Colour grey(double s);
-
 /// For signed quantities: blue, near white, red; 0 <= s <= 1 (clamped), zero at s =
 /// 0.5.
 Colour diverging(double s);
