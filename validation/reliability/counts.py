@@ -4,6 +4,7 @@ nothing and exits with 4 if the page has other counts."""
 
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -24,6 +25,11 @@ def paragraphs(text):
             if not part.startswith(("|", "#", "-", "Written by"))]
 
 
+def wrapped(text, indent=""):
+    return textwrap.fill(text, 100, subsequent_indent=indent, break_long_words=False,
+                         break_on_hyphens=False)
+
+
 def sanitizer(row):
     kind, passed, of, left_out, reports, minutes, who = re.split(r" *\| *", row.strip("| "))
     return (f"{kind}: {reports} reports; {passed} of {of} tests passed, {left_out} not run; "
@@ -33,7 +39,7 @@ def sanitizer(row):
 def counts():
     report = (HERE / "REPORT.md").read_text()
     lines = ["| promise | how it is tested | count | verdict |", "|---|---|---|---|",
-             *table(report), "", *paragraphs(report), ""]
+             *table(report), "", *map(wrapped, paragraphs(report)), ""]
     for name, what in WHAT:
         page = HERE / f"{name}.md"
         if not page.exists():
@@ -42,8 +48,8 @@ def counts():
         text_of_counts = " ".join(paragraphs(text))
         if name == "SANITIZERS":
             text_of_counts = ". ".join(sanitizer(row) for row in table(text)) + "."
-        lines.append(f"- {what[0].upper() + what[1:]}: {text_of_counts} "
-                     f"([{name}.md](../validation/reliability/{name}.md))")
+        lines.append(wrapped(f"- {what[0].upper() + what[1:]}: {text_of_counts} "
+                             f"([{name}.md](../validation/reliability/{name}.md))", "  "))
     return "\n".join(lines) + "\n"
 
 
