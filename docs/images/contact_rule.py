@@ -69,10 +69,10 @@ def choice():
     p.box(220, 320, 330, ["X: least axis of the surfaces of the joints",
                           "that hide it (at most twice)"])
     p.box(570, 76, 250, ["contacts along L"], OTHER)
-    p.box(570, 150, 250, ["L stands in"], OTHER)
-    p.box(570, 225, 250, ["contacts along X; if none acts", "and X is E: L stands in, or nothing",
+    p.box(570, 150, 250, ["L is used instead"], OTHER)
+    p.box(570, 225, 250, ["contacts along X; if none acts", "and X is E: L instead, or nothing",
                           "if X is an inner side"], OTHER)
-    p.box(570, 328, 250, ["hidden a third time: E stands in"], OTHER)
+    p.box(570, 328, 250, ["hidden a third time: E is used instead"], OTHER)
     p.box(570, 400, 250, ["the second surface is the side of E:",
                           "the first one is not hidden"], OTHER)
     for top, end, word in ((41, 76, ""), (107, 142, "yes"), (190, 225, "yes"), (256, 320, "yes")):

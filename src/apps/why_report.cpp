@@ -40,13 +40,13 @@ const char* word(audit::Choice choice) {
   case audit::Choice::inner_side:
     return "part beside inner side decides";
   case audit::Choice::no_entry:
-    return "no axis entered, least axis stands in";
+    return "no axis entered, least axis used instead";
   case audit::Choice::no_contact:
-    return "no contact, least axis stands in";
+    return "no contact, least axis used instead";
   case audit::Choice::still_hidden:
     break;
   }
-  return "surfaces hidden, first entered axis stands in";
+  return "surfaces hidden, first entered axis used instead";
 }
 
 const char* word(audit::Entry entry) {

@@ -112,14 +112,15 @@ struct Candidate {
 
 /// How the choice of the axis ended.
 enum class Choice {
-  apart,         ///< a side separates the parts, and nothing acts
-  touching,      ///< the least axis is not deeper than zero, and its contacts act
-  entered,       ///< the first entered axis is not hidden, and its contacts act
-  surface,       ///< a surface has taken over, and its contacts act
-  inner_side,    ///< the first entered axis has an inner side, and nothing acts
-  no_entry,      ///< no axis is entered, and the least one stands in
-  no_contact,    ///< nothing acts along the first entered axis; the least stands in
-  still_hidden,  ///< three axes in a row are hidden; the first entered one stands in
+  apart,       ///< a side separates the parts, and nothing acts
+  touching,    ///< the least axis is not deeper than zero, and its contacts act
+  entered,     ///< the first entered axis is not hidden, and its contacts act
+  surface,     ///< a surface has taken over, and its contacts act
+  inner_side,  ///< the first entered axis has an inner side, and nothing acts
+  no_entry,    ///< no axis is entered, and the least one is used instead
+  no_contact,  ///< nothing acts along the first entered axis; the least is used instead
+  still_hidden,  ///< three axes in a row are hidden; the first entered one is used
+                 ///< instead
 };
 
 /// The decision about two convex parts.
@@ -133,7 +134,7 @@ struct PartDecision {
   std::vector<int> path;
   int chosen = -1;  ///< an index into axes
   /// The candidates of the chosen axis. If none of those of the first entered axis
-  /// acts, they are kept, and those of the axis that stands in are appended.
+  /// acts, they are kept, and those of the axis that is used instead are appended.
   std::vector<Candidate> candidates;
 };
 

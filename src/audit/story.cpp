@@ -75,12 +75,14 @@ std::string result_in_words(const PartDecision& decision, int axis) {
   if (axis == decision.chosen)
     switch (decision.choice) {
     case Choice::no_entry:
-      return "stands in, because no axis is entered and this is the least";
+      return "is used instead, because no axis is entered and this is the least";
     case Choice::no_contact:
-      return "stands in, because no contact acts along the first entered axis and "
+      return "is used instead, because no contact acts along the first entered axis "
+             "and "
              "this is the least";
     case Choice::still_hidden:
-      return "stands in, because the surfaces that take over are hidden too and this "
+      return "is used instead, because the surfaces that take over are hidden too and "
+             "this "
              "is the first entered axis";
     case Choice::surface:
       return "acts as the surface that has taken over";
@@ -97,7 +99,7 @@ std::string result_in_words(const PartDecision& decision, int axis) {
 }
 
 /// Returns the axes that the choice has used: those that were tested for entry, by
-/// depth, then the surfaces that took over, then an axis that stands in.
+/// depth, then the surfaces that took over, then an axis that is used instead.
 std::vector<int> used_axes(const PartDecision& decision) {
   std::vector<int> used;
   const auto add = [&](int axis) {

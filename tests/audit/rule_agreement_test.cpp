@@ -119,13 +119,13 @@ struct Branches {
       ++count["inner side that is not hidden"];
       break;
     case Choice::no_entry:
-      ++count[std::string("stands in without entry") + ending];
+      ++count[std::string("is used instead without entry") + ending];
       break;
     case Choice::no_contact:
-      ++count[std::string("stands in without contact") + ending];
+      ++count[std::string("is used instead without contact") + ending];
       break;
     case Choice::still_hidden:
-      ++count[std::string("stands in, surfaces hidden") + ending];
+      ++count[std::string("is used instead, surfaces hidden") + ending];
       break;
     }
   }
@@ -198,12 +198,12 @@ const std::map<std::string, int> least_count = {
     {"not entered", 5000},
     {"pairs", 10000},
     {"second surface acts", 50},
-    {"stands in without contact, acts", 200},
-    {"stands in without contact, nothing acts", 50},
-    {"stands in without entry, acts", 200},
-    {"stands in without entry, nothing acts", 50},
-    {"stands in, surfaces hidden, acts", 100},
-    {"stands in, surfaces hidden, nothing acts", 10},
+    {"is used instead without contact, acts", 200},
+    {"is used instead without contact, nothing acts", 50},
+    {"is used instead without entry, acts", 200},
+    {"is used instead without entry, nothing acts", 50},
+    {"is used instead, surfaces hidden, acts", 100},
+    {"is used instead, surfaces hidden, nothing acts", 10},
     {"surface takes over", 2000},
     {"surfaces equally deep", 10},
 };
