@@ -34,7 +34,8 @@ const std::map<std::string, CommandPage>& command_pages() {
       {"view",
        {"blocks view stack.vtkhdf -o stack.html", run_stack,
         "Writes one page for the browser, which needs no server and no network. It "
-        "plays the run, zooms, and shows the numbers of a block and their history."}},
+        "plays the run, shows numbers and histories of one or two blocks, and saves "
+        "pictures and CSV. The key ? lists its keys."}},
       {"import",
        {"blocks import decks/every_card/hexagons.txt --deck", "",
         "Reads outlines from GeoJSON, WKT, Gmsh .msh or another form that READ9 reads, "

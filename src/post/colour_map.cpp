@@ -24,6 +24,14 @@ Colour interpolate(const std::array<Colour, n>& stops, double s) {
   return {a.r + f * (b.r - a.r), a.g + f * (b.g - a.g), a.b + f * (b.b - a.b)};
 }
 
+/// For magnitudes: viridis, dark blue to yellow.
+Colour viridis(double s) {
+  static constexpr std::array<Colour, 9> stops = {
+      hex(0x440154), hex(0x472d7b), hex(0x3b528b), hex(0x2c728e), hex(0x21918c),
+      hex(0x28ae80), hex(0x5ec962), hex(0xaddc30), hex(0xfde725)};
+  return interpolate(stops, s);
+}
+
 /// For magnitudes: cividis, dark blue to yellow, also for colour-blind readers.
 Colour cividis(double s) {
   static constexpr std::array<Colour, 10> stops = {
@@ -59,13 +67,6 @@ Colour material_colour(int material) {
   return mix(shade.with, palette[index % palette.size()], shade.share);
 }
 
-Colour sequential(double s) {
-  static constexpr std::array<Colour, 9> stops = {
-      hex(0x440154), hex(0x472d7b), hex(0x3b528b), hex(0x2c728e), hex(0x21918c),
-      hex(0x28ae80), hex(0x5ec962), hex(0xaddc30), hex(0xfde725)};
-  return interpolate(stops, s);
-}
-
 Colour diverging(double s) {
   static constexpr std::array<Colour, 9> stops = {
       hex(0x2166ac), hex(0x4393c3), hex(0x92c5de), hex(0xd1e5f0), hex(0xf7f7f7),
@@ -81,7 +82,7 @@ Colour intensity(double s) {
 }
 
 ColourMap colour_map(const std::string& name) {
-  static const std::map<std::string, ColourMap> maps = {{"viridis", {sequential}},
+  static const std::map<std::string, ColourMap> maps = {{"viridis", {viridis}},
                                                         {"cividis", {cividis}},
                                                         {"grey", {grey}},
                                                         {"bluered", {diverging, true}}};

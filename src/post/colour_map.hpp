@@ -30,9 +30,6 @@ ColourMap colour_map(const std::string& name);
 /// Returns the names for help and messages.
 std::string colour_map_names();
 
-/// For magnitudes: viridis, dark blue to yellow, 0 <= s <= 1 (clamped).
-Colour sequential(double s);
-
 /// For signed quantities: blue, near white, red; 0 <= s <= 1 (clamped), zero at s =
 /// 0.5.
 Colour diverging(double s);

@@ -320,6 +320,26 @@ class Packer {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
   }
 
+  /// Returns evenly spaced colours of a map. Their number is odd, so that the one in
+  /// the middle of a diverging map is that of zero.
+  static Json colours_of(const ColourMap& map) {
+    constexpr int shades = 65;
+    Json colours = Json::array();
+    for (int i = 0; i < shades; ++i)
+      colours.push_back(css(map.at(i / (shades - 1.0))));
+    return colours;
+  }
+
+  /// Returns the maps that the page offers, with their colours.
+  static Json colour_maps() {
+    Json maps = Json::object();
+    for (const char* name : {"viridis", "cividis", "grey", "bluered"}) {
+      const ColourMap map = colour_map(name);
+      maps[name] = {{"diverging", map.diverging}, {"colours", colours_of(map)}};
+    }
+    return maps;
+  }
+
   std::string meta(const ViewStore& store, std::size_t packed,
                    const std::optional<Units>& units) const {
     Json quantities = Json::array();
@@ -331,14 +351,7 @@ class Packer {
                             {"signed", kind.is_signed},
                             {"odd", is_odd(name)}});
     }
-    Json sequential_map = Json::array(), diverging_map = Json::array(),
-         intensity_map = Json::array(), materials = Json::object();
-    constexpr int shades = 64;
-    for (int i = 0; i < shades; ++i) {
-      sequential_map.push_back(css(sequential(i / (shades - 1.0))));
-      diverging_map.push_back(css(diverging(i / (shades - 1.0))));
-      intensity_map.push_back(css(intensity(i / (shades - 1.0))));
-    }
+    Json materials = Json::object();
     for (const int material : last_.material)
       materials[std::to_string(material)] = css(material_colour(material));
     std::vector<std::size_t> acting;
@@ -353,16 +366,16 @@ class Packer {
                        {"material", last_.material},
                        {"materials", materials},
                        {"quantities", quantities},
-                       {"sequential", sequential_map},
-                       {"diverging", diverging_map},
+                       {"maps", colour_maps()},
                        {"kinetic_energy", energy_},
                        {"contacts", acting},
                        {"largest_force", largest_},
                        {"time_unit", unit_text({0, 0, 1, "s", ""}, units)},
                        {"length_unit", unit_text({1, 0, 0, "m", ""}, units)},
+                       {"units_known", units.has_value()},
                        {"force_unit", unit_text({0, 1, -2, "N/m", ""}, units)},
                        {"energy_unit", unit_text({1, 1, -2, "J/m", ""}, units)},
-                       {"intensity", intensity_map},
+                       {"intensity", colours_of({intensity})},
                        {"mirror", mirror_ ? Json(*mirror_) : Json()},
                        {"strain_step", strain_step},
                        {"packed", packed},

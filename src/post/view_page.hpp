@@ -7,7 +7,7 @@
 
 namespace blocks::post {
 
-/// The texts of page.html, page.css, and of draft.js followed by page.js, in
+/// The texts of page.html, page.css, and of the scripts that scripts.cmake lists, in
 /// src/post/view/.
 extern const char* const view_html;
 extern const char* const view_css;

@@ -1,6 +1,6 @@
 // Stores the arrays of the page of `blocks view` one after the other. They are encoded
 // as differences, so that slow changes need little space, then deflated and written as
-// text. page.js reads them back.
+// text. unpack.js reads them back.
 #pragma once
 
 #include <cstdint>

@@ -9,6 +9,9 @@ import tempfile
 import time
 
 PROGRAM = next(filter(None, map(shutil.which, ["chromium", "chromium-browser", "google-chrome"])), None)
+SHIFT = 8  # as a modifier of events
+CODES = {"Tab": 9, "Enter": 13, "Escape": 27, " ": 32, "End": 35, "Home": 36, "ArrowLeft": 37, "ArrowUp": 38,
+         "ArrowRight": 39, "ArrowDown": 40}
 
 
 class Browser:
@@ -83,9 +86,14 @@ class Browser:
     def scheme(self, name):
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": name}])
 
-    def click(self, x, y):
+    def move(self, x, y):
+        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+        self.drawn()
+
+    def click(self, x, y, shift=False):
         for kind in ("mousePressed", "mouseReleased"):
-            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1,
+                      modifiers=SHIFT if shift else 0)
         self.drawn()
 
     def wheel(self, x, y, up):
@@ -100,11 +108,22 @@ class Browser:
         self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
         self.drawn()
 
-    def key(self, name):
-        text = {"text": name} if len(name) == 1 else {}
-        self.call("Input.dispatchKeyEvent", type="keyDown", key=name, **text)
-        self.call("Input.dispatchKeyEvent", type="keyUp", key=name)
+    def key(self, name, shift=False):
+        """Presses a key; browsers move the focus and choose in menus by its code."""
+        text = {"text": name} if len(name) == 1 else {"text": "\r"} if name == "Enter" else {}
+        code = {"windowsVirtualKeyCode": CODES[name], "code": "Space" if name == " " else name} if name in CODES else {}
+        held = SHIFT if shift else 0
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=name, modifiers=held, **text, **code)
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=name, modifiers=held, **code)
         self.drawn()
+
+    def write(self, text):
+        """Writes into the field that has the focus."""
+        self.call("Input.insertText", text=text)
+
+    def downloads(self, folder):
+        """Lets the page save files in the folder."""
+        self.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
 
     def picture(self, path):
         path.write_bytes(base64.b64decode(self.call("Page.captureScreenshot")["data"]))

@@ -6,39 +6,19 @@ with those of `blocks history`. It is skipped (77) without chromium. With FOLDER
 and pictures there.
 """
 
-import csv
-import io
 import re
-import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
 
 import browser
+from view_pages import history, run, same_number, screen, show
 
 QUANTITIES = ["x", "y", "dx", "dy", "displacement", "speed", "vx", "vy", "rotation", "spin", "fx", "fy", "moment",
               "s11", "s22", "s12", "p1", "p2", "kinetic_energy", "overlap", "contacts"]
-SEEN = """Object.fromEntries([...$("numbers").rows].map((row) =>
+SEEN = """Object.fromEntries([...$("numbers").tBodies[0].rows].map((row) =>
     [row.dataset.name, row.cells[1].textContent.replaceAll("−", "-")]))"""
-
-
-def history(program, results, curves):
-    done = subprocess.run([program, "history", results, "--csv", "-q", ",".join(curves)], capture_output=True, text=True,
-                          check=True)
-    return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(done.stdout))]
-
-
-def same_number(shown, exact):
-    """Whether the shown number has at least six digits of the number in the file."""
-    places = max(6, len(shown.split("e")[0].lstrip("-0.").replace(".", "")))
-    return float(shown) == float(f"{exact:.{places}g}")
-
-
-def screen(page, x, y):
-    """Returns the place of a point of the model on the screen."""
-    return page.evaluate(f"(() => {{ const box = $('model').getBoundingClientRect(), p = to_screen({x!r}, {y!r});"
-                         "return [box.left + p[0], box.top + p[1]]; })()")
 
 
 def check_numbers(page, rows, followed, deck):
@@ -130,32 +110,21 @@ def check_draft(page, blocks):
 
 def check_mirror(program, results, folder, page, block, x, y):
     """The other half of a half model is drawn and can be picked. M hides it."""
-    path = folder / "whole.html"
-    subprocess.run([program, "view", results, "-o", path, "--mirror", "-2"], check=True, capture_output=True)
-    page.open(path)
-    page.wait("document.documentElement?.dataset.ready === 'yes'")
-    page.drawn()
+    show(page, program, results, folder / "whole.html", "--mirror", "-2")
     there = screen(page, -4 - x, y)
     page.click(*there)
-    assert page.evaluate("state.block") == block - 1
+    assert page.evaluate("state.picked") == [block - 1]
     both = page.evaluate("$('model').toDataURL()")
     page.key("m")
     assert page.evaluate("$('model').toDataURL()") != both
     page.click(*there)
-    assert page.evaluate("state.block") == -1
+    assert page.evaluate("state.picked") == []
 
 
 def check(program, deck, folder, followed, page, hands):
-    results = folder / f"{deck.stem}.vtkhdf"
-    subprocess.run([program, "run", deck, "-q", "-o", folder / deck.stem], check=True, capture_output=True)
-    path = folder / f"{deck.stem}.html"
-    subprocess.run([program, "view", results, "-o", path, "--units", "m,kg,s"], check=True, capture_output=True)
-    text = path.read_text()
-    assert not re.search(r"https?://|\bsrc=|<link|@import", text), "the page asks for something outside"
-
-    page.open(path)
-    page.wait("document.documentElement?.dataset.ready === 'yes'")
-    page.drawn()
+    results, path = run(program, deck, folder), folder / f"{deck.stem}.html"
+    show(page, program, results, path, "--units", "m,kg,s")
+    assert not re.search(r"https?://|\bsrc=|<link|@import", path.read_text()), "the page asks for something outside"
     energy = history(program, results, ["kinetic_energy"])[-1]["kinetic_energy"]
     assert same_number(page.evaluate(SEEN)["kinetic_energy"], energy)
 
@@ -210,12 +179,9 @@ GRAVITY, 0, -10
 PLOTS, 0.01
 MOTION, 0.05
 """)
-    results, path = folder / "far.vtkhdf", folder / "far.html"
-    subprocess.run([program, "run", deck, "-q", "-o", folder / "far"], check=True, capture_output=True)
-    subprocess.run([program, "view", results, "-o", path], check=True, capture_output=True)
-    page.open(path)
-    page.wait("document.documentElement?.dataset.ready === 'yes'")
-    page.evaluate("choose(1); state.followed = 'y'; colour_by('y')")
+    results = run(program, deck, folder)
+    show(page, program, results, folder / "far.html")
+    page.evaluate("pick_first(1); state.followed = 'y'; colour_by('y')")
     page.drawn()
     page.key("Home")
     for row in history(program, results, ["x:2", "y:2"]):
@@ -225,7 +191,7 @@ MOTION, 0.05
         page.key("ArrowRight")
     title = page.evaluate("$('chart_name').textContent")
     assert re.match(r"y − 4000000(\.\d+)?( |$)", title), title
-    ticks = page.evaluate("[...document.querySelectorAll('#key .ticks span')].map((one) => one.textContent)")
+    ticks = page.evaluate("legend_parts(true)[0].ticks.map((one) => one[1])")
     assert len(ticks) == len(set(ticks)) > 2, ticks
     late = page.evaluate("label_ticks(4000000.49975, 4000000.5, 4, 'y', 'm').ticks.map((one) => one[1])")
     assert late == ["−250", "−200", "−150", "−100", "−50", "0"], late

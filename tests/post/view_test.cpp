@@ -1,5 +1,5 @@
-// The content of the page of `blocks view`. view_page_test.py tests its behaviour in a
-// browser.
+// The content of the page of `blocks view`. view_page_test.py and view_tools_test.py
+// test its behaviour in a browser.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "output/hdf5_handle.hpp"
 #include "output/sample_model.hpp"
+#include "post/colour_map.hpp"
 #include "post/view_data.hpp"
 #include "post/view_numbers.hpp"
 #include "run/program.hpp"
@@ -88,6 +90,38 @@ TEST(View, WritesOnePage) {
   const std::string page = slurp(folder / "fall.html");
   EXPECT_THAT(page, HasSubstr("\"blocks\":1"));
   EXPECT_THAT(page, Not(HasSubstr("{{")));
+}
+
+// The page has the colours of the maps of figures. Their number is odd, so that zero
+// has the colour in the middle of a diverging map.
+TEST(View, OffersTheColourMapsOfFigures) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
+  const post::ViewData data =
+      post::view_data(post::ResultsReader((folder / "fall.vtkhdf").string()), 1, {});
+  const auto maps = nlohmann::json::parse(data.meta)["maps"];
+  ASSERT_EQ(maps.size(), 4U);
+  for (const auto& [name, map] : maps.items()) {
+    EXPECT_EQ(map["diverging"], post::colour_map(name).diverging);
+    EXPECT_EQ(map["colours"].size() % 2, 1U);
+  }
+  const auto& zero = maps["bluered"]["colours"];
+  EXPECT_EQ(zero[zero.size() / 2], "#f7f7f7");
+  EXPECT_EQ(maps["viridis"]["colours"].front(), "#440154");
+  EXPECT_EQ(maps["grey"]["colours"].back(), "#1c1c1c");
+}
+
+TEST(View, KnowsUnitsOnlyIfTheyAreNamed) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
+  const post::ResultsReader results((folder / "fall.vtkhdf").string());
+  const auto meta = [&](const std::optional<post::Units>& units) {
+    return nlohmann::json::parse(post::view_data(results, 1, units).meta);
+  };
+  EXPECT_EQ(meta({})["units_known"], false);
+  const auto named = meta(post::Units{"cm", "g", "ms"});
+  EXPECT_EQ(named["units_known"], true);
+  EXPECT_EQ(named["length_unit"], "cm");
 }
 
 Contact touching(int corner, int edge) {

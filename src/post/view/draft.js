@@ -1,8 +1,6 @@
 // Draft pictures for the page of `blocks view`. The canvas fills only about 200 blocks per
 // millisecond. If there are very many blocks and something moves, they are drawn pixel by pixel
-// instead, twenty times as fast. The fine picture follows when nothing moves. This file comes
-// before page.js in the same script.
-"use strict";
+// instead, twenty times as fast. The fine picture follows when nothing moves.
 
 const rest = 250;
 let draft_above = 3000, moved_at = -Infinity, fine_later = 0;
@@ -15,7 +13,7 @@ function moves() {
 }
 
 /// Converts "#rrggbb" to a pixel.
-const pixel = (shade) => 0xff000000 | parseInt(shade.slice(5, 7) + shade.slice(3, 5) + shade.slice(1, 3), 16);
+const pixel = remembered((shade) => 0xff000000 | parseInt(shade.slice(5, 7) + shade.slice(3, 5) + shade.slice(1, 3), 16));
 let picture = null, pixels = null, crossings = new Float64Array(64);
 
 /// The canvas in its own pixels. It is read once per picture, because reading it for every block
@@ -34,9 +32,25 @@ function draw_draft(f, visible, halves) {
   const edges = typical_size() * state.view.scale > 7;
   for (const half of halves)
     for (const [shade, group] of shades(f, visible, half)) {
-      const ground = pixel(shade), edge = edges ? pixel(darker(shade)) : ground;
+      const ground = pixel(shade), edge = edges ? pixel(outline_on(shade)) : ground;
       for (const b of group) put_block(b, half, ground, edge);
     }
+  if (state.forces) put_forces(force_lines(f, halves));
+  pen.putImageData(picture, 0, 0);
+  for (const half of halves) hatch_fixed(f, visible, half);
+}
+
+/// Draws contact forces: lines of one pixel with a rim of one pixel on both sides.
+function put_forces(lines) {
+  const shades = Array.from({length: force_steps + 1}, (_, k) => force_shade(k / force_steps));
+  const inner = shades.map(pixel), rims = shades.map(rim_of_line).map(pixel), side = 1 / sheet.ratio;
+  for (const [x0, y0, x1, y1, part] of lines) {
+    const rim = rims[force_step(part)], is_flat = Math.abs(x1 - x0) > Math.abs(y1 - y0);
+    const [u, v] = is_flat ? [0, side] : [side, 0];
+    put_line(x0 - u, y0 - v, x1 - u, y1 - v, rim);
+    put_line(x0 + u, y0 + v, x1 + u, y1 + v, rim);
+  }
+  for (const [x0, y0, x1, y1, part] of lines) put_line(x0, y0, x1, y1, inner[force_step(part)]);
 }
 
 /// Draws a line; its ends are in page pixels.
@@ -47,9 +61,6 @@ function put_line(x0, y0, x1, y1, colour) {
   for (let i = 0, x = ratio * x0, y = ratio * y0; i <= n; ++i, x += dx, y += dy)
     if (x >= 0 && y >= 0 && x < w && y < h) pixels[(y | 0) * w + (x | 0)] = colour;
 }
-
-const darker = (shade) => "#" + [1, 3, 5].map((i) =>
-  Math.round(0.55 * parseInt(shade.slice(i, i + 2), 16)).toString(16).padStart(2, "0")).join("");
 
 /// Sets the pixels whose middle is inside, so that neighbours leave no gap. The leftmost pixel of
 /// each row and the lowest row get the colour of the edge.

@@ -1,0 +1,146 @@
+// Draws the blocks of the current frame: fills, outlines, hatching of fixed blocks, the first state,
+// numbers and picked blocks.
+
+let pen = model.getContext("2d");  // a picture to save has another pen for a moment (save.js)
+
+function trace(b, from) {
+  const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
+  const {x, y, scale} = state.view;
+  const u = model.clientWidth / 2 - x * scale, v = model.clientHeight / 2 + y * scale;
+  pen.moveTo(u + from[first] * scale, v - from[first + 1] * scale);
+  for (let i = first + 2; i < end; i += 2)
+    pen.lineTo(u + from[i] * scale, v - from[i + 1] * scale);
+  pen.closePath();
+}
+
+/// Paints blocks in groups, because one path of many blocks is much slower than many short paths.
+function in_parts(blocks, from, paint, most = 32) {
+  for (let i = 0; i < blocks.length; i += most) {
+    pen.beginPath();
+    for (const b of blocks.slice(i, i + most)) trace(b, from);
+    paint();
+  }
+}
+
+function draw_model() {
+  size_canvas(model, pen);
+  place_corners(state.frame, corners);
+  const visible = visible_blocks(), halves = both_halves(corners);
+  if (visible.length > draft_above && hurried()) draw_draft(state.frame, visible, halves);
+  else draw_fine(state.frame, visible, halves);
+  draw_marks(state.frame, visible, halves);
+}
+
+function visible_blocks() {
+  const f = state.frame, {x, y, scale} = state.view, visible = [];
+  const half_w = model.clientWidth / 2 / scale, half_h = model.clientHeight / 2 / scale;
+  for (let b = 0; b < meta.counts[f]; ++b) {
+    const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
+    const near = Math.abs(cx - x) < half_w + r || (state.mirror && Math.abs(2 * meta.mirror - cx - x) < half_w + r);
+    if (near && Math.abs(cy - y) < half_h + r) visible.push(b);
+  }
+  return visible;
+}
+
+/// Returns the width of outlines on the page; they are thin on small blocks.
+const edge_width = () => Math.min(1, typical_size() * state.view.scale / 24);
+
+/// Draws the blocks with hatching and outlines, and the contact forces.
+function draw_fine(f, visible, halves) {
+  const groups = halves.flatMap((half) =>
+    [...shades(f, visible, half)].map(([shade, group]) => ({shade, group, half})));
+  for (const {shade, group, half} of groups) {
+    pen.fillStyle = shade;
+    in_parts(group, half, () => pen.fill());
+  }
+  for (const half of halves) hatch_fixed(f, visible, half);
+  pen.lineWidth = edge_width();
+  pen.lineJoin = "round";
+  for (const {shade, group, half} of edge_width() > 0.2 ? groups : []) {
+    pen.strokeStyle = outline_on(shade);
+    in_parts(group, half, () => pen.stroke());
+  }
+  if (state.forces) draw_forces(f, halves);
+}
+
+/// Draws what is on top of blocks and forces.
+function draw_marks(f, visible, halves) {
+  if (state.original) draw_original();
+  if (state.mirror) draw_plane();
+  if (state.labels) draw_labels(f, visible);
+  state.picked.forEach((block, i) => exists(block, f) && draw_outline(pen, block, halves, mark_colour(i), 3));
+}
+
+/// Returns the colour of the first or second picked block.
+const mark_colour = (i) => style(i ? "--second" : "--mark");
+
+/// Draws the outline of a block with a rim, so that it is visible on every colour.
+function draw_outline(its_pen, block, halves, colour, width) {
+  const own = pen;
+  pen = its_pen;
+  pen.beginPath();
+  for (const half of halves) trace(block, half);
+  pen.lineJoin = "round";
+  pen.strokeStyle = style("--sheet"); pen.lineWidth = width + 2.5; pen.stroke();
+  pen.strokeStyle = colour; pen.lineWidth = width; pen.stroke();
+  pen = own;
+}
+
+function draw_plane() {
+  const [px] = to_screen(meta.mirror, 0);
+  pen.save();
+  pen.setLineDash([14, 4, 3, 4]);
+  pen.strokeStyle = style("--muted"); pen.lineWidth = 1;
+  pen.beginPath(); pen.moveTo(px, 0); pen.lineTo(px, model.clientHeight); pen.stroke();
+  pen.restore();
+}
+
+function hatch_fixed(f, visible, half) {
+  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]), shade_of = shades_at(f, half);
+  const dark = (b) => is_dark(shade_of(b));
+  hatch(fixed.filter((b) => !dark(b)), half, "#1a1c20");
+  hatch(fixed.filter(dark), half, "#fff");
+}
+
+function hatch(fixed, half, colour) {
+  if (!fixed.length) return;
+  pen.save();
+  pen.beginPath();
+  for (const b of fixed) trace(b, half);
+  pen.clip();
+  pen.beginPath();
+  const w = model.clientWidth, h = model.clientHeight;
+  for (let s = -h; s < w; s += 8) { pen.moveTo(s, h); pen.lineTo(s + h, 0); }
+  pen.strokeStyle = colour; pen.globalAlpha = 0.45; pen.lineWidth = 1;
+  pen.stroke();
+  pen.restore();
+}
+
+let first_corners = null;
+function draw_original() {
+  first_corners ??= place_corners(0, new Float64Array(corners.length));
+  const all = [...Array(meta.counts[0]).keys()];
+  const paint = (colour, width, dashes) => {
+    pen.strokeStyle = colour; pen.lineWidth = width * Math.max(0.4, edge_width());
+    pen.setLineDash(dashes);
+    for (const half of both_halves(first_corners)) in_parts(all, half, () => pen.stroke());
+  };
+  pen.save();
+  paint("rgba(255, 255, 255, .55)", 2, []);
+  paint("#33363d", 0.9, [4, 3]);
+  pen.restore();
+}
+
+function draw_labels(f, visible) {
+  pen.textAlign = "center"; pen.textBaseline = "middle"; pen.lineJoin = "round";
+  for (const b of visible) {
+    const room = data.size[b] * state.view.scale;
+    if (room < 12) continue;
+    pen.font = `${Math.min(13, Math.max(8, 0.45 * room))}px system-ui, sans-serif`;
+    const [px, py] = to_screen(...centre(b, f));
+    pen.strokeStyle = "rgba(255, 255, 255, .8)"; pen.lineWidth = 3;
+    pen.strokeText(b + 1, px, py);
+    pen.fillStyle = "#1a1c20";
+    pen.fillText(b + 1, px, py);
+  }
+}

@@ -1,0 +1,37 @@
+"""What the tests of the page of `blocks view` share: runs, pages, the numbers of the file, places on the screen."""
+
+import csv
+import io
+import subprocess
+
+
+def run(program, deck, folder):
+    """Runs a deck and returns the path of its results."""
+    subprocess.run([program, "run", deck, "-q", "-o", folder / deck.stem], check=True, capture_output=True)
+    return folder / f"{deck.stem}.vtkhdf"
+
+
+def show(page, program, results, path, *options):
+    """Makes the page of the results and opens it."""
+    subprocess.run([program, "view", results, "-o", path, *options], check=True, capture_output=True)
+    page.open(path)
+    page.wait("document.documentElement?.dataset.ready === 'yes'")
+    page.drawn()
+
+
+def history(program, results, curves):
+    done = subprocess.run([program, "history", results, "--csv", "-q", ",".join(curves)], capture_output=True, text=True,
+                          check=True)
+    return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(done.stdout))]
+
+
+def same_number(shown, exact):
+    """Whether the shown number has at least six digits of the number in the file."""
+    places = max(6, len(shown.split("e")[0].lstrip("-0.").replace(".", "")))
+    return float(shown) == float(f"{exact:.{places}g}")
+
+
+def screen(page, x, y):
+    """Returns the place of a point of the model on the screen."""
+    return page.evaluate(f"(() => {{ const box = $('model').getBoundingClientRect(), p = to_screen({x!r}, {y!r});"
+                         "return [box.left + p[0], box.top + p[1]]; })()")
