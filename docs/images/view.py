@@ -10,10 +10,13 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests/post"))
 import browser  # noqa: E402
 
-page = browser.Browser(1200, 720)
+page = browser.Browser(1300, 800)
 page.open(Path(sys.argv[1]).resolve())
 page.wait("document.documentElement?.dataset.ready === 'yes'")
-page.evaluate("colour_by('displacement'); choose(817); state.followed = 'dy'; show(nearest(2))")
+page.scheme("light")
+page.evaluate("colour_by('displacement'); set_picked([816, 825]); follow('dy'); show(nearest(2))")
+page.evaluate("state.view = {x: 0, y: 25, scale: model.clientWidth / 112}; redraw()")  # the trough
+page.move(420, 230)
 page.drawn()
 page.picture(Path(sys.argv[2]))
 page.close()
