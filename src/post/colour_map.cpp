@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <stdexcept>
 
 namespace blocks::post {
@@ -46,6 +45,20 @@ Colour grey(double s) {
   return interpolate(stops, s);
 }
 
+struct NamedMap {
+  std::string name;
+  ColourMap map;
+};
+
+/// All maps, the most used first.
+const std::vector<NamedMap>& named_maps() {
+  static const std::vector<NamedMap> maps = {{"viridis", {viridis}},
+                                             {"cividis", {cividis}},
+                                             {"grey", {grey}},
+                                             {"bluered", {diverging, true}}};
+  return maps;
+}
+
 }  // namespace
 
 Colour material_colour(int material) {
@@ -82,18 +95,27 @@ Colour intensity(double s) {
 }
 
 ColourMap colour_map(const std::string& name) {
-  static const std::map<std::string, ColourMap> maps = {{"viridis", {viridis}},
-                                                        {"cividis", {cividis}},
-                                                        {"grey", {grey}},
-                                                        {"bluered", {diverging, true}}};
   const bool reversed = name.ends_with("_r");
-  const auto found = maps.find(reversed ? name.substr(0, name.size() - 2) : name);
-  if (found == maps.end())
-    throw std::runtime_error("there is no colour map '" + name + "': choose " +
-                             colour_map_names());
-  ColourMap map = found->second;
-  map.reversed = reversed;
-  return map;
+  const std::string plain = reversed ? name.substr(0, name.size() - 2) : name;
+  for (const NamedMap& known : named_maps())
+    if (known.name == plain) {
+      ColourMap map = known.map;
+      map.reversed = reversed;
+      return map;
+    }
+  throw std::runtime_error("there is no colour map '" + name + "': choose " +
+                           colour_map_names());
+}
+
+std::vector<std::string> all_colour_maps() {
+  std::vector<std::string> names;
+  for (const NamedMap& known : named_maps())
+    names.push_back(known.name);
+  return names;
+}
+
+std::string usual_colour_map(bool is_signed) {
+  return is_signed ? "bluered" : "viridis";
 }
 
 std::string colour_map_names() {

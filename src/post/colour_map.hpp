@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace blocks::post {
 
@@ -26,6 +27,12 @@ struct ColourMap {
 /// Returns the map of that name; a name that ends in _r has the colours in reverse.
 /// Throws std::runtime_error that lists the names.
 ColourMap colour_map(const std::string& name);
+
+/// Returns the names of all maps, not reversed, the most used first.
+std::vector<std::string> all_colour_maps();
+
+/// Returns the name of the map of a quantity unless another one is asked for.
+std::string usual_colour_map(bool is_signed);
 
 /// Returns the names for help and messages.
 std::string colour_map_names();

@@ -139,7 +139,7 @@ FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& re
 
 ColourMap map_of(const FigureOptions& options, bool is_signed) {
   if (options.colour_map.empty())
-    return colour_map(is_signed ? "bluered" : "viridis");
+    return colour_map(usual_colour_map(is_signed));
   return colour_map(options.colour_map);
 }
 

@@ -333,7 +333,7 @@ class Packer {
   /// Returns the maps that the page offers, with their colours.
   static Json colour_maps() {
     Json maps = Json::object();
-    for (const char* name : {"viridis", "cividis", "grey", "bluered"}) {
+    for (const std::string& name : all_colour_maps()) {
       const ColourMap map = colour_map(name);
       maps[name] = {{"diverging", map.diverging}, {"colours", colours_of(map)}};
     }
@@ -348,7 +348,7 @@ class Packer {
       quantities.push_back({{"name", name},
                             {"label", kind.label},
                             {"unit", unit_text(kind.dimension, units)},
-                            {"signed", kind.is_signed},
+                            {"map", usual_colour_map(kind.is_signed)},
                             {"odd", is_odd(name)}});
     }
     Json materials = Json::object();

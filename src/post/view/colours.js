@@ -3,7 +3,7 @@
 
 /// Returns the colours of the chosen map for a quantity, and whether its middle means zero.
 function colour_map(q) {
-  const {diverging, colours} = meta.maps[state.map || (q.signed ? "bluered" : "viridis")];
+  const {diverging, colours} = meta.maps[state.map || q.map];
   return {diverging, colours: state.reversed ? [...colours].reverse() : colours};
 }
 

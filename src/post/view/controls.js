@@ -21,7 +21,7 @@ function show_colour_controls() {
   $("map").value = state.map;
   $("colour_options").hidden = !q;
   if (!q) return;
-  $("map").options[0].text = `automatic (${q.signed ? "bluered" : "viridis"})`;
+  $("map").options[0].text = `automatic (${q.map})`;
   const typed = state.typed[q.name] ?? [null, null];
   $("automatic").disabled = typed.every((end) => end === null);
   ["low", "high"].forEach((id, i) => {
