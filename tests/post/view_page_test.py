@@ -7,13 +7,9 @@ and pictures there.
 """
 
 import re
-import sys
-import tempfile
 import time
-from pathlib import Path
 
-import browser
-from view_pages import history, run, same_number, screen, show
+from view_pages import history, run, same_number, screen, show, with_browser
 
 QUANTITIES = ["x", "y", "dx", "dy", "displacement", "speed", "vx", "vy", "rotation", "spin", "fx", "fy", "moment",
               "s11", "s22", "s12", "p1", "p2", "kinetic_energy", "overlap", "contacts"]
@@ -198,20 +194,10 @@ MOTION, 0.05
     page.picture(folder / "far.png")
 
 
-def main():
-    program, source = Path(sys.argv[1]), Path(sys.argv[2])
-    if browser.PROGRAM is None:
-        print("skipped: no chromium")
-        sys.exit(77)
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = Path(sys.argv[3] if len(sys.argv) > 3 else temporary)
-        page = browser.Browser()
-        try:
-            check(program, source / "decks/stack/stack.deck", folder, 4, page, True)  # rigid
-            check(program, source / "tests/post/strained.deck", folder, 2, page, False)  # deformable, spinning
-            check_far_from_the_origin(program, folder, page)
-        finally:
-            page.close()
+def check_all(page, program, source, folder):
+    check(program, source / "decks/stack/stack.deck", folder, 4, page, True)  # rigid
+    check(program, source / "tests/post/strained.deck", folder, 2, page, False)  # deformable, spinning
+    check_far_from_the_origin(program, folder, page)
 
 
-main()
+with_browser(check_all)

@@ -3,6 +3,27 @@
 import csv
 import io
 import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import browser
+
+
+def with_browser(check):
+    """Calls check(page, program, source, folder) with the arguments of the test, PROGRAM SOURCE [FOLDER]. Skips the
+    test (77) without chromium."""
+    program, source = Path(sys.argv[1]), Path(sys.argv[2])
+    if browser.PROGRAM is None:
+        print("skipped: no chromium")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(sys.argv[3] if len(sys.argv) > 3 else temporary)
+        page = browser.Browser()
+        try:
+            check(page, program, source, folder)
+        finally:
+            page.close()
 
 
 def run(program, deck, folder):

@@ -11,13 +11,9 @@ import csv
 import math
 import re
 import struct
-import sys
-import tempfile
 import time
-from pathlib import Path
 
-import browser
-from view_pages import history, run, same_number, screen, show
+from view_pages import history, run, same_number, screen, show, with_browser
 
 # Functions for the tests: the colour of a pixel of the model, the contrast of two colours (1 to 21), and all texts
 # that a function draws with a pen.
@@ -40,6 +36,15 @@ def number(text):
 
 def text(page, name):
     return page.evaluate(f"$('{name}').textContent")
+
+
+def tab_to(page, is_there):
+    """Presses Tab until the expression is true."""
+    for _ in range(60):
+        if page.evaluate(is_there):
+            return
+        page.key("Tab")
+    raise AssertionError(f"Tab never makes this true: {is_there}")
 
 
 def middle(page, selector):
@@ -310,10 +315,7 @@ def check_keyboard(page, folder):
         return page.evaluate(expression)
 
     # A menu that has the focus: arrows choose in it, and all other keys keep their meaning.
-    for _ in range(60):
-        if value("document.activeElement.id") == "colour":
-            break
-        page.key("Tab")
+    tab_to(page, "document.activeElement.id === 'colour'")
     before = value("state.colour")
     page.key("ArrowDown")
     assert value("state.colour") != before and value("document.activeElement.id") == "colour"
@@ -375,10 +377,7 @@ def check_keyboard(page, folder):
     page.key("x")
     page.key("f")
 
-    for _ in range(60):
-        if value("document.activeElement.tagName") == "TR":
-            break
-        page.key("Tab")
+    tab_to(page, "document.activeElement.tagName === 'TR'")
     before = value("state.followed")
     page.key("ArrowDown")
     assert value("state.followed") != before and value("document.activeElement.dataset.name === state.followed")
@@ -462,35 +461,25 @@ def check_visibility(page):
     page.evaluate("state.reversed = state.forces = false; use_map(''); automatic(); colour_by('material')")
 
 
-def main():
-    program, source = Path(sys.argv[1]), Path(sys.argv[2])
-    if browser.PROGRAM is None:
-        print("skipped: no chromium")
-        sys.exit(77)
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = Path(sys.argv[3] if len(sys.argv) > 3 else temporary)
-        page = browser.Browser()
-        try:
-            results = run(program, source / "decks/stack/stack.deck", folder)
-            show(page, program, results, folder / "unitless.html")
-            page.evaluate(HELP)
-            check_axes(page, "")
-            show(page, program, results, folder / "stack.html", "--units", "m,kg,s")
-            page.evaluate(HELP)
-            check_axes(page, "m")
-            check_cursor(page, program, results)
-            check_comparison(page, program, results)
-            check_colours(page, program, results)
-            check_files(page, program, results, folder)
-            check_legend(page)
-            check_keyboard(page, folder)
-            check_keys_after_pointer(page)
-            check_visibility(page)
-            assert not page.faults(), page.faults()
-            assert not page.requests(), page.requests()
-        finally:
-            page.close()
+def check(page, program, source, folder):
+    results = run(program, source / "decks/stack/stack.deck", folder)
+    show(page, program, results, folder / "unitless.html")
+    page.evaluate(HELP)
+    check_axes(page, "")
+    show(page, program, results, folder / "stack.html", "--units", "m,kg,s")
+    page.evaluate(HELP)
+    check_axes(page, "m")
+    check_cursor(page, program, results)
+    check_comparison(page, program, results)
+    check_colours(page, program, results)
+    check_files(page, program, results, folder)
+    check_legend(page)
+    check_keyboard(page, folder)
+    check_keys_after_pointer(page)
+    check_visibility(page)
+    assert not page.faults(), page.faults()
+    assert not page.requests(), page.requests()
     print("axes, cursor, comparison, colours, files, legend, keyboard and visibility are as described")
 
 
-main()
+with_browser(check)
