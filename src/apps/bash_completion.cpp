@@ -56,6 +56,8 @@ std::string completion_of(const CLI::Option& option) {
       {"--quantity", "_blocks_words " + blanks(post::quantity_names())}};
   if (const auto names = choices(option); !names.empty())
     return "_blocks_words " + joined(names);
+  if (value_name(option) == "DECK")
+    return "_blocks_files deck";
   for (const std::string& name : option.get_lnames())
     if (const auto found = known.find("--" + name); found != known.end())
       return found->second;

@@ -14,8 +14,8 @@
 #include <string>
 #include <system_error>
 
+#include "cards_command.hpp"
 #include "check_command.hpp"
-#include "deck/cards_text.hpp"
 #include "dynamics/kernels/kernels.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
@@ -86,12 +86,13 @@ CLI::Validator whole_steps() {
           "STEPS"};
 }
 
-/// CARD.field=value
+/// Splits CARD.field=value or CARD[2].field=value.
 blocks::deck::Override parse_override(const std::string& text) {
   const auto dot = text.find('.'), equals = text.find('=');
   if (dot == std::string::npos || equals == std::string::npos || dot > equals)
     throw CLI::ValidationError("--set",
-                               "expected CARD.field=value, found '" + text + "'");
+                               "expected CARD.field=value or CARD[2].field=value, "
+                               "found '" + text + "'");
   return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
           text.substr(equals + 1)};
 }
@@ -109,7 +110,10 @@ void add_deck_options(CLI::App& command, RunOptions& options,
   command.add_option("--restart", options.restart,
                      "continue from this checkpoint: this deck was stopped, or it "
                      "begins with RESTART");
-  command.add_option("--set", sets, "CARD.field=value: replace a field of the deck");
+  command.add_option("--set", sets,
+                     "CARD.field=value: replace a field of every such card, or "
+                     "CARD[2].field=value: of the second one; 'blocks cards --set DECK' "
+                     "lists what can be replaced");
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
   command.add_flag("-v,--verbose", options.verbose,
                    "print details of blocks and layers");
@@ -144,26 +148,6 @@ std::string tell_usage_fault(const CLI::App* app, const CLI::Error& error) {
         error.what(), every);
   return fmt::format("blocks: error: {}\n  hint: {} --help shows what is possible\n",
                      error.what(), command);
-}
-
-int cards(const std::string& name, bool markdown) {
-  if (markdown) {
-    std::cout << blocks::deck::card_reference_markdown();
-    return blocks::run::done;
-  }
-  if (name.empty()) {
-    std::cout << blocks::deck::all_cards();
-    return blocks::run::done;
-  }
-  if (const auto page = blocks::deck::card_page(name)) {
-    std::cout << *page;
-    return blocks::run::done;
-  }
-  const std::string near = blocks::deck::suggest_card(name);
-  fmt::print(stderr, "blocks: error: there is no card {}\n  hint: {}\n", name,
-             near.empty() ? "'blocks cards' lists all cards"
-                          : fmt::format("did you mean {}?", near));
-  return blocks::run::usage_error;
 }
 
 int dispatch(int argc, char** argv) {
@@ -210,11 +194,9 @@ int dispatch(int argc, char** argv) {
   blocks::apps::GeometryOptions geometry_options;
   blocks::apps::add_geometry_options(*check, geometry_options);
 
-  std::string card;
-  bool markdown = false;
+  blocks::apps::CardsOptions cards_options;
   auto* reference = app.add_subcommand("cards", "describe the cards of a deck");
-  reference->add_option("NAME", card, "card to describe (default: list all cards)");
-  reference->add_flag("--markdown", markdown, "print the whole reference as Markdown");
+  blocks::apps::add_cards_options(*reference, cards_options);
 
   blocks::apps::PlotOptions plot_options;
   auto* plot = app.add_subcommand("plot", "draw figures and movies of a run");
@@ -284,7 +266,7 @@ int dispatch(int argc, char** argv) {
   if (*check)
     return blocks::apps::check(options, geometry_options);
   if (*reference)
-    return cards(card, markdown);
+    return blocks::apps::cards(cards_options);
   if (*in_time)
     return blocks::apps::history(history_options);
   if (*page)

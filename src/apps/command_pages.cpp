@@ -20,7 +20,10 @@ const std::map<std::string, CommandPage>& command_pages() {
         "Reports every error of a deck in one pass and proves that layers have no gaps "
         "or overlaps. With --geometry, it also reports shapes, overlaps, gaps and "
         "joints of the blocks; the exit code is 3 if blocks overlap."}},
-      {"cards", {"blocks cards LAYER", "", "Lists all cards, or describes one."}},
+      {"cards",
+       {"blocks cards LAYER", "",
+        "Lists all cards, or describes one. With --set, it lists the fields of a deck "
+        "that the option --set of run and check can replace."}},
       {"plot",
        {"blocks plot stack.vtkhdf --forces -o stack.png", run_stack,
         "Draws the blocks, coloured by material or a quantity, with contact forces or "

@@ -61,11 +61,11 @@ Value default_value(const FieldSpec& spec, SourceLocation keyword) {
 }
 
 /// Replaces values of the deck by those of --set.
-std::vector<Field> overridden(const CardSpec& spec, const Line& line,
+std::vector<Field> overridden(const CardSpec& spec, const Line& line, long nth,
                               const std::vector<OverrideFields>& overrides) {
   std::vector<Field> fields(line.fields.begin() + 1, line.fields.end());
   for (const OverrideFields& set : overrides) {
-    if (set.card != spec.name) {
+    if (!set.changes(spec.name, nth)) {
       continue;
     }
     const std::size_t at = *spec.find_field(set.field);
@@ -80,6 +80,21 @@ std::vector<Field> overridden(const CardSpec& spec, const Line& line,
     }
   }
   return fields;
+}
+
+/// Returns n of MATERIAL[n]; 0 without brackets; nothing unless n is 1, 2, ...
+std::optional<long> number_in_brackets(std::string_view card) {
+  const std::size_t open = card.find('[');
+  if (open == std::string_view::npos) {
+    return 0;
+  }
+  const std::string_view digits = card.substr(open + 1, card.size() - open - 2);
+  if (!card.ends_with(']') || digits.empty() || digits.size() > 9 ||
+      digits.find_first_not_of("0123456789") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  const long number = std::stol(std::string(digits));
+  return number > 0 ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace
@@ -100,10 +115,18 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
   for (const Override& set : overrides) {
     const SourceLocation where = diagnostics.from_command_line(
         fmt::format("--set {}.{}={}", set.card, set.field, set.value));
-    const CardSpec* spec = find_card(set.card);
+    const std::string name = set.card.substr(0, set.card.find('['));
+    const CardSpec* spec = find_card(name);
     if (spec == nullptr) {
-      diagnostics.error(where, "", fmt::format("unknown card {}", shown(set.card)),
-                        did_you_mean(suggest(set.card, card_names())));
+      diagnostics.error(where, "", fmt::format("unknown card {}", shown(name)),
+                        did_you_mean(suggest(name, card_names())));
+      continue;
+    }
+    const std::optional<long> number = number_in_brackets(set.card);
+    if (!number) {
+      diagnostics.error(where, std::string(spec->name),
+                        fmt::format("there is no card {}", shown(set.card)),
+                        fmt::format("{0}[1] is the first {0} of the deck", spec->name));
       continue;
     }
     const auto at = spec->find_field(set.field);
@@ -135,9 +158,23 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
     for (Field& field : fields) {
       field.where = where;
     }
-    out.push_back({std::string(spec->name), capitals(set.field), std::move(fields)});
+    out.push_back(
+        {std::string(spec->name), capitals(set.field), *number, std::move(fields)});
   }
   return out;
+}
+
+Line take_card(const CardSpec& spec, const std::vector<Line>& lines,
+               std::size_t& next) {
+  Line line = lines[next++];
+  while (next < lines.size() && lines[next].is_data() &&
+         line.fields.size() - 1 < spec.continue_below) {
+    const Line& more_fields = lines[next++];
+    line.fields.insert(line.fields.end(), more_fields.fields.begin(),
+                       more_fields.fields.end());
+    line.end = more_fields.end;
+  }
+  return line;
 }
 
 Value read_value(const Field& field, const FieldSpec& spec, std::string_view card,
@@ -193,12 +230,12 @@ Value read_value(const Field& field, const FieldSpec& spec, std::string_view car
   return value;
 }
 
-Values read_card(const CardSpec& spec, const Line& line,
+Values read_card(const CardSpec& spec, const Line& line, long nth,
                  const std::vector<OverrideFields>& overrides,
                  Diagnostics& diagnostics) {
   const std::string card(spec.name);
   const SourceLocation keyword = line.fields.front().where;
-  const std::vector<Field> fields = overridden(spec, line, overrides);
+  const std::vector<Field> fields = overridden(spec, line, nth, overrides);
   Values out;
   std::string missing;
   SourceLocation missing_at = line.end;

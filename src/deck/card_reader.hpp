@@ -38,7 +38,13 @@ struct Values {
 /// An override of the command line, split into fields.
 struct OverrideFields {
   std::string card, field;  ///< in capitals
+  long number = 0;          ///< MATERIAL[2]: the second card of its kind; 0: every one
   std::vector<Field> fields;
+
+  /// Whether it changes the card of this name that is the `nth` of its kind, from 1.
+  bool changes(std::string_view name, long nth) const {
+    return card == name && (number == 0 || number == nth);
+  }
 };
 
 /// Checks the names of the overrides against the table and returns the valid ones.
@@ -49,10 +55,15 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
 Value read_value(const Field& field, const FieldSpec& spec, std::string_view card,
                  Diagnostics& diagnostics);
 
-/// Reads a card. line.fields[0] is the keyword; the other fields are its values.
-Values read_card(const CardSpec& spec, const Line& line,
+/// Reads a card, the `nth` of its kind in the deck (from 1). line.fields[0] is the
+/// keyword; the other fields are its values.
+Values read_card(const CardSpec& spec, const Line& line, long nth,
                  const std::vector<OverrideFields>& overrides,
                  Diagnostics& diagnostics);
+
+/// Joins the card at lines[next] with its continuation lines, and moves `next` behind
+/// them.
+Line take_card(const CardSpec& spec, const std::vector<Line>& lines, std::size_t& next);
 
 /// Returns the text of a field for a message: quoted, and shortened if long.
 std::string shown(const std::string& text);

@@ -39,8 +39,6 @@ class Parser {
   bool more() const { return next_ < lines_.size(); }
   /// Takes the lines of values up to the next keyword.
   std::vector<Line> take_data();
-  /// Takes a card and joins its continuation lines.
-  Line take_card(const CardSpec& spec);
 
   void card(const CardSpec& spec, bool misspelt);
   void unknown(const Line& line);
@@ -61,10 +59,11 @@ class Parser {
   CardOrder order_;
   std::size_t next_ = 0;
   bool stopped_ = false;
-  std::optional<long> most_blocks_;   ///< START's nblok
-  std::optional<long> most_corners_;  ///< START's ncmx
-  std::map<long, int> materials_;     ///< number -> line
-  std::optional<Cloop> loop_;         ///< a CLOOP whose CREATE has not been read yet
+  std::optional<long> most_blocks_;       ///< START's nblok
+  std::optional<long> most_corners_;      ///< START's ncmx
+  std::map<long, int> materials_;         ///< number -> line
+  std::map<std::string_view, long> met_;  ///< number of cards of each kind so far
+  std::optional<Cloop> loop_;  ///< a CLOOP whose CREATE has not been read yet
   std::optional<SourceLocation> loop_at_;
 };
 
@@ -109,18 +108,6 @@ std::vector<Line> Parser::take_data() {
   }
   return {lines_.begin() + static_cast<long>(begin),
           lines_.begin() + static_cast<long>(next_)};
-}
-
-Line Parser::take_card(const CardSpec& spec) {
-  Line line = lines_[next_++];
-  while (more() && lines_[next_].is_data() &&
-         line.fields.size() - 1 < spec.continue_below) {
-    const Line& more_fields = lines_[next_++];
-    line.fields.insert(line.fields.end(), more_fields.fields.begin(),
-                       more_fields.fields.end());
-    line.end = more_fields.end;
-  }
-  return line;
 }
 
 void Parser::run() {
@@ -212,11 +199,12 @@ void Parser::check_loop(const CardSpec* next) {
 }
 
 void Parser::card(const CardSpec& spec, bool misspelt) {
-  const Line line = take_card(spec);
+  const Line line = take_card(spec, lines_, next_);
   const SourceLocation where = line.fields.front().where;
   check_loop(&spec);
   const bool in_place = order_.pass(spec, where, misspelt);
-  const Values values = read_card(spec, line, overrides_, *diagnostics_);
+  const Values values =
+      read_card(spec, line, ++met_[spec.name], overrides_, *diagnostics_);
   stopped_ = spec.name == "STOP";
   // Lines after STOP belong to no card.
   const std::vector<Line> data = stopped_ ? std::vector<Line>{} : take_data();
@@ -403,15 +391,19 @@ bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation e
 /// Reports overrides that changed nothing; they would be silent mistakes.
 void Parser::check_unused_overrides() {
   for (const OverrideFields& set : overrides_) {
-    bool used = false;
-    for (const Line& line : lines_) {
-      const CardSpec* spec = meant(line);
-      used = used || (spec != nullptr && spec->name == set.card);
-    }
-    if (!used) {
-      diagnostics_->error(set.fields.front().where, set.card,
+    const long cards = met_[set.card];
+    const SourceLocation where = set.fields.front().where;
+    if (cards == 0) {
+      diagnostics_->error(where, set.card,
                           "the deck has no such card, so --set cannot change it",
                           "add the card to the deck");
+    } else if (set.number > cards) {
+      diagnostics_->error(
+          where, set.card,
+          fmt::format("the deck has {} {} card{}, no {}[{}]", cards, set.card,
+                      cards == 1 ? "" : "s", set.card, set.number),
+          fmt::format("write {}{}; blocks cards --set DECK lists what can be set",
+                      set.card, cards == 1 ? "" : fmt::format("[1] to [{}]", cards)));
     }
   }
 }

@@ -4,11 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "deck/settable.hpp"
 #include "deck_test_tools.hpp"
 
 namespace blocks::deck {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 // A deck in the style of 1982: capitals, D exponents, no blanks, lists over several
@@ -89,6 +91,45 @@ TEST(Overrides, ReplaceAFieldOfEveryCardOfThatName) {
   EXPECT_TRUE(p.only<Boxes>().ctol.given);
   EXPECT_EQ(p.only<Boxes>().ctol.where.line, 0);
   EXPECT_EQ(p.only<Output>().blocks.size(), 2U);
+}
+
+TEST(Overrides, WithANumberReplaceAFieldOfOneCard) {
+  const Parsed p = parse_text(preliminary + "MOTION, 1\nMOTION, 2\nMOTION, 3\n",
+                              {{"MOTION", "dt", "4"}, {"motion[2]", "dt", "5"}});
+  EXPECT_EQ(p.messages, "");
+  EXPECT_EQ(std::get<Motion>(p.deck.commands[7].card).dt.value, 4.0);
+  EXPECT_EQ(std::get<Motion>(p.deck.commands[8].card).dt.value, 5.0);
+  EXPECT_EQ(std::get<Motion>(p.deck.commands[9].card).dt.value, 4.0);
+}
+
+TEST(Overrides, TellHowManyCardsThereAre) {
+  EXPECT_EQ(
+      parse_text(preliminary + "MOTION, 1\nMOTION, 2\nSTOP\nMOTION, 3\n",
+                 {{"MOTION[3]", "dt", "1"},
+                  {"MOTION[0]", "dt", "1"},
+                  {"MOTION[x", "dt", "1"},
+                  {"BOXES[2]", "ctol", "1"}})
+          .messages,
+      "--set MOTION[3].dt=1: error: MOTION: the deck has 2 MOTION cards, no "
+      "MOTION[3]\n  hint: write MOTION[1] to [2]; blocks cards --set DECK lists "
+      "what can be set\n--set MOTION[0].dt=1: error: MOTION: there is no card "
+      "'MOTION[0]'\n  hint: MOTION[1] is the first MOTION of the deck\n--set "
+      "MOTION[x.dt=1: error: MOTION: there is no card 'MOTION[x'\n  hint: "
+      "MOTION[1] is the first MOTION of the deck\n--set BOXES[2].ctol=1: error: "
+      "BOXES: the deck has 1 BOXES card, no BOXES[2]\n  hint: write BOXES; blocks "
+      "cards --set DECK lists what can be set\nt.deck:12:1: warning: STOP: text "
+      "after STOP is ignored\n  MOTION, 3\n  ^~~~~~\n4 errors, 1 warning\n");
+}
+
+TEST(SettableFields, HaveTheFormOfOverrides) {
+  EXPECT_THAT(settable_fields("RESTART, 'my run.h5'\nMOTION, 1.D-1 $ comment\n"
+                              "OUTPUT, 1, 4,\n5\nLAYER, 2, 1, 0,0, 0,1,\n1,1, 1,0\n"
+                              "1,1\nmotion 2\nSTOP\nMOTION, 3\n"),
+              ElementsAre("RESTART.file='my run.h5'", "MOTION[1].dt=1.D-1",
+                          "OUTPUT.dtout=1", "OUTPUT.nb=4,5", "LAYER.ns=2",
+                          "LAYER.mat=1", "LAYER.x1=0", "LAYER.y1=0", "LAYER.x2=0",
+                          "LAYER.y2=1", "LAYER.x3=1", "LAYER.y3=1", "LAYER.x4=1",
+                          "LAYER.y4=0", "LAYER.rcommand=", "MOTION[2].dt=2"));
 }
 
 TEST(Overrides, MayReplaceAValueOutOfRange) {

@@ -87,6 +87,7 @@ def check_completion(script, folder):
         "blocks plot x.vtkhdf --colour shear": ["shear_force"],
         "blocks run --time-limit ": [""],
         "blocks cards GRA": ["GRAVITY"],
+        "blocks cards --set w": ["wall.deck"],
         "blocks study ": ["contacts"],
         "blocks study contacts --vari": ["--variants"],
         "blocks manual ": ["bash", "deck", "program"],

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "deck/card_table.hpp"
 #include "run/program.hpp"
 
@@ -214,6 +216,41 @@ TEST(SetOption, ReplacesAFieldOfTheRun) {
   const TemporaryFolder folder;
   run_text(folder, "fall", falling + "CYCLE, 3\n", "--set cycle.NCYCLE=5");
   EXPECT_EQ(summary(folder, "fall")["steps"], 5);
+}
+
+TEST(SetOption, ReplacesAFieldOfOneOfSeveralCards) {
+  const TemporaryFolder folder;
+  run_text(folder, "fall", falling + "CYCLE, 3\nCYCLE, 4\n",
+           "--set 'CYCLE[2].ncycle=10'");
+  EXPECT_EQ(summary(folder, "fall")["steps"], 13);
+}
+
+// Every line of the list is accepted and has the value that the deck has without it.
+TEST(SetOption, AcceptsTheListOfADeckWithoutAnyChange) {
+  const TemporaryFolder folder;
+  const fs::path deck =
+      fs::path(BLOCKS_SOURCE_DIR) / "decks/every_card/every_card.deck";
+  const Outcome listed = blocks("cards --set '" + deck.string() + "'", folder.path());
+  ASSERT_EQ(listed.code, 0) << listed.err;
+  EXPECT_THAT(listed.out, HasSubstr("\nMATERIAL[2].rho="));
+  std::string sets;
+  std::istringstream lines(listed.out);
+  for (std::string line; std::getline(lines, line);)
+    sets += " --set \"" + line + '"';
+  const std::string run = "run -q '" + deck.string() + "' --stop-after 50 -o ";
+  const std::string plain = blocks(run + "plain", folder.path()).err;
+  EXPECT_EQ(blocks(run + "set" + sets, folder.path()).err, plain);
+  EXPECT_EQ(summary(folder, "set")["state_hash"],
+            summary(folder, "plain")["state_hash"]);
+}
+
+TEST(SetOption, ListsNothingOfAFaultyDeck) {
+  const TemporaryFolder folder;
+  folder.write("bad.deck", falling + "CYLCE, 3\n");
+  const Outcome listed = blocks("cards --set bad.deck", folder.path());
+  EXPECT_EQ(listed.code, 3);
+  EXPECT_EQ(listed.out, "");
+  EXPECT_THAT(listed.err, HasSubstr("unknown card 'CYLCE'"));
 }
 
 TEST(Cards, AreAllListed) {
