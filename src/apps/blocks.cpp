@@ -92,7 +92,8 @@ blocks::deck::Override parse_override(const std::string& text) {
   if (dot == std::string::npos || equals == std::string::npos || dot > equals)
     throw CLI::ValidationError("--set",
                                "expected CARD.field=value or CARD[2].field=value, "
-                               "found '" + text + "'");
+                               "found '" +
+                                   text + "'");
   return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
           text.substr(equals + 1)};
 }
@@ -110,10 +111,11 @@ void add_deck_options(CLI::App& command, RunOptions& options,
   command.add_option("--restart", options.restart,
                      "continue from this checkpoint: this deck was stopped, or it "
                      "begins with RESTART");
-  command.add_option("--set", sets,
-                     "CARD.field=value: replace a field of every such card, or "
-                     "CARD[2].field=value: of the second one; 'blocks cards --set DECK' "
-                     "lists what can be replaced");
+  command.add_option(
+      "--set", sets,
+      "CARD.field=value: replace a field of every such card, or "
+      "CARD[2].field=value: of the second one; 'blocks cards --set DECK' "
+      "lists what can be replaced");
   command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
   command.add_flag("-v,--verbose", options.verbose,
                    "print details of blocks and layers");
@@ -165,6 +167,10 @@ int dispatch(int argc, char** argv) {
                   "output NAME, or FOLDER/; a missing folder is created (default: the "
                   "deck's name without extension, in this folder)")
       ->type_name("NAME");
+  run->add_option("--until", options.until,
+                  "end the run at this time of the deck; with --restart, continue a "
+                  "finished or stopped run to this later time")
+      ->check(positive_number());
   run->add_option("--time-limit", options.time_limit,
                   "stop after this many seconds, exit 75")
       ->check(positive_number());

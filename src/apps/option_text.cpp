@@ -39,6 +39,7 @@ const std::map<std::string, std::string> value_words = {
     {"title", "TITLE"},
     {"to", "TIME"},
     {"units", "UNITS"},
+    {"until", "TIME"},
     {"variants", "VARIANT"},
 };
 

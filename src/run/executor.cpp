@@ -69,6 +69,13 @@ Outcome Executor::motion(double interval) {
   return advance(left_of(steps_for(interval, model_.time_step.dt)));
 }
 
+long Executor::steps_to_end() const {
+  if (!options_.until)
+    return std::numeric_limits<long>::max();
+  const double left = *options_.until - model_.time;
+  return left > 0.0 ? steps_for(left, model_.time_step.dt) : 0;
+}
+
 Outcome Executor::cycle(long steps) {
   start();
   return advance(left_of(steps));
@@ -125,15 +132,16 @@ Outcome Executor::advance(long steps) {
 }
 
 Outcome Executor::march(long steps) {
-  const long rows = 10, row_every = std::max(1L, (steps + rows - 1) / rows);
+  const long last = std::min(steps, steps_to_end());
+  const long rows = 10, row_every = std::max(1L, (last + rows - 1) / rows);
   progress_.steps_left = steps;
   if (good_state_due(0.0))
     keep_good_state();
   else if (!keeps_good_states() && (good_ || !saved_once_))
     save_checkpoint();
-  for (long i = 1; i <= steps; ++i) {
+  for (long i = 1; i <= last; ++i) {
     const bool audited = audit_.due(model_);
-    const bool row = i % row_every == 0 || i == steps;
+    const bool row = i % row_every == 0 || i == last;
     const bool by_clock =
         i % 64 == 0 && (console_.progress_due() || time_is_up() || checkpoint_due() ||
                         good_state_due(between_good_states));
@@ -169,14 +177,17 @@ Outcome Executor::march(long steps) {
         console_.progress(stepper_.up_to_date(),
                           share_from_ + (share_to_ - share_from_) *
                                             static_cast<double>(i) /
-                                            static_cast<double>(steps));
+                                            static_cast<double>(last));
       if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
         tell_what_remains();
         return outcome;
       }
     }
   }
-  return Outcome::finished;
+  if (last == steps)
+    return Outcome::finished;
+  tell_what_remains();
+  return Outcome::end_time;
 }
 
 namespace {
@@ -291,10 +302,13 @@ void Executor::tell_profile() {
 }
 
 void Executor::tell_what_remains() const {
+  const bool is_reached = steps_to_end() == 0;
   console_.note(fmt::format(
-      "{} steps of this card remain; to continue: blocks run {} --restart {}{}",
+      "{} steps of this card remain; to continue: blocks run {} --restart {}{}{}",
       progress_.steps_left, options_.deck, files_.checkpoint_path(),
-      options_.output.empty() ? "" : " -o " + options_.output));
+      options_.output.empty() ? "" : " -o " + options_.output,
+      options_.until && !is_reached ? fmt::format(" --until {}", *options_.until)
+                                    : ""));
 }
 
 void Executor::warn(const std::string& message) {

@@ -17,6 +17,7 @@ namespace blocks::run {
 /// How the steps of a card ended.
 enum class Outcome {
   finished,
+  end_time,  ///< of --until, before the end of the deck
   unsound,
   unsound_deck,
   time_limit,
@@ -37,6 +38,8 @@ class Executor {
   /// If the card was begun before a restart, only its remaining steps are made.
   Outcome motion(double interval);
   Outcome cycle(long steps);
+  /// Steps that remain to the time of --until; without it, the largest number.
+  long steps_to_end() const;
 
   /// Sets the part of the whole deck that the next card's steps cover, for the progress
   /// line.

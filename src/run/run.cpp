@@ -17,131 +17,12 @@
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
 #include "run/interrupt.hpp"
+#include "run/job.hpp"
 
 namespace blocks::run {
 namespace {
 
 using dynamics::Profile;
-
-bool passes_time(const deck::Command& command) {
-  return std::holds_alternative<deck::Motion>(command.card) ||
-         std::holds_alternative<deck::Cycle>(command.card);
-}
-
-/// A deck with everything needed to execute it twice: once to check it, once to run it.
-struct Job {
-  explicit Job(const RunOptions& given)
-      : options(given), text(read_deck(given.deck)),
-        diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
-        deck(deck::parse(given.deck, text, diagnostics, given.overrides)),
-        meshes(mesh_sums(deck, deck_folder(given.deck), given.tape9)),
-        name(output_name(given.deck, given.output)) {}
-
-  BuildOptions build_options() const {
-    return {options.seed, options.tape9, deck_folder(options.deck), deck.unread,
-            from.progress.overlaps};
-  }
-  bool continues() const {
-    return !deck.commands.empty() &&
-           std::holds_alternative<deck::Restart>(deck.commands.front().card);
-  }
-  /// The checkpoint to continue from: --restart, the file on the RESTART card, or
-  /// NAME.ckpt.h5.
-  std::string checkpoint() const {
-    if (options.restart)
-      return *options.restart;
-    const auto& card = std::get<deck::Restart>(deck.commands.front().card);
-    return card.file.given ? card.file.value : name + ".ckpt.h5";
-  }
-  /// The --set options, one per line.
-  std::string overrides() const {
-    std::string lines;
-    for (const deck::Override& set : options.overrides)
-      lines += fmt::format("{}.{}={}\n", set.card, set.field, set.value);
-    return lines;
-  }
-  output::RunIdentity identity(const Model& model) const {
-    return {diagnostics.file(),   text,
-            model.settings.title, BLOCKS_VERSION,
-            model.settings.seed,  overrides() + meshes};
-  }
-
-  /// Loads the checkpoint of a RESTART deck, or of this deck if it was stopped earlier.
-  Model load();
-  /// A faulty deck that does not begin with RESTART is checked as a new run, because no
-  /// checkpoint belongs to it.
-  bool loads() const {
-    return continues() || (options.restart && !diagnostics.has_errors());
-  }
-  bool is_in_deck() const;
-  /// Index of the first command after the checkpoint.
-  std::size_t first_command() const {
-    return resumes ? static_cast<std::size_t>(from.progress.card) : 0;
-  }
-
-  const RunOptions& options;
-  std::string text;
-  deck::Diagnostics diagnostics;
-  deck::Deck deck;
-  std::string meshes;  ///< hashes of the meshes, compared by a restart
-  std::string name;
-  SharedCertificate certificate;  ///< of all blocks, found by check()
-  output::CheckpointInfo from;    ///< valid once loaded
-  bool resumes = false;           ///< the same deck resumes where it stopped
-  ExitCode fault = deck_error;    ///< exit code of a failed check
-};
-
-/// Whether the position at which the checkpoint's run stopped exists in this deck. A
-/// card with remaining steps must be a MOTION, or a CYCLE with at least that many
-/// steps.
-bool Job::is_in_deck() const {
-  if (first_command() > deck.commands.size())
-    return false;
-  if (from.progress.steps_left == 0)
-    return true;
-  if (first_command() == deck.commands.size())
-    return false;
-  const deck::Command& command = deck.commands[first_command()];
-  const auto* cycle = std::get_if<deck::Cycle>(&command.card);
-  return passes_time(command) &&
-         (cycle == nullptr || from.progress.steps_left <= cycle->ncycle.value);
-}
-
-Model Job::load() {
-  const std::string path = checkpoint();
-  Model model = output::read_checkpoint(path, from);
-  resumes = options.restart && from.deck_text == text &&
-            !(continues() && from.progress.finished);
-  const auto refuse = [&](const std::string& reason) {
-    throw output::FileError(
-        fmt::format("cannot continue {} from {}: {}", options.deck, path, reason));
-  };
-  const std::filesystem::path own(diagnostics.file()), its(from.deck_file);
-  if (!resumes && !continues() && own.filename() == its.filename())
-    refuse(fmt::format("the deck has changed since then, or another deck has the same "
-                       "name; they first differ in line {}",
-                       first_difference(from.deck_text, text)));
-  if (!resumes && !continues())
-    refuse(fmt::format("the checkpoint belongs to another deck, {} '{}'; use that "
-                       "deck, or one that begins with RESTART",
-                       from.deck_file, model.settings.title));
-  if (!resumes)
-    return model;
-  const std::string sets = overrides();
-  if (from.overrides != sets + meshes && from.overrides.starts_with(sets) &&
-      from.overrides.substr(sets.size()).starts_with("READ9 "))
-    refuse("a mesh file that READ9 reads has changed");
-  if (from.overrides != sets + meshes)
-    refuse(from.overrides.empty()
-               ? "it was written without --set options"
-               : "it was written with other --set options, one a line:\n" +
-                     from.overrides.substr(0, from.overrides.size() - 1));
-  if (options.seed && *options.seed != model.settings.seed)
-    refuse(fmt::format("its seed is {}", model.settings.seed));
-  if (!is_in_deck())
-    refuse("no run writes such a state: the place in the deck where it stopped");
-  return model;
-}
 
 /// Loads the checkpoint of a deck to be checked. If that fails, reports it at the
 /// RESTART card, and the model stays empty. Throws output::FileError if --restart alone
@@ -264,7 +145,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   if (job.resumes) {
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
     executor.resume(job.from.progress);
-    if (job.from.progress.finished)
+    if (job.from.progress.finished && !job.options.until)
       console.note(continuation_hint(job.checkpoint(), model.time));
   } else {
     for (const std::string& warning : warnings)
@@ -281,6 +162,10 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   for (; next < job.deck.commands.size() && outcome == Outcome::finished; ++next) {
     const deck::Command& command = job.deck.commands[next];
     executor.set_card(static_cast<long>(next));
+    if (model.started && executor.steps_to_end() == 0 && job.passes_time_from(next)) {
+      outcome = Outcome::end_time;
+      break;
+    }
     {
       const Profile::Timer timer(executor.profile(), Profile::building);
       builder.apply(command);
@@ -303,7 +188,11 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       executor.set_share(motion / motions, (motion + 1.0) / motions);
       motion += 1.0;
     }
-    if (const auto* card = std::get_if<deck::Motion>(&command.card))
+    if (job.is_extension(next))
+      outcome = model.started && executor.steps_to_end() == 0
+                    ? Outcome::finished
+                    : executor.motion(job.options.until.value() - model.time);
+    else if (const auto* card = std::get_if<deck::Motion>(&command.card))
       outcome = executor.motion(card->dt.value);
     else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
       outcome = executor.cycle(cycle->ncycle.value);
@@ -326,6 +215,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   report.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   report.status = outcome == Outcome::finished       ? "done"
+                  : outcome == Outcome::end_time     ? "done"
                   : outcome == Outcome::unsound_deck ? "deck error"
                   : outcome == Outcome::unsound      ? "unsound"
                   : outcome == Outcome::time_limit   ? "time limit"
@@ -334,7 +224,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   long good = -1;  // step of the good state kept from an unsound run
   output::Progress progress = executor.progress();
   progress.finished = outcome == Outcome::finished;
-  if (progress.finished)
+  if (progress.finished)  // with the card of --until, if there is one
     progress.card = static_cast<long>(job.deck.commands.size());
   {
     const Profile::Timer timer(executor.profile(), Profile::output);
@@ -360,6 +250,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   }
   switch (outcome) {
   case Outcome::finished:
+  case Outcome::end_time:
     return done;
   case Outcome::unsound_deck:
     return deck_error;
@@ -410,6 +301,12 @@ int run_deck(const RunOptions& options) {
                stderr);
     for (const std::string& note : notes)
       std::fputs((note + '\n').c_str(), stderr);
+  }
+  if (options.until && job.loads() && checked.time >= *options.until) {
+    fmt::print(stderr,
+               "blocks: error: --until {} is not later than the time of {}, {:g}\n",
+               *options.until, job.checkpoint(), checked.time);
+    return usage_error;
   }
   checked = {};  // frees the memory before the run
   catch_interrupts();

@@ -32,6 +32,7 @@ struct RunOptions {
   std::optional<std::string> restart;  ///< checkpoint of a RESTART deck
   std::string tape9 = "tape9";
   std::vector<deck::Override> overrides;
+  std::optional<double> until;      ///< [T] > 0, time of the deck at which the run ends
   double time_limit = 0.0;          ///< wall-clock seconds; 0 means no limit
   long stop_after = 0;              ///< steps of this run; 0 means no limit
   double checkpoint_every = 600.0;  ///< wall-clock seconds

@@ -230,8 +230,10 @@ TEST(Resumed, AfterItsEndShowsADeckThatContinues) {
   EXPECT_EQ(again.code, 0);
   EXPECT_EQ(summary(folder, "a")["state_hash"], before["state_hash"]);
   const std::string begin =
-      "the run of a.ckpt.h5 is finished; nothing remains to be done\n  hint: to "
-      "continue it, run a deck of these lines in its folder\n";
+      "the run of a.ckpt.h5 is finished; nothing remains to be done\n  hint: --until "
+      "0.008 continues it to that time; for new cards, run a deck of these lines in "
+      "its "
+      "folder\n";
   const auto at = again.err.find(begin);
   ASSERT_NE(at, std::string::npos) << again.err;
   const std::string lines = "    RESTART, a.ckpt.h5\n    MOTION, 0.004\n    STOP\n";

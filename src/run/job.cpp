@@ -1,0 +1,153 @@
+#include "run/job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <variant>
+
+#include "run/deck_file.hpp"
+#include "run/executor.hpp"
+
+namespace blocks::run {
+
+bool passes_time(const deck::Command& command) {
+  return std::holds_alternative<deck::Motion>(command.card) ||
+         std::holds_alternative<deck::Cycle>(command.card);
+}
+
+Job::Job(const RunOptions& given)
+    : options(given), text(read_deck(given.deck)),
+      diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
+      deck(deck::parse(given.deck, text, diagnostics, given.overrides)),
+      end(deck.commands.size()),
+      meshes(mesh_sums(deck, deck_folder(given.deck), given.tape9)),
+      name(output_name(given.deck, given.output)) {
+  auto& commands = deck.commands;
+  if (!commands.empty() && std::holds_alternative<deck::Stop>(commands.back().card))
+    --end;
+  if (!options.until)
+    return;
+  const auto where =
+      diagnostics.from_command_line(fmt::format("--until {}", *options.until));
+  // The run ends at the time of --until, so this interval is always long enough.
+  commands.insert(commands.begin() + static_cast<std::ptrdiff_t>(end),
+                  {where, "MOTION", deck::Motion{{*options.until, where, true}}});
+}
+
+bool Job::passes_time_from(std::size_t command) const {
+  for (std::size_t i = command; i < end; ++i)
+    if (passes_time(deck.commands[i]))
+      return true;
+  return false;
+}
+
+bool Job::was_extended() const {
+  const output::Progress& at = from.progress;
+  return at.card > static_cast<long>(own_commands()) ||
+         (at.card == static_cast<long>(end) && at.steps_left > 0);
+}
+
+/// Moves a checkpoint at the end of the deck to the card of --until. The steps to that
+/// time are the rest of the card if an earlier run has begun it.
+void Job::place_at_end(const Model& model) {
+  output::Progress& at = from.progress;
+  const long last = static_cast<long>(end), own = static_cast<long>(own_commands());
+  if (options.until && at.card >= last) {
+    at.steps_left =
+        was_extended()
+            ? std::max(0L, steps_for(*options.until - model.time, model.time_step.dt))
+            : 0;
+    at.card = last;
+  } else if (at.finished && at.card == own + 1) {
+    at.card = own;
+  }
+}
+
+BuildOptions Job::build_options() const {
+  return {options.seed, options.tape9, deck_folder(options.deck), deck.unread,
+          from.progress.overlaps};
+}
+
+bool Job::continues() const {
+  return !deck.commands.empty() &&
+         std::holds_alternative<deck::Restart>(deck.commands.front().card);
+}
+
+std::string Job::checkpoint() const {
+  if (options.restart)
+    return *options.restart;
+  const auto& card = std::get<deck::Restart>(deck.commands.front().card);
+  return card.file.given ? card.file.value : name + ".ckpt.h5";
+}
+
+/// The --set options, one per line.
+std::string Job::overrides() const {
+  std::string lines;
+  for (const deck::Override& set : options.overrides)
+    lines += fmt::format("{}.{}={}\n", set.card, set.field, set.value);
+  return lines;
+}
+
+output::RunIdentity Job::identity(const Model& model) const {
+  return {diagnostics.file(),   text,
+          model.settings.title, BLOCKS_VERSION,
+          model.settings.seed,  overrides() + meshes};
+}
+
+/// Whether the position at which the checkpoint's run stopped exists in this deck. A
+/// card with remaining steps must be a MOTION, or a CYCLE with at least that many
+/// steps.
+bool Job::is_in_deck() const {
+  if (first_command() > deck.commands.size())
+    return false;
+  if (from.progress.steps_left == 0)
+    return true;
+  if (first_command() == deck.commands.size())
+    return false;
+  const deck::Command& command = deck.commands[first_command()];
+  const auto* cycle = std::get_if<deck::Cycle>(&command.card);
+  return passes_time(command) &&
+         (cycle == nullptr || from.progress.steps_left <= cycle->ncycle.value);
+}
+
+Model Job::load() {
+  const std::string path = checkpoint();
+  Model model = output::read_checkpoint(path, from);
+  resumes = options.restart && from.deck_text == text &&
+            !(continues() && from.progress.finished && !options.until);
+  const auto refuse = [&](const std::string& reason) {
+    throw output::FileError(
+        fmt::format("cannot continue {} from {}: {}", options.deck, path, reason));
+  };
+  const std::filesystem::path own(diagnostics.file()), its(from.deck_file);
+  if (!resumes && !continues() && own.filename() == its.filename())
+    refuse(fmt::format("the deck has changed since then, or another deck has the same "
+                       "name; they first differ in line {}",
+                       first_difference(from.deck_text, text)));
+  if (!resumes && !continues())
+    refuse(fmt::format("the checkpoint belongs to another deck, {} '{}'; use that "
+                       "deck, or one that begins with RESTART",
+                       from.deck_file, model.settings.title));
+  if (!resumes)
+    return model;
+  const std::string sets = overrides();
+  if (from.overrides != sets + meshes && from.overrides.starts_with(sets) &&
+      from.overrides.substr(sets.size()).starts_with("READ9 "))
+    refuse("a mesh file that READ9 reads has changed");
+  if (from.overrides != sets + meshes)
+    refuse(from.overrides.empty()
+               ? "it was written without --set options"
+               : "it was written with other --set options, one a line:\n" +
+                     from.overrides.substr(0, from.overrides.size() - 1));
+  if (options.seed && *options.seed != model.settings.seed)
+    refuse(fmt::format("its seed is {}", model.settings.seed));
+  if (!options.until && was_extended() && !from.progress.finished)
+    refuse("it was stopped on the way to the time of --until; give --until TIME again");
+  place_at_end(model);
+  if (!is_in_deck())
+    refuse("no run writes such a state: the place in the deck where it stopped");
+  return model;
+}
+
+}  // namespace blocks::run

@@ -1,0 +1,77 @@
+// A deck that is to be run or checked, and the checkpoint that it continues from.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "deck/commands.hpp"
+#include "deck/diagnostics.hpp"
+#include "model/assembly_certificate.hpp"
+#include "output/checkpoint.hpp"
+#include "run/builder.hpp"
+#include "run/run.hpp"
+
+namespace blocks::run {
+
+/// Whether the card is MOTION or CYCLE.
+bool passes_time(const deck::Command& command);
+
+/// A deck with everything needed to execute it twice: once to check it, once to run it.
+struct Job {
+  /// Reads and parses the deck. With --until, adds a MOTION card behind the last card
+  /// that acts. Throws output::FileError if the deck cannot be read.
+  explicit Job(const RunOptions& given);
+
+  BuildOptions build_options() const;
+  /// Whether the deck begins with RESTART.
+  bool continues() const;
+  /// The checkpoint to continue from: --restart, the file on the RESTART card, or
+  /// NAME.ckpt.h5.
+  std::string checkpoint() const;
+  output::RunIdentity identity(const Model& model) const;
+
+  /// Loads the checkpoint of a RESTART deck, or of this deck if it was stopped earlier
+  /// or goes on to --until. Throws output::FileError if it cannot be continued.
+  Model load();
+  /// A faulty deck that does not begin with RESTART is checked as a new run, because no
+  /// checkpoint belongs to it.
+  bool loads() const {
+    return continues() || (options.restart && !diagnostics.has_errors());
+  }
+  /// Index of the first command after the checkpoint.
+  std::size_t first_command() const {
+    return resumes ? static_cast<std::size_t>(from.progress.card) : 0;
+  }
+  /// Whether it is the MOTION card that --until has added.
+  bool is_extension(std::size_t command) const {
+    return options.until && command == end;
+  }
+  /// Whether the deck itself has a MOTION or CYCLE at this index or later.
+  bool passes_time_from(std::size_t command) const;
+  /// Number of commands that the deck itself has.
+  std::size_t own_commands() const {
+    return deck.commands.size() - (options.until ? 1 : 0);
+  }
+
+  const RunOptions& options;
+  std::string text;
+  deck::Diagnostics diagnostics;
+  deck::Deck deck;
+  std::size_t end;     ///< index of STOP, or behind the last card
+  std::string meshes;  ///< hashes of the meshes, compared by a restart
+  std::string name;
+  SharedCertificate certificate;  ///< of all blocks, found by the check
+  output::CheckpointInfo from;    ///< valid once loaded
+  bool resumes = false;           ///< the same deck resumes where it stopped
+  ExitCode fault = deck_error;    ///< exit code of a failed check
+
+ private:
+  bool is_in_deck() const;
+  /// Whether the checkpoint's run had begun the card of --until.
+  bool was_extended() const;
+  void place_at_end(const Model& model);
+  std::string overrides() const;
+};
+
+}  // namespace blocks::run
