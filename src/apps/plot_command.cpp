@@ -221,7 +221,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->capture_default_str();
   command.add_option("--colormap,--colourmap", figure.colour_map,
                      "colours of a quantity: " + post::colour_map_names() +
-                         " (default: bluered for signed quantities, else viridis)");
+                         " (default: bluered for signed quantities, viridis for "
+                         "coordinates, masses and areas, else ylgnbu)");
   command
       .add_option("--materials", options.materials,
                   "colours of materials, such as 1=RED,2=#8fa88b: " + colour_names())

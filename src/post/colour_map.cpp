@@ -23,6 +23,15 @@ Colour interpolate(const std::array<Colour, n>& stops, double s) {
   return {a.r + f * (b.r - a.r), a.g + f * (b.g - a.g), a.b + f * (b.b - a.b)};
 }
 
+/// For magnitudes with an ordinary zero: YlGnBu of ColorBrewer, light yellow to dark
+/// blue.
+Colour ylgnbu(double s) {
+  static constexpr std::array<Colour, 9> stops = {
+      hex(0xffffd9), hex(0xedf8b1), hex(0xc7e9b4), hex(0x7fcdbb), hex(0x41b6c4),
+      hex(0x1d91c0), hex(0x225ea8), hex(0x253494), hex(0x081d58)};
+  return interpolate(stops, s);
+}
+
 /// For magnitudes: viridis, dark blue to yellow.
 Colour viridis(double s) {
   static constexpr std::array<Colour, 9> stops = {
@@ -52,7 +61,8 @@ struct NamedMap {
 
 /// All maps, the most used first.
 const std::vector<NamedMap>& named_maps() {
-  static const std::vector<NamedMap> maps = {{"viridis", {viridis}},
+  static const std::vector<NamedMap> maps = {{"ylgnbu", {ylgnbu}},
+                                             {"viridis", {viridis}},
                                              {"cividis", {cividis}},
                                              {"grey", {grey}},
                                              {"bluered", {diverging, true}}};
@@ -114,13 +124,13 @@ std::vector<std::string> all_colour_maps() {
   return names;
 }
 
-std::string usual_colour_map(bool is_signed) {
-  return is_signed ? "bluered" : "viridis";
+std::string usual_colour_map(Zero zero) {
+  return zero == Zero::middle ? "bluered" : zero == Zero::lowest ? "ylgnbu" : "viridis";
 }
 
 std::string colour_map_names() {
-  return "viridis, cividis, grey (light to dark), bluered (centred on 0), or one of "
-         "them in reverse, such as viridis_r";
+  return "ylgnbu (light to dark), viridis, cividis, grey (light to dark), bluered "
+         "(centred on 0), or one of them in reverse, such as viridis_r";
 }
 
 double luminance(const Colour& c) {

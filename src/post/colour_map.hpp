@@ -14,6 +14,13 @@ struct Colour {
 /// materials.
 Colour material_colour(int material);
 
+/// What zero means among the values of a quantity.
+enum class Zero {
+  none,    ///< nothing: a coordinate, a mass
+  lowest,  ///< the block is at rest or free: speed, displacement, forces
+  middle   ///< the change of sign
+};
+
 /// The colours of a range of values.
 struct ColourMap {
   Colour (*stops)(double s);
@@ -31,8 +38,9 @@ ColourMap colour_map(const std::string& name);
 /// Returns the names of all maps, not reversed, the most used first.
 std::vector<std::string> all_colour_maps();
 
-/// Returns the name of the map of a quantity unless another one is asked for.
-std::string usual_colour_map(bool is_signed);
+/// Returns the name of the map of a quantity unless another one is asked for. If zero
+/// is an ordinary value, its colour is light.
+std::string usual_colour_map(Zero zero);
 
 /// Returns the names for help and messages.
 std::string colour_map_names();

@@ -66,7 +66,7 @@ class Legend {
       const Quantity shown =
           quantity(options_.colour, picture_.now, picture_.first, picture_.contacts);
       bar(shown.label, shown.dimension, scales_.low, scales_.high, each,
-          [map = map_of(options_, shown.is_signed)](double s) { return map.at(s); });
+          [map = map_of(options_, shown.zero)](double s) { return map.at(s); });
     }
     if (with_forces(scales_, options_))
       bar("contact force", {0, 1, -2, "N/m", ""}, 0.0, scales_.force, each, intensity);

@@ -61,7 +61,7 @@ void ScaleSurvey::include(const Picture& picture) {
   if (options_.colour != "material") {
     const Quantity shown =
         quantity(options_.colour, picture.now, picture.first, picture.contacts);
-    centred_ = map_of(options_, shown.is_signed).diverging;
+    centred_ = map_of(options_, shown.zero).diverging;
     const auto include_values = [&](const Eigen::VectorXd& values) {
       for (const double value : values)
         if (std::isfinite(value)) {
@@ -137,9 +137,9 @@ FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& re
   return shown ? results.contacts(frame) : FrameContacts{};
 }
 
-ColourMap map_of(const FigureOptions& options, bool is_signed) {
+ColourMap map_of(const FigureOptions& options, Zero zero) {
   if (options.colour_map.empty())
-    return colour_map(usual_colour_map(is_signed));
+    return colour_map(usual_colour_map(zero));
   return colour_map(options.colour_map);
 }
 

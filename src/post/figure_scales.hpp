@@ -58,7 +58,7 @@ FigureScales survey_scales(const ResultsReader& results,
                            const FigureOptions& options);
 
 /// Returns the colour map of the options, or the usual one for the quantity.
-ColourMap map_of(const FigureOptions& options, bool is_signed);
+ColourMap map_of(const FigureOptions& options, Zero zero);
 
 /// Returns the materials of all blocks.
 std::set<int> materials_of(const ResultsReader& results);

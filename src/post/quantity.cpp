@@ -138,6 +138,14 @@ const std::vector<QuantityKind>& quantity_kinds() {
 
 namespace {
 
+Zero zero_of(const QuantityKind& kind) {
+  static const std::set<std::string> magnitudes = {"speed", "displacement",
+                                                   "kinetic_energy"};
+  return kind.is_signed                   ? Zero::middle
+         : magnitudes.contains(kind.name) ? Zero::lowest
+                                          : Zero::none;
+}
+
 bool is_stress(const QuantityKind& kind) {
   return kind.label.find("stress") != std::string::npos;
 }
@@ -204,10 +212,10 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
                   const FrameContacts& contacts) {
   if (const QuantityKind* kind = find_quantity(name))
     return {kind->label + sign_convention(*kind, now.compression_positive),
-            kind->dimension, kind->values(now, first), kind->is_signed};
+            kind->dimension, kind->values(now, first), zero_of(*kind)};
   if (const OtherKind* kind = find_other(name); kind && kind->rows)
     return {kind->label, kind->dimension, per_block(*kind, contacts, now.size()),
-            false};
+            Zero::lowest};
   throw std::runtime_error("there is no quantity '" + name + "': choose material, " +
                            block_quantity_names());
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "post/colour_map.hpp"
 #include "post/results_reader.hpp"
 #include "post/units.hpp"
 
@@ -17,7 +18,7 @@ struct Quantity {
   std::string label;  ///< for the colour bar
   Dimension dimension;
   Eigen::VectorXd values;  ///< (n)
-  bool is_signed = false;  ///< centred on zero
+  Zero zero = Zero::none;
 };
 
 /// The description of a quantity, without its values.

@@ -89,7 +89,7 @@ class SceneDrawing {
       return colour_of_material(now_.material[b], options_);
     const double value =
         (mirrored_ ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
-    return map_of(options_, shown_.is_signed)
+    return map_of(options_, shown_.zero)
         .at((value - scales_.low) / (scales_.high - scales_.low));
   }
 
@@ -195,20 +195,30 @@ class SceneDrawing {
     }
   }
 
-  /// Tints the blocks of a mark, fills the area where two of them overlap, and draws a
-  /// ring around the place.
+  /// Draws a frame inside the current path, which is that of the outline.
+  void frame_inside(const Outline& outline, const Colour& c) {
+    constexpr double widest = 2.0, share_of_block = 0.2;
+    const double width = std::min(widest, share_of_block * size_on_page(outline));
+    cairo_save(cairo_);
+    cairo_clip_preserve(cairo_);
+    pen_.stroke(2.0 * width, c);  // the outer half is clipped
+    cairo_restore(cairo_);
+  }
+
+  /// Draws a frame inside the blocks of a mark, which keep the colour of their
+  /// material. Fills the area where two of them overlap, and draws a ring around the
+  /// place.
   void marks() {
     for (const Mark& mark : options_.marks) {
       const Colour c = mark_colour(mark.kind);
       cairo_save(cairo_);
       for (const int b : mark.blocks) {
-        path(now_.outlines[static_cast<std::size_t>(b)]);
-        if (mark.kind == Mark::Kind::overlap) {
+        const Outline& outline = now_.outlines[static_cast<std::size_t>(b)];
+        path(outline);
+        if (mark.kind == Mark::Kind::overlap)
           cairo_clip(cairo_);  // successive clips leave the common area
-        } else {
-          pen_.colour(c, 0.35);
-          cairo_fill(cairo_);
-        }
+        else
+          frame_inside(outline, c);
       }
       if (mark.kind == Mark::Kind::overlap) {
         pen_.colour(c, 0.85);

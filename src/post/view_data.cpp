@@ -348,7 +348,7 @@ class Packer {
       quantities.push_back({{"name", name},
                             {"label", kind.label},
                             {"unit", unit_text(kind.dimension, units)},
-                            {"map", usual_colour_map(kind.is_signed)},
+                            {"map", usual_colour_map(kind.zero)},
                             {"odd", is_odd(name)}});
     }
     Json materials = Json::object();

@@ -83,6 +83,39 @@ TEST(Figure, PaintsBlocksInTheColourOfTheirMaterial) {
   cairo_surface_destroy(image);
 }
 
+/// Returns how many pixels of a PNG file have this colour.
+int pixels_of(const std::string& path, const Colour& wanted) {
+  cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
+  EXPECT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
+  int pixels = 0;
+  for (int y = 0; y < cairo_image_surface_get_height(image); ++y)
+    for (int x = 0; x < cairo_image_surface_get_width(image); ++x) {
+      const unsigned char* at = cairo_image_surface_get_data(image) +
+                                y * cairo_image_surface_get_stride(image) + 4 * x;
+      pixels += std::abs(at[2] - 255 * wanted.r) < 2 &&
+                std::abs(at[1] - 255 * wanted.g) < 2 &&
+                std::abs(at[0] - 255 * wanted.b) < 2;
+    }
+  cairo_surface_destroy(image);
+  return pixels;
+}
+
+TEST(Mark, LeavesTheColourOfTheMaterial) {
+  const Folder folder;
+  const std::string plain = folder.file("plain.png"),
+                    marked = folder.file("marked.png");
+  Frame frame = two_squares();
+  frame.fixed = {0, 0};
+  FigureOptions options;
+  draw_frame(plain, frame, frame, "two squares", options);
+  options.marks = {{Mark::Kind::slender, {0.5, 0.5}, {}, {0, 1}}};
+  draw_frame(marked, frame, frame, "two squares", options);
+  const Colour material = material_colour(1);
+  EXPECT_GT(pixels_of(marked, material), 0.8 * pixels_of(plain, material));
+  const Colour warning = mark_colour(Mark::Kind::slender);
+  EXPECT_GT(pixels_of(marked, warning), 1000);
+}
+
 // A block moves to the right, so its mirror image moves to the left.
 TEST(Figure, ReversesVectorsInTheMirrorImage) {
   const Folder folder;
@@ -95,30 +128,15 @@ TEST(Figure, ReversesVectorsInTheMirrorImage) {
   options.zoom = Eigen::Vector4d(-2, 2, -2, 2);
   options.range = Eigen::Vector2d(-4, 4);
   draw_frame(path, frame, frame, "a half model", options);
-  cairo_surface_t* image = cairo_image_surface_create_from_png(path.c_str());
-  ASSERT_EQ(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
-  const int width = cairo_image_surface_get_width(image),
-            height = cairo_image_surface_get_height(image);
-  const auto count = [&](const Colour& wanted) {
-    int pixels = 0;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const unsigned char* at = cairo_image_surface_get_data(image) +
-                                  y * cairo_image_surface_get_stride(image) + 4 * x;
-        pixels += std::abs(at[2] - 255 * wanted.r) < 2 &&
-                  std::abs(at[1] - 255 * wanted.g) < 2 &&
-                  std::abs(at[0] - 255 * wanted.b) < 2;
-      }
-    return pixels;
-  };
-  const int right = count(diverging(7.0 / 8)), left = count(diverging(1.0 / 8));
+  const int right = pixels_of(path, diverging(7.0 / 8)),
+            left = pixels_of(path, diverging(1.0 / 8));
   EXPECT_GT(left, 10000);
   EXPECT_NEAR(left, right, 0.02 * right);
-  cairo_surface_destroy(image);
 }
 
 TEST(ColourMap, IsMonotoneInLuminanceForMagnitudes) {
-  for (const char* name : {"viridis", "cividis", "grey", "viridis_r", "cividis_r"}) {
+  for (const char* name :
+       {"ylgnbu", "viridis", "cividis", "grey", "viridis_r", "cividis_r"}) {
     const ColourMap map = colour_map(name);
     const double way = luminance(map.at(1)) - luminance(map.at(0));
     for (int i = 0; i < 50; ++i)
@@ -132,6 +150,23 @@ TEST(ColourMap, OfZeroIsLightInGreyAndInViridisReversed) {
   EXPECT_GT(luminance(colour_map("grey").at(0)), 0.7);
   EXPECT_GT(luminance(colour_map("viridis_r").at(0)), 0.7);
   EXPECT_LT(luminance(colour_map("viridis").at(0)), 0.1);
+}
+
+// A block that has not moved is not the darkest one.
+TEST(ColourMap, IsLightAtZeroIfZeroIsOrdinary) {
+  Frame frame;
+  frame.number = {1};
+  frame.centroid = frame.velocity = Eigen::Matrix2Xd::Zero(2, 1);
+  frame.mass = frame.inertia = frame.area = Eigen::VectorXd::Ones(1);
+  frame.spin = Eigen::VectorXd::Zero(1);
+  const auto map = [&](const char* name) {
+    return usual_colour_map(quantity(name, frame, frame).zero);
+  };
+  for (const char* name : {"speed", "displacement", "kinetic_energy", "overlap"})
+    EXPECT_GT(luminance(colour_map(map(name)).at(0)), 0.9) << name;
+  EXPECT_EQ(map("vx"), "bluered");
+  EXPECT_EQ(map("x"), "viridis");
+  EXPECT_EQ(map("mass"), "viridis");
 }
 
 TEST(ColourMap, ForSignedQuantitiesIsLightestInTheMiddle) {
@@ -149,7 +184,7 @@ double contrast(const Colour& a, const Colour& b) {
 }
 
 TEST(Outline, IsVisibleOnEveryColour) {
-  for (const char* name : {"viridis", "cividis", "grey", "bluered"})
+  for (const char* name : {"ylgnbu", "viridis", "cividis", "grey", "bluered"})
     for (int i = 0; i <= 100; ++i) {
       const Colour ground = colour_map(name).at(i / 100.0);
       EXPECT_GT(contrast(ground, outline_on(ground, false)), 2.5) << name << " " << i;
@@ -159,7 +194,7 @@ TEST(Outline, IsVisibleOnEveryColour) {
 
 // Either the line or its rim differs from the block.
 TEST(ContactForce, IsVisibleOnEveryColour) {
-  for (const char* name : {"viridis", "cividis", "grey", "bluered"})
+  for (const char* name : {"ylgnbu", "viridis", "cividis", "grey", "bluered"})
     for (int i = 0; i <= 20; ++i)
       for (int k = 0; k <= 20; ++k) {
         const Colour ground = colour_map(name).at(i / 20.0), line = intensity(k / 20.0);

@@ -100,7 +100,7 @@ TEST(View, OffersTheColourMapsOfFigures) {
   const post::ViewData data =
       post::view_data(post::ResultsReader((folder / "fall.vtkhdf").string()), 1, {});
   const auto maps = nlohmann::json::parse(data.meta)["maps"];
-  ASSERT_EQ(maps.size(), 4U);
+  ASSERT_EQ(maps.size(), 5U);
   for (const auto& [name, map] : maps.items()) {
     EXPECT_EQ(map["diverging"], post::colour_map(name).diverging);
     EXPECT_EQ(map["colours"].size() % 2, 1U);

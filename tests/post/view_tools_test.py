@@ -137,8 +137,8 @@ def check_colours(page, program, results):
     last = [rows[-1][f"dy:{b}"] for b in range(1, blocks + 1)]
     page.evaluate("pick_first(-1); state.labels = false; colour_by('dy')")
     page.move(5, 5)
-    ends = {"viridis": ("#440154", "#fde725"), "cividis": ("#00224e", "#fee838"), "grey": ("#f2f2f2", "#1c1c1c"),
-            "bluered": ("#2166ac", "#b2182b")}
+    ends = {"ylgnbu": ("#ffffd9", "#081d58"), "viridis": ("#440154", "#fde725"),
+            "cividis": ("#00224e", "#fee838"), "grey": ("#f2f2f2", "#1c1c1c"), "bluered": ("#2166ac", "#b2182b")}
     assert list(ends) == page.evaluate("[...$('map').options].slice(1).map((one) => one.value)")
     seen = f"[...Array({blocks}).keys()].map((b) => pixel_at(...to_screen(...centre(b, state.frame))))"
 
@@ -331,7 +331,7 @@ def check_keyboard(page, folder):
     page.key("s")
     assert value("state.colour") == now == value("$('colour').value"), "the menu takes a letter"
     page.key("k")
-    assert value("state.map") == "viridis" == value("$('map').value")
+    assert value("state.map") == "ylgnbu" == value("$('map').value")
 
     page.key("r")
     assert value("document.activeElement.id") == "low"
