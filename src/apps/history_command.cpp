@@ -8,9 +8,10 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <map>
+#include <memory>
 #include <optional>
 
+#include "history_lines.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/history.hpp"
@@ -30,16 +31,43 @@ std::string with_unit(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-/// Returns the suffix that distinguishes the run of a file from the others. It is empty
-/// for a single run, otherwise the name, or the path if two runs have the same name.
-std::string run_of(const std::string& file, const std::vector<std::string>& files) {
-  if (files.size() < 2)
-    return "";
-  const std::string own = fs::path(file).stem().string();
-  const auto same = std::count_if(files.begin(), files.end(), [&](const auto& other) {
-    return fs::path(other).stem().string() == own;
-  });
-  return ", " + (same > 1 ? fs::path(file).replace_extension().string() : own);
+/// The results of one run in the order of time.
+class OpenRun {
+ public:
+  OpenRun(const post::RunParts& run, bool compression_positive) {
+    for (const std::string& file : run.files) {
+      parts_.push_back(std::make_unique<post::ResultsReader>(file));
+      if (compression_positive)
+        parts_.back()->make_compression_positive();
+    }
+  }
+  std::vector<const post::ResultsReader*> parts() const {
+    std::vector<const post::ResultsReader*> all;
+    for (const auto& part : parts_)
+      all.push_back(part.get());
+    return all;
+  }
+  const post::ResultsReader& first() const { return *parts_.front(); }
+  const post::ResultsReader& last() const { return *parts_.back(); }
+  /// Returns the latest part that has begun at this time, or the first one.
+  const post::ResultsReader& at(double time) const {
+    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part)
+      if ((*part)->times().front() <= time)
+        return **part;
+    return first();
+  }
+
+ private:
+  std::vector<std::unique_ptr<post::ResultsReader>> parts_;
+};
+
+/// Returns "tension positive" or "compression positive" for a stress, otherwise an
+/// empty text.
+std::string sign_of(const std::string& quantity, bool compression_positive) {
+  const post::QuantityKind* kind = post::find_quantity(quantity);
+  const std::string sign =
+      kind ? post::sign_convention(*kind, compression_positive) : "";
+  return sign.substr(std::min(sign.size(), sign.find_first_not_of(", ")));
 }
 
 /// The numbers for the tables and the lines for the figure.
@@ -47,17 +75,6 @@ struct Answer {
   std::vector<NumberTable> runs;
   post::Chart chart;
 };
-
-/// Returns the panel with this axis label, and adds it if there is none.
-post::ChartPanel& panel(post::Chart& chart, const std::string& y_label) {
-  const auto found =
-      std::find_if(chart.panels.begin(), chart.panels.end(),
-                   [&](const post::ChartPanel& p) { return p.y_label == y_label; });
-  if (found != chart.panels.end())
-    return *found;
-  chart.panels.push_back({y_label, {}});
-  return chart.panels.back();
-}
 
 void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs,
                  const HistoryOptions& options) {
@@ -88,42 +105,52 @@ Answer histories(const HistoryOptions& options,
       curves.push_back(post::parse_curve(usual));
 
   Answer answer;
-  for (const std::string& file : options.files) {
-    post::ResultsReader results(file);
-    if (options.compression_positive)
-      results.make_compression_positive();
+  std::vector<RunLine> lines;
+  const auto runs = post::join_parts(options.files);
+  const auto names = run_names(runs);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const OpenRun run(runs[r], options.compression_positive);
     const post::History history =
-        post::read_history(results, curves, {options.from, options.to});
+        post::read_history(run.parts(), curves, {options.from, options.to});
     const std::string time_unit = post::unit_text({0, 0, 1, "s", ""}, units);
-    NumberTable table{file, history.title, {{"time", "time", time_unit, history.time}}};
+    NumberTable table{
+        history.file, history.title, {{"time", "time", time_unit, history.time}}};
     for (std::size_t i = 0; i < history.series.size(); ++i) {
       const post::Series& series = history.series[i];
       const std::string unit = post::unit_text(series.dimension, units);
-      table.columns.push_back({series.curve.name(), series.label, unit, series.values});
+      table.columns.push_back(
+          {series.curve.name(), series.label, unit, series.values,
+           sign_of(series.curve.quantity, options.compression_positive)});
       if (against && i == 0)
         continue;
-      const std::string run = run_of(file, options.files);
-      panel(answer.chart, with_unit(series.quantity, unit))
-          .lines.push_back({series.label + run,
-                            against ? history.series.front().values : history.time,
-                            series.values});
+      lines.push_back({with_unit(series.quantity, unit), series.label,
+                       legend_of(series.label, names[r]),
+                       against ? history.series.front().values : history.time,
+                       series.values});
     }
     const auto& x = table.columns[against ? 1 : 0];
     answer.chart.x_label = with_unit(x.label, x.unit);
     answer.runs.push_back(std::move(table));
   }
+  answer.chart.panels = panels_of(lines, !against && !options.each_run);
   set_heading(answer.chart, answer.runs, options);
   return answer;
 }
 
+/// A frame of a profile, and the time asked for.
+struct ProfileFrame {
+  post::Frame frame;
+  std::optional<double> asked;
+};
+
 /// Returns the frames nearest to the given times; the last frame if none are given.
-std::vector<long> frames_at(const post::ResultsReader& results,
-                            const std::vector<double>& times) {
+std::vector<ProfileFrame> frames_at(const OpenRun& run,
+                                    const std::vector<double>& times) {
   if (times.empty())
-    return {results.frames() - 1};
-  std::vector<long> frames;
+    return {{run.last().frame(run.last().frames() - 1), std::nullopt}};
+  std::vector<ProfileFrame> frames;
   for (const double time : times)
-    frames.push_back(results.at(time));
+    frames.push_back({run.at(time).frame(run.at(time).at(time)), time});
   return frames;
 }
 
@@ -141,42 +168,43 @@ Answer profiles(const HistoryOptions& options,
           "': choose from those of the blocks: " + post::quantity_names());
   }
   Answer answer;
+  std::vector<RunLine> lines;
+  const auto runs = post::join_parts(options.files);
+  const auto names = run_names(runs);
   const std::string length = post::unit_text({1, 0, 0, "m", ""}, units);
-  const std::string time_unit =
-      units ? " " + post::unit_text({0, 0, 1, "s", ""}, units) : "";
   const std::string position = line.segment ? "distance along the line" : "x";
-  for (const std::string& file : options.files) {
-    post::ResultsReader results(file);
-    if (options.compression_positive)
-      results.make_compression_positive();
-    const post::Frame first = results.frame(0);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const OpenRun run(runs[r], options.compression_positive);
+    const post::Frame first = run.first().frame(0);
     auto places = post::profile_places(first, line);
     if (options.mirror)
       places = post::both_halves(places, *options.mirror);
-    NumberTable table{file, results.title(), {{"position", position, length, {}}}};
+    NumberTable table{fmt::format("{}", fmt::join(runs[r].files, " + ")),
+                      run.first().title(),
+                      {{"position", position, length, {}}}};
     table.columns.push_back({"block", "block", "", {}});
     for (const post::ProfilePlace& place : places) {
       table.columns[0].values.push_back(place.position);
       table.columns[1].values.push_back(place.block);
     }
-    for (const long i : frames_at(results, options.times)) {
-      const post::Frame now = results.frame(i);
+    for (const auto& [now, asked] : frames_at(run, options.times)) {
       for (const post::QuantityKind* kind : kinds) {
         const std::string unit = post::unit_text(kind->dimension, units);
         const std::string at = fmt::format("{:.4g}", now.time);
         table.columns.push_back({kind->name + "@" + at, kind->label + " at time " + at,
-                                 unit,
-                                 post::profile_values(places, *kind, now, first)});
-        const std::string run = run_of(file, options.files);
-        panel(answer.chart,
-              with_unit(kind->label + sign_convention(*kind, now.compression_positive),
-                        unit))
-            .lines.push_back({fmt::format("t = {}{}{}", at, time_unit, run),
-                              table.columns[0].values, table.columns.back().values});
+                                 unit, post::profile_values(places, *kind, now, first),
+                                 sign_of(kind->name, options.compression_positive)});
+        lines.push_back(
+            {with_unit(kind->label + sign_convention(*kind, now.compression_positive),
+                       unit),
+             post::time_text(asked.value_or(now.time), std::nullopt, units),
+             legend_of(post::time_text(now.time, asked, units), names[r]),
+             table.columns[0].values, table.columns.back().values});
       }
     }
     answer.runs.push_back(std::move(table));
   }
+  answer.chart.panels = panels_of(lines, !options.each_run);
   answer.chart.x_label = with_unit(position, length);
   set_heading(answer.chart, answer.runs, options);
   return answer;
@@ -263,6 +291,10 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
                      "title of a figure instead of those of the decks; '' for none");
   command.add_flag("--compression-positive", options.compression_positive,
                    "stresses are positive in compression (default: in tension)");
+  command.add_flag(
+      "--each-run", options.each_run,
+      "draw the curves of all runs (default: a median and the band of 5 to "
+      "95 % if there are more than 8 runs)");
   command.add_flag("--paths", options.paths,
                    "write the paths of the results under the title of a figure");
   auto* width = command

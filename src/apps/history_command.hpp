@@ -22,10 +22,11 @@ struct HistoryOptions {
   bool csv = false, json = false;    ///< print in this format
   std::optional<std::string> title;  ///< of a figure; empty: those of the runs
   bool compression_positive = false;
-  bool paths = false;   ///< write the paths of the results in a figure
-  std::string units;    ///< "m,kg,s"
-  double width = 1200;  ///< of a figure, in pixels or points
-  std::string size;     ///< of a figure in print, "85mm"; empty: width
+  bool each_run = false;  ///< no bands
+  bool paths = false;     ///< write the paths of the results in a figure
+  std::string units;      ///< "m,kg,s"
+  double width = 1200;    ///< of a figure, in pixels or points
+  std::string size;       ///< of a figure in print, "85mm"; empty: width
 };
 
 void add_history_options(CLI::App& command, HistoryOptions& options);

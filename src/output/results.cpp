@@ -385,6 +385,8 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     hdf5::write_text(to.own.get(), "deck_file", identity.deck_file);
     hdf5::write_text(to.own.get(), "deck_text", identity.deck_text);
     hdf5::write_text(to.own.get(), "overrides", identity.overrides);
+    if (!identity.continues_run.empty())
+      hdf5::write_text(to.own.get(), "continues_run", identity.continues_run);
     to.publish(0);
     to.mark.end();
   };

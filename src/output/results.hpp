@@ -22,6 +22,8 @@ struct RunIdentity {
   std::string deck_file, deck_text, title, version;
   unsigned long long seed = 0;
   std::string overrides = {};  ///< --set options and mesh hashes, one per line
+  /// The run_id of other results whose run this one continues; empty for a new run.
+  std::string continues_run = {};
 
   /// The file name and the title of the deck.
   std::string deck_name() const;

@@ -42,6 +42,8 @@ std::optional<RunIdentity> ResultsWriter::identity_of(const std::string& path) {
         static_cast<unsigned long long>(hdf5::read_attribute(own.get(), "seed"));
     if (hdf5::exists(own.get(), "overrides"))  // missing in files of earlier versions
       identity.overrides = hdf5::read_text(own.get(), "overrides");
+    if (hdf5::exists(own.get(), "continues_run"))
+      identity.continues_run = hdf5::read_text(own.get(), "continues_run");
     return identity;
   } catch (const hdf5::Failure&) {
     return {};

@@ -101,10 +101,13 @@ double value(const Curve& curve, const Frame& now, const Frame& first,
 
 }  // namespace
 
-History read_history(const ResultsReader& results, const std::vector<Curve>& curves,
-                     const TimeRange& range) {
-  History history{results.path(), results.title(), {}, {}};
-  const Frame first = results.frame(0);
+History read_history(const std::vector<const ResultsReader*>& parts,
+                     const std::vector<Curve>& curves, const TimeRange& range) {
+  const ResultsReader &begin = *parts.front(), &end = *parts.back();
+  History history{begin.path(), begin.title(), {}, {}};
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    history.file += " + " + parts[i]->path();
+  const Frame first = begin.frame(0);
   bool with_contacts = false;
   for (const Curve& curve : curves) {
     const OtherKind* other = find_other(curve.quantity);
@@ -126,35 +129,40 @@ History read_history(const ResultsReader& results, const std::vector<Curve>& cur
     for (const Curve& curve : curves) {
       if (curve.block > last.size())
         throw std::runtime_error(fmt::format("{} has blocks 1 to {}, no block {}",
-                                             results.path(), last.size(), curve.block));
+                                             end.path(), last.size(), curve.block));
       if (curve.of != Of::corner)
         continue;
       const auto corners =
           last.outlines[static_cast<std::size_t>(curve.block) - 1].size();
       if (static_cast<std::size_t>(curve.corner) > corners)
         throw std::runtime_error(
-            fmt::format("{}: block {} has corners 1 to {}, no corner {}",
-                        results.path(), curve.block, corners, curve.corner));
+            fmt::format("{}: block {} has corners 1 to {}, no corner {}", end.path(),
+                        curve.block, corners, curve.corner));
     }
   };
-  check(results.frame(results.frames() - 1));  // blocks are never removed
-  const auto& times = results.times();
-  for (long i = 0; i < results.frames(); ++i) {
-    const double t = times[static_cast<std::size_t>(i)];
-    if (t < range.from || t > range.to)
-      continue;
-    const Frame now = results.frame(i);
-    const FrameContacts contacts =
-        with_contacts ? results.contacts(i) : FrameContacts{};
-    history.time.push_back(t);
-    for (Series& series : history.series)
-      series.values.push_back(value(series.curve, now, first, contacts));
+  check(end.frame(end.frames() - 1));  // blocks are never removed
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const ResultsReader& results = *parts[part];
+    const double next = part + 1 < parts.size()
+                            ? parts[part + 1]->times().front()
+                            : std::numeric_limits<double>::infinity();
+    for (long i = 0; i < results.frames(); ++i) {
+      const double t = results.times()[static_cast<std::size_t>(i)];
+      if (t < range.from || t > range.to || t >= next)
+        continue;
+      const Frame now = results.frame(i);
+      const FrameContacts contacts =
+          with_contacts ? results.contacts(i) : FrameContacts{};
+      history.time.push_back(t);
+      for (Series& series : history.series)
+        series.values.push_back(value(series.curve, now, first, contacts));
+    }
   }
   if (history.time.empty())
     throw std::runtime_error(fmt::format("{} has times {:g} to {:g}, none between {:g} "
                                          "and {:g}",
-                                         results.path(), times.front(), times.back(),
-                                         range.from, range.to));
+                                         history.file, begin.times().front(),
+                                         end.times().back(), range.from, range.to));
   return history;
 }
 

@@ -34,9 +34,12 @@ struct TimeRange {
   double to = std::numeric_limits<double>::infinity();
 };
 
-/// Reads the frames once, one at a time. Throws std::runtime_error if a block or corner
-/// never exists, or if no frame is in the range; the message says what exists.
-History read_history(const ResultsReader& results, const std::vector<Curve>& curves,
-                     const TimeRange& range = {});
+/// Reads the frames once, one at a time. `parts` are the results of one run in the
+/// order of time (post/run_parts.hpp). A part ends where the next one begins;
+/// displacements are relative to the first frame of the first part. Throws
+/// std::runtime_error if a block or corner never exists, or if no frame is in the
+/// range; the message says what exists.
+History read_history(const std::vector<const ResultsReader*>& parts,
+                     const std::vector<Curve>& curves, const TimeRange& range = {});
 
 }  // namespace blocks::post

@@ -19,6 +19,7 @@ namespace blocks::post {
 namespace {
 
 constexpr Colour grid{0.9, 0.9, 0.9};
+constexpr double band_opacity = 0.28;
 
 /// Colours that colour-blind readers can distinguish; the dashes change every seven
 /// lines.
@@ -28,6 +29,23 @@ Colour line_colour(std::size_t i) {
       {0.65, 0.25, 0.53},       {0.35, 0.35, 0.38}, {0.72, 0.53, 0.04},
       {0.27, 0.60, 0.82}};
   return palette[i % palette.size()];
+}
+
+/// An entry of a legend: a line, or the band of a line.
+struct Key {
+  std::size_t line;
+  bool is_band;
+  const std::string& words;
+};
+
+std::vector<Key> keys_of(const ChartPanel& panel) {
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < panel.lines.size(); ++i) {
+    keys.push_back({i, false, panel.lines[i].legend});
+    if (!panel.lines[i].low.empty())
+      keys.push_back({i, true, panel.lines[i].band_legend});
+  }
+  return keys;
 }
 
 struct Range {
@@ -62,7 +80,7 @@ struct ChartLayout {
 
   /// Returns the height of the legend above a panel.
   double keys(const ChartPanel& one) const {
-    const std::size_t lines = std::min(one.lines.size(), most_keys);
+    const std::size_t lines = std::min(keys_of(one).size(), most_keys);
     return keys_above ? static_cast<double>(lines) * key_line + 4 : 0.0;
   }
 };
@@ -130,8 +148,9 @@ class ChartDrawing : ChartLayout {
   void draw_panel(const ChartPanel& one, double top, bool last) {
     Range y;
     for (const ChartLine& line : one.lines)
-      for (const double value : line.y)
-        y.include(value);
+      for (const auto* values : {&line.y, &line.low, &line.high})
+        for (const double value : *values)
+          y.include(value);
     y = y.empty() ? Range{0, 1} : y.widened(0.06);
     const double bottom = top + panel, end = page - right;
     const auto page_y = [&](double value) {
@@ -160,6 +179,8 @@ class ChartDrawing : ChartLayout {
     cairo_save(cairo_);
     cairo_rectangle(cairo_, left, top, end - left, panel);
     cairo_clip(cairo_);
+    for (std::size_t i = 0; i < one.lines.size(); ++i)
+      draw_band(one.lines[i], i, page_y);
     for (std::size_t i = 0; i < one.lines.size(); ++i)
       draw_line(one.lines[i], i, page_y);
     cairo_restore(cairo_);
@@ -198,6 +219,23 @@ class ChartDrawing : ChartLayout {
     }
   }
 
+  /// Fills the space between both ends, from one point to the next.
+  template <class PageY>
+  void draw_band(const ChartLine& line, std::size_t i, const PageY& page_y) {
+    pen_.colour(line_colour(i), band_opacity);
+    for (std::size_t k = 1; k < line.low.size(); ++k) {
+      const double from = page_x(line.x[k - 1]), to = page_x(line.x[k]);
+      if (!std::isfinite(line.low[k - 1]) || !std::isfinite(line.low[k]))
+        continue;
+      cairo_move_to(cairo_, from, page_y(line.low[k - 1]));
+      cairo_line_to(cairo_, to, page_y(line.low[k]));
+      cairo_line_to(cairo_, to, page_y(line.high[k]));
+      cairo_line_to(cairo_, from, page_y(line.high[k - 1]));
+      cairo_close_path(cairo_);
+    }
+    cairo_fill(cairo_);
+  }
+
   template <class PageY>
   void draw_line(const ChartLine& line, std::size_t i, const PageY& page_y) {
     style(i);
@@ -218,20 +256,33 @@ class ChartDrawing : ChartLayout {
       }
   }
 
+  /// Draws a piece of the line or band, centred at this height.
+  void sample(const Key& key, double x, double y) {
+    constexpr double width = 26, height = 10;
+    if (key.is_band) {
+      pen_.colour(line_colour(key.line), band_opacity);
+      cairo_rectangle(cairo_, x, y - height / 2, width, height);
+      cairo_fill(cairo_);
+      return;
+    }
+    style(key.line);
+    cairo_move_to(cairo_, x, y);
+    cairo_rel_line_to(cairo_, width, 0);
+    cairo_stroke(cairo_);
+    cairo_set_dash(cairo_, nullptr, 0, 0);
+  }
+
   void legend_above(const ChartPanel& one, double y) {
-    for (std::size_t i = 0; i < std::min(one.lines.size(), most_keys); ++i) {
+    const auto all = keys_of(one);
+    for (std::size_t i = 0; i < std::min(all.size(), most_keys); ++i) {
       y += key_line;
-      if (i + 1 == most_keys && one.lines.size() > most_keys) {
-        pen_.text(fmt::format("and {} more", one.lines.size() - i), left, y - 10, 13,
-                  muted, 0, 0.5);
+      if (i + 1 == most_keys && all.size() > most_keys) {
+        pen_.text(fmt::format("and {} more", all.size() - i), left, y - 10, 13, muted,
+                  0, 0.5);
         return;
       }
-      style(i);
-      cairo_move_to(cairo_, left, y - 10);
-      cairo_rel_line_to(cairo_, 26, 0);
-      cairo_stroke(cairo_);
-      cairo_set_dash(cairo_, nullptr, 0, 0);
-      pen_.text(one.lines[i].legend, left + 34, y - 10, 13, ink, 0, 0.5,
+      sample(all[i], left, y - 10);
+      pen_.text(all[i].words, left + 34, y - 10, 13, ink, 0, 0.5,
                 page - right - left - 34);
     }
   }
@@ -239,22 +290,19 @@ class ChartDrawing : ChartLayout {
   /// Entries are closer together if there are many.
   void legend(const ChartPanel& one, double x, double y) {
     constexpr double tall = 24, low = 13;
-    const auto n = static_cast<double>(one.lines.size());
+    const auto all = keys_of(one);
+    const auto n = static_cast<double>(all.size());
     const double step = std::clamp(panel / n, low, tall);
     const auto room = static_cast<std::size_t>(panel / step);
-    for (std::size_t i = 0; i < one.lines.size(); ++i) {
-      if (i + 1 == room && one.lines.size() > room) {
-        pen_.text(fmt::format("and {} more", one.lines.size() - i), x, y + step / 3, 11,
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i + 1 == room && all.size() > room) {
+        pen_.text(fmt::format("and {} more", all.size() - i), x, y + step / 3, 11,
                   muted, 0, 0.5);
         return;
       }
-      style(i);
-      cairo_move_to(cairo_, x, y + step / 3);
-      cairo_rel_line_to(cairo_, 26, 0);
-      cairo_stroke(cairo_);
-      cairo_set_dash(cairo_, nullptr, 0, 0);
-      pen_.text(one.lines[i].legend, x + 34, y + step / 3, std::min(13.0, 0.85 * step),
-                ink, 0, 0.5, page - x - 44);
+      sample(all[i], x, y + step / 3);
+      pen_.text(all[i].words, x + 34, y + step / 3, std::min(13.0, 0.85 * step), ink, 0,
+                0.5, page - x - 44);
       y += step;
     }
   }

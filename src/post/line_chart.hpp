@@ -8,10 +8,13 @@
 
 namespace blocks::post {
 
-/// A curve; points that are not finite interrupt the line.
+/// A curve, with a band around it if there are ends of one. Points that are not finite
+/// interrupt the line. The vectors have the same length, or `low` and `high` are empty.
 struct ChartLine {
   std::string legend;
-  std::vector<double> x, y;  ///< of equal length
+  std::vector<double> x, y;
+  std::vector<double> low = {}, high = {};
+  std::string band_legend = {};  ///< of the band
 };
 
 struct ChartPanel {

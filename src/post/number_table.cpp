@@ -34,10 +34,18 @@ std::string quoted(const std::string& text) {
   return safe + '"';
 }
 
+std::string name_with_sign(const NumberColumn& column) {
+  return column.sign.empty() ? column.name : column.name + " (" + column.sign + ")";
+}
+
 }  // namespace
 
 std::string table_text(const NumberTable& table) {
-  std::string text = fmt::format("{} ({})\n", table.title, table.file);
+  const auto stress = std::find_if(table.columns.begin(), table.columns.end(),
+                                   [](const auto& c) { return !c.sign.empty(); });
+  std::string text = fmt::format(
+      "{} ({}){}\n", table.title, table.file,
+      stress == table.columns.end() ? "" : ", stresses are " + stress->sign);
   std::string names, units;
   bool any_unit = false;
   std::vector<std::size_t> widths;
@@ -63,7 +71,7 @@ std::string csv_text(const std::vector<NumberTable>& runs) {
   const bool several = runs.size() > 1;
   std::string text = several ? "run," : "";
   for (std::size_t c = 0; c < runs.front().columns.size(); ++c)
-    text += (c ? "," : "") + quoted(runs.front().columns[c].name);
+    text += (c ? "," : "") + quoted(name_with_sign(runs.front().columns[c]));
   text += '\n';
   for (const NumberTable& run : runs)
     for (std::size_t i = 0; i < rows(run); ++i) {
@@ -84,12 +92,14 @@ std::string json_text(const std::vector<NumberTable>& runs) {
   Json list = Json::array();
   for (const NumberTable& run : runs) {
     Json columns = Json::array();
-    for (const NumberColumn& column : run.columns)
-      columns.push_back(
-          {{"name", column.name},
-           {"label", column.label},
-           {"unit", column.unit},
-           {"values", column.values}});  // values that are not finite become null
+    for (const NumberColumn& column : run.columns) {
+      Json one = {
+          {"name", column.name}, {"label", column.label}, {"unit", column.unit}};
+      if (!column.sign.empty())
+        one["sign"] = column.sign;
+      one["values"] = column.values;  // values that are not finite become null
+      columns.push_back(std::move(one));
+    }
     list.push_back({{"file", run.file}, {"title", run.title}, {"columns", columns}});
   }
   return Json{{"runs", list}}.dump(1, ' ', false, Json::error_handler_t::replace) +

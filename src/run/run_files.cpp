@@ -94,6 +94,13 @@ std::string foreign(const std::string& results, const output::RunIdentity& ident
       ending);
 }
 
+/// The identity of new results that continue those of the checkpoint.
+output::RunIdentity continuation(output::RunIdentity identity,
+                                 const output::CheckpointInfo& from) {
+  identity.continues_run = from.results_run;
+  return identity;
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
@@ -134,7 +141,7 @@ RunFiles RunFiles::behind(const std::string& name, const output::RunIdentity& id
                           const output::CheckpointInfo& from,
                           const std::string& checkpoint) {
   if (!continues(name, from, from.listing_bytes, checkpoint))
-    return {name, identity};
+    return {name, continuation(identity, from)};
   RunFiles files(name, identity, from.results_frames, from.listing_bytes);
   files.listing_.deck_echo(identity);
   return files;
@@ -144,7 +151,7 @@ RunFiles RunFiles::resumed(const std::string& name, const output::RunIdentity& i
                            const output::CheckpointInfo& from,
                            const std::string& checkpoint) {
   if (!continues(name, from, from.progress.listing_bytes, checkpoint))
-    return {name, identity};
+    return {name, continuation(identity, from)};
   RunFiles files(name, identity, from.progress.frames, from.progress.listing_bytes);
   files.tabled_step_ = from.progress.tabled_step;
   return files;

@@ -14,6 +14,7 @@ namespace blocks::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// The deck of two squares that move towards each other, collide off centre and
 /// separate.
@@ -29,7 +30,7 @@ post::History history(const TemporaryFolder& folder, const std::string& name,
   std::vector<post::Curve> parsed;
   for (const std::string& text : curves)
     parsed.push_back(post::parse_curve(text));
-  return post::read_history(results, parsed);
+  return post::read_history({&results}, parsed);
 }
 
 // By (1) to (3) v = -g dt n and y = y0 - g dt^2 n (n + 1) / 2.
@@ -111,6 +112,21 @@ TEST(History, WritesTheBitsOfAllNumbersToJson) {
   const auto column = nlohmann::json::parse(json.out)["runs"][0]["columns"][1];
   EXPECT_EQ(column["values"].back().get<double>(),
             results.frame(results.frames() - 1).centroid(0, 1));
+}
+
+TEST(History, TellsTheSignOfStressesInEveryFormat) {
+  const TemporaryFolder folder;
+  run_text(folder, "hit", collision);
+  const auto printed = [&](const std::string& more) {
+    return blocks("history hit.vtkhdf -q x:1,s22:1 " + more, folder.path()).out;
+  };
+  EXPECT_THAT(printed(""), HasSubstr("(hit.vtkhdf), stresses are tension positive\n"));
+  EXPECT_THAT(printed("--csv"), StartsWith("time,x:1,s22:1 (tension positive)\n"));
+  EXPECT_THAT(printed("--csv --compression-positive"),
+              StartsWith("time,x:1,s22:1 (compression positive)\n"));
+  const auto json = nlohmann::json::parse(printed("--json"))["runs"][0]["columns"];
+  EXPECT_FALSE(json[1].contains("sign"));
+  EXPECT_EQ(json[2]["sign"], "tension positive");
 }
 
 TEST(History, HasTheUnitsOfTheUser) {

@@ -76,7 +76,7 @@ std::map<std::string, std::string> left_by_run(const std::filesystem::path& fold
   std::map<std::string, std::string> all;
   all["listing"] = slurp(folder / (name + ".out"));
   for (const auto& [item, value] : stored(folder / (name + ".vtkhdf")))
-    if (item != "BLOCKS/run_id")
+    if (item != "BLOCKS/run_id" && item != "BLOCKS/continues_run")
       all["results " + item] = value;
   for (const auto& [item, value] : stored(folder / (name + ".ckpt.h5")))
     if (item != "run/results_run")
