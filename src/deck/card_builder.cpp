@@ -86,6 +86,43 @@ Maybe setvel(const Fields& f, Diagnostics& diagnostics) {
                 f[4].as_real()};
 }
 
+/// Reads the blocks that REMOVE or FREE names; the outline is added by the parser.
+std::optional<Selection> selection(const Fields& f, const char* card,
+                                   Diagnostics& diagnostics) {
+  const Selection out{
+      f[0].as_int(), f[1].as_int(), f[2].as_int(), f[3].as_int(), {}, {}};
+  const int ways = int{out.nb1.given} + int{out.mat.given} + int{out.nc.given};
+  const auto fault = [&](SourceLocation where, const std::string& message,
+                         const char* hint) {
+    diagnostics.error(where, card, message, hint);
+    return std::nullopt;
+  };
+  if (out.nb2.given && !out.nb1.given) {
+    return fault(out.nb2.where, "nb2 without nb1",
+                 "nb1 is the first block of the range, nb2 the last");
+  }
+  if (ways != 1) {
+    const SourceLocation where = out.nc.given ? out.nc.where : out.mat.where;
+    return fault(where, ways == 0 ? "no blocks are named" : "blocks are named twice",
+                 "give nb1 and nb2, or mat, or nc and an outline");
+  }
+  if (out.nb2.value > 0 && out.nb2.value < out.nb1.value) {
+    return fault(out.nb2.where,
+                 fmt::format("nb2 must not be less than nb1, found {} and {}",
+                             out.nb1.value, out.nb2.value),
+                 "0 means nb1 alone, a negative number means all from nb1 on");
+  }
+  return out;
+}
+
+History history(const Fields& f, const Values& values) {
+  History card{f[0].as_real(), {}};
+  for (const Value& value : values.repeated) {
+    card.quantities.push_back(value.as_word());
+  }
+  return card;
+}
+
 Maybe output(const Fields& f, const Values& values) {
   Output card{f[0].as_real(), {}};
   for (const Value& value : values.repeated) {
@@ -118,7 +155,8 @@ const std::map<std::string_view, Builder>& builders() {
       {"FRACTION", [](F f, V, D) -> Maybe { return Fraction{f[0].as_real()}; }},
       {"MATERIAL",
        [](F f, V, D) -> Maybe {
-         return Material{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+         return Material{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real(),
+                         f[4].as_word()};
        }},
       {"FUNCTION",
        [](F f, V, D) -> Maybe {
@@ -126,6 +164,10 @@ const std::map<std::string_view, Builder>& builders() {
        }},
       {"RIGID", [](F, V, D) -> Maybe { return Rigid{}; }},
       {"SEED", [](F f, V, D) -> Maybe { return Seed{f[0].as_int()}; }},
+      {"UNITS",
+       [](F f, V, D) -> Maybe {
+         return Units{f[0].as_word(), f[1].as_word(), f[2].as_word()};
+       }},
       {"END", [](F, V, D) -> Maybe { return End{}; }},
       {"RESTART", [](F f, V, D) -> Maybe { return Restart{f[0].as_word()}; }},
       {"CREATE",
@@ -149,6 +191,20 @@ const std::map<std::string_view, Builder>& builders() {
          return Gravity{f[0].as_real(), f[1].as_real()};
        }},
       {"FIX", [](F f, V, D) -> Maybe { return Fix{f[0].as_int()}; }},
+      {"REMOVE",
+       [](F f, V, D d) -> Maybe {
+         if (auto blocks = selection(f, "REMOVE", d)) {
+           return Remove{*std::move(blocks)};
+         }
+         return {};
+       }},
+      {"FREE",
+       [](F f, V, D d) -> Maybe {
+         if (auto blocks = selection(f, "FREE", d)) {
+           return Free{*std::move(blocks)};
+         }
+         return {};
+       }},
       {"PRESSBC",
        [](F f, V, D) -> Maybe {
          return PressBc{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real(),
@@ -168,6 +224,7 @@ const std::map<std::string_view, Builder>& builders() {
       {"DUMP", [](F, V, D) -> Maybe { return Dump{}; }},
       {"OUTPUT", [](F f, V v, D) -> Maybe { return output(f, v); }},
       {"PLOTS", [](F f, V, D) -> Maybe { return Plots{f[0].as_real()}; }},
+      {"HISTORY", [](F f, V v, D) -> Maybe { return history(f, v); }},
       {"MOTION", [](F f, V, D) -> Maybe { return Motion{f[0].as_real()}; }},
       {"CYCLE", [](F f, V, D) -> Maybe { return Cycle{f[0].as_int()}; }},
       {"STOP", [](F, V, D) -> Maybe { return Stop{}; }},

@@ -106,10 +106,14 @@ std::vector<CardSpec> preliminary_cards() {
        .fields = {{"mat", integer, {}, a_number, "[-]", "material number"},
                   {"E", real, "0", not_negative, "[F/L^2]", "Young's modulus"},
                   {"G", real, "0", not_negative, "[F/L^2]", "shear modulus"},
-                  {"rho", real, {}, positive, "[M/L^3]", "mass density"}},
-       .notes = "One card per material, in any number; the same number twice is an "
-                "error. Blocks that deform (no RIGID card) need E > 0 and G > E/3.",
-       .example = "MATERIAL, 1, 2.D10, 8.D9, 2300."});
+                  {"rho", real, {}, positive, "[M/L^3]", "mass density"},
+                  {"name", word, "", any, "",
+                   "name shown in legends and kept by import and export (not in the "
+                   "report)"}},
+       .notes = "One card per material, in any number; the same number or name twice "
+                "is an error. Quote a name that contains blanks or commas. Blocks that "
+                "deform (no RIGID card) need E > 0 and G > E/3.",
+       .example = "MATERIAL, 1, 2.D10, 8.D9, 2300., sandstone"});
   add({.name = "FUNCTION",
        .once = true,
        .section = "A.1.8",
@@ -144,6 +148,17 @@ std::vector<CardSpec> preliminary_cards() {
                    "every machine"}},
        .notes = "Without this card a fixed seed is used and printed.",
        .example = "SEED, 42"});
+  add({.name = "UNITS",
+       .once = true,
+       .section = "ours",
+       .summary = "units of the deck",
+       .fields = {{"length", word, {}, any, "", "unit of length: m, mm, ft, ..."},
+                  {"mass", word, {}, any, "", "unit of mass: kg, t, g, ..."},
+                  {"time", word, {}, any, "", "unit of time: s, ms, d, ..."}},
+       .notes = "Names the units in which all values of the deck are given; no value "
+                "is converted. Results keep them, and figures, histories and pages "
+                "show them.",
+       .example = "UNITS, m, kg, s"});
   add({.name = "END",
        .once = true,
        .required = true,

@@ -50,6 +50,7 @@ struct Fraction {
 struct Material {
   Int mat;
   Real e, g, rho;
+  Word name;  ///< not in the report
 };
 struct Function {
   Int ntimep;
@@ -58,6 +59,9 @@ struct Function {
 struct Rigid {};
 struct Seed {
   Int seed;
+};  ///< not in the report
+struct Units {
+  Word length, mass, time;
 };  ///< not in the report
 struct End {};
 struct Restart {
@@ -98,6 +102,20 @@ struct Gravity {
 struct Fix {
   Int nblok;
 };
+/// The blocks that REMOVE and FREE name: a range of numbers, a material, or all blocks
+/// inside an outline. Exactly one of nb1, mat and nc is given.
+struct Selection {
+  Int nb1, nb2;  ///< nb2: 0 for nb1 alone, negative for all from nb1 on
+  Int mat;
+  Int nc;
+  std::vector<Exact> x, y;  ///< [L] (nc) corners of the outline
+};
+struct Remove {
+  Selection blocks;
+};  ///< not in the report
+struct Free {
+  Selection blocks;
+};  ///< not in the report
 struct PressBc {
   Int nblok, nside;
   Real p1, p2, tarriv;
@@ -128,6 +146,10 @@ struct Output {
 struct Plots {
   Real dtplot;
 };
+struct History {
+  Real dthist;
+  std::vector<Word> quantities;
+};  ///< not in the report
 struct Motion {
   Real dt;
 };
@@ -138,9 +160,9 @@ struct Stop {};
 
 using Card =
     std::variant<Start, XLimits, YLimits, Boxes, Stiff, Fraction, Material, Function,
-                 Rigid, Seed, End, Restart, Create, Read9, Layer, Orient, Merge, Splane,
-                 Gravity, Fix, PressBc, Force, Frictn, SetVel, SetVelM, Damping, Dump,
-                 Output, Plots, Motion, Cycle, Stop>;
+                 Rigid, Seed, Units, End, Restart, Create, Read9, Layer, Orient, Merge,
+                 Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn, SetVel,
+                 SetVelM, Damping, Dump, Output, Plots, History, Motion, Cycle, Stop>;
 
 struct Command {
   SourceLocation where;  ///< the keyword

@@ -50,6 +50,8 @@ class Parser {
   bool lists(Card& card, const std::vector<Line>& data, SourceLocation end);
   bool coordinates(Create& card, const std::vector<Line>& data, SourceLocation end);
   bool widths(Layer& card, const std::vector<Line>& data, SourceLocation end);
+  bool outline(Selection& blocks, std::string_view card, const std::vector<Line>& data,
+               SourceLocation end);
   bool material(const Material& card);
 
   Deck& deck_;
@@ -62,6 +64,7 @@ class Parser {
   std::optional<long> most_blocks_;       ///< START's nblok
   std::optional<long> most_corners_;      ///< START's ncmx
   std::map<long, int> materials_;         ///< number -> line
+  std::map<std::string, int> names_;      ///< name of a material -> line
   std::map<std::string_view, long> met_;  ///< number of cards of each kind so far
   std::optional<Cloop> loop_;  ///< a CLOOP whose CREATE has not been read yet
   std::optional<SourceLocation> loop_at_;
@@ -291,7 +294,18 @@ bool Parser::material(const Material& card) {
         fmt::format("material {} is defined twice", card.mat.value),
         met->second > 0 ? fmt::format("the first one is on line {}", met->second) : "");
   }
-  return is_new;
+  if (card.name.value.empty()) {
+    return is_new;
+  }
+  const auto [same, new_name] = names_.emplace(card.name.value, card.name.where.line);
+  if (!new_name) {
+    diagnostics_->error(
+        card.name.where, "MATERIAL",
+        fmt::format("two materials have the name {}", shown(card.name.value)),
+        same->second > 0 ? fmt::format("the first one is on line {}", same->second)
+                         : "");
+  }
+  return is_new && new_name;
 }
 
 bool Parser::title(Start& card, const Line& line) {
@@ -330,6 +344,12 @@ bool Parser::lists(Card& card, const std::vector<Line>& data, SourceLocation end
   if (auto* layer = std::get_if<Layer>(&card)) {
     return widths(*layer, data, end);
   }
+  if (auto* remove = std::get_if<Remove>(&card)) {
+    return outline(remove->blocks, "REMOVE", data, end);
+  }
+  if (auto* free = std::get_if<Free>(&card)) {
+    return outline(free->blocks, "FREE", data, end);
+  }
   if (auto* function = std::get_if<Function>(&card)) {
     FunctionPoints points =
         read_points(function->ntimep.value, data, end, *diagnostics_);
@@ -355,6 +375,25 @@ bool Parser::coordinates(Create& card, const std::vector<Line>& data,
                      data, end, *diagnostics_);
   card.x = std::move(lists.first);
   card.y = std::move(lists.second);
+  return lists.ok;
+}
+
+bool Parser::outline(Selection& blocks, std::string_view card,
+                     const std::vector<Line>& data, SourceLocation end) {
+  if (!blocks.nc.given) {
+    if (!data.empty()) {
+      diagnostics_->error(data.front().fields.front().where, std::string(card),
+                          "unexpected line of values after this card",
+                          "coordinates of an outline follow only where nc is given");
+    }
+    return data.empty();
+  }
+  TwoLists lists =
+      read_two_lists({card, blocks.nc.value, "x coordinates", "y coordinates",
+                      FieldSpec{"coordinate ", Kind::exact, {}, {}, "[L]", ""}, false},
+                     data, end, *diagnostics_);
+  blocks.x = std::move(lists.first);
+  blocks.y = std::move(lists.second);
   return lists.ok;
 }
 

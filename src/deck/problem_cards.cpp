@@ -1,5 +1,7 @@
 #include "deck/problem_cards.hpp"
 
+#include "geometry/vec2.hpp"
+
 namespace blocks::deck {
 namespace {
 
@@ -8,10 +10,27 @@ constexpr Range any{};
 constexpr Range positive{0, infinity, true, false, false};
 constexpr Range not_negative{0, infinity, false, false, false};
 constexpr Range from_one{1, infinity, false, false, false};
+constexpr Range corners{3, geometry::max_corners, false, false, false};
 constexpr Range angle{-80, 80, false, false, false};
 // A layer of more than a million blocks is taken as a typing error. The limit matters
 // because short lists of widths are completed in memory.
 constexpr Range layer_count{-1e6, 1e6, false, false, true};
+
+/// The fields of REMOVE and FREE.
+std::vector<FieldSpec> selection_fields() {
+  using enum Kind;
+  return {{"nb1", integer, "0", from_one, "[-]", "block number"},
+          {"nb2", integer, "0", any, "[-]",
+           "0 or nb1: block nb1 alone; > nb1: nb1 to nb2; < 0: nb1 to the last so far"},
+          {"mat", integer, "0", from_one, "[-]", "all blocks of this material"},
+          {"nc", integer, "0", corners, "[-]",
+           "all blocks inside an outline of nc corners, which follows"}};
+}
+std::vector<FollowOn> selection_lines() {
+  return {{"x1, x2, ..., xnc", "if nc is given: x of the corners of the outline [L], "
+                               "over as many lines as needed"},
+          {"y1, y2, ..., ync", "y of the corners [L], starting on a new line"}};
+}
 
 /// Adds the cards for blocks, A.2.1 to A.2.6.
 void add_block_cards(std::vector<CardSpec>& cards) {
@@ -119,17 +138,17 @@ void add_block_cards(std::vector<CardSpec>& cards) {
 /// Adds the cards for boundaries and loads, A.2.7 to A.2.15.
 void add_load_cards(std::vector<CardSpec>& cards) {
   using enum Kind;
-  cards.push_back(
-      {.name = "SPLANE",
-       .section = "A.2.7",
-       .summary = "a symmetry plane",
-       .fields = {{"x1", real, {}, any, "[L]", "x of point 1"},
-                  {"y1", real, {}, any, "[L]", "y of point 1"},
-                  {"x2", real, {}, any, "[L]", "x of point 2"},
-                  {"y2", real, {}, any, "[L]", "y of point 2"}},
-       .notes = "An infinite frictionless line; the blocks lie on the left when "
-                "looking from point 1 to point 2. Several are allowed.",
-       .example = "SPLANE, 0., 10., 0., 0."});
+  cards.push_back({.name = "SPLANE",
+                   .section = "A.2.7",
+                   .summary = "a symmetry plane",
+                   .fields = {{"x1", real, {}, any, "[L]", "x of point 1"},
+                              {"y1", real, {}, any, "[L]", "y of point 1"},
+                              {"x2", real, {}, any, "[L]", "x of point 2"},
+                              {"y2", real, {}, any, "[L]", "y of point 2"}},
+                   .notes =
+                       "An infinite frictionless line; the blocks lie on the left when "
+                       "looking from point 1 to point 2. Several are allowed.",
+                   .example = "SPLANE, 0., 10., 0., 0."});
   cards.push_back({.name = "GRAVITY",
                    .section = "A.2.8",
                    .summary = "acceleration due to gravity",
@@ -142,6 +161,22 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                    .fields = {{"nblok", integer, {}, from_one, "[-]", "block number"}},
                    .notes = "The same as ifix on its CREATE card.",
                    .example = "FIX, 3"});
+  cards.push_back(
+      {.name = "REMOVE",
+       .section = "ours",
+       .summary = "remove blocks",
+       .fields = selection_fields(),
+       .follow_on = selection_lines(),
+       .notes = "Takes effect at its place in the deck, so blocks can be removed in "
+                "stages between MOTION cards. The numbers of the other blocks stay.",
+       .example = "REMOVE, 12, 15"});
+  cards.push_back({.name = "FREE",
+                   .section = "ours",
+                   .summary = "free fixed blocks",
+                   .fields = selection_fields(),
+                   .follow_on = selection_lines(),
+                   .notes = "Undoes FIX and ifix at its place in the deck.",
+                   .example = "FREE, , , 2"});
   cards.push_back(
       {.name = "PRESSBC",
        .section = "A.2.10",
@@ -245,6 +280,20 @@ void add_run_cards(std::vector<CardSpec>& cards) {
                    .fields = {{"dtplot", real, {}, positive, "[T]", "interval"}},
                    .notes = "The state at the start and at the end is always written.",
                    .example = "PLOTS, .01"});
+  cards.push_back(
+      {.name = "HISTORY",
+       .section = "ours",
+       .summary = "histories of quantities at exact multiples of an interval",
+       .fields = {{"dthist", real, {}, positive, "[T]", "interval"},
+                  {"quantity",
+                   word,
+                   "",
+                   any,
+                   "",
+                   "quantities, as 'blocks history' names them: ke, y:3, ...",
+                   {},
+                   true}},
+       .example = "HISTORY, .001, ke, y:3"});
   cards.push_back({.name = "MOTION",
                    .section = "A.2.19",
                    .summary = "run for an interval of time",

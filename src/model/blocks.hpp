@@ -12,8 +12,9 @@ namespace blocks {
 
 using geometry::Vec2;
 
-/// Whether a block is free, or why it is fixed.
-enum class Fixity : int { free = 0, by_user = 1, left_domain = 2 };
+/// Whether a block is free, or why it does not move. A removed block keeps its number
+/// and its data, but touches nothing.
+enum class Fixity : int { free = 0, by_user = 1, left_domain = 2, removed = 3 };
 
 /// A block to be created from a simple clockwise outline.
 struct NewBlock {

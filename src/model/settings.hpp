@@ -17,9 +17,19 @@ struct Material {
   double youngs_modulus = 0.0;  ///< [F/L^2] E
   double shear_modulus = 0.0;   ///< [F/L^2] G; G > E/3 for nu < 0.5
   double density = 0.0;         ///< [M/L^3] > 0
+  std::string name = {};        ///< shown instead of the number; may be empty
 
   double c11() const;  ///< [F/L^2] plane strain stiffness (12)
   double c12() const;  ///< [F/L^2] plane strain coupling (12)
+};
+
+/// UNITS card: the names of the units in which all values are given. All are empty if
+/// the deck does not tell.
+struct Units {
+  std::string length, mass, time;
+
+  bool known() const { return !length.empty(); }
+  bool operator==(const Units&) const = default;
 };
 
 /// A symmetry plane through a and b; the blocks are on its left
@@ -31,6 +41,7 @@ struct Plane {
 /// The settings in force.
 struct Settings {
   std::string title;
+  Units units;
   int max_blocks = 0;   ///< NBLOKM: more blocks are refused
   int max_corners = 0;  ///< NCMAX: a block with more corners is refused
   geometry::Vec2 lower = {0, 0}, upper = {0, 0};  ///< [L] domain: XL, YL, XU, YU
@@ -50,6 +61,12 @@ struct Settings {
   geometry::Decimal angle_min, angle_max;        ///< degrees (ORIENT)
   std::optional<geometry::Decimal> merge_ratio;  ///< MERGE
   int layers_made = 0;
+};
+
+/// HISTORY card: the quantities recorded at multiples of an interval.
+struct HistoryRequest {
+  double interval = 0.0;  ///< [T]; 0: no histories
+  std::vector<std::string> quantities = {};
 };
 
 /// OUTPUT and PLOTS: output interval and next due time. Interval 0: no output.

@@ -174,7 +174,7 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
     if (!settings.materials.contains(number))
       reject_checkpoint(fmt::format(
           "blocks/material names material {}, which does not exist", number));
-  expect_all("blocks/fixity", b.fixity, n, {0.0, 2.0, "0, 1 or 2"});
+  expect_all("blocks/fixity", b.fixity, n, {0.0, 3.0, "0, 1, 2 or 3"});
   expect_all("blocks/convex", b.convex, n, yes_or_no);
   expect_cuts(b);
   expect_all("blocks/layer", b.layer, n, not_negative);
@@ -336,6 +336,7 @@ void expect_time(const Model& model) {
   expect("search/left", model.search.left, not_negative);
   expect("search/updates", static_cast<double>(model.search.updates), count_from_0);
   expect("worst_overlap", model.worst_overlap, not_negative);
+  expect("history/interval", model.history.interval, not_negative);
   for (const auto& [name, clock] :
        {std::pair{"output", &model.output}, {"plots", &model.plots}}) {
     expect(std::string(name) + "/interval", clock->interval, not_negative);

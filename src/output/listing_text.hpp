@@ -36,6 +36,8 @@ inline std::string fixity_word(Fixity fixity) {
     return "    fixed";
   case Fixity::left_domain:
     return "     left";
+  case Fixity::removed:
+    return "  removed";
   }
   return "        ?";
 }

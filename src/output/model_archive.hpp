@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "output/hdf5_handle.hpp"
 #include "output/model_fields.hpp"
@@ -35,7 +38,8 @@ template <class T> T from_stored(Stored<T> value) {
 }
 
 /// One member of all structs in a list, as a column.
-using RecordColumn = std::variant<std::vector<double>, std::vector<std::int64_t>>;
+using RecordColumn = std::variant<std::vector<double>, std::vector<std::int64_t>,
+                                  std::vector<std::string>>;
 
 class SavingArchive {
  public:
@@ -57,6 +61,13 @@ class SavingArchive {
     (*this)(name + "_given", value.has_value());
     if (value)
       (*this)(name, *value);
+  }
+  /// Writes texts without line breaks as one text, each ended by a line break.
+  void operator()(const std::string& name, const std::vector<std::string>& texts) {
+    std::string lines;
+    for (const std::string& text : texts)
+      lines += text + '\n';
+    hdf5::write_text(group_, name, lines);
   }
   template <Number T>
   void operator()(const std::string& name, const std::vector<T>& values) {
@@ -91,10 +102,14 @@ class SavingArchive {
   struct Member {
     std::size_t wanted, passed = 0;
     const char* name = nullptr;  ///< null if there is no member of that index
-    std::variant<double, std::int64_t> value = {};
+    std::variant<double, std::int64_t, const std::string*> value = {};
     template <Number T> void operator()(const char* its_name, const T& member) {
       if (passed++ == wanted)
         name = its_name, value = to_stored(member);
+    }
+    void operator()(const char* its_name, const std::string& member) {
+      if (passed++ == wanted)
+        name = its_name, value = &member;
     }
   };
 
@@ -119,13 +134,22 @@ class SavingArchive {
       visit(first, *list.begin());
       if (first.name == nullptr)
         return;
+      const std::string column = name + "/" + first.name;
       std::visit(
           [&]<class T>(T) {
-            put_pieces<T>(name + "/" + first.name, list, [&](const auto& record) {
+            const auto value = [&](const auto& record) {
               Member member{wanted};
               visit(member, record);
               return std::get<T>(member.value);
-            });
+            };
+            if constexpr (std::is_same_v<T, const std::string*>) {
+              std::vector<std::string> texts;
+              for (const auto& record : list)
+                texts.push_back(*value(record));
+              (*this)(column, texts);
+            } else {
+              put_pieces<T>(column, list, value);
+            }
           },
           first.value);
     }
@@ -176,6 +200,12 @@ class LoadingArchive {
     value.reset();
     if (given)
       (*this)(name, value.emplace());
+  }
+  void operator()(const std::string& name, std::vector<std::string>& texts) {
+    texts.clear();
+    std::istringstream lines(hdf5::read_text(group_, name));
+    for (std::string line; std::getline(lines, line);)
+      texts.push_back(std::move(line));
   }
   template <Number T> void operator()(const std::string& name, std::vector<T>& values) {
     values.clear();
@@ -230,13 +260,25 @@ class LoadingArchive {
     std::vector<RecordColumn> all;
     std::size_t row = 0, next = 0;
     template <Number T> void operator()(const char* name, T& member) {
+      member = from_stored<T>(value<Stored<T>>(
+          name, [&] { return from.get<Stored<T>>(list + "/" + name); }));
+    }
+    void operator()(const char* name, std::string& member) {
+      member = value<std::string>(name, [&] {
+        std::vector<std::string> texts;
+        from(list + "/" + name, texts);
+        return texts;
+      });
+    }
+    /// Returns the value of the next column in this row. Reads the column once.
+    template <class T, class Read> const T& value(const char* name, Read&& read) {
       if (next == all.size()) {
-        auto values = from.get<Stored<T>>(list + "/" + name);
+        std::vector<T> values = read();
         if (values.size() != rows)
           throw hdf5::Failure(list + "/" + name + " has the wrong length");
         all.emplace_back(std::move(values));
       }
-      member = from_stored<T>(std::get<std::vector<Stored<T>>>(all[next++])[row]);
+      return std::get<std::vector<T>>(all[next++])[row];
     }
   };
 

@@ -15,11 +15,17 @@ namespace blocks::output {
 // M is Model or const Model.
 
 template <class S, class Archive> void visit_settings(S& settings, Archive& ar) {
-  auto& [title, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
+  auto& [title, units, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
          contact_tolerance, normal_stiffness, shear_stiffness, fraction, damping,
          friction, gravity, rigid, materials, planes, seed, angle_min, angle_max,
          merge_ratio, layers_made] = settings;
   ar("settings/title", title);
+  {
+    auto& [length, mass, time] = units;
+    ar("settings/units/length", length);
+    ar("settings/units/mass", mass);
+    ar("settings/units/time", time);
+  }
   ar("settings/max_blocks", max_blocks);
   ar("settings/max_corners", max_corners);
   ar("settings/lower", lower);
@@ -36,11 +42,12 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
   ar("settings/rigid", rigid);
   ar.materials("settings/materials", materials,
                [](auto& column, auto& number, auto& material) {
-                 auto& [e, g, rho] = material;
+                 auto& [e, g, rho, name] = material;
                  column("number", number);
                  column("youngs_modulus", e);
                  column("shear_modulus", g);
                  column("density", rho);
+                 column("name", name);
                });
   ar.records("settings/planes", planes, [](auto& column, auto& plane) {
     auto& [a, b] = plane;
@@ -142,8 +149,8 @@ void visit_clock(C& clock, const char* interval_name, const char* due_name,
 
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, plane_contacts, loads, time_step, search, output,
-         plots, output_blocks, order, exits, merges, layers, steps, time, time_origin,
-         step_origin, started, worst_overlap] = model;
+         plots, history, output_blocks, order, exits, merges, layers, steps, time,
+         time_origin, step_origin, started, worst_overlap] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -164,6 +171,11 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   }
   visit_clock(output, "output/interval", "output/due", ar);
   visit_clock(plots, "plots/interval", "plots/due", ar);
+  {
+    auto& [interval, quantities] = history;
+    ar("history/interval", interval);
+    ar("history/quantities", quantities);
+  }
   ar("output/blocks", output_blocks);
   ar("order", order);
   ar.records("exits", exits, [](auto& column, auto& exit) {

@@ -130,8 +130,8 @@ struct Builder::Visitor {
     self.fraction_by_ = command;
   }
   void operator()(const deck::Material& card) {
-    settings.materials[static_cast<int>(card.mat.value)] = {card.e.value, card.g.value,
-                                                            card.rho.value};
+    settings.materials[static_cast<int>(card.mat.value)] = {
+        card.e.value, card.g.value, card.rho.value, card.name.value};
     materials.emplace_back(command, card);
   }
   void operator()(const deck::Function& card) {
@@ -144,6 +144,9 @@ struct Builder::Visitor {
   void operator()(const deck::Seed& card) {
     if (!self.options_.seed)
       settings.seed = static_cast<std::uint64_t>(card.seed.value);
+  }
+  void operator()(const deck::Units& card) {
+    settings.units = {card.length.value, card.mass.value, card.time.value};
   }
   void operator()(const deck::End&) {
     if (settings.rigid || self.unread_.has("RIGID"))
@@ -197,6 +200,8 @@ struct Builder::Visitor {
     blocks.fix(b, Fixity::by_user);
     model.search.invalidate();
   }
+  void operator()(const deck::Remove&) {}
+  void operator()(const deck::Free&) {}
   void operator()(const deck::PressBc& card) {
     const int b = block(card.nblok);
     if (!has_function() || b < 0 || self.most_missing(command.where.line) > 0)
@@ -282,6 +287,11 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Plots& card) {
     model.plots = {card.dtplot.value, model.time + card.dtplot.value};
+  }
+  void operator()(const deck::History& card) {
+    model.history = {card.dthist.value, {}};
+    for (const deck::Word& quantity : card.quantities)
+      model.history.quantities.push_back(quantity.value);
   }
   void operator()(const deck::Dump&) {}
   void operator()(const deck::Motion&) { ++self.stretch_; }

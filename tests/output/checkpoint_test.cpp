@@ -28,7 +28,7 @@ class Filler {
     if constexpr (std::is_same_v<T, bool>)
       value = true;
     else if constexpr (std::is_enum_v<T>)
-      value = static_cast<T>(++count_ % 3);
+      value = static_cast<T>(++count_ % 4);
     else if constexpr (std::is_same_v<T, double>)
       value = next();
     else if constexpr (std::is_same_v<T, char>)
@@ -37,7 +37,7 @@ class Filler {
       value = static_cast<T>(1000 + ++count_);
   }
   void operator()(const std::string& name, std::string& text) {
-    text = "text of " + name + " \xC3\xA9\n";
+    text = "text of " + name + " \xC3\xA9\t";
   }
   void operator()(const std::string&, geometry::Decimal& number) {
     number = *geometry::Decimal::parse("-12." + std::to_string(++count_) + "1e-3");

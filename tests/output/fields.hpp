@@ -64,7 +64,9 @@ class Fields {
 
  private:
   template <class T> static std::string bits(const T& value) {
-    if constexpr (std::is_same_v<T, double>)
+    if constexpr (std::is_same_v<T, std::string>)
+      return value + "\n";
+    else if constexpr (std::is_same_v<T, double>)
       return std::to_string(std::bit_cast<std::uint64_t>(value)) + " ";
     else
       return std::to_string(static_cast<long long>(value)) + " ";

@@ -34,6 +34,7 @@ Model full_model() {
   model.loads.forces = {{1, {3, 4}, 0.25}};
   model.output = {0.5, 1.0};
   model.plots = {0.25, 0.75};
+  model.history = {0.125, {"ke", "y:2"}};
   model.output_blocks = {0, 1};
   model.order = {1, 0};
   model.exits = {{0, 0.004}};
@@ -65,7 +66,8 @@ class Forger {
       place = value;
     }
     // These lists may have any length, or are empty because all blocks are convex.
-    if (name == "output/blocks" || name == "blocks/cuts")
+    if (name == "output/blocks" || name == "blocks/cuts" ||
+        name == "history/quantities")
       return;
     if (how_ == How::longer && now(name))
       column.push_back(column.back());
@@ -122,7 +124,7 @@ class Forger {
       return never ? std::vector<T>{std::nan(""), infinity, -infinity}
                    : std::vector<T>{0.0, -1.0, 1e300, -value};
     } else if constexpr (std::is_enum_v<T>) {
-      return never ? std::vector<T>{T{-1}, T{3}} : std::vector<T>{T{0}, T{1}, T{2}};
+      return never ? std::vector<T>{T{-1}, T{4}} : std::vector<T>{T{0}, T{1}, T{2}};
     } else if constexpr (std::is_same_v<T, std::uint64_t>) {
       return {};  // All seeds are valid.
     } else {

@@ -47,7 +47,7 @@ inline Model two_blocks() {
   s.friction = 0.5;
   s.gravity = {0, -9.81};
   s.rigid = true;
-  s.materials[3] = {1e10, 4e9, 2.0};
+  s.materials[3] = {1e10, 4e9, 2.0, "sandstone"};
   s.planes.push_back({{-5, 1}, {-5, 0}});
   add_box(model, -4, -1, 8, 1, Fixity::by_user);
   add_box(model, -1, -0.0625, 2, 2);
