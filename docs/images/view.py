@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The picture of the page: view.py subsidence.html docs/images/view.png (needs chromium).
 
-The page is `blocks view subsidence.vtkhdf --mirror 0 --units m,kg,s` of decks/subsidence.
+The page is `blocks view subsidence.vtkhdf --mirror 0` of decks/subsidence.
 """
 
 import sys

@@ -76,6 +76,11 @@ void draw(const std::string& path, const Model& model,
           const run::GeometryReport& report) {
   const post::Frame frame = frame_of(model.blocks);
   post::FigureOptions options;
+  if (const Units& units = model.settings.units; units.known())
+    options.units = post::Units{units.length, units.mass, units.time};
+  for (const auto& [number, material] : model.settings.materials)
+    if (!material.name.empty())
+      options.material_names[number] = material.name;
   mark_places(report, options);
   options.subtitle = verdict(report.certificate);
   post::draw_frame(path, frame, frame, model.settings.title, options);

@@ -66,6 +66,7 @@ Scene scene_of(const Model& model) {
   for (int b = 0; b < blocks.size(); ++b)
     scene.blocks.push_back({b + 1,
                             blocks.material[b],
+                            model.settings.materials.at(blocks.material[b]).name,
                             !blocks.is_free(b),
                             blocks.area[b],
                             blocks.outline(b),
@@ -77,11 +78,16 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
   const post::Frame frame =
       results.frame(time ? results.at(*time) : results.frames() - 1);
   const post::Frame first = results.frame(0);
+  const auto name_of = [&names = results.material_names()](int material) {
+    const auto name = names.find(material);
+    return name == names.end() ? std::string() : name->second;
+  };
   Scene scene;
   scene.time = frame.time;
   for (std::size_t b = 0; b < frame.outlines.size(); ++b)
     scene.blocks.push_back({frame.number[b],
                             frame.material[b],
+                            name_of(frame.material[b]),
                             frame.fixed[b] != 0,
                             geometry::section_properties(frame.outlines[b]).area,
                             frame.outlines[b],
@@ -122,9 +128,13 @@ std::string left_out(const Scene& scene, const std::string& format) {
   std::string text;
   if (format == "wkt")
     text = "materials";
-  bool fixed = false;
-  for (const BlockRecord& block : scene.blocks)
+  bool fixed = false, named = false;
+  for (const BlockRecord& block : scene.blocks) {
     fixed = fixed || block.fixed;
+    named = named || !block.material_name.empty();
+  }
+  if (format == "txt" && named)
+    text = "names of materials";
   if (format != "geojson" && fixed)
     text += (text.empty() ? "" : ", ") + std::string("which blocks are fixed");
   if (format != "geojson" && scene.time)

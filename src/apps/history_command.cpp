@@ -34,9 +34,12 @@ std::string with_unit(const std::string& label, const std::string& unit) {
 /// The results of one run in the order of time.
 class OpenRun {
  public:
-  OpenRun(const post::RunParts& run, bool compression_positive) {
+  OpenRun(const post::RunParts& run, const std::optional<post::Units>& units,
+          bool compression_positive) {
     for (const std::string& file : run.files) {
       parts_.push_back(std::make_unique<post::ResultsReader>(file));
+      if (units)
+        parts_.back()->show_in(*units);
       if (compression_positive)
         parts_.back()->make_compression_positive();
     }
@@ -76,6 +79,17 @@ struct Answer {
   post::Chart chart;
 };
 
+/// Returns the units of all runs: those of --units, otherwise those of the first run
+/// whose deck names any.
+std::optional<post::Units> common_units(const HistoryOptions& options) {
+  if (!options.units.empty())
+    return post::Units::parse(options.units);
+  for (const std::string& file : options.files)
+    if (const auto units = post::ResultsReader(file).units())
+      return units;
+  return std::nullopt;
+}
+
 void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs,
                  const HistoryOptions& options) {
   std::vector<std::string> titles;
@@ -109,7 +123,7 @@ Answer histories(const HistoryOptions& options,
   const auto runs = post::join_parts(options.files);
   const auto names = run_names(runs);
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const OpenRun run(runs[r], options.compression_positive);
+    const OpenRun run(runs[r], units, options.compression_positive);
     const post::History history =
         post::read_history(run.parts(), curves, {options.from, options.to});
     const std::string time_unit = post::unit_text({0, 0, 1, "s", ""}, units);
@@ -174,7 +188,7 @@ Answer profiles(const HistoryOptions& options,
   const std::string length = post::unit_text({1, 0, 0, "m", ""}, units);
   const std::string position = line.segment ? "distance along the line" : "x";
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const OpenRun run(runs[r], options.compression_positive);
+    const OpenRun run(runs[r], units, options.compression_positive);
     const post::Frame first = run.first().frame(0);
     auto places = post::profile_places(first, line);
     if (options.mirror)
@@ -286,7 +300,9 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
   command.add_flag("--json", options.json, "print JSON instead of the table")
       ->excludes(csv);
   command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s");
+                     "units of length, mass and time, such as m,kg,s: values are "
+                     "converted if the deck has a UNITS card, otherwise the units are "
+                     "only named");
   command.add_option("--title", options.title,
                      "title of a figure instead of those of the decks; '' for none");
   command.add_flag("--compression-positive", options.compression_positive,
@@ -329,9 +345,7 @@ int history(const HistoryOptions& options) {
       throw std::runtime_error("--mirror is for --profile top and needs the x of the "
                                "symmetry plane of a half model");
     check_names(options.outputs);
-    std::optional<post::Units> units;
-    if (!options.units.empty())
-      units = post::Units::parse(options.units);
+    const std::optional<post::Units> units = common_units(options);
     const post::PageSize page = options.size.empty()
                                     ? post::PageSize::on_screen(options.width)
                                     : post::PageSize::in_print(options.size);

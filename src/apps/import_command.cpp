@@ -39,6 +39,7 @@ OutlineFile read_mesh(const std::string& name, const std::string& text) {
   deck::MeshFile mesh = deck::parse_mesh(name, text);
   OutlineFile file;
   file.found = mesh.found;
+  file.material_names = std::move(mesh.names);
   std::size_t at = 0;
   int line = 1;
   for (deck::MeshBlock& block : mesh.blocks) {
@@ -167,6 +168,8 @@ int import_blocks(ImportOptions options) {
          exchange::faults(soundness, file.outlines, options.keep_overlaps))
       file.messages.push_back(std::move(fault));
     report = exchange::describe(soundness, file.outlines);
+    if (!file.material_names.empty() && !options.deck)
+      report += "names of materials are written only to a deck (--deck)\n";
   }
   fmt::print(stderr, "{}", exchange::format(file.messages, name, card, text));
   if (!readable)
@@ -183,7 +186,8 @@ int import_blocks(ImportOptions options) {
   std::string skeleton;
   try {
     if (options.deck)
-      skeleton = exchange::write_deck_skeleton(file.outlines, mesh_name);
+      skeleton =
+          exchange::write_deck_skeleton(file.outlines, file.material_names, mesh_name);
   } catch (const std::range_error& fault) {
     fmt::print(stderr,
                "blocks: error: {}: {}; nothing written\n  hint: choose another unit of "

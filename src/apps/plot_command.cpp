@@ -147,10 +147,13 @@ std::map<int, post::Colour> material_colours(const std::vector<std::string>& tex
         mark == text.npos ? std::nullopt : named_colour(text.substr(mark + 1));
     if (!colour)
       throw std::runtime_error(
-          "--materials needs NUMBER=COLOUR, such as 1=RED; colours: " + colour_names() +
-          ", found '" + text + "'");
+          "--materials needs MATERIAL=COLOUR, such as 1=RED; colours: " +
+          colour_names() + ", found '" + text + "'");
     const auto material = std::find_if(present.begin(), present.end(), [&](int one) {
-      return std::to_string(one) == text.substr(0, mark);
+      const auto name = results.material_names().find(one);
+      return std::to_string(one) == text.substr(0, mark) ||
+             (name != results.material_names().end() &&
+              name->second == text.substr(0, mark));
     });
     if (material == present.end())
       throw std::runtime_error(fmt::format("there is no material {}; {} has {}",
@@ -174,8 +177,6 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
     figure.colour = "material";
   figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
                                      : post::PageSize::in_print(options.size);
-  if (!options.units.empty())
-    figure.units = post::Units::parse(options.units);
 }
 
 }  // namespace
@@ -224,8 +225,10 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                          " (default: bluered for signed quantities, viridis for "
                          "coordinates, masses and areas, else ylgnbu)");
   command
-      .add_option("--materials", options.materials,
-                  "colours of materials, such as 1=RED,2=#8fa88b: " + colour_names())
+      .add_option(
+          "--materials", options.materials,
+          "colours of materials by number or name, such as 1=RED,coal=#303030: " +
+              colour_names())
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--range", options.range, "low high: ends of the colour scale")
@@ -257,7 +260,9 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s");
+                     "units of length, mass and time, such as m,kg,s: values are "
+                     "converted if the deck has a UNITS card, otherwise the units are "
+                     "only named");
   auto* width = command
                     .add_option("--width", options.width,
                                 "width of the figure, in pixels or points")
@@ -290,6 +295,10 @@ int plot(PlotOptions options) {
     post::ResultsReader results(options.file);
     if (options.compression_positive)
       results.make_compression_positive();
+    if (!options.units.empty())
+      results.show_in(post::Units::parse(options.units));
+    options.figure.units = results.units();
+    options.figure.material_names = results.material_names();
     options.figure.material_colours = material_colours(options.materials, results);
     const double rate = options.rate.value_or(25.0);
     if (!options.dblock.empty())

@@ -24,7 +24,9 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
   command.add_option("--mirror", options.mirror,
                      "also show the other half, mirrored about this x");
   command.add_option("--units", options.units,
-                     "units of length, mass and time, such as m,kg,s");
+                     "units of length, mass and time, such as m,kg,s: values are "
+                     "converted if the deck has a UNITS card, otherwise the units are "
+                     "only named");
 }
 
 int view(ViewOptions options) {
@@ -43,12 +45,11 @@ int view(ViewOptions options) {
       throw std::runtime_error(
           "--mirror needs the x of the symmetry plane of a half model");
     output::check_outputs({options.output});
-    std::optional<post::Units> units;
+    post::ResultsReader results(options.file);
     if (!options.units.empty())
-      units = post::Units::parse(options.units);
-    const post::ResultsReader results(options.file);
+      results.show_in(post::Units::parse(options.units));
     const std::string page =
-        post::view_page(post::view_data(results, options.every, units, options.mirror));
+        post::view_page(post::view_data(results, options.every, options.mirror));
     write_text_file(options.output, page);
     const auto size = static_cast<double>(page.size());
     fmt::print("{}: {}, open it in a browser\n", options.output,

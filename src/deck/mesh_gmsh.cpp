@@ -38,11 +38,13 @@ class Reader {
   std::string version_;
   Elements elements_;
   std::unordered_map<long, long> physical_of_surface_;  // version 4.1 only
+  std::map<long, std::string> names_;
   std::size_t passed_over_ = 0, higher_order_ = 0;
   bool nodes_seen_ = false, elements_seen_ = false;
 
   void format();
   void entities();
+  void physical_names();
   void nodes_2();
   void nodes_4();
   void elements_2();
@@ -112,6 +114,28 @@ void Reader::entities() {
         groups == 0 ? tag : magnitude(lines_.integer(8, "physical group"));
   }
   skip("Entities");  // skips the volumes
+}
+
+// Lines of dimension, number and "name". Only surfaces are blocks.
+void Reader::physical_names() {
+  lines_.need("the number of physical names");
+  const std::size_t count = lines_.count(0, "number of physical names");
+  for (std::size_t i = 0; i < count; ++i) {
+    lines_.need(fmt::format("physical name {} of {}", i + 1, count));
+    const auto& fields = lines_.fields();
+    const long dimension = lines_.integer(0, "dimension");
+    const long number = magnitude(lines_.integer(1, "physical group"));
+    std::string name = fields.size() < 3
+                           ? ""
+                           : std::string(fields[2].data(),
+                                         fields.back().data() + fields.back().size());
+    if (name.size() < 2 || name.front() != '"' || name.back() != '"')
+      fail(lines_.place(),
+           fmt::format("physical group {}: expected a name in quotes", number));
+    if (dimension == 2 && name.size() > 2)
+      names_.emplace(number, name.substr(1, name.size() - 2));
+  }
+  end("PhysicalNames");
 }
 
 void Reader::node(long id, std::size_t x_field, std::size_t fields) {
@@ -255,6 +279,8 @@ MeshFile Reader::read() {
       fail(lines_.place(), "$MeshFormat must come first");
     } else if (section == "PartitionedEntities") {
       fail(lines_.place(), "a partitioned Gmsh mesh; save it without partitions");
+    } else if (section == "PhysicalNames") {
+      physical_names();
     } else if (section == "Entities") {
       entities();
     } else if (section == "Nodes") {
@@ -282,6 +308,7 @@ MeshFile Reader::read() {
   if (passed_over_ > 0)
     mesh.found += fmt::format(" (points and lines skipped: {})", passed_over_);
   mesh.blocks = std::move(elements_.blocks);
+  mesh.names = std::move(names_);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 // content (docs/mesh-formats.md).
 #pragma once
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ struct MeshFile {
   MeshForm form = MeshForm::text;
   std::string found;  ///< summary: "Gmsh 4.1 ASCII, 12 quadrilaterals"
   std::vector<MeshBlock> blocks;
+  std::map<long, std::string> names = {};  ///< of materials: Gmsh's physical groups
 };
 
 class MeshError : public std::runtime_error {

@@ -14,6 +14,7 @@ namespace blocks::exchange {
 struct BlockRecord {
   int number = 0;  ///< from 1
   int material = 0;
+  std::string material_name;  ///< may be empty
   bool fixed = false;
   double area = 0.0;                                    ///< [L^2]
   geometry::Polygon outline;                            ///< [L] clockwise, not closed
@@ -23,7 +24,8 @@ struct BlockRecord {
 /// Returns the shortest decimal that reads back as the same double.
 std::string shortest(double value);
 
-/// Returns a GeoJSON FeatureCollection with one feature per line. Rings are
+/// Returns a GeoJSON FeatureCollection with one feature per line. The name of a
+/// material is the property "material_name". Rings are
 /// anticlockwise (RFC 7946) and begin and end with corner 1. time: written as a member
 /// of the collection. Values that are not finite become null.
 std::string write_geojson(const std::vector<BlockRecord>& blocks,
@@ -34,7 +36,8 @@ std::string write_geojson(const std::vector<BlockRecord>& blocks,
 std::string write_wkt(const std::vector<BlockRecord>& blocks);
 
 /// Returns Gmsh 2.2 ASCII. Corners at the same point share a node; elements are
-/// anticlockwise from corner 1; the material is the physical group. Every block must
+/// anticlockwise from corner 1; the material is the physical group, with its name if it
+/// has one. Every block must
 /// have 3 or 4 corners. Throws std::invalid_argument that names the first block with
 /// more.
 std::string write_gmsh(const std::vector<BlockRecord>& blocks);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 
 #include "exchange/block_record.hpp"
 #include "exchange/mesh_writer.hpp"
@@ -48,11 +49,21 @@ std::string rounded(double x, double step, bool up) {
   return fmt::format("{:.{}f}", multiple * step, decimals);
 }
 
+/// Returns the name in quotes, as the last value of a card. Characters that a deck does
+/// not allow there become blanks.
+std::string as_value(std::string name) {
+  for (char& c : name)
+    if (std::string_view("'\"$!\n\r\t").find(c) != std::string_view::npos)
+      c = ' ';
+  return ", '" + name + "'";
+}
+
 double two_digits(double x) { return std::stod(fmt::format("{:.1e}", x)); }
 
 }  // namespace
 
 std::string write_deck_skeleton(const std::vector<Outline>& outlines,
+                                const std::map<long, std::string>& material_names,
                                 const std::string& mesh) {
   const Extent extent = extent_of(outlines);
   const Vec2 size = extent.upper - extent.lower;
@@ -77,7 +88,7 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
     materials.insert(outline.material);
 
   std::string deck = fmt::format(
-      "$ Blocks of {}. Units assumed: m, kg, s. Stiffness, materials, friction and\n$ "
+      "$ Blocks of {}. The units are assumed; stiffness, materials, friction and\n$ "
       "gravity are examples: replace them by your own.\nSTART, {}, {}\nBLOCKS OF {}\n",
       one_line(mesh), outlines.size(), extent.most_corners,
       one_line(mesh).substr(0, 70));
@@ -88,8 +99,15 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
                       rounded(extent.upper.y() + margin, step, true), boxes(size.x()),
                       boxes(size.y()), shortest(tolerance));
   deck += "STIFF, 1.E8, 1.E8\nFRACTION, 0.02\n";
-  for (const long material : materials)
-    deck += fmt::format("MATERIAL, {}, 1.E10, 4.E9, 2500\n", material);
+  std::set<std::string> used;
+  for (const long material : materials) {
+    const auto known = material_names.find(material);
+    const bool named =
+        known != material_names.end() && used.insert(known->second).second;
+    deck += fmt::format("MATERIAL, {}, 1.E10, 4.E9, 2500{}\n", material,
+                        named ? as_value(known->second) : "");
+  }
+  deck += "UNITS, m, kg, s\n";
   deck += fmt::format("RIGID\nEND\nREAD9, '{}'\n", mesh);
   for (std::size_t b = 0; b < outlines.size(); ++b)
     if (outlines[b].fixed)

@@ -1,6 +1,7 @@
 // Writes a deck for imported blocks that the user completes.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,12 @@ namespace blocks::exchange {
 
 /// Returns a deck that reads `mesh` (READ9) and passes `blocks check`. Limits are a
 /// tenth wider than the blocks; boxes and tolerance follow from the block size. There
-/// is one MATERIAL for each number in use, and FIX for fixed blocks. Stiffness,
-/// densities and gravity are assumed values of rock in m, kg, s, and the deck says so.
-/// Throws std::range_error if the blocks are so large or small that their areas
-/// overflow or underflow.
+/// is one MATERIAL for each number in use, with its name, and FIX for fixed blocks.
+/// Stiffness, densities and gravity are assumed values of rock in m, kg, s, and the
+/// deck says so. Throws std::range_error if the blocks are so large or small that their
+/// areas overflow or underflow.
 std::string write_deck_skeleton(const std::vector<Outline>& outlines,
+                                const std::map<long, std::string>& material_names,
                                 const std::string& mesh);
 
 }  // namespace blocks::exchange

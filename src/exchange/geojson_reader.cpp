@@ -30,12 +30,15 @@ class Reader {
     } catch (const JsonFault& fault) {
       rings_.error(std::min(fault.at, text_.size()), fault.what());
     }
-    return rings_.finish("GeoJSON");
+    OutlineFile file = rings_.finish("GeoJSON");
+    file.material_names = std::move(names_);
+    return file;
   }
 
  private:
   std::string_view text_;
   RingReader rings_;
+  std::map<long, std::string> names_;
 
   bool expect(const Json& node, Json::Kind kind, const std::string& what) {
     if (node.kind == kind)
@@ -57,6 +60,7 @@ class Reader {
   void object(const Json& node, const Properties& properties);
   void feature(const Json& node);
   Properties read_properties(const Json& node);
+  void read_name(const Json& node, long material);
   void polygon(const Json& rings, const Properties& properties);
   bool ring(const Json& node, std::vector<Position>& positions);
 };
@@ -116,6 +120,7 @@ Properties Reader::read_properties(const Json& node) {
       rings_.error(material->at, "\"material\" should be a whole number from 1",
                    "remove the property and give --material N instead");
   }
+  read_name(node, properties.material);
   if (const Json* fixed = node.find("fixed");
       fixed && fixed->kind != Json::Kind::null) {
     if (fixed->kind == Json::Kind::boolean)
@@ -126,6 +131,21 @@ Properties Reader::read_properties(const Json& node) {
       rings_.error(fixed->at, "\"fixed\" should be true or false");
   }
   return properties;
+}
+
+/// Reads the name of a material. A material has one name, and the first one stays.
+void Reader::read_name(const Json& node, long material) {
+  const Json* name = node.find("material_name");
+  if (!name || name->kind == Json::Kind::null)
+    return;
+  if (!expect(*name, Json::Kind::string, "\"material_name\"") || name->text.empty() ||
+      material == 0)
+    return;
+  const auto [first, is_new] = names_.emplace(material, name->text);
+  if (!is_new && first->second != name->text)
+    rings_.warning(name->at,
+                   fmt::format("material {} has another name, {}, which is kept",
+                               material, first->second));
 }
 
 void Reader::polygon(const Json& rings, const Properties& properties) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "exchange/block_record.hpp"
 
@@ -22,6 +23,14 @@ std::string ring(const geometry::Polygon& outline) {
   return text;
 }
 
+std::string name_of(const BlockRecord& block) {
+  if (block.material_name.empty())
+    return "";
+  using Json = nlohmann::json;
+  return ", \"material_name\": " +
+         Json(block.material_name).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 // {fmt} and std::to_chars give the shortest digits. "-0" keeps its sign, because the
@@ -36,8 +45,9 @@ std::string write_geojson(const std::vector<BlockRecord>& blocks,
   text += "\"features\": [\n";
   for (const BlockRecord& block : blocks) {
     text += fmt::format("{{\"type\": \"Feature\", \"properties\": {{\"number\": {}, "
-                        "\"material\": {}, \"fixed\": {}, \"area\": {}",
-                        block.number, block.material, block.fixed, number(block.area));
+                        "\"material\": {}{}, \"fixed\": {}, \"area\": {}",
+                        block.number, block.material, name_of(block), block.fixed,
+                        number(block.area));
     for (const auto& [name, value] : block.results)
       text += fmt::format(", \"{}\": {}", name, number(value));
     text += fmt::format("}}, \"geometry\": {{\"type\": \"Polygon\", \"coordinates\": "

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Outline {
 struct OutlineFile {
   std::string found;  ///< summary: "GeoJSON, 12 polygons"
   std::vector<Outline> outlines;
+  std::map<long, std::string> material_names;  ///< of the materials that have one
   std::vector<Message> messages;
 };
 

@@ -2,6 +2,8 @@
 #include "output/listing.hpp"
 #include "output/listing_text.hpp"
 
+#include <algorithm>
+
 namespace blocks::output {
 namespace {
 
@@ -48,6 +50,9 @@ std::string settings_echo(const Model& model) {
       setting("interval of plot frames", "DTPLOT", model.plots.interval) +
       setting("fraction of critical time step", "TFRAC", s.fraction) +
       setting("time step", "TDEL", step.dt);
+  if (s.units.known())
+    text += setting("units of length, mass, time", "UNITS",
+                    s.units.length + ", " + s.units.mass + ", " + s.units.time);
   if (step.block >= 0)
     text += fmt::format("  the time step is set by block {} ({})\n", step.block + 1,
                         step.elastic ? "its elasticity" : "contact");
@@ -59,13 +64,17 @@ std::string materials_echo(const Settings& settings) {
                      over_number("G") + over_number("RHO");
   if (!settings.rigid)
     text += over_number("C11") + over_number("C12");
-  text += "\n";
-  for (const auto& [mat, material] : settings.materials) {
+  const auto& materials = settings.materials;
+  const bool named =
+      std::any_of(materials.begin(), materials.end(),
+                  [](const auto& one) { return !one.second.name.empty(); });
+  text += named ? "  name\n" : "\n";
+  for (const auto& [mat, material] : materials) {
     text += whole(mat) + number(material.youngs_modulus) +
             number(material.shear_modulus) + number(material.density);
     if (!settings.rigid)
       text += number(material.c11()) + number(material.c12());
-    text += "\n";
+    text += (material.name.empty() ? "" : "  " + material.name) + "\n";
   }
   return text;
 }

@@ -14,6 +14,7 @@
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"
 #include "output/results_mark.hpp"
+#include "output/results_names.hpp"
 
 namespace blocks::output {
 namespace {
@@ -163,6 +164,7 @@ void ResultsWriter::File::create_columns(const Model& model) {
           static_cast<hsize_t>(model.blocks.corners()));
   hdf5::check(H5Lcreate_hard(vtk.get(), "FieldData/Step", own.get(), "steps",
                              H5P_DEFAULT, H5P_DEFAULT));
+  write_names(own.get(), model.settings);
 }
 
 void ResultsWriter::File::open_columns() {

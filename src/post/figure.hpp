@@ -37,6 +37,7 @@ struct FigureOptions {
   std::vector<double> asked_times;         ///< of the pictures of a sheet; may be empty
   std::string subtitle;                    ///< replaces time and step
   std::map<int, Colour> material_colours;  ///< replace the default colours
+  std::map<int, std::string> material_names;  ///< shown instead of the numbers
 };
 
 /// Draws frames to a PNG, SVG or PDF file, depending on the extension. Several frames

@@ -101,13 +101,18 @@ class Legend {
     pen_.text(text, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
   }
 
+  std::string material_text(int material) const {
+    const auto name = options_.material_names.find(material);
+    return name == options_.material_names.end() ? fmt::format("material {}", material)
+                                                 : name->second;
+  }
+
   /// Draws many materials as numbers only, side by side.
   void materials() {
     const auto& present = scales_.materials;
     if (present.size() <= few_materials) {
       for (const int material : present)
-        swatch(colour_of_material(material, options_), false,
-               fmt::format("material {}", material));
+        swatch(colour_of_material(material, options_), false, material_text(material));
       return;
     }
     const std::size_t columns = columns_of(place_.below ? room() : 0.0);

@@ -12,6 +12,8 @@
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
 #include "output/results_mark.hpp"
+#include "output/results_names.hpp"
+#include "post/frame_units.hpp"
 #include "post/results_nearby.hpp"
 
 namespace blocks::post {
@@ -36,6 +38,9 @@ struct ResultsReader::File {
   Handle file, vtk, steps, own;
   std::vector<double> times;
   std::string title;
+  output::ResultsNames names;
+  std::optional<Units> units;
+  UnitScale scale;  ///< from the units of the deck to `units`
   bool compression_positive = false;
 
   explicit File(const std::string& name) : path(name), watch(name) {}
@@ -245,13 +250,16 @@ ResultsReader::ResultsReader(const std::string& path)
   File& from = *file_;
   const auto read = [&] {
     const auto frames = output::hdf5::read_attribute(from.steps.get(), "NSteps");
-    return std::pair(Column::open(from.steps.get(), "Values")
-                         .read<double>(0, static_cast<hsize_t>(frames)),
-                     output::hdf5::read_text(from.file.get(), "BLOCKS/title"));
+    return std::tuple(Column::open(from.steps.get(), "Values")
+                          .read<double>(0, static_cast<hsize_t>(frames)),
+                      output::hdf5::read_text(from.own.get(), "title"),
+                      output::read_names(from.own.get()));
   };
   try {
-    std::tie(from.times, from.title) =
+    std::tie(from.times, from.title, from.names) =
         output::with_file_errors("read", path, [&] { return from.soundly(read); });
+    if (const blocks::Units& deck = from.names.units; deck.known())
+      from.units = Units{deck.length, deck.mass, deck.time};
   } catch (const output::FileError& error) {
     file_.reset();
     const std::string words = error.what();
@@ -273,6 +281,30 @@ std::string ResultsReader::title() const { return file_->title; }
 
 const std::string& ResultsReader::path() const { return file_->path; }
 
+const std::map<int, std::string>& ResultsReader::material_names() const {
+  return file_->names.materials;
+}
+
+const std::optional<Units>& ResultsReader::units() const { return file_->units; }
+
+void ResultsReader::show_in(const Units& units) {
+  if (const std::optional<Units>& now = file_->units) {
+    UnitScale step;
+    try {
+      step = UnitScale::between(*now, units);
+    } catch (const std::runtime_error& fault) {
+      throw std::runtime_error(fmt::format("{} is in {}, not in {}: {}", file_->path,
+                                           now->text(), units.text(), fault.what()));
+    }
+    UnitScale& scale = file_->scale;
+    scale = {scale.length * step.length, scale.mass * step.mass,
+             scale.time * step.time};
+    for (double& time : file_->times)
+      time *= step.time;
+  }
+  file_->units = units;
+}
+
 void ResultsReader::File::require(long i) const {
   const auto frames = static_cast<long>(times.size());
   if (i < 0 || i >= frames)
@@ -287,6 +319,7 @@ Frame ResultsReader::frame(long i) const {
   Frame frame = output::with_file_errors("read", file_->path, [&] {
     return file_->soundly([&] { return file_->read(static_cast<hsize_t>(i)); });
   });
+  convert(frame, file_->scale);
   if (file_->compression_positive) {
     frame.stress *= -1.0;
     frame.applied *= -1.0;
@@ -297,10 +330,12 @@ Frame ResultsReader::frame(long i) const {
 
 FrameContacts ResultsReader::contacts(long i) const {
   file_->require(i);
-  return output::with_file_errors("read", file_->path, [&] {
+  FrameContacts contacts = output::with_file_errors("read", file_->path, [&] {
     return file_->soundly(
         [&] { return file_->read_contacts(static_cast<hsize_t>(i)); });
   });
+  convert(contacts, file_->scale);
+  return contacts;
 }
 
 long ResultsReader::nearest(double time) const {

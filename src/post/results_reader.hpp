@@ -2,11 +2,15 @@
 // and the run.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "post/units.hpp"
 
 namespace blocks::post {
 
@@ -45,6 +49,16 @@ class ResultsReader {
   const std::vector<double>& times() const;
   std::string title() const;
   const std::string& path() const;
+  /// Returns the names of the materials that have one, by number (MATERIAL card).
+  const std::map<int, std::string>& material_names() const;
+  /// Returns the units of all times and values: those of the deck (UNITS card) or of
+  /// show_in(), if there are any.
+  const std::optional<Units>& units() const;
+  /// From now on all times and values are in these units. They are converted if the
+  /// deck names its units; otherwise these are taken to be the units of the deck.
+  /// Throws std::runtime_error if the conversion is not known, so that nothing is shown
+  /// with a wrong unit.
+  void show_in(const Units& units);
   /// Changes the sign of the stresses in all frames that are read from now on:
   /// compression is positive instead of tension.
   void make_compression_positive();

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -16,6 +18,36 @@ std::string factor(const std::string& unit, int power) {
   if (power == 0)
     return "";
   return power == 1 ? unit : unit + superscript(power);
+}
+
+/// A unit and its size in m, kg or s.
+struct KnownUnit {
+  const char* name;
+  double size;
+};
+constexpr KnownUnit lengths[] = {{"m", 1.0},     {"mm", 1e-3},   {"cm", 1e-2},
+                                 {"dm", 1e-1},   {"km", 1e3},    {"um", 1e-6},
+                                 {"in", 0.0254}, {"ft", 0.3048}, {"yd", 0.9144}};
+constexpr KnownUnit masses[] = {
+    {"kg", 1.0}, {"g", 1e-3}, {"mg", 1e-6},       {"t", 1e3},
+    {"Mg", 1e3}, {"kt", 1e6}, {"lb", 0.45359237}, {"slug", 14.593902937206364}};
+constexpr KnownUnit times[] = {{"s", 1.0},        {"ms", 1e-3},  {"us", 1e-6},
+                               {"min", 60.0},     {"h", 3600.0}, {"d", 86400.0},
+                               {"yr", 31557600.0}};
+
+double size_of(std::span<const KnownUnit> units, const std::string& name) {
+  std::string list;
+  for (const KnownUnit& unit : units) {
+    if (name == unit.name)
+      return unit.size;
+    list += (list.empty() ? "" : ", ") + std::string(unit.name);
+  }
+  throw std::runtime_error("'" + name + "' cannot be converted; known are " + list);
+}
+
+double ratio(std::span<const KnownUnit> units, const std::string& from,
+             const std::string& to) {
+  return from == to ? 1.0 : size_of(units, from) / size_of(units, to);
 }
 
 }  // namespace
@@ -39,6 +71,15 @@ Units Units::parse(const std::string& text) {
         "expected units of length, mass and time, such as m,kg,s, found '" + text +
         "'");
   return {names[0], names[1], names[2]};
+}
+
+double UnitScale::of(const Dimension& d) const {
+  return std::pow(length, d.length) * std::pow(mass, d.mass) * std::pow(time, d.time);
+}
+
+UnitScale UnitScale::between(const Units& from, const Units& to) {
+  return {ratio(lengths, from.length, to.length), ratio(masses, from.mass, to.mass),
+          ratio(times, from.time, to.time)};
 }
 
 std::string time_text(double time, std::optional<double> asked,

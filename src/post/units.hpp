@@ -20,6 +20,21 @@ struct Units {
 
   /// Reads "m,kg,s". Throws std::runtime_error unless there are three names.
   static Units parse(const std::string& text);
+  /// Returns "m,kg,s".
+  std::string text() const { return length + ',' + mass + ',' + time; }
+};
+
+/// The factors by which numbers in some units are multiplied to be in others.
+struct UnitScale {
+  double length = 1.0, mass = 1.0, time = 1.0;
+
+  bool is_one() const { return length == 1.0 && mass == 1.0 && time == 1.0; }
+  /// Returns the factor of a quantity of that dimension.
+  double of(const Dimension& dimension) const;
+  /// Returns the factors from one set of units to another. Units with the same name
+  /// have the factor 1. Throws std::runtime_error that lists the known units if a
+  /// factor is not known.
+  static UnitScale between(const Units& from, const Units& to);
 };
 
 /// Returns the unit: "m/s", "Pa", "N/m"; "cm ms⁻²" in other units; "L T⁻¹" without

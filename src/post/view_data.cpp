@@ -111,7 +111,7 @@ class Packer {
       first_corner_.push_back(first_corner_.back() + static_cast<int>(outline.size()));
   }
 
-  ViewData pack(const std::optional<Units>& units) {
+  ViewData pack() {
     columns_.assign(shown.size(), DigitColumn{blocks_, {}, {}});
     const Frame first = results_.frame(0);
     for (const long i : chosen_)
@@ -147,7 +147,7 @@ class Packer {
     store.add_frames("fixed", fixed_, blocks_);
     add_forces(store);
     PackedText packed = store.packed();
-    return {meta(store, packed.bytes, units), std::move(packed.text)};
+    return {meta(store, packed.bytes), std::move(packed.text)};
   }
 
  private:
@@ -340,8 +340,8 @@ class Packer {
     return maps;
   }
 
-  std::string meta(const ViewStore& store, std::size_t packed,
-                   const std::optional<Units>& units) const {
+  std::string meta(const ViewStore& store, std::size_t packed) const {
+    const std::optional<Units>& units = results_.units();
     Json quantities = Json::array();
     for (const char* name : shown) {
       const Quantity kind = quantity(name, last_, last_);
@@ -354,6 +354,9 @@ class Packer {
     Json materials = Json::object();
     for (const int material : last_.material)
       materials[std::to_string(material)] = css(material_colour(material));
+    Json names = Json::object();
+    for (const auto& [material, name] : results_.material_names())
+      names[std::to_string(material)] = name;
     std::vector<std::size_t> acting;
     for (const auto& arrows : arrows_)
       acting.push_back(arrows.size());
@@ -365,6 +368,7 @@ class Packer {
                        {"counts", counts_},
                        {"material", last_.material},
                        {"materials", materials},
+                       {"material_names", names},
                        {"quantities", quantities},
                        {"maps", colour_maps()},
                        {"kinetic_energy", energy_},
@@ -405,9 +409,8 @@ class Packer {
 }  // namespace
 
 ViewData view_data(const ResultsReader& results, long every,
-                   const std::optional<Units>& units,
                    const std::optional<double>& mirror) {
-  return Packer(results, every, mirror).pack(units);
+  return Packer(results, every, mirror).pack();
 }
 
 }  // namespace blocks::post

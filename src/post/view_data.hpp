@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "post/results_reader.hpp"
-#include "post/units.hpp"
 
 namespace blocks::post {
 
@@ -24,7 +23,6 @@ struct ViewData {
 /// the page can then show the other half. Throws std::runtime_error if an outline
 /// changes by more than translation, rotation and uniform strain.
 ViewData view_data(const ResultsReader& results, long every,
-                   const std::optional<Units>& units,
                    const std::optional<double>& mirror = {});
 
 }  // namespace blocks::post

@@ -119,7 +119,7 @@ def check_mirror(program, results, folder, page, block, x, y):
 
 def check(program, deck, folder, followed, page, hands):
     results, path = run(program, deck, folder), folder / f"{deck.stem}.html"
-    show(page, program, results, path, "--units", "m,kg,s")
+    show(page, program, results, path)
     assert not re.search(r"https?://|\bsrc=|<link|@import", path.read_text()), "the page asks for something outside"
     energy = history(program, results, ["kinetic_energy"])[-1]["kinetic_energy"]
     assert same_number(page.evaluate(SEEN)["kinetic_energy"], energy)

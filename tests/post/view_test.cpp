@@ -98,7 +98,7 @@ TEST(View, OffersTheColourMapsOfFigures) {
   const TemporaryFolder folder;
   run_text(folder, "fall", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
   const post::ViewData data =
-      post::view_data(post::ResultsReader((folder / "fall.vtkhdf").string()), 1, {});
+      post::view_data(post::ResultsReader((folder / "fall.vtkhdf").string()), 1);
   const auto maps = nlohmann::json::parse(data.meta)["maps"];
   ASSERT_EQ(maps.size(), 5U);
   for (const auto& [name, map] : maps.items()) {
@@ -114,12 +114,13 @@ TEST(View, OffersTheColourMapsOfFigures) {
 TEST(View, KnowsUnitsOnlyIfTheyAreNamed) {
   const TemporaryFolder folder;
   run_text(folder, "fall", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");
-  const post::ResultsReader results((folder / "fall.vtkhdf").string());
-  const auto meta = [&](const std::optional<post::Units>& units) {
-    return nlohmann::json::parse(post::view_data(results, 1, units).meta);
+  post::ResultsReader results((folder / "fall.vtkhdf").string());
+  const auto meta = [&] {
+    return nlohmann::json::parse(post::view_data(results, 1).meta);
   };
-  EXPECT_EQ(meta({})["units_known"], false);
-  const auto named = meta(post::Units{"cm", "g", "ms"});
+  EXPECT_EQ(meta()["units_known"], false);
+  results.show_in({"cm", "g", "ms"});
+  const auto named = meta();
   EXPECT_EQ(named["units_known"], true);
   EXPECT_EQ(named["length_unit"], "cm");
 }
@@ -197,7 +198,7 @@ TEST(View, NeedsLessThanFiveMegabytesForAHundredFrames) {
       jolt(model, passing, random);
     }
   }
-  const post::ViewData page = post::view_data(post::ResultsReader(path), 1, {});
+  const post::ViewData page = post::view_data(post::ResultsReader(path), 1);
   EXPECT_LT(page.packed.size() + page.meta.size(), 5'000'000U);
   EXPECT_GT(page.packed.size(), 2'000'000U);  // Otherwise nothing has moved.
 }

@@ -87,7 +87,7 @@ def check_cursor(page, program, results):
         page.evaluate(f"colour_by('{name}'); follow('speed')")  # The chart may follow another quantity.
         page.drawn()
         tip = page.evaluate("[...$('tip').children].map((one) => one.textContent)")
-        assert tip[0] == "Block 4, material 1" and tip[1].startswith(words), tip
+        assert tip[0] == "Block 4, brick" and tip[1].startswith(words), tip
         exact = row["speed:4" if name == "material" else "dy:4"]
         assert same_number(tip[1].split()[-2].replace("−", "-"), exact), (tip, exact)
     assert page.evaluate("state.picked") == []
@@ -462,13 +462,16 @@ def check_visibility(page):
 
 
 def check(page, program, source, folder):
-    results = run(program, source / "decks/stack/stack.deck", folder)
-    show(page, program, results, folder / "unitless.html")
+    deck = source / "decks/stack/stack.deck"
+    results, unitless = run(program, deck, folder), folder / "unitless.deck"
+    unitless.write_text("".join(line for line in deck.open() if not line.startswith("UNITS")))
+    show(page, program, run(program, unitless, folder), folder / "unitless.html")
     page.evaluate(HELP)
     check_axes(page, "")
-    show(page, program, results, folder / "stack.html", "--units", "m,kg,s")
+    show(page, program, results, folder / "stack.html")
     page.evaluate(HELP)
     check_axes(page, "m")
+    assert page.evaluate("legend_parts(true)[0].swatches[0].name") == "brick"
     check_cursor(page, program, results)
     check_comparison(page, program, results)
     check_colours(page, program, results)

@@ -48,7 +48,7 @@ function tell_place(at) {
 function words_of({block, mirrored}) {
   const q = chosen(), f = state.frame, v = value(q.name, block, f);
   const text = mirrored ? digits(in_mirror(q, v)) : text_of(q.name, block, f);
-  return [`Block ${block + 1}${mirrored ? ", mirrored" : ""}, material ${meta.material[block]}`,
+  return [`Block ${block + 1}${mirrored ? ", mirrored" : ""}, ${material_of(block)}`,
     `${q.label} ${value_text(text, q.unit)}`];
 }
 

@@ -19,7 +19,8 @@ function draw_colours() {
 function legend_parts(wide) {
   const parts = [], bar = wide ? 190 : 60, ticks = wide ? 5 : 2;
   if (state.colour === "material")
-    parts.push({title: "material", swatches: Object.entries(meta.materials).map(([name, shade]) => ({name, shade}))});
+    parts.push({title: "material", swatches: Object.entries(meta.materials).map(([number, shade]) =>
+      ({name: material_name(number), shade}))});
   else {
     const q = quantity(state.colour), [low, high] = colour_range(q), [least, most] = ranges[q.name];
     const marks = [...state.picked, hovered.block].filter((b) => b >= 0 && exists(b, state.frame));

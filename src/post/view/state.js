@@ -35,6 +35,10 @@ function draw() {
   draw_numbers();
 }
 
+/// Returns the name of a material by its number, and the words for the material of a block.
+const material_name = (number) => meta.material_names[number] ?? number;
+const material_of = (block) => meta.material_names[meta.material[block]] ?? `material ${meta.material[block]}`;
+
 const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name);
 const font = (size, weight = "") => `${weight} ${size}px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif`;
 

@@ -86,7 +86,7 @@ function about_picked() {
   const f = state.frame, {picked} = state;
   if (!picked.length) return ["Click a block to see its numbers. Click another one with Shift to compare them."];
   const about = picked.map((b) => !exists(b, f) ? `Block ${b + 1} does not exist yet.`
-    : `Block ${b + 1}: material ${meta.material[b]}, ${data.corners[b]} corners`
+    : `Block ${b + 1}: ${material_of(b)}, ${data.corners[b]} corners`
       + `${data.fixed[f * meta.blocks + b] ? ", fixed" : ""}.`);
   if (picked.length < 2 || !picked.every((b) => exists(b, f))) return about;
   const [[x0, y0], [x1, y1]] = picked.map((b) => centre(b, f)), q = chosen();

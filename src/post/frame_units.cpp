@@ -1,0 +1,38 @@
+#include "post/frame_units.hpp"
+
+namespace blocks::post {
+
+// Masses and forces are per unit thickness, [M] = M/L and [F] = M/T^2.
+
+void convert(Frame& frame, const UnitScale& scale) {
+  if (scale.is_one())
+    return;
+  const double stress = scale.of({-1, 1, -2});
+  for (auto& outline : frame.outlines)
+    for (Eigen::Vector2d& corner : outline)
+      corner *= scale.length;
+  frame.centroid *= scale.length;
+  frame.velocity *= scale.of({1, 0, -1});
+  frame.spin *= scale.of({0, 0, -1});
+  frame.strain_rate *= scale.of({0, 0, -1});
+  frame.force *= scale.of({0, 1, -2});
+  frame.moment *= scale.of({1, 1, -2});
+  frame.kinetic_energy *= scale.of({1, 1, -2});
+  frame.area *= scale.of({2, 0, 0});
+  frame.mass *= scale.of({-1, 1, 0});
+  frame.inertia *= scale.of({1, 1, 0});
+  frame.stress *= stress;
+  frame.applied *= stress;
+}
+
+void convert(FrameContacts& contacts, const UnitScale& scale) {
+  if (scale.is_one())
+    return;
+  const double force = scale.of({0, 1, -2});
+  contacts.point *= scale.length;
+  contacts.overlap *= scale.length;
+  contacts.normal_force *= force;
+  contacts.shear_force *= force;
+}
+
+}  // namespace blocks::post

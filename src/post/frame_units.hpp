@@ -1,0 +1,15 @@
+// Converts a frame to other units.
+#pragma once
+
+#include "post/results_reader.hpp"
+#include "post/units.hpp"
+
+namespace blocks::post {
+
+/// Converts every value of the frame except its time, which the reader converts.
+void convert(Frame& frame, const UnitScale& scale);
+
+/// Converts places, forces and overlaps.
+void convert(FrameContacts& contacts, const UnitScale& scale);
+
+}  // namespace blocks::post
