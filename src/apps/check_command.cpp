@@ -15,10 +15,10 @@ namespace {
 post::Frame frame_of(const Blocks& blocks) {
   post::Frame frame;
   for (int b = 0; b < blocks.size(); ++b) {
-    frame.outlines.push_back(blocks.outline(b));
     frame.number.push_back(b + 1);
-    frame.fixed.push_back(blocks.is_free(b) ? 0 : 1);
+    frame.fixed.push_back(static_cast<int>(blocks.fixity[static_cast<std::size_t>(b)]));
   }
+  frame.outlines = blocks.present_outlines();
   frame.material = blocks.material;
   frame.centroid = blocks.centroid;
   return frame;

@@ -34,6 +34,7 @@ using exchange::BlockRecord;
 struct Scene {
   std::vector<BlockRecord> blocks;
   std::optional<double> time;
+  int removed = 0;  ///< number of removed blocks, which are not exported
 };
 
 /// True if the extension or the first bytes of the file are those of results.
@@ -63,7 +64,9 @@ std::string neither(const std::string& path) {
 Scene scene_of(const Model& model) {
   Scene scene;
   const Blocks& blocks = model.blocks;
-  for (int b = 0; b < blocks.size(); ++b)
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
     scene.blocks.push_back({b + 1,
                             blocks.material[b],
                             model.settings.materials.at(blocks.material[b]).name,
@@ -71,6 +74,8 @@ Scene scene_of(const Model& model) {
                             blocks.area[b],
                             blocks.outline(b),
                             {}});
+  }
+  scene.removed = blocks.size() - blocks.count_present();
   return scene;
 }
 
@@ -84,7 +89,12 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
   };
   Scene scene;
   scene.time = frame.time;
-  for (std::size_t b = 0; b < frame.outlines.size(); ++b)
+  std::vector<Eigen::Index> shown;
+  for (int b = 0; b < frame.size(); ++b)
+    if (!frame.is_removed(b))
+      shown.push_back(b);
+  scene.removed = frame.size() - frame.count_present();
+  for (const auto b : shown)
     scene.blocks.push_back({frame.number[b],
                             frame.material[b],
                             name_of(frame.material[b]),
@@ -95,8 +105,8 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
   for (const char* name :
        {"speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2"}) {
     const Eigen::VectorXd values = post::quantity(name, frame, first).values;
-    for (std::size_t b = 0; b < scene.blocks.size(); ++b)
-      scene.blocks[b].results.emplace_back(name, values[static_cast<Eigen::Index>(b)]);
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      scene.blocks[k].results.emplace_back(name, values[shown[k]]);
   }
   return scene;
 }
@@ -262,6 +272,9 @@ int export_blocks(ExportOptions options) {
     fmt::print("{}: {}", options.output, post::counted(scene.blocks.size(), "block"));
     if (scene.time)
       fmt::print(" at time {:g}", *scene.time);
+    if (scene.removed > 0)
+      fmt::print("; {} left out", post::counted(static_cast<std::size_t>(scene.removed),
+                                                "removed block"));
     const std::string missing = left_out(scene, format);
     fmt::print("{}\n",
                missing.empty() ? "" : "; ." + format + " leaves out " + missing);

@@ -126,6 +126,11 @@ int why(const WhyOptions& options) {
     const std::optional<int> block = number_of<int>(name);
     if (!block || *block < 1 || *block > blocks.size())
       return refuse_block(options, scene, name);
+    if (blocks.is_removed(*block - 1))
+      return refuse(
+          fmt::format("block {} is removed at time {:g}, so it has no contacts", *block,
+                      scene.time),
+          removal_text(options.file, *block - 1));
     chosen.push_back(*block);
   }
 

@@ -1,5 +1,7 @@
 #include "why_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <fstream>
 #include <string_view>
@@ -43,6 +45,9 @@ void restore_shapes(const post::ResultsReader& results, Blocks& blocks) {
   blocks.convex = convex;
 }
 
+/// Any outline, for a block that was removed before the first frame.
+const geometry::Polygon never_shown = {{0, 0}, {0, 1}, {1, 0}};
+
 WhyScene from_results(const std::string& path, const std::optional<double>& time) {
   const post::ResultsReader results(path);
   WhyScene scene;
@@ -53,19 +58,23 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
 
   Blocks& blocks = scene.blocks;
   std::vector<NewBlock> outlines;
-  for (std::size_t b = 0; b < frame.outlines.size(); ++b)
-    outlines.push_back({frame.outlines[b], frame.material[b], 1.0,
-                        static_cast<Fixity>(frame.fixed[b]), 0});
+  const auto shown = results.last_outlines(scene.frame);
+  for (std::size_t b = 0; b < shown.size(); ++b)
+    outlines.push_back({shown[b].empty() ? never_shown : shown[b], frame.material[b],
+                        1.0, static_cast<Fixity>(frame.fixed[b]), 0});
   try {
     blocks.append(outlines);
   } catch (const std::invalid_argument& fault) {
     throw output::FileError("cannot read " + path + ": " + fault.what());
   }
   // copied exactly as stored; append would round them again
-  for (int b = 0; b < blocks.size(); ++b)
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
     for (int k = 0; k < blocks.corners_of(b); ++k)
       blocks.corner.col(blocks.first_corner[b] + k) = frame.outlines[b][k];
-  blocks.centroid = frame.centroid;
+    blocks.centroid.col(b) = frame.centroid.col(b);
+  }
   restore_shapes(results, blocks);
 
   const post::FrameContacts stored = results.contacts(scene.frame);
@@ -102,6 +111,24 @@ std::optional<double> first_time_with(const std::string& path, int blocks) {
     if (const post::Frame frame = results.frame(i); frame.size() >= blocks)
       return frame.time;
   return {};
+}
+
+std::string removal_text(const std::string& path, int block) {
+  if (!post::fault_of_head(path).empty())
+    return "it was removed before this checkpoint was written";
+  const post::ResultsReader results(path);
+  std::optional<double> last;
+  for (long i = 0; i < results.frames(); ++i) {
+    const post::Frame frame = results.frame(i);
+    if (block >= frame.size())
+      continue;
+    if (frame.is_removed(block))
+      return last ? fmt::format("it was removed between times {:g} and {:g}", *last,
+                                frame.time)
+                  : fmt::format("it was removed before time {:g}", frame.time);
+    last = frame.time;
+  }
+  return "";
 }
 
 WhyScene read_scene(const std::string& path, const std::optional<double>& time) {

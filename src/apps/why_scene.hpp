@@ -26,6 +26,9 @@ struct WhyScene {
   std::vector<RememberedContact> contacts;
 };
 
+/// Returns when a block was removed, as a sentence for a hint. block: from 0.
+std::string removal_text(const std::string& path, int block);
+
 /// Returns the first stored time with at least that many blocks. Returns nothing if
 /// there is none, or if the file is a checkpoint. Throws output::FileError.
 std::optional<double> first_time_with(const std::string& path, int blocks);

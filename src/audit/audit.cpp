@@ -82,10 +82,8 @@ class Auditor {
   }
 
   std::vector<geometry::BlockOverlap> overlaps() const {
-    std::vector<geometry::Polygon> outlines;
-    for (int b = 0; b < blocks_.size(); ++b)
-      outlines.push_back(blocks_.outline(b));
-    return geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick);
+    return geometry::overlapping_pairs(blocks_.present_outlines(), {},
+                                       geometry::Figures::quick);
   }
 
   /// Returns the compression of a contact's spring, [L].

@@ -1,7 +1,6 @@
 #include "audit/neighbours.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace blocks::audit {
 
@@ -14,13 +13,15 @@ std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double re
     low.col(b) = corners.rowwise().minCoeff();
     high.col(b) = corners.rowwise().maxCoeff();
   }
-  std::vector<int> by_x(n);
-  std::iota(by_x.begin(), by_x.end(), 0);
+  std::vector<int> by_x;
+  for (int b = 0; b < n; ++b)
+    if (!blocks.is_removed(b))
+      by_x.push_back(b);
   std::sort(by_x.begin(), by_x.end(),
             [&](int a, int b) { return low(0, a) < low(0, b); });
   std::vector<std::vector<int>> near(n);
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j) {
+  for (std::size_t i = 0; i < by_x.size(); ++i)
+    for (std::size_t j = i + 1; j < by_x.size(); ++j) {
       const int a = by_x[i], b = by_x[j];
       if (low(0, b) > high(0, a) + reach)
         break;

@@ -10,7 +10,7 @@ namespace blocks::audit {
 
 /// Returns for each block the other blocks whose bounding boxes meet its own when they
 /// are grown by `reach` [L] >= 0 in total. They are in ascending order. Pairs of fixed
-/// blocks are left out, because they have no contacts.
+/// blocks and removed blocks are left out, because they have no contacts.
 std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double reach);
 
 }  // namespace blocks::audit

@@ -167,16 +167,21 @@ void add_load_cards(std::vector<CardSpec>& cards) {
        .summary = "remove blocks",
        .fields = selection_fields(),
        .follow_on = selection_lines(),
-       .notes = "Takes effect at its place in the deck, so blocks can be removed in "
-                "stages between MOTION cards. The numbers of the other blocks stay.",
-       .example = "REMOVE, 12, 15"});
+       .notes = "REMOVE, 12, 15 removes blocks 12 to 15; REMOVE, , , 2 removes all "
+                "blocks of material 2. A block is inside the outline if it lies "
+                "entirely within it at that moment; touching is allowed. The card acts "
+                "at its place in the deck, so blocks can be removed in stages between "
+                "MOTION cards. The numbers of the other blocks stay.",
+       .example = "REMOVE, , , , 4\n39., 39., 43., 43.\n3.5, 5.5, 5.5, 3.5"});
   cards.push_back({.name = "FREE",
                    .section = "ours",
                    .summary = "free fixed blocks",
                    .fields = selection_fields(),
                    .follow_on = selection_lines(),
-                   .notes = "Undoes FIX and ifix at its place in the deck.",
-                   .example = "FREE, , , 2"});
+                   .notes = "Undoes FIX and ifix at its place in the deck. Blocks that "
+                            "have left the domain or are removed stay as they are. The "
+                            "blocks are named as in REMOVE.",
+                   .example = "FREE, 3"});
   cards.push_back(
       {.name = "PRESSBC",
        .section = "A.2.10",

@@ -45,6 +45,8 @@ TimeStep choose_time_step(const Model& model) {
 
   TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size(), false};
   for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
     const double dt = settings.fraction * 2.0 * std::sqrt(blocks.mass[b] / stiffness);
     if (dt < best.dt)
       best = {dt, b, blocks.size(), false};

@@ -115,7 +115,7 @@ void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
     obey(model, deck, later, true);
     keep_warnings(later);
   }
-  if (model.blocks.size() > 0)
+  if (model.blocks.count_present() > 0)
     prepare(model);
 }
 
@@ -154,7 +154,8 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
                         .tape9 = "tape9",
                         .folder = folder,
                         .unread = deck.unread,
-                        .overlaps = overlaps});
+                        .overlaps = overlaps,
+                        .moves = moving});
   bool in_place = true;
   for (const deck::Command& command : deck.commands) {
     builder.apply(command);
@@ -172,7 +173,8 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
     else
       step(std::get<deck::Cycle>(command.card).ncycle.value);
   }
-  if (in_place && !said.has_errors() && on.blocks.size() > judged)
+  if (in_place && !said.has_errors() && on.blocks.size() > judged &&
+      on.blocks.count_present() > 0)
     builder.check_before_motion(one_step(deck.commands), true);
   stop_at_faults();
   if (const auto& certificate = builder.certificate())
@@ -236,7 +238,7 @@ void Simulation::step(long count) {
   if (count < 0)
     throw std::invalid_argument(
         fmt::format("the number of steps is negative: {}", count));
-  if (blocks() == 0)
+  if (state_->model.blocks.count_present() == 0)
     throw std::logic_error("there are no blocks to move");
   state_->must_be_sound();
   state_->step(count);
@@ -334,7 +336,8 @@ void Simulation::set_velocity(int block, const Eigen::Vector2d& velocity, double
   Blocks& all = state_->model.blocks;
   const int b = state_->index(block);
   if (!all.is_free(b))
-    throw std::logic_error(fmt::format("block {} is fixed", block));
+    throw std::logic_error(
+        fmt::format("block {} is {}", block, all.is_removed(b) ? "removed" : "fixed"));
   if (!velocity.allFinite() || !std::isfinite(spin))
     throw std::invalid_argument(
         fmt::format("the velocity of block {} is not a number", block));

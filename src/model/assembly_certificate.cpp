@@ -64,13 +64,10 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
   AssemblyCertificate certificate;
   certificate.blocks = blocks.size();
   certificate.moved = moved;
-  std::vector<geometry::Polygon> outlines;
-  outlines.reserve(static_cast<std::size_t>(blocks.size()));
-  for (int b = 0; b < blocks.size(); ++b) {
-    outlines.push_back(blocks.outline(b));
-    certificate.ulp =
-        std::max(certificate.ulp, geometry::coarsest_ulp(outlines.back()));
-  }
+  certificate.removed = blocks.size() - blocks.count_present();
+  const std::vector<geometry::Polygon> outlines = blocks.present_outlines();
+  for (const geometry::Polygon& outline : outlines)
+    certificate.ulp = std::max(certificate.ulp, geometry::coarsest_ulp(outline));
   std::set<std::pair<int, int>> at_fault;
   for (const auto& pair : before.overlaps)
     at_fault.emplace(pair.first, pair.second);
@@ -98,7 +95,8 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
 std::string verdict(const AssemblyCertificate& certificate) {
   std::string text;
   if (certificate.holds()) {
-    text = fmt::format("no two of {} blocks overlap{}", certificate.blocks,
+    text = fmt::format("no two of {} blocks overlap{}",
+                       certificate.blocks - certificate.removed,
                        certificate.roundings.empty() ? "" : " beyond rounding");
   } else {
     const auto worst =
@@ -107,7 +105,8 @@ std::string verdict(const AssemblyCertificate& certificate) {
     text = fmt::format("{} pair{} of {} blocks overlap{}, most of all {} and {} by an "
                        "area of {}",
                        certificate.overlaps.size(),
-                       certificate.overlaps.size() == 1 ? "" : "s", certificate.blocks,
+                       certificate.overlaps.size() == 1 ? "" : "s",
+                       certificate.blocks - certificate.removed,
                        certificate.overlaps.size() == 1 ? "s" : "", worst->first + 1,
                        worst->second + 1, geometry::positive_text(worst->area, 3));
   }

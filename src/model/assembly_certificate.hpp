@@ -19,7 +19,8 @@ constexpr std::size_t max_pairs_named = 100;
 /// The result of certify_assembly. Overlapping blocks that have both moved are in
 /// contact: the motion made them overlap, not the deck.
 struct AssemblyCertificate {
-  int blocks = 0;  ///< number of blocks examined
+  int blocks = 0;   ///< number of blocks, including the removed ones
+  int removed = 0;  ///< number of removed blocks, which are not examined
   int moved = 0;  ///< number of blocks, the first ones, that existed during a time step
   /// Overlaps larger than rounding explains, in order.
   std::vector<geometry::BlockOverlap> overlaps;

@@ -1,5 +1,6 @@
 #include "model/blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -86,6 +87,19 @@ void Blocks::cut(int b, const geometry::Polygon& outline) {
     cuts.push_back(static_cast<int>(part.size()));
     cuts.insert(cuts.end(), part.begin(), part.end());
   }
+}
+
+std::vector<geometry::Polygon> Blocks::present_outlines() const {
+  std::vector<geometry::Polygon> outlines(static_cast<std::size_t>(size()));
+  for (int b = 0; b < size(); ++b)
+    if (!is_removed(b))
+      outlines[static_cast<std::size_t>(b)] = outline(b);
+  return outlines;
+}
+
+int Blocks::count_present() const {
+  return size() -
+         static_cast<int>(std::count(fixity.begin(), fixity.end(), Fixity::removed));
 }
 
 void Blocks::fix(int b, Fixity why) {

@@ -69,6 +69,9 @@ struct Blocks {
   int corners() const { return first_corner.back(); }
   int corners_of(int b) const { return first_corner[b + 1] - first_corner[b]; }
   bool is_free(int b) const { return fixity[b] == Fixity::free; }
+  bool is_removed(int b) const { return fixity[b] == Fixity::removed; }
+  /// Returns the number of blocks that are not removed.
+  int count_present() const;
 
   /// Returns the present vector from the centroid of the block to corner c, [L].
   Vec2 present_arm(int c) const {
@@ -77,6 +80,10 @@ struct Blocks {
 
   /// Returns the present outline of block b.
   geometry::Polygon outline(int b) const;
+
+  /// Returns the present outlines of all blocks, (n). Those of removed blocks are
+  /// empty.
+  std::vector<geometry::Polygon> present_outlines() const;
 
   /// Appends blocks at rest. Throws std::invalid_argument if a corner is not finite, an
   /// area or a density is not positive, or a block has more than geometry::max_corners
@@ -94,7 +101,7 @@ struct Blocks {
   /// Adds the convex parts of this outline of block b, which is not convex, to `cuts`.
   void cut(int b, const geometry::Polygon& outline);
 
-  /// Fixes block b permanently: sets its velocity, spin and strain rates to zero
+  /// Fixes block b: sets its velocity, spin and strain rates to zero
   /// (docs/theory.md#domain).
   void fix(int b, Fixity why);
 };

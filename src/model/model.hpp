@@ -16,7 +16,7 @@ namespace blocks {
 struct TimeStep {
   double dt = 0.0;       ///< [T] TDEL; 0 if not chosen yet
   int block = -1;        ///< block that determines it
-  int blocks = 0;        ///< number of blocks when it was chosen
+  int blocks = 0;        ///< number of blocks when it was chosen; 0: to be chosen again
   bool elastic = false;  ///< deformability is the limit, not (4)
 };
 

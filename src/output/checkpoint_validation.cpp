@@ -269,12 +269,15 @@ void expect_loads(const Loads& loads, const Blocks& b) {
     reject_checkpoint("loads without a function of time");
 }
 
-/// Expects no order, or each block of the time step exactly once.
+/// Expects no order, or each block of the time step exactly once. If the time step is
+/// to be chosen again, the number of its blocks is no longer known.
 void expect_order(const Model& model) {
   if (model.order.empty())
     return;
-  const auto blocks = static_cast<std::size_t>(model.time_step.blocks);
-  expect_indices("order", model.order, blocks, model.time_step.blocks);
+  const auto blocks = model.time_step.blocks > 0
+                          ? static_cast<std::size_t>(model.time_step.blocks)
+                          : std::min(model.order.size(), model.blocks.material.size());
+  expect_indices("order", model.order, blocks, static_cast<long>(blocks));
   std::vector<char> named(blocks, 0);
   for (const int block : model.order)
     if (std::exchange(named[block], 1) != 0)

@@ -95,6 +95,8 @@ void Listing::closing(const Model& model) {
   line("time", real(model.time));
   line("steps", fmt::format("{}", model.steps));
   line("blocks", fmt::format("{}", model.blocks.size()));
+  if (const int present = model.blocks.count_present(); present < model.blocks.size())
+    line("removed blocks", fmt::format("{}", model.blocks.size() - present));
   line("contacts listed", fmt::format("{}", sums.listed_contacts));
   line("contacts active", fmt::format("{}", sums.active_contacts));
   line("contact list updates", fmt::format("{}", model.search.updates));

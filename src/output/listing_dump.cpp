@@ -17,12 +17,14 @@ int box_index(double x, double lower, double upper, int boxes) {
   return along > 0.0 ? static_cast<int>(std::min(along, boxes - 1.0)) : 0;
 }
 
-/// The corners of each box that is not empty. Boxes are numbered row by row from the
-/// bottom left.
+/// The corners in each box that is not empty; removed blocks are left out. Boxes are
+/// numbered row by row from the bottom left.
 std::map<long, std::vector<int>> filled_boxes(const Model& model) {
   const Settings& s = model.settings;
   std::map<long, std::vector<int>> boxes;
   for (int c = 0; c < model.blocks.corners(); ++c) {
+    if (model.blocks.is_removed(model.blocks.corner_block[c]))
+      continue;
     const Vec2 p = model.blocks.corner.col(c);
     const long column = box_index(p.x(), s.lower.x(), s.upper.x(), s.boxes_x);
     const long row = box_index(p.y(), s.lower.y(), s.upper.y(), s.boxes_y);

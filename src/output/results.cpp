@@ -23,7 +23,7 @@ using hdf5::Column;
 
 constexpr int format = 1;
 constexpr hsize_t frames_per_chunk = 256;
-constexpr unsigned char polygon = 7;  // VTK_POLYGON
+constexpr unsigned char polygon = 7, empty_cell = 0;  // VTK_POLYGON, VTK_EMPTY_CELL
 
 struct CellField {
   const char* name;
@@ -53,10 +53,25 @@ auto in_space(const Eigen::Matrix2Xd& plane) {
   };
 }
 
-/// The index of the first corner of each block, and the end of the last block's
-/// corners.
-auto starts_of(const Blocks& blocks) {
-  return made_of<std::int64_t>([&](hsize_t row) { return blocks.first_corner[row]; });
+/// The cells of all blocks in VTK's form. The cell of a removed block has no corners,
+/// so other programs do not draw it.
+struct Cells {
+  std::vector<int> starts = {0};  ///< (n + 1) where the corners of each cell begin
+  std::vector<int> corners;       ///< corners of all cells
+
+  explicit Cells(const Blocks& blocks) {
+    for (int b = 0; b < blocks.size(); ++b) {
+      if (!blocks.is_removed(b))
+        for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
+          corners.push_back(c);
+      starts.push_back(static_cast<int>(corners.size()));
+    }
+  }
+};
+
+/// A source of the same values as 64-bit numbers.
+auto long_values(const std::vector<int>& values) {
+  return made_of<std::int64_t>([&](hsize_t row) { return values[row]; });
 }
 
 }  // namespace
@@ -89,7 +104,7 @@ struct ResultsWriter::File {
   void open_columns();
   void keep(long count);
   void append(const Model& model);
-  bool has_topology(const Blocks& blocks);
+  bool has_topology(const Cells& cells);
   void put_topology(const Blocks& blocks);
   void put_cells(const Blocks& blocks);
   void put_frame_data(const Model& model);
@@ -225,23 +240,28 @@ void ResultsWriter::File::keep(long count) {
   hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
 }
 
-/// Whether the topology written last is that of these blocks.
-bool ResultsWriter::File::has_topology(const Blocks& blocks) {
+/// Whether the topology written last is that of these cells. A removed block differs
+/// from others in its number of corners.
+bool ResultsWriter::File::has_topology(const Cells& now) {
   if (part < 0)
     return false;
   const auto own_part = static_cast<hsize_t>(part);
-  return number_of_cells.at<std::int64_t>(own_part) == blocks.size() &&
+  return number_of_cells.at<std::int64_t>(own_part) + 1 ==
+             static_cast<std::int64_t>(now.starts.size()) &&
          has_rows(offsets, static_cast<hsize_t>(first_cell) + own_part,
-                  blocks.first_corner.size(), starts_of(blocks));
+                  now.starts.size(), long_values(now.starts));
 }
 
-/// Connectivity is the identity within a frame, so it is written again only if blocks
-/// were added. VTK reads the n + 1 offsets of a part at CellOffsets + PartOffsets.
+/// The corners of the cells are the same in all frames, so they are written again only
+/// if blocks were added or removed. VTK reads the n + 1 offsets of a part at
+/// CellOffsets + PartOffsets.
 void ResultsWriter::File::put_topology(const Blocks& blocks) {
-  if (has_topology(blocks))
+  const Cells now(blocks);
+  if (has_topology(now))
     return;
   part = -1;  // remains -1 if writing fails
-  const std::int64_t points_here = blocks.corners(), cells_here = blocks.size();
+  const std::int64_t points_here = blocks.corners(), cells_here = blocks.size(),
+                     ids_here = static_cast<std::int64_t>(now.corners.size());
 
   // An interrupted write may have left columns of unequal lengths. VTK needs consistent
   // cells, parts and offsets, so all positions follow from the numbers of parts and
@@ -249,13 +269,15 @@ void ResultsWriter::File::put_topology(const Blocks& blocks) {
   const hsize_t next = number_of_cells.rows();
   first_cell = static_cast<std::int64_t>(types.rows());
   first_id = static_cast<std::int64_t>(connectivity.rows());
-  put_rows(offsets, types.rows() + next, blocks.first_corner.size(), starts_of(blocks));
-  put_rows(connectivity, connectivity.rows(), static_cast<hsize_t>(points_here),
-           made_of<std::int64_t>([](hsize_t row) { return row; }));
+  put_rows(offsets, types.rows() + next, now.starts.size(), long_values(now.starts));
+  put_rows(connectivity, connectivity.rows(), now.corners.size(),
+           long_values(now.corners));
   put_rows(types, types.rows(), static_cast<hsize_t>(cells_here),
-           made_of<unsigned char>([](hsize_t) { return polygon; }));
+           made_of<unsigned char>([&](hsize_t b) {
+             return blocks.is_removed(static_cast<int>(b)) ? empty_cell : polygon;
+           }));
   number_of_points.put(next, &points_here, 1);
-  number_of_ids.put(next, &points_here, 1);
+  number_of_ids.put(next, &ids_here, 1);
   number_of_cells.put(next, &cells_here, 1);
   part = static_cast<std::int64_t>(next);
 }

@@ -73,7 +73,7 @@ Json certificate(const SharedCertificate& proof) {
     largest = std::max(largest, pair.area);
   return {{"holds", proof->holds()},
           {"verdict", verdict(*proof)},
-          {"blocks", proof->blocks},
+          {"blocks", proof->blocks - proof->removed},
           {"moved_blocks", proof->moved},
           {"overlapping_pairs", proof->overlaps.size()},
           {"largest_overlap_area", largest},
@@ -180,7 +180,7 @@ std::string state_hash(const Model& model) {
 void write_summary(const std::string& path, const Model& model,
                    const RunReport& report) {
   const ModelTotals sums = totals(model);
-  const Json json = {
+  Json json = {
       {"title", report.identity.title},
       {"deck", report.identity.deck_file},
       {"version", report.identity.version},
@@ -213,6 +213,9 @@ void write_summary(const std::string& path, const Model& model,
       {"frames", report.frames},
       {"state_hash", state_hash(model)},
       {"wall_seconds", report.wall_seconds}};
+
+  if (const int present = model.blocks.count_present(); present < model.blocks.size())
+    json["removed_blocks"] = model.blocks.size() - present;
 
   TemporaryFile temporary(path + ".tmp");
   std::ofstream file(temporary.path(), std::ios::binary);

@@ -18,6 +18,8 @@ std::string block_rows(const Frame& now, const Frame& first) {
   std::string text;
   auto out = std::back_inserter(text);
   for (int b = 0; b < now.size(); ++b) {
+    if (now.is_removed(b))
+      continue;
     const auto k = static_cast<std::size_t>(b);
     fmt::format_to(out, "{},{},{},{},{}", now.time, now.step, now.number[k],
                    now.material[k], now.fixed[k]);
@@ -67,7 +69,7 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
     const FrameContacts acting = results.contacts(i);
     blocks << block_rows(now, first);
     contacts << contact_rows(now, acting);
-    files.blocks += now.size();
+    files.blocks += now.count_present();
     files.contacts += acting.size();
   }
   blocks.close();

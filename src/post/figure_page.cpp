@@ -18,6 +18,10 @@ constexpr double narrow = 620;  ///< a printed page has the legend below the pic
 constexpr double least_plot = 60;
 constexpr Dimension length{1, 0, 0, "m", ""};
 
+std::size_t present(const Frame& frame) {
+  return static_cast<std::size_t>(frame.count_present());
+}
+
 FigureMargins margins_of(const PageSize& page, bool titled) {
   FigureMargins found;
   if (page.printed)
@@ -115,7 +119,7 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
   else
     pen.text(options_.subtitle.empty()
                  ? fmt::format("{}    step {}    {}", at, picture.now.step,
-                               counted(picture.now.outlines.size(), "block"))
+                               counted(present(picture.now), "block"))
                  : options_.subtitle,
              margins_.left, margins_.subtitle, options_.page.printed ? 12.5 : 15, muted,
              0, 1, options_.page.width - margins_.left - 14);
@@ -126,8 +130,7 @@ void FigurePage::end(Pen& pen, const Picture& last) const {
   const double right_of_pictures = axes(std::min(count_, columns_) - 1).right();
   const double width = options_.page.width - margins_.left - margins_.right;
   if (count_ > 1)
-    pen.text(counted(count_, "time") + "    " +
-                 counted(last.now.outlines.size(), "block"),
+    pen.text(counted(count_, "time") + "    " + counted(present(last.now), "block"),
              margins_.left, margins_.subtitle, options_.page.printed ? 12.5 : 15, muted,
              0, 1, options_.page.width - margins_.left - 14);
   const double arrow = arrow_length(first, scales_);

@@ -53,9 +53,13 @@ void ScaleSurvey::include_corners(const Frame& frame) {
 
 void ScaleSurvey::include(const Picture& picture) {
   include_corners(picture.now);
-  materials_.insert(picture.now.material.begin(), picture.now.material.end());
-  for (const int fixed : picture.now.fixed)
-    fixed_ = fixed_ || fixed != 0;
+  const Frame& now = picture.now;
+  for (int b = 0; b < now.size(); ++b) {
+    if (now.is_removed(b))
+      continue;
+    materials_.insert(now.material[static_cast<std::size_t>(b)]);
+    fixed_ = fixed_ || now.fixed[static_cast<std::size_t>(b)] != 0;
+  }
   if (options_.original)
     include_corners(picture.first);
   if (options_.colour != "material") {
@@ -78,8 +82,12 @@ void ScaleSurvey::include(const Picture& picture) {
     forces_.push_back(links.empty() ? 0.0 : links.back().force.norm());
   }
   if (!options_.arrows.empty()) {
+    double longest = 0.0;
     const Eigen::Matrix2Xd vectors = arrow_vectors(options_.arrows, picture);
-    arrows_.push_back(vectors.cols() ? vectors.colwise().norm().maxCoeff() : 0.0);
+    for (int b = 0; b < now.size(); ++b)
+      if (!now.is_removed(b))
+        longest = std::max(longest, vectors.col(b).norm());
+    arrows_.push_back(longest);
   }
   if (picture.now.area.size() > 0)
     block_size_ = std::sqrt(usual(
@@ -144,7 +152,7 @@ ColourMap map_of(const FigureOptions& options, Zero zero) {
 }
 
 std::set<int> materials_of(const ResultsReader& results) {
-  const Frame last = results.frame(results.frames() - 1);  // blocks are never removed
+  const Frame last = results.frame(results.frames() - 1);  // it has all blocks
   return {last.material.begin(), last.material.end()};
 }
 

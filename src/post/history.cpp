@@ -76,10 +76,22 @@ std::string label_of(const Curve& curve, const std::string& label) {
   return label;
 }
 
-/// Returns the value of one curve in one frame.
+/// Returns the values of the blocks that are not removed.
+VectorXd of_present(const Frame& now, const VectorXd& values) {
+  VectorXd present(now.count_present());
+  Eigen::Index k = 0;
+  for (int b = 0; b < now.size(); ++b)
+    if (!now.is_removed(b))
+      present[k++] = values[b];
+  return present;
+}
+
+/// Returns the value of one curve in one frame; NaN if its block does not exist yet or
+/// is removed.
 double value(const Curve& curve, const Frame& now, const Frame& first,
              const FrameContacts& contacts) {
-  const bool there = curve.block <= now.size();
+  const bool there = curve.block <= now.size() &&
+                     (curve.block < 1 || !now.is_removed(curve.block - 1));
   if (const OtherKind* other = find_other(curve.quantity)) {
     if (other->whole)
       return other->whole(now);
@@ -95,8 +107,9 @@ double value(const Curve& curve, const Frame& now, const Frame& first,
       return of_corner(curve.quantity, curve.block - 1, curve.corner - 1, now, first);
   }
   const VectorXd values = find_quantity(curve.quantity)->values(now, first);
-  return curve.of == Of::block ? values[curve.block - 1]
-                               : reduce(reduction(curve.of, Reduction::sum), values);
+  return curve.of == Of::block
+             ? values[curve.block - 1]
+             : reduce(reduction(curve.of, Reduction::sum), of_present(now, values));
 }
 
 }  // namespace
@@ -125,22 +138,22 @@ History read_history(const std::vector<const ResultsReader*>& parts,
                               other ? other->dimension : kind->dimension,
                               {}});
   }
-  const auto check = [&](const Frame& last) {
+  const auto check = [&](const Frame& last, const auto& outlines) {
     for (const Curve& curve : curves) {
       if (curve.block > last.size())
         throw std::runtime_error(fmt::format("{} has blocks 1 to {}, no block {}",
                                              end.path(), last.size(), curve.block));
       if (curve.of != Of::corner)
         continue;
-      const auto corners =
-          last.outlines[static_cast<std::size_t>(curve.block) - 1].size();
+      const auto corners = outlines[static_cast<std::size_t>(curve.block) - 1].size();
       if (static_cast<std::size_t>(curve.corner) > corners)
         throw std::runtime_error(
             fmt::format("{}: block {} has corners 1 to {}, no corner {}", end.path(),
                         curve.block, corners, curve.corner));
     }
   };
-  check(end.frame(end.frames() - 1));  // blocks are never removed
+  // Blocks are never taken out of the list, even if they are removed from the model.
+  check(end.frame(end.frames() - 1), end.last_outlines(end.frames() - 1));
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const ResultsReader& results = *parts[part];
     const double next = part + 1 < parts.size()

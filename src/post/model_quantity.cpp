@@ -57,7 +57,7 @@ const std::map<std::string, OtherKind>& other_kinds() {
         pure,
         Reduction::sum,
         {},
-        [](const Frame& f) { return 1.0 * f.size(); }}},
+        [](const Frame& f) { return 1.0 * f.count_present(); }}},
       {"time", {"time", {0, 0, 1, "s", ""}, Reduction::sum, {}, [](const Frame& f) {
                   return f.time;
                 }}}};

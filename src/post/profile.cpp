@@ -72,11 +72,15 @@ std::vector<ProfilePlace> surface(const Frame& first) {
                                              static_cast<double>(strips.size())),
                     strips.size() - 1);
   };
+  std::vector<std::size_t> present;
   for (std::size_t b = 0; b < n; ++b)
+    if (!first.outlines[b].empty())  // it is empty if the block is removed
+      present.push_back(b);
+  for (const std::size_t b : present)
     for (std::size_t s = strip(low[b]); s <= strip(high[b]); ++s)
       strips[s].push_back(b);
   std::vector<ProfilePlace> places;
-  for (std::size_t b = 0; b < n; ++b) {
+  for (const std::size_t b : present) {
     const double x = first.centroid(0, static_cast<Eigen::Index>(b));
     double highest = -std::numeric_limits<double>::infinity(), own = highest;
     for (const std::size_t other : strips[strip(x)]) {

@@ -112,6 +112,21 @@ Eigen::Matrix4Xd tensors(const std::vector<double>& rows) {
                                             static_cast<Eigen::Index>(rows.size() / 4));
 }
 
+/// A removed block has no values, so that figures, histories and ranges skip it.
+void hide_removed(Frame& frame) {
+  for (int b = 0; b < frame.size(); ++b) {
+    if (!frame.is_removed(b))
+      continue;
+    for (auto* plane : {&frame.centroid, &frame.velocity, &frame.force})
+      plane->col(b).setConstant(std::nan(""));
+    for (auto* values : {&frame.angle, &frame.spin, &frame.moment, &frame.area,
+                         &frame.mass, &frame.inertia})
+      (*values)[b] = std::nan("");
+    for (auto* tensor : {&frame.stress, &frame.applied, &frame.strain_rate})
+      tensor->col(b).setConstant(std::nan(""));
+  }
+}
+
 }  // namespace
 
 void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
@@ -165,7 +180,12 @@ Frame ResultsReader::File::read(hsize_t i) const {
   frame.applied = tensors(cells<double>("AppliedStress", i, n, 4));
   frame.strain_rate = tensors(cells<double>("StrainRate", i, n, 4));
   read_outlines(i, part, n, frame);
+  hide_removed(frame);
   return frame;
+}
+
+int Frame::count_present() const {
+  return size() - static_cast<int>(std::count(fixed.begin(), fixed.end(), 3));
 }
 
 FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
@@ -326,6 +346,22 @@ Frame ResultsReader::frame(long i) const {
     frame.compression_positive = true;
   }
   return frame;
+}
+
+std::vector<std::vector<Eigen::Vector2d>> ResultsReader::last_outlines(long i) const {
+  const Frame now = frame(i);
+  auto outlines = now.outlines;
+  int missing = now.size() - now.count_present();
+  for (long k = i - 1; k >= 0 && missing > 0; --k) {
+    const Frame earlier = frame(k);
+    for (int b = 0; b < earlier.size(); ++b)
+      if (auto& outline = outlines[static_cast<std::size_t>(b)];
+          outline.empty() && !earlier.is_removed(b)) {
+        outline = earlier.outlines[static_cast<std::size_t>(b)];
+        --missing;
+      }
+  }
+  return outlines;
 }
 
 FrameContacts ResultsReader::contacts(long i) const {

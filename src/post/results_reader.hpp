@@ -14,18 +14,23 @@
 
 namespace blocks::post {
 
-/// One stored state of the model, with n blocks.
+/// One stored state of the model, with n blocks. The outline of a removed block is
+/// empty, and its numbers other than number, material and fixed are NaN.
 struct Frame {
   double time = 0.0;
   long step = 0;
   double kinetic_energy = 0.0;
   std::vector<std::vector<Eigen::Vector2d>> outlines;  ///< [L] clockwise, per block
-  std::vector<int> number, material, fixed;
+  std::vector<int> number, material;
+  std::vector<int> fixed;  ///< 0: free, 1: fixed, 2: left the domain, 3: removed
   Eigen::Matrix2Xd centroid, velocity, force;
   Eigen::VectorXd angle, spin, moment, area, mass, inertia;
   Eigen::Matrix4Xd stress, applied, strain_rate;  ///< rows 11, 12, 21, 22
   bool compression_positive = false;              ///< sign of stress and applied
   int size() const { return static_cast<int>(number.size()); }
+  bool is_removed(int b) const { return fixed[static_cast<std::size_t>(b)] == 3; }
+  /// Returns the number of blocks that are not removed.
+  int count_present() const;
 };
 
 /// The m active contacts of a frame, each of a corner on an edge. Blocks, corners and
@@ -64,6 +69,9 @@ class ResultsReader {
   void make_compression_positive();
   /// Reads frame i, 0 <= i < frames().
   Frame frame(long i) const;
+  /// Returns the outlines of all blocks of frame i. Those of removed blocks are from
+  /// the last earlier frame that shows them, or empty if there is none.
+  std::vector<std::vector<Eigen::Vector2d>> last_outlines(long i) const;
   FrameContacts contacts(long i) const;
   /// Returns the index of the frame nearest in time.
   long nearest(double time) const;

@@ -71,12 +71,15 @@ struct Shape {
   double extent = 0.0;
 };
 
-Eigen::Matrix2Xd arms(const Frame& frame, int b) {
-  const auto& outline = frame.outlines[static_cast<std::size_t>(b)];
+Eigen::Matrix2Xd arms(const std::vector<Eigen::Vector2d>& outline,
+                      const Eigen::Vector2d& centroid) {
   Eigen::Matrix2Xd r(2, static_cast<Eigen::Index>(outline.size()));
   for (std::size_t c = 0; c < outline.size(); ++c)
-    r.col(static_cast<Eigen::Index>(c)) = outline[c] - frame.centroid.col(b);
+    r.col(static_cast<Eigen::Index>(c)) = outline[c] - centroid;
   return r;
+}
+Eigen::Matrix2Xd arms(const Frame& frame, int b) {
+  return arms(frame.outlines[static_cast<std::size_t>(b)], frame.centroid.col(b));
 }
 
 /// Resolution of strains, which are only drawn: the error of a block of 1000 pixels is
@@ -106,8 +109,9 @@ class Packer {
         chosen_.push_back(i);
     last_ = results.frame(results.frames() - 1);
     blocks_ = static_cast<std::size_t>(last_.size());
+    last_outlines_ = results.last_outlines(results.frames() - 1);
     first_corner_.push_back(0);
-    for (const auto& outline : last_.outlines)
+    for (const auto& outline : last_outlines_)
       first_corner_.push_back(first_corner_.back() + static_cast<int>(outline.size()));
   }
 
@@ -155,6 +159,7 @@ class Packer {
     times_.push_back(now.time);
     steps_.push_back(now.step);
     counts_.push_back(now.size());
+    present_.push_back(now.count_present());
     energy_.push_back(now.kinetic_energy);
     for (std::size_t k = 0; k < shown.size(); ++k) {
       const Eigen::VectorXd values = quantity(shown[k], now, first, contacts).values;
@@ -165,13 +170,18 @@ class Packer {
     }
     for (std::size_t b = 0; b < blocks_; ++b) {
       const bool there = static_cast<int>(b) < now.size();
-      fixed_.push_back(there && now.fixed[b] != 0 ? 1 : 0);
+      fixed_.push_back(there ? fixed_byte(now, static_cast<int>(b)) : 0);
       const Eigen::Matrix2d strain =
           there ? follow(now, first, static_cast<int>(b)) : Eigen::Matrix2d::Zero();
       for (const double value : strain.reshaped())
         strain_.push_back(in_strain_steps(value));
     }
     take_contacts(contacts);
+  }
+
+  /// Returns 0 for a free block, 1 for a fixed one, 2 for a removed one.
+  static unsigned char fixed_byte(const Frame& now, int b) {
+    return now.is_removed(b) ? 2 : now.fixed[static_cast<std::size_t>(b)] != 0 ? 1 : 0;
   }
 
   /// Quantities that predict others are stored first.
@@ -218,6 +228,11 @@ class Packer {
   /// Returns the strain of the arms of a block before its rotation. Also records new
   /// blocks and whether a block is strained.
   Eigen::Matrix2d follow(const Frame& now, const Frame& first, int b) {
+    if (now.is_removed(b)) {
+      if (static_cast<std::size_t>(b) == shapes_.size())
+        add_hidden(b);
+      return Eigen::Matrix2d::Zero();
+    }
     const Eigen::Matrix2Xd r = arms(now, b);
     if (static_cast<std::size_t>(b) == shapes_.size()) {
       const bool from_first = b < first.size();
@@ -241,6 +256,16 @@ class Packer {
     if ((r - map * shape.arms).cwiseAbs().maxCoeff() > 1e-4 * shape.extent)
       refuse(now, b);
     return rotation.transpose() * map - Eigen::Matrix2d::Identity();
+  }
+  /// Adds the shape of a block that is removed in all frames of the page.
+  void add_hidden(int b) {
+    const double none = std::nan("");
+    origin_.emplace_back(none, none);
+    const auto& outline = last_outlines_[static_cast<std::size_t>(b)];
+    shapes_.push_back({0.0,
+                       arms(outline, outline.empty() ? Eigen::Vector2d::Zero().eval()
+                                                     : outline.front()),
+                       Eigen::Matrix2d::Identity(), 0.0});
   }
   [[noreturn]] void refuse(const Frame& now, int b) const {
     throw std::runtime_error(fmt::format(
@@ -366,6 +391,7 @@ class Packer {
                        {"times", times_},
                        {"steps", steps_},
                        {"counts", counts_},
+                       {"present", present_},
                        {"material", last_.material},
                        {"materials", materials},
                        {"material_names", names},
@@ -391,6 +417,7 @@ class Packer {
   std::optional<double> mirror_;
   std::vector<long> chosen_;
   Frame last_;
+  std::vector<std::vector<Eigen::Vector2d>> last_outlines_;
   std::size_t blocks_ = 0;
   std::vector<int> first_corner_;
   std::vector<DigitColumn> columns_;
@@ -403,7 +430,8 @@ class Packer {
   double largest_ = 0.0;
   std::vector<double> times_, energy_;
   std::vector<long> steps_;
-  std::vector<int> counts_;
+  std::vector<int> counts_;   ///< blocks of each frame, including the removed ones
+  std::vector<int> present_;  ///< blocks of each frame that are not removed
 };
 
 }  // namespace

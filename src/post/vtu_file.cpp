@@ -50,8 +50,11 @@ std::vector<double> in_space(const Eigen::Matrix2Xd& plane) {
 }
 
 void write_vtu(const std::string& path, const VtuGrid& grid) {
-  const std::vector<unsigned char> types(grid.ends.size(),
-                                         static_cast<unsigned char>(grid.cell_type));
+  std::vector<unsigned char> types;
+  for (std::size_t k = 0; k < grid.ends.size(); ++k) {
+    const bool is_empty = grid.ends[k] == (k == 0 ? 0 : grid.ends[k - 1]);
+    types.push_back(static_cast<unsigned char>(is_empty ? 0 : grid.cell_type));
+  }
   const std::string one_tuple = " NumberOfTuples=\"1\"";
   Appended data;
   std::string head =

@@ -21,7 +21,7 @@ struct VtuGrid {
   Eigen::Matrix2Xd points;  ///< [L]
   std::vector<std::int64_t> connectivity,
       ends;           ///< (cells) end of the points of each cell
-  int cell_type = 7;  ///< 7 polygons, 1 single points
+  int cell_type = 7;  ///< 7 polygons, 1 single points; a cell without points is empty
   std::vector<VtuArray> cell_data;
   double time = 0.0;
   std::int64_t step = 0;

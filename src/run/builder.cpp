@@ -71,25 +71,8 @@ struct Builder::Visitor {
             self.unread_};
   }
 
-  /// The index of the block with this number, counted from 0. Reports an error and
-  /// returns -1 if there is none.
-  int block(const deck::Int& number) {
-    if (number.value >= 1 && number.value <= blocks.size())
-      return static_cast<int>(number.value) - 1;
-    self.error_no_block(command, number);
-    return -1;
-  }
-  bool material(const deck::Int& number) {
-    if (settings.materials.contains(static_cast<int>(number.value)))
-      return true;
-    if (self.unread_.may_define(number.value, settings))
-      return false;
-    std::string known;
-    for (const auto& [mat, unused] : settings.materials)
-      known += (known.empty() ? "" : ", ") + std::to_string(mat);
-    error(number.where, fmt::format("there is no material {}", number.value),
-          "materials defined: " + (known.empty() ? std::string("none") : known));
-    return false;
+  int block_to_change(const deck::Int& number) {
+    return self.block_to_change(command, number);
   }
 
   // Preliminary data, A.1
@@ -194,16 +177,16 @@ struct Builder::Visitor {
     settings.gravity = {card.gravx.value, card.gravy.value};
   }
   void operator()(const deck::Fix& card) {
-    const int b = block(card.nblok);
+    const int b = block_to_change(card.nblok);
     if (b < 0)
       return;
     blocks.fix(b, Fixity::by_user);
     model.search.invalidate();
   }
-  void operator()(const deck::Remove&) {}
-  void operator()(const deck::Free&) {}
+  void operator()(const deck::Remove& card) { self.remove(command, card.blocks); }
+  void operator()(const deck::Free& card) { self.free(command, card.blocks); }
   void operator()(const deck::PressBc& card) {
-    const int b = block(card.nblok);
+    const int b = block_to_change(card.nblok);
     if (!has_function() || b < 0 || self.most_missing(command.where.line) > 0)
       return;
     if (card.nside.value < 1 || card.nside.value > blocks.corners_of(b)) {
@@ -215,7 +198,7 @@ struct Builder::Visitor {
                                      card.p1.value, card.p2.value, card.tarriv.value});
   }
   void operator()(const deck::Force& card) {
-    const int b = block(card.nblok);
+    const int b = block_to_change(card.nblok);
     if (has_function() && b >= 0)
       model.loads.forces.push_back(
           {b, {card.fx.value, card.fy.value}, card.tarriv.value});
@@ -239,19 +222,13 @@ struct Builder::Visitor {
     settings.friction = card.fric.value;
   }
   void operator()(const deck::SetVel& card) {
-    const int first = block(card.nb1);
-    if (first < 0)
-      return;
-    int last = first;
-    if (card.nb2.value < 0)
-      last = blocks.size() - 1;
-    else if (card.nb2.value > 0 && (last = block(card.nb2)) < 0)
-      return;
-    for (int b = first; b <= last; ++b)
+    const int first = self.block(command, card.nb1);
+    const int last = first < 0 ? -1 : self.last_block(command, first, card.nb2);
+    for (int b = std::max(first, 0); b <= last; ++b)
       set_velocity(b, card.vx.value, card.vy.value, card.tdot.value);
   }
   void operator()(const deck::SetVelM& card) {
-    if (!material(card.mat))
+    if (!self.has_material(command, card.mat))
       return;
     int count = 0;
     for (int b = 0; b < blocks.size(); ++b)
@@ -321,10 +298,51 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
   for (std::size_t i = 0; i < next; ++i)
     stretch_ += std::holds_alternative<deck::Motion>(cards[i].card) ||
                 std::holds_alternative<deck::Cycle>(cards[i].card);
+  first_stretch_ = stretch_;
   AssemblyCertificate told;
   told.blocks = told.moved = model_.blocks.size();
+  told.removed = told.blocks - model_.blocks.count_present();
   told.overlaps = overlaps;
   begin_to_move(std::make_shared<const AssemblyCertificate>(std::move(told)));
+}
+
+int Builder::block(const Command& command, const deck::Int& number) {
+  if (number.value >= 1 && number.value <= model_.blocks.size())
+    return static_cast<int>(number.value) - 1;
+  error_no_block(command, number);
+  return -1;
+}
+
+int Builder::last_block(const Command& command, int first, const deck::Int& nb2) {
+  return nb2.value < 0    ? model_.blocks.size() - 1
+         : nb2.value == 0 ? first
+                          : block(command, nb2);
+}
+
+int Builder::block_to_change(const Command& command, const deck::Int& number) {
+  const int b = block(command, number);
+  if (b < 0 || !model_.blocks.is_removed(b))
+    return b;
+  diagnostics_.warning(
+      number.where, command.name,
+      fmt::format("block {} is removed, so the card has no effect", number.value),
+      "remove blocks after the cards that name them");
+  return -1;
+}
+
+bool Builder::has_material(const Command& command, const deck::Int& number) {
+  const Settings& settings = model_.settings;
+  if (settings.materials.contains(static_cast<int>(number.value)))
+    return true;
+  if (unread_.may_define(number.value, settings))
+    return false;
+  std::string known;
+  for (const auto& [mat, unused] : settings.materials)
+    known += (known.empty() ? "" : ", ") + std::to_string(mat);
+  diagnostics_.error(
+      number.where, command.name, fmt::format("there is no material {}", number.value),
+      "materials defined: " + (known.empty() ? std::string("none") : known));
+  return false;
 }
 
 long Builder::most_missing(int line) const {

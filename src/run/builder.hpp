@@ -30,6 +30,9 @@ struct BuildOptions {
   std::vector<deck::UnreadCard> unread = {};
   /// Overlaps that were reported before the checkpoint of a RESTART deck was written.
   std::vector<geometry::BlockOverlap> overlaps = {};
+  /// Whether steps are made at MOTION and CYCLE. If not, the blocks stay where the
+  /// cards put them.
+  bool moves = true;
 };
 
 class Builder {
@@ -71,9 +74,14 @@ class Builder {
   /// all cards are read.
   void check_output_blocks();
 
-  /// Returns the notes on mesh files and shared corners since the last call, one per
-  /// line.
+  /// Returns the notes on mesh files, shared corners and removed or freed blocks since
+  /// the last call, one per line.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+
+  /// Puts back the blocks that cards removed after a motion that made no steps, so that
+  /// the model is the one before its first step again. Does nothing if blocks were made
+  /// after such a motion, because they may be where the removed ones are.
+  void put_back_removed();
 
   /// The certificate of the blocks when the latest of them were made; null before the
   /// first motion.
@@ -84,6 +92,32 @@ class Builder {
   /// How many blocks are missing at most above this line, because their cards failed.
   long most_missing(int line) const;
   void error_no_block(const deck::Command& command, const deck::Int& number);
+  /// Returns the index of the block with this number, counted from 0. Reports an error
+  /// and returns -1 if there is none.
+  int block(const deck::Command& command, const deck::Int& number);
+  /// Returns the index like block(). Also returns -1 for a removed block, with a
+  /// warning that the card has no effect.
+  int block_to_change(const deck::Command& command, const deck::Int& number);
+  /// Returns the last block of a range, or -1 after an error; nb2 is 0 for the first
+  /// block alone and negative for all blocks so far.
+  int last_block(const deck::Command& command, int first, const deck::Int& nb2);
+  /// Returns whether the material is defined. Reports an error if not.
+  bool has_material(const deck::Command& command, const deck::Int& number);
+
+  // Excavation, in builder_excavation.cpp
+  void remove(const deck::Command& command, const deck::Selection& named);
+  void free(const deck::Command& command, const deck::Selection& named);
+  /// Returns the blocks that the card names, removed ones included. Returns nothing
+  /// after an error, or if there are none, with a warning.
+  std::vector<int> select(const deck::Command& command, const deck::Selection& named);
+  std::vector<int> select_inside(const deck::Command& command,
+                                 const deck::Selection& named);
+  /// Records what the card did, for the listing and the report of `check`.
+  void note(const deck::Command& command, const char* done,
+            const std::vector<int>& chosen);
+  /// Returns whether the blocks are where they will be when the card acts.
+  bool is_in_place() const { return options_.moves || stretch_ == first_stretch_; }
+
   void check_planes();
   void check_room(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
@@ -99,7 +133,11 @@ class Builder {
   UnreadCards unread_;
   long failed_blocks_ = 0;  ///< the most blocks that cards with errors should make
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
-  std::size_t stretch_ = 0;  ///< index of the section between motions
+  std::size_t stretch_ = 0;        ///< index of the section between motions
+  std::size_t first_stretch_ = 0;  ///< its value at the start
+  bool freed_ = false;             ///< FREE has acted since the last motion
+  /// Blocks removed after a motion that made no steps, and their fixities before.
+  std::vector<std::pair<int, Fixity>> removed_later_;
   std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END

@@ -37,14 +37,28 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
                        "make some with CREATE, LAYER or READ9");
     return;
   }
+  if (blocks.count_present() == 0) {
+    if (in_place)
+      diagnostics_.error(command.where, command.name,
+                         "all blocks are removed, so there is nothing to move",
+                         "remove fewer blocks, or make others");
+    return;
+  }
   check_fraction(command);
   check_steps(command);
   if (!in_place)
     return;
+  const auto is_free = [](Fixity fixity) { return fixity == Fixity::free; };
+  if (blocks.count_present() < blocks.size() &&
+      std::none_of(blocks.fixity.begin(), blocks.fixity.end(), is_free))
+    diagnostics_.warning(command.where, command.name,
+                         "all free blocks are removed, so nothing will move",
+                         "FREE frees fixed blocks");
   check_planes();
   check_overlaps(command);
   check_room(command);
-  if (!model_.settings.rigid && blocks.size() > checked_blocks_) {
+  const bool freed = std::exchange(freed_, false);
+  if (!model_.settings.rigid && (freed || blocks.size() > checked_blocks_)) {
     const TimeStep chosen = dynamics::choose_time_step(model_);
     if (chosen.elastic)
       diagnostics_.warning(
@@ -72,7 +86,7 @@ void Builder::check_room(const Command& command) {
 }
 
 void Builder::check_without_motion(const Command& last) {
-  if (model_.blocks.size() == 0)
+  if (model_.blocks.count_present() == 0)
     return;
   if (model_.blocks.size() != checked_blocks_)
     check_planes();
@@ -138,7 +152,8 @@ void Builder::check_planes() {
           "give two points of the plane near the blocks");
     bool all_behind = true;
     for (int c = 0; c < blocks.corners() && all_behind; ++c)
-      all_behind = geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;
+      all_behind = blocks.is_removed(blocks.corner_block[c]) ||
+                   geometry::overlap_sign(blocks.corner.col(c), a, b) > 0;
     if (all_behind)
       diagnostics_.error(command.where, command.name,
                          "all blocks are on the wrong side of the plane",

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "dynamics/time_step.hpp"
 
 namespace blocks::run {
@@ -11,11 +9,20 @@ namespace blocks::run {
 std::string check_report(const std::string& file, const Model& model,
                          const SharedCertificate& certificate) {
   const Blocks& blocks = model.blocks;
-  const auto fixed = std::count_if(blocks.fixity.begin(), blocks.fixity.end(),
-                                   [](Fixity f) { return f != Fixity::free; });
-  std::string text =
-      fmt::format("{}: no errors\n{} blocks ({} fixed), {} corners, area {:.9g}\n",
-                  file, blocks.size(), fixed, blocks.corners(), blocks.area.sum());
+  const int present = blocks.count_present(), removed = blocks.size() - present;
+  int fixed = 0, corners = 0;
+  double area = 0.0;
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
+    fixed += blocks.is_free(b) ? 0 : 1;
+    corners += blocks.corners_of(b);
+    area += blocks.area[b];
+  }
+  std::string text = fmt::format(
+      "{}: no errors\n{} blocks ({} fixed{}), {} corners, area {:.9g}\n", file, present,
+      fixed, removed > 0 ? fmt::format("; {} more are removed", removed) : "", corners,
+      area);
   for (const LayerRecord& layer : model.layers)
     text += fmt::format(
         "layer {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, "
@@ -30,7 +37,7 @@ std::string check_report(const std::string& file, const Model& model,
         merge.layer, merge.absorbed, merge.into, merge.why());
   if (certificate)
     text += verdict(*certificate) + "\n" + joints_line(*certificate) + "\n";
-  if (blocks.size() > 0) {
+  if (present > 0) {
     const TimeStep step = dynamics::choose_time_step(model);
     text += fmt::format("time step {:.6g}, set by block {} ({})\n", step.dt,
                         step.block + 1, step.elastic ? "its stiffness" : "contact");

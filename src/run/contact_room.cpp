@@ -16,11 +16,15 @@ constexpr double bytes_of_touching = 800.0, bytes_of_all = 5000.0;
 }  // namespace
 
 LikelyList likely_list(const Blocks& blocks, double margin) {
-  const int count = blocks.size(), asked = std::min(count, 64);
-  std::vector<Eigen::AlignedBox2d> boxes(static_cast<std::size_t>(count));
-  for (int c = 0; c < blocks.corners(); ++c)
-    boxes[static_cast<std::size_t>(blocks.corner_block[c])].extend(
-        Vec2(blocks.corner.col(c)));
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
+    Eigen::AlignedBox2d& box = boxes.emplace_back();
+    for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c)
+      box.extend(Vec2(blocks.corner.col(c)));
+  }
+  const int count = static_cast<int>(boxes.size()), asked = std::min(count, 64);
   LikelyList list;
   for (int k = 0; k < asked; ++k) {
     const auto own = static_cast<std::size_t>(static_cast<long>(k) * count / asked);

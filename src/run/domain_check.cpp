@@ -5,28 +5,10 @@
 #include <vector>
 
 #include "dynamics/domain.hpp"
+#include "run/number_ranges.hpp"
 
 namespace blocks::run {
 namespace {
-
-/// Returns block numbers as "2, 5 to 9 and 12 more"; block indices count from 0.
-std::string numbers_text(const std::vector<int>& blocks) {
-  constexpr int most_ranges = 8;
-  std::string text;
-  std::size_t i = 0;
-  for (int ranges = 0; i < blocks.size() && ranges < most_ranges; ++ranges) {
-    const int first = blocks[i];
-    while (i + 1 < blocks.size() && blocks[i + 1] == blocks[i] + 1)
-      ++i;
-    text += (text.empty() ? "" : ", ") + std::to_string(first + 1);
-    if (blocks[i] > first)
-      text += " to " + std::to_string(blocks[i] + 1);
-    ++i;
-  }
-  if (i < blocks.size())
-    text += fmt::format(" and {} more", blocks.size() - i);
-  return text;
-}
 
 /// Where a block crosses the limits of an axis: which limit, and how far it reaches.
 struct Crossing {
@@ -74,7 +56,7 @@ void check_domain(const Model& model, int begin, const DomainCards& cards,
     diagnostics.warning(cards[axis].value_or(motion.where),
                         cards[axis] ? card : motion.name,
                         fmt::format("{} block{} outside the domain will be fixed: {}",
-                                    found.size(), one ? "" : "s", numbers_text(found)),
+                                    found.size(), one ? "" : "s", number_ranges(found)),
                         reach_text(model, found.front(), axis, makers));
   }
 }

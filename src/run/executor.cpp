@@ -104,17 +104,22 @@ void Executor::start() {
     return;
   }
   const bool in_order = !model_.order.empty();
+  const double old_dt = model_.time_step.dt;
   dynamics::prepare(model_);
   if (!started_moving_) {
     echo();
     console_.note(fmt::format("dt {:.6g} set by block {} ({}), {} blocks, seed {}",
                               model_.time_step.dt, model_.time_step.block + 1,
                               model_.time_step.elastic ? "its stiffness" : "contact",
-                              model_.blocks.size(), model_.settings.seed));
+                              model_.blocks.count_present(), model_.settings.seed));
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.frame(model_);
     files_.table(model_);
   }
+  if (started_moving_ && model_.time_step.dt != old_dt)
+    console_.note(fmt::format("dt {:.6g} from now on, set by block {} ({})",
+                              model_.time_step.dt, model_.time_step.block + 1,
+                              model_.time_step.elastic ? "its stiffness" : "contact"));
   if (!in_order && !model_.order.empty())
     console_.note(
         "blocks are renumbered internally for memory locality; output is unaffected");

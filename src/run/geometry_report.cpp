@@ -72,12 +72,14 @@ GeometryReport examine_geometry(const std::string& file, const Model& model,
   const Blocks& blocks = model.blocks;
   GeometryReport report;
   report.file = file;
-  report.blocks = blocks.size();
-  report.corners = blocks.corners();
+  report.blocks = blocks.count_present();
   report.layers = model.layers;
   report.merges = model.merges;
   std::vector<Measure::Place> area, aspect, edge, angle;
   for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
+    report.corners += blocks.corners_of(b);
     const geometry::Polygon outline = blocks.outline(b);
     const auto shape = geometry::measure_shape(outline);
     const Vec2 middle = blocks.centroid.col(b);

@@ -53,7 +53,9 @@ Model load_to_check(Job& job) {
 bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   if (job.loads())
     model = load_to_check(job);
-  Builder builder(model, job.diagnostics, job.deck.commands, job.build_options());
+  BuildOptions options = job.build_options();
+  options.moves = false;
+  Builder builder(model, job.diagnostics, job.deck.commands, std::move(options));
   if (job.resumes)
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
   bool in_place = !job.resumes;  // a resumed run checks in place itself
@@ -72,6 +74,7 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
       !job.deck.commands.empty())
     builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
+  builder.put_back_removed();
   if (!job.continues() && !job.diagnostics.has_errors() &&
       std::none_of(job.deck.commands.begin(), job.deck.commands.end(), passes_time))
     job.diagnostics.warning(
@@ -83,11 +86,22 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   return !job.diagnostics.has_errors();
 }
 
-/// Reports the diagnostics from index `before` on. Returns false if there were errors.
-bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& executor) {
+bool is_same(const deck::Diagnostic& a, const deck::Diagnostic& b) {
+  return a.where.line == b.where.line && a.where.column == b.where.column &&
+         a.message == b.message;
+}
+
+/// Reports the diagnostics from index `before` on, except those in `known`. Returns
+/// false if there were errors.
+bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& executor,
+              const std::vector<deck::Diagnostic>& known = {}) {
   bool sound = true;
   for (std::size_t i = before; i < said.all().size(); ++i) {
     const deck::Diagnostic& diagnostic = said.all()[i];
+    if (std::any_of(known.begin(), known.end(), [&](const deck::Diagnostic& one) {
+          return is_same(one, diagnostic);
+        }))
+      continue;
     std::fputs(said.format(diagnostic).c_str(), stderr);
     executor.remember(fmt::format("{}: {}", diagnostic.card, diagnostic.message));
     sound = sound && diagnostic.severity != deck::Severity::error;
@@ -168,7 +182,10 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     }
     {
       const Profile::Timer timer(executor.profile(), Profile::building);
+      const std::size_t before = said.all().size();
       builder.apply(command);
+      // A card that acts on blocks in motion may find others than the check did.
+      tell_new(said, before, executor, job.diagnostics.all());
     }
     for (const std::string& note : builder.take_notes())
       files.message(note);

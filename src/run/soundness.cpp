@@ -40,8 +40,8 @@ int first_without_place(const Blocks& blocks) {
 double half_depth(const Blocks& blocks) {
   double least = std::numeric_limits<double>::infinity();
   for (int e = 0; e < blocks.corners(); ++e)
-    if (blocks.convex[blocks.corner_block[e]])
-      least = std::min(least, depth_of_middle(blocks, e, blocks.corner_block[e]));
+    if (const int b = blocks.corner_block[e]; blocks.convex[b] && !blocks.is_removed(b))
+      least = std::min(least, depth_of_middle(blocks, e, b));
   return 0.5 * std::max(least, 0.0);
 }
 

@@ -43,12 +43,9 @@ using SharedByPair = std::map<std::pair<int, int>, Shared>;
 
 /// The overlaps of all pairs of blocks that are not both fixed.
 SharedByPair shared_by_pair(const Blocks& blocks) {
-  std::vector<geometry::Polygon> outlines;
-  for (int b = 0; b < blocks.size(); ++b)
-    outlines.push_back(blocks.outline(b));
   SharedByPair shared;
-  for (const geometry::BlockOverlap& pair :
-       geometry::overlapping_pairs(outlines, {}, geometry::Figures::quick))
+  for (const geometry::BlockOverlap& pair : geometry::overlapping_pairs(
+           blocks.present_outlines(), {}, geometry::Figures::quick))
     if (blocks.is_free(pair.first) || blocks.is_free(pair.second))
       shared[{pair.first, pair.second}] = {pair.area, pair.depth};
   return shared;

@@ -12,6 +12,7 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 try:
+    from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
     from vtkmodules.vtkIOHDF import vtkHDFReader
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 except ImportError:
@@ -75,6 +76,28 @@ def compare_results(folder, first):
             assert ours.GetTuple(cell) == exported.GetTuple(cell), (name, cell)
 
 
+def drawn(grid):
+    """Returns how many polygons ParaView draws."""
+    surface = vtkGeometryFilter()
+    surface.SetInputData(grid)
+    surface.Update()
+    return surface.GetOutput().GetNumberOfPolys()
+
+
+def check_removed(program, source, folder):
+    """A removed block keeps its cell, but nothing is drawn there."""
+    deck = Path(source, "decks/stack/stack.deck").read_text().replace("\nMOTION", "\nREMOVE, 13\nMOTION")
+    (folder / "fewer.deck").write_text(deck)
+    for words in (["run", "fewer.deck", "-q", "--set", "MOTION.dt=0.01"], ["export", "fewer.vtkhdf", "-o", "fewer.pvd"]):
+        subprocess.run([program, *words], cwd=folder, check=True, capture_output=True)
+    reader = vtkHDFReader()
+    reader.SetFileName(str(folder / "fewer.vtkhdf"))
+    reader.Update()
+    for grid in (reader.GetOutputDataObject(0), next(pieces(folder, "fewer.pvd"))[1]):
+        assert grid.GetNumberOfCells() == 13 and drawn(grid) == 12, drawn(grid)
+        assert grid.GetCellData().GetArray("Fixed").GetValue(12) == 3
+
+
 def main():
     program, source = sys.argv[1:]
     with tempfile.TemporaryDirectory() as name:
@@ -84,6 +107,7 @@ def main():
             subprocess.run([program, *words], cwd=folder, check=True, capture_output=True)
         compare(folder, "stack.pvd", "stack.csv", BLOCKS, 7)
         compare(folder, "stack_contacts.pvd", "stack_contacts.csv", CONTACTS, 1)
+        check_removed(program, source, folder)
         compare_results(folder, next(pieces(folder, "stack.pvd"))[1])
         for _, grid in pieces(folder, "stack.pvd"):  # the polygons enclose the areas of the run
             for cell in range(grid.GetNumberOfCells()):

@@ -74,7 +74,8 @@ void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
   const Grid grid(blocks, memory);
   memory.cells.sort(grid.columns * grid.rows, [&](const auto& add) {
     for (int b = 0; b < blocks.size(); ++b)
-      grid.each(memory.lower[b], memory.upper[b], [&](int cell) { add(cell, b); });
+      if (!blocks.is_removed(b))
+        grid.each(memory.lower[b], memory.upper[b], [&](int cell) { add(cell, b); });
   });
   pairs.clear();
   const auto meet = [&](int a, int b) {
@@ -84,6 +85,8 @@ void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
             (memory.lower[b].y() <= memory.upper[a].y())) != 0;
   };
   for (int a = 0; a < blocks.size(); ++a) {
+    if (blocks.is_removed(a))
+      continue;
     const std::size_t before = pairs.size();
     grid.each(memory.lower[a], memory.upper[a], [&](int cell) {
       memory.cells.each(cell, [&](int b) {

@@ -102,7 +102,7 @@ class Simulation {
 
   int blocks() const;  ///< number of blocks, numbered from 1 in order of creation
   int material(int block) const;  ///< number of its MATERIAL card
-  bool is_free(int block) const;  ///< false if fixed by a card or by leaving the domain
+  bool is_free(int block) const;  ///< false if fixed, outside the domain or removed
   double area(int block) const;   ///< [L^2] area when it was created
   double mass(int block) const;   ///< [M]
   Eigen::Matrix2Xd corners(int block) const;  ///< [L] shape (2, corners), clockwise

@@ -35,6 +35,7 @@ function visible_blocks() {
   const f = state.frame, {x, y, scale} = state.view, visible = [];
   const half_w = model.clientWidth / 2 / scale, half_h = model.clientHeight / 2 / scale;
   for (let b = 0; b < meta.counts[f]; ++b) {
+    if (removed(b, f)) continue;
     const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
     const near = Math.abs(cx - x) < half_w + r || (state.mirror && Math.abs(2 * meta.mirror - cx - x) < half_w + r);
     if (near && Math.abs(cy - y) < half_h + r) visible.push(b);
@@ -96,7 +97,7 @@ function draw_plane() {
 }
 
 function hatch_fixed(f, visible, half) {
-  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b]), shade_of = shades_at(f, half);
+  const fixed = visible.filter((b) => data.fixed[f * meta.blocks + b] === 1), shade_of = shades_at(f, half);
   const dark = (b) => is_dark(shade_of(b));
   hatch(fixed.filter((b) => !dark(b)), half, "#1a1c20");
   hatch(fixed.filter(dark), half, "#fff");
@@ -119,7 +120,7 @@ function hatch(fixed, half, colour) {
 let first_corners = null;
 function draw_original() {
   first_corners ??= place_corners(0, new Float64Array(corners.length));
-  const all = [...Array(meta.counts[0]).keys()];
+  const all = [...Array(meta.counts[0]).keys()].filter((b) => exists(b, 0));
   const paint = (colour, width, dashes) => {
     pen.strokeStyle = colour; pen.lineWidth = width * Math.max(0.4, edge_width());
     pen.setLineDash(dashes);

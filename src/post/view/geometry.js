@@ -9,6 +9,7 @@ function centre(b, f) {
                  : [value("x", b, f), value("y", b, f)];  // the block was made after the first frame
 }
 
+/// Corners of removed blocks are NaN, so the canvas draws nothing and nothing is inside them.
 function place_corners(f, into) {
   for (let b = 0; b < meta.counts[f]; ++b) {
     const [x, y] = centre(b, f);
@@ -47,6 +48,7 @@ function fit() {
   for (const f of new Set([0, state.frame])) {
     const all = place_corners(f, new Float64Array(2 * data.first_corner[meta.blocks]));
     for (let i = 0; i < 2 * data.first_corner[meta.counts[f]]; i += 2) {
+      if (all[i] !== all[i]) continue;  // the block is removed
       const other = state.mirror ? 2 * meta.mirror - all[i] : all[i];
       left = Math.min(left, all[i], other); right = Math.max(right, all[i], other);
       low = Math.min(low, all[i + 1]); high = Math.max(high, all[i + 1]);

@@ -35,7 +35,7 @@ function legend_parts(wide) {
       colours: meta.intensity, is_cut: [false, high < meta.largest_force], marks: []});
   }
   const others = state.picked.map((b, i) => ({name: `block ${b + 1}`, ring: mark_colour(i)}));
-  if (data.fixed.some((is) => is)) others.push({name: "fixed", hatched: true});
+  if (data.fixed.some((is) => is === 1)) others.push({name: "fixed", hatched: true});
   if (others.length) parts.push({swatches: others});
   return parts;
 }

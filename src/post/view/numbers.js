@@ -2,8 +2,9 @@
 
 const quantity = (name) => meta.quantities.find((q) => q.name === name);
 const value = (name, block, frame) => data[name][frame * meta.blocks + block];
-const exists = (block, frame) => block < meta.counts[frame];
-/// Returns the values of a block in all frames; NaN where the block does not exist yet.
+const removed = (block, frame) => data.fixed[frame * meta.blocks + block] === 2;
+const exists = (block, frame) => block < meta.counts[frame] && !removed(block, frame);
+/// Returns the values of a block in all frames; NaN where the block does not exist yet or is removed.
 const history_of = (name, block) => meta.times.map((_, f) => exists(block, f) ? value(name, block, f) : NaN);
 
 /// Formats a number with six digits, as in the file (told), or with more digits, down to `finest`.

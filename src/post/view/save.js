@@ -61,8 +61,9 @@ const csv = (lines) => new Blob([lines.map((cells) => cells.join(",") + "\n").jo
 /// Returns the blocks of the current frame with the value of the chosen quantity.
 function frame_lines() {
   const f = state.frame, {name} = chosen(), columns = ["x", "y", ...(is_place(name) ? [] : [name])];
-  return [["block", "material", ...columns], ...Array.from({length: meta.counts[f]}, (_, b) =>
-    [b + 1, meta.material[b], ...columns.map((column) => text_of(column, b, f))])];
+  const there = [...Array(meta.counts[f]).keys()].filter((b) => exists(b, f));
+  return [["block", "material", ...columns],
+    ...there.map((b) => [b + 1, meta.material[b], ...columns.map((column) => text_of(column, b, f))])];
 }
 const save_frame = () => save(name_of(".csv", chosen().name, time_part()), csv(frame_lines()));
 

@@ -22,7 +22,7 @@ function pick_next(i, step) {
 const model_rows = () => [
   {name: "kinetic_energy", label: "kinetic energy", unit: meta.energy_unit, all: meta.kinetic_energy},
   {name: "contacts", label: "acting contacts", unit: "", all: meta.contacts},
-  {name: "blocks", label: "blocks", unit: "", all: meta.counts}];
+  {name: "blocks", label: "blocks", unit: "", all: meta.present}];
 const rows = () => state.picked.length ? meta.quantities : model_rows();
 
 /// Returns the texts of a row: one number, or two numbers and their difference.
@@ -85,7 +85,8 @@ $("numbers").addEventListener("keydown", (event) => {
 function about_picked() {
   const f = state.frame, {picked} = state;
   if (!picked.length) return ["Click a block to see its numbers. Click another one with Shift to compare them."];
-  const about = picked.map((b) => !exists(b, f) ? `Block ${b + 1} does not exist yet.`
+  const about = picked.map((b) => removed(b, f) ? `Block ${b + 1} is removed.`
+    : !exists(b, f) ? `Block ${b + 1} does not exist yet.`
     : `Block ${b + 1}: ${material_of(b)}, ${data.corners[b]} corners`
       + `${data.fixed[f * meta.blocks + b] ? ", fixed" : ""}.`);
   if (picked.length < 2 || !picked.every((b) => exists(b, f))) return about;

@@ -1,0 +1,69 @@
+#include "model/removal.hpp"
+
+#include <algorithm>
+
+namespace blocks {
+namespace {
+
+void remove_contacts(Model& model) {
+  const Blocks& blocks = model.blocks;
+  std::erase_if(model.contacts, [&](const Contact& contact) {
+    const auto [low, high] = pair_of(blocks, contact);
+    return blocks.is_removed(low) || blocks.is_removed(high);
+  });
+}
+
+void remove_plane_contacts(Model& model) {
+  PlaneContacts& list = model.plane_contacts;
+  int kept = 0;
+  for (int i = 0; i < list.size(); ++i) {
+    if (model.blocks.is_removed(model.blocks.corner_block[list.corner[i]]))
+      continue;
+    list.plane[kept] = list.plane[i];
+    list.corner[kept] = list.corner[i];
+    list.active[kept] = list.active[i];
+    for (auto* column : {&list.normal_elastic, &list.normal_force, &list.overlap})
+      (*column)[kept] = (*column)[i];
+    ++kept;
+  }
+  list.plane.resize(kept), list.corner.resize(kept), list.active.resize(kept);
+  for (auto* column : {&list.normal_elastic, &list.normal_force, &list.overlap})
+    column->conservativeResize(kept);
+}
+
+void remove_loads(Model& model) {
+  const auto is_removed = [&](const auto& load) {
+    return model.blocks.is_removed(load.block);
+  };
+  std::erase_if(model.loads.pressures, is_removed);
+  std::erase_if(model.loads.forces, is_removed);
+}
+
+}  // namespace
+
+void remove_blocks(Model& model, const std::vector<int>& chosen) {
+  Blocks& blocks = model.blocks;
+  for (const int b : chosen) {
+    blocks.fix(b, Fixity::removed);
+    blocks.force.col(b).setZero();
+    blocks.moment[b] = 0.0;
+    blocks.applied.col(b).setZero();
+    blocks.stress.col(b).setZero();
+    if (b == model.time_step.block)
+      model.time_step.blocks = 0;
+  }
+  remove_contacts(model);
+  remove_plane_contacts(model);
+  remove_loads(model);
+  model.search.invalidate();
+}
+
+void free_blocks(Model& model, const std::vector<int>& chosen) {
+  for (const int b : chosen)
+    model.blocks.fixity[b] = Fixity::free;
+  if (!model.settings.rigid)
+    model.time_step.blocks = 0;
+  model.search.invalidate();
+}
+
+}  // namespace blocks
