@@ -90,6 +90,18 @@ def wave(results, folder):
     yield r"Worst overlap: # m", results.summary["worst_overlap"]["ever"]
 
 
+def tunnel(results, _):
+    yield r"Of # blocks", results.blocks
+    removed = [np.sum(results.all("Fixed")[results.times < until][-1] == 3) for until in (0.39, 0.59)]
+    yield r"blocks, # are removed after 0.2 s", removed[0]
+    yield r"after 0.2 s and # more after 0.4 s", removed[1] - removed[0]
+    yield r"= # s, and would then\nhave", math.sqrt(2 * 3 / 9.81)
+    yield r"have # m/s", math.sqrt(2 * 3 * 9.81)
+    yield r"before it lands: # m/s", -results.of("Velocity", 72)[:, 1].min()
+    roof = results.of("Centroid", 84)[:, 1]
+    yield r"sink by another # mm", 1e3 * (roof[results.times < 0.59][-1] - roof[-1])
+
+
 def every_card(results, _):
     yield r"\n# steps", results.summary["steps"]
     yield r"steps to t = # s", results.summary["time"]
