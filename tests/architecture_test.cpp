@@ -48,7 +48,7 @@ std::vector<Include> includes() {
 /// headers outside the project.
 std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
-      "geometry", "deck", "model", "dynamics", "exchange", "output",
+      "geometry", "deck", "model", "dynamics", "exchange", "quantities", "output",
       "post",     "run",  "study", "audit",    "library",  "apps"};
   const std::string first = target.substr(0, target.find('/'));
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
@@ -77,6 +77,7 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "model",
                                             "output",
                                             "post",
+                                            "quantities",
                                             "run",
                                             "study",
                                             "study/corner_rules"}));
@@ -114,10 +115,13 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"model", {"model", "geometry"}},
       {"dynamics", {"dynamics", "model", "geometry"}},
       {"audit", {"audit", "model", "geometry"}},
-      {"output", {"output", "model", "geometry"}},
-      {"post", {"post", "output"}},
+      {"quantities", {"quantities", "model", "geometry"}},
+      {"output", {"output", "quantities", "model", "geometry"}},
+      {"post", {"post", "output", "quantities"}},
       {"study", {"study", "dynamics", "post", "model", "geometry"}},
-      {"run", {"run", "deck", "dynamics", "audit", "output", "model", "geometry"}},
+      {"run",
+       {"run", "deck", "dynamics", "audit", "quantities", "output", "model",
+        "geometry"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
   };

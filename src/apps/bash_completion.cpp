@@ -8,7 +8,8 @@
 #include "deck/card_table.hpp"
 #include "manual_command.hpp"
 #include "option_text.hpp"
-#include "post/quantity.hpp"
+#include "quantities/model_quantity.hpp"
+#include "quantities/quantity.hpp"
 #include "study/scene.hpp"
 
 namespace blocks::apps {
@@ -47,13 +48,14 @@ template <class Names> std::string joined(const Names& names) {
 std::string completion_of(const CLI::Option& option) {
   static const std::map<std::string, std::string> known = {
       {"--restart", "_blocks_files h5"},
-      {"--colour", "_blocks_words material " + blanks(post::block_quantity_names())},
+      {"--colour",
+       "_blocks_words material " + blanks(quantities::block_quantity_names())},
       {"--dblock", "_blocks_files"},
       {"--tape9", "_blocks_files"},
       {"--output", "_blocks_files"},
       {"--plot", "_blocks_files"},
       {"--figure", "_blocks_files"},
-      {"--quantity", "_blocks_words " + blanks(post::quantity_names())}};
+      {"--quantity", "_blocks_words " + blanks(quantities::quantity_names())}};
   if (const auto names = choices(option); !names.empty())
     return "_blocks_words " + joined(names);
   if (value_name(option) == "DECK")

@@ -50,6 +50,13 @@ class OpenRun {
       all.push_back(part.get());
     return all;
   }
+  /// The numbers of the materials that have a name.
+  quantities::MaterialNumbers material_numbers() const {
+    quantities::MaterialNumbers numbers;
+    for (const auto& [number, name] : first().material_names())
+      numbers[name] = number;
+    return numbers;
+  }
   const post::ResultsReader& first() const { return *parts_.front(); }
   const post::ResultsReader& last() const { return *parts_.back(); }
   /// Returns the latest part that has begun at this time, or the first one.
@@ -67,7 +74,7 @@ class OpenRun {
 /// Returns "tension positive" or "compression positive" for a stress, otherwise an
 /// empty text.
 std::string sign_of(const std::string& quantity, bool compression_positive) {
-  const post::QuantityKind* kind = post::find_quantity(quantity);
+  const post::QuantityKind* kind = quantities::find_quantity(quantity);
   const std::string sign =
       kind ? post::sign_convention(*kind, compression_positive) : "";
   return sign.substr(std::min(sign.size(), sign.find_first_not_of(", ")));
@@ -106,17 +113,37 @@ void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs,
     chart.subtitle += (chart.subtitle.empty() ? "" : ", ") + run.file;
 }
 
+post::Curve parse(const std::string& text) {
+  try {
+    return quantities::parse_curve(text);
+  } catch (const quantities::CurveFault& fault) {
+    throw std::runtime_error(std::string(fault.what()) + "\n" + fault.hint);
+  }
+}
+
+/// Returns the curves that are shown if none are named: those that the first run
+/// recorded, otherwise the usual ones.
+std::vector<post::Curve> overview(const HistoryOptions& options) {
+  std::vector<post::Curve> curves;
+  if (!options.frames)
+    curves = post::recorded_curves(post::ResultsReader(options.files.front()));
+  if (curves.empty())
+    for (const char* usual : quantities::usual_curves)
+      curves.push_back(quantities::parse_curve(usual));
+  return curves;
+}
+
 Answer histories(const HistoryOptions& options,
                  const std::optional<post::Units>& units) {
   std::vector<post::Curve> curves;
   const bool against = !options.against.empty();
   if (against)
-    curves.push_back(post::parse_curve(options.against));
+    curves.push_back(parse(options.against));
   for (const std::string& text : options.quantities)
-    curves.push_back(post::parse_curve(text));
+    curves.push_back(parse(text));
   if (options.quantities.empty())
-    for (const char* usual : {"kinetic_energy", "overlap", "contacts"})
-      curves.push_back(post::parse_curve(usual));
+    for (const post::Curve& curve : overview(options))
+      curves.push_back(curve);
 
   Answer answer;
   std::vector<RunLine> lines;
@@ -125,7 +152,13 @@ Answer histories(const HistoryOptions& options,
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const OpenRun run(runs[r], units, options.compression_positive);
     const post::History history =
-        post::read_history(run.parts(), curves, {options.from, options.to});
+        post::read_history(run.parts(), curves, {options.from, options.to},
+                           options.frames, run.material_numbers());
+    if (!history.not_recorded.empty())
+      fmt::print(stderr,
+                 "blocks history: {} did not record {}, so all curves are those of the "
+                 "frames\n",
+                 history.file, fmt::join(history.not_recorded, ", "));
     const std::string time_unit = post::unit_text({0, 0, 1, "s", ""}, units);
     NumberTable table{
         history.file, history.title, {{"time", "time", time_unit, history.time}}};
@@ -175,11 +208,11 @@ Answer profiles(const HistoryOptions& options,
   for (const std::string& name : options.quantities.empty()
                                      ? std::vector<std::string>{"dy"}
                                      : options.quantities) {
-    kinds.push_back(post::find_quantity(name));
+    kinds.push_back(quantities::find_quantity(name));
     if (!kinds.back())
       throw std::runtime_error(
           "a profile has no quantity '" + name +
-          "': choose from those of the blocks: " + post::quantity_names());
+          "': choose from those of the blocks: " + quantities::quantity_names());
   }
   Answer answer;
   std::vector<RunLine> lines;
@@ -208,12 +241,12 @@ Answer profiles(const HistoryOptions& options,
         table.columns.push_back({kind->name + "@" + at, kind->label + " at time " + at,
                                  unit, post::profile_values(places, *kind, now, first),
                                  sign_of(kind->name, options.compression_positive)});
-        lines.push_back(
-            {with_unit(kind->label + sign_convention(*kind, now.compression_positive),
-                       unit),
-             post::time_text(asked.value_or(now.time), std::nullopt, units),
-             legend_of(post::time_text(now.time, asked, units), names[r]),
-             table.columns[0].values, table.columns.back().values});
+        lines.push_back({with_unit(kind->label + post::sign_convention(
+                                                     *kind, now.compression_positive),
+                                   unit),
+                         post::time_text(asked.value_or(now.time), std::nullopt, units),
+                         legend_of(post::time_text(now.time, asked, units), names[r]),
+                         table.columns[0].values, table.columns.back().values});
       }
     }
     answer.runs.push_back(std::move(table));
@@ -267,14 +300,18 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
       .add_option(
           "-q,--quantity", options.quantities,
           "quantities, separated by commas: speed:9 (block 9), y:9.2 (its corner 2), "
-          "speed:max, :min, :mean or :sum (all blocks), kinetic_energy (the model) "
-          "(default: kinetic_energy,overlap,contacts)")
+          "y:6-9 or y:material=2 (the mean of these blocks), y:6-9:p90 (their 90th "
+          "percentile), speed:max, :min, :mean, :sum or :p90 (all blocks), "
+          "kinetic_energy (the model) (default: what the HISTORY card recorded, "
+          "otherwise kinetic_energy,overlap,contacts)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
   command.add_option(
       "--against", options.against,
       "quantity on the horizontal axis instead of time, written as for -q");
+  command.add_flag("--frames", options.frames,
+                   "use the frames even if a HISTORY card recorded the quantities");
   command.add_option("--from", options.from, "first time");
   command.add_option("--to", options.to, "last time");
   command.add_option(
@@ -318,7 +355,7 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
                                 "width of a figure, in pixels or points")
                     ->check(CLI::Range(100, 20000));
   command.add_option("--size", options.size, post::PageSize::help())->excludes(width);
-  command.footer("Quantities " + post::history_help());
+  command.footer("Quantities " + quantities::history_help());
 }
 
 int history(const HistoryOptions& options) {

@@ -21,6 +21,7 @@ struct HistoryOptions {
   std::vector<std::string> outputs;  ///< files; empty: print a table
   bool csv = false, json = false;    ///< print in this format
   std::optional<std::string> title;  ///< of a figure; empty: those of the runs
+  bool frames = false;               ///< not the samples of HISTORY
   bool compression_positive = false;
   bool each_run = false;  ///< no bands
   bool paths = false;     ///< write the paths of the results in a figure

@@ -121,7 +121,7 @@ void check_combinations(const PlotOptions& options) {
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(!options.range.empty() && by_material,
          "--range is for --colour QUANTITY; materials have no range");
-  const post::QuantityKind* kind = post::find_quantity(options.figure.colour);
+  const post::QuantityKind* kind = quantities::find_quantity(options.figure.colour);
   refuse(options.compression_positive &&
              (!kind || post::sign_convention(*kind, true).empty()),
          "--compression-positive is for --colour with a stress, such as s22 or p1");
@@ -218,7 +218,7 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->check(CLI::Range(0.1, 100.0));
   command
       .add_option("--colour,--color", figure.colour,
-                  "material, " + post::block_quantity_names())
+                  "material, " + quantities::block_quantity_names())
       ->capture_default_str();
   command.add_option("--colormap,--colourmap", figure.colour_map,
                      "colours of a quantity: " + post::colour_map_names() +

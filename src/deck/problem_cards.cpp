@@ -295,10 +295,18 @@ void add_run_cards(std::vector<CardSpec>& cards) {
                    "",
                    any,
                    "",
-                   "quantities, as 'blocks history' names them: ke, y:3, ...",
+                   "quantities, as 'blocks history -q' names them: ke, y:3, y:6-9, "
+                   "y:material=2:p90; none: ke, overlap, contacts",
                    {},
                    true}},
-       .example = "HISTORY, .001, ke, y:3"});
+       .notes =
+           "Samples are at the multiples of dthist, so those of several runs are "
+           "at the same times. A value between two steps is interpolated linearly. "
+           "Both steps are read, so an interval near the time step slows the run. "
+           "The samples are in the results file, for 'blocks history'. A later "
+           "card replaces the earlier one from its place on. Blocks may be made "
+           "after the card. All quantities are on its line.",
+       .example = "HISTORY, .001, ke, y:3, y:6-9"});
   cards.push_back({.name = "MOTION",
                    .section = "A.2.19",
                    .summary = "run for an interval of time",

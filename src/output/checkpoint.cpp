@@ -117,11 +117,12 @@ void visit(M& model, Info& info, Archive& ar) {
   ar("run/listing_bytes", listing_bytes);
   ar("run/version", version);
   {
-    auto& [card, steps_left, frames, bytes, tabled_step, half_depth, fast_told,
+    auto& [card, steps_left, frames, samples, bytes, tabled_step, half_depth, fast_told,
            finished, warnings, overlaps] = progress;
     ar("run/progress/card", card);
     ar("run/progress/steps_left", steps_left);
     ar("run/progress/frames", frames);
+    ar("run/progress/samples", samples);
     ar("run/progress/listing_bytes", bytes);
     ar("run/progress/tabled_step", tabled_step);
     ar("run/progress/half_depth", half_depth);

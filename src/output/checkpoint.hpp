@@ -17,6 +17,7 @@ struct Progress {
   long card = 0;        ///< index of the next command
   long steps_left = 0;  ///< if > 0, a MOTION or CYCLE is partly done
   long frames = 0;
+  long samples = 0;  ///< samples of histories in the results
   long listing_bytes = 0;
   long tabled_step = -1;                              ///< step of the last OUTPUT table
   double half_depth = 0.0;                            ///< [L] see run/soundness.hpp

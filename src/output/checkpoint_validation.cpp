@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "output/hdf5_handle.hpp"
+#include "quantities/curve.hpp"
 
 namespace blocks::output {
 namespace {
@@ -317,6 +318,18 @@ void expect_records(const Model& model) {
   }
 }
 
+void expect_history(const HistoryRequest& history) {
+  expect("history/interval", history.interval, not_negative);
+  if ((history.interval > 0.0) != !history.quantities.empty())
+    reject_checkpoint("history/quantities does not fit history/interval");
+  for (const std::string& quantity : history.quantities)
+    try {
+      quantities::parse_curve(quantity);
+    } catch (const quantities::CurveFault& fault) {
+      reject_checkpoint(fmt::format("history/quantities: {}", fault.what()));
+    }
+}
+
 void expect_time(const Model& model) {
   expect("steps", static_cast<double>(model.steps), count_from_0);
   expect("step_origin", static_cast<double>(model.step_origin), count_from_0);
@@ -339,7 +352,7 @@ void expect_time(const Model& model) {
   expect("search/left", model.search.left, not_negative);
   expect("search/updates", static_cast<double>(model.search.updates), count_from_0);
   expect("worst_overlap", model.worst_overlap, not_negative);
-  expect("history/interval", model.history.interval, not_negative);
+  expect_history(model.history);
   for (const auto& [name, clock] :
        {std::pair{"output", &model.output}, {"plots", &model.plots}}) {
     expect(std::string(name) + "/interval", clock->interval, not_negative);
@@ -354,6 +367,7 @@ void expect_info(const CheckpointInfo& info, int blocks) {
                                     {"progress/card", at.card},
                                     {"progress/steps_left", at.steps_left},
                                     {"progress/frames", at.frames},
+                                    {"progress/samples", at.samples},
                                     {"progress/listing_bytes", at.listing_bytes},
                                     {"progress/tabled_step",  // -1: no table yet
                                      std::min(at.tabled_step, -1L) + 1}})

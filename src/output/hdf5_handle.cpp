@@ -155,28 +155,45 @@ bool exists(hid_t parent, const std::string& name) {
   return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0;
 }
 
-void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
+namespace {
+
+template <class T> void put_attribute(hid_t object, const std::string& name, T value) {
   Handle attribute;
   if (H5Aexists(object, name.c_str()) > 0) {
     attribute = Handle(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
   } else {
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    attribute = Handle(H5Acreate2(object, name.c_str(), H5T_NATIVE_INT64, space.get(),
+    attribute = Handle(H5Acreate2(object, name.c_str(), type_of<T>(), space.get(),
                                   H5P_DEFAULT, H5P_DEFAULT),
                        H5Aclose);
   }
-  check(H5Awrite(attribute.get(), H5T_NATIVE_INT64, &value));
+  check(H5Awrite(attribute.get(), type_of<T>(), &value));
 }
 
-std::int64_t read_attribute(hid_t object, const std::string& name) {
+template <class T> T get_attribute(hid_t object, const std::string& name) {
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
   const Handle space(H5Aget_space(attribute.get()), H5Sclose);
   const Handle type(H5Aget_type(attribute.get()), H5Tclose);
   expect_one(space, name);
   expect_number(type, name);
-  std::int64_t value = 0;
-  check(H5Aread(attribute.get(), H5T_NATIVE_INT64, &value));
+  T value = 0;
+  check(H5Aread(attribute.get(), type_of<T>(), &value));
   return value;
+}
+
+}  // namespace
+
+void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
+  put_attribute(object, name, value);
+}
+std::int64_t read_attribute(hid_t object, const std::string& name) {
+  return get_attribute<std::int64_t>(object, name);
+}
+void write_real_attribute(hid_t object, const std::string& name, double value) {
+  put_attribute(object, name, value);
+}
+double read_real_attribute(hid_t object, const std::string& name) {
+  return get_attribute<double>(object, name);
 }
 
 void write_text_attribute(hid_t object, const std::string& name,

@@ -97,6 +97,8 @@ bool exists(hid_t parent, const std::string& name);
 /// Scalar attributes. An existing one is overwritten in place.
 void write_attribute(hid_t object, const std::string& name, std::int64_t value);
 std::int64_t read_attribute(hid_t object, const std::string& name);
+void write_real_attribute(hid_t object, const std::string& name, double value);
+double read_real_attribute(hid_t object, const std::string& name);
 /// An ASCII string of fixed length, as VTK requires.
 void write_text_attribute(hid_t object, const std::string& name,
                           const std::string& value);

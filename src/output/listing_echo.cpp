@@ -48,6 +48,9 @@ std::string settings_echo(const Model& model) {
                             : std::string("none")) +
       setting("interval of printed output", "DTOUT", model.output.interval) +
       setting("interval of plot frames", "DTPLOT", model.plots.interval) +
+      (model.history.interval > 0.0
+           ? setting("interval of histories", "DTHIST", model.history.interval)
+           : "") +
       setting("fraction of critical time step", "TFRAC", s.fraction) +
       setting("time step", "TDEL", step.dt);
   if (s.units.known())

@@ -13,6 +13,7 @@
 #include "output/file_tools.hpp"
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"
+#include "output/results_history.hpp"
 #include "output/results_mark.hpp"
 #include "output/results_names.hpp"
 
@@ -93,6 +94,7 @@ struct ResultsWriter::File {
   std::map<std::string, FrameColumn> cells;
   std::map<std::string, Column> frame_data, frame_offsets, frame_sizes;
   std::unique_ptr<ContactColumns> contacts;
+  std::optional<HistorySections> history;
 
   /// Position of the topology written last; part is -1 if there is none.
   std::int64_t part = -1, first_cell = 0, first_id = 0;
@@ -110,9 +112,12 @@ struct ResultsWriter::File {
   void put_frame_data(const Model& model);
   void appear();
   void discard();
+  void flush_history();
   void publish(long count) {
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
     hdf5::write_attribute(steps.get(), "NSteps", count);
+    if (history)
+      history->publish();
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
   }
 };
@@ -331,6 +336,15 @@ void ResultsWriter::File::appear() {
   written_as.clear();
 }
 
+void ResultsWriter::File::flush_history() {
+  if (history->flushed())
+    return;
+  mark.begin();
+  history->flush();
+  publish(frames);
+  mark.end();
+}
+
 /// Removes a file that has no frame.
 void ResultsWriter::File::discard() {
   if (!written_as.empty())
@@ -350,6 +364,7 @@ void ResultsWriter::File::append(const Model& model) {
   put_cells(model.blocks);
   put_frame_data(model);
   contacts->put(frames, model);
+  history->flush();
   values.put(frame, &model.time, 1);
   number_of_parts.put(frame, &one, 1);
   part_offsets.put(frame, &part, 1);
@@ -411,6 +426,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     hdf5::write_text(to.own.get(), "overrides", identity.overrides);
     if (!identity.continues_run.empty())
       hdf5::write_text(to.own.get(), "continues_run", identity.continues_run);
+    to.history.emplace(to.own.get(), 0);
     to.publish(0);
     to.mark.end();
   };
@@ -424,7 +440,8 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
 
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
 
-ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
+ResultsWriter ResultsWriter::reopen(const std::string& path, long frames,
+                                    long samples) {
   FileAccessGuard in_hand("continue", path);  // also covers closing after a failure
   auto file = std::make_unique<File>();
   file->path = path;
@@ -442,6 +459,7 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames) {
       if (hdf5::read_attribute(file->own.get(), "format") > format)
         throw hdf5::Failure("a newer version of BLOCKS wrote it");
       file->keep(frames);
+      file->history.emplace(file->own.get(), samples);
       file->mark.end();
     });
   } catch (const FileError&) {
@@ -468,6 +486,52 @@ void ResultsWriter::write(const Model& model, bool changed) {
 }
 
 long ResultsWriter::frames() const { return file_->frames; }
+
+std::optional<double> ResultsWriter::begin_history(const HistoryRequest& request) {
+  return with_file_errors("write", file_->path, [&] {
+    file_->flush_history();  // samples of the request before
+    return file_->history->begin(request);
+  });
+}
+
+void ResultsWriter::add_sample(double time, std::span<const double> values) {
+  if (file_->history->add(time, values))
+    flush_history();
+}
+
+void ResultsWriter::flush_history() {
+  with_file_errors("write", file_->path, [&] { file_->flush_history(); });
+}
+
+long ResultsWriter::samples() const { return file_->history->rows(); }
+
+FirstPositions ResultsWriter::first_positions() const {
+  return with_file_errors("read", file_->path, [&] {
+    File& from = *file_;
+    const auto at = [](Column& column, hsize_t row) {
+      return static_cast<hsize_t>(column.at<std::int64_t>(row));
+    };
+    const hsize_t part = at(from.part_offsets, 0);
+    const hsize_t blocks = at(from.number_of_cells, part);
+    const auto plane = [](const std::vector<double>& rows) -> Eigen::Matrix2Xd {
+      const auto count = static_cast<Eigen::Index>(rows.size() / 3);
+      return Eigen::Map<const Eigen::Matrix3Xd>(rows.data(), 3, count).topRows(2);
+    };
+    Column centroid = Column::open(from.vtk.get(), "CellData/Centroid");
+    Column offset = Column::open(from.steps.get(), "CellDataOffsets/Centroid");
+    FirstPositions first{plane(centroid.read<double>(at(offset, 0), blocks)), {}};
+    const Eigen::Matrix2Xd corners = plane(from.points.read<double>(
+        at(from.point_offsets, 0), at(from.number_of_points, part)));
+    const auto starts =
+        from.offsets.read<std::int64_t>(at(from.cell_offsets, 0) + part, blocks + 1);
+    for (std::size_t b = 0; b < blocks; ++b) {
+      first.outlines.emplace_back();
+      for (std::int64_t c = starts[b]; c < starts[b + 1]; ++c)
+        first.outlines.back().emplace_back(corners.col(c));
+    }
+    return first;
+  });
+}
 
 std::string ResultsWriter::run_id() const {
   return with_file_errors("read", file_->path,

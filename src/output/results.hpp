@@ -5,8 +5,10 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "model/model.hpp"
 
@@ -31,6 +33,12 @@ struct RunIdentity {
   bool same_deck(const RunIdentity& other) const;
 };
 
+/// Centroids, [L] (2, n), and corners of blocks, [L].
+struct FirstPositions {
+  Eigen::Matrix2Xd centroid;
+  std::vector<std::vector<Eigen::Vector2d>> outlines;
+};
+
 /// Appends frames to a file that other programs can read at any moment.
 class ResultsWriter {
  public:
@@ -38,8 +46,9 @@ class ResultsWriter {
   /// existing file is renamed to PATH + `aside`.
   ResultsWriter(const std::string& path, const RunIdentity& identity,
                 std::string aside = ".bak");
-  /// Opens an existing file, keeps its first `frames` frames and continues after them.
-  static ResultsWriter reopen(const std::string& path, long frames);
+  /// Opens an existing file, keeps its first `frames` frames and the first `samples`
+  /// samples of its histories, and continues after them.
+  static ResultsWriter reopen(const std::string& path, long frames, long samples = 0);
   ~ResultsWriter();
   ResultsWriter(ResultsWriter&&) noexcept;
   ResultsWriter& operator=(ResultsWriter&&) noexcept;
@@ -56,6 +65,19 @@ class ResultsWriter {
   /// the state has `changed` since.
   void write(const Model& model, bool changed = false);
   long frames() const;
+
+  /// Begins to record histories. Returns the time of the last sample in the file if
+  /// the request continues that of the last section (results_history.hpp).
+  std::optional<double> begin_history(const HistoryRequest& request);
+  /// Adds a sample to the histories. It is in the file after the next frame or
+  /// flush_history().
+  void add_sample(double time, std::span<const double> values);
+  void flush_history();
+  /// The number of samples added so far, in the whole file.
+  long samples() const;
+
+  /// Where the blocks of the first frame are. There must be a frame.
+  FirstPositions first_positions() const;
 
  private:
   struct File;

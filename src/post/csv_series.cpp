@@ -12,9 +12,9 @@ namespace {
 
 std::string block_rows(const Frame& now, const Frame& first) {
   std::vector<Eigen::VectorXd> columns;
-  columns.reserve(quantity_kinds().size());
-  for (const QuantityKind& kind : quantity_kinds())
-    columns.push_back(kind.values(now, first));
+  columns.reserve(quantities::quantity_kinds().size());
+  for (const QuantityKind& kind : quantities::quantity_kinds())
+    columns.push_back(values_of(kind, now, first));
   std::string text;
   auto out = std::back_inserter(text);
   for (int b = 0; b < now.size(); ++b) {
@@ -58,7 +58,7 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
   SeriesFiles files{{path, name + "_contacts.csv"}};
   WholeFile blocks(files.names[0]), contacts(files.names[1]);
   std::string head = "time,step,block,material,fixed";
-  for (const QuantityKind& kind : quantity_kinds())
+  for (const QuantityKind& kind : quantities::quantity_kinds())
     head += "," + kind.name;
   blocks << head + "\n";
   contacts << "time,step,corner_block,corner,edge_block,edge,x,y,nx,ny,fx,fy,"

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "post/force_network.hpp"
-#include "post/model_quantity.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
@@ -111,7 +110,7 @@ FigureScales ScaleSurvey::scales() const {
     result.view = {left - margin, right + margin, low_.y() - margin,
                    high_.y() + margin};
   }
-  if (const QuantityKind* kind = find_quantity(options_.colour);
+  if (const QuantityKind* kind = quantities::find_quantity(options_.colour);
       kind && is_internal_stress(*kind) && least_ == 0.0 && most_ == 0.0)
     throw std::runtime_error(
         "every stress is 0: RIGID blocks have no stress, and other blocks have none "
@@ -141,7 +140,7 @@ FigureScales ScaleSurvey::scales() const {
 
 FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
                            long frame) {
-  const bool shown = options.forces || find_other(options.colour);
+  const bool shown = options.forces || quantities::find_other(options.colour);
   return shown ? results.contacts(frame) : FrameContacts{};
 }
 

@@ -1,5 +1,9 @@
 #include "post/frame_units.hpp"
 
+#include "quantities/curve.hpp"
+#include "quantities/model_quantity.hpp"
+#include "quantities/quantity.hpp"
+
 namespace blocks::post {
 
 // Masses and forces are per unit thickness, [M] = M/L and [F] = M/T^2.
@@ -33,6 +37,20 @@ void convert(FrameContacts& contacts, const UnitScale& scale) {
   contacts.overlap *= scale.length;
   contacts.normal_force *= force;
   contacts.shear_force *= force;
+}
+
+void convert(RecordedHistory& recorded, const UnitScale& scale) {
+  if (scale.is_one())
+    return;
+  recorded.interval *= scale.time;
+  for (double& time : recorded.time)
+    time *= scale.time;
+  for (std::size_t i = 0; i < recorded.quantities.size(); ++i) {
+    const std::string name = quantities::parse_curve(recorded.quantities[i]).quantity;
+    const quantities::OtherKind* other = quantities::find_other(name);
+    recorded.values.row(static_cast<Eigen::Index>(i)) *=
+        scale.of(other ? other->dimension : quantities::find_quantity(name)->dimension);
+  }
 }
 
 }  // namespace blocks::post

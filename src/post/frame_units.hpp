@@ -12,4 +12,8 @@ void convert(Frame& frame, const UnitScale& scale);
 /// Converts places, forces and overlaps.
 void convert(FrameContacts& contacts, const UnitScale& scale);
 
+/// Converts the interval, times and values. Throws quantities::CurveFault if a quantity
+/// is unknown.
+void convert(RecordedHistory& recorded, const UnitScale& scale);
+
 }  // namespace blocks::post

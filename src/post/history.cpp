@@ -3,173 +3,263 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <set>
 #include <stdexcept>
 
-#include "post/model_quantity.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
 namespace {
 
 using Of = Curve::Of;
-using Eigen::VectorXd;
+using quantities::OtherKind;
+using quantities::Statistic;
+using How = Statistic::How;
 
-Reduction reduction(Of of, Reduction natural) {
-  switch (of) {
-  case Of::largest:
-    return Reduction::largest;
-  case Of::smallest:
-    return Reduction::smallest;
-  case Of::mean:
-    return Reduction::mean;
-  case Of::sum:
-    return Reduction::sum;
-  case Of::model:
-  case Of::block:
-  case Of::corner:
+/// Returns "largest speed", "90th percentile of y", ...
+std::string reduced_label(const Statistic& statistic, const std::string& label) {
+  switch (statistic.how) {
+  case How::largest:
+    return "largest " + label;
+  case How::smallest:
+    return "smallest " + label;
+  case How::mean:
+    return "mean " + label;
+  case How::sum:
+    return "sum of " + label;
+  case How::percentile:
     break;
   }
-  return natural;
-}
-
-/// Returns the position, displacement or velocity of one corner.
-double of_corner(const std::string& name, int block, int corner, const Frame& now,
-                 const Frame& first) {
-  const auto b = static_cast<std::size_t>(block), c = static_cast<std::size_t>(corner);
-  const Eigen::Vector2d at = now.outlines[b][c], arm = at - now.centroid.col(block);
-  if (name == "x" || name == "y")
-    return name == "x" ? at.x() : at.y();
-  if (name == "dx" || name == "dy" || name == "displacement") {
-    if (b >= first.outlines.size() || c >= first.outlines[b].size())
-      return 0.0;
-    const Eigen::Vector2d d = at - first.outlines[b][c];
-    return name == "dx" ? d.x() : name == "dy" ? d.y() : d.norm();
-  }
-  // v + spin x arm + strain rate arm (13), (14)
-  const auto& e = now.strain_rate;
-  const Eigen::Vector2d v =
-      now.velocity.col(block) +
-      Eigen::Vector2d(-now.spin[block] * arm.y(), now.spin[block] * arm.x()) +
-      Eigen::Vector2d(e(0, block) * arm.x() + e(1, block) * arm.y(),
-                      e(2, block) * arm.x() + e(3, block) * arm.y());
-  return name == "vx" ? v.x() : name == "vy" ? v.y() : v.norm();
+  return fmt::format("percentile {} of {}", statistic.percent, label);
 }
 
 std::string label_of(const Curve& curve, const std::string& label) {
   switch (curve.of) {
   case Of::block:
-    return fmt::format("{} of block {}", label, curve.block);
+    return fmt::format("{} of block {}", label, curve.first);
   case Of::corner:
-    return fmt::format("{} of block {}, corner {}", label, curve.block, curve.corner);
-  case Of::largest:
-    return "largest " + label;
-  case Of::smallest:
-    return "smallest " + label;
-  case Of::mean:
-    return "mean " + label;
-  case Of::sum:
-    return "sum of " + label;
-  case Of::model:
+    return fmt::format("{} of block {}, corner {}", label, curve.first, curve.corner);
+  case Of::blocks:
     break;
+  case Of::model:
+    return label;
   }
-  return label;
+  const std::string reduced = reduced_label(curve.statistic, label);
+  if (curve.all_blocks())
+    return reduced;
+  return reduced + (curve.material.empty()
+                        ? fmt::format(", blocks {} to {}", curve.first, curve.last)
+                        : ", material " + curve.material);
 }
 
-/// Returns the values of the blocks that are not removed.
-VectorXd of_present(const Frame& now, const VectorXd& values) {
-  VectorXd present(now.count_present());
-  Eigen::Index k = 0;
-  for (int b = 0; b < now.size(); ++b)
-    if (!now.is_removed(b))
-      present[k++] = values[b];
-  return present;
+Series empty_series(const Curve& curve, bool compression_positive) {
+  if (const OtherKind* other = quantities::find_other(curve.quantity)) {
+    const bool largest = other->natural == How::largest && curve.of == Of::model;
+    return {curve,
+            label_of(curve, largest ? "largest " + other->label : other->label),
+            other->label,
+            other->dimension,
+            {}};
+  }
+  const QuantityKind& kind = *quantities::find_quantity(curve.quantity);
+  return {curve,
+          label_of(curve, kind.label),
+          kind.label + sign_convention(kind, compression_positive),
+          kind.dimension,
+          {}};
 }
 
-/// Returns the value of one curve in one frame; NaN if its block does not exist yet or
-/// is removed.
-double value(const Curve& curve, const Frame& now, const Frame& first,
-             const FrameContacts& contacts) {
-  const bool there = curve.block <= now.size() &&
-                     (curve.block < 1 || !now.is_removed(curve.block - 1));
-  if (const OtherKind* other = find_other(curve.quantity)) {
-    if (other->whole)
-      return other->whole(now);
-    if (curve.of != Of::block)
-      return reduce(reduction(curve.of, other->natural), other->rows(contacts));
-    return there ? per_block(*other, contacts, now.size())[curve.block - 1]
-                 : std::nan("");
+/// What is asked of the results.
+struct Question {
+  const std::vector<const ResultsReader*>& parts;
+  const std::vector<Curve>& curves;
+  const TimeRange& range;
+  const quantities::MaterialNumbers& materials;
+  bool compression_positive;
+
+  /// Whether part i has this time, and not the next part.
+  bool has_time(std::size_t i, double t) const {
+    return t >= range.from && t <= range.to &&
+           (i + 1 == parts.size() || t < parts[i + 1]->times().front());
   }
-  if (curve.of == Of::block || curve.of == Of::corner) {
-    if (!there)
-      return std::nan("");
-    if (curve.of == Of::corner)
-      return of_corner(curve.quantity, curve.block - 1, curve.corner - 1, now, first);
+  /// The name of a curve with the number of its material.
+  std::string key(Curve curve) const {
+    const int number = quantities::material_number(curve.material, materials);
+    if (number > 0)
+      curve.material = std::to_string(number);
+    return curve.name();
   }
-  const VectorXd values = find_quantity(curve.quantity)->values(now, first);
-  return curve.of == Of::block
-             ? values[curve.block - 1]
-             : reduce(reduction(curve.of, Reduction::sum), of_present(now, values));
+};
+
+void require_places(const Question& question) {
+  const ResultsReader& results = *question.parts.back();
+  const Frame last = results.frame(results.frames() - 1);  // blocks keep their numbers
+  const auto outlines = results.last_outlines(results.frames() - 1);
+  const std::set<int> materials(last.material.begin(), last.material.end());
+  for (const Curve& curve : question.curves) {
+    if (curve.last > last.size())
+      throw std::runtime_error(fmt::format("{} has blocks 1 to {}, no block {}",
+                                           results.path(), last.size(), curve.last));
+    if (!curve.material.empty() && !materials.contains(quantities::material_number(
+                                       curve.material, question.materials)))
+      throw std::runtime_error(fmt::format("{} has no blocks of material {}: choose {}",
+                                           results.path(), curve.material,
+                                           fmt::join(materials, ", ")));
+    if (curve.of != Of::corner)
+      continue;
+    const auto corners = outlines[static_cast<std::size_t>(curve.first) - 1].size();
+    if (static_cast<std::size_t>(curve.corner) > corners)
+      throw std::runtime_error(
+          fmt::format("{}: block {} has corners 1 to {}, no corner {}", results.path(),
+                      curve.first, corners, curve.corner));
+  }
 }
+
+void add_frames(const Question& question, History& history) {
+  require_places(question);
+  const Frame first = question.parts.front()->frame(0);
+  quantities::CurveValues values_of(question.curves, question.materials);
+  std::vector<double> values(values_of.size());
+  for (std::size_t part = 0; part < question.parts.size(); ++part) {
+    const ResultsReader& results = *question.parts[part];
+    for (long i = 0; i < results.frames(); ++i) {
+      const double t = results.times()[static_cast<std::size_t>(i)];
+      if (!question.has_time(part, t))
+        continue;
+      const Frame now = results.frame(i);
+      std::vector<quantities::ContactState> contacts;
+      if (values_of.has_contacts())
+        contacts = states_of(results.contacts(i));
+      values_of.evaluate({now.time, now.step, states_of(now), contacts},
+                         states_of(first), values);
+      history.time.push_back(t);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        history.series[k].values.push_back(values[k]);
+    }
+  }
+}
+
+/// The factor that gives recorded values of a curve the sign of the reader; 0 if the
+/// values of other blocks or directions would be needed: the largest tension is not the
+/// largest compression.
+double sign_of(const Curve& curve, bool compression_positive) {
+  const QuantityKind* kind = quantities::find_quantity(curve.quantity);
+  if (!compression_positive || kind == nullptr || !quantities::is_stress(*kind))
+    return 1.0;
+  const How how = curve.statistic.how;
+  const bool ordered = curve.of == Of::blocks && how != How::sum && how != How::mean;
+  return ordered || kind->name == "p1" || kind->name == "p2" ? 0.0 : -1.0;
+}
+
+/// The histories that the parts recorded.
+class Recorded {
+ public:
+  explicit Recorded(const Question& question) : question_(question) {
+    for (const ResultsReader* part : question.parts)
+      parts_.push_back(part->recorded());
+    for (const auto& sections : parts_)
+      for (const RecordedHistory& section : sections)
+        for (const std::string& name : section.quantities)
+          keys_.insert(key(name));
+  }
+
+  /// Adds the samples of all sections that have all curves. Returns false if there are
+  /// none in one of the parts, or if a value has to be found in another way.
+  bool add_to(History& history) const {
+    const auto& curves = question_.curves;
+    const bool usable = std::all_of(curves.begin(), curves.end(), [&](const Curve& c) {
+      return sign_of(c, question_.compression_positive) != 0.0;
+    });
+    const bool one_origin =
+        parts_.size() == 1 || !quantities::CurveValues(curves).has_displacements();
+    std::vector<std::vector<Rows>> rows;
+    for (const auto& sections : parts_) {
+      rows.push_back(rows_of(sections));
+      if (rows.back().empty())
+        return false;
+    }
+    if (!usable || !one_origin)
+      return false;
+    for (std::size_t part = 0; part < parts_.size(); ++part)
+      for (const Rows& of_section : rows[part])
+        add_section(part, of_section, history);
+    return true;
+  }
+
+  /// The curves that no section has, if another one has been recorded.
+  std::vector<std::string> missing() const {
+    std::vector<std::string> names;
+    for (const Curve& curve : question_.curves)
+      if (!keys_.contains(question_.key(curve)))
+        names.push_back(curve.name());
+    return names.size() < question_.curves.size() ? names : std::vector<std::string>{};
+  }
+
+ private:
+  /// A section, and the row of each curve in it.
+  struct Rows {
+    const RecordedHistory* section;
+    std::vector<Eigen::Index> of_curves;
+  };
+
+  std::string key(const std::string& name) const {
+    return question_.key(quantities::parse_curve(name));
+  }
+
+  std::vector<Rows> rows_of(const std::vector<RecordedHistory>& sections) const {
+    std::vector<Rows> found;
+    for (const RecordedHistory& section : sections) {
+      Rows rows{&section, {}};
+      for (const Curve& curve : question_.curves)
+        for (std::size_t i = 0; i < section.quantities.size(); ++i)
+          if (key(section.quantities[i]) == question_.key(curve)) {
+            rows.of_curves.push_back(static_cast<Eigen::Index>(i));
+            break;
+          }
+      if (rows.of_curves.size() == question_.curves.size())
+        found.push_back(std::move(rows));
+    }
+    return found;
+  }
+
+  /// Two sections may have the time at which one of them ends and the other begins.
+  void add_section(std::size_t part, const Rows& rows, History& history) const {
+    for (std::size_t i = 0; i < rows.section->time.size(); ++i) {
+      const double t = rows.section->time[i];
+      if (!question_.has_time(part, t) ||
+          (!history.time.empty() && t <= history.time.back()))
+        continue;
+      history.time.push_back(t);
+      for (std::size_t k = 0; k < rows.of_curves.size(); ++k)
+        history.series[k].values.push_back(
+            sign_of(question_.curves[k], question_.compression_positive) *
+            rows.section->values(rows.of_curves[k], static_cast<Eigen::Index>(i)));
+    }
+  }
+
+  const Question& question_;
+  std::vector<std::vector<RecordedHistory>> parts_;
+  std::set<std::string> keys_;
+};
 
 }  // namespace
 
 History read_history(const std::vector<const ResultsReader*>& parts,
-                     const std::vector<Curve>& curves, const TimeRange& range) {
+                     const std::vector<Curve>& curves, const TimeRange& range,
+                     bool frames, const quantities::MaterialNumbers& materials) {
   const ResultsReader &begin = *parts.front(), &end = *parts.back();
+  const Question question{parts, curves, range, materials,
+                          begin.is_compression_positive()};
   History history{begin.path(), begin.title(), {}, {}};
   for (std::size_t i = 1; i < parts.size(); ++i)
     history.file += " + " + parts[i]->path();
-  const Frame first = begin.frame(0);
-  bool with_contacts = false;
-  for (const Curve& curve : curves) {
-    const OtherKind* other = find_other(curve.quantity);
-    const QuantityKind* kind = find_quantity(curve.quantity);
-    with_contacts = with_contacts || (other && other->rows);
-    const std::string label = other ? other->label : kind->label;
-    const std::string sign =
-        other ? "" : sign_convention(*kind, first.compression_positive);
-    Curve read_as = curve;  // "overlap" alone means the largest overlap
-    if (other && other->natural == Reduction::largest && curve.of == Of::model)
-      read_as.of = Of::largest;
-    history.series.push_back({curve,
-                              label_of(read_as, label),
-                              label + sign,
-                              other ? other->dimension : kind->dimension,
-                              {}});
-  }
-  const auto check = [&](const Frame& last, const auto& outlines) {
-    for (const Curve& curve : curves) {
-      if (curve.block > last.size())
-        throw std::runtime_error(fmt::format("{} has blocks 1 to {}, no block {}",
-                                             end.path(), last.size(), curve.block));
-      if (curve.of != Of::corner)
-        continue;
-      const auto corners = outlines[static_cast<std::size_t>(curve.block) - 1].size();
-      if (static_cast<std::size_t>(curve.corner) > corners)
-        throw std::runtime_error(
-            fmt::format("{}: block {} has corners 1 to {}, no corner {}", end.path(),
-                        curve.block, corners, curve.corner));
-    }
-  };
-  // Blocks are never taken out of the list, even if they are removed from the model.
-  check(end.frame(end.frames() - 1), end.last_outlines(end.frames() - 1));
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    const ResultsReader& results = *parts[part];
-    const double next = part + 1 < parts.size()
-                            ? parts[part + 1]->times().front()
-                            : std::numeric_limits<double>::infinity();
-    for (long i = 0; i < results.frames(); ++i) {
-      const double t = results.times()[static_cast<std::size_t>(i)];
-      if (t < range.from || t > range.to || t >= next)
-        continue;
-      const Frame now = results.frame(i);
-      const FrameContacts contacts =
-          with_contacts ? results.contacts(i) : FrameContacts{};
-      history.time.push_back(t);
-      for (Series& series : history.series)
-        series.values.push_back(value(series.curve, now, first, contacts));
-    }
+  for (const Curve& curve : curves)
+    history.series.push_back(empty_series(curve, question.compression_positive));
+  if (frames) {
+    add_frames(question, history);
+  } else if (const Recorded recorded(question); !recorded.add_to(history)) {
+    history.not_recorded = recorded.missing();
+    add_frames(question, history);
   }
   if (history.time.empty())
     throw std::runtime_error(fmt::format("{} has times {:g} to {:g}, none between {:g} "
@@ -177,6 +267,14 @@ History read_history(const std::vector<const ResultsReader*>& parts,
                                          history.file, begin.times().front(),
                                          end.times().back(), range.from, range.to));
   return history;
+}
+
+std::vector<Curve> recorded_curves(const ResultsReader& results) {
+  std::vector<Curve> curves;
+  if (const auto sections = results.recorded(); !sections.empty())
+    for (const std::string& name : sections.back().quantities)
+      curves.push_back(quantities::parse_curve(name));
+  return curves;
 }
 
 }  // namespace blocks::post

@@ -152,7 +152,7 @@ std::vector<ProfilePlace> both_halves(const std::vector<ProfilePlace>& places,
 std::vector<double> profile_values(const std::vector<ProfilePlace>& places,
                                    const QuantityKind& kind, const Frame& now,
                                    const Frame& first) {
-  const Eigen::VectorXd all = kind.values(now, first);
+  const Eigen::VectorXd all = values_of(kind, now, first);
   std::vector<double> values;
   for (const ProfilePlace& place : places)
     values.push_back(

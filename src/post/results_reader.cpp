@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <tuple>
 
 #include "output/file_tools.hpp"
@@ -92,6 +93,7 @@ struct ResultsReader::File {
   void require(long i) const;
   Frame read(hsize_t i) const;
   FrameContacts read_contacts(hsize_t i) const;
+  std::vector<RecordedHistory> read_recorded() const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
 };
 
@@ -207,6 +209,35 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   rows.shear_force = vector(contact<double>("ShearForce", from, m, 1));
   rows.overlap = vector(contact<double>("Overlap", from, m, 1));
   return rows;
+}
+
+std::vector<RecordedHistory> ResultsReader::File::read_recorded() const {
+  std::vector<RecordedHistory> sections;
+  const bool any = output::hdf5::exists(own.get(), "history");
+  for (int number = 1; any; ++number) {
+    const std::string place = "history/" + std::to_string(number);
+    if (!output::hdf5::exists(own.get(), place))
+      break;
+    const Handle group = output::hdf5::open_group(own.get(), place);
+    RecordedHistory section;
+    section.interval = output::hdf5::read_real_attribute(group.get(), "interval");
+    std::istringstream lines(output::hdf5::read_text(group.get(), "quantities"));
+    for (std::string name; std::getline(lines, name);)
+      section.quantities.push_back(name);
+    const auto rows = output::hdf5::read_attribute(group.get(), "rows");
+    Column time = Column::open(group.get(), "time"),
+           values = Column::open(group.get(), "values");
+    if (rows < 0 || time.width() != 1 || values.width() != section.quantities.size())
+      throw Failure(place + " has the wrong shape");
+    const auto count = static_cast<hsize_t>(rows);
+    section.time = time.read<double>(0, count);
+    const std::vector<double> stored = values.read<double>(0, count);
+    section.values = Eigen::Map<const Eigen::MatrixXd>(
+        stored.data(), static_cast<Eigen::Index>(values.width()), rows);
+    if (count > 0)
+      sections.push_back(std::move(section));
+  }
+  return sections;
 }
 
 Eigen::Matrix2Xd FrameContacts::force() const {
@@ -334,6 +365,10 @@ void ResultsReader::File::require(long i) const {
 
 void ResultsReader::make_compression_positive() { file_->compression_positive = true; }
 
+bool ResultsReader::is_compression_positive() const {
+  return file_->compression_positive;
+}
+
 Frame ResultsReader::frame(long i) const {
   file_->require(i);
   Frame frame = output::with_file_errors("read", file_->path, [&] {
@@ -372,6 +407,16 @@ FrameContacts ResultsReader::contacts(long i) const {
   });
   convert(contacts, file_->scale);
   return contacts;
+}
+
+std::vector<RecordedHistory> ResultsReader::recorded() const {
+  std::vector<RecordedHistory> sections =
+      output::with_file_errors("read", file_->path, [&] {
+        return file_->soundly([&] { return file_->read_recorded(); });
+      });
+  for (RecordedHistory& section : sections)
+    convert(section, file_->scale);
+  return sections;
 }
 
 long ResultsReader::nearest(double time) const {

@@ -45,6 +45,14 @@ struct FrameContacts {
   Eigen::Matrix2Xd force() const;
 };
 
+/// The samples of one request of the HISTORY card, with q quantities.
+struct RecordedHistory {
+  double interval = 0.0;                ///< [T]
+  std::vector<std::string> quantities;  ///< (q) names of curves
+  std::vector<double> time;             ///< (rows) [T] multiples of the interval
+  Eigen::MatrixXd values;               ///< (q, rows)
+};
+
 class ResultsReader {
  public:
   /// Opens the file. Throws std::runtime_error that names the file and the error.
@@ -67,12 +75,16 @@ class ResultsReader {
   /// Changes the sign of the stresses in all frames that are read from now on:
   /// compression is positive instead of tension.
   void make_compression_positive();
+  bool is_compression_positive() const;
   /// Reads frame i, 0 <= i < frames().
   Frame frame(long i) const;
   /// Returns the outlines of all blocks of frame i. Those of removed blocks are from
   /// the last earlier frame that shows them, or empty if there is none.
   std::vector<std::vector<Eigen::Vector2d>> last_outlines(long i) const;
   FrameContacts contacts(long i) const;
+  /// Reads the histories that the run recorded, in the order of time; those without
+  /// samples are left out.
+  std::vector<RecordedHistory> recorded() const;
   /// Returns the index of the frame nearest in time.
   long nearest(double time) const;
   /// Returns the same. Throws std::runtime_error, with the first and the last time, if

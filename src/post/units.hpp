@@ -5,14 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "quantities/dimension.hpp"
+
 namespace blocks::post {
 
-/// Powers of length, mass and time; per unit thickness, like all values of a deck.
-struct Dimension {
-  int length = 0, mass = 0, time = 0;
-  const char* si = "";     ///< usual name of the unit if the units are m, kg, s
-  const char* angle = "";  ///< "rad" or "degrees", written first
-};
+using quantities::Dimension;
 
 /// The user's units of length, mass and time.
 struct Units {

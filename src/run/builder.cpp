@@ -13,6 +13,7 @@
 #include "run/build_blocks.hpp"
 #include "run/deck_file.hpp"
 #include "run/deck_outlines.hpp"
+#include "run/history_card.hpp"
 
 namespace blocks::run {
 
@@ -267,8 +268,17 @@ struct Builder::Visitor {
   }
   void operator()(const deck::History& card) {
     model.history = {card.dthist.value, {}};
-    for (const deck::Word& quantity : card.quantities)
-      model.history.quantities.push_back(quantity.value);
+    const quantities::MaterialNumbers numbers = material_numbers(settings);
+    for (const NamedCurve& named : named_curves(command, self.diagnostics_)) {
+      const std::string& material = named.curve.material;
+      const int number = quantities::material_number(material, numbers);
+      const bool may_be_unread = self.unread_.may_define(number, settings) ||
+                                 (number == 0 && self.unread_.has("MATERIAL"));
+      if (!material.empty() && !settings.materials.contains(number) && !may_be_unread)
+        self.error_no_material(command, named.where, material);
+      model.history.quantities.push_back(named.curve.name());
+    }
+    self.histories_.push_back(command);  // its blocks may be made later
   }
   void operator()(const deck::Dump&) {}
   void operator()(const deck::Motion&) { ++self.stretch_; }
@@ -336,13 +346,19 @@ bool Builder::has_material(const Command& command, const deck::Int& number) {
     return true;
   if (unread_.may_define(number.value, settings))
     return false;
-  std::string known;
-  for (const auto& [mat, unused] : settings.materials)
-    known += (known.empty() ? "" : ", ") + std::to_string(mat);
-  diagnostics_.error(
-      number.where, command.name, fmt::format("there is no material {}", number.value),
-      "materials defined: " + (known.empty() ? std::string("none") : known));
+  error_no_material(command, number.where, std::to_string(number.value));
   return false;
+}
+
+void Builder::error_no_material(const Command& command, deck::SourceLocation where,
+                                const std::string& given) {
+  std::string known;
+  for (const auto& [mat, material] : model_.settings.materials)
+    known += (known.empty() ? "" : ", ") + std::to_string(mat) +
+             (material.name.empty() ? "" : " (" + material.name + ")");
+  diagnostics_.error(where, command.name, "there is no material " + given,
+                     "materials defined: " +
+                         (known.empty() ? std::string("none") : known));
 }
 
 long Builder::most_missing(int line) const {
@@ -351,8 +367,9 @@ long Builder::most_missing(int line) const {
 
 void Builder::error_no_block(const Command& command, const deck::Int& number) {
   const int count = model_.blocks.size();
-  // OUTPUT may name the blocks of later cards.
-  const bool anywhere = std::holds_alternative<deck::Output>(command.card);
+  // OUTPUT and HISTORY may name the blocks of later cards.
+  const bool anywhere = std::holds_alternative<deck::Output>(command.card) ||
+                        std::holds_alternative<deck::History>(command.card);
   const long most = count + most_missing(anywhere ? std::numeric_limits<int>::max()
                                                   : command.where.line);
   if (number.value > count && number.value <= most)

@@ -70,8 +70,8 @@ class Builder {
   /// passes.
   void check_without_motion(const deck::Command& last);
 
-  /// Checks the blocks named by OUTPUT, which may be made after that card. Call it when
-  /// all cards are read.
+  /// Checks the blocks named by OUTPUT and HISTORY, which may be made after these
+  /// cards. Call it when all cards are read.
   void check_output_blocks();
 
   /// Returns the notes on mesh files, shared corners and removed or freed blocks since
@@ -101,6 +101,9 @@ class Builder {
   /// Returns the last block of a range, or -1 after an error; nb2 is 0 for the first
   /// block alone and negative for all blocks so far.
   int last_block(const deck::Command& command, int first, const deck::Int& nb2);
+  /// `given` is the number or name of the material as the card has it.
+  void error_no_material(const deck::Command& command, deck::SourceLocation where,
+                         const std::string& given);
   /// Returns whether the material is defined. Reports an error if not.
   bool has_material(const deck::Command& command, const deck::Int& number);
 
@@ -126,6 +129,8 @@ class Builder {
                        std::string hint);
   void check_fraction(const deck::Command& command);
   void check_steps(const deck::Command& command);
+  void check_history_blocks(const deck::Command& command);
+  void check_history_interval(const deck::Command& motion);
 
   Model& model_;
   deck::Diagnostics& diagnostics_;
@@ -150,6 +155,7 @@ class Builder {
   double fraction_told_ = 0.0;  ///< safe FRACTION in the last warning
   std::optional<deck::Command> fraction_by_;       ///< last FRACTION or DAMPING card
   std::optional<deck::Command> output_;            ///< OUTPUT card not checked yet
+  std::vector<deck::Command> histories_;           ///< HISTORY cards not checked yet
   std::optional<deck::SourceLocation> tolerance_;  ///< place of ctol on the BOXES card
   std::optional<deck::SourceLocation> stiffness_;  ///< place of the STIFF card
   SharedCertificate certificate_;

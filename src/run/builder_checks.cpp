@@ -9,6 +9,7 @@
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "run/contact_room.hpp"
+#include "run/history_card.hpp"
 
 namespace blocks::run {
 
@@ -46,6 +47,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   }
   check_fraction(command);
   check_steps(command);
+  check_history_interval(command);
   if (!in_place)
     return;
   const auto is_free = [](Fixity fixity) { return fixity == Fixity::free; };
@@ -94,12 +96,55 @@ void Builder::check_without_motion(const Command& last) {
 }
 
 void Builder::check_output_blocks() {
+  for (const Command& command : std::exchange(histories_, {}))
+    check_history_blocks(command);
   if (!output_)
     return;
   for (const deck::Int& number : std::get<deck::Output>(output_->card).blocks)
     if (number.value < 1 || number.value > model_.blocks.size())
       error_no_block(*output_, number);
   output_.reset();
+}
+
+void Builder::check_history_blocks(const Command& command) {
+  const Blocks& blocks = model_.blocks;
+  const quantities::MaterialNumbers numbers = material_numbers(model_.settings);
+  deck::Diagnostics told("", "");  // faults of the card itself are reported before
+  for (const auto& [curve, where] : named_curves(command, told)) {
+    if (curve.last > blocks.size()) {
+      error_no_block(command, {curve.last, where, true});
+    } else if (curve.corner > 0 && curve.corner > blocks.corners_of(curve.first - 1)) {
+      diagnostics_.error(
+          where, command.name,
+          fmt::format("block {} has no corner {}", curve.first, curve.corner),
+          fmt::format("it has corners 1 to {}", blocks.corners_of(curve.first - 1)));
+    } else if (const int material =
+                   quantities::material_number(curve.material, numbers);
+               model_.settings.materials.contains(material) &&
+               std::count(blocks.material.begin(), blocks.material.end(), material) ==
+                   0 &&
+               most_missing(std::numeric_limits<int>::max()) == 0) {
+      diagnostics_.error(where, command.name,
+                         "no block is of material " + curve.material,
+                         "name a material of blocks, or create blocks of this one");
+    }
+  }
+}
+
+void Builder::check_history_interval(const Command& motion) {
+  const double interval = model_.history.interval;
+  constexpr double most_per_step = 1000.0;
+  if (interval == 0.0)
+    return;
+  const double dt = dynamics::choose_time_step(model_).dt;
+  if (dt / interval > most_per_step)
+    diagnostics_.error(
+        histories_.empty() ? motion.where : histories_.back().where,
+        histories_.empty() ? motion.name : "HISTORY",
+        fmt::format("an interval of {:g} is less than a thousandth of the time step, "
+                    "{:.4g}",
+                    interval, dt),
+        "values between two steps are interpolated; give about a time step or more");
 }
 
 void Builder::check_fraction(const Command& command) {

@@ -32,7 +32,7 @@ Executor::Executor(Model& model, RunFiles& files, Console& console,
                    const RunOptions& options)
     : model_(model), files_(files), console_(console), options_(options),
       work_(threads_of(options)), stepper_(model, work_), audit_(options.audit_every),
-      watch_(model) {
+      watch_(model), recorder_(files.results()) {
   if (options.profile)
     work_.profile = &profile_;
 }
@@ -131,6 +131,7 @@ void Executor::start() {
 
 Outcome Executor::advance(long steps) {
   stepper_.changed();
+  recorder_.begin(model_);
   const Outcome outcome = march(steps);
   stepper_.up_to_date();
   return outcome;
@@ -154,7 +155,8 @@ Outcome Executor::march(long steps) {
         by_clock || interrupt_requested() || steps_made_ + 1 == options_.stop_after;
     if (audited)
       audit_.before(stepper_.up_to_date());
-    const bool read = audited || row || moment || output_due();
+    const bool sampled = sample_due();
+    const bool read = audited || row || moment || sampled || output_due();
     const double limit = model_.settings.normal_stiffness * half_depth_;
     const dynamics::StepResult moved = stepper_.advance(read, limit);
     if (may_be_unsound(model_.settings, moved, half_depth_)) {
@@ -167,6 +169,8 @@ Outcome Executor::march(long steps) {
     if (audited && !passes_audit())
       return Outcome::unsound;
     watch(moved);
+    if (sampled)
+      recorder_.record(stepper_.up_to_date());
     if (read)
       output_if_due();
     if (row)
@@ -214,6 +218,12 @@ void wind(OutputClock& clock, double time, double dt) {
 bool Executor::output_due() const {
   const double then = dynamics::time_after_step(model_), dt = model_.time_step.dt;
   return is_due(model_.plots, then, dt) || is_due(model_.output, then, dt);
+}
+
+bool Executor::sample_due() const {
+  constexpr double rounding = 1e-6;  // of a step, for the sum of times
+  return recorder_.is_due(dynamics::time_after_step(model_) +
+                          (1.0 + rounding) * model_.time_step.dt);
 }
 
 void Executor::output_if_due() {

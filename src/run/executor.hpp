@@ -8,6 +8,7 @@
 #include "dynamics/stepper.hpp"
 #include "run/audit_watch.hpp"
 #include "run/console.hpp"
+#include "run/history_recorder.hpp"
 #include "run/motion_watch.hpp"
 #include "run/run.hpp"
 #include "run/run_files.hpp"
@@ -82,6 +83,8 @@ class Executor {
   long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
   /// Whether output is due after the next step.
   bool output_due() const;
+  /// Whether the histories need the state after the next step.
+  bool sample_due() const;
   void output_if_due();
   void watch(const dynamics::StepResult& moved);
   void warn(const std::string& message);
@@ -106,6 +109,7 @@ class Executor {
   AuditWatch audit_;
   std::vector<std::string> warnings_;
   MotionWatch watch_;
+  HistoryRecorder recorder_;
   output::Progress progress_;
   bool begun_ = false;  ///< the next card was begun before a restart
   bool echoed_ = false, started_moving_ = false;

@@ -142,7 +142,8 @@ RunFiles RunFiles::behind(const std::string& name, const output::RunIdentity& id
                           const std::string& checkpoint) {
   if (!continues(name, from, from.listing_bytes, checkpoint))
     return {name, continuation(identity, from)};
-  RunFiles files(name, identity, from.results_frames, from.listing_bytes);
+  RunFiles files(name, identity, {from.results_frames, from.listing_bytes},
+                 from.progress.samples);
   files.listing_.deck_echo(identity);
   return files;
 }
@@ -152,7 +153,8 @@ RunFiles RunFiles::resumed(const std::string& name, const output::RunIdentity& i
                            const std::string& checkpoint) {
   if (!continues(name, from, from.progress.listing_bytes, checkpoint))
     return {name, continuation(identity, from)};
-  RunFiles files(name, identity, from.progress.frames, from.progress.listing_bytes);
+  RunFiles files(name, identity, {from.progress.frames, from.progress.listing_bytes},
+                 from.progress.samples);
   files.tabled_step_ = from.progress.tabled_step;
   return files;
 }
@@ -177,12 +179,12 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
   return false;  // existing files, if any, belong to another run
 }
 
-RunFiles::RunFiles(std::string name, const output::RunIdentity& identity,
-                   long kept_frames, long kept_bytes)
+RunFiles::RunFiles(std::string name, const output::RunIdentity& identity, Kept kept,
+                   long kept_samples)
     : name_(std::move(name)), identity_(identity),
       results_(std::make_unique<output::ResultsWriter>(
-          output::ResultsWriter::reopen(results_path(), kept_frames))),
-      listing_(cut(name_ + ".out", kept_bytes), true) {}
+          output::ResultsWriter::reopen(results_path(), kept.frames, kept_samples))),
+      listing_(cut(name_ + ".out", kept.bytes), true) {}
 
 void RunFiles::table(const Model& model) {
   if (model.steps == tabled_step_)
@@ -193,6 +195,7 @@ void RunFiles::table(const Model& model) {
 
 output::Progress RunFiles::here(output::Progress progress) {
   progress.frames = results_->frames();
+  progress.samples = results_->samples();
   progress.listing_bytes = listing_.size();
   progress.tabled_step = tabled_step_;
   return progress;
@@ -201,6 +204,7 @@ output::Progress RunFiles::here(output::Progress progress) {
 void RunFiles::checkpoint_at(const Model& model, const output::Progress& progress,
                              Kept kept) {
   // The files that a checkpoint refers to must be on disk before it is.
+  results_->flush_history();
   for (const std::string& path : {results_path(), name_ + ".out"})
     if (std::filesystem::is_regular_file(path))
       output::sync_file(path, path);
@@ -214,6 +218,7 @@ void RunFiles::close(const Model& model, output::RunReport report,
                      const output::Progress& progress) {
   const output::Progress stopped = here(progress);
   frame(model);
+  results_->flush_history();
   table(model);
   listing_.closing(model);
   if (report.status != "unsound")  // keep the last good checkpoint

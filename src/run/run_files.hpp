@@ -40,6 +40,8 @@ class RunFiles {
   void message(const std::string& line) { listing_.message(line); }
   void frame(const Model& model);
   void table(const Model& model);
+  /// The results, for the recorder of histories.
+  output::ResultsWriter& results() { return *results_; }
   void checkpoint(const Model& model, const output::Progress& progress) {
     good_checkpoint(model, here(progress));
   }
@@ -64,15 +66,15 @@ class RunFiles {
   std::string results_path() const { return name_ + ".vtkhdf"; }
 
  private:
-  RunFiles(std::string name, const output::RunIdentity& identity, long kept_frames,
-           long kept_bytes);
-  std::string step_aside(const std::string& path);
-  static bool continues(const std::string& name, const output::CheckpointInfo& from,
-                        long listing_bytes, const std::string& checkpoint);
   /// The lengths of results and listing that a run after the checkpoint keeps.
   struct Kept {
     long frames, bytes;
   };
+  RunFiles(std::string name, const output::RunIdentity& identity, Kept kept,
+           long kept_samples);
+  std::string step_aside(const std::string& path);
+  static bool continues(const std::string& name, const output::CheckpointInfo& from,
+                        long listing_bytes, const std::string& checkpoint);
   void checkpoint_at(const Model& model, const output::Progress& progress, Kept kept);
 
   std::string name_;

@@ -17,6 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const post::ResultsReader reader(file.path());
     reader.title();
+    reader.recorded();
     for (long i = 0; i < std::min(reader.frames(), 5L); ++i) {
       const post::Frame frame = reader.frame(i);
       const post::FrameContacts contacts = reader.contacts(i);

@@ -110,6 +110,7 @@ const CheckpointInfo info = {.deck_file = "crater.deck",
                              .progress = {7,
                                           31,
                                           11,
+                                          77,
                                           4000,
                                           250,
                                           0.25,
@@ -171,6 +172,7 @@ TEST(Checkpoint, KeepsModelAndRun) {
   EXPECT_EQ(read.progress.card, info.progress.card);
   EXPECT_EQ(read.progress.steps_left, info.progress.steps_left);
   EXPECT_EQ(read.progress.frames, info.progress.frames);
+  EXPECT_EQ(read.progress.samples, info.progress.samples);
   EXPECT_EQ(read.progress.listing_bytes, info.progress.listing_bytes);
   EXPECT_EQ(read.progress.tabled_step, info.progress.tabled_step);
   EXPECT_EQ(read.progress.half_depth, info.progress.half_depth);

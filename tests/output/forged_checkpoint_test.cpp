@@ -237,6 +237,10 @@ TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
             "time_step/blocks is 1, but 2 blocks are in motion");
   EXPECT_EQ(message([](Model& m, auto&) { m.time = 8; }),
             "time is 8, its steps make 0.007");
+  EXPECT_EQ(message([](Model& model, auto&) { model.history.quantities = {"speed"}; }),
+            "history/quantities: speed needs a block or a statistic");
+  EXPECT_EQ(message([](Model& model, auto&) { model.history.interval = 0; }),
+            "history/quantities does not fit history/interval");
   EXPECT_EQ(message([](Model&, CheckpointInfo& info) { info.progress.frames = 2; }),
             "run/progress is beyond the end of its results or listing");
 }

@@ -53,8 +53,8 @@ TEST_F(ExportTimes, WritesTheBitsOfAllNumbersToCsv) {
   std::size_t row = 0, acting_row = 0;
   for (long i = 0; i < results.frames(); ++i) {
     const post::Frame now = results.frame(i);
-    for (const auto& kind : post::quantity_kinds()) {
-      const Eigen::VectorXd values = kind.values(now, first);
+    for (const auto& kind : quantities::quantity_kinds()) {
+      const Eigen::VectorXd values = post::values_of(kind, now, first);
       for (int b = 0; b < now.size(); ++b)
         EXPECT_EQ(rows.at(row + static_cast<std::size_t>(b)).at(kind.name), values[b])
             << kind.name;

@@ -29,7 +29,7 @@ post::History history(const TemporaryFolder& folder, const std::string& name,
   const post::ResultsReader results((folder / (name + ".vtkhdf")).string());
   std::vector<post::Curve> parsed;
   for (const std::string& text : curves)
-    parsed.push_back(post::parse_curve(text));
+    parsed.push_back(quantities::parse_curve(text));
   return post::read_history({&results}, parsed);
 }
 
@@ -258,7 +258,7 @@ TEST(Profile, MirrorsPositionsAndVectorsOfAHalfModel) {
     positions.push_back(place.position);
   EXPECT_EQ(positions, (std::vector<double>{-1, 0, 1, 2, 3}));
   const auto values = [&](const char* name) {
-    return post::profile_values(places, *post::find_quantity(name), now, first);
+    return post::profile_values(places, *quantities::find_quantity(name), now, first);
   };
   EXPECT_EQ(values("dx"), (std::vector{-0.25, -0.25, 0.25, 0.25, 0.25}));
   EXPECT_EQ(values("dy"), (std::vector{-0.5, -0.5, -0.5, -0.5, -0.5}));

@@ -67,9 +67,9 @@ TEST_F(NamedUnits, AreConvertedToOthers) {
   near(b.time, 1e-3 * a.time);
   near(converted.times().back(), 1e-3 * as_stored.times().back());
   near(b.kinetic_energy, scale.of({1, 1, -2}) * a.kinetic_energy);
-  for (const post::QuantityKind& kind : post::quantity_kinds()) {
-    const Eigen::VectorXd should = scale.of(kind.dimension) * kind.values(a, a0);
-    const Eigen::VectorXd is = kind.values(b, b0);
+  for (const post::QuantityKind& kind : quantities::quantity_kinds()) {
+    const Eigen::VectorXd should = scale.of(kind.dimension) * values_of(kind, a, a0);
+    const Eigen::VectorXd is = values_of(kind, b, b0);
     EXPECT_LE((is - should).norm(), 1e-12 * should.norm()) << kind.name;
   }
   const post::FrameContacts p = as_stored.contacts(last), q = converted.contacts(last);

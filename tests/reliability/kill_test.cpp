@@ -32,8 +32,8 @@ void expect_readable(const TemporaryFolder& folder, const std::string& when) {
 }
 
 TEST(Killed, AtAnyMomentContinuesWithTheSameBits) {
-  const std::string deck =
-      layers_and_loads.substr(0, layers_and_loads.find("STOP")) + "CYCLE, 500\n";
+  const std::string deck = layers_and_loads.substr(0, layers_and_loads.find("STOP")) +
+                           "HISTORY, 0.0005, ke, y:2-9\nCYCLE, 500\n";
   const std::string arguments = "run a.deck -q --checkpoint-every 0.004";
   const TemporaryFolder straight;
   straight.write("a.deck", deck);

@@ -118,6 +118,19 @@ TEST(Resumed, DeckWithCardsBetweenMotionsHasTheSameBits) {
   expect_resumable(folder / "between.deck", "--seed 5 --set STIFF.stifn=1.E8", 5);
 }
 
+// The second card asks for other quantities, the third one for those of the first.
+TEST(Resumed, DeckWithHistoriesHasTheSameBits) {
+  std::string deck = layers_and_loads;
+  const std::string first = "HISTORY, 0.0007, ke, dy:5, y:2-9:p90, overlap\n";
+  deck.insert(deck.find("CYCLE, 70"), "HISTORY, 0.002, ke, y:20\n");
+  deck.insert(deck.find("SETVEL, 3"), first);
+  deck.insert(deck.find("MOTION"), first);
+  const TemporaryFolder folder;
+  folder.write("histories.deck", deck);
+  for (const int splits : {2, 5, 9})
+    expect_resumable(folder / "histories.deck", "", splits);
+}
+
 // The internal order was chosen before anything moved. A later block changes the order.
 TEST(Resumed, WallNumberedAtRandomHasTheSameBits) {
   const TemporaryFolder folder;

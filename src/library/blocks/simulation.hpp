@@ -56,7 +56,7 @@ struct ContactForce {
 
 /// A model that the calling program advances. The same cards give bit-identical results
 /// in `blocks run`. The only files written are those requested through this class;
-/// OUTPUT, PLOTS and DUMP have no effect.
+/// OUTPUT, PLOTS, HISTORY and DUMP have no effect.
 ///
 /// Dimensions are [L], [M], [T] and [F] per unit thickness, in any consistent units.
 /// Anticlockwise rotation and tension are positive. Functions that take a block number

@@ -1,0 +1,144 @@
+#include "quantities/curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "quantities/model_quantity.hpp"
+#include "quantities/quantity.hpp"
+
+namespace blocks::quantities {
+namespace {
+
+using Of = Curve::Of;
+
+/// The quantities of a corner: position, displacement and velocity.
+const std::vector<std::string> corner_names = {
+    "x", "y", "dx", "dy", "speed", "displacement", "vx", "vy"};
+
+constexpr const char* places =
+    "after the colon give block 9, its corner 9.2, or several blocks: 6-9 or "
+    "material=2, alone or with max, min, mean, sum or a percentile from p0 to p100";
+
+/// Returns a whole number from 1, or 0 if the text is none.
+int whole_number(const std::string& digits) {
+  const bool fine = !digits.empty() && digits.size() < 10 &&
+                    digits.find_first_not_of("0123456789") == std::string::npos;
+  return fine ? std::stoi(digits) : 0;
+}
+
+/// Reads "9", "9.2", "6-9" or "material=2". Returns false if it is none of them.
+bool read_place(const std::string& where, Curve& curve) {
+  const std::string material = "material=";
+  if (where.starts_with(material)) {
+    curve.of = Of::blocks;
+    curve.material = where.substr(material.size());
+    return !curve.material.empty();
+  }
+  const auto mark = where.find_first_of(".-");
+  curve.first = curve.last = whole_number(where.substr(0, mark));
+  curve.of = Of::block;
+  if (mark == std::string::npos)
+    return curve.first > 0;
+  const int second = whole_number(where.substr(mark + 1));
+  if (where[mark] == '.')
+    curve.of = Of::corner, curve.corner = second;
+  else
+    curve.of = Of::blocks, curve.last = second;
+  return curve.first > 0 && second > 0;
+}
+
+/// Reads what is after the first colon: a place, a statistic, or both.
+void read_where(const std::string& text, const std::string& where, Curve& curve) {
+  if (Statistic::parse(where, curve.statistic)) {
+    curve.of = Of::blocks;
+    return;
+  }
+  std::string place = where;
+  bool reduced = false;
+  if (const auto colon = where.rfind(':'); colon != std::string::npos) {
+    reduced = Statistic::parse(where.substr(colon + 1), curve.statistic);
+    if (reduced)
+      place = where.substr(0, colon);
+  }
+  if (!read_place(place, curve))
+    throw CurveFault(fmt::format("cannot read the place in '{}'", text), places);
+  if (curve.first > curve.last)
+    throw CurveFault(
+        fmt::format("'{}' begins with the higher number", text),
+        fmt::format("write {}:{}-{}", curve.quantity, curve.last, curve.first));
+  if (reduced && curve.of != Of::blocks)
+    throw CurveFault(
+        fmt::format("'{}': {} is for several blocks", text, curve.statistic.name()),
+        places);
+}
+
+}  // namespace
+
+std::string Curve::name() const {
+  switch (of) {
+  case Of::model:
+    return quantity;
+  case Of::block:
+    return fmt::format("{}:{}", quantity, first);
+  case Of::corner:
+    return fmt::format("{}:{}.{}", quantity, first, corner);
+  case Of::blocks:
+    break;
+  }
+  if (all_blocks())
+    return fmt::format("{}:{}", quantity, statistic.name());
+  const std::string place =
+      material.empty() ? fmt::format("{}-{}", first, last) : "material=" + material;
+  const bool usual = statistic.how == Statistic::How::mean;
+  return fmt::format("{}:{}{}", quantity, place, usual ? "" : ":" + statistic.name());
+}
+
+std::string history_help() {
+  std::string whole;
+  for (const auto& [name, kind] : other_kinds())
+    whole += (whole.empty() ? "" : ", ") + name;
+  for (const QuantityKind& kind : quantity_kinds())
+    if (kind.additive)
+      whole += ", " + kind.name;
+  return "of blocks (:9, :6-9, :material=2, :max, :min, :mean, :sum, :p90): " +
+         quantity_names() +
+         "\nof corners (:9.2): " + fmt::format("{}", fmt::join(corner_names, ", ")) +
+         "\nof the model: " + whole;
+}
+
+Curve parse_curve(const std::string& text) {
+  const auto colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const QuantityKind* kind = find_quantity(name);
+  const OtherKind* other = find_other(name);
+  if (!kind && !other) {
+    CurveFault fault("there is no quantity '" + name + "'", history_help());
+    fault.unknown = name;
+    throw fault;
+  }
+  Curve curve;
+  curve.quantity = kind ? kind->name : name;
+  if (colon == std::string::npos) {
+    if (kind && !kind->additive)
+      throw CurveFault(fmt::format("{} needs a block or a statistic", name),
+                       fmt::format("{0}:9 is that of block 9, {0}:6-9 the mean of "
+                                   "blocks 6 to 9, {0}:max the largest; also {0}:min, "
+                                   "{0}:mean, {0}:sum, {0}:p90",
+                                   name));
+    return curve;
+  }
+  if (other && other->whole)
+    throw CurveFault(fmt::format("{} is a quantity of the whole model", name),
+                     fmt::format("write {} alone", name));
+  read_where(text, text.substr(colon + 1), curve);
+  if (curve.of == Of::corner && std::find(corner_names.begin(), corner_names.end(),
+                                          curve.quantity) == corner_names.end())
+    throw CurveFault(
+        fmt::format("a corner has no {}", name),
+        fmt::format("quantities of a corner: {}", fmt::join(corner_names, ", ")));
+  return curve;
+}
+
+}  // namespace blocks::quantities

@@ -1,0 +1,47 @@
+// A curve of a history, which the user writes as QUANTITY or QUANTITY:WHERE.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "quantities/statistic.hpp"
+
+namespace blocks::quantities {
+
+/// Thrown if a curve cannot be read.
+struct CurveFault : std::runtime_error {
+  CurveFault(const std::string& message, std::string possible)
+      : std::runtime_error(message), hint(std::move(possible)) {}
+  std::string hint;          ///< the possible values
+  std::string unknown = {};  ///< the name, if there is no such quantity
+};
+
+/// A quantity and its place: "kinetic_energy" for the model, "speed:9" for block 9,
+/// "x:9.2" for its corner 2. For several blocks a statistic reduces the values to one:
+/// "speed:max" for all blocks, "y:6-9" for the mean of blocks 6 to 9,
+/// "y:material=2:p90" for a percentile of those of a material.
+struct Curve {
+  enum class Of { model, block, corner, blocks };
+  std::string quantity;  ///< a name of quantity.hpp or model_quantity.hpp
+  Of of = Of::model;
+  int first = 0, last = 0;  ///< numbers of the blocks, from 1; 0, 0: all
+  int corner = 0;           ///< from 1
+  std::string material;     ///< number or name; empty: any
+  Statistic statistic;      ///< of several blocks
+
+  bool all_blocks() const { return of == Of::blocks && first == 0 && material.empty(); }
+  /// As the user writes it, in one form: curves with the same name are the same.
+  std::string name() const;
+};
+
+/// Reads QUANTITY or QUANTITY:WHERE. Throws CurveFault.
+Curve parse_curve(const std::string& text);
+
+/// Lists all that parse_curve accepts, for help and messages.
+std::string history_help();
+
+/// The curves of a history for which no other ones are named.
+inline constexpr const char* usual_curves[] = {"kinetic_energy", "overlap", "contacts"};
+
+}  // namespace blocks::quantities

@@ -1,0 +1,134 @@
+#include "quantities/curve_values.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace blocks::quantities {
+namespace {
+
+using Of = Curve::Of;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Returns the position, displacement or velocity of one corner, both from 0.
+double of_corner(const std::string& name, int block, int corner, const BlockStates& now,
+                 const Positions& first) {
+  if (corner >= now.corners.count(block))
+    return none;
+  const Eigen::Vector2d at = now.corners.at(block, corner),
+                        arm = at - now.centroid.col(block);
+  if (name == "x" || name == "y")
+    return name == "x" ? at.x() : at.y();
+  if (name == "dx" || name == "dy" || name == "displacement") {
+    if (corner >= first.corners.count(block))
+      return 0.0;
+    const Eigen::Vector2d d = at - first.corners.at(block, corner);
+    return name == "dx" ? d.x() : name == "dy" ? d.y() : d.norm();
+  }
+  // v + spin x arm + strain rate arm (13), (14)
+  const auto& e = now.strain_rate;
+  const Eigen::Vector2d v =
+      now.velocity.col(block) +
+      Eigen::Vector2d(-now.spin[block] * arm.y(), now.spin[block] * arm.x()) +
+      Eigen::Vector2d(e(0, block) * arm.x() + e(1, block) * arm.y(),
+                      e(2, block) * arm.x() + e(3, block) * arm.y());
+  return name == "vx" ? v.x() : name == "vy" ? v.y() : v.norm();
+}
+
+}  // namespace
+
+int material_number(const std::string& material, const MaterialNumbers& numbers) {
+  if (const auto found = numbers.find(material); found != numbers.end())
+    return found->second;
+  const bool digits = material.size() < 10 &&
+                      material.find_first_not_of("0123456789") == std::string::npos;
+  return digits && !material.empty() ? std::stoi(material) : 0;
+}
+
+CurveValues::CurveValues(const std::vector<Curve>& curves,
+                         const MaterialNumbers& numbers) {
+  for (const Curve& curve : curves)
+    curves_.push_back({curve, find_quantity(curve.quantity), find_other(curve.quantity),
+                       material_number(curve.material, numbers)});
+}
+
+bool CurveValues::has_contacts() const {
+  return std::any_of(curves_.begin(), curves_.end(), [](const Reader& reader) {
+    return reader.other && reader.other->contact;
+  });
+}
+
+bool CurveValues::has_displacements() const {
+  return std::any_of(curves_.begin(), curves_.end(), [](const Reader& reader) {
+    const std::string& name = reader.curve.quantity;
+    return name == "displacement" || name == "dx" || name == "dy";
+  });
+}
+
+void CurveValues::evaluate(const State& now, const Positions& first,
+                           std::span<double> values) {
+  for (std::size_t i = 0; i < curves_.size(); ++i)
+    values[i] = value(curves_[i], now, first);
+}
+
+/// Fills of_blocks_ with the quantity of each block, or reduces the contacts to one
+/// value.
+double CurveValues::of_contacts(const Reader& reader, const State& now) {
+  const OtherKind& kind = *reader.other;
+  const Curve& curve = reader.curve;
+  if (curve.of == Of::model || curve.all_blocks()) {
+    scratch_.clear();
+    for (const ContactState& contact : now.contacts)
+      scratch_.push_back(kind.contact(contact));
+    const Statistic statistic =
+        curve.of == Of::model ? Statistic{kind.natural} : curve.statistic;
+    return scratch_.empty() ? 0.0 : reduce(statistic, scratch_);
+  }
+  of_blocks_.assign(static_cast<std::size_t>(now.blocks.size()), 0.0);
+  for (const ContactState& contact : now.contacts)
+    for (const int block : {contact.corner_block, contact.edge_block})
+      if (block >= 1 && block <= now.blocks.size()) {
+        double& of_block = of_blocks_[static_cast<std::size_t>(block) - 1];
+        of_block = kind.joined(of_block, kind.contact(contact));
+      }
+  return none;
+}
+
+double CurveValues::value(const Reader& reader, const State& now,
+                          const Positions& first) {
+  const Curve& curve = reader.curve;
+  if (reader.other) {
+    if (reader.other->whole)
+      return reader.other->whole(now);
+    const double whole = of_contacts(reader, now);
+    if (curve.of == Of::model || curve.all_blocks())
+      return whole;
+  }
+  const auto of_block = [&](int b) {
+    return reader.other ? of_blocks_[static_cast<std::size_t>(b)]
+                        : reader.kind->value(now.blocks, first, b);
+  };
+  const int blocks = now.blocks.size();
+  if (curve.of == Of::block || curve.of == Of::corner) {
+    const int b = curve.first - 1;
+    if (b >= blocks || now.blocks.is_removed(b))
+      return none;
+    return curve.of == Of::block
+               ? of_block(b)
+               : of_corner(curve.quantity, b, curve.corner - 1, now.blocks, first);
+  }
+  const bool ranged = curve.first > 0;
+  scratch_.clear();
+  for (int b = ranged ? curve.first - 1 : 0;
+       b < (ranged ? std::min(curve.last, blocks) : blocks); ++b) {
+    const bool other_material =
+        !curve.material.empty() &&
+        now.blocks.material[static_cast<std::size_t>(b)] != reader.material;
+    if (!other_material && !now.blocks.is_removed(b))
+      scratch_.push_back(of_block(b));
+  }
+  if (curve.of == Of::model)
+    return scratch_.empty() ? 0.0 : reduce({Statistic::How::sum}, scratch_);
+  return scratch_.empty() ? none : reduce(curve.statistic, scratch_);
+}
+
+}  // namespace blocks::quantities

@@ -1,0 +1,39 @@
+// The quantities of a block: those of Table F.1 of the report, and others.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "quantities/dimension.hpp"
+#include "quantities/state.hpp"
+
+namespace blocks::quantities {
+
+/// The description of a quantity of a block.
+struct QuantityKind {
+  std::string name;         ///< "vx"
+  std::string report_name;  ///< "VELX" of Table F.1, or empty
+  std::string label;        ///< "velocity x"
+  Dimension dimension;
+  bool is_signed = false;
+  bool additive = false;  ///< the sum over blocks is the value of the model
+  /// Returns the value of block b, from 0. `first` has the positions of the first
+  /// frame; blocks made after it have not moved.
+  std::function<double(const BlockStates& now, const Positions& first, int b)> value;
+};
+
+/// All of them, the most used first.
+const std::vector<QuantityKind>& quantity_kinds();
+
+/// Finds a quantity by name or report name, in upper or lower case; nullptr if there is
+/// none. "ke" is the kinetic energy.
+const QuantityKind* find_quantity(const std::string& name);
+
+/// Lists the names: "speed, displacement, ...".
+std::string quantity_names();
+
+/// True for the stresses that the material law gives, and the applied ones.
+bool is_stress(const QuantityKind& kind);
+
+}  // namespace blocks::quantities

@@ -1,0 +1,67 @@
+#include "quantities/state.hpp"
+
+namespace blocks::quantities {
+
+int Corners::count(int b) const {
+  const auto k = static_cast<std::size_t>(b);
+  if (blocks_ != nullptr)
+    return b < blocks_->size() ? blocks_->corners_of(b) : 0;
+  return k < outlines_->size() ? static_cast<int>((*outlines_)[k].size()) : 0;
+}
+
+Eigen::Vector2d Corners::at(int b, int c) const {
+  const auto k = static_cast<std::size_t>(b);
+  if (blocks_ != nullptr)
+    return blocks_->corner.col(blocks_->first_corner[k] + c);
+  return (*outlines_)[k][static_cast<std::size_t>(c)];
+}
+
+bool BlockStates::is_removed(int b) const {
+  const auto k = static_cast<std::size_t>(b);
+  return fixity != nullptr ? (*fixity)[k] == Fixity::removed
+                           : (*fixed)[k] == static_cast<int>(Fixity::removed);
+}
+
+int BlockStates::present() const {
+  int count = 0;
+  for (int b = 0; b < size(); ++b)
+    count += is_removed(b) ? 0 : 1;
+  return count;
+}
+
+BlockStates states_of(const Blocks& b) {
+  return {{b.centroid, Corners(b)},
+          b.velocity,
+          b.force,
+          b.angle,
+          b.spin,
+          b.moment,
+          b.area,
+          b.mass,
+          b.inertia,
+          b.stress,
+          b.applied,
+          b.strain_rate,
+          b.material,
+          &b.fixity};
+}
+
+void list_contacts(const Model& model, std::vector<ContactState>& contacts) {
+  const std::vector<int>& block_of = model.blocks.corner_block;
+  const auto number = [&](int corner) {
+    return block_of[static_cast<std::size_t>(corner)] + 1;
+  };
+  contacts.clear();
+  for (const Contact& contact : model.contacts)
+    contacts.push_back({number(contact.corner), number(contact.edge),
+                        contact.normal_force, contact.shear_force, contact.overlap});
+  const PlaneContacts& on_planes = model.plane_contacts;
+  for (int i = 0; i < on_planes.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (on_planes.active[k])
+      contacts.push_back({number(on_planes.corner[k]), 0, on_planes.normal_force[i],
+                          0.0, on_planes.overlap[i]});
+  }
+}
+
+}  // namespace blocks::quantities

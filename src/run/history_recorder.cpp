@@ -1,0 +1,81 @@
+#include "run/history_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "run/history_card.hpp"
+
+namespace blocks::run {
+
+using quantities::Curve;
+
+namespace {
+
+bool same(const HistoryRequest& a, const HistoryRequest& b) {
+  return a.interval == b.interval && a.quantities == b.quantities;
+}
+
+}  // namespace
+
+void HistoryRecorder::begin(const Model& model) {
+  if (model.history.interval == 0.0)
+    return;
+  if (!same(request_, model.history)) {
+    request_ = model.history;
+    std::vector<Curve> curves;
+    for (const std::string& quantity : request_.quantities)
+      curves.push_back(quantities::parse_curve(quantity));
+    values_of_ = quantities::CurveValues(curves, material_numbers(model.settings));
+    for (std::vector<double>* values : {&before_, &now_, &sample_})
+      values->resize(curves.size());
+    if (values_of_.has_displacements())
+      first_ = results_->first_positions();
+    multiples_ = quantities::Multiples(request_.interval);
+    const std::optional<double> last = results_->begin_history(request_);
+    const long first = multiples_.first_from(model.time);
+    set_next(last ? std::max(std::lround(*last / request_.interval) + 1, first)
+                  : first);
+  }
+  time_before_ = model.time;
+  read(model, before_);
+  if (multiples_.has_come(next_, model.time)) {
+    now_ = before_;
+    take_samples(model.time);
+  }
+}
+
+void HistoryRecorder::record(const Model& model) {
+  read(model, now_);
+  take_samples(model.time);
+  std::swap(before_, now_);
+  time_before_ = model.time;
+}
+
+/// Adds the samples up to this time, to which now_ belongs.
+void HistoryRecorder::take_samples(double time) {
+  for (; multiples_.has_come(next_, time); set_next(next_ + 1)) {
+    const double at = multiples_.at(next_), step = time - time_before_;
+    const double part = step > 0.0 ? std::min((at - time_before_) / step, 1.0) : 1.0;
+    for (std::size_t i = 0; i < sample_.size(); ++i)
+      sample_[i] = part == 1.0 ? now_[i] : std::lerp(before_[i], now_[i], part);
+    results_->add_sample(at, sample_);
+  }
+}
+
+void HistoryRecorder::set_next(long next) {
+  next_ = next;
+  due_ = multiples_.at(next) - multiples_.slack();
+}
+
+void HistoryRecorder::read(const Model& model, std::vector<double>& values) {
+  contacts_.clear();
+  if (values_of_.has_contacts())
+    quantities::list_contacts(model, contacts_);
+  const quantities::BlockStates blocks = quantities::states_of(model.blocks);
+  const quantities::Positions first{first_.centroid,
+                                    quantities::Corners(first_.outlines)};
+  values_of_.evaluate({model.time, model.steps, blocks, contacts_}, first, values);
+}
+
+}  // namespace blocks::run

@@ -1,0 +1,50 @@
+// Records the histories of the HISTORY card between the steps of a run.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "model/model.hpp"
+#include "output/results.hpp"
+#include "quantities/curve_values.hpp"
+#include "quantities/multiples.hpp"
+
+namespace blocks::run {
+
+/// A sample belongs to a multiple of the interval. Its values are interpolated linearly
+/// between the states before and after it, so both must be read. All values are
+/// computed by one thread in the order of the blocks, so they do not depend on the
+/// number of threads.
+class HistoryRecorder {
+ public:
+  explicit HistoryRecorder(output::ResultsWriter& results) : results_(&results) {}
+
+  /// Call it before the steps of a card, when the model is up to date and the results
+  /// have a frame. Adds a sample if the time of the model is a multiple that has none.
+  void begin(const Model& model);
+  /// Whether record() must be called after a step, because a sample lies before that
+  /// step or the `next` one; [T] the time of the next one, or slightly more.
+  bool is_due(double next) const { return due_ <= next; }
+  /// Adds the samples that lie between the last state that was recorded and this one.
+  void record(const Model& model);
+
+ private:
+  void read(const Model& model, std::vector<double>& values);
+  void take_samples(double time);
+  void set_next(long next);
+
+  output::ResultsWriter* results_;
+  HistoryRequest request_;
+  std::vector<quantities::Curve> curves_;
+  quantities::CurveValues values_of_{{}};
+  quantities::Multiples multiples_{1.0};
+  output::FirstPositions first_;
+  std::vector<quantities::ContactState> contacts_;
+  long next_ = 0;  ///< index of the next multiple
+  /// [T] samples are due from this time on; infinite if there is no HISTORY card.
+  double due_ = std::numeric_limits<double>::infinity();
+  double time_before_ = 0.0;  ///< [T] of the state recorded last
+  std::vector<double> before_, now_, sample_;
+};
+
+}  // namespace blocks::run

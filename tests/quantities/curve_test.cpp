@@ -1,0 +1,58 @@
+// Curves are read as users write them, and are named in one form.
+#include "quantities/curve.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace blocks::quantities {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Curve, HasOneName) {
+  const std::pair<const char*, const char*> names[] = {
+      {"ke", "kinetic_energy"},
+      {"KINETIC_ENERGY", "kinetic_energy"},
+      {"VELY:3", "vy:3"},
+      {"y:9.2", "y:9.2"},
+      {"y:6-9", "y:6-9"},
+      {"y:6-9:mean", "y:6-9"},
+      {"y:6-9:p90", "y:6-9:p90"},
+      {"y:material=2:max", "y:material=2:max"},
+      {"y:material=old: red", "y:material=old: red"},
+      {"speed:p99.5", "speed:p99.5"},
+      {"overlap", "overlap"},
+      {"overlap:3-4:sum", "overlap:3-4:sum"}};
+  for (const auto& [text, name] : names) {
+    EXPECT_EQ(parse_curve(text).name(), name) << text;
+    EXPECT_EQ(parse_curve(name).name(), name);
+  }
+}
+
+TEST(Curve, SaysWhatCannotBeRead) {
+  const std::pair<const char*, const char*> faults[] = {
+      {"spede:3", "there is no quantity 'spede'"},
+      {"speed", "speed needs a block or a statistic"},
+      {"y:9-6", "'y:9-6' begins with the higher number"},
+      {"y:0-6", "cannot read the place in 'y:0-6'"},
+      {"y:", "cannot read the place in 'y:'"},
+      {"y:material=", "cannot read the place in 'y:material='"},
+      {"y:material=:max", "cannot read the place in 'y:material=:max'"},
+      {"y:6-9:p101", "cannot read the place"},
+      {"y:9:max", "'y:9:max': max is for several blocks"},
+      {"y:9.2:p50", "p50 is for several blocks"},
+      {"step:3", "step is a quantity of the whole model"},
+      {"mass:3.1", "a corner has no mass"}};
+  for (const auto& [text, message] : faults) {
+    try {
+      parse_curve(text);
+      ADD_FAILURE() << text;
+    } catch (const CurveFault& fault) {
+      EXPECT_THAT(fault.what(), HasSubstr(message));
+      EXPECT_FALSE(fault.hint.empty()) << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blocks::quantities
