@@ -19,11 +19,11 @@ constexpr Range layer_count{-1e6, 1e6, false, false, true};
 /// The fields of REMOVE and FREE.
 std::vector<FieldSpec> selection_fields() {
   using enum Kind;
-  return {{"nb1", integer, "0", from_one, "[-]", "block number"},
-          {"nb2", integer, "0", any, "[-]",
+  return {{"nb1", integer, "", from_one, "[-]", "block number"},
+          {"nb2", integer, "", any, "[-]",
            "0 or nb1: block nb1 alone; > nb1: nb1 to nb2; < 0: nb1 to the last so far"},
-          {"mat", integer, "0", from_one, "[-]", "all blocks of this material"},
-          {"nc", integer, "0", corners, "[-]",
+          {"mat", integer, "", from_one, "[-]", "all blocks of this material"},
+          {"nc", integer, "", corners, "[-]",
            "all blocks inside an outline of nc corners, which follows"}};
 }
 std::vector<FollowOn> selection_lines() {
