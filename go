@@ -1,6 +1,7 @@
 #!/bin/sh
-# Works on a fresh machine: installs the packages of packages.txt that are missing,
-# configures, builds and runs. ./go help lists the commands.
+# Works on a fresh machine: installs the packages that are missing, configures, builds and
+# runs. A run needs those of packages.txt, tests and validation also those of
+# packages-test.txt. ./go help lists the commands.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 
@@ -30,9 +31,14 @@ usage() {
 TEXT
 }
 
-install_packages() {  # [further packages...]
+needed_for() {  # preset
+  cat "$here/packages.txt"
+  [ "$1" = release ] || cat "$here/packages-test.txt"
+}
+
+install_packages() {  # package...
   missing=""
-  for package in $(cat "$here/packages.txt") "$@"; do
+  for package in "$@"; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q "ok installed" || missing="$missing $package"
   done
   [ -z "$missing" ] && return
@@ -58,7 +64,8 @@ install_packages() {  # [further packages...]
 
 build() {  # preset [target...]
   preset=$1; shift
-  install_packages
+  # shellcheck disable=SC2046  # The output is a list of words.
+  install_packages $(needed_for "$preset")
   log="$here/build/$preset.log"
   mkdir -p "$here/build"
   # The first build takes minutes, so its message names the log to follow.
@@ -95,7 +102,8 @@ case $command in
       || { cat "$here/build/package.log" >&2; exit 1; }
     ls -l "$here"/build/release/packages/*.deb ;;
   validate)
-    [ -x /usr/bin/python3 ] || install_packages
+    # shellcheck disable=SC2046
+    install_packages $(needed_for ci)
     exec /usr/bin/python3 "$here/validation/validate.py" "$@" ;;
   bench) exec "$here/go" validate bench "$@" ;;
   help|-h|--help) usage ;;

@@ -14,7 +14,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 BUILD = ROOT / "build"
-RELEASE = BUILD / "release"
+CI = BUILD / "ci"  # the release build and all further programs
+RELEASE = BUILD / "release"  # the program only
 RELIABILITY = HERE / "reliability"
 
 sys.dont_write_bytecode = True
@@ -49,8 +50,8 @@ def report_option(count, full, report, option="--report"):
 
 
 def layers(arguments):
-    build("release", "layers", "certificate_study", "distribution_study")
-    programs = RELEASE / "validation/geometry"
+    build("ci", "layers", "certificate_study", "distribution_study")
+    programs = CI / "validation/geometry"
 
     def report(name):
         return report_option(arguments.count, arguments.full, f"geometry/{name}")
@@ -69,8 +70,8 @@ def layers(arguments):
 
 
 def predicates(arguments):
-    build("release", "predicates")
-    return run(RELEASE / "validation/geometry/predicates", "--inputs", arguments.count,
+    build("ci", "predicates")
+    return run(CI / "validation/geometry/predicates", "--inputs", arguments.count,
                *report_option(arguments.count, arguments.full, "geometry/PREDICATES"))
 
 
@@ -88,8 +89,8 @@ def study(arguments):
 
 
 def reliability(arguments):
-    build("release")
-    return run_python("reliability/report.py", RELEASE, RELIABILITY / "REPORT", *arguments.words,
+    build("ci")
+    return run_python("reliability/report.py", CI, RELIABILITY / "REPORT", *arguments.words,
                       environment={"BLOCKS_THOROUGH": "1"})
 
 
@@ -99,7 +100,7 @@ def bits(arguments):
         return run_python("reliability/same_bits.py", builds, RELIABILITY / "SAME_BITS")
     build("ci", "blocks")
     return run_python("reliability/same_bits.py", builds, builds / "QUICK", "--quick",
-                      "--program", f"g++ -O3={BUILD / 'ci/src/blocks'}")
+                      "--program", f"g++ -O3={CI / 'src/blocks'}")
 
 
 def fuzz_readers(arguments):
@@ -111,9 +112,9 @@ def fuzz_readers(arguments):
 
 
 def soak(arguments):
-    build("release", "soak")
+    build("ci", "soak")
     report = report_option(arguments.count, arguments.full, "reliability/SOAK")
-    code = run(RELEASE / "validation/reliability/soak", "--steps", arguments.count, *report)
+    code = run(CI / "validation/reliability/soak", "--steps", arguments.count, *report)
     if report and code == 0:
         with open(RELIABILITY / "SOAK.md", "a", encoding="utf-8") as page:
             page.write(f"\n{version.sentence()}\n")
@@ -121,18 +122,18 @@ def soak(arguments):
 
 
 def rest(arguments):
-    build("release", "rest")
-    return run(RELEASE / "validation/rest/rest", "--steps", arguments.count,
+    build("ci", "rest")
+    return run(CI / "validation/rest/rest", "--steps", arguments.count,
                *report_option(arguments.count, arguments.full, "rest/REST"))
 
 
 def bench(arguments):
-    build("release", "bench")
+    build("ci", "bench")
     options = ["--quick"] if arguments.quick else []
     for name in ("output", "rounds", "largest"):
         value = getattr(arguments, name)
         options += [f"--{name}", value] if value else []
-    return run(RELEASE / "validation/performance/bench", *options, *arguments.parts)
+    return run(CI / "validation/performance/bench", *options, *arguments.parts)
 
 
 def sanitizers(arguments):

@@ -11,7 +11,7 @@ flags="$flags -I$here $(pkg-config --cflags eigen3)"
 failed=0
 for compiler in g++ clang++; do
   if ! command -v "$compiler" >/dev/null; then
-    echo "blocks: error: no $compiler on this machine (packages.txt names it)" >&2
+    echo "blocks: error: no $compiler on this machine (packages-test.txt names it)" >&2
     exit 5
   fi
   for level in -O0 -O1 -O2 -O3; do

@@ -51,7 +51,7 @@ def fail(message):
 def built(folder, compiler, level):
     """Builds the program with this compiler at this level and returns its path."""
     if shutil.which(compiler) is None:
-        fail(f"no {compiler} on this machine (packages.txt names it)")
+        fail(f"no {compiler} on this machine (packages-test.txt names it)")
     build = folder / f"{compiler}-{level}"
     build.mkdir(parents=True, exist_ok=True)
     log = build / "build.log"
