@@ -15,7 +15,7 @@ usage() {
                        build only; without arguments build/release/src/blocks
   test [OPTIONS]       build with warnings as errors and run every test (ctest options)
   install [PREFIX]     program, man pages and library to PREFIX (/usr/local)
-  package              Debian packages in build/release/packages
+  package              program archive and Debian packages in build/release/packages
   bench [PART...]      short for ./go validate bench
   validate SUBCOMMAND  long checks and measurements; each subcommand has its own --help:
                        problems     problems with known answers, validation/REPORT.md
@@ -97,10 +97,10 @@ case $command in
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   package)
     install_packages dpkg-dev file
-    build release blocks blocks_library manual package_logs
+    build release blocks blocks_library manual package_logs archive
     (cd "$here/build/release" && cpack >"$here/build/package.log" 2>&1) \
       || { cat "$here/build/package.log" >&2; exit 1; }
-    ls -l "$here"/build/release/packages/*.deb ;;
+    ls -l "$here/build/release/packages" ;;
   validate)
     # shellcheck disable=SC2046
     install_packages $(needed_for ci)

@@ -14,6 +14,7 @@
 #include <string>
 #include <system_error>
 
+#include "bundled_fonts.hpp"
 #include "cards_command.hpp"
 #include "check_command.hpp"
 #include "dynamics/kernels/kernels.hpp"
@@ -334,6 +335,7 @@ int main(int argc, char** argv) {
     return blocks::run::internal_error;
   }
   std::set_terminate(end_at_once);
+  blocks::apps::use_bundled_fonts();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is an error like a full disk
 #if !defined(BLOCKS_SANITIZED)    // a sanitizer reports more
   blocks::output::tell_crashes_of_files(blocks::run::file_error);

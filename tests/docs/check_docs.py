@@ -74,7 +74,7 @@ def check_versions(source):
     """A release is one everywhere."""
     found = {name: re.search(form, (source / name).read_text(), re.M)[1] for name, form in {
         "CMakeLists.txt": r"^project\(blocks VERSION ([\d.]+)", "CITATION.cff": r"^version: ([\d.]+)$",
-        "CHANGELOG.md": r"^## ([\d.]+)$", "docs/tutorial.md": r"blocks_([\d.]+)-1_amd64.deb",
+        "CHANGELOG.md": r"^## ([\d.]+)$", "docs/tutorial.md": r"blocks-([\d.]+)-linux", "README.md": r"blocks-([\d.]+)-linux",
         "docs/library.md": r"libblocks-dev_([\d.]+)-1_amd64.deb"}.items()}
     return [] if len(set(found.values())) == 1 else [f"versions differ: {found}"]
 
@@ -243,11 +243,12 @@ def check_commands(source, program):
     with tempfile.TemporaryDirectory() as folder:
         for page in [source / "README.md", *source.glob("decks/*/README.md")]:
             text = page.read_text()
-            for line in re.findall(r"(?:^    |`)\./go ((?:run|blocks) [^`\n]*)", text, re.M):
+            for line in re.findall(r"(?:^    |`)(?:blocks|\S*/go(?= run)) ([a-z]+ [^`\n]*)", text, re.M):
                 line = re.sub(r"\[[A-Z]+\]", "", line).replace("DECK", "decks/stack/stack.deck")
                 words = shlex.split(line, comments=True)
-                words = words[1:] if words[0] == "blocks" else ["check", *words[1:]]
-                words = [str(source / word) if word.startswith("decks/") else word for word in words]
+                if words[0] == "run":
+                    words[0] = "check"
+                words = [re.sub(r"^.*decks/", f"{source}/decks/", word) for word in words]
                 done = subprocess.run([program, *words], cwd=folder, text=True, capture_output=True)
                 count += 1
                 if done.returncode != (5 if words[0] in ("plot", "history", "view", "why", "import") else 0):
