@@ -7,9 +7,10 @@
 #include <utility>
 
 #include "deck/card_builder.hpp"
+#include "deck/card_lists.hpp"
 #include "deck/card_order.hpp"
 #include "deck/card_reader.hpp"
-#include "deck/follow_on.hpp"
+#include "deck/deck_text.hpp"
 #include "deck/suggest.hpp"
 
 namespace blocks::deck {
@@ -47,11 +48,9 @@ class Parser {
   void check_unused_overrides();
 
   bool title(Start& card, const Line& line);
-  bool lists(Card& card, const std::vector<Line>& data, SourceLocation end);
-  bool coordinates(Create& card, const std::vector<Line>& data, SourceLocation end);
-  bool widths(Layer& card, const std::vector<Line>& data, SourceLocation end);
-  bool outline(Selection& blocks, std::string_view card, const std::vector<Line>& data,
-               SourceLocation end);
+  bool lists(Card& card, const std::vector<Line>& data, SourceLocation end) {
+    return read_lists(card, data, end, maxima_, *diagnostics_);
+  }
   bool material(const Material& card);
 
   Deck& deck_;
@@ -61,8 +60,7 @@ class Parser {
   CardOrder order_;
   std::size_t next_ = 0;
   bool stopped_ = false;
-  std::optional<long> most_blocks_;       ///< START's nblok
-  std::optional<long> most_corners_;      ///< START's ncmx
+  StartMaxima maxima_;
   std::map<long, int> materials_;         ///< number -> line
   std::map<std::string, int> names_;      ///< name of a material -> line
   std::map<std::string_view, long> met_;  ///< number of cards of each kind so far
@@ -225,8 +223,8 @@ void Parser::card(const CardSpec& spec, bool misspelt) {
   if (spec.name == "START") {
     Start untold;
     if (values.ok) {
-      most_blocks_ = values.fields[0].integer;
-      most_corners_ = values.fields[1].integer;
+      maxima_.blocks = values.fields[0].integer;
+      maxima_.corners = values.fields[1].integer;
     }
     if (!title(built ? std::get<Start>(*built) : untold, line)) {
       built.reset();
@@ -337,96 +335,6 @@ bool Parser::title(Start& card, const Line& line) {
   return true;
 }
 
-bool Parser::lists(Card& card, const std::vector<Line>& data, SourceLocation end) {
-  if (auto* create = std::get_if<Create>(&card)) {
-    return coordinates(*create, data, end);
-  }
-  if (auto* layer = std::get_if<Layer>(&card)) {
-    return widths(*layer, data, end);
-  }
-  if (auto* remove = std::get_if<Remove>(&card)) {
-    return outline(remove->blocks, "REMOVE", data, end);
-  }
-  if (auto* free = std::get_if<Free>(&card)) {
-    return outline(free->blocks, "FREE", data, end);
-  }
-  if (auto* function = std::get_if<Function>(&card)) {
-    FunctionPoints points =
-        read_points(function->ntimep.value, data, end, *diagnostics_);
-    function->t = std::move(points.t);
-    function->p = std::move(points.p);
-    return points.ok;
-  }
-  return true;
-}
-
-bool Parser::coordinates(Create& card, const std::vector<Line>& data,
-                         SourceLocation end) {
-  if (most_corners_ && card.nc.value > *most_corners_) {
-    diagnostics_->error(card.nc.where, "CREATE",
-                        fmt::format("{} corners are more than START's maximum of {}",
-                                    card.nc.value, *most_corners_),
-                        "raise ncmx, the second value of START, or correct nc");
-    return false;
-  }
-  TwoLists lists =
-      read_two_lists({"CREATE", card.nc.value, "x coordinates", "y coordinates",
-                      FieldSpec{"coordinate ", Kind::exact, {}, {}, "[L]", ""}, false},
-                     data, end, *diagnostics_);
-  card.x = std::move(lists.first);
-  card.y = std::move(lists.second);
-  return lists.ok;
-}
-
-bool Parser::outline(Selection& blocks, std::string_view card,
-                     const std::vector<Line>& data, SourceLocation end) {
-  if (!blocks.nc.given) {
-    if (!data.empty()) {
-      diagnostics_->error(data.front().fields.front().where, std::string(card),
-                          "unexpected line of values after this card",
-                          "coordinates of an outline follow only where nc is given");
-    }
-    return data.empty();
-  }
-  TwoLists lists =
-      read_two_lists({card, blocks.nc.value, "x coordinates", "y coordinates",
-                      FieldSpec{"coordinate ", Kind::exact, {}, {}, "[L]", ""}, false},
-                     data, end, *diagnostics_);
-  blocks.x = std::move(lists.first);
-  blocks.y = std::move(lists.second);
-  return lists.ok;
-}
-
-bool Parser::widths(Layer& card, const std::vector<Line>& data, SourceLocation end) {
-  if (card.ns.value < 0) {
-    if (!data.empty()) {
-      diagnostics_->error(data.front().fields.front().where, "LAYER",
-                          "unexpected line of values after this card",
-                          "lists of widths follow only where ns > 0");
-      return false;
-    }
-    return true;
-  }
-  if (most_blocks_ && card.ns.value > *most_blocks_) {
-    diagnostics_->error(card.ns.where, "LAYER",
-                        fmt::format("{} blocks are more than START's maximum of {}",
-                                    card.ns.value, *most_blocks_),
-                        "raise nblok, the first value of START, or correct ns");
-    return false;
-  }
-  Range positive;
-  positive.min = 0;
-  positive.open_min = true;
-  TwoLists lists = read_two_lists(
-      {"LAYER", card.ns.value, "bottom widths", "top widths",
-       FieldSpec{"width ", Kind::exact, {}, positive, "[L]", "listed from the left"},
-       true},
-      data, end, *diagnostics_);
-  card.bottom = std::move(lists.first);
-  card.top = std::move(lists.second);
-  return lists.ok;
-}
-
 /// Reports overrides that changed nothing; they would be silent mistakes.
 void Parser::check_unused_overrides() {
   for (const OverrideFields& set : overrides_) {
@@ -447,56 +355,13 @@ void Parser::check_unused_overrides() {
   }
 }
 
-/// Returns UTF-16, UTF-16LE or UTF-16BE if the text begins like one of them; otherwise
-/// empty. Without a byte order mark, one of the first two bytes is zero, because a deck
-/// begins with an ASCII character.
-std::string_view utf16_kind(std::string_view text) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-    return "UTF-16";
-  }
-  if (text.size() < 2 || (text[0] == '\0') == (text[1] == '\0')) {
-    return {};
-  }
-  return text[1] == '\0' ? "UTF-16LE" : "UTF-16BE";
-}
-
-/// Reports a text that cannot be a deck at all, before it is split into fields.
-bool readable(const std::string& text, Diagnostics& diagnostics) {
-  if (const std::string_view kind = utf16_kind(text); !kind.empty()) {
-    diagnostics.error({1, 1, 1}, "", "the deck is stored as UTF-16",
-                      fmt::format("save it as UTF-8, or convert it with iconv -f {} -t "
-                                  "UTF-8 OLD.deck >NEW.deck",
-                                  kind));
-    return false;
-  }
-  if (const auto where = first_binary_byte(text)) {
-    diagnostics.error(*where, "", "not a text file: a control character",
-                      "a deck is plain text, ASCII or UTF-8");
-    return false;
-  }
-  constexpr std::size_t longest = 1'000'000;  // bytes
-  int number = 0;
-  for (const std::string& line : source_lines(text)) {
-    ++number;
-    if (line.size() > longest) {
-      diagnostics.error(
-          {number, 1, 1}, "",
-          fmt::format("the line has {} bytes, a line of a deck at most {}", line.size(),
-                      longest),
-          "coordinates may run over several lines");
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
            const std::vector<Override>& overrides) {
   Deck deck{file, text, {}, {}};
   std::vector<OverrideFields> fields = prepare_overrides(overrides, diagnostics);
-  if (!readable(text, diagnostics)) {
+  if (!is_deck_text(text, diagnostics)) {
     return deck;
   }
   std::vector<Line> lines = split_deck(text);
@@ -512,7 +377,7 @@ Deck parse(const std::string& file, const std::string& text, Diagnostics& diagno
 Deck parse_further(const std::string& file, const std::string& text,
                    Diagnostics& diagnostics) {
   Deck deck{file, text, {}, {}};
-  if (readable(text, diagnostics)) {
+  if (is_deck_text(text, diagnostics)) {
     Parser(deck, split_deck(text), {}, diagnostics).run_on();
   }
   return deck;

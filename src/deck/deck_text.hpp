@@ -1,0 +1,14 @@
+// Whether a text can be a deck at all, before it is split into fields.
+#pragma once
+
+#include <string>
+
+#include "deck/diagnostics.hpp"
+
+namespace blocks::deck {
+
+/// Reports a text in UTF-16, one with control characters, or one with a line of more
+/// than a million bytes. Returns whether it is none of them.
+bool is_deck_text(const std::string& text, Diagnostics& diagnostics);
+
+}  // namespace blocks::deck
