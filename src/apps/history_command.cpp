@@ -86,15 +86,25 @@ struct Answer {
   post::Chart chart;
 };
 
-/// Returns the units of all runs: those of --units, otherwise those of the first run
-/// whose deck names any.
+/// Returns the units of all runs: those of --units, otherwise those of the first run.
+/// Throws std::runtime_error if only some of the decks name their units.
 std::optional<post::Units> common_units(const HistoryOptions& options) {
   if (!options.units.empty())
     return post::Units::parse(options.units);
-  for (const std::string& file : options.files)
-    if (const auto units = post::ResultsReader(file).units())
-      return units;
-  return std::nullopt;
+  std::optional<post::Units> units;
+  std::string with, without;
+  for (const std::string& file : options.files) {
+    const auto of_file = post::ResultsReader(file).units();
+    (of_file ? with : without) = file;
+    if (!units)
+      units = of_file;
+  }
+  if (!with.empty() && !without.empty())
+    throw std::runtime_error(fmt::format(
+        "{} is in {}, but the deck of {} has no UNITS card\n  hint: --units {} means "
+        "that all of them are in these units, or converts",
+        with, post::ResultsReader(with).units()->text(), without, units->text()));
+  return units;
 }
 
 void set_heading(post::Chart& chart, const std::vector<NumberTable>& runs,
@@ -154,11 +164,10 @@ Answer histories(const HistoryOptions& options,
     const post::History history =
         post::read_history(run.parts(), curves, {options.from, options.to},
                            options.frames, run.material_numbers());
-    if (!history.not_recorded.empty())
+    if (!history.without_samples.empty())
       fmt::print(stderr,
-                 "blocks history: {} did not record {}, so all curves are those of the "
-                 "frames\n",
-                 history.file, fmt::join(history.not_recorded, ", "));
+                 "blocks history: the curves of {} are those of its frames: {}\n",
+                 history.file, history.without_samples);
     const std::string time_unit = post::unit_text({0, 0, 1, "s", ""}, units);
     NumberTable table{
         history.file, history.title, {{"time", "time", time_unit, history.time}}};

@@ -88,7 +88,7 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
     materials.insert(outline.material);
 
   std::string deck = fmt::format(
-      "$ Blocks of {}. The units are assumed; stiffness, materials, friction and\n$ "
+      "$ Blocks of {}. Units assumed: m, kg, s. Stiffness, materials, friction and\n$ "
       "gravity are examples: replace them by your own.\nSTART, {}, {}\nBLOCKS OF {}\n",
       one_line(mesh), outlines.size(), extent.most_corners,
       one_line(mesh).substr(0, 70));
@@ -107,7 +107,7 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
     deck += fmt::format("MATERIAL, {}, 1.E10, 4.E9, 2500{}\n", material,
                         named ? as_value(known->second) : "");
   }
-  deck += "UNITS, m, kg, s\n";
+  deck += "$ UNITS, m, kg, s       if these are the units of the coordinates\n";
   deck += fmt::format("RIGID\nEND\nREAD9, '{}'\n", mesh);
   for (std::size_t b = 0; b < outlines.size(); ++b)
     if (outlines[b].fixed)

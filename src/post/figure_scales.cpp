@@ -51,8 +51,10 @@ void ScaleSurvey::include_corners(const Frame& frame) {
 }
 
 void ScaleSurvey::include(const Picture& picture) {
-  include_corners(picture.now);
   const Frame& now = picture.now;
+  // If all blocks are removed, the picture shows the empty place where they were.
+  include_corners(now.count_present() > 0 ? now : picture.first);
+  block_counts_.insert(now.count_present());
   for (int b = 0; b < now.size(); ++b) {
     if (now.is_removed(b))
       continue;
@@ -135,6 +137,7 @@ FigureScales ScaleSurvey::scales() const {
   result.block_size = block_size_;
   result.materials = materials_;
   result.fixed = fixed_;
+  result.block_counts = block_counts_;
   return result;
 }
 

@@ -27,7 +27,8 @@ struct FigureScales {
       0.0;  ///< drawn at full length: the median of the largest of each picture
   double block_size = 1.0;  ///< [L] root of the median area
   std::set<int> materials;
-  bool fixed = false;  ///< true if some block is fixed
+  bool fixed = false;          ///< true if some block is fixed
+  std::set<int> block_counts;  ///< numbers of blocks of the pictures
 };
 
 class ScaleSurvey {
@@ -47,7 +48,7 @@ class ScaleSurvey {
   bool centred_ = false;                 ///< the colours are centred on 0
   std::vector<double> forces_, arrows_;  ///< the largest of each picture
   double block_size_ = 1.0;
-  std::set<int> materials_;
+  std::set<int> materials_, block_counts_;
   bool fixed_ = false;
 };
 

@@ -91,10 +91,23 @@ struct Question {
   }
 };
 
+/// Returns the number of corners of a block, from 1, in the last part that shows them:
+/// the outline of a removed block is empty. Returns 0 if no part does.
+std::size_t corners_of(const std::vector<const ResultsReader*>& parts, int block) {
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    const auto outlines = (*part)->last_outlines((*part)->frames() - 1);
+    if (block <= static_cast<int>(outlines.size()))
+      if (const std::size_t count =
+              outlines[static_cast<std::size_t>(block) - 1].size();
+          count > 0)
+        return count;
+  }
+  return 0;
+}
+
 void require_places(const Question& question) {
   const ResultsReader& results = *question.parts.back();
   const Frame last = results.frame(results.frames() - 1);  // blocks keep their numbers
-  const auto outlines = results.last_outlines(results.frames() - 1);
   const std::set<int> materials(last.material.begin(), last.material.end());
   for (const Curve& curve : question.curves) {
     if (curve.last > last.size())
@@ -107,7 +120,7 @@ void require_places(const Question& question) {
                                            fmt::join(materials, ", ")));
     if (curve.of != Of::corner)
       continue;
-    const auto corners = outlines[static_cast<std::size_t>(curve.first) - 1].size();
+    const std::size_t corners = corners_of(question.parts, curve.first);
     if (static_cast<std::size_t>(curve.corner) > corners)
       throw std::runtime_error(
           fmt::format("{}: block {} has corners 1 to {}, no corner {}", results.path(),
@@ -163,36 +176,36 @@ class Recorded {
           keys_.insert(key(name));
   }
 
-  /// Adds the samples of all sections that have all curves. Returns false if there are
-  /// none in one of the parts, or if a value has to be found in another way.
-  bool add_to(History& history) const {
+  /// Whether any of the curves was recorded.
+  bool has_any() const {
     const auto& curves = question_.curves;
-    const bool usable = std::all_of(curves.begin(), curves.end(), [&](const Curve& c) {
-      return sign_of(c, question_.compression_positive) != 0.0;
-    });
-    const bool one_origin =
-        parts_.size() == 1 || !quantities::CurveValues(curves).has_displacements();
-    std::vector<std::vector<Rows>> rows;
-    for (const auto& sections : parts_) {
-      rows.push_back(rows_of(sections));
-      if (rows.back().empty())
-        return false;
+    return std::any_of(curves.begin(), curves.end(),
+                       [this](const Curve& c) { return has(c); });
+  }
+
+  /// Adds the samples of all sections that have all curves. If they cannot be used,
+  /// returns why, and adds none.
+  std::string add_to(History& history) const {
+    for (const Curve& curve : question_.curves) {
+      if (!has(curve))
+        return curve.name() + " was not recorded";
+      if (sign_of(curve, question_.compression_positive) == 0.0)
+        return curve.name() + " was recorded with tension positive";
     }
-    if (!usable || !one_origin)
-      return false;
+    if (parts_.size() > 1 &&
+        quantities::CurveValues(question_.curves).has_displacements())
+      return "recorded displacements of each part begin at its own first frame";
+    std::vector<std::vector<Rows>> rows;
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      rows.push_back(rows_of(parts_[part]));
+      if (rows.back().empty())
+        return fmt::format("no HISTORY card of {} has all of them",
+                           question_.parts[part]->path());
+    }
     for (std::size_t part = 0; part < parts_.size(); ++part)
       for (const Rows& of_section : rows[part])
         add_section(part, of_section, history);
-    return true;
-  }
-
-  /// The curves that no section has, if another one has been recorded.
-  std::vector<std::string> missing() const {
-    std::vector<std::string> names;
-    for (const Curve& curve : question_.curves)
-      if (!keys_.contains(question_.key(curve)))
-        names.push_back(curve.name());
-    return names.size() < question_.curves.size() ? names : std::vector<std::string>{};
+    return {};
   }
 
  private:
@@ -201,6 +214,8 @@ class Recorded {
     const RecordedHistory* section;
     std::vector<Eigen::Index> of_curves;
   };
+
+  bool has(const Curve& curve) const { return keys_.contains(question_.key(curve)); }
 
   std::string key(const std::string& name) const {
     return question_.key(quantities::parse_curve(name));
@@ -257,8 +272,10 @@ History read_history(const std::vector<const ResultsReader*>& parts,
     history.series.push_back(empty_series(curve, question.compression_positive));
   if (frames) {
     add_frames(question, history);
-  } else if (const Recorded recorded(question); !recorded.add_to(history)) {
-    history.not_recorded = recorded.missing();
+  } else if (const Recorded recorded(question); !recorded.has_any()) {
+    add_frames(question, history);
+  } else if (history.without_samples = recorded.add_to(history);
+             !history.without_samples.empty()) {
     add_frames(question, history);
   }
   if (history.time.empty())

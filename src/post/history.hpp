@@ -28,8 +28,9 @@ struct History {
   std::string file, title;
   std::vector<double> time;  ///< (times) ascending
   std::vector<Series> series;
-  /// Some of the curves were recorded, but not all: then all are those of the frames.
-  std::vector<std::string> not_recorded = {};
+  /// Why the curves are those of the frames although some of them were recorded; empty
+  /// if they are samples, or if none of them was recorded.
+  std::string without_samples = {};
 };
 
 /// Times outside this range are left out.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "quantities/statistic.hpp"
+
 namespace blocks::post {
 namespace {
 
@@ -37,16 +39,11 @@ std::vector<double> common_points(const std::vector<ChartLine>& lines, double fr
   return points;
 }
 
-}  // namespace
-
-double percentile(std::vector<double> values, double percent) {
-  std::sort(values.begin(), values.end());
-  const double at = percent / 100.0 * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] +
-         (at - static_cast<double>(below)) * (values[above] - values[below]);
+double percentile(double percent, std::vector<double>& values) {
+  return quantities::reduce({quantities::Statistic::How::percentile, percent}, values);
 }
+
+}  // namespace
 
 ChartLine band_of(const std::vector<ChartLine>& lines) {
   double from = -std::numeric_limits<double>::infinity(), to = -from;
@@ -65,9 +62,9 @@ ChartLine band_of(const std::vector<ChartLine>& lines) {
         values.push_back(y);
     const bool none = values.empty();
     band.x.push_back(x);
-    band.y.push_back(none ? std::nan("") : percentile(values, 50.0));
-    band.low.push_back(none ? std::nan("") : percentile(values, band_low));
-    band.high.push_back(none ? std::nan("") : percentile(values, band_high));
+    band.y.push_back(none ? std::nan("") : percentile(50.0, values));
+    band.low.push_back(none ? std::nan("") : percentile(band_low, values));
+    band.high.push_back(none ? std::nan("") : percentile(band_high, values));
   }
   return band;
 }

@@ -98,6 +98,30 @@ TEST_F(Parts, AreNamedInResultsOfContinuedRunsOnly) {
             stored(folder_ / "begin.vtkhdf").at("BLOCKS/run_id"));
 }
 
+// Displacements that each part recorded have different origins.
+TEST_F(Parts, DoNotMixRecordedDisplacements) {
+  run_text(folder_, "one", fall + "HISTORY, 0.01, y:1, dy:1\nCYCLE, 100\n");
+  run_text(folder_, "two", "RESTART, one.ckpt.h5\nCYCLE, 60\n");
+  const Outcome moved =
+      blocks("history one.vtkhdf two.vtkhdf -q dy:1 --csv", folder_.path());
+  EXPECT_EQ(moved.code, 0);
+  EXPECT_THAT(moved.err, HasSubstr("are those of its frames: recorded displacements"));
+  EXPECT_EQ(blocks("history one.vtkhdf two.vtkhdf -q y:1 --csv", folder_.path()).err,
+            "");
+}
+
+// The last part has no outline of a block that is removed there.
+TEST_F(Parts, KnowTheCornersOfABlockThatIsRemovedLater) {
+  run_text(folder_, "gone",
+           "RESTART, begin.ckpt.h5\nREMOVE, 1\nCREATE, 4, 1, 1\n0, 0, 1, 1\n0, 1, 1, "
+           "0\nCYCLE, 10\n");
+  const Outcome corner =
+      blocks("history begin.vtkhdf gone.vtkhdf -q y:1.2 --csv", folder_.path());
+  EXPECT_EQ(corner.code, 0) << corner.err;
+  EXPECT_EQ(blocks("history begin.vtkhdf gone.vtkhdf -q y:1.5", folder_.path()).err,
+            "blocks: error: gone.vtkhdf: block 1 has corners 1 to 4, no corner 5\n");
+}
+
 // The time 0.06 lies in the second part.
 TEST_F(Parts, HaveProfilesAtTheTimesOfAllParts) {
   const Outcome run =
@@ -108,8 +132,6 @@ TEST_F(Parts, HaveProfilesAtTheTimesOfAllParts) {
 }
 
 TEST(Band, HasThePercentilesOfTheRuns) {
-  EXPECT_EQ(post::percentile({4, 1, 3, 2}, 50), 2.5);
-  EXPECT_EQ(post::percentile({7}, 95), 7);
   std::vector<post::ChartLine> lines;
   for (int i = 0; i <= 20; ++i)  // parallel lines, of which one has more points
     lines.push_back({"", {0, 2}, {1.0 * i, i + 2.0}});

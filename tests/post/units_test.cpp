@@ -109,6 +109,18 @@ TEST_F(NamedUnits, AreTheSameForAllRunsOfATable) {
   EXPECT_THAT(both.out, HasSubstr("other.vtkhdf,0,50.05"));
 }
 
+// Nothing tells the units of the other run, so they are not taken from this one.
+TEST_F(NamedUnits, AreNotGivenToARunWithoutThem) {
+  run_text(folder_, "plain", deck(""));
+  const Outcome mixed = run("history fall.vtkhdf plain.vtkhdf -q y:2");
+  EXPECT_EQ(mixed.code, 2);
+  EXPECT_THAT(
+      mixed.err,
+      HasSubstr("fall.vtkhdf is in cm,g,ms, but the deck of plain.vtkhdf has no "
+                "UNITS card\n  hint: --units cm,g,ms means"));
+  EXPECT_EQ(run("history fall.vtkhdf plain.vtkhdf -q y:2 --units cm,g,ms").code, 0);
+}
+
 TEST_F(NamedUnits, AreKeptByARestart) {
   run_text(folder_, "more", "RESTART, fall.ckpt.h5\nCYCLE, 10\n");
   EXPECT_EQ(post::ResultsReader((folder_ / "more.vtkhdf").string()).units()->text(),

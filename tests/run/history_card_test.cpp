@@ -210,9 +210,10 @@ TEST(HistoryCommand, PrefersWhatWasRecorded) {
   EXPECT_THAT(csv("-q y:1 --frames").out, ::testing::Not(HasSubstr("\n0.03,")));
   EXPECT_EQ(csv("-q y:1").err, "");
   EXPECT_EQ(csv("-q x:1").err, "") << "nothing that is asked for was recorded";
-  EXPECT_EQ(csv("-q x:1,y:1").err,
-            "blocks history: fall.vtkhdf did not record x:1, so all curves are those "
-            "of the frames\n");
+  EXPECT_EQ(
+      csv("-q x:1,y:1").err,
+      "blocks history: the curves of fall.vtkhdf are those of its frames: x:1 was "
+      "not recorded\n");
 }
 
 // Blocks hang in the air between two fixed ones, so that stress changes its sign.
