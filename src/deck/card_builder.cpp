@@ -115,6 +115,14 @@ std::optional<Selection> selection(const Fields& f, const char* card,
   return out;
 }
 
+Plots plots(const Fields& f, const Values& values) {
+  Plots card{f[0].as_real(), {}};
+  for (const Value& value : values.repeated) {
+    card.times.push_back(value.as_real());
+  }
+  return card;
+}
+
 History history(const Fields& f, const Values& values) {
   History card{f[0].as_real(), {}};
   for (const Value& value : values.repeated) {
@@ -223,7 +231,7 @@ const std::map<std::string_view, Builder>& builders() {
       {"DAMPING", [](F f, V, D) -> Maybe { return Damping{f[0].as_real()}; }},
       {"DUMP", [](F, V, D) -> Maybe { return Dump{}; }},
       {"OUTPUT", [](F f, V v, D) -> Maybe { return output(f, v); }},
-      {"PLOTS", [](F f, V, D) -> Maybe { return Plots{f[0].as_real()}; }},
+      {"PLOTS", [](F f, V v, D) -> Maybe { return plots(f, v); }},
       {"HISTORY", [](F f, V v, D) -> Maybe { return history(f, v); }},
       {"MOTION", [](F f, V, D) -> Maybe { return Motion{f[0].as_real()}; }},
       {"CYCLE", [](F f, V, D) -> Maybe { return Cycle{f[0].as_int()}; }},

@@ -145,6 +145,7 @@ struct Output {
 };
 struct Plots {
   Real dtplot;
+  std::vector<Real> times;  ///< not in the report
 };
 struct History {
   Real dthist;

@@ -282,9 +282,22 @@ void add_run_cards(std::vector<CardSpec>& cards) {
   cards.push_back({.name = "PLOTS",
                    .section = "A.2.18",
                    .summary = "results for plotting at intervals of time",
-                   .fields = {{"dtplot", real, {}, positive, "[T]", "interval"}},
-                   .notes = "The state at the start and at the end is always written.",
-                   .example = "PLOTS, .01"});
+                   .fields = {{"dtplot", real, {}, positive, "[T]", "interval"},
+                              {"t",
+                               real,
+                               "",
+                               positive,
+                               "[T]",
+                               "further times with a frame, any number of them (not in "
+                               "the report)",
+                               {},
+                               true}},
+                   .notes =
+                       "A frame is the state after the step whose time is nearest. "
+                       "The state at the start and at the end is always written. "
+                       "The card may continue on further lines.",
+                   .example = "PLOTS, .01, .0025, .0075",
+                   .continue_below = std::numeric_limits<std::size_t>::max()});
   cards.push_back(
       {.name = "HISTORY",
        .section = "ours",

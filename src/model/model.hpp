@@ -77,6 +77,7 @@ struct Model {
   TimeStep time_step;
   SearchState search;
   OutputClock output, plots;
+  std::vector<double> plot_times;  ///< [T] further times of PLOTS, strictly ascending
   HistoryRequest history;
   std::vector<int> output_blocks;  ///< list of the OUTPUT card, from 0; empty: all
   /// Order in which the blocks are stepped: a permutation of all blocks that existed

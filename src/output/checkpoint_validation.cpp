@@ -353,6 +353,11 @@ void expect_time(const Model& model) {
   expect("search/updates", static_cast<double>(model.search.updates), count_from_0);
   expect("worst_overlap", model.worst_overlap, not_negative);
   expect_history(model.history);
+  for (std::size_t i = 0; i < model.plot_times.size(); ++i) {
+    expect("plots/times", model.plot_times[i], positive);
+    if (i > 0 && !(model.plot_times[i - 1] < model.plot_times[i]))
+      reject_checkpoint("plots/times do not increase");
+  }
   for (const auto& [name, clock] :
        {std::pair{"output", &model.output}, {"plots", &model.plots}}) {
     expect(std::string(name) + "/interval", clock->interval, not_negative);

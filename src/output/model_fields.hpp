@@ -149,7 +149,7 @@ void visit_clock(C& clock, const char* interval_name, const char* due_name,
 
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, plane_contacts, loads, time_step, search, output,
-         plots, history, output_blocks, order, exits, merges, layers, steps, time,
+         plots, plot_times, history, output_blocks, order, exits, merges, layers, steps, time,
          time_origin, step_origin, started, worst_overlap] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
@@ -171,6 +171,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   }
   visit_clock(output, "output/interval", "output/due", ar);
   visit_clock(plots, "plots/interval", "plots/due", ar);
+  ar("plots/times", plot_times);
   {
     auto& [interval, quantities] = history;
     ar("history/interval", interval);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "deck/mesh_readers.hpp"
@@ -265,6 +266,10 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Plots& card) {
     model.plots = {card.dtplot.value, model.time + card.dtplot.value};
+    std::set<double> times;
+    for (const deck::Real& time : card.times)
+      times.insert(time.value);
+    model.plot_times.assign(times.begin(), times.end());
   }
   void operator()(const deck::History& card) {
     model.history = {card.dthist.value, {}};

@@ -206,6 +206,11 @@ namespace {
 bool is_due(const OutputClock& clock, double time, double dt) {
   return clock.interval > 0.0 && time + 0.5 * dt >= clock.due;
 }
+/// Whether this step is the one nearest to one of the times.
+bool is_nearest(const std::vector<double>& times, double time, double dt) {
+  const auto next = std::upper_bound(times.begin(), times.end(), time - 0.5 * dt);
+  return next != times.end() && *next <= time + 0.5 * dt;
+}
 void wind(OutputClock& clock, double time, double dt) {
   const double now = time + 0.5 * dt;
   const double missed = std::floor((now - clock.due) / clock.interval);
@@ -217,7 +222,8 @@ void wind(OutputClock& clock, double time, double dt) {
 
 bool Executor::output_due() const {
   const double then = dynamics::time_after_step(model_), dt = model_.time_step.dt;
-  return is_due(model_.plots, then, dt) || is_due(model_.output, then, dt);
+  return is_due(model_.plots, then, dt) || is_due(model_.output, then, dt) ||
+         is_nearest(model_.plot_times, then, dt);
 }
 
 bool Executor::sample_due() const {
@@ -234,7 +240,8 @@ void Executor::output_if_due() {
       wind(clock, model_.time, model_.time_step.dt);
     return is;
   };
-  if (due(model_.plots))
+  const bool at_interval = due(model_.plots);
+  if (at_interval || is_nearest(model_.plot_times, model_.time, model_.time_step.dt))
     files_.frame(stepper_.up_to_date());
   if (due(model_.output))
     files_.table(stepper_.up_to_date());

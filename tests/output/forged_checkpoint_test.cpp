@@ -34,6 +34,7 @@ Model full_model() {
   model.loads.forces = {{1, {3, 4}, 0.25}};
   model.output = {0.5, 1.0};
   model.plots = {0.25, 0.75};
+  model.plot_times = {0.125, 0.5};
   model.history = {0.125, {"ke", "y:2"}};
   model.output_blocks = {0, 1};
   model.order = {1, 0};
@@ -67,7 +68,7 @@ class Forger {
     }
     // These lists may have any length, or are empty because all blocks are convex.
     if (name == "output/blocks" || name == "blocks/cuts" ||
-        name == "history/quantities")
+        name == "history/quantities" || name == "plots/times")
       return;
     if (how_ == How::longer && now(name))
       column.push_back(column.back());

@@ -170,6 +170,15 @@ TEST_F(CardsAtWork, PlotsWritesAFrameAtEachInterval) {
     EXPECT_EQ(results_->frame(i).step, 250 * i);
 }
 
+// A step takes 0.0004. Times are in any order, and may be those of the interval.
+TEST_F(CardsAtWork, PlotsWritesFramesAtListedTimes) {
+  run(four_squares + "PLOTS, 0.2, 0.1001, 0.05, 0.2\nMOTION, 0.2\nMOTION, 0.1\n");
+  std::vector<long> steps;
+  for (long i = 0; i < results_->frames(); ++i)
+    steps.push_back(results_->frame(i).step);
+  EXPECT_THAT(steps, ElementsAre(0, 125, 250, 500, 750));
+}
+
 // The interval of the second PLOTS card begins at that card.
 TEST_F(CardsAtWork, PlotsMayBeChangedDuringTheRun) {
   run(four_squares + "PLOTS, 0.2\nMOTION, 0.2\nPLOTS, 0.05\nMOTION, 0.1\n");
