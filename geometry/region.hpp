@@ -1,4 +1,5 @@
-// Tests whether blocks lie inside an outline (REMOVE, FREE).
+// Tests whether blocks lie inside an outline. REMOVE and FREE also accept a block that
+// is inside once it is shrunk by 1e-9 of its size, because moved corners are rounded.
 #pragma once
 
 #include <Eigen/Geometry>

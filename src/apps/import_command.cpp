@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 #include "deck/mesh_readers.hpp"
@@ -86,6 +88,33 @@ std::string deck_beside(const std::string& mesh) {
   return path.string();
 }
 
+/// Replaces names of materials that a deck cannot have, and omits those that an earlier
+/// material has, with a warning for each.
+void take_names_of_deck(OutlineFile& file) {
+  std::map<long, std::string> names;
+  std::set<std::string> used;
+  const auto warn = [&](const std::string& text, const std::string& hint) {
+    file.messages.push_back({false, exchange::nowhere, text, hint, 0});
+  };
+  for (const auto& [material, name] : file.material_names) {
+    const std::string in_deck = exchange::name_in_deck(name);
+    if (!used.insert(in_deck).second) {
+      warn(fmt::format("material {} has no name in the deck, because another one is "
+                       "named '{}'",
+                       material, in_deck),
+           "two materials of a deck have different names");
+      continue;
+    }
+    if (in_deck != name)
+      warn(
+          fmt::format("the name of material {} is '{}' in the deck", material, in_deck),
+          "a name in a deck has no colon, no line break and one kind of quotes, and is "
+          "not a number");
+    names[material] = in_deck;
+  }
+  file.material_names = std::move(names);
+}
+
 int usage(const std::string& message) {
   fmt::print(stderr, "blocks: error: {}\n", message);
   return run::usage_error;
@@ -131,6 +160,10 @@ int import_blocks(ImportOptions options) {
   const std::string mesh_name = fs::path(options.output).filename().string();
   if (same_file(options.file, options.output) || same_file(options.file, deck))
     return usage(options.file + " would be overwritten: choose another -o NAME");
+  if (options.deck && options.output == deck)
+    return usage("-o names the mesh, and --deck writes " + deck +
+                 " beside it: choose a name for the mesh, such as -o " +
+                 fs::path(deck).replace_extension(".mesh.txt").string());
   if (options.deck && mesh_name.find_first_of("'\"\n\r$!") != mesh_name.npos)
     return usage("the name " + mesh_name +
                  " cannot be written in a deck: choose another -o NAME");
@@ -167,6 +200,8 @@ int import_blocks(ImportOptions options) {
     for (exchange::Message& fault :
          exchange::faults(soundness, file.outlines, options.keep_overlaps))
       file.messages.push_back(std::move(fault));
+    if (options.deck)
+      take_names_of_deck(file);
     report = exchange::describe(soundness, file.outlines);
     if (!file.material_names.empty() && !options.deck)
       report += "names of materials are written only to a deck (--deck)\n";

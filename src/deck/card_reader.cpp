@@ -26,6 +26,20 @@ std::string not_a_number_hint(const std::string& text) {
   return "write numbers like 12, -0.5, 1.E-3 or 1.D-3";
 }
 
+/// Reports faulty quotes of a field.
+void report_quotes(const Field& field, std::string_view card,
+                   Diagnostics& diagnostics) {
+  const char quote = field.text.front();
+  const char other = quote == '"' ? '\'' : '"';
+  const bool open = field.fault == QuoteFault::not_closed;
+  diagnostics.error(field.where, std::string(card),
+                    open ? "the quote is not closed"
+                         : "there is text after the closing quote",
+                    open ? fmt::format("end the value with {}", quote)
+                         : fmt::format("a value that contains {0} is written {1}...{1}",
+                                       quote, other));
+}
+
 Value read_word(const Field& field, const FieldSpec& spec, std::string_view card,
                 Diagnostics& diagnostics) {
   Value value{.where = field.where, .given = true, .ok = true};
@@ -139,7 +153,9 @@ std::vector<OverrideFields> prepare_overrides(const std::vector<Override>& overr
       }
       std::string hint = did_you_mean(suggest(set.field, names));
       if (hint.empty()) {
-        hint = list.empty() ? "this card has no fields" : "its fields are " + list;
+        hint = list.empty()        ? "this card has no fields"
+               : names.size() == 1 ? "its only field is " + list
+                                   : "its fields are " + list;
       }
       diagnostics.error(where, std::string(spec->name),
                         fmt::format("unknown field {}", shown(set.field)), hint);
@@ -179,6 +195,10 @@ Line take_card(const CardSpec& spec, const std::vector<Line>& lines,
 
 Value read_value(const Field& field, const FieldSpec& spec, std::string_view card,
                  Diagnostics& diagnostics) {
+  if (field.fault != QuoteFault::none) {
+    report_quotes(field, card, diagnostics);
+    return {.where = field.where, .given = true};
+  }
   if (spec.kind == Kind::word) {
     return read_word(field, spec, card, diagnostics);
   }
@@ -239,8 +259,10 @@ Values read_card(const CardSpec& spec, const Line& line, long nth,
   Values out;
   std::string missing;
   SourceLocation missing_at = line.end;
+  // A field with faulty quotes contains those after it.
+  const bool complete = fields.empty() || fields.back().fault == QuoteFault::none;
   const auto report_missing = [&] {
-    if (!missing.empty()) {
+    if (!missing.empty() && complete) {
       diagnostics.error(missing_at, card, "missing " + missing,
                         "syntax: " + spec.syntax());
       missing.clear();
@@ -277,6 +299,10 @@ Values read_card(const CardSpec& spec, const Line& line, long nth,
   for (std::size_t i = spec.fields.size(); i < fields.size() && !repeats; ++i) {
     if (!fields[i].blank) {
       out.ok = false;
+      if (fields[i].fault != QuoteFault::none) {
+        report_quotes(fields[i], card, diagnostics);
+        break;
+      }
       diagnostics.error(fields[i].where, card,
                         fmt::format("one value too many: {}", shown(fields[i].text)),
                         spec.fields.empty() ? "this card has no values"

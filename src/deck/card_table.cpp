@@ -111,8 +111,10 @@ std::vector<CardSpec> preliminary_cards() {
                    "name shown in legends and kept by import and export (not in the "
                    "report)"}},
        .notes = "One card per material, in any number; the same number or name twice "
-                "is an error. Quote a name that contains blanks or commas. Blocks that "
-                "deform (no RIGID card) need E > 0 and G > E/3.",
+                "is an error. Quote a name that contains blanks or commas. A name has "
+                "no colon and is not a whole number, because quantities such as "
+                "y:material=NAME:max contain it. Blocks that deform (no RIGID card) "
+                "need E > 0 and G > E/3.",
        .example = "MATERIAL, 1, 2.D10, 8.D9, 2300., sandstone"});
   add({.name = "FUNCTION",
        .once = true,
@@ -157,7 +159,8 @@ std::vector<CardSpec> preliminary_cards() {
                   {"time", word, {}, any, "", "unit of time: s, ms, d, ..."}},
        .notes = "Names the units in which all values of the deck are given; no value "
                 "is converted. Results keep them, and figures, histories and pages "
-                "show them.",
+                "show them. Other units than the usual ones are accepted with a "
+                "warning: --units cannot convert them.",
        .example = "UNITS, m, kg, s"});
   add({.name = "END",
        .once = true,

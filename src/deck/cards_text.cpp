@@ -179,7 +179,8 @@ std::vector<std::string_view> reference_introduction() {
       "of values may continue on further lines. The end of the deck acts as STOP.",
       "Kinds: \"whole\" is a whole number (3 or 3.0), \"real\" a number kept as the "
       "nearest double, \"decimal\" a number kept exactly as written because it "
-      "describes geometry, \"word\" a text. Units are any consistent set, per unit "
+      "describes geometry, \"word\" a text, within '...' or \"...\" if it contains "
+      "blanks or commas. Units are any consistent set, per unit "
       "thickness: L length, T time, M mass, F force."};
 }
 

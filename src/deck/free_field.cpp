@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 
 #include "deck/suggest.hpp"
 
@@ -50,6 +51,28 @@ std::size_t utf8_length(std::string_view text) {
     }
   }
   return length;
+}
+
+bool is_comment(const std::string& c) { return c == "$" || c == "!"; }
+
+bool ends_field(const std::string& c) {
+  return c == "," || is_blank(c) || is_comment(c);
+}
+
+/// Reads the field that begins with a quote at chars[at], and moves `at` behind it.
+Field take_quoted(const std::vector<std::string>& chars, std::size_t& at) {
+  const auto begin = chars.begin() + static_cast<long>(at);
+  const auto close = std::find(begin + 1, chars.end(), *begin);
+  Field field{.text = {}, .where = {}, .quoted = true};
+  if (close != chars.end() && (close + 1 == chars.end() || ends_field(close[1]))) {
+    field.text = std::accumulate(begin + 1, close, std::string());
+    at += static_cast<std::size_t>(close - begin) + 1;
+    return field;
+  }
+  field.fault = close == chars.end() ? QuoteFault::not_closed : QuoteFault::text_after;
+  field.text = std::accumulate(begin, chars.end(), std::string());
+  at = chars.size();
+  return field;
 }
 
 }  // namespace
@@ -114,7 +137,7 @@ Line split_fields(std::string_view text, int number) {
     const std::string& c = chars[at];
     if (is_blank(c)) {
       ++at;
-    } else if (c == "$" || c == "!") {
+    } else if (is_comment(c)) {
       break;
     } else if (c == ",") {
       if (!after_field) {
@@ -124,28 +147,19 @@ Line split_fields(std::string_view text, int number) {
       last = ++at;
     } else {
       const std::size_t begin = at;
-      std::string word;
-      const bool quoted = (c == "'" || c == "\"") &&
-                          std::find(chars.begin() + static_cast<long>(at) + 1,
-                                    chars.end(), c) != chars.end();
-      if (quoted) {
-        for (++at; chars[at] != c; ++at) {
-          word += chars[at];
-        }
-        ++at;
+      Field field;
+      if (c == "'" || c == "\"") {
+        field = take_quoted(chars, at);
       } else {
-        while (at < chars.size() && !is_blank(chars[at]) && chars[at] != "," &&
-               chars[at] != "$" && chars[at] != "!") {
-          word += chars[at++];
+        while (at < chars.size() && !ends_field(chars[at])) {
+          field.text += chars[at++];
         }
       }
       last = at;
       after_field = true;
-      const bool blank = word.empty();
-      line.fields.push_back({std::move(word),
-                             {number, column(begin), static_cast<int>(at - begin)},
-                             blank,
-                             quoted});
+      field.blank = field.text.empty();
+      field.where = {number, column(begin), static_cast<int>(at - begin)};
+      line.fields.push_back(std::move(field));
     }
   }
   line.end = {number, column(last), 1};

@@ -13,12 +13,20 @@
 
 namespace blocks::deck {
 
-/// The text between two commas; blank if there is none.
+enum class QuoteFault {
+  none,
+  not_closed,  ///< there is no closing quote
+  text_after   ///< more text follows the closing quote
+};
+
+/// The text between two commas; blank if there is none. A field whose quotes are faulty
+/// extends to the end of the line, with its quotes.
 struct Field {
   std::string text;  ///< without quotes
   SourceLocation where;
   bool blank = false;
   bool quoted = false;
+  QuoteFault fault = QuoteFault::none;
 };
 
 /// One line of the deck that holds at least one field.

@@ -51,6 +51,8 @@ class Parser {
   bool lists(Card& card, const std::vector<Line>& data, SourceLocation end) {
     return read_lists(card, data, end, maxima_, *diagnostics_);
   }
+  /// Reports faults of the number and the name. Returns false if another card has the
+  /// number: with a faulty name, the blocks of the material are checked all the same.
   bool material(const Material& card);
 
   Deck& deck_;
@@ -295,15 +297,25 @@ bool Parser::material(const Material& card) {
   if (card.name.value.empty()) {
     return is_new;
   }
-  const auto [same, new_name] = names_.emplace(card.name.value, card.name.where.line);
-  if (!new_name) {
-    diagnostics_->error(
-        card.name.where, "MATERIAL",
-        fmt::format("two materials have the name {}", shown(card.name.value)),
-        same->second > 0 ? fmt::format("the first one is on line {}", same->second)
-                         : "");
+  const std::string& name = card.name.value;
+  const auto fault = [&](const std::string& message, const std::string& hint) {
+    diagnostics_->error(card.name.where, "MATERIAL", message, hint);
+  };
+  if (name.find(':') != std::string::npos) {
+    fault(fmt::format("the name {} contains a colon", shown(name)),
+          "a colon ends the name in quantities such as y:material=NAME:max");
+  } else if (name.find_first_not_of("0123456789") == std::string::npos) {
+    fault(fmt::format("the name {} is a number", shown(name)),
+          "in quantities such as y:material=2, a number is that of a material; add a "
+          "letter to the name");
   }
-  return is_new && new_name;
+  const auto [same, new_name] = names_.emplace(name, card.name.where.line);
+  if (!new_name) {
+    fault(fmt::format("two materials have the name {}", shown(name)),
+          same->second > 0 ? fmt::format("the first one is on line {}", same->second)
+                           : "");
+  }
+  return is_new;
 }
 
 bool Parser::title(Start& card, const Line& line) {

@@ -169,7 +169,8 @@ void add_load_cards(std::vector<CardSpec>& cards) {
        .follow_on = selection_lines(),
        .notes = "REMOVE, 12, 15 removes blocks 12 to 15; REMOVE, , , 2 removes all "
                 "blocks of material 2. A block is inside the outline if it lies "
-                "entirely within it at that moment; touching is allowed. The card acts "
+                "entirely within it at that moment; touching is allowed, and so is "
+                "reaching beyond it by 1e-9 of the block. The card acts "
                 "at its place in the deck, so blocks can be removed in stages between "
                 "MOTION cards. The numbers of the other blocks stay.",
        .example = "REMOVE, , , , 4\n39., 39., 43., 43.\n3.5, 5.5, 5.5, 3.5"});
@@ -276,7 +277,7 @@ void add_run_cards(std::vector<CardSpec>& cards) {
              {},
              true}},
        .notes = "The card may continue on further lines. The state at the start and at "
-                "the end is always printed.",
+                "the end is always printed. --set OUTPUT.nb=1,5 replaces all numbers.",
        .example = "OUTPUT, .1, 1, 5, 9",
        .continue_below = std::numeric_limits<std::size_t>::max()});
   cards.push_back({.name = "PLOTS",
@@ -318,7 +319,8 @@ void add_run_cards(std::vector<CardSpec>& cards) {
            "Both steps are read, so an interval near the time step slows the run. "
            "The samples are in the results file, for 'blocks history'. A later "
            "card replaces the earlier one from its place on. Blocks may be made "
-           "after the card. All quantities are on its line.",
+           "after the card. All quantities are on its line; "
+           "--set HISTORY.quantity=ke,y:3 replaces all of them.",
        .example = "HISTORY, .001, ke, y:3, y:6-9"});
   cards.push_back({.name = "MOTION",
                    .section = "A.2.19",

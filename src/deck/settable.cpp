@@ -12,7 +12,8 @@ namespace {
 
 /// Returns the text of a value, in quotes if it would otherwise be split.
 std::string as_written(const Field& field) {
-  const bool needs_quotes = field.text.find_first_of(" \t,$!") != std::string::npos;
+  const bool needs_quotes = field.text.find_first_of(" \t,$!") != std::string::npos ||
+                            field.text.find_first_of("'\"") == 0;
   const char quote = field.text.find('\'') == std::string::npos ? '\'' : '"';
   return needs_quotes ? quote + field.text + quote : field.text;
 }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
-#include <string_view>
+#include <utility>
 
 #include "exchange/block_record.hpp"
 #include "exchange/mesh_writer.hpp"
@@ -49,18 +49,24 @@ std::string rounded(double x, double step, bool up) {
   return fmt::format("{:.{}f}", multiple * step, decimals);
 }
 
-/// Returns the name in quotes, as the last value of a card. Characters that a deck does
-/// not allow there become blanks.
-std::string as_value(std::string name) {
-  for (char& c : name)
-    if (std::string_view("'\"$!\n\r\t").find(c) != std::string_view::npos)
-      c = ' ';
-  return ", '" + name + "'";
+/// Returns the quote that does not occur in the text of a value.
+char quote_of(const std::string& text) {
+  return text.find('\'') == std::string::npos ? '\'' : '"';
 }
 
 double two_digits(double x) { return std::stod(fmt::format("{:.1e}", x)); }
 
 }  // namespace
+
+std::string name_in_deck(std::string name) {
+  name = one_line(std::move(name));
+  const bool both = name.find('\'') != name.npos && name.find('"') != name.npos;
+  for (char& c : name)
+    if (c == ':' || (c == '"' && both))
+      c = ' ';
+  const bool number = name.find_first_not_of("0123456789") == name.npos;
+  return number && !name.empty() ? "material " + name : name;
+}
 
 std::string write_deck_skeleton(const std::vector<Outline>& outlines,
                                 const std::map<long, std::string>& material_names,
@@ -99,13 +105,12 @@ std::string write_deck_skeleton(const std::vector<Outline>& outlines,
                       rounded(extent.upper.y() + margin, step, true), boxes(size.x()),
                       boxes(size.y()), shortest(tolerance));
   deck += "STIFF, 1.E8, 1.E8\nFRACTION, 0.02\n";
-  std::set<std::string> used;
   for (const long material : materials) {
     const auto known = material_names.find(material);
-    const bool named =
-        known != material_names.end() && used.insert(known->second).second;
-    deck += fmt::format("MATERIAL, {}, 1.E10, 4.E9, 2500{}\n", material,
-                        named ? as_value(known->second) : "");
+    deck += fmt::format("MATERIAL, {}, 1.E10, 4.E9, 2500", material);
+    if (known != material_names.end())
+      deck += fmt::format(", {0}{1}{0}", quote_of(known->second), known->second);
+    deck += '\n';
   }
   deck += "$ UNITS, m, kg, s       if these are the units of the coordinates\n";
   deck += fmt::format("RIGID\nEND\nREAD9, '{}'\n", mesh);

@@ -85,7 +85,7 @@ std::string format(std::vector<Message> messages, const std::string& file,
         shown_line = picture(text, begin, message);
     }
     out += fmt::format("{}: {}: {}: {}\n{}", where, message.error ? "error" : "warning",
-                       form, message.text, shown_line);
+                       form, shown(message.text), shown_line);
     const bool last = i + 1 == std::min(messages.size(), most_shown);
     if (!message.hint.empty() && (last || messages[i + 1].hint != message.hint))
       out += "  hint: " + message.hint + "\n";

@@ -42,6 +42,21 @@ TEST(FreeField, KeepsBlanksCommasAndDollarsInQuotes) {
   EXPECT_EQ(line.fields[1].where.length, 18);
 }
 
+// A field with faulty quotes contains the rest of the line.
+TEST(FreeField, NoticesFaultyQuotes) {
+  const Line open = split_fields("READ9, \"my mesh, 2.msh", 1);
+  ASSERT_EQ(open.fields.size(), 2U);
+  EXPECT_EQ(open.fields[1].fault, QuoteFault::not_closed);
+  EXPECT_EQ(open.fields[1].where.length, 15);
+  const Line more = split_fields("READ9, 'it's, mine'", 1);
+  ASSERT_EQ(more.fields.size(), 2U);
+  EXPECT_EQ(more.fields[1].fault, QuoteFault::text_after);
+  for (const char* sound : {"READ9, 'a'", "READ9, 'a' , b", "READ9, 'a'$", "A 'b' 'c'",
+                            "READ9, it's", "READ9, ''"})
+    for (const Field& field : split_fields(sound, 1).fields)
+      EXPECT_EQ(field.fault, QuoteFault::none) << sound;
+}
+
 // An accented letter has two bytes.
 TEST(FreeField, CountsColumnsInCharacters) {
   EXPECT_EQ(joined("\xc3\xa9t\xc3\xa9, 1"), "\xc3\xa9t\xc3\xa9@1 1@6 ");

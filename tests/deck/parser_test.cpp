@@ -130,6 +130,7 @@ TEST(SettableFields, HaveTheFormOfOverrides) {
                           "LAYER.mat=1", "LAYER.x1=0", "LAYER.y1=0", "LAYER.x2=0",
                           "LAYER.y2=1", "LAYER.x3=1", "LAYER.y3=1", "LAYER.x4=1",
                           "LAYER.y4=0", "LAYER.rcommand=", "MOTION[2].dt=2"));
+  EXPECT_THAT(settable_fields("READ9, \"'tis\"\n"), ElementsAre("READ9.file=\"'tis\""));
 }
 
 TEST(Overrides, MayReplaceAValueOutOfRange) {
@@ -143,14 +144,17 @@ TEST(Overrides, AreCheckedLikeTheDeck) {
                                                           {"MOTOIN", "dt", "1"},
                                                           {"MOTION", "td", "1"},
                                                           {"DUMP", "x", "1"},
+                                                          {"FIX", "nb2", "1"},
                                                           {"SEED", "seed", "5"}})
           .messages,
       "--set MOTION.dt=-1: error: MOTION: dt must be > 0, found '-1'\n  hint: dt: "
       "interval\n--set MOTOIN.dt=1: error: unknown card 'MOTOIN'\n  hint: did you mean "
       "MOTION?\n--set MOTION.td=1: error: MOTION: unknown field 'td'\n  hint: did you "
       "mean dt?\n--set DUMP.x=1: error: DUMP: unknown field 'x'\n  hint: this card has "
-      "no fields\n--set SEED.seed=5: error: SEED: the deck has no such card, so --set "
-      "cannot change it\n  hint: add the card to the deck\n5 errors\n");
+      "no fields\n--set FIX.nb2=1: error: FIX: unknown field 'nb2'\n  hint: its only "
+      "field is nblok\n--set SEED.seed=5: error: SEED: the deck has no such card, so "
+      "--set "
+      "cannot change it\n  hint: add the card to the deck\n6 errors\n");
 }
 
 TEST(Overrides, ChangeTheLengthOfListsTheyCount) {

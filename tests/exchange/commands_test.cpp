@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "run/program.hpp"
 
 namespace blocks::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -83,6 +85,74 @@ TEST(Import, DoesNotOverwriteItsInput) {
   folder.write("s.wkt", square);
   EXPECT_EQ(blocks("import s.wkt --material 1 -o s.wkt", folder.path()).code, 2);
   EXPECT_EQ(slurp(folder / "s.wkt"), square);
+}
+
+// The output of -o is the mesh.
+TEST(Import, SaysWhatTheOutputNamesIfItIsTheDeck) {
+  const TemporaryFolder folder;
+  folder.write("s.wkt", square);
+  const Outcome import =
+      blocks("import s.wkt --material 1 --deck -o new.deck", folder.path());
+  EXPECT_EQ(import.code, 2);
+  EXPECT_EQ(import.err,
+            "blocks: error: -o names the mesh, and --deck writes new.deck beside it: "
+            "choose a name for the mesh, such as -o new.mesh.txt\n");
+}
+
+/// Returns a GeoJSON file of one square for each name of a material, from material 1.
+std::string squares_named(const std::vector<std::string>& names) {
+  nlohmann::json file = {{"type", "FeatureCollection"},
+                         {"features", nlohmann::json::array()}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double x = 2.0 * static_cast<double>(i);
+    const nlohmann::json ring = {{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}, {x, 0}};
+    file["features"].push_back(
+        {{"type", "Feature"},
+         {"properties", {{"material", i + 1}, {"material_name", names[i]}}},
+         {"geometry",
+          {{"type", "Polygon"}, {"coordinates", nlohmann::json::array({ring})}}}});
+  }
+  return file.dump();
+}
+
+TEST(Import, KeepsNamesOfMaterialsThatADeckCanHave) {
+  const TemporaryFolder folder;
+  folder.write("s.json", squares_named({"it's, $ y!", "say \"no\""}));
+  const Outcome import = blocks("import s.json --deck", folder.path());
+  EXPECT_EQ(import.code, 0);
+  EXPECT_EQ(import.err, "");
+  EXPECT_THAT(slurp(folder / "s.deck"), AllOf(HasSubstr("2500, \"it's, $ y!\"\n"),
+                                              HasSubstr("2500, 'say \"no\"'\n")));
+  const Outcome check = blocks("check s.deck", folder.path());
+  EXPECT_EQ(check.code, 0) << check.err;
+}
+
+TEST(Import, TellsOtherNamesInTheDeck) {
+  const TemporaryFolder folder;
+  folder.write("s.json",
+               squares_named({"it's \"x\"", "new\nline", "a:max", "7", "it's  x "}));
+  const Outcome import = blocks("import s.json --deck", folder.path());
+  EXPECT_EQ(import.code, 0);
+  for (const char* message : {"the name of material 1 is 'it's  x ' in the deck\n",
+                              "the name of material 2 is 'new line' in the deck\n",
+                              "the name of material 3 is 'a max' in the deck\n",
+                              "the name of material 4 is 'material 7' in the deck\n",
+                              "material 5 has no name in the deck, because another one "
+                              "is named 'it's  x '\n"})
+    EXPECT_THAT(import.err,
+                HasSubstr(std::string("s.json: warning: GeoJSON: ") + message));
+  const Outcome check = blocks("check s.deck", folder.path());
+  EXPECT_EQ(check.code, 0) << check.err;
+}
+
+// Text of a file is shown without its control characters.
+TEST(Import, ShowsANameWithALineBreakOnOneLine) {
+  const TemporaryFolder folder;
+  std::string text = squares_named({"new\nline", "other"});
+  text.replace(text.find("\"material\":2"), 12, "\"material\":1");
+  folder.write("s.json", text);
+  EXPECT_THAT(blocks("import s.json", folder.path()).err,
+              HasSubstr("material 1 has another name, new line, which is kept\n"));
 }
 
 TEST(Import, ReportsFilesThatItCannotReadOrWrite) {
