@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
+
+#include "quantities/units.hpp"
 
 namespace blocks::post {
 namespace {
@@ -20,34 +21,16 @@ std::string factor(const std::string& unit, int power) {
   return power == 1 ? unit : unit + superscript(power);
 }
 
-/// A unit and its size in m, kg or s.
-struct KnownUnit {
-  const char* name;
-  double size;
-};
-constexpr KnownUnit lengths[] = {{"m", 1.0},     {"mm", 1e-3},   {"cm", 1e-2},
-                                 {"dm", 1e-1},   {"km", 1e3},    {"um", 1e-6},
-                                 {"in", 0.0254}, {"ft", 0.3048}, {"yd", 0.9144}};
-constexpr KnownUnit masses[] = {
-    {"kg", 1.0}, {"g", 1e-3}, {"mg", 1e-6},       {"t", 1e3},
-    {"Mg", 1e3}, {"kt", 1e6}, {"lb", 0.45359237}, {"slug", 14.593902937206364}};
-constexpr KnownUnit times[] = {{"s", 1.0},        {"ms", 1e-3},  {"us", 1e-6},
-                               {"min", 60.0},     {"h", 3600.0}, {"d", 86400.0},
-                               {"yr", 31557600.0}};
-
-double size_of(std::span<const KnownUnit> units, const std::string& name) {
-  std::string list;
-  for (const KnownUnit& unit : units) {
-    if (name == unit.name)
-      return unit.size;
-    list += (list.empty() ? "" : ", ") + std::string(unit.name);
-  }
-  throw std::runtime_error("'" + name + "' cannot be converted; known are " + list);
+double size_of(const quantities::KnownUnits& known, const std::string& name) {
+  if (const auto size = known.size_of(name))
+    return *size;
+  throw std::runtime_error("'" + name + "' cannot be converted; known are " +
+                           known.names());
 }
 
-double ratio(std::span<const KnownUnit> units, const std::string& from,
+double ratio(const quantities::KnownUnits& known, const std::string& from,
              const std::string& to) {
-  return from == to ? 1.0 : size_of(units, from) / size_of(units, to);
+  return from == to ? 1.0 : size_of(known, from) / size_of(known, to);
 }
 
 }  // namespace
@@ -78,8 +61,9 @@ double UnitScale::of(const Dimension& d) const {
 }
 
 UnitScale UnitScale::between(const Units& from, const Units& to) {
-  return {ratio(lengths, from.length, to.length), ratio(masses, from.mass, to.mass),
-          ratio(times, from.time, to.time)};
+  return {ratio(quantities::known_lengths(), from.length, to.length),
+          ratio(quantities::known_masses(), from.mass, to.mass),
+          ratio(quantities::known_times(), from.time, to.time)};
 }
 
 std::string time_text(double time, std::optional<double> asked,

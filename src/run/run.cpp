@@ -18,6 +18,7 @@
 #include "run/executor.hpp"
 #include "run/interrupt.hpp"
 #include "run/job.hpp"
+#include "run/units_check.hpp"
 
 namespace blocks::run {
 namespace {
@@ -61,6 +62,8 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   bool in_place = !job.resumes;  // a resumed run checks in place itself
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
+    if (const auto* units = std::get_if<deck::Units>(&command.card))
+      check_units(*units, job.diagnostics);
     builder.apply(command);
     if (!passes_time(command))
       continue;

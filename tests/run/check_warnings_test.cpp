@@ -38,6 +38,24 @@ TEST_F(CheckWarnings, CountAndNameBlocksOutsideTheDomain) {
                               "fixed: 6\n"));
 }
 
+TEST_F(CheckWarnings, TellUnitsThatCannotBeConverted) {
+  const auto warnings_of_units = [&](const std::string& units) {
+    std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 0.1\n";
+    deck.insert(deck.find("\nEND\n") + 1, "UNITS, " + units + "\n");
+    return warnings_of_deck(deck);
+  };
+  EXPECT_EQ(warnings_of_units("mm, t, ms"), "");
+  const std::string swapped = warnings_of_units("kg, m, s");
+  EXPECT_THAT(swapped,
+              AllOf(HasSubstr("warning: UNITS: kg is a unit of mass, not of length\n"),
+                    HasSubstr("warning: UNITS: m is a unit of length, not of mass\n"),
+                    HasSubstr("2 warnings\n")));
+  EXPECT_THAT(
+      warnings_of_units("m, kg, banana"),
+      AllOf(HasSubstr("banana is no known unit, so --units cannot convert it\n"),
+            HasSubstr("hint: known units of time: s, ms, us, min, h, d, yr\n1 warn")));
+}
+
 TEST_F(CheckWarnings, NameRowsOfBlocksOutsideTheDomainAsRanges) {
   EXPECT_THAT(warnings_of("CLOOP, 4, 3, 0\nCREATE, 4, 1\n8, 8, 9, 9\n0, 1, 1, 0\n"
                           "MOTION, 0.1\n"),
