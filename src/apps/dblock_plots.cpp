@@ -9,6 +9,7 @@
 #include "dblock_cards.hpp"
 #include "post/counted.hpp"
 #include "post/figure_scales.hpp"
+#include "post/material_list.hpp"
 #include "post/movie.hpp"
 #include "run/deck_file.hpp"
 #include "run/run.hpp"
@@ -35,7 +36,7 @@ void check_materials(const DblockCards& cards, const post::ResultsReader& result
     if (!present.contains(material))
       faults.error(card.first, card.second,
                    fmt::format("there is no material {}; the results have {}", material,
-                               fmt::join(present, ", ")));
+                               post::material_list(results)));
 }
 
 /// Throws std::runtime_error if an option and a card set the same thing.

@@ -18,6 +18,7 @@
 #include "post/line_chart.hpp"
 #include "post/number_table.hpp"
 #include "post/profile.hpp"
+#include "quoted_list.hpp"
 #include "run/run.hpp"
 #include "text_file.hpp"
 
@@ -127,7 +128,10 @@ post::Curve parse(const std::string& text) {
   try {
     return quantities::parse_curve(text);
   } catch (const quantities::CurveFault& fault) {
-    throw std::runtime_error(std::string(fault.what()) + "\n" + fault.hint);
+    std::string hint = fault.hint;
+    for (auto end = hint.find('\n'); end != hint.npos; end = hint.find('\n', end + 1))
+      hint.insert(end + 1, "        ");
+    throw std::runtime_error(std::string(fault.what()) + "\n  hint: " + hint);
   }
 }
 
@@ -311,9 +315,9 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
           "quantities, separated by commas: speed:9 (block 9), y:9.2 (its corner 2), "
           "y:6-9 or y:material=2 (the mean of these blocks), y:6-9:p90 (their 90th "
           "percentile), speed:max, :min, :mean, :sum or :p90 (all blocks), "
-          "kinetic_energy (the model) (default: what the HISTORY card recorded, "
+          "kinetic_energy (the model), \"y:material=soft, wet clay\" (a name with "
+          "commas) (default: what the HISTORY card recorded, "
           "otherwise kinetic_energy,overlap,contacts)")
-      ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
   command.add_option(
@@ -367,8 +371,10 @@ void add_history_options(CLI::App& command, HistoryOptions& options) {
   command.footer("Quantities " + quantities::history_help());
 }
 
-int history(const HistoryOptions& options) {
+int history(HistoryOptions options) {
   try {
+    options.quantities = split_lists(options.quantities);
+    options.against = fmt::format("{}", fmt::join(split_lists({options.against}), ","));
     if (!options.times.empty() && options.profile.empty())
       throw std::runtime_error(
           "--times is for --profile; limit a history with --from and --to");

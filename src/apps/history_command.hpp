@@ -33,6 +33,6 @@ struct HistoryOptions {
 void add_history_options(CLI::App& command, HistoryOptions& options);
 
 /// Prints or writes histories or profiles. Returns a code of run::ExitCode.
-int history(const HistoryOptions& options);
+int history(HistoryOptions options);
 
 }  // namespace blocks::apps

@@ -17,8 +17,10 @@
 #include "output/results.hpp"
 #include "post/counted.hpp"
 #include "post/figure_scales.hpp"
+#include "post/material_list.hpp"
 #include "post/movie.hpp"
 #include "post/quantity.hpp"
+#include "quoted_list.hpp"
 #include "run/run.hpp"
 
 namespace blocks::apps {
@@ -141,14 +143,14 @@ std::map<int, post::Colour> material_colours(const std::vector<std::string>& tex
   if (texts.empty())
     return chosen;
   const std::set<int> present = post::materials_of(results);
-  for (const std::string& text : texts) {
-    const auto mark = text.find('=');
+  for (const std::string& text : split_lists(texts)) {
+    const auto mark = text.rfind('=');
     const auto colour =
         mark == text.npos ? std::nullopt : named_colour(text.substr(mark + 1));
     if (!colour)
       throw std::runtime_error(
-          "--materials needs MATERIAL=COLOUR, such as 1=RED; colours: " +
-          colour_names() + ", found '" + text + "'");
+          "--materials needs MATERIAL=COLOUR, such as 1=RED, found '" + text +
+          "'\n  hint: colours: " + colour_names());
     const auto material = std::find_if(present.begin(), present.end(), [&](int one) {
       const auto name = results.material_names().find(one);
       return std::to_string(one) == text.substr(0, mark) ||
@@ -156,9 +158,9 @@ std::map<int, post::Colour> material_colours(const std::vector<std::string>& tex
               name->second == text.substr(0, mark));
     });
     if (material == present.end())
-      throw std::runtime_error(fmt::format("there is no material {}; {} has {}",
-                                           text.substr(0, mark), results.path(),
-                                           fmt::join(present, ", ")));
+      throw std::runtime_error(fmt::format(
+          "there is no material {} in {}\n  hint: materials: {}", text.substr(0, mark),
+          results.path(), post::material_list(results)));
     chosen[*material] = *colour;
   }
   return chosen;
@@ -229,7 +231,6 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
           "--materials", options.materials,
           "colours of materials by number or name, such as 1=RED,coal=#303030: " +
               colour_names())
-      ->delimiter(',')
       ->allow_extra_args(false);
   command.add_option("--range", options.range, "low high: ends of the colour scale")
       ->expected(2)

@@ -1,5 +1,5 @@
 // The names that a results file keeps of its deck: those of the units (UNITS) and of
-// the materials (MATERIAL). A file without them is the same as before there were names.
+// the materials (MATERIAL). A deck that names nothing adds nothing to the file.
 #pragma once
 
 #include <map>

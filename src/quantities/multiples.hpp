@@ -15,8 +15,8 @@ class Multiples {
   long first_from(double time) const;
   /// Whether multiple k has come at this time, except for the slack.
   bool has_come(long k, double time) const { return at(k) - slack() <= time; }
-  /// A billionth of the interval, which may be missing: times are sums of time steps
-  /// and rounded.
+  /// A multiple counts as reached if the time falls short of it by this much: times are
+  /// sums of time steps, which are rounded. A billionth of the interval.
   double slack() const { return 1e-9 * interval_; }
 
  private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -38,7 +39,10 @@ std::string Statistic::name() const {
   return fmt::format("p{}", percent);
 }
 
-bool Statistic::parse(const std::string& text, Statistic& statistic) {
+bool Statistic::parse(const std::string& given, Statistic& statistic) {
+  std::string text = given;
+  for (char& c : text)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (const auto found = names.find(text); found != names.end()) {
     statistic = {found->second};
     return true;

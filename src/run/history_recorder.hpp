@@ -22,9 +22,9 @@ class HistoryRecorder {
   /// Call it before the steps of a card, when the model is up to date and the results
   /// have a frame. Adds a sample if the time of the model is a multiple that has none.
   void begin(const Model& model);
-  /// Whether record() must be called after a step, because a sample lies before that
-  /// step or the `next` one; [T] the time of the next one, or slightly more.
-  bool is_due(double next) const { return due_ <= next; }
+  /// Whether record() must be called after the coming step or the one after it, because
+  /// a sample lies there. later: [T] time of the later of the two, or slightly more.
+  bool is_due(double later) const { return due_ <= later; }
   /// Adds the samples that lie between the last state that was recorded and this one.
   void record(const Model& model);
 

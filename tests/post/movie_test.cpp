@@ -162,7 +162,8 @@ TEST_F(PlotCommand, NamesTheChoicesIfAnOptionIsWrong) {
   expect_refusal("--size 85", "--size needs a width such as 85mm");
   expect_refusal("--size 85mm -o hit.mp4", "--width");
   expect_refusal("--colour speed --range 1,1", "low < high");
-  expect_refusal("--materials 7=RED", "there is no material 7; ");
+  expect_refusal("--materials 7=RED",
+                 "there is no material 7 in hit.vtkhdf\n  hint: materials: 1\n");
   expect_refusal("--materials 1=REED", "BLUE, CLEARC, CYAN, GREEN");
 }
 

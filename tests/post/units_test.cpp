@@ -163,6 +163,61 @@ TEST_F(NamedUnits, MaterialNamesSurviveExportAndImport) {
   }
 }
 
+// Two materials: one whose name has a comma, and one without a name.
+class NamedMaterials : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string text =
+        preliminary() + rectangle(-5, -1, 5, 0, true) +
+        "CREATE, 4, 2\n0, 0, 1, 1\n0.001, 1, 1, 0.001\n"
+        "HISTORY, 0.01, 'y:material=soft, old clay:P90', ke\nCYCLE, 50\n";
+    text.insert(text.find('\n', text.find("MATERIAL, 2")), ", 'soft, old clay'");
+    run_text(folder_, "clay", text);
+  }
+  Outcome run(const std::string& command) const {
+    return blocks(command, folder_.path());
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(NamedMaterials, AreAskedForInQuotes) {
+  const Outcome number = run("history clay.vtkhdf --csv -q y:material=2:p90,ke");
+  ASSERT_EQ(number.code, 0) << number.err;
+  const auto values = [](const std::string& csv) { return csv.substr(csv.find("\n")); };
+  for (const std::string quantity :
+       {"y:material=\"soft, old clay\":p90", "\"y:material=soft, old clay:P90\""}) {
+    const Outcome name = run("history clay.vtkhdf --csv -q '" + quantity + ",ke'");
+    EXPECT_EQ(name.code, 0) << name.err;
+    EXPECT_EQ(name.err, "") << "the samples are used";
+    EXPECT_EQ(values(name.out), values(number.out));
+  }
+  EXPECT_EQ(
+      run("history clay.vtkhdf -q ke --against '\"y:material=soft, old clay\"'").code,
+      0);
+  const Outcome open = run("history clay.vtkhdf -q '\"y:material=soft, old clay'");
+  EXPECT_EQ(open.code, 2);
+  EXPECT_THAT(open.err, HasSubstr("the quote is not closed in \"y:material=soft"));
+}
+
+TEST_F(NamedMaterials, AreColouredInQuotes) {
+  const Outcome plot = run("plot clay.vtkhdf -o clay.svg "
+                           "--materials '1=BLUE,\"soft, old clay\"=#123456'");
+  ASSERT_EQ(plot.code, 0) << plot.err;
+  EXPECT_THAT(slurp(folder_ / "clay.svg"), HasSubstr(">soft, old clay<"));
+}
+
+TEST_F(NamedMaterials, AreListedWithTheirNames) {
+  EXPECT_THAT(
+      run("plot clay.vtkhdf --materials rok=RED").err,
+      HasSubstr("there is no material rok in clay.vtkhdf\n  hint: materials: 1, 2 "
+                "(soft, old clay)\n"));
+  EXPECT_THAT(run("history clay.vtkhdf -q sped").err,
+              HasSubstr("there is no quantity 'sped'\n  hint: of blocks"));
+  folder_.write("cards", "RED, 3\n");
+  EXPECT_THAT(run("plot clay.vtkhdf --dblock cards").err,
+              HasSubstr("the results have 1, 2 (soft, old clay)\n"));
+}
+
 TEST(ResultsNames, AreNotWrittenForADeckWithoutThem) {
   const TemporaryFolder folder;
   run_text(folder, "plain", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 1\n");

@@ -36,9 +36,17 @@ TEST(Statistic, InterpolatesPercentilesBetweenTwoValues) {
   EXPECT_EQ(value("p90", {3}), 3);
 }
 
+TEST(Statistic, IsReadInAnyCase) {
+  Statistic statistic;
+  EXPECT_TRUE(Statistic::parse("P90", statistic));
+  EXPECT_EQ(statistic.name(), "p90");
+  EXPECT_TRUE(Statistic::parse("Max", statistic));
+  EXPECT_EQ(statistic.name(), "max");
+}
+
 TEST(Statistic, RefusesOtherNames) {
   Statistic statistic;
-  for (const char* name : {"p", "p101", "p-1", "p.", "p1.2.3", "median", "", "P90",
+  for (const char* name : {"p", "p101", "p-1", "p.", "p1.2.3", "median", "", "PP90",
                            "p9999999999999999999"})
     EXPECT_FALSE(Statistic::parse(name, statistic)) << name;
 }
