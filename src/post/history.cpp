@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "post/material_list.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
@@ -117,7 +118,7 @@ void require_places(const Question& question) {
                                        curve.material, question.materials)))
       throw std::runtime_error(fmt::format("{} has no blocks of material {}: choose {}",
                                            results.path(), curve.material,
-                                           fmt::join(materials, ", ")));
+                                           material_list(results)));
     if (curve.of != Of::corner)
       continue;
     const std::size_t corners = corners_of(question.parts, curve.first);
