@@ -129,13 +129,15 @@ void check_aspect(int count, const Rational& length_to_height) {
     digits.resize(digits.find('\0'));
     return digits;
   };
-  throw LayerError(LayerError::Kind::aspect,
-                   "no random widths with 0.2 <= width/height <= 3.0 fit " +
-                       std::to_string(count) + " blocks into this layer",
-                   fewest <= most ? "from " + text(fewest) + " to " + text(most) +
-                                        " blocks are possible"
-                                  : "the layer is too short for its height: no number "
-                                    "of blocks is possible");
+  const std::string blocks =
+      std::to_string(count) + (count == 1 ? " block" : " blocks");
+  throw LayerError(
+      LayerError::Kind::aspect,
+      "no random widths with 0.2 <= width/height <= 3.0 fit " + blocks +
+          " into this layer",
+      fewest <= most
+          ? "from " + text(fewest) + " to " + text(most) + " blocks are possible"
+          : "the layer is too short for its height: no number of blocks is possible");
 }
 
 std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,

@@ -151,8 +151,8 @@ std::vector<study::Scene> make_scenes(const std::vector<std::string>& names,
     }
     if (checked.model.blocks.size() == 0) {
       fmt::print(stderr,
-                 "blocks: error: {} has no blocks to study\n  hint: the study uses the "
-                 "blocks after the last CREATE, LAYER or READ9 card of the deck\n",
+                 "blocks: error: {} has no blocks to study\n  hint: make some with "
+                 "CREATE, LAYER or READ9\n",
                  checked.file);
       code = run::deck_error;
       return {};

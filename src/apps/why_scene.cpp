@@ -125,7 +125,7 @@ std::string removal_text(const std::string& path, int block) {
     if (frame.is_removed(block))
       return last ? fmt::format("it was removed between times {:g} and {:g}", *last,
                                 frame.time)
-                  : fmt::format("it was removed before time {:g}", frame.time);
+                  : fmt::format("it was removed at time {:g} or before", frame.time);
     last = frame.time;
   }
   return "";

@@ -171,6 +171,12 @@ struct Command {
   Card card;
 };
 
+/// Whether the card is MOTION or CYCLE.
+inline bool passes_time(const Command& command) {
+  return std::holds_alternative<Motion>(command.card) ||
+         std::holds_alternative<Cycle>(command.card);
+}
+
 /// A card with a fault. It is not among the commands.
 struct UnreadCard {
   SourceLocation where;        ///< the keyword

@@ -24,11 +24,6 @@
 namespace blocks {
 namespace {
 
-bool passes_time(const deck::Command& command) {
-  return std::holds_alternative<deck::Motion>(command.card) ||
-         std::holds_alternative<deck::Cycle>(command.card);
-}
-
 /// A CYCLE command of one step at the position of the last card that made blocks. The
 /// checks before a motion are applied to it, because the caller will make the steps.
 deck::Command one_step(const std::vector<deck::Command>& cards) {
@@ -108,7 +103,7 @@ void Simulation::State::act(const deck::Deck& deck, deck::Diagnostics& said) {
   Model trial = model;
   obey(trial, deck, said, false);
   keep_warnings(said);
-  if (std::none_of(deck.commands.begin(), deck.commands.end(), passes_time)) {
+  if (std::none_of(deck.commands.begin(), deck.commands.end(), deck::passes_time)) {
     model = std::move(trial);
   } else {
     deck::Diagnostics later(said.file(), deck.text);
@@ -159,7 +154,7 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
   bool in_place = true;
   for (const deck::Command& command : deck.commands) {
     builder.apply(command);
-    if (!passes_time(command))
+    if (!deck::passes_time(command))
       continue;
     if (moving || !said.has_errors())
       builder.check_before_motion(command, in_place);

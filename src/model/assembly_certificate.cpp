@@ -10,6 +10,7 @@
 
 #include "geometry/block_shape.hpp"
 #include "geometry/rounding.hpp"
+#include "model/counted.hpp"
 
 namespace blocks {
 namespace {
@@ -32,10 +33,6 @@ void find_joints(const std::vector<geometry::Polygon>& outlines,
   certificate.rounding_slits = static_cast<std::size_t>(
       std::count_if(slits.begin(), slits.end(),
                     [](const geometry::Slit& s) { return s.by_rounding; }));
-}
-
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string at(const Vec2& place) {
@@ -94,27 +91,26 @@ AssemblyCertificate certify_assembly(const Blocks& blocks, int moved,
 
 std::string verdict(const AssemblyCertificate& certificate) {
   std::string text;
-  if (certificate.holds()) {
-    text = fmt::format("no two of {} blocks overlap{}",
-                       certificate.blocks - certificate.removed,
+  const int present = certificate.blocks - certificate.removed;
+  if (present == 1) {
+    text = "1 block, so none overlap";
+  } else if (certificate.holds()) {
+    text = fmt::format("no two of {} blocks overlap{}", present,
                        certificate.roundings.empty() ? "" : " beyond rounding");
   } else {
     const auto worst =
         std::max_element(certificate.overlaps.begin(), certificate.overlaps.end(),
                          [](const auto& a, const auto& b) { return a.area < b.area; });
-    text = fmt::format("{} pair{} of {} blocks overlap{}, most of all {} and {} by an "
-                       "area of {}",
-                       certificate.overlaps.size(),
-                       certificate.overlaps.size() == 1 ? "" : "s",
-                       certificate.blocks - certificate.removed,
+    text = fmt::format("{} of {} blocks overlap{}, most of all {} and {} by an area "
+                       "of {}",
+                       counted(certificate.overlaps.size(), "pair"), present,
                        certificate.overlaps.size() == 1 ? "s" : "", worst->first + 1,
                        worst->second + 1, geometry::positive_text(worst->area, 3));
   }
   if (!certificate.roundings.empty())
-    text += fmt::format("; {} pair{} by the rounding of corners, the largest by {} "
-                        "of the smaller block",
-                        certificate.roundings.size(),
-                        certificate.roundings.size() == 1 ? "" : "s",
+    text += fmt::format("; {} by the rounding of corners, the largest by {} of the "
+                        "smaller block",
+                        counted(certificate.roundings.size(), "pair"),
                         geometry::positive_text(certificate.largest_rounding, 2));
   if (certificate.moved > 0) {
     text += certificate.moved == certificate.blocks

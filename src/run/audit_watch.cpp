@@ -9,6 +9,7 @@
 #include "audit/story.hpp"
 #include "audit/words.hpp"
 #include "dynamics/search/list_tolerance.hpp"
+#include "model/counted.hpp"
 
 namespace blocks::run {
 namespace {
@@ -108,13 +109,14 @@ AuditWatch::Verdict AuditWatch::after(const Model& model,
 
 std::string AuditWatch::closing() const {
   return fmt::format(
-      "audit every {} steps: {} audits, {} pairs of blocks near each other, {} acting "
-      "contacts; pairs missed: {}; wrong decisions: {}; pairs of blocks that overlap "
+      "audit every {}: {}, {} of blocks near each other, {}; pairs missed: {}; wrong "
+      "decisions: {}; pairs of blocks that overlap "
       "more than their contacts explain: {} (worst {:.3g}); contacts deeper than the "
       "overlap of their blocks: {} (worst {:.3g})",
-      totals_.every, totals_.moments, totals_.pairs, totals_.acting, totals_.missed,
-      totals_.wrong, totals_.excess.size(), totals_.worst.excess(), totals_.deep.size(),
-      totals_.deepest.excess());
+      counted(totals_.every, "step"), counted(totals_.moments, "audit"),
+      counted(totals_.pairs, "pair"), counted(totals_.acting, "acting contact"),
+      totals_.missed, totals_.wrong, totals_.excess.size(), totals_.worst.excess(),
+      totals_.deep.size(), totals_.deepest.excess());
 }
 
 }  // namespace blocks::run

@@ -9,6 +9,7 @@
 #include "deck/mesh_readers.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "geometry/layer.hpp"
+#include "model/counted.hpp"
 #include "run/contact_room.hpp"
 
 namespace blocks::run {
@@ -49,8 +50,8 @@ bool BlockBuilder::fits(long more, deck::SourceLocation where) {
   if (more <= room || !has_start())
     return true;
   error(where,
-        fmt::format("{} more blocks exceed START's maximum of {}", more,
-                    model_.settings.max_blocks),
+        fmt::format("{} exceed{} START's maximum of {}", counted(more, "more block"),
+                    more == 1 ? "s" : "", model_.settings.max_blocks),
         fmt::format(
             "{} exist so far: {} more are possible, or raise nblok on the START card",
             model_.blocks.size(), room));

@@ -11,10 +11,12 @@
 
 #include "deck/mesh_readers.hpp"
 #include "dynamics/time_step.hpp"
+#include "model/counted.hpp"
 #include "run/build_blocks.hpp"
 #include "run/deck_file.hpp"
 #include "run/deck_outlines.hpp"
 #include "run/history_card.hpp"
+#include "run/number_ranges.hpp"
 
 namespace blocks::run {
 
@@ -224,31 +226,21 @@ struct Builder::Visitor {
     settings.friction = card.fric.value;
   }
   void operator()(const deck::SetVel& card) {
-    const int first = self.block(command, card.nb1);
-    const int last = first < 0 ? -1 : self.last_block(command, first, card.nb2);
-    for (int b = std::max(first, 0); b <= last; ++b)
-      set_velocity(b, card.vx.value, card.vy.value, card.tdot.value);
+    set_velocity(self.blocks_in_range(command, card.nb1, card.nb2), card.nb1.where,
+                 card);
   }
   void operator()(const deck::SetVelM& card) {
-    if (!self.has_material(command, card.mat))
-      return;
-    int count = 0;
-    for (int b = 0; b < blocks.size(); ++b)
-      if (blocks.material[b] == card.mat.value) {
-        set_velocity(b, card.vx.value, card.vy.value, card.tdot.value);
-        ++count;
-      }
-    if (count == 0 && self.most_missing(command.where.line) == 0)
-      warning(card.mat.where,
-              fmt::format("no block of material {} exists here", card.mat.value),
-              "SETVELM takes effect at its place in the deck: put it after the cards "
-              "that make the blocks");
+    set_velocity(self.blocks_of_material(command, card.mat), card.mat.where, card);
   }
-  void set_velocity(int b, double vx, double vy, double spin) {
-    if (!blocks.is_free(b))
-      return;
-    blocks.velocity.col(b) = Vec2(vx, vy);
-    blocks.spin[b] = spin;
+  void set_velocity(std::vector<int> chosen, deck::SourceLocation where,
+                    const auto& card) {
+    self.leave_out_removed(command, where, chosen);
+    for (const int b : chosen) {
+      if (!blocks.is_free(b))
+        continue;
+      blocks.velocity.col(b) = Vec2(card.vx.value, card.vy.value);
+      blocks.spin[b] = card.tdot.value;
+    }
   }
   void operator()(const deck::Damping& card) {
     settings.damping = card.beta.value;
@@ -286,8 +278,12 @@ struct Builder::Visitor {
     self.histories_.push_back(command);  // its blocks may be made later
   }
   void operator()(const deck::Dump&) {}
-  void operator()(const deck::Motion&) { ++self.stretch_; }
-  void operator()(const deck::Cycle&) { ++self.stretch_; }
+  void operator()(const deck::Motion&) { pass_time(); }
+  void operator()(const deck::Cycle&) { pass_time(); }
+  void pass_time() {
+    ++self.stretch_;
+    self.in_place_ = self.options_.moves;
+  }
   void operator()(const deck::Stop&) {}
 
   std::vector<std::pair<Command, deck::Material>>& materials = self.materials_;
@@ -310,10 +306,9 @@ void Builder::begin_to_move(SharedCertificate certificate) {
 
 void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
                     const std::vector<geometry::BlockOverlap>& overlaps) {
-  for (std::size_t i = 0; i < next; ++i)
-    stretch_ += std::holds_alternative<deck::Motion>(cards[i].card) ||
-                std::holds_alternative<deck::Cycle>(cards[i].card);
-  first_stretch_ = stretch_;
+  stretch_ = static_cast<std::size_t>(
+      std::count_if(cards.begin(), cards.begin() + static_cast<std::ptrdiff_t>(next),
+                    deck::passes_time));
   AssemblyCertificate told;
   told.blocks = told.moved = model_.blocks.size();
   told.removed = told.blocks - model_.blocks.count_present();
@@ -328,21 +323,60 @@ int Builder::block(const Command& command, const deck::Int& number) {
   return -1;
 }
 
-int Builder::last_block(const Command& command, int first, const deck::Int& nb2) {
-  return nb2.value < 0    ? model_.blocks.size() - 1
-         : nb2.value == 0 ? first
-                          : block(command, nb2);
-}
-
 int Builder::block_to_change(const Command& command, const deck::Int& number) {
   const int b = block(command, number);
-  if (b < 0 || !model_.blocks.is_removed(b))
+  if (b < 0)
     return b;
-  diagnostics_.warning(
-      number.where, command.name,
-      fmt::format("block {} is removed, so the card has no effect", number.value),
-      "remove blocks after the cards that name them");
-  return -1;
+  std::vector<int> chosen = {b};
+  leave_out_removed(command, number.where, chosen);
+  return chosen.empty() ? -1 : b;
+}
+
+std::string Builder::place_hint(const Command& command) {
+  return command.name + " takes effect at its place in the deck: put it after the "
+                        "cards that make the blocks";
+}
+
+std::vector<int> Builder::blocks_in_range(const Command& command, const deck::Int& nb1,
+                                          const deck::Int& nb2) {
+  const int first = block(command, nb1);
+  if (first < 0)
+    return {};
+  const int last = nb2.value < 0    ? model_.blocks.size() - 1
+                   : nb2.value == 0 ? first
+                                    : block(command, nb2);
+  std::vector<int> chosen;
+  for (int b = first; b <= last; ++b)
+    chosen.push_back(b);
+  return chosen;
+}
+
+std::vector<int> Builder::blocks_of_material(const Command& command,
+                                             const deck::Int& material) {
+  if (!has_material(command, material))
+    return {};
+  const Blocks& blocks = model_.blocks;
+  std::vector<int> chosen;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (blocks.material[b] == material.value)
+      chosen.push_back(b);
+  if (chosen.empty() && most_missing(command.where.line) == 0)
+    diagnostics_.warning(
+        material.where, command.name,
+        fmt::format("no block of material {} exists here", material.value),
+        place_hint(command));
+  return chosen;
+}
+
+void Builder::leave_out_removed(const Command& command, deck::SourceLocation where,
+                                std::vector<int>& chosen) {
+  const auto is_removed = [&](int b) { return model_.blocks.is_removed(b); };
+  if (!chosen.empty() && std::all_of(chosen.begin(), chosen.end(), is_removed))
+    diagnostics_.warning(
+        where, command.name,
+        fmt::format("{} removed, so the card has no effect", blocks_are(chosen)),
+        "remove blocks after the cards that name them");
+  std::erase_if(chosen, is_removed);
 }
 
 bool Builder::has_material(const Command& command, const deck::Int& number) {
@@ -381,9 +415,10 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
     return;
   diagnostics_.error(
       number.where, command.name, fmt::format("there is no block {}", number.value),
-      most == 0       ? "no block has been created so far"
-      : most == count ? fmt::format("blocks 1 to {} exist here", count)
-                      : fmt::format("at most {} blocks exist here", most));
+      most == 0      ? "no block has been created so far"
+      : most > count ? fmt::format("at most {} exist here", counted(most, "block"))
+      : count == 1   ? std::string("only block 1 exists here")
+                     : fmt::format("blocks 1 to {} exist here", count));
 }
 
 }  // namespace blocks::run

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,11 +79,6 @@ class Builder {
   /// the last call, one per line.
   std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
 
-  /// Puts back the blocks that cards removed after a motion that made no steps, so that
-  /// the model is the one before its first step again. Does nothing if blocks were made
-  /// after such a motion, because they may be where the removed ones are.
-  void put_back_removed();
-
   /// The certificate of the blocks when the latest of them were made; null before the
   /// first motion.
   const SharedCertificate& certificate() const { return certificate_; }
@@ -98,9 +94,20 @@ class Builder {
   /// Returns the index like block(). Also returns -1 for a removed block, with a
   /// warning that the card has no effect.
   int block_to_change(const deck::Command& command, const deck::Int& number);
-  /// Returns the last block of a range, or -1 after an error; nb2 is 0 for the first
+  /// Returns the hint of a warning that the card finds no blocks.
+  static std::string place_hint(const deck::Command& command);
+  /// Returns the blocks of a range, or nothing after an error; nb2 is 0 for the first
   /// block alone and negative for all blocks so far.
-  int last_block(const deck::Command& command, int first, const deck::Int& nb2);
+  std::vector<int> blocks_in_range(const deck::Command& command, const deck::Int& nb1,
+                                   const deck::Int& nb2);
+  /// Returns the blocks of a material. Returns nothing after an error, or if there are
+  /// none, with a warning.
+  std::vector<int> blocks_of_material(const deck::Command& command,
+                                      const deck::Int& material);
+  /// Deletes the removed blocks from the list. Warns that the card has no effect if no
+  /// others are in it.
+  void leave_out_removed(const deck::Command& command, deck::SourceLocation where,
+                         std::vector<int>& chosen);
   /// `given` is the number or name of the material as the card has it.
   void error_no_material(const deck::Command& command, deck::SourceLocation where,
                          const std::string& given);
@@ -118,8 +125,6 @@ class Builder {
   /// Records what the card did, for the listing and the report of `check`.
   void note(const deck::Command& command, const char* done,
             const std::vector<int>& chosen);
-  /// Returns whether the blocks are where they will be when the card acts.
-  bool is_in_place() const { return options_.moves || stretch_ == first_stretch_; }
 
   void check_planes();
   void check_room(const deck::Command& command);
@@ -138,11 +143,13 @@ class Builder {
   UnreadCards unread_;
   long failed_blocks_ = 0;  ///< the most blocks that cards with errors should make
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
-  std::size_t stretch_ = 0;        ///< index of the section between motions
-  std::size_t first_stretch_ = 0;  ///< its value at the start
-  bool freed_ = false;             ///< FREE has acted since the last motion
-  /// Blocks removed after a motion that made no steps, and their fixities before.
-  std::vector<std::pair<int, Fixity>> removed_later_;
+  std::size_t stretch_ = 0;  ///< index of the section between motions
+  /// The blocks are where they will be when the next card acts. This is false after a
+  /// motion that made no steps.
+  bool in_place_ = true;
+  /// Blocks inside the outlines of REMOVE cards that acted while not in place. They
+  /// remain in the model, because they may be elsewhere when the run removes blocks.
+  std::set<int> perhaps_removed_;
   std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END

@@ -8,6 +8,7 @@
 
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
+#include "model/counted.hpp"
 #include "run/contact_room.hpp"
 #include "run/history_card.hpp"
 
@@ -39,10 +40,9 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
     return;
   }
   if (blocks.count_present() == 0) {
-    if (in_place)
-      diagnostics_.error(command.where, command.name,
-                         "all blocks are removed, so there is nothing to move",
-                         "remove fewer blocks, or make others");
+    diagnostics_.error(command.where, command.name,
+                       "all blocks are removed, so there is nothing to move",
+                       "remove fewer blocks, or make others");
     return;
   }
   check_fraction(command);
@@ -59,8 +59,8 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
   check_planes();
   check_overlaps(command);
   check_room(command);
-  const bool freed = std::exchange(freed_, false);
-  if (!model_.settings.rigid && (freed || blocks.size() > checked_blocks_)) {
+  const bool is_new_step = model_.time_step.blocks != blocks.size();
+  if (!model_.settings.rigid && is_new_step) {
     const TimeStep chosen = dynamics::choose_time_step(model_);
     if (chosen.elastic)
       diagnostics_.warning(
@@ -223,7 +223,7 @@ void Builder::check_overlaps(const Command& command) {
   for (std::size_t i = 0; i < std::min(pairs.size(), shown); ++i)
     warn_of_overlap(pairs[i], command,
                     i + 1 == shown && pairs.size() > shown
-                        ? fmt::format("and {} more pairs; ", pairs.size() - shown)
+                        ? "and " + counted(pairs.size() - shown, "more pair") + "; "
                         : "");
 }
 

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/polygon.hpp"
 #include "geometry/region.hpp"
+#include "model/counted.hpp"
 #include "model/removal.hpp"
 #include "run/number_ranges.hpp"
 
@@ -35,16 +35,6 @@ bool contains_block(const geometry::Region& region, const Blocks& blocks, int b)
          region.contains(shrunk(outline, blocks.centroid.col(b)));
 }
 
-std::string counted(std::size_t count) {
-  return fmt::format("{} block{}", count, count == 1 ? "" : "s");
-}
-
-/// Returns the hint of a warning that there is no such block.
-std::string place_hint(const Command& command) {
-  return command.name + " takes effect at its place in the deck: put it after the "
-                        "cards that make the blocks";
-}
-
 }  // namespace
 
 void Builder::remove(const Command& command, const deck::Selection& named) {
@@ -57,70 +47,50 @@ void Builder::remove(const Command& command, const deck::Selection& named) {
                          "the blocks named here are removed already");
     return;
   }
-  if (!is_in_place())
-    for (const int b : chosen)
-      removed_later_.emplace_back(b, model_.blocks.fixity[b]);
-  remove_blocks(model_, chosen);
+  if (named.nc.given && !in_place_)
+    perhaps_removed_.insert(chosen.begin(), chosen.end());
+  else
+    remove_blocks(model_, chosen);
   note(command, "removed", chosen);
-}
-
-void Builder::put_back_removed() {
-  if (certificate_ && certificate_->blocks == model_.blocks.size())
-    for (const auto& [b, fixity] : removed_later_)
-      model_.blocks.fixity[b] = fixity;
-  removed_later_.clear();
 }
 
 void Builder::free(const Command& command, const deck::Selection& named) {
   std::vector<int> chosen = select(command, named);
   if (chosen.empty())
     return;
-  const Blocks& blocks = model_.blocks;
-  const auto count = [&](Fixity fixity) {
-    return std::count_if(chosen.begin(), chosen.end(),
-                         [&](int b) { return blocks.fixity[b] == fixity; });
+  const auto chosen_with = [&](Fixity fixity) {
+    std::vector<int> found;
+    for (const int b : chosen)
+      if (model_.blocks.fixity[b] == fixity)
+        found.push_back(b);
+    return found;
   };
-  const auto left = count(Fixity::left_domain), removed = count(Fixity::removed);
-  std::erase_if(chosen, [&](int b) { return blocks.fixity[b] != Fixity::by_user; });
-  if (chosen.empty()) {
-    // Before the motions the check does not know which blocks will leave the domain.
-    if (left > 0 || removed > 0 || is_in_place())
-      diagnostics_.warning(command.where, command.name,
-                           left > 0      ? "a block that left the domain remains fixed"
-                           : removed > 0 ? "a removed block remains removed"
-                                         : "the blocks named here are free already");
+  const std::vector<int> fixed = chosen_with(Fixity::by_user);
+  if (!fixed.empty()) {
+    free_blocks(model_, fixed);
+    note(command, "freed", fixed);
     return;
   }
-  free_blocks(model_, chosen);
-  freed_ = true;
-  note(command, "freed", chosen);
+  const std::vector<int> left = chosen_with(Fixity::left_domain),
+                         removed = chosen_with(Fixity::removed);
+  if (!left.empty())
+    diagnostics_.warning(command.where, command.name,
+                         blocks_are(left) + " outside the domain and cannot be freed",
+                         "FREE frees the blocks that FIX or ifix has fixed");
+  else if (!removed.empty())
+    diagnostics_.warning(command.where, command.name,
+                         blocks_are(removed) + " removed and cannot be freed",
+                         "FREE frees the blocks that FIX or ifix has fixed");
+  else if (in_place_)  // Otherwise they may have left the domain when FREE acts.
+    diagnostics_.warning(command.where, command.name,
+                         "the blocks named here are free already");
 }
 
 std::vector<int> Builder::select(const Command& command, const deck::Selection& named) {
   if (named.nc.given)
     return select_inside(command, named);
-  const Blocks& blocks = model_.blocks;
-  std::vector<int> chosen;
-  if (named.mat.given) {
-    if (!has_material(command, named.mat))
-      return {};
-    for (int b = 0; b < blocks.size(); ++b)
-      if (blocks.material[b] == named.mat.value)
-        chosen.push_back(b);
-    if (chosen.empty() && most_missing(command.where.line) == 0)
-      diagnostics_.warning(
-          named.mat.where, command.name,
-          fmt::format("no block of material {} exists here", named.mat.value),
-          place_hint(command));
-    return chosen;
-  }
-  const int first = block(command, named.nb1);
-  const int last = first < 0 ? -1 : last_block(command, first, named.nb2);
-  if (last < 0)
-    return {};
-  chosen.resize(static_cast<std::size_t>(last - first + 1));
-  std::iota(chosen.begin(), chosen.end(), first);
-  return chosen;
+  return named.mat.given ? blocks_of_material(command, named.mat)
+                         : blocks_in_range(command, named.nb1, named.nb2);
 }
 
 std::vector<int> Builder::select_inside(const Command& command,
@@ -144,30 +114,31 @@ std::vector<int> Builder::select_inside(const Command& command,
   std::vector<int> chosen;
   std::size_t partly = 0;
   for (int b = 0; b < blocks.size(); ++b) {
-    if (blocks.is_removed(b))
+    if (blocks.is_removed(b) || perhaps_removed_.contains(b))
       continue;
     if (contains_block(region, blocks, b))
       chosen.push_back(b);
     else if (region.contains(Vec2(blocks.centroid.col(b))))
       ++partly;
   }
-  if (chosen.empty() && is_in_place() && most_missing(command.where.line) == 0)
+  if (chosen.empty() && in_place_ && most_missing(command.where.line) == 0)
     diagnostics_.warning(
         named.nc.where, command.name, "no block lies entirely inside the outline",
-        partly > 0 ? fmt::format("{} with the centroid inside {} beyond the outline: "
-                                 "draw it wider",
-                                 counted(partly), partly == 1 ? "reaches" : "reach")
-                   : place_hint(command));
+        partly > 0
+            ? fmt::format("{} with the centroid inside {} beyond the outline: "
+                          "draw it wider",
+                          counted(partly, "block"), partly == 1 ? "reaches" : "reach")
+            : place_hint(command));
   return chosen;
 }
 
 void Builder::note(const Command& command, const char* done,
                    const std::vector<int>& chosen) {
-  notes_.push_back(fmt::format("{} in line {}{}: {} {}: {}", command.name,
-                               command.where.line,
-                               is_in_place() ? fmt::format(" at time {:g}", model_.time)
-                                             : std::string(", if nothing moves before"),
-                               counted(chosen.size()), done, number_ranges(chosen)));
+  notes_.push_back(
+      fmt::format("{} in line {}{}: {} {}: {}", command.name, command.where.line,
+                  in_place_ ? fmt::format(" at time {:g}", model_.time)
+                            : std::string(", if nothing moves before"),
+                  counted(chosen.size(), "block"), done, number_ranges(chosen)));
 }
 
 }  // namespace blocks::run

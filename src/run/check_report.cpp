@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "dynamics/time_step.hpp"
+#include "model/counted.hpp"
 
 namespace blocks::run {
 
@@ -20,9 +21,9 @@ std::string check_report(const std::string& file, const Model& model,
     area += blocks.area[b];
   }
   std::string text = fmt::format(
-      "{}: no errors\n{} blocks ({} fixed{}), {} corners, area {:.9g}\n", file, present,
-      fixed, removed > 0 ? fmt::format("; {} more are removed", removed) : "", corners,
-      area);
+      "{}: no errors\n{} ({} fixed{}), {} corners, area {:.9g}\n", file,
+      counted(present, "block"), fixed,
+      removed > 0 ? "; " + counted(removed, "other") + " removed" : "", corners, area);
   for (const LayerRecord& layer : model.layers)
     text += fmt::format(
         "layer {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, "

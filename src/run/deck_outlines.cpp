@@ -48,8 +48,7 @@ shared_corners(const std::vector<deck::Command>& cards) {
     else if (const auto* create = std::get_if<deck::Create>(&command.card);
              create != nullptr && (!create->loop || create->loop->nloop.value <= room))
       outlines.push_back(outline_of(*create));
-    else if (std::holds_alternative<deck::Motion>(command.card) ||
-             std::holds_alternative<deck::Cycle>(command.card))
+    else if (deck::passes_time(command))
       close();
   }
   close();

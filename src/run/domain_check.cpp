@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/domain.hpp"
+#include "model/counted.hpp"
 #include "run/number_ranges.hpp"
 
 namespace blocks::run {
@@ -51,13 +52,12 @@ void check_domain(const Model& model, int begin, const DomainCards& cards,
     const std::vector<int>& found = outside[axis];
     if (found.empty())
       continue;
-    const bool one = found.size() == 1;
     const char* card = axis == 0 ? "XLIMITS" : "YLIMITS";
-    diagnostics.warning(cards[axis].value_or(motion.where),
-                        cards[axis] ? card : motion.name,
-                        fmt::format("{} block{} outside the domain will be fixed: {}",
-                                    found.size(), one ? "" : "s", number_ranges(found)),
-                        reach_text(model, found.front(), axis, makers));
+    diagnostics.warning(
+        cards[axis].value_or(motion.where), cards[axis] ? card : motion.name,
+        fmt::format("{} outside the domain will be fixed: {}",
+                    counted(found.size(), "block"), number_ranges(found)),
+        reach_text(model, found.front(), axis, makers));
   }
 }
 

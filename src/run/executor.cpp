@@ -8,6 +8,7 @@
 #include <sstream>
 #include <thread>
 
+#include "model/counted.hpp"
 #include "run/interrupt.hpp"
 #include "run/profile_table.hpp"
 #include "run/soundness.hpp"
@@ -108,10 +109,11 @@ void Executor::start() {
   dynamics::prepare(model_);
   if (!started_moving_) {
     echo();
-    console_.note(fmt::format("dt {:.6g} set by block {} ({}), {} blocks, seed {}",
+    console_.note(fmt::format("dt {:.6g} set by block {} ({}), {}, seed {}",
                               model_.time_step.dt, model_.time_step.block + 1,
                               model_.time_step.elastic ? "its stiffness" : "contact",
-                              model_.blocks.count_present(), model_.settings.seed));
+                              counted(model_.blocks.count_present(), "block"),
+                              model_.settings.seed));
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.frame(model_);
     files_.table(model_);
@@ -326,8 +328,9 @@ void Executor::tell_profile() {
 void Executor::tell_what_remains() const {
   const bool is_reached = steps_to_end() == 0;
   console_.note(fmt::format(
-      "{} steps of this card remain; to continue: blocks run {} --restart {}{}{}",
-      progress_.steps_left, options_.deck, files_.checkpoint_path(),
+      "{} of this card remain{}; to continue: blocks run {} --restart {}{}{}",
+      counted(progress_.steps_left, "step"), progress_.steps_left == 1 ? "s" : "",
+      options_.deck, files_.checkpoint_path(),
       options_.output.empty() ? "" : " -o " + options_.output,
       options_.until && !is_reached ? fmt::format(" --until {}", *options_.until)
                                     : ""));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/counted.hpp"
 #include "run/geometry_report.hpp"
 
 namespace blocks::run {
@@ -84,9 +85,9 @@ std::string layers(const GeometryReport& report) {
 
 std::string joints(const GeometryReport& report) {
   const auto& found = report.certificate.joints;
-  std::string text = fmt::format(
-      "  {} T-junction{}: a corner inside a side of another block (legal)\n",
-      found.t_junctions.size(), found.t_junctions.size() == 1 ? "" : "s");
+  std::string text =
+      fmt::format("  {}: a corner inside a side of another block (legal)\n",
+                  counted(found.t_junctions.size(), "T-junction"));
   text += first_of(found.t_junctions, [](const geometry::TJunction& junction) {
     return fmt::format("  corner {} of block {} in a side of block {} at {}",
                        junction.corner + 1, junction.block + 1, junction.other + 1,
@@ -96,9 +97,8 @@ std::string joints(const GeometryReport& report) {
     text +=
         fmt::format("  no gaps up to {:g} of a block's size\n", geometry::widest_slit);
   else
-    text += fmt::format("  {} gap{} up to {:g} of a block's size, the widest {:.3g}\n",
-                        report.certificate.gaps(),
-                        report.certificate.gaps() == 1 ? "" : "s",
+    text += fmt::format("  {} up to {:g} of a block's size, the widest {:.3g}\n",
+                        counted(report.certificate.gaps(), "gap"),
                         geometry::widest_slit, found.slits.front().width);
   const std::vector<geometry::Slit> gaps(
       found.slits.begin(),
@@ -108,9 +108,8 @@ std::string joints(const GeometryReport& report) {
                        slit.second + 1, slit.width, at(slit.place));
   });
   if (report.certificate.rounding_slits > 0)
-    text += fmt::format("  {} slit{} made by rounding, the widest {:.2g}\n",
-                        report.certificate.rounding_slits,
-                        report.certificate.rounding_slits == 1 ? "" : "s",
+    text += fmt::format("  {} made by rounding, the widest {:.2g}\n",
+                        counted(report.certificate.rounding_slits, "slit"),
                         found.slits[report.certificate.gaps()].width);
   return text;
 }
@@ -131,8 +130,8 @@ std::string resolution(const GeometryReport& report) {
 }  // namespace
 
 std::string text(const GeometryReport& report) {
-  std::string text = fmt::format("{}: {} blocks, {} corners\n", report.file,
-                                 report.blocks, report.corners);
+  std::string text = fmt::format("{}: {}, {} corners\n", report.file,
+                                 counted(report.blocks, "block"), report.corners);
   if (report.blocks == 0)
     return text;
   text += fmt::format("\n  {:<22}{:>13}{:>13}{:>13}\n", "of each block", "smallest",

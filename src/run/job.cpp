@@ -11,11 +11,6 @@
 
 namespace blocks::run {
 
-bool passes_time(const deck::Command& command) {
-  return std::holds_alternative<deck::Motion>(command.card) ||
-         std::holds_alternative<deck::Cycle>(command.card);
-}
-
 Job::Job(const RunOptions& given)
     : options(given), text(read_deck(given.deck)),
       diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
@@ -37,7 +32,7 @@ Job::Job(const RunOptions& given)
 
 bool Job::passes_time_from(std::size_t command) const {
   for (std::size_t i = command; i < end; ++i)
-    if (passes_time(deck.commands[i]))
+    if (deck::passes_time(deck.commands[i]))
       return true;
   return false;
 }
@@ -107,7 +102,7 @@ bool Job::is_in_deck() const {
     return false;
   const deck::Command& command = deck.commands[first_command()];
   const auto* cycle = std::get_if<deck::Cycle>(&command.card);
-  return passes_time(command) &&
+  return deck::passes_time(command) &&
          (cycle == nullptr || from.progress.steps_left <= cycle->ncycle.value);
 }
 

@@ -14,9 +14,6 @@
 
 namespace blocks::run {
 
-/// Whether the card is MOTION or CYCLE.
-bool passes_time(const deck::Command& command);
-
 /// A deck with everything needed to execute it twice: once to check it, once to run it.
 struct Job {
   /// Reads and parses the deck. With --until, adds a MOTION card behind the last card

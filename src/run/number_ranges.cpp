@@ -22,4 +22,10 @@ std::string number_ranges(const std::vector<int>& blocks) {
   return text;
 }
 
+std::string blocks_are(const std::vector<int>& blocks) {
+  const bool one = blocks.size() == 1;
+  return fmt::format("block{} {} {}", one ? "" : "s", number_ranges(blocks),
+                     one ? "is" : "are");
+}
+
 }  // namespace blocks::run

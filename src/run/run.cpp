@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "dynamics/support/memory_pages.hpp"
+#include "model/counted.hpp"
 #include "output/file_tools.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
@@ -48,10 +50,11 @@ Model load_to_check(Job& job) {
   }
 }
 
-/// Executes every card without making steps. The model is then the one that the deck
-/// describes before its first step. `notes` receives the notes on mesh files and shared
-/// corners. Returns false if there were errors.
-bool check(Job& job, Model& model, std::vector<std::string>& notes) {
+/// Executes every card without making steps. `start` receives the model at the first
+/// MOTION or CYCLE, or at the end if there is none. `notes` receives the notes on what
+/// cards did. Returns false if there were errors.
+bool check(Job& job, Model& start, std::vector<std::string>& notes) {
+  Model model;
   if (job.loads())
     model = load_to_check(job);
   BuildOptions options = job.build_options();
@@ -59,32 +62,40 @@ bool check(Job& job, Model& model, std::vector<std::string>& notes) {
   Builder builder(model, job.diagnostics, job.deck.commands, std::move(options));
   if (job.resumes)
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
-  bool in_place = !job.resumes;  // a resumed run checks in place itself
+  bool has_moved = false;
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
     if (const auto* units = std::get_if<deck::Units>(&command.card))
       check_units(*units, job.diagnostics);
     builder.apply(command);
-    if (!passes_time(command))
+    if (!deck::passes_time(command))
       continue;
     if (!job.diagnostics.has_errors()) {
       builder.check_physics(command);
-      builder.check_before_motion(command, in_place);
+      // A resumed run checks in place itself.
+      builder.check_before_motion(command, !has_moved && !job.resumes);
     }
-    in_place = false;  // the run moves the blocks; the check does not
+    if (!std::exchange(has_moved, true))
+      start = model;
   }
-  if (in_place && !job.resumes && !job.diagnostics.has_errors() &&
+  if (!has_moved && !job.resumes && !job.diagnostics.has_errors() &&
       !job.deck.commands.empty())
     builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
-  builder.put_back_removed();
   if (!job.continues() && !job.diagnostics.has_errors() &&
-      std::none_of(job.deck.commands.begin(), job.deck.commands.end(), passes_time))
+      std::none_of(job.deck.commands.begin(), job.deck.commands.end(),
+                   deck::passes_time))
     job.diagnostics.warning(
         job.deck.commands.back().where, job.deck.commands.back().name,
         "the deck has no MOTION or CYCLE, so a run makes no step",
         "MOTION, dt passes a time, and CYCLE, ncycle makes a number of steps");
   notes = builder.take_notes();
+  if (!has_moved)
+    start = std::move(model);
+  else if (const int later = model.blocks.size() - start.blocks.size(); later > 0)
+    notes.push_back(fmt::format("blocks made after the first MOTION or CYCLE: {}; the "
+                                "run checks them for overlaps",
+                                later));
   job.certificate = builder.certificate();
   return !job.diagnostics.has_errors();
 }
@@ -118,7 +129,7 @@ bool sound_in_place(Builder& builder, deck::Diagnostics& said,
                     const deck::Command& command, Executor& executor, RunFiles& files) {
   const std::size_t before = said.all().size();
   const int proved = builder.certificate() ? builder.certificate()->blocks : 0;
-  if (passes_time(command))
+  if (deck::passes_time(command))
     builder.check_before_motion(command, true);
   else
     builder.check_without_motion(command);
@@ -135,7 +146,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     model = job.load();
 
   // The check has already shown the errors and warnings of the cards.
-  deck::Diagnostics said(job.diagnostics.file(), job.text);
+  deck::Diagnostics said = job.diagnostics.without_messages();
   Builder builder(model, said, job.deck.commands, job.build_options());
   // The preliminary cards set the title and the seed, which are needed before anything
   // is written.
@@ -170,11 +181,12 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     if (job.certificate)
       files.message("certificate: " + full_text(*job.certificate));
   }
-  const auto motions = static_cast<double>(
-      std::count_if(job.deck.commands.begin(), job.deck.commands.end(), passes_time));
-  double motion = static_cast<double>(std::count_if(
-      job.deck.commands.begin(),
-      job.deck.commands.begin() + static_cast<std::ptrdiff_t>(next), passes_time));
+  const auto motions = static_cast<double>(std::count_if(
+      job.deck.commands.begin(), job.deck.commands.end(), deck::passes_time));
+  double motion = static_cast<double>(
+      std::count_if(job.deck.commands.begin(),
+                    job.deck.commands.begin() + static_cast<std::ptrdiff_t>(next),
+                    deck::passes_time));
   Outcome outcome = Outcome::finished;
   for (; next < job.deck.commands.size() && outcome == Outcome::finished; ++next) {
     const deck::Command& command = job.deck.commands[next];
@@ -192,7 +204,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
     }
     for (const std::string& note : builder.take_notes())
       files.message(note);
-    if (passes_time(command)) {
+    if (deck::passes_time(command)) {
       const Profile::Timer timer(executor.profile(), Profile::building);
       if (executor.begun()) {
         // The card was checked when it began.
@@ -252,9 +264,9 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       good = executor.save_good_state();
     files.close(model, report, progress);
   }
-  console.note(fmt::format("{} after {} steps, t {:g}, in {:.2f} s: {}, {}, {}{}",
-                           report.status, model.steps, model.time, report.wall_seconds,
-                           job.name + ".out", files.results_path(),
+  console.note(fmt::format("{} after {}, t {:g}, in {:.2f} s: {}, {}, {}{}",
+                           report.status, counted(model.steps, "step"), model.time,
+                           report.wall_seconds, job.name + ".out", files.results_path(),
                            std::filesystem::exists(files.checkpoint_path())
                                ? files.checkpoint_path() + ", "
                                : "",
@@ -352,10 +364,9 @@ int check_deck(const RunOptions& options) {
   if (!options.quiet) {
     auto certificate = checked.certificate;
     if (certificate && certificate->blocks < checked.model.blocks.size()) {
-      fmt::print("blocks made after a MOTION or CYCLE are checked as if nothing had "
-                 "moved before\n");
+      // A resumed run proves new blocks when it moves them.
       certificate = std::make_shared<const AssemblyCertificate>(
-          certify_assembly(checked.model.blocks));
+          certify_assembly(checked.model.blocks, certificate->moved, *certificate));
     }
     fmt::print("{}", check_report(checked.file, checked.model, certificate));
     for (const std::string& note : checked.notes)

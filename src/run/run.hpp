@@ -47,13 +47,13 @@ struct RunOptions {
 /// Parses and checks the whole deck, then runs it. Returns an ExitCode.
 int run_deck(const RunOptions& options);
 
-/// The model that a deck describes before its first step.
+/// The model at the first MOTION or CYCLE of a deck, or at its end without them.
 struct CheckedDeck {
   ExitCode code = done;  ///< unless `done`, the members below are not valid
   std::string file;      ///< name of the deck in messages
   Model model;
   SharedCertificate certificate;
-  std::vector<std::string> notes;  ///< on mesh files and shared corners
+  std::vector<std::string> notes;  ///< on what cards did, one per line
 };
 
 /// Parses the deck, builds the model and prints all errors. Makes no step.

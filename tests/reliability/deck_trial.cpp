@@ -10,11 +10,6 @@
 namespace blocks::testing {
 namespace {
 
-bool passes_time(const deck::Command& command) {
-  return std::holds_alternative<deck::Motion>(command.card) ||
-         std::holds_alternative<deck::Cycle>(command.card);
-}
-
 Verdict refused(const deck::Diagnostics& told) {
   if (told.format_all().find(": error: ") == std::string::npos)
     throw std::logic_error("an error without a message");
@@ -39,7 +34,7 @@ Verdict try_deck(const std::string& text, const std::string& folder, int steps) 
     builder.apply(command);
     if (told.has_errors())
       return refused(told);
-    if (!passes_time(command))
+    if (!deck::passes_time(command))
       continue;
     builder.check_before_motion(command, true);
     if (told.has_errors())

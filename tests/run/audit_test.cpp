@@ -87,7 +87,7 @@ TEST_F(WatchedStep, HasNoFaultIfItIsSound) {
   EXPECT_EQ(watch.totals().acting, 2);
   EXPECT_THAT(
       watch.closing(),
-      HasSubstr("audit every 1 steps: 1 audits, 1 pairs of blocks near each other, 2 "
+      HasSubstr("audit every 1 step: 1 audit, 1 pair of blocks near each other, 2 "
                 "acting contacts; pairs missed: 0; wrong decisions: 0; "));
 }
 

@@ -93,6 +93,27 @@ TEST_F(Until, IsBlamedInsteadOfTheDeck) {
                         "than 1e+15 steps of "));
 }
 
+// All blocks are removed at the end of the deck, so that only --until would move them.
+TEST_F(Until, IsBlamedIfNothingIsLeftToMove) {
+  const std::string one = preliminary() + rectangle(0, 0, 1, 1) + "MOTION, 0.01\n";
+  run_text(parts_, "gone", one + "REMOVE, 1\n");
+  const std::string listing = slurp(parts_ / "gone.out"),
+                    report = slurp(parts_ / "gone.summary.json"),
+                    message = "--until 0.3: error: MOTION: all blocks are removed, so "
+                              "there is nothing to move\n";
+  const Outcome later =
+      blocks("run gone.deck --restart gone.ckpt.h5 --until .3", parts_.path());
+  EXPECT_EQ(later.code, 3);
+  EXPECT_THAT(later.err, HasSubstr(message));
+  EXPECT_EQ(slurp(parts_ / "gone.out"), listing);
+  EXPECT_EQ(slurp(parts_ / "gone.summary.json"), report);
+  // Only the run knows what is inside the outline.
+  parts_.write("out.deck", one + "REMOVE, , , , 4\n-9, -9, 9, 9\n-9, 9, 9, -9\n");
+  const Outcome run = blocks("run out.deck --until .3", parts_.path());
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr(message));
+}
+
 TEST_F(Until, IsAskedForAgainIfTheRunWasStoppedOnItsWay) {
   run(parts_, "--until 0.3 --stop-after 700", 75);
   const Outcome stopped = blocks("run a.deck " + restart, parts_.path());
