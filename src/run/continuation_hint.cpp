@@ -4,7 +4,27 @@
 
 #include <filesystem>
 
+#include "run/shell_word.hpp"
+
 namespace blocks::run {
+
+std::string continuation_command(const RunOptions& options,
+                                 const std::string& checkpoint, bool with_until) {
+  std::string command =
+      "blocks run " + shell_word(options.deck) + " --restart " + shell_word(checkpoint);
+  if (!options.output.empty())
+    command += " -o " + shell_word(options.output);
+  for (const deck::Override& set : options.overrides)
+    command +=
+        " --set " + shell_word(fmt::format("{}.{}={}", set.card, set.field, set.value));
+  if (options.seed)
+    command += fmt::format(" --seed {}", *options.seed);
+  if (options.tape9 != RunOptions().tape9)
+    command += " --tape9 " + shell_word(options.tape9);
+  if (options.until && with_until)
+    command += fmt::format(" --until {}", *options.until);
+  return command;
+}
 
 std::string continuation_hint(const std::string& checkpoint, double time) {
   // A name on a card is relative to the folder of the deck, which is not known here.

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "model/counted.hpp"
+#include "run/continuation_hint.hpp"
 #include "run/interrupt.hpp"
 #include "run/profile_table.hpp"
 #include "run/soundness.hpp"
@@ -328,12 +329,9 @@ void Executor::tell_profile() {
 void Executor::tell_what_remains() const {
   const bool is_reached = steps_to_end() == 0;
   console_.note(fmt::format(
-      "{} of this card remain{}; to continue: blocks run {} --restart {}{}{}",
+      "{} of this card remain{}; to continue: {}",
       counted(progress_.steps_left, "step"), progress_.steps_left == 1 ? "s" : "",
-      options_.deck, files_.checkpoint_path(),
-      options_.output.empty() ? "" : " -o " + options_.output,
-      options_.until && !is_reached ? fmt::format(" --until {}", *options_.until)
-                                    : ""));
+      continuation_command(options_, files_.checkpoint_path(), !is_reached)));
 }
 
 void Executor::warn(const std::string& message) {

@@ -264,6 +264,26 @@ TEST(Resumed, BeforeItsEndShowsNoOtherDeck) {
   EXPECT_EQ(rest.err.find("is finished"), std::string::npos) << rest.err;
 }
 
+// The command that a stopped run prints can be copied into a shell.
+TEST(Resumed, ByThePrintedCommandHasTheSameOptions) {
+  const TemporaryFolder folder;
+  folder.write("it's a.deck", preliminary() + "READ9\nCYCLE, 9\n");
+  folder.write("my mesh.txt", "BLOCKS 1\n4, 1\n0 0\n0 1\n1 1\n1 0\n");
+  const Outcome part =
+      blocks("run \"it's a.deck\" --set 'MATERIAL[2].rho=3000' --set CYCLE.ncycle=8 "
+             "--seed 5 --tape9 'my mesh.txt' -o 'new folder/x y' --until 0.01 "
+             "--stop-after 7",
+             folder.path());
+  ASSERT_EQ(part.code, 75) << part.err;
+  const std::string begin = "1 step of this card remains; to continue: blocks ";
+  const auto at = part.err.find(begin);
+  ASSERT_NE(at, std::string::npos) << part.err;
+  const std::string command = part.err.substr(at + begin.size());
+  const Outcome rest = blocks(command.substr(0, command.find('\n')), folder.path());
+  EXPECT_EQ(rest.code, 0) << rest.err;
+  EXPECT_NEAR(summary(folder, "new folder/x y")["time"], 0.01, 0.0004);
+}
+
 TEST(Resumed, WithAnotherDeckOrOptionsIsRefused) {
   const TemporaryFolder folder;
   const std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 9\n";

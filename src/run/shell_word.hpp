@@ -1,0 +1,12 @@
+// Quotes words for the command lines in messages.
+#pragma once
+
+#include <string>
+
+namespace blocks::run {
+
+/// Returns text that a POSIX shell reads as one word with exactly these characters. It
+/// is in single quotes only if it needs them.
+std::string shell_word(const std::string& text);
+
+}  // namespace blocks::run
