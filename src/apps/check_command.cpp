@@ -76,8 +76,8 @@ void draw(const std::string& path, const Model& model,
           const run::GeometryReport& report) {
   const post::Frame frame = frame_of(model.blocks);
   post::FigureOptions options;
-  if (const Units& units = model.settings.units; units.known())
-    options.units = post::Units{units.length, units.mass, units.time};
+  if (model.settings.units.known())
+    options.units = model.settings.units;
   for (const auto& [number, material] : model.settings.materials)
     if (!material.name.empty())
       options.material_names[number] = material.name;

@@ -35,7 +35,7 @@ std::string with_unit(const std::string& label, const std::string& unit) {
 /// The results of one run in the order of time.
 class OpenRun {
  public:
-  OpenRun(const post::RunParts& run, const std::optional<post::Units>& units,
+  OpenRun(const post::RunParts& run, const std::optional<Units>& units,
           bool compression_positive) {
     for (const std::string& file : run.files) {
       parts_.push_back(std::make_unique<post::ResultsReader>(file));
@@ -89,10 +89,10 @@ struct Answer {
 
 /// Returns the units of all runs: those of --units, otherwise those of the first run.
 /// Throws std::runtime_error if only some of the decks name their units.
-std::optional<post::Units> common_units(const HistoryOptions& options) {
+std::optional<Units> common_units(const HistoryOptions& options) {
   if (!options.units.empty())
-    return post::Units::parse(options.units);
-  std::optional<post::Units> units;
+    return post::parse_units(options.units);
+  std::optional<Units> units;
   std::string with, without;
   for (const std::string& file : options.files) {
     const auto of_file = post::ResultsReader(file).units();
@@ -104,7 +104,8 @@ std::optional<post::Units> common_units(const HistoryOptions& options) {
     throw std::runtime_error(fmt::format(
         "{} is in {}, but the deck of {} has no UNITS card\n  hint: --units {} means "
         "that all of them are in these units, or converts",
-        with, post::ResultsReader(with).units()->text(), without, units->text()));
+        with, post::names_of(*post::ResultsReader(with).units()), without,
+        post::names_of(*units)));
   return units;
 }
 
@@ -147,8 +148,7 @@ std::vector<post::Curve> overview(const HistoryOptions& options) {
   return curves;
 }
 
-Answer histories(const HistoryOptions& options,
-                 const std::optional<post::Units>& units) {
+Answer histories(const HistoryOptions& options, const std::optional<Units>& units) {
   std::vector<post::Curve> curves;
   const bool against = !options.against.empty();
   if (against)
@@ -214,8 +214,7 @@ std::vector<ProfileFrame> frames_at(const OpenRun& run,
   return frames;
 }
 
-Answer profiles(const HistoryOptions& options,
-                const std::optional<post::Units>& units) {
+Answer profiles(const HistoryOptions& options, const std::optional<Units>& units) {
   const auto line = post::ProfileLine::parse(options.profile);
   std::vector<const post::QuantityKind*> kinds;
   for (const std::string& name : options.quantities.empty()
@@ -397,7 +396,7 @@ int history(HistoryOptions options) {
       throw std::runtime_error("--mirror is for --profile top and needs the x of the "
                                "symmetry plane of a half model");
     check_names(options.outputs);
-    const std::optional<post::Units> units = common_units(options);
+    const std::optional<Units> units = common_units(options);
     const post::PageSize page = options.size.empty()
                                     ? post::PageSize::on_screen(options.width)
                                     : post::PageSize::in_print(options.size);

@@ -297,7 +297,7 @@ int plot(PlotOptions options) {
     if (options.compression_positive)
       results.make_compression_positive();
     if (!options.units.empty())
-      results.show_in(post::Units::parse(options.units));
+      results.show_in(post::parse_units(options.units));
     options.figure.units = results.units();
     options.figure.material_names = results.material_names();
     options.figure.material_colours = material_colours(options.materials, results);

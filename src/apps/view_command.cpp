@@ -47,7 +47,7 @@ int view(ViewOptions options) {
     output::check_outputs({options.output});
     post::ResultsReader results(options.file);
     if (!options.units.empty())
-      results.show_in(post::Units::parse(options.units));
+      results.show_in(post::parse_units(options.units));
     const std::string page =
         post::view_page(post::view_data(results, options.every, options.mirror));
     write_text_file(options.output, page);

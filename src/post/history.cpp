@@ -92,23 +92,27 @@ struct Question {
   }
 };
 
-/// Returns the number of corners of a block, from 1, in the last part that shows them:
-/// the outline of a removed block is empty. Returns 0 if no part does.
-std::size_t corners_of(const std::vector<const ResultsReader*>& parts, int block) {
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    const auto outlines = (*part)->last_outlines((*part)->frames() - 1);
-    if (block <= static_cast<int>(outlines.size()))
-      if (const std::size_t count =
-              outlines[static_cast<std::size_t>(block) - 1].size();
-          count > 0)
-        return count;
+/// Returns the outlines of all blocks, each from the last frame of all parts that shows
+/// it: a removed block has none there.
+std::vector<std::vector<Eigen::Vector2d>>
+last_outlines(const std::vector<const ResultsReader*>& parts) {
+  auto outlines = parts.back()->last_outlines(parts.back()->frames() - 1);
+  for (std::size_t i = parts.size() - 1; i-- > 0;) {
+    if (std::none_of(outlines.begin(), outlines.end(),
+                     [](const auto& outline) { return outline.empty(); }))
+      break;
+    const auto earlier = parts[i]->last_outlines(parts[i]->frames() - 1);
+    for (std::size_t b = 0; b < std::min(outlines.size(), earlier.size()); ++b)
+      if (outlines[b].empty())
+        outlines[b] = earlier[b];
   }
-  return 0;
+  return outlines;
 }
 
 void require_places(const Question& question) {
   const ResultsReader& results = *question.parts.back();
   const Frame last = results.frame(results.frames() - 1);  // blocks keep their numbers
+  std::vector<std::vector<Eigen::Vector2d>> outlines;  // read if a corner is asked for
   const std::set<int> materials(last.material.begin(), last.material.end());
   for (const Curve& curve : question.curves) {
     if (curve.last > last.size())
@@ -121,7 +125,10 @@ void require_places(const Question& question) {
                                            material_list(results)));
     if (curve.of != Of::corner)
       continue;
-    const std::size_t corners = corners_of(question.parts, curve.first);
+    if (outlines.empty())
+      outlines = last_outlines(question.parts);
+    const std::size_t corners =
+        outlines[static_cast<std::size_t>(curve.first) - 1].size();
     if (static_cast<std::size_t>(curve.corner) > corners)
       throw std::runtime_error(
           fmt::format("{}: block {} has corners 1 to {}, no corner {}", results.path(),

@@ -93,11 +93,9 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
     return {kind->label + sign_convention(*kind, now.compression_positive),
             kind->dimension, values_of(*kind, now, first), zero_of(*kind)};
   if (const quantities::OtherKind* kind = find_other(name); kind && kind->contact) {
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(now.size());
-    for (const ContactState& contact : states_of(contacts))
-      for (const int block : {contact.corner_block, contact.edge_block})
-        if (block >= 1 && block <= now.size())
-          values[block - 1] = kind->joined(values[block - 1], kind->contact(contact));
+    Eigen::VectorXd values(now.size());
+    kind->of_contacts(states_of(contacts),
+                      {values.data(), static_cast<std::size_t>(values.size())});
     return {kind->label, kind->dimension, values, Zero::lowest};
   }
   throw std::runtime_error("there is no quantity '" + name + "': choose material, " +

@@ -309,8 +309,8 @@ ResultsReader::ResultsReader(const std::string& path)
   try {
     std::tie(from.times, from.title, from.names) =
         output::with_file_errors("read", path, [&] { return from.soundly(read); });
-    if (const blocks::Units& deck = from.names.units; deck.known())
-      from.units = Units{deck.length, deck.mass, deck.time};
+    if (from.names.units.known())
+      from.units = from.names.units;
   } catch (const output::FileError& error) {
     file_.reset();
     const std::string words = error.what();
@@ -345,7 +345,8 @@ void ResultsReader::show_in(const Units& units) {
       step = UnitScale::between(*now, units);
     } catch (const std::runtime_error& fault) {
       throw std::runtime_error(fmt::format("{} is in {}, not in {}: {}", file_->path,
-                                           now->text(), units.text(), fault.what()));
+                                           names_of(*now), names_of(units),
+                                           fault.what()));
     }
     UnitScale& scale = file_->scale;
     scale = {scale.length * step.length, scale.mass * step.mass,

@@ -44,7 +44,11 @@ std::string superscript(int number) {
   return text;
 }
 
-Units Units::parse(const std::string& text) {
+std::string names_of(const Units& units) {
+  return units.length + ',' + units.mass + ',' + units.time;
+}
+
+Units parse_units(const std::string& text) {
   std::vector<std::string> names;
   std::istringstream in(text);
   for (std::string name; std::getline(in, name, ',');)

@@ -6,20 +6,17 @@
 #include <string>
 
 #include "quantities/dimension.hpp"
+#include "quantities/units.hpp"
 
 namespace blocks::post {
 
 using quantities::Dimension;
 
-/// The user's units of length, mass and time.
-struct Units {
-  std::string length, mass, time;
+/// Reads "m,kg,s". Throws std::runtime_error unless there are three names.
+Units parse_units(const std::string& text);
 
-  /// Reads "m,kg,s". Throws std::runtime_error unless there are three names.
-  static Units parse(const std::string& text);
-  /// Returns "m,kg,s".
-  std::string text() const { return length + ',' + mass + ',' + time; }
-};
+/// Returns "m,kg,s".
+std::string names_of(const Units& units);
 
 /// The factors by which numbers in some units are multiplied to be in others.
 struct UnitScale {

@@ -83,13 +83,8 @@ double CurveValues::of_contacts(const Reader& reader, const State& now) {
         curve.of == Of::model ? Statistic{kind.natural} : curve.statistic;
     return scratch_.empty() ? 0.0 : reduce(statistic, scratch_);
   }
-  of_blocks_.assign(static_cast<std::size_t>(now.blocks.size()), 0.0);
-  for (const ContactState& contact : now.contacts)
-    for (const int block : {contact.corner_block, contact.edge_block})
-      if (block >= 1 && block <= now.blocks.size()) {
-        double& of_block = of_blocks_[static_cast<std::size_t>(block) - 1];
-        of_block = kind.joined(of_block, kind.contact(contact));
-      }
+  of_blocks_.resize(static_cast<std::size_t>(now.blocks.size()));
+  kind.of_contacts(now.contacts, of_blocks_);
   return none;
 }
 

@@ -8,9 +8,17 @@
 
 namespace blocks::quantities {
 
-double OtherKind::joined(double of_block, double of_contact) const {
-  return natural == Statistic::How::largest ? std::max(of_block, of_contact)
-                                            : of_block + of_contact;
+void OtherKind::of_contacts(std::span<const ContactState> contacts,
+                            std::span<double> of_blocks) const {
+  std::fill(of_blocks.begin(), of_blocks.end(), 0.0);
+  const int blocks = static_cast<int>(of_blocks.size());
+  for (const ContactState& one : contacts)
+    for (const int number : {one.corner_block, one.edge_block})
+      if (number >= 1 && number <= blocks) {
+        double& of_block = of_blocks[static_cast<std::size_t>(number) - 1];
+        of_block = natural == Statistic::How::largest ? std::max(of_block, contact(one))
+                                                      : of_block + contact(one);
+      }
 }
 
 const std::map<std::string, OtherKind>& other_kinds() {

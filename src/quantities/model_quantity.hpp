@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 
 #include "quantities/dimension.hpp"
@@ -19,9 +20,10 @@ struct OtherKind {
   std::function<double(const ContactState&)> contact;
   std::function<double(const State&)> whole;
 
-  /// Adds the value of a contact to that of one of its blocks: the largest overlap, or
-  /// the sum of the forces. A block without contacts has 0.
-  double joined(double of_block, double of_contact) const;
+  /// Sets of_blocks[b] to the value of block b, from 0: the largest overlap of its
+  /// contacts, or the sum of their forces. A block without contacts has 0.
+  void of_contacts(std::span<const ContactState> contacts,
+                   std::span<double> of_blocks) const;
 };
 
 /// All of them by name: contacts, normal_force, overlap, shear_force; blocks, step,

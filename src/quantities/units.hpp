@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/settings.hpp"
+
 namespace blocks::quantities {
 
 /// The units of one dimension.

@@ -133,9 +133,9 @@ TEST_F(Parts, HaveProfilesAtTheTimesOfAllParts) {
 
 TEST(Band, HasThePercentilesOfTheRuns) {
   std::vector<post::ChartLine> lines;
-  for (int i = 0; i <= 20; ++i)  // parallel lines, of which one has more points
+  for (int i = 0; i <= 20; ++i)  // parallel lines
     lines.push_back({"", {0, 2}, {1.0 * i, i + 2.0}});
-  lines[3] = {"", {-1, 0, 1, 2, 3}, {2, 3, 4, 5, 6}};
+  lines[3] = {"", {-1, 0, 1, 2, 3}, {2, 3, 4, 5, 6}};  // the same line, more points
   const post::ChartLine band = post::band_of(lines);
   EXPECT_THAT(band.x, ElementsAre(0, 1, 2));
   EXPECT_THAT(band.low, ElementsAre(1, 2, 3));

@@ -123,8 +123,8 @@ TEST_F(NamedUnits, AreNotGivenToARunWithoutThem) {
 
 TEST_F(NamedUnits, AreKeptByARestart) {
   run_text(folder_, "more", "RESTART, fall.ckpt.h5\nCYCLE, 10\n");
-  EXPECT_EQ(post::ResultsReader((folder_ / "more.vtkhdf").string()).units()->text(),
-            "cm,g,ms");
+  EXPECT_EQ(post::ResultsReader((folder_ / "more.vtkhdf").string()).units(),
+            (Units{"cm", "g", "ms"}));
 }
 
 TEST_F(NamedUnits, AreInTheListing) {
