@@ -17,6 +17,7 @@
 #include "run/deck_outlines.hpp"
 #include "run/history_card.hpp"
 #include "run/number_ranges.hpp"
+#include "run/units_check.hpp"
 
 namespace blocks::run {
 
@@ -133,6 +134,7 @@ struct Builder::Visitor {
       settings.seed = static_cast<std::uint64_t>(card.seed.value);
   }
   void operator()(const deck::Units& card) {
+    check_units(card, self.diagnostics_);
     settings.units = {card.length.value, card.mass.value, card.time.value};
   }
   void operator()(const deck::End&) {

@@ -20,7 +20,6 @@
 #include "run/executor.hpp"
 #include "run/interrupt.hpp"
 #include "run/job.hpp"
-#include "run/units_check.hpp"
 
 namespace blocks::run {
 namespace {
@@ -65,8 +64,6 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
   bool has_moved = false;
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
-    if (const auto* units = std::get_if<deck::Units>(&command.card))
-      check_units(*units, job.diagnostics);
     builder.apply(command);
     if (!deck::passes_time(command))
       continue;
