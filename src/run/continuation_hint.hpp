@@ -13,9 +13,9 @@ namespace blocks::run {
 std::string continuation_command(const RunOptions& options,
                                  const std::string& checkpoint, bool with_until);
 
-/// Returns the hint for --restart with the checkpoint of a finished run: the option
-/// --until and a deck, both of which continue it for as long again. `time` is that of
-/// the checkpoint.
+/// Returns the hint for --restart with the checkpoint of a finished run. It shows two
+/// ways to continue until twice the time of the checkpoint, `time` [T]: the option
+/// --until, and a deck that begins with RESTART.
 std::string continuation_hint(const std::string& checkpoint, double time);
 
 }  // namespace blocks::run
