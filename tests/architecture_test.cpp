@@ -49,7 +49,7 @@ std::vector<Include> includes() {
 std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
       "geometry", "deck", "model", "dynamics", "exchange", "quantities", "output",
-      "post",     "run",  "study", "audit",    "library",  "apps"};
+      "post",     "run",  "study", "audit",    "library",  "sweep",      "apps"};
   const std::string first = target.substr(0, target.find('/'));
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
@@ -80,7 +80,8 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "quantities",
                                             "run",
                                             "study",
-                                            "study/corner_rules"}));
+                                            "study/corner_rules",
+                                            "sweep"}));
 }
 
 // CGAL compiles slowly and changes rounding flags.
@@ -122,6 +123,7 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"run",
        {"run", "deck", "dynamics", "audit", "quantities", "output", "model",
         "geometry"}},
+      {"sweep", {"sweep", "study", "run", "deck", "output", "model", "geometry"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
   };

@@ -51,6 +51,7 @@ std::string completion_of(const CLI::Option& option) {
       {"--colour",
        "_blocks_words material " + blanks(quantities::block_quantity_names())},
       {"--dblock", "_blocks_files"},
+      {"--table", "_blocks_files csv"},
       {"--tape9", "_blocks_files"},
       {"--output", "_blocks_files"},
       {"--plot", "_blocks_files"},
@@ -78,6 +79,7 @@ std::string operands_of(const LeafCommand& command) {
       {"export", "_blocks_files deck vtkhdf"},
       {"import", "_blocks_files"},
       {"cards", "_blocks_words " + joined(deck::card_names())},
+      {"sweep", "_blocks_files deck"},
       {"study contacts", "_blocks_words all decks " + joined(study::scene_names())}};
   for (const CLI::Option* option : command.app->get_options({}))
     if (const auto names = choices(*option); option->get_positional() && !names.empty())

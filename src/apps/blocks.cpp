@@ -30,6 +30,7 @@
 #include "run/run.hpp"
 #include "standard_streams.hpp"
 #include "study_command.hpp"
+#include "sweep_command.hpp"
 #include "view_command.hpp"
 #include "why_command.hpp"
 #include "wrong_word.hpp"
@@ -87,16 +88,13 @@ CLI::Validator whole_steps() {
           "STEPS"};
 }
 
-/// Splits CARD.field=value or CARD[2].field=value.
-blocks::deck::Override parse_override(const std::string& text) {
-  const auto dot = text.find('.'), equals = text.find('=');
-  if (dot == std::string::npos || equals == std::string::npos || dot > equals)
-    throw CLI::ValidationError("--set",
-                               "expected CARD.field=value or CARD[2].field=value, "
-                               "found '" +
-                                   text + "'");
-  return {text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
-          text.substr(equals + 1)};
+/// Reads an option --set.
+blocks::deck::Override override_of(const std::string& text) {
+  if (const auto override = blocks::deck::parse_override(text))
+    return *override;
+  throw CLI::ValidationError(
+      "--set",
+      "expected CARD.field=value or CARD[2].field=value, found '" + text + "'");
 }
 
 void add_deck_options(CLI::App& command, RunOptions& options,
@@ -238,6 +236,10 @@ int dispatch(int argc, char** argv) {
   auto* why = app.add_subcommand("why", "explain why two blocks touch or do not");
   blocks::apps::add_why_options(*why, why_options);
 
+  blocks::apps::SweepOptions sweep_options;
+  auto* many = app.add_subcommand("sweep", "run a deck many times");
+  blocks::apps::add_sweep_options(*many, sweep_options);
+
   blocks::apps::ManualOptions manual_options;
   auto* manual = app.add_subcommand("manual", "print man pages and bash completion");
   blocks::apps::add_manual_options(*manual, manual_options);
@@ -254,7 +256,7 @@ int dispatch(int argc, char** argv) {
     if (std::find(argv, argv + argc, std::string("--audit=")) != argv + argc)
       throw CLI::ValidationError("--audit: a number of steps is missing after =");
     for (const std::string& text : sets)
-      options.overrides.push_back(parse_override(text));
+      options.overrides.push_back(override_of(text));
   } catch (const CLI::ParseError& error) {
     const bool is_fault = error.get_exit_code() != 0;
     if (is_fault && astray_from_audit(app).empty())
@@ -294,6 +296,8 @@ int dispatch(int argc, char** argv) {
                                     "'; the only one is contacts");
     return blocks::run::usage_error;
   }
+  if (*many)
+    return blocks::apps::sweep(sweep_options);
   if (*manual)
     return blocks::apps::manual(app, manual_options);
   if (*why)

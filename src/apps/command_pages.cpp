@@ -54,6 +54,13 @@ const std::map<std::string, CommandPage>& command_pages() {
        {"blocks study contacts figure4b --variants default,report", "",
         "Runs variants of the contact rules on the same random copies of a scene and "
         "compares them; see docs/robustness.md."}},
+      {"sweep",
+       {"blocks sweep decks/stack/stack.deck --set FRICTN.fric=.3,.5 -o stack.sweep",
+        "",
+        "Runs a deck many times, with many seeds or values of its fields, and keeps "
+        "everything in one folder. The same command, or the name of the folder, goes "
+        "on "
+        "with what is missing."}},
       {"manual",
        {"blocks manual deck -o blocks-deck.5", "",
         "Prints the man page blocks(1) (program), the man page blocks-deck(5) (deck), "

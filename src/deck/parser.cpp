@@ -369,6 +369,14 @@ void Parser::check_unused_overrides() {
 
 }  // namespace
 
+std::optional<Override> parse_override(const std::string& text) {
+  const auto dot = text.find('.'), equals = text.find('=');
+  if (dot == std::string::npos || equals == std::string::npos || dot > equals)
+    return std::nullopt;
+  return Override{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
+                  text.substr(equals + 1)};
+}
+
 Deck parse(const std::string& file, const std::string& text, Diagnostics& diagnostics,
            const std::vector<Override>& overrides) {
   Deck deck{file, text, {}, {}};

@@ -2,6 +2,7 @@
 // through the diagnostics and continues, so that one pass shows them all.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "deck/commands.hpp"
@@ -13,6 +14,10 @@ namespace blocks::deck {
 struct Override {
   std::string card, field, value;
 };
+
+/// Splits "CARD.field=value" or "CARD[2].field=value". Returns nothing if it has another
+/// form.
+std::optional<Override> parse_override(const std::string& text);
 
 /// Parses the text held by the diagnostics. If there are errors, the deck contains what
 /// could be read.

@@ -8,15 +8,6 @@
 namespace blocks::run {
 namespace {
 
-std::string duration(double seconds) {
-  const long s = static_cast<long>(seconds + 0.5);
-  if (s < 60)
-    return fmt::format("{} s", s);
-  if (s < 3600)
-    return fmt::format("{} min {:02} s", s / 60, s % 60);
-  return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
-}
-
 /// Returns the remaining time, or an empty text if no step has been made.
 std::string remaining(const RunProgress& run) {
   return run.share > 0.0 ? duration(run.spent * (1.0 - run.share) / run.share) + " left"
@@ -30,6 +21,15 @@ struct Part {
 };
 
 }  // namespace
+
+std::string duration(double seconds) {
+  const long s = static_cast<long>(seconds + 0.5);
+  if (s < 60)
+    return fmt::format("{} s", s);
+  if (s < 3600)
+    return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
+}
 
 std::string progress_line(const RunProgress& run, int width) {
   constexpr int widest_bar = 24, narrowest_bar = 10, brackets = 2;

@@ -16,6 +16,9 @@ struct RunProgress {
   ModelTotals totals;
 };
 
+/// Returns "12 s", "3 min 04 s" or "2 h 05 min".
+std::string duration(double seconds);
+
 /// Returns a bar and the state of the run in at most `width` characters. If they do not
 /// fit, the bar gets shorter; then the energy, the contacts, the step and the time are
 /// left out, in this order.

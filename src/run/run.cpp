@@ -337,6 +337,8 @@ int run_deck(const RunOptions& options) {
                *options.until, job.checkpoint(), checked.time);
     return usage_error;
   }
+  if (options.at_start && !job.loads())
+    options.at_start(checked, job.certificate);
   checked = {};  // frees the memory before the run
   catch_interrupts();
   Console console(!options.json, options.quiet);

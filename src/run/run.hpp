@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,10 @@ struct RunOptions {
   bool quiet = false;
   bool verbose = false;
   bool json = false;  ///< print the summary instead of the table
+  /// Receives the blocks and their certificate when a new run begins: the model at the
+  /// first MOTION or CYCLE, or at the end of a deck without them. Not called by a run
+  /// that continues.
+  std::function<void(const Model&, const SharedCertificate&)> at_start;
 };
 
 /// Parses and checks the whole deck, then runs it. Returns an ExitCode.

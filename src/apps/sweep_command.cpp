@@ -1,0 +1,231 @@
+#include "sweep_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "fault.hpp"
+#include "output/results.hpp"
+#include "run/deck_file.hpp"
+#include "run/progress_line.hpp"
+#include "run/run.hpp"
+#include "run/shell_word.hpp"
+#include "sweep/local_engine.hpp"
+#include "sweep/status.hpp"
+
+namespace blocks::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The runs of `--runs 40-49`.
+struct Range {
+  std::size_t first, last;
+};
+
+Range range_of(const std::string& text, std::size_t all) {
+  if (text.empty())
+    return {1, all};
+  Range range{};
+  const char* const end = text.data() + text.size();
+  auto read = std::from_chars(text.data(), end, range.first);
+  range.last = range.first;
+  if (read.ec == std::errc() && read.ptr != end && *read.ptr == '-')
+    read = std::from_chars(read.ptr + 1, end, range.last);
+  if (read.ec != std::errc() || read.ptr != end || range.first < 1 ||
+      range.last < range.first || range.last > all)
+    throw std::runtime_error(fmt::format(
+        "--runs: expected runs from 1 to {}, such as 1-10, found '{}'", all, text));
+  return range;
+}
+
+std::string default_folder(const std::string& deck) {
+  return fs::path(deck).stem().string() + ".sweep";
+}
+
+/// Writes the plan of a new sweep, unless the folder has the same one already.
+void settle(const std::string& folder, const sweep::Plan& plan) {
+  std::error_code ignored;
+  if (sweep::has_plan(folder)) {
+    const std::string other = sweep::difference(sweep::read_plan(folder), plan);
+    if (!other.empty())
+      throw std::runtime_error(fmt::format(
+          "{} is the folder of another sweep: {}\n  hint: choose another folder with "
+          "-o; 'blocks sweep {}' goes on with that sweep",
+          folder, other, run::shell_word(folder)));
+  } else if (fs::exists(fs::path(folder) / "runs", ignored)) {
+    throw std::runtime_error(fmt::format(
+        "{} has runs but no sweep.json\n  hint: choose another folder with -o",
+        folder));
+  } else {
+    sweep::write_plan(folder, plan);
+  }
+}
+
+bool has_new_parameters(const SweepOptions& options) {
+  const sweep::Request& request = options.request;
+  return !request.seeds.empty() || !request.sets.empty() || !request.table.empty() ||
+         request.until || request.audit_every > 0 || options.check ||
+         !options.output.empty();
+}
+
+/// Says how the sweep stands after the engine. Returns the exit code.
+int tell(const std::string& folder, const sweep::Plan& plan,
+         const sweep::LocalResult& result, const SweepOptions& options,
+         const std::string& spent) {
+  const sweep::Counts counts = sweep::count_runs(folder, plan);
+  if (!options.quiet)
+    fmt::print("{} runs: {}{}: {}\n", plan.runs.size(), sweep::words_of(counts),
+               spent.empty() ? "" : ", in " + spent, folder);
+  const std::string again = "blocks sweep " + run::shell_word(folder);
+  if (result.not_written > 0) {
+    fmt::print(
+        stderr,
+        "blocks: error: run {} could not write its files: {}\n  hint: make room, "
+        "then {} goes on\n",
+        result.not_written, result.message, again);
+    return run::file_error;
+  }
+  if (result.killed > 0)
+    fmt::print(
+        stderr,
+        "blocks: warning: {} of the runs were killed, perhaps because memory ran "
+        "out\n  hint: {} goes on; -J 1 runs one at a time\n",
+        result.killed, again);
+  if (result.elsewhere > 0 && !options.quiet)
+    fmt::print("{} of the runs are at work in another process\n", result.elsewhere);
+  if (result.signal != 0) {
+    if (!options.quiet)
+      fmt::print("stopped; {} goes on\n", again);
+    return result.signal == SIGINT ? run::interrupted : run::time_limit;
+  }
+  if (!options.quiet && !counts.contains("open"))
+    fmt::print("blocks report {} shows the results\n", run::shell_word(folder));
+  return result.killed > 0 ? run::time_limit : run::done;
+}
+
+int go_on(const std::string& folder, const sweep::Plan& plan,
+          const SweepOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Range range = range_of(options.runs, plan.runs.size());
+  const auto ids = sweep::open_runs(folder, range.first, range.last, options.run);
+  const int processors =
+      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const auto result = sweep::run_local(
+      folder, plan, ids,
+      {options.run, options.jobs > 0 ? options.jobs : processors, options.quiet});
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  return tell(folder, plan, result, options,
+              ids.empty() ? std::string() : run::duration(spent.count()));
+}
+
+int sweep_or_throw(const SweepOptions& options) {
+  const std::vector<std::string>& words = options.words;
+  if (words.size() == 2 && words.front() == "status") {
+    fmt::print("{}", sweep::status_text(words[1], sweep::read_plan(words[1])));
+    return run::done;
+  }
+  if (words.size() != 1)
+    throw std::runtime_error(
+        "expected a deck, the folder of a sweep, or status and a folder, found '" +
+        fmt::format("{}", fmt::join(words, " ")) + "'");
+  const std::string& word = words.front();
+  if (fs::is_directory(word)) {
+    if (has_new_parameters(options))
+      throw std::runtime_error(fmt::format(
+          "{} is the folder of a sweep, whose parameters cannot change\n  hint: "
+          "'blocks sweep {}' goes on with it; name the deck for a new sweep",
+          word, run::shell_word(word)));
+    const sweep::Plan plan = sweep::read_plan(word);
+    sweep::expect_same_program_and_deck(word, plan);
+    return go_on(word, plan, options);
+  }
+  sweep::Request request = options.request;
+  request.deck = word;
+  request.kind = options.check ? sweep::Kind::check : sweep::Kind::run;
+  int code = run::done;
+  const sweep::Plan plan = sweep::make_plan(request, code);
+  if (code != run::done)
+    return code;
+  const std::string folder =
+      options.output.empty() ? default_folder(word) : options.output;
+  settle(folder, plan);
+  return go_on(folder, plan, options);
+}
+
+/// Accepts numbers above 0.
+CLI::Validator above_zero() {
+  return {[](std::string& text) {
+            double value = 0.0;
+            return CLI::detail::lexical_cast(text, value) && value > 0.0
+                       ? std::string()
+                       : "expected a number above 0, found '" + text + "'";
+          },
+          ""};
+}
+
+}  // namespace
+
+void add_sweep_options(CLI::App& command, SweepOptions& options) {
+  sweep::Request& request = options.request;
+  command
+      .add_option("DECK", options.words,
+                  "the deck to sweep; or the folder of a sweep, to go on with it; or "
+                  "status and the folder of a sweep")
+      ->required()
+      ->expected(1, 2);
+  command
+      .add_option("-o,--output", options.output,
+                  "folder of a new sweep (default: NAME.sweep in this folder)")
+      ->type_name("DIR");
+  command.add_option("--seeds", request.seeds,
+                     "seeds of the random layers, such as 1-200 or 1,5,9");
+  command
+      .add_option("--set", request.sets,
+                  "CARD.field=value,value: run the deck with each of these values; "
+                  "several --set give all combinations")
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_option("--table", request.table,
+                     "CSV with one run per line; its columns are seed or CARD.field");
+  command.add_option("--until", request.until, "end the runs at this time of the deck")
+      ->check(above_zero());
+  command.add_flag("--audit{100}", request.audit_every,
+                   "check the contacts by exact brute force every 100 steps");
+  command.add_flag("--check", options.check,
+                   "make, prove and measure the blocks, without time steps");
+  command
+      .add_option("-J,--jobs", options.jobs,
+                  "runs at once (default: as many as there are processors)")
+      ->check(CLI::Range(1, 4096));
+  command.add_option("--runs", options.runs, "only these runs, such as 40-49");
+  command
+      .add_option("--time-limit", options.run.time_limit,
+                  "end a run after this many seconds; that is its outcome")
+      ->check(above_zero());
+  command
+      .add_option("--checkpoint-every", options.run.checkpoint_every,
+                  "seconds between checkpoints of a run (default: 600)")
+      ->check(above_zero());
+  command.add_flag("--retry", options.run.retry,
+                   "also go on with runs that ended with an error or a time limit");
+  command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
+}
+
+int sweep(const SweepOptions& options) {
+  try {
+    return sweep_or_throw(options);
+  } catch (const sweep::AxisFault& fault) {
+    fmt::print(stderr, "blocks: error: {}\n  hint: {}\n", fault.what(), fault.hint);
+    return run::usage_error;
+  } catch (const std::runtime_error& fault) {
+    return tell_fault(fault);
+  }
+}
+
+}  // namespace blocks::apps

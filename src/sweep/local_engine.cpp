@@ -1,0 +1,190 @@
+#include "sweep/local_engine.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <deque>
+#include <list>
+
+#include "run/run.hpp"
+#include "sweep/progress.hpp"
+#include "sweep/worker.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+volatile std::sig_atomic_t signals = 0, last_signal = 0;
+
+void on_signal(int signal) {
+  last_signal = signal;
+  signals = signals + 1;
+}
+
+/// Receives SIGINT and SIGTERM as long as it exists.
+class SignalWatch {
+ public:
+  SignalWatch() {
+    signals = 0;
+    last_signal = 0;
+    struct sigaction action {};
+    action.sa_handler = on_signal;  // without SA_RESTART: it ends poll()
+    ::sigaction(SIGINT, &action, &before_int_);
+    ::sigaction(SIGTERM, &action, &before_term_);
+  }
+  ~SignalWatch() {
+    ::sigaction(SIGINT, &before_int_, nullptr);
+    ::sigaction(SIGTERM, &before_term_, nullptr);
+  }
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+ private:
+  struct sigaction before_int_ {
+  }, before_term_{};
+};
+
+/// Whether the program itself is to blame for a signal that ended it.
+bool is_crash(int signal) {
+  constexpr int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP};
+  return std::find(std::begin(crashes), std::end(crashes), signal) != std::end(crashes);
+}
+
+class LocalEngine {
+ public:
+  LocalEngine(const std::string& folder, const Plan& plan,
+              const std::vector<std::size_t>& ids, const LocalChoice& choice)
+      : folder_(folder), plan_(plan), choice_(choice), queue_(ids.begin(), ids.end()),
+        progress_(plan.runs.size() - ids.size(), plan.runs.size(), choice.quiet),
+        finished_(plan.runs.size() - ids.size()) {}
+
+  LocalResult run() {
+    const SignalWatch watch;
+    while (true) {
+      pass_on_signals();
+      start_workers();
+      if (workers_.empty())
+        break;
+      wait();
+      progress_.show(finished_, failed_, workers_.size());
+    }
+    progress_.clear();
+    result_.signal = last_signal;
+    return result_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool stops() const { return signals > 0 || result_.not_written > 0; }
+
+  /// Short runs share a process, because starting one costs more than they do.
+  std::size_t runs_per_worker() const {
+    if (plan_.kind == Kind::run)
+      return 1;
+    const std::size_t most = 64, shares = 4 * static_cast<std::size_t>(choice_.jobs);
+    return std::clamp<std::size_t>(queue_.size() / shares, 1, most);
+  }
+
+  void start_workers() {
+    while (!stops() && !queue_.empty() &&
+           workers_.size() < static_cast<std::size_t>(choice_.jobs)) {
+      const auto end = queue_.begin() + static_cast<std::ptrdiff_t>(runs_per_worker());
+      workers_.emplace_back(folder_, plan_,
+                            std::vector<std::size_t>(queue_.begin(), end), choice_.run);
+      queue_.erase(queue_.begin(), end);
+    }
+  }
+
+  /// A shell or a batch system may send one signal twice, so a second one within a
+  /// second is the same.
+  void pass_on_signals() {
+    using namespace std::chrono_literals;
+    const auto now = Clock::now();
+    const int seen = signals;
+    if (seen == passed_on_)
+      return;
+    const bool first = passed_on_ == 0;
+    passed_on_ = seen;
+    if (first)
+      first_signal_ = now;
+    else if (now - first_signal_ < 1s)
+      return;
+    for (const Worker& worker : workers_)
+      worker.send(first ? SIGTERM : SIGKILL);
+  }
+
+  /// Waits until a run has ended, a signal has come, or the progress line is due.
+  void wait() {
+    std::vector<pollfd> ends;
+    for (const Worker& worker : workers_)
+      ends.push_back({worker.descriptor(), POLLIN, 0});
+    constexpr int milliseconds = 200;
+    if (::poll(ends.data(), ends.size(), milliseconds) <= 0)
+      return;
+    auto worker = workers_.begin();
+    for (const pollfd& end : ends) {
+      const auto here = worker++;
+      if (end.revents == 0)
+        continue;
+      const std::size_t id = here->open().empty() ? 0 : here->open().front();
+      if (const auto ended = here->next_end()) {
+        note(id, *ended);
+      } else {
+        lay_off(*here);
+        workers_.erase(here);
+      }
+    }
+  }
+
+  void note(std::size_t id, const RunEnd& end) {
+    using What = RunEnd::What;
+    if (end.what == What::finished) {
+      ++finished_;
+      failed_ += end.code == run::done ? 0 : 1;
+    } else if (end.what == What::elsewhere) {
+      ++result_.elsewhere;
+    } else if (end.what == What::not_written && result_.not_written == 0) {
+      result_.not_written = id;
+      result_.message = end.message;
+    }
+  }
+
+  /// Takes back the runs of a process that has ended.
+  void lay_off(Worker& worker) {
+    const int signal = worker.signal();
+    std::deque<std::size_t> back = worker.open();
+    if (signal != 0 && !back.empty()) {
+      if (is_crash(signal)) {
+        write_crash(folder_, back.front(), signal);
+        ++finished_;
+        ++failed_;
+      } else {
+        ++result_.killed;
+      }
+      back.pop_front();
+    }
+    queue_.insert(queue_.begin(), back.begin(), back.end());
+  }
+
+  const std::string& folder_;
+  const Plan& plan_;
+  const LocalChoice& choice_;
+  std::deque<std::size_t> queue_;
+  std::list<Worker> workers_;
+  Progress progress_;
+  std::size_t finished_, failed_ = 0;
+  int passed_on_ = 0;  ///< signals
+  Clock::time_point first_signal_;
+  LocalResult result_;
+};
+
+}  // namespace
+
+LocalResult run_local(const std::string& folder, const Plan& plan,
+                      const std::vector<std::size_t>& ids, const LocalChoice& choice) {
+  return LocalEngine(folder, plan, ids, choice).run();
+}
+
+}  // namespace blocks::sweep

@@ -1,0 +1,35 @@
+// The engine `local`: several runs at once on this machine, each in a process of its
+// own.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sweep/one_run.hpp"
+#include "sweep/plan.hpp"
+
+namespace blocks::sweep {
+
+struct LocalChoice {
+  RunChoice run;
+  int jobs = 1;  ///< runs at once
+  bool quiet = false;
+};
+
+/// What happened to the runs that the engine was given.
+struct LocalResult {
+  int signal = 0;               ///< SIGINT or SIGTERM, if it ended the engine
+  std::size_t killed = 0;       ///< runs whose process was killed
+  std::size_t elsewhere = 0;    ///< runs that another process has
+  std::size_t not_written = 0;  ///< run that could not write its files, or 0
+  std::string message;          ///< why it could not
+};
+
+/// Runs the runs with these ids. SIGINT and SIGTERM end the running ones at a
+/// checkpoint; a second signal kills them. If the files of a run cannot be written, no
+/// further run begins. Throws std::system_error if no process can be made.
+LocalResult run_local(const std::string& folder, const Plan& plan,
+                      const std::vector<std::size_t>& ids, const LocalChoice& choice);
+
+}  // namespace blocks::sweep

@@ -1,0 +1,117 @@
+#include "sweep/make_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <variant>
+
+#include "output/results.hpp"
+#include "run/deck_file.hpp"
+#include "run/run.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Variation> runs_of(const Request& request) {
+  std::vector<Variation> rows;
+  if (!request.table.empty())
+    rows = parse_table(run::read_deck(request.table));
+  std::vector<Axis> axes;
+  for (const std::string& set : request.sets)
+    axes.push_back(parse_axis(set));
+  const auto seeds =
+      request.seeds.empty() ? std::vector<std::uint64_t>{} : parse_seeds(request.seeds);
+  return combine(rows, axes, seeds);
+}
+
+std::vector<std::string> axes_of(const Variation& run) {
+  std::vector<std::string> axes;
+  if (run.seed)
+    axes.emplace_back("seed");
+  for (const std::string& set : run.sets)
+    axes.push_back(field_of(set));
+  return axes;
+}
+
+/// Parses the deck once with each value that some run sets, and prints the errors of
+/// the first one that has any. Returns whether there were none.
+bool can_set_all(const Plan& plan, const std::string& text) {
+  std::set<std::string> known;
+  for (const Variation& run : plan.runs) {
+    std::vector<std::string> fresh;
+    std::copy_if(run.sets.begin(), run.sets.end(), std::back_inserter(fresh),
+                 [&](const std::string& set) { return !known.contains(set); });
+    if (fresh.empty())
+      continue;
+    deck::Diagnostics said(plan.deck, text);
+    deck::parse(plan.deck, text, said, overrides_of(run));
+    if (said.has_errors()) {
+      fmt::print(stderr, "{}", said.format_all());
+      return false;
+    }
+    known.insert(fresh.begin(), fresh.end());
+  }
+  return true;
+}
+
+/// Whether seeds make runs differ.
+bool has_random_layers(const std::string& path, const std::string& text) {
+  deck::Diagnostics ignored(path, text);
+  const deck::Deck deck = deck::parse(path, text, ignored);
+  return std::any_of(deck.commands.begin(), deck.commands.end(),
+                     [](const auto& command) {
+                       const auto* layer = std::get_if<deck::Layer>(&command.card);
+                       return layer != nullptr && layer->rcommand.given;
+                     });
+}
+
+int check_first_run(const Plan& plan) {
+  run::RunOptions options;
+  options.deck = plan.deck;
+  options.seed = plan.runs.front().seed;
+  options.overrides = overrides_of(plan.runs.front());
+  options.until = plan.until;
+  return run::build_checked(options).code;
+}
+
+}  // namespace
+
+Plan make_plan(const Request& request, int& code) {
+  code = run::done;
+  if (request.deck == "-")
+    throw output::FileError(
+        "a sweep reads its deck again in every run, so it cannot be standard input\n  "
+        "hint: write the deck to a file");
+  Plan plan;
+  plan.kind = request.kind;
+  const std::string text = run::read_deck(request.deck);
+  plan.deck = fs::canonical(request.deck).string();
+  plan.deck_hash = hash_of_deck(plan.deck);
+  plan.name = fs::path(plan.deck).stem().string();
+  plan.version = BLOCKS_VERSION;
+  plan.numerics = numerics();
+  plan.until = request.until;
+  plan.audit_every = request.audit_every;
+  plan.runs = runs_of(request);
+  plan.axes = axes_of(plan.runs.front());
+  if (!can_set_all(plan, text)) {
+    code = run::deck_error;
+    return plan;
+  }
+  code = check_first_run(plan);
+  const bool many_seeds =
+      std::any_of(plan.runs.begin(), plan.runs.end(),
+                  [&](const auto& run) { return run.seed != plan.runs.front().seed; });
+  if (code == run::done && many_seeds && !has_random_layers(plan.deck, text))
+    fmt::print(stderr,
+               "blocks: warning: the deck has no random layer, so all seeds give the "
+               "same run\n  hint: RANDOM on a LAYER card makes its widths random\n");
+  return plan;
+}
+
+}  // namespace blocks::sweep

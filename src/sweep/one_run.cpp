@@ -1,0 +1,153 @@
+#include "sweep/one_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <new>
+
+#include "output/file_tools.hpp"
+#include "output/results.hpp"
+#include "run/interrupt.hpp"
+#include "run/run.hpp"
+#include "sweep/outcome.hpp"
+#include "sweep/run_log.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+run::RunOptions options_of(const Plan& plan, const Variation& run) {
+  run::RunOptions options;
+  options.deck = plan.deck;
+  options.seed = run.seed;
+  options.overrides = overrides_of(run);
+  options.until = plan.until;
+  options.audit_every = plan.audit_every;
+  options.threads = 1;
+  options.quiet = true;
+  return options;
+}
+
+/// The files of a run that the program has not finished.
+class RunFolder {
+ public:
+  RunFolder(std::string folder, const std::string& name)
+      : folder_(std::move(folder)), name_(folder_ + '/' + name) {}
+
+  const std::string& name() const { return name_; }
+  /// The checkpoint from which the run goes on; empty if there is none.
+  std::string checkpoint() const {
+    for (const char* ending : {".ckpt.h5", ".ckpt.h5.prev"})
+      if (fs::exists(name_ + ending))
+        return name_ + ending;
+    return {};
+  }
+  /// Removes what a run without a checkpoint has left.
+  void clear() const {
+    const std::string stem = fs::path(name_).filename().string() + '.';
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().filename().string().starts_with(stem))
+        fs::remove(entry.path());
+  }
+
+ private:
+  std::string folder_, name_;
+};
+
+/// Runs the deck, or goes on with it. Returns its exit code.
+int run_the_deck(const Plan& plan, const Variation& run, const RunFolder& files,
+                 const RunChoice& choice) {
+  run::RunOptions options = options_of(plan, run);
+  options.output = files.name();
+  options.time_limit = choice.time_limit;
+  options.checkpoint_every = choice.checkpoint_every;
+  if (const std::string checkpoint = files.checkpoint(); !checkpoint.empty()) {
+    options.restart = checkpoint;
+    try {
+      return run::run_deck(options);
+    } catch (const output::FileError& fault) {
+      fmt::print(stderr, "blocks: warning: {}; the run begins again\n", fault.what());
+    }
+    options.restart.reset();
+  }
+  files.clear();
+  return run::run_deck(options);
+}
+
+/// Calls `work`, which returns an exit code. Prints what it throws, and keeps it in
+/// `message`, because a log on a full disk is empty.
+template <class Work> int with_faults_told(std::string& message, Work&& work) {
+  const auto tell = [&](const char* kind, const std::string& what, int code) {
+    fmt::print(stderr, "blocks: {}: {}\n", kind, what);
+    message = what;
+    return code;
+  };
+  try {
+    return work();
+  } catch (const output::FileError& fault) {
+    return tell("error", fault.what(), run::file_error);
+  } catch (const std::bad_alloc&) {
+    return tell("error", "there is not enough memory for this problem",
+                run::internal_error);
+  } catch (const std::exception& fault) {
+    return tell("internal error", fault.what(), run::internal_error);
+  }
+}
+
+int run_in(const std::string& run_folder, const Plan& plan, const Variation& run,
+           const RunChoice& choice) {
+  if (plan.kind == Kind::check)
+    return run::build_checked(options_of(plan, run)).code;
+  return run_the_deck(plan, run, RunFolder(run_folder, plan.name), choice);
+}
+
+}  // namespace
+
+bool is_open(const std::string& folder, std::size_t id, const RunChoice& choice) {
+  const std::string place = run_folder(folder, id);
+  if (!choice.retry)
+    return !has_outcome(place);
+  const auto outcome = read_outcome(place);
+  return !outcome || outcome->code != run::done;
+}
+
+RunEnd run_once(const std::string& folder, const Plan& plan, std::size_t id,
+                const RunChoice& choice) {
+  using What = RunEnd::What;
+  const std::string place = run_folder(folder, id);
+  const Variation& run = plan.runs.at(id - 1);
+  Outcome outcome;
+  try {
+    RunLog log(place);
+    if (!log.lock() || !is_open(folder, id, choice))
+      return {What::elsewhere};
+    log.take_streams();
+    fmt::print(stderr, "blocks sweep: run {}{}{}\n", id,
+               words_of(run).empty() ? "" : ": ", words_of(run));
+    outcome.code = with_faults_told(outcome.message,
+                                    [&] { return run_in(place, plan, run, choice); });
+    if (outcome.code == run::time_limit)
+      outcome.message = fmt::format("stopped after {:g} s", choice.time_limit);
+    else if (outcome.code != run::done && outcome.message.empty())
+      outcome.message = log.fault();
+    if (!is_final(outcome.code))
+      return {outcome.code == run::interrupted ? What::interrupted : What::not_written,
+              outcome.code, outcome.message};
+    outcome.status = status_of(outcome.code);
+    write_outcome(place, outcome);
+  } catch (const output::FileError& fault) {
+    return {What::not_written, run::file_error, fault.what()};
+  }
+  return {What::finished, outcome.code, outcome.message};
+}
+
+void write_crash(const std::string& folder, std::size_t id, int signal) {
+  const int code = 128 + signal;
+  write_outcome(
+      run_folder(folder, id),
+      {code, status_of(code), "the program crashed; log.txt has its last words"});
+}
+
+}  // namespace blocks::sweep

@@ -1,0 +1,87 @@
+#include "sweep/outcome.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "output/file_tools.hpp"
+#include "output/results.hpp"
+#include "run/run.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string path_of(const std::string& run_folder) {
+  return run_folder + "/outcome.json";
+}
+
+}  // namespace
+
+std::string status_of(int code) {
+  switch (code) {
+  case run::done:
+    return "done";
+  case run::internal_error:
+    return "internal error";
+  case run::usage_error:
+    return "usage error";
+  case run::deck_error:
+    return "deck error";
+  case run::unsound_run:
+    return "unsound";
+  case run::file_error:
+    return "file error";
+  case run::time_limit:
+    return "time limit";
+  case run::interrupted:
+    return "interrupted";
+  default:
+    return code > 128 ? fmt::format("crash, {}", strsignal(code - 128))
+                      : fmt::format("exit code {}", code);
+  }
+}
+
+bool is_final(int code) { return code != run::interrupted && code != run::file_error; }
+
+std::optional<Outcome> read_outcome(const std::string& run_folder) {
+  std::ifstream in(path_of(run_folder), std::ios::binary);
+  if (!in)
+    return std::nullopt;
+  try {
+    Json json = Json::parse(in);
+    Outcome outcome{json.at("code"), json.at("status"), json.at("message")};
+    for (const char* key : {"code", "status", "message"})
+      json.erase(key);
+    outcome.measured = std::move(json);
+    return outcome;
+  } catch (const std::exception& fault) {
+    throw output::FileError(fmt::format(
+        "cannot read {}: {}\n  hint: remove it, and blocks sweep goes on with this run",
+        path_of(run_folder), fault.what()));
+  }
+}
+
+bool has_outcome(const std::string& run_folder) {
+  return ::access(path_of(run_folder).c_str(), F_OK) == 0;
+}
+
+void write_outcome(const std::string& run_folder, const Outcome& outcome) {
+  Json json = {
+      {"code", outcome.code}, {"status", outcome.status}, {"message", outcome.message}};
+  json.update(outcome.measured);
+  const std::string path = path_of(run_folder);
+  output::TemporaryFile temporary(path + ".tmp");
+  std::ofstream file(temporary.path(), std::ios::binary);
+  file << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+  file.close();
+  if (!file)
+    output::throw_errno("write", path);
+  temporary.take_name(path);
+}
+
+}  // namespace blocks::sweep

@@ -1,0 +1,35 @@
+// How a run of a sweep ended: outcome.json in its folder, the last file that it writes.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace blocks::sweep {
+
+struct Outcome {
+  int code = 0;         ///< exit code of the run; 128 + signal if it crashed
+  std::string status;   ///< "done", "deck error", "unsound", "time limit", ...
+  std::string message;  ///< the first error; empty if there was none
+  /// What was measured: "layers" (layer_measures.hpp) or "study" (study_outcome.hpp).
+  nlohmann::ordered_json measured = nlohmann::ordered_json::object();
+};
+
+/// Returns the status that belongs to an exit code.
+std::string status_of(int code);
+
+/// Whether a run that ended with this code is finished for good. One that was
+/// interrupted, or that could not write its files, goes on.
+bool is_final(int code);
+
+/// Returns the outcome in the folder of a run, or nothing if there is none, so that the
+/// run is missing, at work, or stopped. Throws output::FileError if it is damaged.
+std::optional<Outcome> read_outcome(const std::string& run_folder);
+
+/// Returns whether there is one, without reading it.
+bool has_outcome(const std::string& run_folder);
+
+/// Writes it, all at once. Throws output::FileError.
+void write_outcome(const std::string& run_folder, const Outcome& outcome);
+
+}  // namespace blocks::sweep

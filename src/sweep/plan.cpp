@@ -1,0 +1,233 @@
+#include "sweep/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "output/file_tools.hpp"
+#include "output/results.hpp"
+#include "run/deck_file.hpp"
+
+namespace blocks::sweep {
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Kind, {{Kind::run, "run"},
+                                    {Kind::check, "check"},
+                                    {Kind::study, "study"}})
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int plan_form = 1;
+
+Json json_of(const Variation& run, std::size_t id) {
+  Json json = {{"id", id}};
+  if (run.seed)
+    json["seed"] = *run.seed;
+  if (!run.sets.empty())
+    json["set"] = run.sets;
+  return json;
+}
+
+Variation variation_of(const Json& json) {
+  Variation run;
+  if (json.contains("seed"))
+    run.seed = json.at("seed").get<std::uint64_t>();
+  if (json.contains("set"))
+    run.sets = json.at("set").get<std::vector<std::string>>();
+  return run;
+}
+
+Json head_of(const Plan& plan) {
+  return {
+      {"blocks_sweep", plan_form}, {"kind", plan.kind},
+      {"deck", plan.deck},         {"deck_hash", plan.deck_hash},
+      {"version", plan.version},   {"numerics", plan.numerics},
+      {"name", plan.name},         {"until", plan.until ? Json(*plan.until) : Json()},
+      {"audit", plan.audit_every}, {"variants", plan.variants},
+      {"axes", plan.axes},         {"number", plan.runs.size()}};
+}
+
+Plan plan_of(const Json& head) {
+  if (head.at("blocks_sweep") != plan_form)
+    throw std::runtime_error("another version of BLOCKS wrote it");
+  Plan plan;
+  head.at("kind").get_to(plan.kind);
+  head.at("deck").get_to(plan.deck);
+  head.at("deck_hash").get_to(plan.deck_hash);
+  head.at("version").get_to(plan.version);
+  head.at("numerics").get_to(plan.numerics);
+  head.at("name").get_to(plan.name);
+  if (!head.at("until").is_null())
+    plan.until = head.at("until").get<double>();
+  head.at("audit").get_to(plan.audit_every);
+  head.at("variants").get_to(plan.variants);
+  head.at("axes").get_to(plan.axes);
+  return plan;
+}
+
+/// Reads the lines that write_plan writes.
+Plan read_lines(std::istream& in) {
+  std::string line;
+  std::getline(in, line);
+  // The head ends with the open list of runs.
+  const std::string end = ", \"runs\": [";
+  if (!line.ends_with(end))
+    throw std::runtime_error("its first line is damaged");
+  const Json head = Json::parse(line.substr(0, line.size() - end.size()) + "}");
+  Plan plan = plan_of(head);
+  const auto number = head.at("number").get<std::size_t>();
+  plan.runs.reserve(number);
+  while (std::getline(in, line) && line != "]}") {
+    if (line.ends_with(','))
+      line.pop_back();
+    const Json run = Json::parse(line);
+    if (run.at("id") != plan.runs.size() + 1)
+      throw std::runtime_error(
+          fmt::format("run {} is not in its place", plan.runs.size() + 1));
+    plan.runs.push_back(variation_of(run));
+  }
+  if (line != "]}" || plan.runs.size() != number)
+    throw std::runtime_error(
+        fmt::format("it has {} of {} runs", plan.runs.size(), number));
+  return plan;
+}
+
+/// Returns the first run that differs, in words.
+std::string different_runs(const Plan& there, const Plan& wanted) {
+  if (there.runs.size() != wanted.runs.size())
+    return fmt::format("it has {} runs instead of {}", there.runs.size(),
+                       wanted.runs.size());
+  for (std::size_t i = 0; i < there.runs.size(); ++i)
+    if (there.runs[i] != wanted.runs[i])
+      return fmt::format("its run {} has {} instead of {}", i + 1,
+                         words_of(there.runs[i]), words_of(wanted.runs[i]));
+  return {};
+}
+
+}  // namespace
+
+std::string numerics() {
+  return
+#if defined(__x86_64__)
+      "binary64, x86-64"
+#elif defined(__aarch64__)
+      "binary64, AArch64"
+#else
+      "binary64"
+#endif
+      ;
+}
+
+std::string plan_path(const std::string& folder) {
+  return (std::filesystem::path(folder) / "sweep.json").string();
+}
+
+bool has_plan(const std::string& folder) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(plan_path(folder), ignored);
+}
+
+void write_plan(const std::string& folder, const Plan& plan) {
+  const std::string path = plan_path(folder);
+  output::create_folder_of(path);
+  output::TemporaryFile temporary(path + ".tmp");
+  std::ofstream file(temporary.path(), std::ios::binary);
+  std::string head = head_of(plan).dump(-1, ' ', false, Json::error_handler_t::replace);
+  head.pop_back();  // the closing brace
+  file << head << ", \"runs\": [\n";
+  for (std::size_t i = 0; i < plan.runs.size(); ++i)
+    file << json_of(plan.runs[i], i + 1).dump()
+         << (i + 1 < plan.runs.size() ? ",\n" : "\n");
+  file << "]}\n";
+  file.close();
+  if (!file)
+    output::throw_errno("write", path);
+  output::sync_file(temporary.path(), path);
+  temporary.take_name(path);
+}
+
+Plan read_plan(const std::string& folder) {
+  const std::string path = plan_path(folder);
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw output::FileError(fmt::format(
+        "{} is not the folder of a sweep: it has no sweep.json\n  hint: blocks sweep "
+        "DECK --seeds 1-20 -o {} makes one",
+        folder, folder));
+  try {
+    return read_lines(in);
+  } catch (const std::exception& fault) {
+    throw output::FileError(fmt::format(
+        "cannot read {}: {}\n  hint: the command that made the sweep writes it again, "
+        "in a folder without it",
+        path, fault.what()));
+  }
+}
+
+std::string difference(const Plan& there, const Plan& wanted) {
+  if (there.kind != wanted.kind)
+    return fmt::format("it is a sweep of kind {} instead of {}",
+                       Json(there.kind).get<std::string>(),
+                       Json(wanted.kind).get<std::string>());
+  if (there.deck != wanted.deck)
+    return fmt::format("it sweeps {}", there.deck);
+  if (there.deck_hash != wanted.deck_hash)
+    return fmt::format("the deck {}, or a mesh that it reads, has changed since then",
+                       there.deck);
+  if (there.version != wanted.version)
+    return fmt::format("BLOCKS {} made it, this is {}", there.version, wanted.version);
+  if (there.numerics != wanted.numerics)
+    return fmt::format("its numbers are {}, here they are {}", there.numerics,
+                       wanted.numerics);
+  if (there.until != wanted.until)
+    return there.until ? fmt::format("its runs end at --until {}", *there.until)
+                       : "its runs end with the deck";
+  if (there.audit_every != wanted.audit_every)
+    return fmt::format("its runs have --audit={}", there.audit_every);
+  if (there.variants != wanted.variants)
+    return fmt::format("its variants are {}", fmt::join(there.variants, ","));
+  return different_runs(there, wanted);
+}
+
+std::string hash_of_deck(const std::string& path) {
+  const std::string text = run::read_deck(path);
+  deck::Diagnostics ignored(path, text);
+  const deck::Deck deck = deck::parse(path, text, ignored);
+  const std::string meshes = run::mesh_sums(deck, run::deck_folder(path), "");
+  output::Fnv1a hash;
+  hash.add(text.data(), text.size());
+  hash.add(meshes.data(), meshes.size());
+  return hash.text();
+}
+
+void expect_same_program_and_deck(const std::string& folder, const Plan& plan) {
+  Plan here = plan;
+  here.version = BLOCKS_VERSION;
+  here.numerics = numerics();
+  if (!plan.deck.empty())
+    here.deck_hash = hash_of_deck(plan.deck);
+  if (const std::string other = difference(plan, here); !other.empty())
+    throw output::FileError(fmt::format(
+        "cannot go on with the sweep in {}: {}\n  hint: restore it, or sweep into "
+        "another folder with -o",
+        folder, other));
+}
+
+std::vector<deck::Override> overrides_of(const Variation& run) {
+  std::vector<deck::Override> overrides;
+  for (const std::string& set : run.sets)
+    if (const auto override = deck::parse_override(set))
+      overrides.push_back(*override);
+  return overrides;
+}
+
+std::string run_folder(const std::string& folder, std::size_t id) {
+  return (std::filesystem::path(folder) / "runs" / fmt::format("{:03}", id / 1000) /
+          fmt::format("{:06}", id))
+      .string();
+}
+
+}  // namespace blocks::sweep

@@ -1,0 +1,63 @@
+#include "sweep/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "run/progress_line.hpp"
+
+namespace blocks::sweep {
+
+std::string words_of(const Counts& counts) {
+  std::string words;
+  const auto add = [&](const std::string& status, std::size_t number) {
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", number, status);
+  };
+  if (const auto done = counts.find("done"); done != counts.end())
+    add("done", done->second);
+  for (const auto& [status, number] : counts)
+    if (status != "done" && status != "open")
+      add(status, number);
+  if (const auto open = counts.find("open"); open != counts.end())
+    add("open", open->second);
+  return words.empty() ? "no runs" : words;
+}
+
+Progress::Progress(std::size_t before, std::size_t all, bool quiet)
+    : before_(before), all_(all), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
+}
+
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void Progress::show(std::size_t finished, std::size_t failed, std::size_t running) {
+  using namespace std::chrono_literals;
+  const auto between = terminal_ ? Clock::duration(100ms) : Clock::duration(1min);
+  if (quiet_ || Clock::now() - drawn_ < between)
+    return;
+  drawn_ = Clock::now();
+  const std::size_t made = finished - before_;
+  std::string line = fmt::format("{} of {} runs finished", finished, all_);
+  if (failed > 0)
+    line += fmt::format(", {} failed", failed);
+  line += fmt::format(", {} running", running);
+  if (made > 0)
+    line += ", " +
+            run::duration(seconds() * static_cast<double>(all_ - finished) /
+                          static_cast<double>(made)) +
+            " left";
+  std::fputs((terminal_ ? "\r\x1b[K" + line : line + '\n').c_str(), stderr);
+  std::fflush(stderr);
+  shown_ = terminal_;
+}
+
+void Progress::clear() {
+  if (shown_)
+    std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+  shown_ = false;
+}
+
+}  // namespace blocks::sweep

@@ -1,0 +1,71 @@
+#include "sweep/status.hpp"
+
+#include <fmt/format.h>
+
+#include "run/run.hpp"
+#include "run/shell_word.hpp"
+#include "sweep/outcome.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+/// Calls see(id, outcome) for every run.
+template <class See>
+void each_outcome(const std::string& folder, const Plan& plan, See&& see) {
+  for (std::size_t id = 1; id <= plan.runs.size(); ++id)
+    see(id, read_outcome(run_folder(folder, id)));
+}
+
+std::string status_of(const std::optional<Outcome>& outcome) {
+  return outcome ? outcome->status : "open";
+}
+
+}  // namespace
+
+Counts count_runs(const std::string& folder, const Plan& plan) {
+  Counts counts;
+  each_outcome(folder, plan, [&](std::size_t, const std::optional<Outcome>& outcome) {
+    ++counts[status_of(outcome)];
+  });
+  return counts;
+}
+
+std::vector<std::size_t> open_runs(const std::string& folder, std::size_t first,
+                                   std::size_t last, const RunChoice& choice) {
+  std::vector<std::size_t> ids;
+  for (std::size_t id = first; id <= last; ++id)
+    if (is_open(folder, id, choice))
+      ids.push_back(id);
+  return ids;
+}
+
+std::string status_text(const std::string& folder, const Plan& plan) {
+  constexpr std::size_t most_named = 10;
+  Counts counts;
+  std::string failed;
+  std::size_t number = 0;
+  each_outcome(
+      folder, plan, [&](std::size_t id, const std::optional<Outcome>& outcome) {
+        ++counts[status_of(outcome)];
+        if (!outcome || outcome->code == run::done || ++number > most_named)
+          return;
+        const Variation& run = plan.runs[id - 1];
+        failed += fmt::format("  run {}{}{}: {}, exit code {}{}{}\n", id,
+                              words_of(run).empty() ? "" : ", ", words_of(run),
+                              outcome->status, outcome->code,
+                              outcome->message.empty() ? "" : ": ", outcome->message);
+      });
+  std::string text =
+      fmt::format("{} runs of {}\n{}\n", plan.runs.size(),
+                  plan.deck.empty() ? "scenes" : plan.deck, words_of(counts));
+  text += failed;
+  if (number > most_named)
+    text += fmt::format("  and {} more; blocks report {} lists all\n",
+                        number - most_named, run::shell_word(folder));
+  if (counts.contains("open"))
+    text += fmt::format("blocks sweep {} goes on with the open runs\n",
+                        run::shell_word(folder));
+  return text;
+}
+
+}  // namespace blocks::sweep

@@ -1,0 +1,113 @@
+#include "sweep/worker.hpp"
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <system_error>
+#include <utility>
+
+#include "run/interrupt.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+/// A RunEnd on its way through the pipe. Small enough to be written at once.
+struct Report {
+  RunEnd::What what;
+  int code;
+  std::array<char, 240> message;  ///< ends with 0
+};
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+[[noreturn]] void work(const std::string& folder, const Plan& plan,
+                       const std::deque<std::size_t>& ids, const RunChoice& choice,
+                       int pipe, pid_t parent) {
+  ::setpgid(0, 0);  // Ctrl-C reaches the parent alone, which passes it on once
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  std::signal(SIGPIPE, SIG_IGN);
+  run::catch_interrupts();
+  if (::getppid() != parent)
+    ::_exit(0);
+  for (const std::size_t id : ids) {
+    if (run::interrupt_requested())
+      break;
+    const RunEnd end = run_once(folder, plan, id, choice);
+    Report report{end.what, end.code, {}};
+    end.message.copy(report.message.data(), report.message.size() - 1);
+    if (::write(pipe, &report, sizeof report) != static_cast<ssize_t>(sizeof report))
+      break;
+  }
+  std::cout.flush();
+  std::fflush(nullptr);
+  ::_exit(0);  // without the ends of the objects of the parent
+}
+
+}  // namespace
+
+Worker::Worker(const std::string& folder, const Plan& plan,
+               std::vector<std::size_t> ids, const RunChoice& choice)
+    : open_(ids.begin(), ids.end()) {
+  int ends[2];
+  if (::pipe(ends) != 0)
+    fail("cannot start a run");
+  std::cout.flush();
+  std::fflush(nullptr);  // the child has a copy of what is not written yet
+  const pid_t parent = ::getpid();
+  process_ = ::fork();
+  if (process_ < 0)
+    fail("cannot start a run");
+  if (process_ == 0) {
+    ::close(ends[0]);
+    work(folder, plan, open_, choice, ends[1], parent);
+  }
+  ::close(ends[1]);
+  pipe_ = ends[0];
+}
+
+Worker::Worker(Worker&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      pipe_(std::exchange(other.pipe_, -1)), open_(std::move(other.open_)) {}
+
+Worker::~Worker() {
+  if (pipe_ >= 0)
+    ::close(pipe_);
+  if (process_ < 0)
+    return;
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, nullptr, 0);
+}
+
+std::optional<RunEnd> Worker::next_end() {
+  Report report{};
+  ssize_t size = 0;
+  do
+    size = ::read(pipe_, &report, sizeof report);
+  while (size < 0 && errno == EINTR);
+  if (size != static_cast<ssize_t>(sizeof report))
+    return std::nullopt;
+  open_.pop_front();
+  return RunEnd{report.what, report.code, report.message.data()};
+}
+
+int Worker::signal() {
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+void Worker::send(int signal) const { ::kill(process_, signal); }
+
+}  // namespace blocks::sweep
