@@ -51,6 +51,7 @@ std::string completion_of(const CLI::Option& option) {
       {"--colour",
        "_blocks_words material " + blanks(quantities::block_quantity_names())},
       {"--dblock", "_blocks_files"},
+      {"--sshloginfile", "_blocks_files"},
       {"--table", "_blocks_files csv"},
       {"--tape9", "_blocks_files"},
       {"--output", "_blocks_files"},

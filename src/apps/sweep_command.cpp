@@ -3,19 +3,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
-#include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include "fault.hpp"
 #include "output/results.hpp"
-#include "run/deck_file.hpp"
-#include "run/progress_line.hpp"
 #include "run/run.hpp"
 #include "run/shell_word.hpp"
-#include "sweep/local_engine.hpp"
+#include "sweep/slurm_engine.hpp"
 #include "sweep/status.hpp"
 
 namespace blocks::apps {
@@ -23,15 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The runs of `--runs 40-49`.
-struct Range {
-  std::size_t first, last;
-};
-
-Range range_of(const std::string& text, std::size_t all) {
+/// Reads --runs 40-49. `all` is the number of runs.
+sweep::Range range_of(const std::string& text, std::size_t all) {
   if (text.empty())
     return {1, all};
-  Range range{};
+  sweep::Range range{};
   const char* const end = text.data() + text.size();
   auto read = std::from_chars(text.data(), end, range.first);
   range.last = range.first;
@@ -74,60 +65,20 @@ bool has_new_parameters(const SweepOptions& options) {
          !options.output.empty();
 }
 
-/// Says how the sweep stands after the engine. Returns the exit code.
-int tell(const std::string& folder, const sweep::Plan& plan,
-         const sweep::LocalResult& result, const SweepOptions& options,
-         const std::string& spent) {
-  const sweep::Counts counts = sweep::count_runs(folder, plan);
-  if (!options.quiet)
-    fmt::print("{} runs: {}{}: {}\n", plan.runs.size(), sweep::words_of(counts),
-               spent.empty() ? "" : ", in " + spent, folder);
-  const std::string again = "blocks sweep " + run::shell_word(folder);
-  if (result.not_written > 0) {
-    fmt::print(
-        stderr,
-        "blocks: error: run {} could not write its files: {}\n  hint: make room, "
-        "then {} goes on\n",
-        result.not_written, result.message, again);
-    return run::file_error;
-  }
-  if (result.killed > 0)
-    fmt::print(
-        stderr,
-        "blocks: warning: {} of the runs were killed, perhaps because memory ran "
-        "out\n  hint: {} goes on; -J 1 runs one at a time\n",
-        result.killed, again);
-  if (result.elsewhere > 0 && !options.quiet)
-    fmt::print("{} of the runs are at work in another process\n", result.elsewhere);
-  if (result.signal != 0) {
-    if (!options.quiet)
-      fmt::print("stopped; {} goes on\n", again);
-    return result.signal == SIGINT ? run::interrupted : run::time_limit;
-  }
-  if (!options.quiet && !counts.contains("open"))
-    fmt::print("blocks report {} shows the results\n", run::shell_word(folder));
-  return result.killed > 0 ? run::time_limit : run::done;
-}
-
 int go_on(const std::string& folder, const sweep::Plan& plan,
           const SweepOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  const Range range = range_of(options.runs, plan.runs.size());
-  const auto ids = sweep::open_runs(folder, range.first, range.last, options.run);
-  const int processors =
-      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const auto result = sweep::run_local(
-      folder, plan, ids,
-      {options.run, options.jobs > 0 ? options.jobs : processors, options.quiet});
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-  return tell(folder, plan, result, options,
-              ids.empty() ? std::string() : run::duration(spent.count()));
+  const sweep::Range runs = range_of(options.runs, plan.runs.size());
+  if (options.retry)
+    sweep::reopen_failed_runs(folder, runs);
+  return sweep::run_with_engine(folder, plan, runs, options.engine);
 }
 
 int sweep_or_throw(const SweepOptions& options) {
   const std::vector<std::string>& words = options.words;
   if (words.size() == 2 && words.front() == "status") {
     fmt::print("{}", sweep::status_text(words[1], sweep::read_plan(words[1])));
+    if (const std::string jobs = sweep::jobs_at_work(words[1]); !jobs.empty())
+      fmt::print("Slurm has {}\n", jobs);
     return run::done;
   }
   if (words.size() != 1)
@@ -199,22 +150,41 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
                    "check the contacts by exact brute force every 100 steps");
   command.add_flag("--check", options.check,
                    "make, prove and measure the blocks, without time steps");
+  sweep::EngineChoice& engine = options.engine;
   command
-      .add_option("-J,--jobs", options.jobs,
-                  "runs at once (default: as many as there are processors)")
-      ->check(CLI::Range(1, 4096));
+      .add_option("--engine", engine.name,
+                  "what runs the runs: this program (local), GNU parallel, or an array "
+                  "job of Slurm; the results are the same")
+      ->check(CLI::IsMember({"local", "parallel", "slurm"}))
+      ->capture_default_str();
+  command
+      .add_option("-J,--jobs", engine.jobs,
+                  "runs at once, each with one thread (default: as many as there are "
+                  "processors)")
+      ->check(CLI::Range(1, 100000));
+  command
+      .add_option("--pack", engine.pack,
+                  "runs of one job of GNU parallel or one task of Slurm (default: 1, "
+                  "or what the cluster needs)")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--sshloginfile", engine.logins,
+                     "machines of GNU parallel, one per line; they share this folder");
+  command.add_option("--sbatch", engine.sbatch,
+                     "further options of Slurm, such as '--partition=long --time=60'");
+  command.add_flag("--dry-run", engine.dry_run,
+                   "write the plan, print what the engine would call, and run nothing");
   command.add_option("--runs", options.runs, "only these runs, such as 40-49");
   command
-      .add_option("--time-limit", options.run.time_limit,
+      .add_option("--time-limit", engine.run.time_limit,
                   "end a run after this many seconds; that is its outcome")
       ->check(above_zero());
   command
-      .add_option("--checkpoint-every", options.run.checkpoint_every,
+      .add_option("--checkpoint-every", engine.run.checkpoint_every,
                   "seconds between checkpoints of a run (default: 600)")
       ->check(above_zero());
-  command.add_flag("--retry", options.run.retry,
+  command.add_flag("--retry", options.retry,
                    "also go on with runs that ended with an error or a time limit");
-  command.add_flag("-q,--quiet", options.quiet, "print errors and warnings only");
+  command.add_flag("-q,--quiet", engine.quiet, "print errors and warnings only");
 }
 
 int sweep(const SweepOptions& options) {

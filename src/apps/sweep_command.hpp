@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sweep/engine.hpp"
 #include "sweep/make_plan.hpp"
-#include "sweep/one_run.hpp"
 
 namespace blocks::apps {
 
@@ -15,10 +15,9 @@ struct SweepOptions {
   sweep::Request request;
   std::string output;  ///< folder of a new sweep; empty: NAME.sweep
   bool check = false;  ///< no time steps
-  sweep::RunChoice run;
-  std::string runs;  ///< "40-49"; empty: all
-  int jobs = 0;      ///< 0: as many as the machine has processors
-  bool quiet = false;
+  std::string runs;    ///< "40-49"; empty: all
+  bool retry = false;  ///< also runs that ended with an error
+  sweep::EngineChoice engine;
 };
 
 void add_sweep_options(CLI::App& command, SweepOptions& options);

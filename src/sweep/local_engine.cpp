@@ -1,49 +1,20 @@
 #include "sweep/local_engine.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <deque>
 #include <list>
 
 #include "run/run.hpp"
 #include "sweep/progress.hpp"
+#include "sweep/signal_watch.hpp"
 #include "sweep/worker.hpp"
 
 namespace blocks::sweep {
 namespace {
-
-volatile std::sig_atomic_t signals = 0, last_signal = 0;
-
-void on_signal(int signal) {
-  last_signal = signal;
-  signals = signals + 1;
-}
-
-/// Receives SIGINT and SIGTERM as long as it exists.
-class SignalWatch {
- public:
-  SignalWatch() {
-    signals = 0;
-    last_signal = 0;
-    struct sigaction action {};
-    action.sa_handler = on_signal;  // without SA_RESTART: it ends poll()
-    ::sigaction(SIGINT, &action, &before_int_);
-    ::sigaction(SIGTERM, &action, &before_term_);
-  }
-  ~SignalWatch() {
-    ::sigaction(SIGINT, &before_int_, nullptr);
-    ::sigaction(SIGTERM, &before_term_, nullptr);
-  }
-  SignalWatch(const SignalWatch&) = delete;
-  SignalWatch& operator=(const SignalWatch&) = delete;
-
- private:
-  struct sigaction before_int_ {
-  }, before_term_{};
-};
 
 /// Whether the program itself is to blame for a signal that ended it.
 bool is_crash(int signal) {
@@ -60,24 +31,26 @@ class LocalEngine {
         finished_(plan.runs.size() - ids.size()) {}
 
   LocalResult run() {
-    const SignalWatch watch;
     while (true) {
       pass_on_signals();
       start_workers();
       if (workers_.empty())
         break;
       wait();
-      progress_.show(finished_, failed_, workers_.size());
+      if (progress_.is_due())
+        progress_.show(
+            finished_,
+            fmt::format("{}, {} running",
+                        failed_ > 0 ? fmt::format(", {} failed", failed_) : "",
+                        workers_.size()));
     }
     progress_.clear();
-    result_.signal = last_signal;
+    result_.signal = signals_.signal();
     return result_;
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  bool stops() const { return signals > 0 || result_.not_written > 0; }
+  bool stops() const { return signals_.signal() != 0 || result_.not_written > 0; }
 
   /// Short runs share a process, because starting one costs more than they do.
   std::size_t runs_per_worker() const {
@@ -97,22 +70,12 @@ class LocalEngine {
     }
   }
 
-  /// A shell or a batch system may send one signal twice, so a second one within a
-  /// second is the same.
   void pass_on_signals() {
-    using namespace std::chrono_literals;
-    const auto now = Clock::now();
-    const int seen = signals;
-    if (seen == passed_on_)
-      return;
-    const bool first = passed_on_ == 0;
-    passed_on_ = seen;
-    if (first)
-      first_signal_ = now;
-    else if (now - first_signal_ < 1s)
+    const SignalWatch::Asked asked = signals_.asked();
+    if (asked == SignalWatch::Asked::nothing)
       return;
     for (const Worker& worker : workers_)
-      worker.send(first ? SIGTERM : SIGKILL);
+      worker.send(asked == SignalWatch::Asked::stop ? SIGTERM : SIGKILL);
   }
 
   /// Waits until a run has ended, a signal has come, or the progress line is due.
@@ -175,8 +138,7 @@ class LocalEngine {
   std::list<Worker> workers_;
   Progress progress_;
   std::size_t finished_, failed_ = 0;
-  int passed_on_ = 0;  ///< signals
-  Clock::time_point first_signal_;
+  SignalWatch signals_;
   LocalResult result_;
 };
 

@@ -19,14 +19,14 @@ struct LocalChoice {
 
 /// What happened to the runs that the engine was given.
 struct LocalResult {
-  int signal = 0;               ///< SIGINT or SIGTERM, if it ended the engine
+  int signal = 0;               ///< that ended the engine; 0: none
   std::size_t killed = 0;       ///< runs whose process was killed
   std::size_t elsewhere = 0;    ///< runs that another process has
   std::size_t not_written = 0;  ///< run that could not write its files, or 0
   std::string message;          ///< why it could not
 };
 
-/// Runs the runs with these ids. SIGINT and SIGTERM end the running ones at a
+/// Runs the runs with these ids. SIGINT, SIGTERM and SIGHUP end the running ones at a
 /// checkpoint; a second signal kills them. If the files of a run cannot be written, no
 /// further run begins. Throws std::system_error if no process can be made.
 LocalResult run_local(const std::string& folder, const Plan& plan,

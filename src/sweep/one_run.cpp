@@ -105,14 +105,6 @@ int run_in(const std::string& run_folder, const Plan& plan, const Variation& run
 
 }  // namespace
 
-bool is_open(const std::string& folder, std::size_t id, const RunChoice& choice) {
-  const std::string place = run_folder(folder, id);
-  if (!choice.retry)
-    return !has_outcome(place);
-  const auto outcome = read_outcome(place);
-  return !outcome || outcome->code != run::done;
-}
-
 RunEnd run_once(const std::string& folder, const Plan& plan, std::size_t id,
                 const RunChoice& choice) {
   using What = RunEnd::What;
@@ -121,7 +113,7 @@ RunEnd run_once(const std::string& folder, const Plan& plan, std::size_t id,
   Outcome outcome;
   try {
     RunLog log(place);
-    if (!log.lock() || !is_open(folder, id, choice))
+    if (!log.lock() || has_outcome(place))
       return {What::elsewhere};
     log.take_streams();
     fmt::print(stderr, "blocks sweep: run {}{}{}\n", id,

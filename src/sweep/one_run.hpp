@@ -12,7 +12,6 @@ namespace blocks::sweep {
 struct RunChoice {
   double time_limit = 0.0;          ///< wall-clock seconds of a run; 0: none
   double checkpoint_every = 600.0;  ///< wall-clock seconds
-  bool retry = false;               ///< also runs that ended with an error
 };
 
 /// How run_once ended.
@@ -27,10 +26,6 @@ struct RunEnd {
   int code = 0;              ///< of the outcome
   std::string message = {};  ///< the first error; empty if there was none
 };
-
-/// Whether the run has still to be run: it has no outcome, or `choice.retry` is set and
-/// its outcome is an error.
-bool is_open(const std::string& folder, std::size_t id, const RunChoice& choice);
 
 /// Runs the run with this id of the plan in `folder`, from its checkpoint if it has
 /// one, and writes its outcome. The process holds a lock on the folder of the run, so

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -82,6 +83,12 @@ void write_outcome(const std::string& run_folder, const Outcome& outcome) {
   if (!file)
     output::throw_errno("write", path);
   temporary.take_name(path);
+}
+
+void remove_outcome(const std::string& run_folder) {
+  const std::string path = path_of(run_folder);
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT)
+    output::throw_errno("remove", path);
 }
 
 }  // namespace blocks::sweep

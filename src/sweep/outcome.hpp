@@ -32,4 +32,7 @@ bool has_outcome(const std::string& run_folder);
 /// Writes it, all at once. Throws output::FileError.
 void write_outcome(const std::string& run_folder, const Outcome& outcome);
 
+/// Removes it, so that the run goes on. Throws output::FileError.
+void remove_outcome(const std::string& run_folder);
+
 }  // namespace blocks::sweep

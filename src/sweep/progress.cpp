@@ -32,18 +32,16 @@ double Progress::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void Progress::show(std::size_t finished, std::size_t failed, std::size_t running) {
+bool Progress::is_due() const {
   using namespace std::chrono_literals;
   const auto between = terminal_ ? Clock::duration(100ms) : Clock::duration(1min);
-  if (quiet_ || Clock::now() - drawn_ < between)
-    return;
+  return !quiet_ && Clock::now() - drawn_ >= between;
+}
+
+void Progress::show(std::size_t finished, const std::string& more) {
   drawn_ = Clock::now();
-  const std::size_t made = finished - before_;
-  std::string line = fmt::format("{} of {} runs finished", finished, all_);
-  if (failed > 0)
-    line += fmt::format(", {} failed", failed);
-  line += fmt::format(", {} running", running);
-  if (made > 0)
+  std::string line = fmt::format("{} of {} runs finished{}", finished, all_, more);
+  if (const std::size_t made = finished - before_; made > 0)
     line += ", " +
             run::duration(seconds() * static_cast<double>(all_ - finished) /
                           static_cast<double>(made)) +

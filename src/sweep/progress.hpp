@@ -21,8 +21,9 @@ class Progress {
   /// `before` runs of `all` were finished when it began.
   Progress(std::size_t before, std::size_t all, bool quiet);
 
-  /// Draws the line if it is due.
-  void show(std::size_t finished, std::size_t failed, std::size_t running);
+  bool is_due() const;
+  /// Draws the line. `more` is put behind the number of finished runs.
+  void show(std::size_t finished, const std::string& more = {});
   void clear();
   double seconds() const;
 

@@ -11,8 +11,8 @@ namespace {
 
 /// Calls see(id, outcome) for every run.
 template <class See>
-void each_outcome(const std::string& folder, const Plan& plan, See&& see) {
-  for (std::size_t id = 1; id <= plan.runs.size(); ++id)
+void each_outcome(const std::string& folder, const Range& runs, See&& see) {
+  for (std::size_t id = runs.first; id <= runs.last; ++id)
     see(id, read_outcome(run_folder(folder, id)));
 }
 
@@ -22,21 +22,28 @@ std::string status_of(const std::optional<Outcome>& outcome) {
 
 }  // namespace
 
-Counts count_runs(const std::string& folder, const Plan& plan) {
+Counts count_runs(const std::string& folder, const Range& runs) {
   Counts counts;
-  each_outcome(folder, plan, [&](std::size_t, const std::optional<Outcome>& outcome) {
+  each_outcome(folder, runs, [&](std::size_t, const std::optional<Outcome>& outcome) {
     ++counts[status_of(outcome)];
   });
   return counts;
 }
 
-std::vector<std::size_t> open_runs(const std::string& folder, std::size_t first,
-                                   std::size_t last, const RunChoice& choice) {
+std::vector<std::size_t> open_runs(const std::string& folder, const Range& runs) {
   std::vector<std::size_t> ids;
-  for (std::size_t id = first; id <= last; ++id)
-    if (is_open(folder, id, choice))
+  for (std::size_t id = runs.first; id <= runs.last; ++id)
+    if (!has_outcome(run_folder(folder, id)))
       ids.push_back(id);
   return ids;
+}
+
+void reopen_failed_runs(const std::string& folder, const Range& runs) {
+  each_outcome(folder, runs,
+               [&](std::size_t id, const std::optional<Outcome>& outcome) {
+                 if (outcome && outcome->code != run::done)
+                   remove_outcome(run_folder(folder, id));
+               });
 }
 
 std::string status_text(const std::string& folder, const Plan& plan) {
@@ -44,17 +51,18 @@ std::string status_text(const std::string& folder, const Plan& plan) {
   Counts counts;
   std::string failed;
   std::size_t number = 0;
-  each_outcome(
-      folder, plan, [&](std::size_t id, const std::optional<Outcome>& outcome) {
-        ++counts[status_of(outcome)];
-        if (!outcome || outcome->code == run::done || ++number > most_named)
-          return;
-        const Variation& run = plan.runs[id - 1];
-        failed += fmt::format("  run {}{}{}: {}, exit code {}{}{}\n", id,
-                              words_of(run).empty() ? "" : ", ", words_of(run),
-                              outcome->status, outcome->code,
-                              outcome->message.empty() ? "" : ": ", outcome->message);
-      });
+  each_outcome(folder, {1, plan.runs.size()},
+               [&](std::size_t id, const std::optional<Outcome>& outcome) {
+                 ++counts[status_of(outcome)];
+                 if (!outcome || outcome->code == run::done || ++number > most_named)
+                   return;
+                 const Variation& run = plan.runs[id - 1];
+                 failed += fmt::format("  run {}{}{}: {}, exit code {}{}{}\n", id,
+                                       words_of(run).empty() ? "" : ", ", words_of(run),
+                                       outcome->status, outcome->code,
+                                       outcome->message.empty() ? "" : ": ",
+                                       outcome->message);
+               });
   std::string text =
       fmt::format("{} runs of {}\n{}\n", plan.runs.size(),
                   plan.deck.empty() ? "scenes" : plan.deck, words_of(counts));

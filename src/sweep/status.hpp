@@ -5,19 +5,26 @@
 #include <string>
 #include <vector>
 
-#include "sweep/one_run.hpp"
 #include "sweep/plan.hpp"
 #include "sweep/progress.hpp"
 
 namespace blocks::sweep {
 
-/// Returns how many runs have each status, from their outcomes. Throws
-/// output::FileError if one is damaged.
-Counts count_runs(const std::string& folder, const Plan& plan);
+/// Runs from `first` to `last`, both included.
+struct Range {
+  std::size_t first = 1, last = 1;
+};
 
-/// Returns the runs from `first` to `last` that have still to be run, in order.
-std::vector<std::size_t> open_runs(const std::string& folder, std::size_t first,
-                                   std::size_t last, const RunChoice& choice);
+/// Returns how many of these runs have each status, from their outcomes. Throws
+/// output::FileError if one is damaged.
+Counts count_runs(const std::string& folder, const Range& runs);
+
+/// Returns those of these runs that have no outcome, in order.
+std::vector<std::size_t> open_runs(const std::string& folder, const Range& runs);
+
+/// Removes the outcomes of those of these runs that ended with an error or a limit of
+/// time, so that they go on. Throws output::FileError.
+void reopen_failed_runs(const std::string& folder, const Range& runs);
 
 /// Returns the text of `blocks sweep status`: the plan, the counts, and the first
 /// failed runs with their messages.

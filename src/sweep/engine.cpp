@@ -1,0 +1,174 @@
+#include "sweep/engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "run/progress_line.hpp"
+#include "run/run.hpp"
+#include "run/shell_word.hpp"
+#include "sweep/external_program.hpp"
+#include "sweep/local_engine.hpp"
+#include "sweep/parallel_engine.hpp"
+#include "sweep/slurm_engine.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+void expect_program(const std::string& engine, const std::string& program,
+                    const std::string& remedy) {
+  if (find_program(program).empty())
+    throw std::runtime_error(fmt::format(
+        "the engine {} needs the program {}, which is not here\n  hint: {}, or use "
+        "--engine local",
+        engine, program, remedy));
+}
+
+std::vector<std::string> words_in(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;)
+    words.push_back(word);
+  return words;
+}
+
+/// One call of an engine.
+class Engine {
+ public:
+  Engine(const std::string& folder, const Plan& plan, const Range& runs,
+         const EngineChoice& choice)
+      : folder_(folder), plan_(plan), runs_(runs), choice_(choice),
+        open_(open_runs(folder, runs)) {}
+
+  int run() {
+    if (choice_.name == "slurm")
+      return slurm();
+    if (choice_.name == "parallel")
+      return parallel();
+    return local();
+  }
+
+ private:
+  std::string again() const { return "blocks sweep " + run::shell_word(folder_); }
+
+  int local() {
+    if (choice_.dry_run) {
+      fmt::print("{} of {} runs are open\n", open_.size(), plan_.runs.size());
+      return run::done;
+    }
+    const int processors =
+        std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const LocalResult result = run_local(
+        folder_, plan_, open_,
+        {choice_.run, choice_.jobs > 0 ? choice_.jobs : processors, choice_.quiet});
+    tell_counts();
+    if (result.not_written > 0) {
+      fmt::print(stderr,
+                 "blocks: error: run {} could not write its files: {}\n  hint: make "
+                 "room, then {} goes on\n",
+                 result.not_written, result.message, again());
+      return run::file_error;
+    }
+    if (result.killed > 0)
+      fmt::print(stderr,
+                 "blocks: warning: {} of the runs were killed, perhaps because memory "
+                 "ran out\n  hint: -J 1 runs one at a time\n",
+                 result.killed);
+    return end(result.signal);
+  }
+
+  int parallel() {
+    expect_program("parallel", "parallel",
+                   "install GNU parallel (Debian's package parallel)");
+    const ParallelChoice choice{choice_.run, choice_.jobs, choice_.pack.value_or(1),
+                                choice_.logins, choice_.quiet};
+    if (choice_.dry_run) {
+      fmt::print("{}\n", shell_line(parallel_words(folder_, choice)));
+      return run::done;
+    }
+    const int signal =
+        open_.empty() ? 0 : run_parallel(folder_, open_, plan_.runs.size(), choice);
+    tell_counts();
+    return end(signal);
+  }
+
+  int slurm() {
+    SlurmChoice choice{choice_.run, choice_.jobs, choice_.pack.value_or(1),
+                       words_in(choice_.sbatch)};
+    if (choice_.dry_run && !open_.empty()) {
+      const SlurmJob job = slurm_job(folder_, open_, choice);
+      fmt::print("# {}\n{}", shell_line(job.words), job.script);
+    }
+    if (choice_.dry_run)
+      return run::done;
+    for (const char* program : {"sbatch", "squeue", "scontrol"})
+      expect_program("slurm", program, "log in to a machine of the cluster");
+    if (const std::string jobs = jobs_at_work(folder_); !jobs.empty()) {
+      fmt::print("still at work: {}\n", jobs);
+      return run::done;
+    }
+    if (open_.empty()) {
+      tell_counts();
+      return run::done;
+    }
+    const std::size_t most = most_tasks(),
+                      least_pack = (open_.size() + most - 1) / most;
+    if (choice_.pack && *choice_.pack < least_pack)
+      throw std::runtime_error(
+          fmt::format("an array job of this cluster has at most {} tasks, so {} runs "
+                      "need --pack {} or more\n  hint: without --pack, it is chosen",
+                      most, open_.size(), least_pack));
+    choice.pack = std::max(choice.pack, least_pack);
+    const std::string job = submit(folder_, slurm_job(folder_, open_, choice));
+    if (!choice_.quiet)
+      fmt::print(
+          "job {} has {} runs, {} in a task\n'blocks sweep status {}' shows what "
+          "is done\n",
+          job, open_.size(), choice.pack, run::shell_word(folder_));
+    return run::done;
+  }
+
+  void tell_counts() const {
+    if (choice_.quiet)
+      return;
+    const std::size_t all = runs_.last - runs_.first + 1;
+    const std::chrono::duration<double> spent = Clock::now() - begin_;
+    fmt::print("{} runs: {}{}: {}\n", all, words_of(count_runs(folder_, runs_)),
+               open_.empty() ? "" : ", in " + run::duration(spent.count()), folder_);
+  }
+
+  /// Says what comes next. Returns the exit code.
+  int end(int signal) const {
+    const std::size_t open = open_runs(folder_, runs_).size();
+    if (!choice_.quiet) {
+      if (open == 0)
+        fmt::print("blocks report {} shows the results\n", run::shell_word(folder_));
+      else
+        fmt::print("{} goes on with {} open runs\n", again(), open);
+    }
+    return open == 0          ? run::done
+           : signal == SIGINT ? run::interrupted
+                              : run::time_limit;
+  }
+
+  using Clock = std::chrono::steady_clock;
+  const std::string& folder_;
+  const Plan& plan_;
+  const Range& runs_;
+  const EngineChoice& choice_;
+  std::vector<std::size_t> open_;
+  Clock::time_point begin_ = Clock::now();
+};
+
+}  // namespace
+
+int run_with_engine(const std::string& folder, const Plan& plan, const Range& runs,
+                    const EngineChoice& choice) {
+  return Engine(folder, plan, runs, choice).run();
+}
+
+}  // namespace blocks::sweep

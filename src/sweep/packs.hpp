@@ -1,0 +1,19 @@
+// Packs of runs: what an engine gives to one of its tasks.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace blocks::sweep {
+
+/// Groups runs, given in ascending order, into packs of at most `size` runs, and
+/// returns them in the form of --runs: "40-49", or "7" for a single run. Runs that are
+/// left out between two of a pack have an outcome already.
+std::vector<std::string> packs_of(const std::vector<std::size_t>& ids,
+                                  std::size_t size);
+
+/// Writes the packs, one per line. Throws output::FileError.
+void write_packs(const std::string& path, const std::vector<std::string>& packs);
+
+}  // namespace blocks::sweep

@@ -1,0 +1,33 @@
+// The engine `parallel`: GNU parallel, on this machine or on several by ssh. Each of
+// its jobs runs one pack of runs with the engine `local`.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sweep/one_run.hpp"
+
+namespace blocks::sweep {
+
+struct ParallelChoice {
+  RunChoice run;
+  int jobs = 0;          ///< at once, on each machine; 0: as many as it has processors
+  std::size_t pack = 1;  ///< runs of one job
+  std::string logins;    ///< file of --sshloginfile; empty: this machine
+  bool quiet = false;
+};
+
+/// Returns the words that call GNU parallel. The packs are in DIR/parallel/packs, and
+/// its log is DIR/parallel/joblog.
+std::vector<std::string> parallel_words(const std::string& folder,
+                                        const ParallelChoice& choice);
+
+/// Runs these runs and waits for them. All of `all` runs are counted in the progress
+/// line. Returns the signal that stopped it, or 0. SIGINT, SIGTERM and SIGHUP end the
+/// running ones at a checkpoint. Throws std::system_error if GNU parallel cannot be
+/// started.
+int run_parallel(const std::string& folder, const std::vector<std::size_t>& ids,
+                 std::size_t all, const ParallelChoice& choice);
+
+}  // namespace blocks::sweep

@@ -1,0 +1,181 @@
+#include "sweep/slurm_engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "output/file_tools.hpp"
+#include "output/results.hpp"
+#include "run/shell_word.hpp"
+#include "sweep/external_program.hpp"
+#include "sweep/packs.hpp"
+
+namespace blocks::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+using run::shell_word;
+
+/// The files of the jobs of a sweep.
+std::string slurm_folder(const std::string& folder) {
+  return (fs::absolute(folder) / "slurm").lexically_normal().string();
+}
+
+std::string jobs_path(const std::string& folder) {
+  return slurm_folder(folder) + "/jobs";
+}
+
+/// The numbers of all jobs that were submitted.
+std::vector<std::string> jobs_of(const std::string& folder) {
+  std::ifstream in(jobs_path(folder));
+  std::vector<std::string> jobs;
+  for (std::string job; std::getline(in, job);)
+    jobs.push_back(job);
+  return jobs;
+}
+
+/// The path of the files of the next job, without ending: DIR/slurm/job-3.
+std::string next_name(const std::string& folder) {
+  for (int number = 1;; ++number) {
+    std::string name = fmt::format("{}/job-{}", slurm_folder(folder), number);
+    if (!fs::exists(name + ".sh"))
+      return name;
+  }
+}
+
+void write_script(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file)
+    output::throw_errno("write", path);
+}
+
+std::string words_of_run_choice(const RunChoice& choice) {
+  std::string words = fmt::format(" --checkpoint-every {:g}", choice.checkpoint_every);
+  if (choice.time_limit > 0.0)
+    words += fmt::format(" --time-limit {:g}", choice.time_limit);
+  return words;
+}
+
+std::string slurm_script(const std::string& folder, const std::string& packs_path,
+                         std::size_t packs, const SlurmChoice& choice) {
+  const std::string at_once =
+      choice.tasks_at_once > 0 ? fmt::format("%{}", choice.tasks_at_once) : "";
+  const std::string sweep_folder = fs::absolute(folder).lexically_normal().string();
+  return fmt::format(
+      R"sh(#!/bin/sh
+#SBATCH --job-name=blocks
+#SBATCH --array=0-{last}{at_once}
+#SBATCH --ntasks=1 --cpus-per-task=1
+#SBATCH --signal=B:TERM@60
+#SBATCH --requeue --open-mode=append
+
+runs=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {packs})
+stopped=no
+trap 'stopped=yes; kill -TERM $child 2>/dev/null' TERM
+{program} sweep {folder} --runs "$runs" -J 1 --quiet{choice} &
+child=$!
+wait $child
+code=$?
+# A signal ends wait early; the runs are then still writing their checkpoints.
+while kill -0 $child 2>/dev/null; do
+  wait $child
+  code=$?
+done
+trap '' TERM
+
+# Runs that stopped at a checkpoint go on later: the task waits in the queue again. One
+# that was cancelled is not RUNNING any more and does not come back. The number of the job
+# alone would name the whole array.
+task=${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID
+tries=0
+while [ $code -eq 75 ] && [ $stopped = yes ] && [ $tries -lt 60 ]; do
+  if state=$(squeue --noheader --jobs="$task" --format=%T); then
+    [ "$state" = RUNNING ] || break
+    scontrol requeue "$task" && sleep 60  # Slurm ends this script here.
+  fi
+  tries=$((tries + 1))  # The controller does not answer.
+  sleep 5
+done
+exit $code
+)sh",
+      fmt::arg("last", packs - 1), fmt::arg("at_once", at_once),
+      fmt::arg("packs", shell_word(packs_path)),
+      fmt::arg("program", shell_word(this_program())),
+      fmt::arg("folder", shell_word(sweep_folder)),
+      fmt::arg("choice", words_of_run_choice(choice.run)));
+}
+
+}  // namespace
+
+SlurmJob slurm_job(const std::string& folder, const std::vector<std::size_t>& ids,
+                   const SlurmChoice& choice) {
+  const std::string name = next_name(folder);
+  SlurmJob job;
+  job.packs = packs_of(ids, choice.pack);
+  job.packs_path = name + ".packs";
+  job.script_path = name + ".sh";
+  job.script = slurm_script(folder, job.packs_path, job.packs.size(), choice);
+  job.words = {"sbatch", "--parsable",
+               "--output=" + slurm_folder(folder) + "/%A_%a.log"};
+  job.words.insert(job.words.end(), choice.options.begin(), choice.options.end());
+  job.words.push_back(job.script_path);
+  return job;
+}
+
+std::string jobs_at_work(const std::string& folder) {
+  std::string words;
+  if (find_program("squeue").empty())
+    return words;
+  for (const std::string& job : jobs_of(folder)) {
+    const ProgramEnd queue = call_program(
+        {"squeue", "--noheader", "--array", "--jobs=" + job, "--format=%T"}, true);
+    std::map<std::string, int> states;
+    std::istringstream lines(queue.code == 0 ? queue.output : "");
+    for (std::string state; std::getline(lines, state);)
+      ++states[state];
+    if (states.empty())
+      continue;
+    words += fmt::format("{}job {}:", words.empty() ? "" : "; ", job);
+    for (const auto& [state, number] : states)
+      words += fmt::format("{} {} {}", words.ends_with(':') ? "" : ",", number, state);
+  }
+  return words;
+}
+
+std::size_t most_tasks() {
+  constexpr std::size_t usual = 1000;
+  const ProgramEnd config = call_program({"scontrol", "show", "config"}, true);
+  const std::string key = "MaxArraySize";
+  const auto at = config.output.find(key);
+  const auto number = config.output.find_first_of("0123456789", at);
+  std::size_t size = 0;
+  if (at == std::string::npos || number == std::string::npos)
+    return usual;
+  std::from_chars(config.output.data() + number,
+                  config.output.data() + config.output.size(), size);
+  return size > 1 ? size - 1 : usual;  // indices are below MaxArraySize
+}
+
+std::string submit(const std::string& folder, const SlurmJob& job) {
+  write_packs(job.packs_path, job.packs);
+  write_script(job.script_path, job.script);
+  const ProgramEnd end = call_program(job.words, true);
+  if (end.code != 0)
+    throw std::runtime_error(fmt::format(
+        "sbatch refused the job, exit code {}\n  hint: correct the options in "
+        "--sbatch, or what its message says, and give the same command again",
+        end.code));
+  const std::string number = end.output.substr(0, end.output.find(';'));
+  std::ofstream(jobs_path(folder), std::ios::app) << number << '\n';
+  return number;
+}
+
+}  // namespace blocks::sweep
