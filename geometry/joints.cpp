@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/corner_in_edge.hpp"
 #include "geometry/exact/box_pairs.hpp"
 #include "geometry/exact/kernels.hpp"
 #include "geometry/exact/numbers.hpp"
@@ -13,22 +14,6 @@
 
 namespace blocks::geometry {
 namespace {
-
-/// Tests whether the corner lies inside an edge of the block, up to reach. Shared
-/// corners do not count.
-bool inside_an_edge(const Vec2& corner, const Polygon& block, double reach) {
-  bool inside = false;
-  for (std::size_t i = 0; i < block.size(); ++i) {
-    const Vec2& a = block[i];
-    const Vec2 edge = block[(i + 1) % block.size()] - a, to = corner - a;
-    const double length = edge.stableNorm(), along = to.dot(edge) / length;
-    if (to.norm() <= reach || (to - edge).norm() <= reach)
-      return false;
-    inside = inside || (0.0 < along && along < length &&
-                        std::abs(cross(edge, to)) <= reach * length);
-  }
-  return inside;
-}
 
 /// Returns how far outside the edge a -> b of a clockwise block the corner is, [L]; 0
 /// on the edge's line or inside. The sign is exact, and the distance is exact up to
@@ -151,7 +136,7 @@ Joints find_joints(const std::vector<Polygon>& outlines) {
       const Vec2& corner = outlines[from][c];
       if (box.min_coord(0) <= corner.x() && corner.x() <= box.max_coord(0) &&
           box.min_coord(1) <= corner.y() && corner.y() <= box.max_coord(1) &&
-          inside_an_edge(corner, outlines[to], rounding))
+          is_inside_an_edge(corner, outlines[to], rounding))
         joints.t_junctions.push_back({static_cast<int>(from), static_cast<int>(c),
                                       static_cast<int>(to), corner});
     }

@@ -123,7 +123,8 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"run",
        {"run", "deck", "dynamics", "audit", "quantities", "output", "model",
         "geometry"}},
-      {"sweep", {"sweep", "study", "run", "deck", "output", "model", "geometry"}},
+      {"sweep",
+       {"sweep", "study", "run", "deck", "output", "quantities", "model", "geometry"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
   };
