@@ -217,7 +217,7 @@ def parser():
                   "folder.")
     command.add_argument("parts", metavar="PART", nargs="*",
                          help="wall, pile, slope, crater, subsidence, decks, search, predicates, "
-                              "generation (default: all)")
+                              "generation, seeds (default: all)")
     command.add_argument("--quick", action="store_true", help="small scenes; takes one minute")
     command.add_argument("-o", "--output", metavar="NAME", help="write NAME.md, .json and .png")
     command.add_argument("--rounds", type=whole_number, help="turns of each code (5; quick: 3)")

@@ -23,7 +23,8 @@ int bench(const TemporaryFolder& folder, const std::string& arguments) {
 
 TEST(Bench, WritesARowForEveryCodeToJson) {
   const TemporaryFolder folder;
-  ASSERT_EQ(bench(folder, "--quick --largest 2 --rounds 1 wall search generation"), 0)
+  ASSERT_EQ(
+      bench(folder, "--quick --largest 2 --rounds 1 wall search generation seeds"), 0)
       << testing::slurp(folder / "err.txt");
   const auto found = nlohmann::json::parse(testing::slurp(folder / "bench.json"));
   EXPECT_EQ(found.at("quick"), true);
@@ -41,7 +42,7 @@ TEST(Bench, WritesARowForEveryCodeToJson) {
       EXPECT_LE(ratio.at("median"), ratio.at("most")) << row;
     }
   }
-  EXPECT_EQ(parts, (std::set<std::string>{"wall", "search", "generation"}));
+  EXPECT_EQ(parts, (std::set<std::string>{"wall", "search", "generation", "seeds"}));
   EXPECT_EQ(states, (std::set<std::string>{"", "calm", "chatter"}));
   for (const char* code : {"blocks", "blocks, deformable", "linked lists of 1982"})
     EXPECT_TRUE(codes.contains(code)) << code;
@@ -68,7 +69,7 @@ TEST(Bench, NamesItsPartsIfOneIsUnknown) {
   EXPECT_EQ(bench(folder, "wal"), 2);
   EXPECT_EQ(testing::slurp(folder / "err.txt"),
             "blocks: error: no benchmark 'wal'; there are: wall, pile, slope, "
-            "crater, subsidence, decks, search, predicates, generation\n");
+            "crater, subsidence, decks, search, predicates, generation, seeds\n");
 }
 
 }  // namespace

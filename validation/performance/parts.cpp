@@ -49,7 +49,9 @@ const std::vector<Part>& parts() {
       {"decks", "whole runs of the subsidence and crater decks", run_decks},
       {"search", "the search for near pairs of blocks alone", run_search},
       {"predicates", "contact predicates and contact law alone", run_predicates},
-      {"generation", "random layers cut and certified", run_generation}};
+      {"generation", "random layers cut and certified", run_generation},
+      {"seeds", "random layers of many seeds, from the deck to their measures",
+       run_seeds}};
   return all;
 }
 

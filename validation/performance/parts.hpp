@@ -39,5 +39,6 @@ void run_decks(const Plan& plan, Report& report);
 void run_search(const Plan& plan, Report& report);
 void run_predicates(const Plan& plan, Report& report);
 void run_generation(const Plan& plan, Report& report);
+void run_seeds(const Plan& plan, Report& report);
 
 }  // namespace blocks::bench
