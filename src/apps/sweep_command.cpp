@@ -61,7 +61,7 @@ void settle(const std::string& folder, const sweep::Plan& plan) {
 bool has_new_parameters(const SweepOptions& options) {
   const sweep::Request& request = options.request;
   return !request.seeds.empty() || !request.sets.empty() || !request.table.empty() ||
-         request.until || request.audit_every > 0 || options.check ||
+         request.until || request.audit_every > 0 || options.check || options.study ||
          !options.output.empty();
 }
 
@@ -71,6 +71,15 @@ int go_on(const std::string& folder, const sweep::Plan& plan,
   if (options.retry)
     sweep::reopen_failed_runs(folder, runs);
   return sweep::run_with_engine(folder, plan, runs, options.engine);
+}
+
+sweep::Plan plan_of(const std::string& word, const SweepOptions& options, int& code) {
+  sweep::Request request = options.request;
+  request.deck = word;
+  if (options.study)
+    return sweep::make_study_plan(request);
+  request.kind = options.check ? sweep::Kind::check : sweep::Kind::run;
+  return sweep::make_plan(request, code);
 }
 
 int sweep_or_throw(const SweepOptions& options) {
@@ -96,15 +105,13 @@ int sweep_or_throw(const SweepOptions& options) {
     sweep::expect_same_program_and_deck(word, plan);
     return go_on(word, plan, options);
   }
-  sweep::Request request = options.request;
-  request.deck = word;
-  request.kind = options.check ? sweep::Kind::check : sweep::Kind::run;
   int code = run::done;
-  const sweep::Plan plan = sweep::make_plan(request, code);
+  const sweep::Plan plan = plan_of(word, options, code);
   if (code != run::done)
     return code;
-  const std::string folder =
-      options.output.empty() ? default_folder(word) : options.output;
+  const std::string folder = !options.output.empty() ? options.output
+                             : options.study         ? "study.sweep"
+                                                     : default_folder(word);
   settle(folder, plan);
   return go_on(folder, plan, options);
 }
@@ -128,8 +135,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
       .add_option("DECK", options.words,
                   "the deck to sweep; or the folder of a sweep, to go on with it; or "
                   "status and the folder of a sweep")
-      ->required()
-      ->expected(1, 2);
+      ->required();
   command
       .add_option("-o,--output", options.output,
                   "folder of a new sweep (default: NAME.sweep in this folder)")
@@ -150,6 +156,15 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
                    "check the contacts by exact brute force every 100 steps");
   command.add_flag("--check", options.check,
                    "make, prove and measure the blocks, without time steps");
+  command
+      .add_flag("--study", options.study,
+                "instead of a deck, run scenes of 'blocks study contacts': names "
+                "separated by commas, or all; the seeds are the numbers of the frames")
+      ->excludes("--check");
+  command
+      .add_option("--variants", request.variants,
+                  "variants of the contact rule in a study (default: all)")
+      ->delimiter(',');
   sweep::EngineChoice& engine = options.engine;
   command
       .add_option("--engine", engine.name,

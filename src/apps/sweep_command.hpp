@@ -15,6 +15,7 @@ struct SweepOptions {
   sweep::Request request;
   std::string output;  ///< folder of a new sweep; empty: NAME.sweep
   bool check = false;  ///< no time steps
+  bool study = false;  ///< scenes instead of a deck
   std::string runs;    ///< "40-49"; empty: all
   bool retry = false;  ///< also runs that ended with an error
   sweep::EngineChoice engine;

@@ -17,10 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Reads a file that the command line names. Throws output::FileError with a hint.
+std::string read(const std::string& path) {
+  try {
+    return run::read_deck(path);
+  } catch (const output::FileError& fault) {
+    throw output::FileError(
+        fmt::format("{}\n  hint: name a file that exists; the path is relative to {}",
+                    fault.what(), fs::current_path().string()));
+  }
+}
+
 std::vector<Variation> runs_of(const Request& request) {
   std::vector<Variation> rows;
   if (!request.table.empty())
-    rows = parse_table(run::read_deck(request.table));
+    rows = parse_table(read(request.table));
   std::vector<Axis> axes;
   for (const std::string& set : request.sets)
     axes.push_back(parse_axis(set));
@@ -89,7 +100,7 @@ Plan make_plan(const Request& request, int& code) {
         "hint: write the deck to a file");
   Plan plan;
   plan.kind = request.kind;
-  const std::string text = run::read_deck(request.deck);
+  const std::string text = read(request.deck);
   plan.deck = fs::canonical(request.deck).string();
   plan.deck_hash = hash_of_deck(plan.deck);
   plan.name = fs::path(plan.deck).stem().string();

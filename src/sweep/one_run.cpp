@@ -4,19 +4,27 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <new>
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "run/interrupt.hpp"
 #include "run/run.hpp"
+#include "study/scene.hpp"
+#include "sweep/layer_measures.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/run_log.hpp"
+#include "sweep/study_outcome.hpp"
 
 namespace blocks::sweep {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The seed of the frames of a study, that of `blocks study contacts`.
+constexpr std::uint64_t study_seed = 1982;
 
 run::RunOptions options_of(const Plan& plan, const Variation& run) {
   run::RunOptions options;
@@ -51,8 +59,25 @@ class RunFolder {
       if (entry.path().filename().string().starts_with(stem))
         fs::remove(entry.path());
   }
+  /// Keeps the measures of the blocks at the start. A run that goes on from a
+  /// checkpoint does not make them again.
+  void write_layers(const Json& layers) const {
+    output::TemporaryFile temporary(layers_path() + ".tmp");
+    std::ofstream file(temporary.path(), std::ios::binary);
+    file << layers.dump() << '\n';
+    file.close();
+    if (!file)
+      output::throw_errno("write", layers_path());
+    temporary.take_name(layers_path());
+  }
+  Json layers() const {
+    std::ifstream in(layers_path(), std::ios::binary);
+    return in ? Json::parse(in, nullptr, false) : Json();
+  }
 
  private:
+  std::string layers_path() const { return name_ + ".layers.json"; }
+
   std::string folder_, name_;
 };
 
@@ -73,6 +98,9 @@ int run_the_deck(const Plan& plan, const Variation& run, const RunFolder& files,
     options.restart.reset();
   }
   files.clear();
+  options.at_start = [&](const Model& model, const SharedCertificate& certificate) {
+    files.write_layers(to_json(measure_layers(model, certificate)));
+  };
   return run::run_deck(options);
 }
 
@@ -96,11 +124,46 @@ template <class Work> int with_faults_told(std::string& message, Work&& work) {
   }
 }
 
-int run_in(const std::string& run_folder, const Plan& plan, const Variation& run,
-           const RunChoice& choice) {
-  if (plan.kind == Kind::check)
-    return run::build_checked(options_of(plan, run)).code;
-  return run_the_deck(plan, run, RunFolder(run_folder, plan.name), choice);
+int run(const std::string& run_folder, const Plan& plan, const Variation& run,
+        const RunChoice& choice, Json& measured) {
+  const RunFolder files(run_folder, plan.name);
+  const int code = run_the_deck(plan, run, files, choice);
+  if (const Json layers = files.layers(); layers.is_object())
+    measured["layers"] = layers;
+  return code;
+}
+
+int check(const Plan& plan, const Variation& run, Json& measured) {
+  const auto checked = run::build_checked(options_of(plan, run));
+  if (checked.code == run::done)
+    measured["layers"] = to_json(measure_layers(checked.model, checked.certificate));
+  return checked.code;
+}
+
+int study(const Plan& plan, const Variation& run, Json& measured) {
+  const std::string& scene = run.sets.front();
+  try {
+    measured["study"] =
+        study_outcome(scene.substr(scene.find('=') + 1),
+                      static_cast<int>(run.seed.value()), study_seed, plan.variants);
+  } catch (const study::UnfitBlock& fault) {
+    fmt::print(stderr, "blocks: error: {}\n", fault.what());
+    return run::deck_error;
+  }
+  return run::done;
+}
+
+int run_in(const std::string& run_folder, const Plan& plan, const Variation& variation,
+           const RunChoice& choice, Json& measured) {
+  switch (plan.kind) {
+  case Kind::run:
+    return run(run_folder, plan, variation, choice, measured);
+  case Kind::check:
+    return check(plan, variation, measured);
+  case Kind::study:
+    return study(plan, variation, measured);
+  }
+  return run::internal_error;
 }
 
 }  // namespace
@@ -118,8 +181,9 @@ RunEnd run_once(const std::string& folder, const Plan& plan, std::size_t id,
     log.take_streams();
     fmt::print(stderr, "blocks sweep: run {}{}{}\n", id,
                words_of(run).empty() ? "" : ": ", words_of(run));
-    outcome.code = with_faults_told(outcome.message,
-                                    [&] { return run_in(place, plan, run, choice); });
+    outcome.code = with_faults_told(outcome.message, [&] {
+      return run_in(place, plan, run, choice, outcome.measured);
+    });
     if (outcome.code == run::time_limit)
       outcome.message = fmt::format("stopped after {:g} s", choice.time_limit);
     else if (outcome.code != run::done && outcome.message.empty())

@@ -41,7 +41,9 @@ class PlanTest : public testing::Test {
     return "no fault";
   }
 
-  const std::string folder_ = testing::TempDir() + "plan_test";
+  const std::string folder_ =
+      testing::TempDir() + "plan_test_" +
+      testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 Plan some_plan() {

@@ -1,0 +1,218 @@
+// `blocks sweep` as a user calls it: what it makes, what it refuses, and how it goes
+// on.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <string>
+
+#include "run/program.hpp"
+
+namespace blocks::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Random blocks that fall on a fixed floor. `motion` is the time that passes.
+std::string falling_blocks(const std::string& motion = "0.05") {
+  return preliminary() + rectangle(-6, -2, 6, -1, true) +
+         "LAYER, -6, 1, -5,0, -5,1, 5,1, 5,0, RANDOM\n"
+         "GRAVITY, 0, -9.81\nFRICTN, 0.5\nPLOTS, 0.05\nMOTION, " +
+         motion + "\nSTOP\n";
+}
+
+class Sweep : public ::testing::Test {
+ protected:
+  Sweep() { folder_.write("a.deck", falling_blocks()); }
+
+  Outcome sweep(const std::string& words) const {
+    return blocks("sweep " + words, folder_.path());
+  }
+  Outcome sweep_well(const std::string& words) const {
+    Outcome run = sweep(words);
+    EXPECT_EQ(run.code, 0) << words << run.out << run.err;
+    return run;
+  }
+  fs::path of_run(const std::string& sweep, int id, const std::string& file) const {
+    const std::string number = std::to_string(id);
+    return folder_ / (sweep + "/runs/000/" + std::string(6 - number.size(), '0') +
+                      number + "/" + file);
+  }
+  nlohmann::json json(const std::string& sweep, int id, const std::string& file) const {
+    return nlohmann::json::parse(slurp(of_run(sweep, id, file)));
+  }
+  nlohmann::json outcome(const std::string& sweep, int id) const {
+    return json(sweep, id, "outcome.json");
+  }
+  /// The number of times that a run has begun.
+  long starts(const std::string& sweep, int id) const {
+    const std::string log = slurp(of_run(sweep, id, "log.txt")),
+                      mark = "blocks sweep: run";
+    long count = 0;
+    for (auto at = log.find(mark); at != std::string::npos; at = log.find(mark, at + 1))
+      ++count;
+    return count;
+  }
+  /// Expects that the sweep is refused with this message, a hint, and exit code 2.
+  void expect_refused(const std::string& words, const std::string& message,
+                      int code = 2) const {
+    const Outcome run = sweep(words);
+    EXPECT_EQ(run.code, code) << words;
+    EXPECT_THAT(run.err, HasSubstr(message)) << words;
+    EXPECT_THAT(run.err, HasSubstr("hint: ")) << words;
+    EXPECT_EQ(run.out, "") << words;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Sweep, RunsAreThoseOfBlocksRun) {
+  sweep_well("a.deck --seeds 3-5 --set FRICTN.fric=.3,.6 -o s -J 2");
+  ASSERT_EQ(
+      blocks("run a.deck -q --seed 4 --set FRICTN.fric=.6 -o b", folder_.path()).code,
+      0);
+  EXPECT_EQ(json("s", 5, "a.summary.json")["state_hash"],
+            summary(folder_, "b")["state_hash"]);
+  EXPECT_NE(json("s", 4, "a.summary.json")["state_hash"],
+            summary(folder_, "b")["state_hash"]);
+  EXPECT_EQ(outcome("s", 5)["status"], "done");
+  EXPECT_EQ(outcome("s", 5)["layers"]["blocks"], 6);
+  EXPECT_THAT(sweep_well("status s").out, HasSubstr("6 runs of "));
+  EXPECT_THAT(sweep_well("status s").out, HasSubstr("\n6 done\n"));
+}
+
+TEST_F(Sweep, TheSameWordsChangeNothing) {
+  sweep_well("a.deck --seeds 1-4 -o s");
+  const std::string plan = slurp(folder_ / "s/sweep.json");
+  const auto time = fs::last_write_time(folder_ / "s/sweep.json");
+  sweep_well("a.deck --seeds 1-4 -o s");
+  sweep_well("s");
+  EXPECT_EQ(slurp(folder_ / "s/sweep.json"), plan);
+  EXPECT_EQ(fs::last_write_time(folder_ / "s/sweep.json"), time);
+  for (int id = 1; id <= 4; ++id)
+    EXPECT_EQ(starts("s", id), 1) << id;
+}
+
+TEST_F(Sweep, GoesOnWithWhatIsMissing) {
+  sweep_well("a.deck --seeds 1-4 -o s --dry-run");
+  EXPECT_THAT(sweep_well("s --runs 2-3").out, HasSubstr("2 runs: 2 done"));
+  EXPECT_THAT(sweep_well("status s").out, HasSubstr("2 done, 2 open"));
+  sweep_well("s");
+  for (int id = 1; id <= 4; ++id)
+    EXPECT_EQ(starts("s", id), 1) << id;
+}
+
+TEST_F(Sweep, OtherWordsAreRefusedInTheFolderOfASweep) {
+  sweep_well("a.deck --seeds 1-2 -o s");
+  expect_refused("a.deck --seeds 1-3 -o s",
+                 "another sweep: it has 2 runs instead of 3");
+  expect_refused("a.deck --seeds 1-2 -o s --until 0.01", "its runs end with the deck");
+  expect_refused("a.deck --seeds 1-2 -o s --check", "kind run instead of check");
+  expect_refused("s --seeds 1-2", "whose parameters cannot change");
+  folder_.write("a.deck", falling_blocks("0.06"));
+  expect_refused("a.deck --seeds 1-2 -o s", "has changed since then");
+  expect_refused("s", "has changed since then", 5);
+}
+
+TEST_F(Sweep, FaultyWordsAreRefusedBeforeAnythingIsWritten) {
+  expect_refused("a.deck --seeds 5-1", "no first one");
+  expect_refused("a.deck --seeds 1,1", "given twice");
+  expect_refused("a.deck --set FRICTN.fric", "expected CARD.field=value");
+  expect_refused("a.deck --set FRICTN.frik=1,2", "unknown field 'frik'", 3);
+  expect_refused("a.deck --set FRICTN.fric=1,-2", "FRICTN", 3);
+  expect_refused("b.deck --seeds 1-2", "cannot read b.deck", 5);
+  expect_refused("a.deck --table none.csv", "cannot read none.csv", 5);
+  expect_refused(". --seeds 1-2", "whose parameters cannot change");
+  expect_refused(".", "it has no sweep.json", 5);
+  expect_refused("status .", "it has no sweep.json", 5);
+  expect_refused("- --seeds 1-2", "cannot be standard input", 5);
+  folder_.write("bad.deck", "START, 1\n");
+  expect_refused("bad.deck --seeds 1-2", "error: ", 3);
+  EXPECT_FALSE(folder_.holds("a.sweep"));
+  EXPECT_FALSE(folder_.holds("bad.sweep"));
+}
+
+TEST_F(Sweep, AMissingEngineIsTold) {
+  const std::string call =
+      "PATH=/nowhere " BLOCKS_PROGRAM " sweep a.deck --seeds 1-2 -o s ";
+  for (const char* engine : {"parallel", "slurm"}) {
+    const std::string words = std::string("cards; cd ") + folder_.path().string() +
+                              " && " + call + "--engine " + engine;
+    const Outcome run = blocks(words, folder_.path());
+    EXPECT_EQ(run.code, 2) << engine;
+    EXPECT_THAT(run.err, HasSubstr(std::string("the engine ") + engine + " needs"));
+    EXPECT_THAT(run.err, HasSubstr("or use --engine local"));
+  }
+}
+
+TEST_F(Sweep, AFailedRunIsAnOutcome) {
+  // Soft springs let the falling blocks pass into the floor.
+  folder_.write("a.deck", falling_blocks("1"));
+  sweep_well("a.deck --seeds 1-2 --set STIFF.stifn=1e8,1e3 -o s");
+  EXPECT_EQ(outcome("s", 1)["code"], 0);
+  EXPECT_EQ(outcome("s", 3)["code"], 4);
+  EXPECT_EQ(outcome("s", 3)["status"], "unsound");
+  EXPECT_THAT(outcome("s", 3)["message"].get<std::string>(), HasSubstr("pressed in"));
+  const Outcome status = sweep_well("status s");
+  EXPECT_THAT(status.out, HasSubstr("2 done, 2 unsound"));
+  EXPECT_THAT(status.out,
+              HasSubstr("run 3, seed 1, STIFF.stifn=1e3: unsound, exit code 4: "));
+  sweep_well("s");
+  EXPECT_EQ(starts("s", 3), 1);
+  sweep_well("s --retry");
+  EXPECT_EQ(starts("s", 3), 2);
+  EXPECT_EQ(starts("s", 1), 1);
+}
+
+TEST_F(Sweep, ALimitOfTimeIsAnOutcomeThatRetryGoesOnWith) {
+  folder_.write("a.deck", falling_blocks("40"));
+  sweep_well("a.deck --seeds 1-2 -o s --time-limit 0.1");
+  EXPECT_EQ(outcome("s", 2)["code"], 75);
+  EXPECT_EQ(outcome("s", 2)["status"], "time limit");
+  EXPECT_GT(json("s", 2, "a.summary.json")["steps"], 0);
+  sweep_well("s --retry");
+  EXPECT_EQ(outcome("s", 2)["code"], 0);
+  ASSERT_EQ(blocks("run a.deck -q --seed 2 -o b", folder_.path()).code, 0);
+  EXPECT_EQ(json("s", 2, "a.summary.json")["state_hash"],
+            summary(folder_, "b")["state_hash"]);
+}
+
+TEST_F(Sweep, ASignalEndsTheRunsAtACheckpoint) {
+  folder_.write("a.deck", falling_blocks("40"));
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string name = signal == SIGINT ? "i" : "t";
+    const int code =
+        killed("sweep a.deck --seeds 1-2 -J 2 -o " + name,
+               name + "/runs/000/000002/a.vtkhdf", 0.2, signal, folder_.path());
+    EXPECT_EQ(code, signal == SIGINT ? 130 : 75);
+    EXPECT_FALSE(fs::exists(of_run(name, 2, "outcome.json")));
+    EXPECT_TRUE(fs::exists(of_run(name, 2, "a.ckpt.h5")));
+  }
+  sweep_well("i");
+  ASSERT_EQ(blocks("run a.deck -q --seed 2 -o b", folder_.path()).code, 0);
+  EXPECT_EQ(json("i", 2, "a.summary.json")["state_hash"],
+            summary(folder_, "b")["state_hash"]);
+  EXPECT_EQ(starts("i", 2), 2);
+}
+
+TEST_F(Sweep, ACheckMeasuresTheSameBlocksWithoutSteps) {
+  sweep_well("a.deck --seeds 1-3 -o s");
+  sweep_well("a.deck --seeds 1-3 -o c --check");
+  for (int id = 1; id <= 3; ++id)
+    EXPECT_EQ(outcome("c", id)["layers"], outcome("s", id)["layers"]);
+  EXPECT_FALSE(fs::exists(of_run("c", 1, "a.vtkhdf")));
+}
+
+TEST_F(Sweep, AStudyHasOneRunPerFrameAndScene) {
+  expect_refused("stakee --study --seeds 0-3", "there is no scene 'stakee'");
+  expect_refused("stake --study", "needs the numbers of its frames");
+  expect_refused("stake --study --seeds 0-3 --variants defalt", "no variant 'defalt'");
+  expect_refused("stake --study --seeds 0-3 --until 3", "do not apply");
+  sweep_well("figure4b,stake --study --seeds 0-2 --variants default,report -o s");
+  EXPECT_EQ(outcome("s", 6)["study"]["default"]["wrong_signs"], 0);
+  EXPECT_TRUE(outcome("s", 1)["study"].contains("default"));
+}
+
+}  // namespace
+}  // namespace blocks::testing
