@@ -24,6 +24,7 @@
 #include "history_command.hpp"
 #include "import_command.hpp"
 #include "manual_command.hpp"
+#include "option_checks.hpp"
 #include "output/file_access_guard.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
@@ -47,47 +48,6 @@ namespace {
 
 using blocks::run::RunOptions;
 
-/// Checks the range of the SEED card. CLI11's own conversion would wrap negative
-/// numbers and read 010 as octal.
-CLI::Validator seed_number() {
-  return {[](std::string& text) {
-            const bool digits =
-                !text.empty() && text.size() <= 16 &&
-                text.find_first_not_of("0123456789") == std::string::npos;
-            if (!digits || std::stoull(text) > 9007199254740991ULL)
-              return "expected a whole number from 0 to 9007199254740991, found '" +
-                     text + "'";
-            text = std::to_string(std::stoull(text));  // 010 becomes 10
-            return std::string();
-          },
-          "0 TO 2^53-1"};
-}
-
-/// Accepts numbers above 0; CLI::PositiveNumber also accepts NaN.
-CLI::Validator positive_number() {
-  return {[](std::string& text) {
-            double value = 0.0;
-            return CLI::detail::lexical_cast(text, value) && value > 0.0
-                       ? std::string()
-                       : "expected a number above 0, found '" + text + "'";
-          },
-          "POSITIVE"};
-}
-
-/// Accepts a number of steps; CLI::PositiveNumber also accepts fractions, and its
-/// message gives a range of doubles.
-CLI::Validator whole_steps() {
-  return {[](std::string& text) {
-            const bool sound =
-                !text.empty() && text.size() <= 15 && text.front() != '0' &&
-                text.find_first_not_of("0123456789") == std::string::npos;
-            return sound
-                       ? std::string()
-                       : "expected a number of steps, 1 or more, found '" + text + "'";
-          },
-          "STEPS"};
-}
-
 /// Reads an option --set.
 blocks::deck::Override override_of(const std::string& text) {
   if (const auto override = blocks::deck::parse_override(text))
@@ -104,7 +64,7 @@ void add_deck_options(CLI::App& command, RunOptions& options,
   command
       .add_option("--seed", options.seed,
                   "seed of the random layers; replaces that of the SEED card")
-      ->check(seed_number());
+      ->check(blocks::apps::seed_number());
   command.add_option("--tape9", options.tape9,
                      "mesh file for a READ9 card that names none");
   command.add_option("--restart", options.restart,
@@ -169,16 +129,16 @@ int dispatch(int argc, char** argv) {
   run->add_option("--until", options.until,
                   "end the run at this time of the deck; with --restart, continue a "
                   "finished or stopped run to this later time")
-      ->check(positive_number());
+      ->check(blocks::apps::positive_number());
   run->add_option("--time-limit", options.time_limit,
                   "stop after this many seconds, exit 75")
-      ->check(positive_number());
+      ->check(blocks::apps::positive_number());
   run->add_option("--stop-after", options.stop_after,
                   "stop after this many steps, exit 75")
       ->check(CLI::Range(1L, std::numeric_limits<long>::max()));
   run->add_option("--checkpoint-every", options.checkpoint_every,
                   "seconds between checkpoints (default: 600)")
-      ->check(positive_number());
+      ->check(blocks::apps::positive_number());
   run->add_option("-j,--threads", options.threads,
                   "number of threads (default: all cores); does not change results")
       ->check(CLI::Range(1, 1024));
@@ -187,7 +147,7 @@ int dispatch(int argc, char** argv) {
   run->add_flag("--audit{100}", options.audit_every,
                 "check the contacts by exact brute force, every 100 steps or, with "
                 "--audit=N, every N; exit 4 if a decision is wrong")
-      ->check(whole_steps());
+      ->check(blocks::apps::whole_steps());
   run->add_flag("--json", options.json,
                 "print the summary as JSON instead of the table");
 

@@ -55,8 +55,7 @@ const std::map<std::string, CommandPage>& command_pages() {
         "Runs variants of the contact rules on the same random copies of a scene and "
         "compares them; see docs/robustness.md."}},
       {"sweep",
-       {"blocks sweep decks/stack/stack.deck --set FRICTN.fric=.3,.5 -o many",
-        "",
+       {"blocks sweep decks/stack/stack.deck --set FRICTN.fric=.3,.5 -o many", "",
         "Runs a deck many times, with many seeds or values of its fields, and keeps "
         "everything in one folder. The same command, or the name of the folder, goes "
         "on "

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "fault.hpp"
+#include "option_checks.hpp"
 #include "output/results.hpp"
 #include "run/run.hpp"
 #include "run/shell_word.hpp"
@@ -93,7 +94,8 @@ int sweep_or_throw(const SweepOptions& options) {
   if (words.size() != 1)
     throw std::runtime_error(
         "expected a deck, the folder of a sweep, or status and a folder, found '" +
-        fmt::format("{}", fmt::join(words, " ")) + "'");
+        fmt::format("{}", fmt::join(words, " ")) +
+        "'\n  hint: blocks sweep --help shows what is possible");
   const std::string& word = words.front();
   if (fs::is_directory(word)) {
     if (has_new_parameters(options))
@@ -114,17 +116,6 @@ int sweep_or_throw(const SweepOptions& options) {
                                                      : default_folder(word);
   settle(folder, plan);
   return go_on(folder, plan, options);
-}
-
-/// Accepts numbers above 0.
-CLI::Validator above_zero() {
-  return {[](std::string& text) {
-            double value = 0.0;
-            return CLI::detail::lexical_cast(text, value) && value > 0.0
-                       ? std::string()
-                       : "expected a number above 0, found '" + text + "'";
-          },
-          ""};
 }
 
 }  // namespace
@@ -151,9 +142,12 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.add_option("--table", request.table,
                      "CSV with one run per line; its columns are seed or CARD.field");
   command.add_option("--until", request.until, "end the runs at this time of the deck")
-      ->check(above_zero());
-  command.add_flag("--audit{100}", request.audit_every,
-                   "check the contacts by exact brute force every 100 steps");
+      ->check(positive_number());
+  command
+      .add_flag("--audit{100}", request.audit_every,
+                "check the contacts by exact brute force every 100 steps or, with "
+                "--audit=N, every N; a wrong decision is an unsound run")
+      ->check(whole_steps());
   command.add_flag("--check", options.check,
                    "make, prove and measure the blocks, without time steps");
   command
@@ -192,11 +186,11 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command
       .add_option("--time-limit", engine.run.time_limit,
                   "end a run after this many seconds; that is its outcome")
-      ->check(above_zero());
+      ->check(positive_number());
   command
       .add_option("--checkpoint-every", engine.run.checkpoint_every,
                   "seconds between checkpoints of a run (default: 600)")
-      ->check(above_zero());
+      ->check(positive_number());
   command.add_flag("--retry", options.retry,
                    "also go on with runs that ended with an error or a time limit");
   command.add_flag("-q,--quiet", engine.quiet, "print errors and warnings only");

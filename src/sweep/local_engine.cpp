@@ -42,7 +42,10 @@ class LocalEngine {
             finished_,
             fmt::format("{}, {} running",
                         failed_ > 0 ? fmt::format(", {} failed", failed_) : "",
-                        workers_.size()));
+                        std::count_if(workers_.begin(), workers_.end(),
+                                      [](const Worker& worker) {
+                                        return !worker.open().empty();
+                                      })));
     }
     progress_.clear();
     result_.signal = signals_.signal();

@@ -1,6 +1,7 @@
 #include "sweep/outcome.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -51,7 +52,7 @@ bool is_final(int code) { return code != run::interrupted && code != run::file_e
 
 std::optional<Outcome> read_outcome(const std::string& run_folder) {
   std::ifstream in(path_of(run_folder), std::ios::binary);
-  if (!in)
+  if (!in || in.peek() == std::ifstream::traits_type::eof())
     return std::nullopt;
   try {
     Json json = Json::parse(in);
@@ -68,7 +69,8 @@ std::optional<Outcome> read_outcome(const std::string& run_folder) {
 }
 
 bool has_outcome(const std::string& run_folder) {
-  return ::access(path_of(run_folder).c_str(), F_OK) == 0;
+  struct stat file {};
+  return ::stat(path_of(run_folder).c_str(), &file) == 0 && file.st_size > 0;
 }
 
 void write_outcome(const std::string& run_folder, const Outcome& outcome) {

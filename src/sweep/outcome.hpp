@@ -23,7 +23,8 @@ std::string status_of(int code);
 bool is_final(int code);
 
 /// Returns the outcome in the folder of a run, or nothing if there is none, so that the
-/// run is missing, at work, or stopped. Throws output::FileError if it is damaged.
+/// run is missing, at work, or stopped. An empty file, which a crash of the machine can
+/// leave, is none. Throws output::FileError if it is damaged.
 std::optional<Outcome> read_outcome(const std::string& run_folder);
 
 /// Returns whether there is one, without reading it.

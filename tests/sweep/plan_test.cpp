@@ -133,6 +133,9 @@ TEST_F(PlanTest, AnOutcomeIsReadAsItWasWritten) {
   EXPECT_EQ(read->code, 4);
   EXPECT_EQ(read->message, outcome.message);
   EXPECT_EQ(read->measured, outcome.measured);
+  std::ofstream(folder_ + "/outcome.json").flush();  // empty, as after a power cut
+  EXPECT_FALSE(has_outcome(folder_));
+  EXPECT_FALSE(read_outcome(folder_));
   std::ofstream(folder_ + "/outcome.json") << "{";
   EXPECT_THROW(read_outcome(folder_), output::FileError);
 }

@@ -1,0 +1,44 @@
+#include "option_checks.hpp"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace blocks::apps {
+
+CLI::Validator seed_number() {
+  return {[](std::string& text) {
+            const bool digits =
+                !text.empty() && text.size() <= 16 &&
+                text.find_first_not_of("0123456789") == std::string::npos;
+            if (!digits || std::stoull(text) > 9007199254740991ULL)
+              return "expected a whole number from 0 to 9007199254740991, found '" +
+                     text + "'";
+            text = std::to_string(std::stoull(text));  // 010 becomes 10
+            return std::string();
+          },
+          "0 TO 2^53-1"};
+}
+
+CLI::Validator positive_number() {
+  return {[](std::string& text) {
+            double value = 0.0;
+            return CLI::detail::lexical_cast(text, value) && value > 0.0
+                       ? std::string()
+                       : "expected a number above 0, found '" + text + "'";
+          },
+          "POSITIVE"};
+}
+
+CLI::Validator whole_steps() {
+  return {[](std::string& text) {
+            const bool sound =
+                !text.empty() && text.size() <= 15 && text.front() != '0' &&
+                text.find_first_not_of("0123456789") == std::string::npos;
+            return sound
+                       ? std::string()
+                       : "expected a number of steps, 1 or more, found '" + text + "'";
+          },
+          "STEPS"};
+}
+
+}  // namespace blocks::apps
