@@ -5,22 +5,61 @@
 
 namespace blocks::post {
 
+namespace {
+
+/// Draws a sheet of frames; call it once.
+class Sheet {
+ public:
+  Sheet(const ResultsReader& results, const std::vector<long>& frames,
+        const FigureOptions& options)
+      : results_(results), frames_(frames), options_(options),
+        scales_(survey_scales(results, frames, options)), first_(results.frame(0)),
+        page_(frames.size(), results.title(), scales_, options) {}
+
+  double height() const { return page_.height(); }
+
+  void draw(cairo_t* cairo) const {
+    Pen pen(cairo, options_.page);
+    page_.begin(pen);
+    for (std::size_t k = 0; k < frames_.size(); ++k) {
+      const Frame now = results_.frame(frames_[k]);
+      const FrameContacts contacts = contacts_for(options_, results_, frames_[k]);
+      page_.picture(pen, k, {now, first_, contacts});
+      if (k + 1 == frames_.size())
+        page_.end(pen, {now, first_, contacts});
+    }
+  }
+
+ private:
+  const ResultsReader& results_;
+  const std::vector<long>& frames_;
+  const FigureOptions& options_;
+  const FigureScales scales_;
+  const Frame first_;
+  const FigurePage page_;
+};
+
+}  // namespace
+
 void draw_figure(const std::string& path, const ResultsReader& results,
                  const std::vector<long>& frames, const FigureOptions& options) {
-  const FigureScales scales = survey_scales(results, frames, options);
-  const Frame first = results.frame(0);
-  const FigurePage page(frames.size(), results.title(), scales, options);
-  write_page(path, options.page, page.height(), [&](cairo_t* cairo) {
-    Pen pen(cairo, options.page);
-    page.begin(pen);
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-      const Frame now = results.frame(frames[k]);
-      const FrameContacts contacts = contacts_for(options, results, frames[k]);
-      page.picture(pen, k, {now, first, contacts});
-      if (k + 1 == frames.size())
-        page.end(pen, {now, first, contacts});
-    }
-  });
+  const Sheet sheet(results, frames, options);
+  write_page(path, options.page, sheet.height(),
+             [&](cairo_t* cairo) { sheet.draw(cairo); });
+}
+
+std::string figure_svg(const ResultsReader& results, const std::vector<long>& frames,
+                       const FigureOptions& options) {
+  const Sheet sheet(results, frames, options);
+  return svg_page(options.page, sheet.height(),
+                  [&](cairo_t* cairo) { sheet.draw(cairo); });
+}
+
+std::string figure_png(const ResultsReader& results, const std::vector<long>& frames,
+                       const FigureOptions& options) {
+  const Sheet sheet(results, frames, options);
+  return png_page(options.page, sheet.height(),
+                  [&](cairo_t* cairo) { sheet.draw(cairo); });
 }
 
 void draw_frame(const std::string& path, const Frame& now, const Frame& first,

@@ -32,11 +32,11 @@ struct FigureOptions {
   int columns = 0;             ///< of a sheet of several times; 0: automatic
   std::optional<Units> units;  ///< empty: [L], [T]
   std::vector<Mark> marks;     ///< later marks are drawn on top
-  std::vector<MarkName> mark_names;        ///< legend of the marks
-  std::optional<std::string> title;        ///< empty text: no title; none: of the run
-  std::vector<double> asked_times;         ///< of the pictures of a sheet; may be empty
-  std::string subtitle;                    ///< replaces time and step
-  std::map<int, Colour> material_colours;  ///< replace the default colours
+  std::vector<MarkName> mark_names;  ///< legend of the marks
+  std::optional<std::string> title;  ///< empty text: no title; none: of the run
+  std::vector<double> asked_times;   ///< of the pictures of a sheet; may be empty
+  std::string subtitle;  ///< replaces time and step, or the counts of a sheet
+  std::map<int, Colour> material_colours;     ///< replace the default colours
   std::map<int, std::string> material_names;  ///< shown instead of the numbers
 };
 
@@ -47,6 +47,12 @@ struct FigureOptions {
 /// arrow name. Throws output::FileError if the file cannot be written.
 void draw_figure(const std::string& path, const ResultsReader& results,
                  const std::vector<long>& frames, const FigureOptions& options);
+
+/// Returns the same sheet as SVG, or as PNG.
+std::string figure_svg(const ResultsReader& results, const std::vector<long>& frames,
+                       const FigureOptions& options);
+std::string figure_png(const ResultsReader& results, const std::vector<long>& frames,
+                       const FigureOptions& options);
 
 /// Draws one frame that is already in memory, without contacts.
 void draw_frame(const std::string& path, const Frame& now, const Frame& first,

@@ -130,10 +130,12 @@ void FigurePage::end(Pen& pen, const Picture& last) const {
   const double right_of_pictures = axes(std::min(count_, columns_) - 1).right();
   const double width = options_.page.width - margins_.left - margins_.right;
   if (count_ > 1)
-    pen.text(counted(count_, "time") +
-                 (scales_.block_counts.size() == 1
-                      ? "    " + counted(present(last.now), "block")
-                      : ""),
+    pen.text(!options_.subtitle.empty()
+                 ? options_.subtitle
+                 : counted(count_, "time") +
+                       (scales_.block_counts.size() == 1
+                            ? "    " + counted(present(last.now), "block")
+                            : ""),
              margins_.left, margins_.subtitle, options_.page.printed ? 12.5 : 15, muted,
              0, 1, options_.page.width - margins_.left - 14);
   const double arrow = arrow_length(first, scales_);

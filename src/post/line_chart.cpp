@@ -19,7 +19,7 @@ namespace blocks::post {
 namespace {
 
 constexpr Colour grid{0.9, 0.9, 0.9};
-constexpr double band_opacity = 0.28;
+constexpr double band_opacity = 0.28, bar_opacity = 0.72;
 
 /// Colours that colour-blind readers can distinguish; the dashes change every seven
 /// lines.
@@ -36,13 +36,15 @@ struct Key {
   std::size_t line;
   bool is_band;
   const std::string& words;
+  ChartLine::Form form = ChartLine::Form::curve;
 };
 
 std::vector<Key> keys_of(const ChartPanel& panel) {
   std::vector<Key> keys;
   for (std::size_t i = 0; i < panel.lines.size(); ++i) {
-    keys.push_back({i, false, panel.lines[i].legend});
-    if (!panel.lines[i].low.empty())
+    if (!panel.lines[i].legend.empty())
+      keys.push_back({i, false, panel.lines[i].legend, panel.lines[i].form});
+    if (!panel.lines[i].low.empty() && !panel.lines[i].band_legend.empty())
       keys.push_back({i, true, panel.lines[i].band_legend});
   }
   return keys;
@@ -112,18 +114,26 @@ ChartLayout::ChartLayout(const Chart& chart, const PageSize& size) : page(size.w
 }
 
 class ChartDrawing : ChartLayout {
+  using Form = ChartLine::Form;
+
  public:
   ChartDrawing(cairo_t* cairo, const Chart& chart, const ChartLayout& layout,
                const PageSize& size)
       : ChartLayout(layout), pen_(cairo, size), cairo_(cairo), chart_(chart) {
+    bool wide = false;
     for (const ChartPanel& one : chart.panels)
-      for (const ChartLine& line : one.lines)
+      for (const ChartLine& line : one.lines) {
+        const double half = line.form == Form::bars ? 0.5 * line.bar : 0.0;
+        wide = wide || line.form == Form::intervals || line.form == Form::bars;
         for (std::size_t i = 0; i < line.x.size(); ++i)
-          if (std::isfinite(line.y[i]))
-            x_.include(line.x[i]);
+          if (std::isfinite(line.y[i])) {
+            x_.include(line.x[i] - half);
+            x_.include(line.x[i] + half);
+          }
+      }
     if (x_.empty())
       throw std::runtime_error("there is nothing to draw: no curve has a number");
-    x_ = x_.high > x_.low ? x_ : x_.widened(0.0);
+    x_ = wide ? x_.widened(0.04) : x_.high > x_.low ? x_ : x_.widened(0.0);
   }
 
   void draw() {
@@ -146,12 +156,7 @@ class ChartDrawing : ChartLayout {
   }
 
   void draw_panel(const ChartPanel& one, double top, bool last) {
-    Range y;
-    for (const ChartLine& line : one.lines)
-      for (const auto* values : {&line.y, &line.low, &line.high})
-        for (const double value : *values)
-          y.include(value);
-    y = y.empty() ? Range{0, 1} : y.widened(0.06);
+    const Range y = range_of(one);
     const double bottom = top + panel, end = page - right;
     const auto page_y = [&](double value) {
       return bottom - (value - y.low) / (y.high - y.low) * panel;
@@ -168,8 +173,10 @@ class ChartDrawing : ChartLayout {
       if (last)
         pen_.text(along.labels[i], x, bottom + 11, 14, ink, 0.5, 0);
     }
-    const TickLabels up =
-        label_ticks(y.low, y.high, std::clamp(static_cast<int>(panel / 42), 3, 6));
+    int count = std::clamp(static_cast<int>(panel / 42), 3, 6);
+    if (has_bars(one))  // bars count, so the ticks are whole numbers
+      count = std::clamp(static_cast<int>(y.high), 1, count);
+    const TickLabels up = label_ticks(y.low, y.high, count);
     for (std::size_t i = 0; i < up.ticks.size(); ++i) {
       const double at = page_y(up.ticks[i]);
       stroke(left, at, end, at, up.ticks[i] == 0.0 ? muted : grid);
@@ -180,9 +187,17 @@ class ChartDrawing : ChartLayout {
     cairo_rectangle(cairo_, left, top, end - left, panel);
     cairo_clip(cairo_);
     for (std::size_t i = 0; i < one.lines.size(); ++i)
-      draw_band(one.lines[i], i, page_y);
+      if (one.lines[i].form == Form::curve)
+        draw_band(one.lines[i], i, page_y);
+      else if (one.lines[i].form == Form::bars)
+        draw_bars(one.lines[i], i, page_y);
     for (std::size_t i = 0; i < one.lines.size(); ++i)
-      draw_line(one.lines[i], i, page_y);
+      if (one.lines[i].form == Form::curve)
+        draw_line(one.lines[i], i, page_y);
+      else if (one.lines[i].form == Form::intervals)
+        draw_intervals(one.lines[i], i, page_y);
+      else if (one.lines[i].form == Form::mark)
+        draw_mark(one.lines[i], i, top, bottom);
     cairo_restore(cairo_);
     cairo_rectangle(cairo_, left, top, end - left, panel);
     cairo_set_line_width(cairo_, 1);
@@ -199,6 +214,30 @@ class ChartDrawing : ChartLayout {
       legend_above(one, top - keys(one));
     else
       legend(one, end + 18, top + 6);
+  }
+
+  static bool has_bars(const ChartPanel& one) {
+    return std::any_of(one.lines.begin(), one.lines.end(),
+                       [](const ChartLine& line) { return line.form == Form::bars; });
+  }
+
+  /// Returns the values that a panel shows. Bars begin at 0.
+  static Range range_of(const ChartPanel& one) {
+    Range y;
+    const bool bars = has_bars(one);
+    for (const ChartLine& line : one.lines) {
+      if (line.form == Form::mark)
+        continue;
+      for (const auto* values : {&line.y, &line.low, &line.high})
+        for (const double value : *values)
+          y.include(value);
+    }
+    if (bars)
+      y.include(0.0);
+    if (y.empty())
+      return {0, 1};
+    const Range wide = y.widened(0.06);
+    return bars && y.low == 0.0 ? Range{0.0, wide.high} : wide;
   }
 
   void style(std::size_t i) {
@@ -237,6 +276,64 @@ class ChartDrawing : ChartLayout {
   }
 
   template <class PageY>
+  void draw_bars(const ChartLine& line, std::size_t i, const PageY& page_y) {
+    for (std::size_t k = 0; k < line.x.size(); ++k) {
+      if (!std::isfinite(line.y[k]) || line.y[k] == 0.0)
+        continue;
+      const double from = page_x(line.x[k] - 0.5 * line.bar),
+                   to = page_x(line.x[k] + 0.5 * line.bar);
+      cairo_rectangle(cairo_, from, page_y(line.y[k]), to - from,
+                      page_y(0.0) - page_y(line.y[k]));
+    }
+    pen_.colour(line_colour(i), bar_opacity);
+    cairo_fill_preserve(cairo_);
+    pen_.colour(white);
+    cairo_set_line_width(cairo_, 1.0);
+    cairo_stroke(cairo_);
+  }
+
+  template <class PageY>
+  void draw_intervals(const ChartLine& line, std::size_t i, const PageY& page_y) {
+    constexpr double cap = 5.0, radius = 4.2;
+    pen_.colour(line_colour(i), band_opacity);
+    cairo_set_line_width(cairo_, 1.4);
+    for (std::size_t k = 0; k < line.x.size(); ++k)
+      if (std::isfinite(line.y[k]))
+        cairo_line_to(cairo_, page_x(line.x[k]), page_y(line.y[k]));
+    cairo_stroke(cairo_);
+    for (std::size_t k = 0; k < line.x.size(); ++k) {
+      if (!std::isfinite(line.y[k]))
+        continue;
+      const double x = page_x(line.x[k]);
+      pen_.colour(line_colour(i));
+      cairo_set_line_width(cairo_, 1.8);
+      if (k < line.low.size() && std::isfinite(line.low[k])) {
+        const double low = page_y(line.low[k]), high = page_y(line.high[k]);
+        for (const double end : {low, high}) {
+          cairo_move_to(cairo_, x - cap, end);
+          cairo_line_to(cairo_, x + cap, end);
+        }
+        cairo_move_to(cairo_, x, low);
+        cairo_line_to(cairo_, x, high);
+        cairo_stroke(cairo_);
+      }
+      cairo_arc(cairo_, x, page_y(line.y[k]), radius, 0, 2 * std::numbers::pi);
+      cairo_fill(cairo_);
+    }
+  }
+
+  void draw_mark(const ChartLine& line, std::size_t i, double top, double bottom) {
+    style(i);
+    pen_.dashes({6, 4});
+    for (const double x : line.x) {
+      cairo_move_to(cairo_, page_x(x), top);
+      cairo_line_to(cairo_, page_x(x), bottom);
+    }
+    cairo_stroke(cairo_);
+    pen_.dashes({});
+  }
+
+  template <class PageY>
   void draw_line(const ChartLine& line, std::size_t i, const PageY& page_y) {
     style(i);
     for (std::size_t k = 0; k < line.x.size(); ++k)
@@ -259,13 +356,15 @@ class ChartDrawing : ChartLayout {
   /// Draws a piece of the line or band, centred at this height.
   void sample(const Key& key, double x, double y) {
     constexpr double width = 26, height = 10;
-    if (key.is_band) {
-      pen_.colour(line_colour(key.line), band_opacity);
+    if (key.is_band || key.form == Form::bars) {
+      pen_.colour(line_colour(key.line), key.is_band ? band_opacity : bar_opacity);
       cairo_rectangle(cairo_, x, y - height / 2, width, height);
       cairo_fill(cairo_);
       return;
     }
     style(key.line);
+    if (key.form == Form::mark)
+      pen_.dashes({6, 4});
     cairo_move_to(cairo_, x, y);
     cairo_rel_line_to(cairo_, width, 0);
     cairo_stroke(cairo_);
@@ -321,6 +420,13 @@ class ChartDrawing : ChartLayout {
 };
 
 }  // namespace
+
+std::string chart_svg(const Chart& chart, const PageSize& page) {
+  const ChartLayout layout(chart, page);
+  return svg_page(page, layout.page_height, [&](cairo_t* cairo) {
+    ChartDrawing(cairo, chart, layout, page).draw();
+  });
+}
 
 void draw_chart(const std::string& path, const Chart& chart, const PageSize& page) {
   const ChartLayout layout(chart, page);

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
@@ -25,6 +26,26 @@ using Pen = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
 [[noreturn]] void cannot_write(const std::string& path, const std::string& why) {
   throw output::FileError("cannot write " + path + ": " + why);
+}
+
+/// Appends bytes to a text, as cairo's streams need it.
+cairo_status_t append(void* text, const unsigned char* data, unsigned int size) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void draw_on(cairo_surface_t* surface, double scale,
+             const std::function<void(cairo_t*)>& draw) {
+  const Pen pen(cairo_create(surface), cairo_destroy);
+  cairo_scale(pen.get(), scale, scale);
+  draw(pen.get());
+  cairo_show_page(pen.get());
+}
+
+void expect_drawn(cairo_surface_t* surface) {
+  if (const auto status = cairo_surface_status(surface); status != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error(std::string("cannot draw a figure: ") +
+                             cairo_status_to_string(status));
 }
 
 }  // namespace
@@ -87,6 +108,36 @@ void write_page(const std::string& path, const PageSize& page, double page_heigh
   if (dots != 1.0)
     set_png_resolution(draft, page.resolution());
   take_name(draft, path);
+}
+
+std::string svg_page(const PageSize& page, double height,
+                     const std::function<void(cairo_t*)>& draw) {
+  std::string svg;
+  const Surface surface(cairo_svg_surface_create_for_stream(
+                            append, &svg, page.unit * page.width, page.unit * height),
+                        cairo_surface_destroy);
+  const SvgText text(surface.get());
+  draw_on(surface.get(), 1.0, draw);
+  cairo_surface_finish(surface.get());
+  expect_drawn(surface.get());
+  return text.inserted(std::move(svg));
+}
+
+std::string png_page(const PageSize& page, double height,
+                     const std::function<void(cairo_t*)>& draw) {
+  constexpr double pixels_per_point = 2.0;  // for screens of high resolution
+  const double scale = page.printed ? pixels_per_point : 1.0;
+  const auto pixels = [&](double size) {
+    return static_cast<int>(std::ceil(scale * page.unit * size));
+  };
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                                   pixels(page.width), pixels(height)),
+                        cairo_surface_destroy);
+  draw_on(surface.get(), scale, draw);
+  std::string png;
+  cairo_surface_write_to_png_stream(surface.get(), append, &png);
+  expect_drawn(surface.get());
+  return png;
 }
 
 void take_name(const std::string& draft, const std::string& path) {

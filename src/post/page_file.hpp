@@ -22,6 +22,15 @@ void write_page(const std::string& path, double width, double height,
 void write_page(const std::string& path, const PageSize& page, double height,
                 const std::function<void(cairo_t*)>& draw);
 
+/// Returns a page of this height [units] as SVG, for a page that contains it. Throws
+/// std::runtime_error if it cannot be drawn.
+std::string svg_page(const PageSize& page, double height,
+                     const std::function<void(cairo_t*)>& draw);
+
+/// Returns a page of this height [units] as PNG.
+std::string png_page(const PageSize& page, double height,
+                     const std::function<void(cairo_t*)>& draw);
+
 /// Renames the complete file `draft` to `path`; an older file is kept as NAME.bak.
 /// Throws output::FileError.
 void take_name(const std::string& draft, const std::string& path);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace blocks::post {
 namespace {
@@ -83,17 +84,23 @@ void SvgText::insert_into(const std::string& path) const {
     std::ifstream in(path, std::ios::binary);
     page.assign(std::istreambuf_iterator<char>(in), {});
   }
-  const auto end = page.rfind("</svg>");
-  if (end == std::string::npos)
+  if (page.find("</svg>") == std::string::npos)
     throw std::runtime_error("cannot read " + path + " again");
-  page.insert(end, "<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" "
-                   "xml:space=\"preserve\">\n" +
-                       elements_ + "</g>\n");
   std::ofstream out(path, std::ios::binary);
-  out << page;
+  out << inserted(std::move(page));
   out.close();
   if (!out)
     throw std::runtime_error("cannot write " + path);
+}
+
+std::string SvgText::inserted(std::string page) const {
+  const auto end = page.rfind("</svg>");
+  if (end == std::string::npos)
+    throw std::runtime_error("the SVG page has no end");
+  page.insert(end, "<g font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" "
+                   "xml:space=\"preserve\">\n" +
+                       elements_ + "</g>\n");
+  return page;
 }
 
 }  // namespace blocks::post

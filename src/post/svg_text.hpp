@@ -41,6 +41,10 @@ class SvgText {
   /// cannot be rewritten.
   void insert_into(const std::string& path) const;
 
+  /// Returns the complete SVG page with the text. Throws std::runtime_error if the page
+  /// has no end.
+  std::string inserted(std::string page) const;
+
  private:
   cairo_surface_t* surface_;
   std::string elements_;
