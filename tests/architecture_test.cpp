@@ -48,8 +48,9 @@ std::vector<Include> includes() {
 /// headers outside the project.
 std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
-      "geometry", "deck", "model", "dynamics", "exchange", "quantities", "output",
-      "post",     "run",  "study", "audit",    "library",  "sweep",      "apps"};
+      "geometry",   "deck",    "model", "dynamics", "exchange",
+      "quantities", "output",  "post",  "run",      "study",
+      "audit",      "library", "sweep", "report",   "apps"};
   const std::string first = target.substr(0, target.find('/'));
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
@@ -78,6 +79,7 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "output",
                                             "post",
                                             "quantities",
+                                            "report",
                                             "run",
                                             "study",
                                             "study/corner_rules",
@@ -125,6 +127,7 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
         "geometry"}},
       {"sweep",
        {"sweep", "study", "run", "deck", "output", "quantities", "model", "geometry"}},
+      {"report", {"report", "sweep", "post", "run", "quantities", "output", "deck"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
   };

@@ -57,6 +57,8 @@ std::string completion_of(const CLI::Option& option) {
       {"--output", "_blocks_files"},
       {"--plot", "_blocks_files"},
       {"--figure", "_blocks_files"},
+      {"--run-table", "_blocks_files"},
+      {"--profile-quantity", "_blocks_words " + blanks(quantities::quantity_names())},
       {"--quantity", "_blocks_words " + blanks(quantities::quantity_names())}};
   if (const auto names = choices(option); !names.empty())
     return "_blocks_words " + joined(names);
@@ -79,6 +81,7 @@ std::string operands_of(const LeafCommand& command) {
       {"why", "_blocks_files vtkhdf h5"},
       {"export", "_blocks_files deck vtkhdf"},
       {"import", "_blocks_files"},
+      {"report", "_blocks_files"},
       {"cards", "_blocks_words " + joined(deck::card_names())},
       {"sweep", "_blocks_files deck"},
       {"study contacts", "_blocks_words all decks " + joined(study::scene_names())}};

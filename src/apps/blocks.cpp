@@ -28,6 +28,7 @@
 #include "output/file_access_guard.hpp"
 #include "output/results.hpp"
 #include "plot_command.hpp"
+#include "report_command.hpp"
 #include "run/run.hpp"
 #include "standard_streams.hpp"
 #include "study_command.hpp"
@@ -177,6 +178,11 @@ int dispatch(int argc, char** argv) {
       app.add_subcommand("view", "write a page that plays a run in the browser");
   blocks::apps::add_view_options(*page, view_options);
 
+  blocks::apps::ReportOptions report_options;
+  auto* statistics =
+      app.add_subcommand("report", "write the statistics of a sweep as a page");
+  blocks::apps::add_report_options(*statistics, report_options);
+
   blocks::apps::ImportOptions import_options;
   auto* import =
       app.add_subcommand("import", "convert outlines of other programs for READ9");
@@ -240,6 +246,8 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::history(history_options);
   if (*page)
     return blocks::apps::view(view_options);
+  if (*statistics)
+    return blocks::apps::report(report_options);
   if (*import)
     return blocks::apps::import_blocks(import_options);
   if (*to_others)

@@ -39,6 +39,13 @@ const std::map<std::string, CommandPage>& command_pages() {
         "Writes one page for the browser, which needs no server and no network. It "
         "plays the run, shows numbers and histories of one or two blocks, and saves "
         "pictures and CSV. The key ? lists its keys."}},
+      {"report",
+       {"blocks report stacks -q displacement:max",
+        "blocks sweep decks/stack/stack.deck --seeds 1-4 -o stacks",
+        "Writes the statistics of a sweep as one page that opens without a server: "
+        "outcomes, a typical run, the profile as median and band, histograms, means "
+        "with intervals, the effect of a parameter, and a link to every run. The table "
+        "is also printed, and written as CSV or JSON."}},
       {"import",
        {"blocks import decks/every_card/hexagons.txt --deck", "",
         "Reads outlines from GeoJSON, WKT, Gmsh .msh or another form that READ9 reads, "

@@ -1,0 +1,455 @@
+#include "report/ensemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "deck/parser.hpp"
+#include "output/results.hpp"
+#include "post/history.hpp"
+#include "report/outcome_labels.hpp"
+#include "report/outcome_values.hpp"
+#include "report/statistics.hpp"
+#include "run/deck_file.hpp"
+#include "run/run.hpp"
+#include "sweep/outcome.hpp"
+
+namespace blocks::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* usual_measures[] = {"dy:min", "displacement:max", "overlap@max",
+                                          "kinetic_energy", "contacts"};
+constexpr const char* sweep_parameter = "sweep";
+constexpr const char* variant_parameter = "variant";
+
+State state_of(int code) {
+  switch (code) {
+  case run::done:
+    return State::done;
+  case run::unsound_run:
+    return State::unsound;
+  case run::time_limit:
+    return State::time_limit;
+  default:
+    return State::failed;
+  }
+}
+
+/// Collects the runs of the sweeps in an Ensemble.
+class Collector {
+ public:
+  explicit Collector(const Request& request) : request_(request) {
+    all_.members = read_members(request.folders, request.pair, request.mixed);
+    side_by_side_ = request.pair || request.mixed;
+  }
+
+  Ensemble collect() {
+    look_ahead();
+    choose_measures();
+    set_parameters();
+    for (std::size_t m = 0; m < all_.members.size(); ++m)
+      for (std::size_t i = 0; i < all_.members[m].plan.runs.size(); ++i)
+        add_run(m, i + 1);
+    sort_groups();
+    expect_values();
+    return std::move(all_);
+  }
+
+ private:
+  /// Finds a run that has measures, and one that has results.
+  void look_ahead() {
+    own_units_.resize(all_.members.size());
+    for (std::size_t m = 0; m < all_.members.size(); ++m) {
+      const Member& one = all_.members[m];
+      if (one.plan.kind == sweep::Kind::check)
+        look_at_deck(m);
+      bool has_results = one.plan.kind != sweep::Kind::run;
+      for (std::size_t i = 0; i < one.plan.runs.size(); ++i) {
+        const std::string folder = sweep::run_folder(one.folder, i + 1);
+        const auto outcome = sweep::read_outcome(folder);
+        if (!outcome || outcome->code != run::done)
+          continue;
+        if (outcome_names_.empty()) {
+          outcome_names_ = measured_names(*outcome);
+          outcome_shares_ = measured_shares(*outcome);
+        }
+        const std::string results = results_in(folder, one.plan);
+        if (!has_results && fs::exists(results)) {
+          has_results = true;
+          look_at_results(m, results);
+        }
+        if (has_results)
+          break;
+      }
+    }
+  }
+
+  void look_at_results(std::size_t member, const std::string& path) {
+    const post::ResultsReader results(path);
+    if (first_results_.empty())
+      first_results_ = path;
+    set_title_and_units(member, results.title(), results.units());
+  }
+
+  /// A deck whose blocks are only checked has no results; its title and units are read
+  /// from the deck itself, if it is still the same.
+  void look_at_deck(std::size_t member) {
+    const sweep::Plan& plan = all_.members[member].plan;
+    std::string title;
+    std::optional<Units> units;
+    try {
+      if (sweep::hash_of_deck(plan.deck) != plan.deck_hash)
+        return;
+      const std::string text = run::read_deck(plan.deck);
+      deck::Diagnostics ignored(plan.deck, text);
+      for (const deck::Command& command :
+           deck::parse(plan.deck, text, ignored).commands) {
+        if (const auto* start = std::get_if<deck::Start>(&command.card))
+          title = start->title;
+        if (const auto* card = std::get_if<deck::Units>(&command.card))
+          units = Units{card->length.value, card->mass.value, card->time.value};
+      }
+    } catch (const output::FileError&) {
+      return;  // the deck is on another computer
+    }
+    set_title_and_units(member, title, units);
+  }
+
+  /// The first sweep gives the title and, unless they are asked for, the units.
+  void set_title_and_units(std::size_t member, const std::string& title,
+                           const std::optional<Units>& units) {
+    own_units_[member] = units;
+    if (!first_known_) {
+      first_known_ = member;
+      all_.title = title;
+      all_.units = request_.reading.units ? request_.reading.units : units;
+    } else if (!request_.reading.units &&
+               own_units_[*first_known_].has_value() != units.has_value()) {
+      throw std::runtime_error(
+          fmt::format("only one of the decks of {} and {} names its units (UNITS "
+                      "card)\n  hint: --units m,kg,s means that all of them are in "
+                      "these units, or converts",
+                      all_.members[*first_known_].folder, all_.members[member].folder));
+    }
+  }
+
+  /// Returns the factor that converts a measured value of a sweep to the units of the
+  /// report.
+  double scale_of(std::size_t member, const quantities::Dimension& dimension) const {
+    const auto& own = own_units_[member];
+    return own && all_.units && !(*own == *all_.units)
+               ? post::UnitScale::between(*own, *all_.units).of(dimension)
+               : 1.0;
+  }
+
+  void choose_measures() {
+    const sweep::Kind kind = all_.kind();
+    std::vector<std::string> names = request_.measures;
+    std::vector<std::string> recorded;
+    if (!first_results_.empty()) {
+      set_profile();
+      if (names.empty() && !request_.reading.frames)
+        for (const auto& curve :
+             post::recorded_curves(post::ResultsReader(first_results_)))
+          recorded.push_back(curve.name());
+    }
+    if (names.empty()) {
+      if (all_.profile)
+        names.emplace_back(all_.profile->quantity == "dy" ? "profile:min"
+                                                          : "profile:max");
+      if (kind != sweep::Kind::run)
+        names = usual_names(outcome_names_, kind == sweep::Kind::study);
+      else if (!recorded.empty())
+        names.insert(names.end(), recorded.begin(), recorded.end());
+      else
+        names.insert(names.end(), std::begin(usual_measures), std::end(usual_measures));
+    }
+    for (const std::string& name : names) {
+      Column column;
+      column.measure = parse_measure(name, outcome_names_, kind != sweep::Kind::run);
+      if (column.measure.from == Measure::From::profile && !all_.profile &&
+          !first_results_.empty())
+        throw std::runtime_error(fmt::format(
+            "{} needs a profile\n  hint: --profile top, or --profile x0,y0,x1,y1",
+            name));
+      column.is_share = column.measure.limit.has_value() ||
+                        (column.measure.from == Measure::From::outcome &&
+                         outcome_shares_.contains(column.measure.key));
+      column.label = column.measure.name;
+      measures_.push_back(column.measure);
+      all_.columns.push_back(std::move(column));
+    }
+    faults_.resize(measures_.size());
+    labelled_.resize(measures_.size(), false);
+    scales_.assign(all_.members.size(), std::vector<double>(measures_.size(), 1.0));
+    for (std::size_t i = 0; i < measures_.size(); ++i)
+      if (measures_[i].from == Measure::From::outcome) {
+        const MeasureLabel label = label_of_outcome(measures_[i].key);
+        set_label(i, label);
+        for (std::size_t m = 0; m < all_.members.size(); ++m)
+          scales_[m][i] = scale_of(m, label.dimension);
+      }
+  }
+
+  /// Sets the positions of the profile from the first results. Without --profile,
+  /// there is none if it meets no block, or if all blocks are fixed.
+  void set_profile() {
+    if (!request_.with_profile)
+      return;
+    const bool asked = request_.profile.has_value();
+    const ProfileQuestion question = request_.profile.value_or(ProfileQuestion{});
+    post::ResultsReader results(first_results_);
+    if (all_.units)
+      results.show_in(*all_.units);
+    const post::Frame first = results.frame(0);
+    if (!asked && std::none_of(first.fixed.begin(), first.fixed.end(),
+                               [](int fixed) { return fixed == 0; }))
+      return;
+    std::vector<post::ProfilePlace> places;
+    try {
+      places = post::profile_places(first, question.line);
+    } catch (const std::runtime_error&) {
+      if (asked)
+        throw;
+      return;
+    }
+    double begin = 0.0, end = 0.0;
+    if (question.line.segment) {
+      const Eigen::Vector4d& line = *question.line.segment;
+      end = (line.tail<2>() - line.head<2>()).norm();
+    } else {
+      begin = std::numeric_limits<double>::infinity(), end = -begin;
+      for (const post::ProfilePlace& place : places)
+        for (const auto& corner :
+             first.outlines[static_cast<std::size_t>(place.block) - 1]) {
+          begin = std::min(begin, corner.x());
+          end = std::max(end, corner.x());
+        }
+      if (question.mirror) {
+        const double left = std::min(begin, 2.0 * *question.mirror - end);
+        end = std::max(end, 2.0 * *question.mirror - begin);
+        begin = left;
+      }
+    }
+    all_.profile = question;
+    grid_.emplace(begin, end);
+    all_.positions = grid_->positions();
+  }
+
+  /// The parameters are the fields that any of the sweeps sets, then the variant of a
+  /// study, then the sweep.
+  void set_parameters() {
+    for (const Member& one : all_.members)
+      for (const std::string& axis : one.plan.axes)
+        if (axis != "seed" && std::find(all_.parameters.begin(), all_.parameters.end(),
+                                        axis) == all_.parameters.end())
+          all_.parameters.push_back(axis);
+    fields_ = all_.parameters.size();
+    if (all_.kind() == sweep::Kind::study)
+      all_.parameters.emplace_back(variant_parameter);
+    if (side_by_side_)
+      all_.parameters.emplace_back(sweep_parameter);
+  }
+
+  std::size_t group_of(std::size_t member, const sweep::Variation& run,
+                       const std::string& variant) {
+    std::vector<std::string> values(fields_);
+    for (const std::string& set : run.sets) {
+      const std::string field = sweep::field_of(set);
+      for (std::size_t p = 0; p < fields_; ++p)
+        if (all_.parameters[p] == field)
+          values[p] = set.substr(set.find('=') + 1);
+    }
+    if (all_.kind() == sweep::Kind::study)
+      values.push_back(variant);
+    if (side_by_side_)
+      values.push_back(all_.members[member].label);
+    const auto [found, is_new] = group_index_.try_emplace(values, all_.groups.size());
+    if (is_new)
+      all_.groups.push_back({values, {}});
+    return found->second;
+  }
+
+  static std::string results_in(const std::string& folder, const sweep::Plan& plan) {
+    return (fs::path(folder) / (plan.name + ".vtkhdf")).string();
+  }
+
+  void add_run(std::size_t member, std::size_t id) {
+    const Member& one = all_.members[member];
+    const sweep::Variation& run = one.plan.runs[id - 1];
+    const std::string folder = sweep::run_folder(one.folder, id);
+    const auto outcome = sweep::read_outcome(folder);
+    RunRow row;
+    row.member = member;
+    row.id = id;
+    row.seed = run.seed;
+    row.values.assign(measures_.size(), no_number);
+    row.status = "not finished";
+    if (outcome) {
+      row.state = state_of(outcome->code);
+      row.code = outcome->code;
+      row.status = outcome->status;
+      row.message = outcome->message;
+      if (const std::string results = results_in(folder, one.plan);
+          one.plan.kind == sweep::Kind::run && fs::exists(results))
+        read_results(results, row);
+      else if (one.plan.kind == sweep::Kind::run && row.state == State::done)
+        row.message = fmt::format("{}.vtkhdf is missing", one.plan.name);
+    }
+    std::vector<std::string> variants = {no_variant};
+    if (one.plan.kind == sweep::Kind::study)
+      variants = outcome && row.state == State::done ? measured_variants(*outcome)
+                                                     : one.plan.variants;
+    for (const std::string& variant : variants) {
+      RunRow of_variant = row;
+      of_variant.group = group_of(member, run, variant);
+      if (outcome)
+        for (std::size_t i = 0; i < measures_.size(); ++i)
+          if (measures_[i].from == Measure::From::outcome)
+            of_variant.values[i] = measures_[i].with_limit(
+                scales_[member][i] *
+                measured_value(*outcome, variant, measures_[i].key));
+      all_.groups[of_variant.group].rows.push_back(all_.rows.size());
+      all_.rows.push_back(std::move(of_variant));
+    }
+  }
+
+  void read_results(const std::string& path, RunRow& row) {
+    ReadingOptions reading = request_.reading;
+    reading.units = all_.units;
+    try {
+      const RunReader reader(path, reading);
+      RunValues read = reader.read(measures_, all_.profile);
+      for (std::size_t i = 0; i < measures_.size(); ++i) {
+        if (measures_[i].from == Measure::From::outcome)
+          continue;
+        row.values[i] = measures_[i].with_limit(read.values[i]);
+        if (faults_[i].empty())
+          faults_[i] = read.faults[i];
+        if (!labelled_[i] && !read.labels[i].label.empty())
+          set_label(i, read.labels[i]);
+      }
+      if (read.profile && row.state == State::done)
+        row.profile = grid_->resampled(*read.profile);
+    } catch (const std::runtime_error& fault) {
+      if (row.message.empty())
+        row.message = fault.what();
+      if (any_fault_.empty())
+        any_fault_ = fault.what();
+    }
+  }
+
+  void set_label(std::size_t i, const MeasureLabel& label) {
+    labelled_[i] = true;
+    Column& column = all_.columns[i];
+    column.label = label.label;
+    const std::string unit = post::unit_text(label.dimension, all_.units);
+    if (const auto& limit = column.measure.limit)
+      column.label += fmt::format(" {} {}{}{}", limit->above ? "above" : "below",
+                                  limit->value < 0.0 ? "−" : "", std::abs(limit->value),
+                                  unit.empty() ? "" : " " + unit);
+    else
+      column.unit = unit;
+  }
+
+  void sort_groups() {
+    for (Group& group : all_.groups) {
+      std::stable_sort(group.rows.begin(), group.rows.end(),
+                       [&](std::size_t a, std::size_t b) {
+                         return all_.rows[a].seed < all_.rows[b].seed;
+                       });
+      for (std::size_t k = 1; k < group.rows.size(); ++k) {
+        const RunRow &a = all_.rows[group.rows[k - 1]], &b = all_.rows[group.rows[k]];
+        if (a.seed == b.seed && a.member != b.member)
+          throw std::runtime_error(fmt::format(
+              "{} and {} both have a run of the same deck with {}, which would count "
+              "twice\n  hint: make a report of one of them, or compare them with "
+              "--pair",
+              all_.members[a.member].folder, all_.members[b.member].folder,
+              a.seed ? fmt::format("seed {}", *a.seed) : "the deck's seed"));
+      }
+    }
+  }
+
+  /// If runs are done, but none of them has a measure, leaves it out, or throws if the
+  /// user asked for it.
+  void expect_values() {
+    bool any_done = false;
+    std::vector<bool> has(measures_.size(), false);
+    for (const RunRow& row : all_.rows)
+      if (row.state == State::done) {
+        any_done = true;
+        for (std::size_t i = 0; i < measures_.size(); ++i)
+          has[i] = has[i] || std::isfinite(row.values[i]);
+      }
+    if (!any_done)
+      return;
+    for (std::size_t i = measures_.size(); i-- > 0;) {
+      if (has[i])
+        continue;
+      if (!request_.measures.empty()) {
+        const std::string why = faults_[i].empty() ? any_fault_ : faults_[i];
+        throw std::runtime_error(fmt::format("no run has {}{}", measures_[i].name,
+                                             why.empty() ? "" : ": " + why));
+      }
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      all_.columns.erase(all_.columns.begin() + at);
+      for (RunRow& row : all_.rows)
+        row.values.erase(row.values.begin() + at);
+    }
+  }
+
+  const Request& request_;
+  Ensemble all_;
+  bool side_by_side_ = false;
+  std::vector<std::optional<Units>> own_units_;  ///< (members) of the decks
+  std::optional<std::size_t> first_known_;       ///< member with known title and units
+  std::vector<std::vector<double>> scales_;      ///< (members, measures) of outcomes
+  std::set<std::string> outcome_names_, outcome_shares_;
+  std::string first_results_;
+  std::vector<Measure> measures_;
+  std::vector<std::string> faults_;  ///< (measures) the first ones
+  std::string any_fault_;
+  std::vector<bool> labelled_;
+  std::optional<ProfileGrid> grid_;
+  std::size_t fields_ = 0;
+  std::map<std::vector<std::string>, std::size_t> group_index_;
+};
+
+}  // namespace
+
+std::vector<double> Ensemble::sample(std::size_t group, std::size_t column) const {
+  std::vector<double> values;
+  values.reserve(groups[group].rows.size());
+  for (const std::size_t r : groups[group].rows)
+    values.push_back(rows[r].state == State::done ? rows[r].values[column] : no_number);
+  return values;
+}
+
+std::string Ensemble::folder_of(const RunRow& row) const {
+  return sweep::run_folder(members[row.member].folder, row.id);
+}
+
+std::string Ensemble::results_of(const RunRow& row) const {
+  return (fs::path(folder_of(row)) / (members[row.member].plan.name + ".vtkhdf"))
+      .string();
+}
+
+std::string Ensemble::name_of(const Group& group) const {
+  std::string name;
+  for (std::size_t p = 0; p < parameters.size(); ++p)
+    name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", parameters[p],
+                        group.values[p].empty() ? "as in the deck" : group.values[p]);
+  return name;
+}
+
+Ensemble read_ensemble(const Request& request) { return Collector(request).collect(); }
+
+}  // namespace blocks::report

@@ -1,0 +1,287 @@
+#include "report/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/axes.hpp"
+#include "post/figure.hpp"
+#include "post/line_chart.hpp"
+#include "report/html_text.hpp"
+
+namespace blocks::report {
+namespace {
+
+using Form = post::ChartLine::Form;
+
+constexpr quantities::Dimension length{1, 0, 0, "m", ""};
+
+/// Blocks of one picture that is drawn as lines; a larger model is an image.
+constexpr int most_drawn_blocks = 5000;
+
+post::PageSize page_size(FigureWidth width) {
+  return post::PageSize::in_print(width == FigureWidth::whole ? "240mm" : "118mm");
+}
+
+std::string with_unit(const std::string& label, const std::string& unit) {
+  return unit.empty() ? label : label + " [" + unit + "]";
+}
+
+/// Returns the values of a group that are finite.
+std::vector<double> finite_sample(const Ensemble& ensemble, std::size_t group,
+                                  std::size_t column) {
+  std::vector<double> values = ensemble.sample(group, column);
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  return values;
+}
+
+bool all_whole(const std::vector<double>& values) {
+  constexpr double largest = 1e9;
+  return std::all_of(values.begin(), values.end(), [](double value) {
+    return value == std::round(value) && std::abs(value) < largest;
+  });
+}
+
+post::ChartLine mark(const std::string& legend, double at) {
+  post::ChartLine line{legend, {at}, {0.0}};
+  line.form = Form::mark;
+  return line;
+}
+
+/// Returns the bars of values in bins of equal width.
+post::ChartLine bars(const std::vector<double>& values,
+                     const std::vector<double>& boundaries) {
+  post::ChartLine line;
+  line.form = Form::bars;
+  line.bar = boundaries[1] - boundaries[0];
+  for (std::size_t i = 0; i + 1 < boundaries.size(); ++i) {
+    line.x.push_back(0.5 * (boundaries[i] + boundaries[i + 1]));
+    line.y.push_back(0.0);
+  }
+  for (const double value : values) {
+    const auto above = std::upper_bound(boundaries.begin(), boundaries.end(), value);
+    const auto bin = std::clamp<std::ptrdiff_t>(above - boundaries.begin() - 1, 0,
+                                                std::ssize(line.y) - 1);
+    line.y[static_cast<std::size_t>(bin)] += 1.0;
+  }
+  return line;
+}
+
+/// Returns the groups that a figure shows: all, or some at equal distances if there are
+/// too many.
+std::vector<std::size_t> drawn_groups(const std::vector<std::size_t>& with_values) {
+  if (with_values.size() <= most_groups_drawn)
+    return with_values;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < most_groups_drawn; ++i)
+    some.push_back(with_values[i * (with_values.size() - 1) / (most_groups_drawn - 1)]);
+  return some;
+}
+
+/// The points of the groups in ascending order of the parameter.
+post::ChartLine points(const Analysis& analysis) {
+  post::ChartLine line;
+  line.form = Form::intervals;
+  line.x = analysis.axis;
+  std::sort(line.x.begin(), line.x.end());
+  return line;
+}
+
+std::string parameter_chart(const Ensemble& ensemble, const Analysis& analysis,
+                            post::ChartLine line, const std::string& y_label,
+                            FigureWidth width) {
+  if (std::none_of(line.y.begin(), line.y.end(),
+                   [](double y) { return std::isfinite(y); }))
+    return {};
+  post::Chart chart;
+  chart.x_label = ensemble.parameters[*analysis.compared];
+  chart.panels = {{y_label, {std::move(line)}}};
+  return post::chart_svg(chart, page_size(width));
+}
+
+/// Returns the groups in ascending order of the parameter.
+std::vector<std::size_t> by_parameter(const Analysis& analysis) {
+  std::vector<std::size_t> order(analysis.axis.size());
+  for (std::size_t g = 0; g < order.size(); ++g)
+    order[g] = g;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return analysis.axis[a] < analysis.axis[b];
+  });
+  return order;
+}
+
+std::string picture(const Ensemble& ensemble, const RunRow& row,
+                    post::FigureOptions options, bool with_first) {
+  post::ResultsReader results(ensemble.results_of(row));
+  if (ensemble.units)
+    results.show_in(*ensemble.units);
+  const long last = results.frames() - 1;
+  const std::vector<long> frames =
+      with_first && last > 0 ? std::vector<long>{0, last} : std::vector<long>{last};
+  options.units = ensemble.units;
+  options.material_names = results.material_names();
+  options.title = "";
+  if (with_first)
+    options.subtitle = fmt::format("{} blocks", results.frame(0).size());
+  if (results.frame(0).size() <= most_drawn_blocks)
+    return post::figure_svg(results, frames, options);
+  return fmt::format("<img alt=\"the blocks\" src=\"data:image/png;base64,{}\">",
+                     base64(post::figure_png(results, frames, options)));
+}
+
+}  // namespace
+
+std::vector<double> bin_boundaries(std::vector<double> values) {
+  constexpr double fewest = 5.0, most = 40.0;
+  std::sort(values.begin(), values.end());
+  const double low = values.front(), high = values.back(), range = high - low;
+  if (all_whole(values) && range <= most) {
+    std::vector<double> around;
+    for (double at = low - 0.5; at <= high + 0.5; at += 1.0)
+      around.push_back(at);
+    return around;
+  }
+  const double middle = 0.5 * (low + high);
+  if (!(range > 1e-9 * std::abs(middle))) {
+    const double half = low == 0.0 ? 0.5 : 0.05 * std::abs(middle);
+    return {middle - half, middle + half};
+  }
+  const double spread = sorted_quantile(values, 0.75) - sorted_quantile(values, 0.25);
+  const double width = 2.0 * spread / std::cbrt(static_cast<double>(values.size()));
+  const double count = std::clamp(width > 0.0 ? range / width : fewest, fewest, most);
+  const std::vector<double> ticks =
+      post::nice_ticks(low, high, static_cast<int>(std::lround(count)));
+  if (ticks.size() < 2)
+    return {low, high};
+  const double step =
+      (ticks.back() - ticks.front()) / static_cast<double>(ticks.size() - 1);
+  std::vector<double> boundaries;
+  if (low < ticks.front())
+    boundaries.push_back(ticks.front() - step);
+  boundaries.insert(boundaries.end(), ticks.begin(), ticks.end());
+  if (high > ticks.back())
+    boundaries.push_back(ticks.back() + step);
+  return boundaries;
+}
+
+std::string profile_figure(const Ensemble& ensemble, const Analysis& analysis) {
+  if (!ensemble.profile)
+    return {};
+  const auto* kind = quantities::find_quantity(ensemble.profile->quantity);
+  post::Chart chart;
+  post::ChartPanel panel{
+      with_unit(kind->label, post::unit_text(kind->dimension, ensemble.units)), {}};
+  std::vector<std::size_t> with_profile;
+  for (std::size_t g = 0; g < analysis.groups.size(); ++g)
+    if (analysis.groups[g].profile)
+      with_profile.push_back(g);
+  for (const std::size_t g : drawn_groups(with_profile)) {
+    const auto& band = analysis.groups[g].profile;
+    const std::string name = ensemble.name_of(ensemble.groups[g]);
+    post::ChartLine line{name.empty() ? "median" : name, ensemble.positions,
+                         band->median};
+    if (band->runs > 1) {
+      line.low = band->low;
+      line.high = band->high;
+      line.band_legend = fmt::format("5 to 95 % of {} runs", band->runs);
+    }
+    panel.lines.push_back(std::move(line));
+  }
+  if (panel.lines.empty())
+    return {};
+  chart.x_label =
+      with_unit(ensemble.profile->line.segment ? "distance along the line" : "x",
+                post::unit_text(length, ensemble.units));
+  chart.panels = {panel};
+  return post::chart_svg(chart, page_size(FigureWidth::whole));
+}
+
+std::string histogram(const Ensemble& ensemble, const Analysis& analysis,
+                      std::size_t column, FigureWidth width) {
+  const Column& what = ensemble.columns[column];
+  if (what.is_share)
+    return {};
+  std::vector<double> all;
+  std::vector<std::size_t> with_values;
+  for (std::size_t g = 0; g < ensemble.groups.size(); ++g) {
+    const auto values = finite_sample(ensemble, g, column);
+    all.insert(all.end(), values.begin(), values.end());
+    if (!values.empty())
+      with_values.push_back(g);
+  }
+  if (all.size() < 2)
+    return {};
+  const std::vector<double> boundaries = bin_boundaries(all);
+  post::Chart chart;
+  chart.x_label = with_unit(what.label, what.unit);
+  for (const std::size_t g : drawn_groups(with_values)) {
+    const auto values = finite_sample(ensemble, g, column);
+    const Summary& summary = analysis.groups[g].columns[column].summary;
+    post::ChartPanel panel{"runs", {bars(values, boundaries)}};
+    panel.lines.front().legend = ensemble.name_of(ensemble.groups[g]);
+    panel.lines.push_back(
+        mark(fmt::format("median {:.4g}", summary.median.value), summary.median.value));
+    chart.panels.push_back(std::move(panel));
+  }
+  return post::chart_svg(chart, page_size(width));
+}
+
+std::string against_parameter(const Ensemble& ensemble, const Analysis& analysis,
+                              std::size_t column, FigureWidth width) {
+  if (analysis.axis.empty())
+    return {};
+  const Column& what = ensemble.columns[column];
+  post::ChartLine line = points(analysis);
+  for (const std::size_t g : by_parameter(analysis)) {
+    const ColumnStatistics& found = analysis.groups[g].columns[column];
+    line.y.push_back(found.summary.mean);
+    line.low.push_back(found.interval.low);
+    line.high.push_back(found.interval.high);
+  }
+  line.legend = what.is_share ? "share of the runs, with 95 % interval"
+                              : "mean, with 95 % interval";
+  return parameter_chart(ensemble, analysis, std::move(line),
+                         what.is_share ? "share" : with_unit("mean", what.unit), width);
+}
+
+std::string differences_figure(const Ensemble& ensemble, const Analysis& analysis,
+                               std::size_t column, FigureWidth width) {
+  const Column& what = ensemble.columns[column];
+  if (analysis.axis.empty() || what.is_share)
+    return {};
+  post::ChartLine line = points(analysis);
+  std::string reference;
+  for (const std::size_t g : by_parameter(analysis)) {
+    const auto& differences = analysis.groups[g].differences;
+    Summary summary;
+    summary.mean = 0.0;  // of the reference from itself
+    if (differences)
+      summary = differences->columns[column];
+    if (differences)
+      reference = ensemble.name_of(ensemble.groups[differences->reference]);
+    line.y.push_back(summary.mean);
+    line.low.push_back(summary.mean_interval.low);
+    line.high.push_back(summary.mean_interval.high);
+  }
+  line.legend = fmt::format("difference from {}, with 95 % interval", reference);
+  return parameter_chart(ensemble, analysis, std::move(line),
+                         with_unit("difference", what.unit), width);
+}
+
+std::string first_and_last(const Ensemble& ensemble, const RunRow& row,
+                           const std::optional<double>& mirror) {
+  post::FigureOptions options;
+  options.page = page_size(FigureWidth::whole);
+  options.mirror = mirror.has_value();
+  options.mirror_x = mirror.value_or(0.0);
+  return picture(ensemble, row, options, true);
+}
+
+std::string last_picture(const Ensemble& ensemble, const RunRow& row) {
+  post::FigureOptions options;
+  options.page = page_size(FigureWidth::whole);
+  return picture(ensemble, row, options, false);
+}
+
+}  // namespace blocks::report

@@ -1,0 +1,130 @@
+#include "report/html_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "post/units.hpp"
+
+namespace blocks::report {
+namespace {
+
+constexpr const char* no_value = "–";
+
+/// Replaces hyphens by minus signs.
+std::string with_minus(std::string text) {
+  for (auto at = text.find('-'); at != text.npos; at = text.find('-', at + 1))
+    text.replace(at, 1, "−");
+  return text;
+}
+
+/// Writes 1e+06 as 1×10⁶.
+std::string with_power(const std::string& text) {
+  const auto e = text.find('e');
+  return e == std::string::npos ? with_minus(text)
+                                : with_minus(text.substr(0, e)) + "×10" +
+                                      post::superscript(std::stoi(text.substr(e + 1)));
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text)
+    switch (c) {
+    case '&':
+      safe += "&amp;";
+      break;
+    case '<':
+      safe += "&lt;";
+      break;
+    case '>':
+      safe += "&gt;";
+      break;
+    case '"':
+      safe += "&quot;";
+      break;
+    default:
+      safe += c;
+    }
+  return safe;
+}
+
+std::string url_of(const std::string& path) {
+  std::string url;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || std::string("-_.~/").find(c) != std::string::npos)
+      url += c;
+    else
+      url += fmt::format("%{:02X}", byte);
+  }
+  return url;
+}
+
+std::string number_text(double value) {
+  if (!std::isfinite(value))
+    return no_value;
+  constexpr double most_whole = 1e7, most_fixed = 1e5, least_long = 1e3;
+  const double size = std::abs(value);
+  if ((value == std::round(value) && size < most_whole) ||
+      (size >= least_long && size < most_fixed))
+    return with_minus(fmt::format("{:.0f}", value + 0.0));
+  return with_power(fmt::format("{:#.4g}", value));
+}
+
+std::string interval_text(const Interval& interval) {
+  const bool low = std::isfinite(interval.low), high = std::isfinite(interval.high);
+  if (!low && !high)
+    return no_value;
+  return (low ? number_text(interval.low) : "…") + " to " +
+         (high ? number_text(interval.high) : "…");
+}
+
+std::string mean_text(double mean, const Interval& interval) {
+  if (!std::isfinite(interval.low))
+    return number_text(mean);
+  constexpr double large = 1e5, small = 1e-4;
+  const double half = 0.5 * (interval.high - interval.low);
+  const double size = std::max(std::abs(mean), half);
+  if (half == 0.0)
+    return number_text(mean) + " ± 0";
+  if (size >= large || size < small) {
+    const double power = std::floor(std::log10(size)), unit = std::pow(10.0, power);
+    const int decimals =
+        std::clamp(static_cast<int>(1 - std::floor(std::log10(half / unit))), 0, 6);
+    return with_minus(fmt::format("({:.{}f} ± {:.{}f})", mean / unit, decimals,
+                                  half / unit, decimals)) +
+           "×10" + post::superscript(static_cast<int>(power));
+  }
+  const int decimals =
+      std::clamp(static_cast<int>(1 - std::floor(std::log10(half))), 0, 9);
+  return with_minus(fmt::format("{:.{}f} ± {:.{}f}", mean, decimals, half, decimals));
+}
+
+std::string percent_text(double share) {
+  if (!std::isfinite(share))
+    return no_value;
+  const double percent = std::round(1000.0 * share) / 10.0;
+  return fmt::format("{:g} %", percent == 0.0 && share > 0.0 ? 0.1 : percent);
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr char letters[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(4 * (bytes.size() + 2) / 3);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned long group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8U |
+              (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? letters[group >> (18U - 6U * k) & 63U] : '=';
+  }
+  return text;
+}
+
+}  // namespace blocks::report

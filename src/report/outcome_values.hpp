@@ -1,0 +1,34 @@
+// The numbers that a run wrote into outcome.json.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sweep/outcome.hpp"
+
+namespace blocks::report {
+
+/// The name of the part of a measured value that is no variant.
+inline const std::string no_variant;
+
+/// Returns the variants of a study in the order of the outcome; one empty name if it
+/// has none.
+std::vector<std::string> measured_variants(const sweep::Outcome& outcome);
+
+/// Returns the names of all numbers, also of those that were not measured in this run:
+/// "p21", and "aspect:max" for a part of a distribution.
+std::set<std::string> measured_names(const sweep::Outcome& outcome);
+
+/// Returns the names whose values are true or false, or by their meaning 0 or 1.
+std::set<std::string> measured_shares(const sweep::Outcome& outcome);
+
+/// Returns the number with this name; 1 or 0 for true or false. NaN if there is none.
+double measured_value(const sweep::Outcome& outcome, const std::string& variant,
+                      const std::string& name);
+
+/// Returns the names that a report shows unless others are named: the most telling
+/// ones, or all of them if none of these is there.
+std::vector<std::string> usual_names(const std::set<std::string>& names, bool study);
+
+}  // namespace blocks::report

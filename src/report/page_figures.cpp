@@ -1,0 +1,176 @@
+// The figures of the page, with their captions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "report/figures.hpp"
+#include "report/html_text.hpp"
+#include "report/page_style.hpp"
+#include "report/page_writer.hpp"
+
+namespace blocks::report {
+namespace {
+
+std::string run_name(const RunRow& row) {
+  return row.seed ? fmt::format("run {} (seed {})", row.id, *row.seed)
+                  : fmt::format("run {}", row.id);
+}
+
+}  // namespace
+
+void PageWriter::figure(const std::string& picture, const std::string& caption,
+                        bool caption_first) {
+  if (picture.empty())
+    return;
+  const std::string words = "<figcaption>" + caption + "</figcaption>";
+  text_ += "<figure>" + (caption_first ? words : "") +
+           unique_ids(picture, fmt::format("f{}-", ++figures_)) +
+           (caption_first ? "" : words) + "</figure>\n";
+}
+
+void PageWriter::typical_pictures() {
+  if (all_.kind() != sweep::Kind::run || typical_.empty())
+    return;
+  const std::size_t c = main_column();
+  bool begun = false;
+  // More than two would hide the figures below.
+  std::vector<std::size_t> shown = {typical_.front()};
+  if (typical_.size() > 1)
+    shown.push_back(typical_.back());
+  for (const std::size_t r : shown) {
+    const RunRow& row = all_.rows[r];
+    std::string picture;
+    try {
+      picture =
+          first_and_last(all_, row, all_.profile ? all_.profile->mirror : std::nullopt);
+    } catch (const std::runtime_error&) {
+      continue;  // the results are damaged; the table of runs says so
+    }
+    if (!begun)
+      text_ += "<section>\n<h2>A typical run</h2>\n";
+    begun = true;
+    const Group& group = all_.groups[row.group];
+    const std::string name = all_.name_of(group);
+    figure(picture,
+           fmt::format("The first and the last state of {}{}{}: its {} is nearest to "
+                       "the median of the {} runs ({} {}).",
+                       run_link(r, run_name(row)), name.empty() ? "" : ", ",
+                       escaped(name), escaped(all_.columns[c].label),
+                       analysis_.groups[row.group].columns[c].summary.n,
+                       number_text(row.values[c]), escaped(all_.columns[c].unit)));
+  }
+  if (begun)
+    text_ += "</section>\n";
+}
+
+void PageWriter::profile() {
+  const std::string picture = profile_figure(all_, analysis_);
+  if (picture.empty())
+    return;
+  const ProfileQuestion& question = *all_.profile;
+  const std::string label = quantities::find_quantity(question.quantity)->label;
+  const std::string where =
+      question.line.segment ? "along the line" : "of the blocks at the upper surface";
+  text_ += "<section>\n<h2>" +
+           std::string(question.line.segment ? "Profile along the line"
+                                             : "Profile of the upper surface") +
+           "</h2>\n";
+  std::size_t fewest = all_.rows.size();
+  for (const GroupStatistics& group : analysis_.groups)
+    if (group.profile)
+      fewest = std::min(fewest, group.profile->runs);
+  figure(picture,
+         fmt::format(
+             "{} {} {}. At each position, the line is the median over the runs, and "
+             "90 % of the runs lie within the band (5 and 95 % quantiles). The "
+             "median is not the profile of any single run.",
+             escaped(capital(label)), where,
+             question.time ? "at " + escaped(post::time_text(*question.time,
+                                                             std::nullopt, all_.units))
+                           : "at the end of the runs") +
+             (fewest < 20 ? " With fewer than 20 runs the band is little more than "
+                            "the extremes."
+                          : ""));
+  text_ += "</section>\n";
+}
+
+void PageWriter::parameter_figures() {
+  if (analysis_.axis.empty())
+    return;
+  text_ += "<section>\n<h2>Effect of " + escaped(all_.parameters[*analysis_.compared]) +
+           "</h2>\n<p>Means over the "
+           "seeds with their 95 % confidence intervals.</p>\n<div class=\"pair\">\n";
+  for (std::size_t c = 0; c < all_.columns.size(); ++c)
+    figure(against_parameter(all_, analysis_, c, FigureWidth::half), column_caption(c),
+           true);
+  text_ += "</div>\n";
+  bool begun = false;
+  for (std::size_t c = 0; c < all_.columns.size(); ++c) {
+    const std::string picture =
+        differences_figure(all_, analysis_, c, FigureWidth::half);
+    if (picture.empty())
+      continue;
+    if (!begun)
+      text_ += "<p>Differences from the first value, taken seed by seed. What a seed "
+               "changes with every value cancels out.</p>\n<div class=\"pair\">\n";
+    begun = true;
+    figure(picture, column_caption(c), true);
+  }
+  text_ += begun ? "</div>\n</section>\n" : "</section>\n";
+}
+
+std::string PageWriter::constants(std::vector<bool>& is_constant) const {
+  std::string words;
+  for (std::size_t c = 0; c < all_.columns.size(); ++c) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    std::size_t n = 0;
+    for (const GroupStatistics& group : analysis_.groups)
+      if (const Summary& s = group.columns[c].summary; s.n > 0) {
+        least = std::min(least, s.least);
+        most = std::max(most, s.most);
+        n += s.n;
+      }
+    if (n < 2 || least < most || all_.columns[c].is_share)
+      continue;
+    is_constant[c] = true;
+    words += fmt::format(
+        "{}{}: {}", words.empty() ? "" : "; ", escaped(all_.columns[c].label),
+        number_with_unit(number_text(least), escaped(all_.columns[c].unit)));
+  }
+  return words;
+}
+
+void PageWriter::histograms() {
+  bool begun = false;
+  std::vector<bool> is_constant(all_.columns.size(), false);
+  const std::string the_same = constants(is_constant);
+  const bool tall = all_.groups.size() > 1;
+  for (std::size_t c = 0; c < all_.columns.size(); ++c) {
+    const std::string picture = is_constant[c]
+                                    ? std::string()
+                                    : histogram(all_, analysis_, c, FigureWidth::half);
+    if (picture.empty())
+      continue;
+    if (!begun)
+      text_ += "<section>\n<h2>Distributions</h2>\n<p>Each bar counts runs. The dashed "
+               "line is the median." +
+               std::string(tall && all_.groups.size() > most_groups_drawn
+                               ? fmt::format(" {} of {} groups are drawn.",
+                                             most_groups_drawn, all_.groups.size())
+                               : "") +
+               "</p>\n<div class=\"pair\">\n";
+    begun = true;
+    figure(picture, column_caption(c), true);
+  }
+  if (begun)
+    text_ += "</div>\n";
+  if (!the_same.empty())
+    text_ += (begun ? "<p>The same in all runs: "
+                    : "<section>\n<h2>Distributions</h2>\n<p>The same in all runs: ") +
+             the_same + ".</p>\n";
+  if (begun || !the_same.empty())
+    text_ += "</section>\n";
+}
+
+}  // namespace blocks::report

@@ -1,0 +1,190 @@
+#include "report/run_pages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "output/file_tools.hpp"
+#include "output/results.hpp"
+#include "post/view_page.hpp"
+#include "report/figures.hpp"
+#include "report/html_text.hpp"
+#include "report/page_style.hpp"
+
+namespace blocks::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Marks the pages that this file writes without `blocks view`.
+constexpr const char* summary_mark =
+    "<meta name=\"generator\" content=\"blocks report\">";
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+bool is_newer(const std::string& path, const std::string& than) {
+  std::error_code fault;
+  const auto time = fs::last_write_time(path, fault);
+  return !fault && time >= fs::last_write_time(than, fault) && !fault;
+}
+
+bool is_summary(const std::string& path) {
+  constexpr std::streamsize head = 400;
+  std::string begin(head, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(begin.data(), head);
+  return begin.find(summary_mark) != std::string::npos;
+}
+
+/// Returns the file, or its last part if it is long.
+std::string end_of_log(const std::string& path) {
+  constexpr std::streamoff most = 20000;
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  if (!in)
+    return {};
+  const std::streamoff size = in.tellg();
+  in.seekg(std::max<std::streamoff>(size - most, 0));
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  return size > most ? "...\n" + text.substr(text.find('\n') + 1) : text;
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  output::TemporaryFile temporary(path + ".tmp");
+  std::ofstream file(temporary.path(), std::ios::binary);
+  file << text;
+  file.close();
+  if (!file)
+    output::throw_errno("write", path);
+  temporary.take_name(path);
+}
+
+std::string facts_table(const Ensemble& ensemble, const RunRow& row) {
+  std::string text = "<table class=\"facts\">";
+  const auto add = [&](const std::string& name, const std::string& value) {
+    text += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + escaped(value) +
+            "</td></tr>\n";
+  };
+  for (std::size_t p = 0; p < ensemble.parameters.size(); ++p)
+    add(ensemble.parameters[p], ensemble.groups[row.group].values[p]);
+  if (row.seed)
+    add("seed", std::to_string(*row.seed));
+  add("outcome", row.state == State::done || row.state == State::open
+                     ? row.status
+                     : fmt::format("{} (exit {})", row.status, row.code));
+  return text + "</table>\n";
+}
+
+std::string summary_page(const Ensemble& ensemble, const RunRow& row,
+                         bool has_results) {
+  const std::string title =
+      ensemble.title.empty() ? ensemble.members[row.member].plan.name : ensemble.title;
+  const std::string name = row.seed ? fmt::format("Run {}, seed {}", row.id, *row.seed)
+                                    : fmt::format("Run {}", row.id);
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}: {}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n"
+      "<header><p class=\"kicker\">{}</p><h1>{}</h1></header>\n",
+      summary_mark, escaped(name), escaped(title), page_style, escaped(title),
+      escaped(name));
+  if (!row.message.empty())
+    page += "<p class=\"fault\">" + escaped(row.message) + "</p>\n";
+  page += facts_table(ensemble, row);
+  if (has_results) {
+    page += "<figure>" + unique_ids(last_picture(ensemble, row), "p") +
+            "<figcaption>The last state of the run. <code>blocks view " +
+            escaped(ensemble.members[row.member].plan.name) +
+            ".vtkhdf</code> writes a page that plays it.</figcaption></figure>\n";
+  }
+  if (const std::string log = end_of_log(ensemble.folder_of(row) + "/log.txt");
+      !log.empty())
+    page += "<h2>Log</h2>\n<pre>" + escaped(log) + "</pre>\n";
+  return page + "</main>\n</body>\n</html>\n";
+}
+
+void write_view(const Ensemble& ensemble, const RunRow& row, const std::string& path) {
+  post::ResultsReader results(ensemble.results_of(row));
+  if (ensemble.units)
+    results.show_in(*ensemble.units);
+  const std::optional<double> mirror =
+      ensemble.profile ? ensemble.profile->mirror : std::nullopt;
+  write_whole(path, post::view_page(post::view_data(results, 1, mirror)));
+}
+
+/// Returns the rows whose runs get a page that plays them.
+std::set<std::size_t> played_rows(const Analysis& analysis,
+                                  const std::vector<bool>& with_results,
+                                  const std::vector<std::size_t>& chosen,
+                                  std::size_t most) {
+  std::set<std::size_t> rows;
+  if (static_cast<std::size_t>(
+          std::count(with_results.begin(), with_results.end(), true)) <= most) {
+    for (std::size_t r = 0; r < with_results.size(); ++r)
+      if (with_results[r])
+        rows.insert(rows.end(), r);
+    return rows;
+  }
+  for (const std::size_t r : chosen)
+    if (rows.size() < most)
+      rows.insert(r);
+  for (const GroupStatistics& group : analysis.groups)
+    for (const ColumnStatistics& column : group.columns)
+      if (column.summary.n > 0 && rows.size() + 2 <= most)
+        rows.insert({column.least_row, column.most_row});
+  return rows;
+}
+
+}  // namespace
+
+RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
+                         const std::vector<std::size_t>& chosen,
+                         std::size_t most_played) {
+  const bool runs = ensemble.kind() == sweep::Kind::run;
+  const auto ended = [&](const RunRow& row) { return row.state != State::open; };
+  std::vector<bool> with_results(ensemble.rows.size(), false);
+  for (std::size_t r = 0; r < ensemble.rows.size(); ++r)
+    with_results[r] = runs && ended(ensemble.rows[r]) &&
+                      exists(ensemble.results_of(ensemble.rows[r]));
+  const std::set<std::size_t> played =
+      played_rows(analysis, with_results, chosen, most_played);
+  const bool summaries = runs && ensemble.rows.size() <= most_summary_pages;
+  RunPages pages;
+  pages.files.resize(ensemble.rows.size());
+  for (std::size_t r = 0; r < ensemble.rows.size(); ++r) {
+    const RunRow& row = ensemble.rows[r];
+    const fs::path folder = ensemble.folder_of(row);
+    const std::string page =
+        (folder / (ensemble.members[row.member].plan.name + ".html")).string();
+    const std::string log = (folder / "log.txt").string();
+    const bool plays = played.contains(r), wanted = plays || (summaries && ended(row));
+    const bool sound = exists(page) &&
+                       is_newer(page, (folder / "outcome.json").string()) &&
+                       !(plays && is_summary(page));
+    if (wanted && !sound && pages.fault.empty()) {
+      try {
+        if (plays)
+          write_view(ensemble, row, page);
+        else
+          write_whole(page, summary_page(ensemble, row, with_results[r]));
+      } catch (const output::FileError& fault) {
+        pages.fault = fault.what();
+      } catch (const std::runtime_error&) {
+        // The results are damaged; the row of the table says so.
+      }
+    }
+    if (wanted && exists(page))
+      pages.files[r] = page;
+    else if (exists(log))
+      pages.files[r] = log;
+  }
+  return pages;
+}
+
+}  // namespace blocks::report
