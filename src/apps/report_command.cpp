@@ -12,6 +12,7 @@
 #include "output/results.hpp"
 #include "quantities/quantity.hpp"
 #include "quoted_list.hpp"
+#include "report/charts.hpp"
 #include "report/page.hpp"
 #include "report/tables.hpp"
 #include "run/run.hpp"
@@ -28,6 +29,11 @@ std::string ending_of(const std::string& path) {
 
 bool is_page(const std::string& path) {
   return ending_of(path) == ".html" || ending_of(path) == ".htm";
+}
+
+bool is_figure(const std::string& path) {
+  return ending_of(path) == ".svg" || ending_of(path) == ".pdf" ||
+         ending_of(path) == ".png";
 }
 
 report::Request request_of(const ReportOptions& options) {
@@ -67,10 +73,12 @@ report::Request request_of(const ReportOptions& options) {
 void check_names(const ReportOptions& options) {
   std::vector<std::string> all = options.outputs;
   for (const std::string& path : options.outputs)
-    if (!is_page(path) && ending_of(path) != ".csv" && ending_of(path) != ".json")
-      throw std::runtime_error("the report's name must end in .html, .csv or .json, "
-                               "found '" +
-                               path + "'");
+    if (!is_page(path) && !is_figure(path) && ending_of(path) != ".csv" &&
+        ending_of(path) != ".json")
+      throw std::runtime_error(
+          "the report's name must end in .html, .csv, .json, .svg, "
+          ".pdf or .png, found '" +
+          path + "'");
   if (!options.runs.empty()) {
     if (ending_of(options.runs) != ".csv")
       throw std::runtime_error("the table of --run-table must end in .csv, found '" +
@@ -97,6 +105,19 @@ void write_page(const std::string& path, const report::Ensemble& ensemble,
                                             {options.title, folder_of(path)}));
 }
 
+/// Writes one file for each chart: "trough.pdf" becomes "trough-profile.pdf".
+void write_figures(const std::string& path, const report::Ensemble& ensemble,
+                   const report::Analysis& analysis, const ReportOptions& options) {
+  const post::PageSize page =
+      post::PageSize::in_print(options.size.empty() ? "double" : options.size);
+  const std::string stem = fs::path(path).replace_extension().string();
+  for (const auto& [name, chart] : report::all_charts(ensemble, analysis)) {
+    const std::string file = fmt::format("{}-{}{}", stem, name, ending_of(path));
+    post::draw_chart(file, chart, page);
+    fmt::print("{}\n", file);
+  }
+}
+
 }  // namespace
 
 void add_report_options(CLI::App& command, ReportOptions& options) {
@@ -115,8 +136,9 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
       ->take_all();
   command
       .add_option("-o,--output", options.outputs,
-                  ".html (the page), .csv or .json (its statistics); several are "
-                  "separated by commas (default: DIR/report.html)")
+                  ".html (the page), .csv or .json (its statistics), or .svg, .pdf or "
+                  ".png (its figures, each in a file of its own, NAME-FIGURE.svg); "
+                  "several are separated by commas (default: DIR/report.html)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
@@ -159,6 +181,7 @@ void add_report_options(CLI::App& command, ReportOptions& options) {
                      "units of length, mass and time, such as m,kg,s: values are "
                      "converted if the deck has a UNITS card, otherwise the units are "
                      "only named");
+  command.add_option("--size", options.size, post::PageSize::help());
   command.add_option("--title", options.title,
                      "title of the page instead of that of the deck");
   command.add_flag("--compression-positive", options.compression_positive,
@@ -184,6 +207,10 @@ int report(ReportOptions options) {
     if (!options.quiet)
       std::cout << report::statistics_text(ensemble, analysis) << '\n';
     for (const std::string& path : options.outputs) {
+      if (is_figure(path)) {
+        write_figures(path, ensemble, analysis, options);
+        continue;
+      }
       if (is_page(path))
         write_page(path, ensemble, analysis, options);
       else

@@ -19,6 +19,7 @@ struct ReportOptions {
   std::optional<double> mirror;  ///< of the profile: x of the plane [L]
   std::string precision = "5%";
   std::string units;  ///< "m,kg,s"
+  std::string size;   ///< of figures, "85mm"; empty: 175mm
   std::optional<std::string> title;
   bool compression_positive = false;
   bool frames = false;  ///< not the samples of HISTORY

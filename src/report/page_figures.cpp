@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "report/figures.hpp"
+#include "report/charts.hpp"
 #include "report/html_text.hpp"
 #include "report/page_style.hpp"
 #include "report/page_writer.hpp"
+#include "report/pictures.hpp"
 
 namespace blocks::report {
 namespace {
@@ -15,6 +16,15 @@ namespace {
 std::string run_name(const RunRow& row) {
   return row.seed ? fmt::format("run {} (seed {})", row.id, *row.seed)
                   : fmt::format("run {}", row.id);
+}
+
+constexpr const char* whole = "240mm";  ///< width of a figure
+constexpr const char* half = "118mm";
+
+/// Returns a chart as SVG; empty if it has nothing to show.
+std::string svg(const post::Chart& chart, const char* width) {
+  return chart.panels.empty() ? std::string()
+                              : post::chart_svg(chart, post::PageSize::in_print(width));
 }
 
 }  // namespace
@@ -65,7 +75,7 @@ void PageWriter::typical_pictures() {
 }
 
 void PageWriter::profile() {
-  const std::string picture = profile_figure(all_, analysis_);
+  const std::string picture = svg(profile_chart(all_, analysis_), whole);
   if (picture.empty())
     return;
   const ProfileQuestion& question = *all_.profile;
@@ -102,13 +112,11 @@ void PageWriter::parameter_figures() {
            "</h2>\n<p>Means over the "
            "seeds with their 95 % confidence intervals.</p>\n<div class=\"pair\">\n";
   for (std::size_t c = 0; c < all_.columns.size(); ++c)
-    figure(against_parameter(all_, analysis_, c, FigureWidth::half), column_caption(c),
-           true);
+    figure(svg(against_parameter(all_, analysis_, c), half), column_caption(c), true);
   text_ += "</div>\n";
   bool begun = false;
   for (std::size_t c = 0; c < all_.columns.size(); ++c) {
-    const std::string picture =
-        differences_figure(all_, analysis_, c, FigureWidth::half);
+    const std::string picture = svg(report::differences(all_, analysis_, c), half);
     if (picture.empty())
       continue;
     if (!begun)
@@ -147,9 +155,8 @@ void PageWriter::histograms() {
   const std::string the_same = constants(is_constant);
   const bool tall = all_.groups.size() > 1;
   for (std::size_t c = 0; c < all_.columns.size(); ++c) {
-    const std::string picture = is_constant[c]
-                                    ? std::string()
-                                    : histogram(all_, analysis_, c, FigureWidth::half);
+    const std::string picture =
+        is_constant[c] ? std::string() : svg(histogram(all_, analysis_, c), half);
     if (picture.empty())
       continue;
     if (!begun)

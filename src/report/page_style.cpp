@@ -22,7 +22,7 @@ body {
   margin: 0; background: var(--paper); color: var(--ink);
   font: 16px/1.55 system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif; font-variant-numeric: tabular-nums;
 }
-main { max-width: 66rem; margin: 0 auto; padding: 2.2rem clamp(1rem, 4vw, 3.2rem) 4rem; background: var(--sheet); min-height: 100vh; }
+main { max-width: 70rem; margin: 0 auto; padding: 2.2rem clamp(1rem, 4vw, 3.2rem) 4rem; background: var(--sheet); min-height: 100vh; }
 :focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 a { color: var(--accent); text-decoration-thickness: .06em; text-underline-offset: .18em; }
 header { border-bottom: 1px solid var(--line); padding-bottom: 1.1rem; margin-bottom: 1.4rem; }

@@ -11,9 +11,9 @@
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "post/view_page.hpp"
-#include "report/figures.hpp"
 #include "report/html_text.hpp"
 #include "report/page_style.hpp"
+#include "report/pictures.hpp"
 
 namespace blocks::report {
 namespace {

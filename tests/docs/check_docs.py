@@ -238,7 +238,8 @@ def check_results(source, program):
 
 
 def check_commands(source, program):
-    """Command lines are accepted: run becomes check, figures lack their results."""
+    """Command lines are accepted: run becomes check, a sweep runs nothing, figures lack
+    their results."""
     count, faults = 0, []
     with tempfile.TemporaryDirectory() as folder:
         for page in [source / "README.md", *source.glob("decks/*/README.md")]:
@@ -248,6 +249,8 @@ def check_commands(source, program):
                 words = shlex.split(line, comments=True)
                 if words[0] == "run":
                     words[0] = "check"
+                elif words[0] == "sweep":
+                    words.append("--dry-run")
                 words = [re.sub(r"^.*decks/", f"{source}/decks/", word) for word in words]
                 done = subprocess.run([program, *words], cwd=folder, text=True, capture_output=True)
                 count += 1

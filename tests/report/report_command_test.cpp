@@ -136,6 +136,15 @@ TEST_F(Report, ThePageNeedsNothingElseAndLinksToEveryRun) {
   EXPECT_EQ(played, 2) << "the median run of each group; no room for both extremes";
 }
 
+TEST_F(Report, EachFigureHasAFileOfItsOwn) {
+  ASSERT_EQ(report("one -q dy:min -o f.svg,f.pdf --size 85mm").code, 0);
+  for (const char* name :
+       {"profile", "histogram-dy-min", "mean-dy-min", "difference-dy-min"}) {
+    EXPECT_TRUE(text(std::string("f-") + name + ".svg").starts_with("<?xml")) << name;
+    EXPECT_TRUE(text(std::string("f-") + name + ".pdf").starts_with("%PDF")) << name;
+  }
+}
+
 TEST_F(Report, APageIsWrittenAgainOnlyIfItIsOlder) {
   ASSERT_EQ(report("one").code, 0);
   const std::string page = run_folder("one", 1) + "/layer.html";
@@ -177,7 +186,7 @@ TEST_F(Report, FaultsSayWhatToDoNext) {
   expect("one --precision 0", 2, "a precision is a number above 0");
   expect("one --pair", 2, "--pair compares two sweeps, found 1");
   expect("one one", 2, "one is named twice");
-  expect("one -o report.pdf", 2, "must end in .html, .csv or .json");
+  expect("one -o report.txt", 2, "must end in .html, .csv, .json, .svg, .pdf or .png");
   expect("one --profile 0,0", 2, "a profile is 'top' or a line");
   sweep("layer.deck --seeds 4-5 --set FRICTN.fric=.6 -o two");
   expect("one two", 2, "both have a run of the same deck with seed 4");

@@ -1,5 +1,5 @@
 // Bins, numbers in words, and pictures inside a page.
-#include "report/figures.hpp"
+#include "report/charts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,14 +1,12 @@
-#include "report/figures.hpp"
+#include "report/charts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "post/axes.hpp"
-#include "post/figure.hpp"
-#include "post/line_chart.hpp"
-#include "report/html_text.hpp"
 
 namespace blocks::report {
 namespace {
@@ -16,13 +14,6 @@ namespace {
 using Form = post::ChartLine::Form;
 
 constexpr quantities::Dimension length{1, 0, 0, "m", ""};
-
-/// Blocks of one picture that is drawn as lines; a larger model is an image.
-constexpr int most_drawn_blocks = 5000;
-
-post::PageSize page_size(FigureWidth width) {
-  return post::PageSize::in_print(width == FigureWidth::whole ? "240mm" : "118mm");
-}
 
 std::string with_unit(const std::string& label, const std::string& unit) {
   return unit.empty() ? label : label + " [" + unit + "]";
@@ -88,16 +79,15 @@ post::ChartLine points(const Analysis& analysis) {
   return line;
 }
 
-std::string parameter_chart(const Ensemble& ensemble, const Analysis& analysis,
-                            post::ChartLine line, const std::string& y_label,
-                            FigureWidth width) {
+post::Chart parameter_chart(const Ensemble& ensemble, const Analysis& analysis,
+                            post::ChartLine line, const std::string& y_label) {
   if (std::none_of(line.y.begin(), line.y.end(),
                    [](double y) { return std::isfinite(y); }))
     return {};
   post::Chart chart;
   chart.x_label = ensemble.parameters[*analysis.compared];
   chart.panels = {{y_label, {std::move(line)}}};
-  return post::chart_svg(chart, page_size(width));
+  return chart;
 }
 
 /// Returns the groups in ascending order of the parameter.
@@ -109,25 +99,6 @@ std::vector<std::size_t> by_parameter(const Analysis& analysis) {
     return analysis.axis[a] < analysis.axis[b];
   });
   return order;
-}
-
-std::string picture(const Ensemble& ensemble, const RunRow& row,
-                    post::FigureOptions options, bool with_first) {
-  post::ResultsReader results(ensemble.results_of(row));
-  if (ensemble.units)
-    results.show_in(*ensemble.units);
-  const long last = results.frames() - 1;
-  const std::vector<long> frames =
-      with_first && last > 0 ? std::vector<long>{0, last} : std::vector<long>{last};
-  options.units = ensemble.units;
-  options.material_names = results.material_names();
-  options.title = "";
-  if (with_first)
-    options.subtitle = fmt::format("{} blocks", results.frame(0).size());
-  if (results.frame(0).size() <= most_drawn_blocks)
-    return post::figure_svg(results, frames, options);
-  return fmt::format("<img alt=\"the blocks\" src=\"data:image/png;base64,{}\">",
-                     base64(post::figure_png(results, frames, options)));
 }
 
 }  // namespace
@@ -165,7 +136,7 @@ std::vector<double> bin_boundaries(std::vector<double> values) {
   return boundaries;
 }
 
-std::string profile_figure(const Ensemble& ensemble, const Analysis& analysis) {
+post::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis) {
   if (!ensemble.profile)
     return {};
   const auto* kind = quantities::find_quantity(ensemble.profile->quantity);
@@ -194,11 +165,11 @@ std::string profile_figure(const Ensemble& ensemble, const Analysis& analysis) {
       with_unit(ensemble.profile->line.segment ? "distance along the line" : "x",
                 post::unit_text(length, ensemble.units));
   chart.panels = {panel};
-  return post::chart_svg(chart, page_size(FigureWidth::whole));
+  return chart;
 }
 
-std::string histogram(const Ensemble& ensemble, const Analysis& analysis,
-                      std::size_t column, FigureWidth width) {
+post::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
+                      std::size_t column) {
   const Column& what = ensemble.columns[column];
   if (what.is_share)
     return {};
@@ -224,11 +195,11 @@ std::string histogram(const Ensemble& ensemble, const Analysis& analysis,
         mark(fmt::format("median {:.4g}", summary.median.value), summary.median.value));
     chart.panels.push_back(std::move(panel));
   }
-  return post::chart_svg(chart, page_size(width));
+  return chart;
 }
 
-std::string against_parameter(const Ensemble& ensemble, const Analysis& analysis,
-                              std::size_t column, FigureWidth width) {
+post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis,
+                              std::size_t column) {
   if (analysis.axis.empty())
     return {};
   const Column& what = ensemble.columns[column];
@@ -242,46 +213,50 @@ std::string against_parameter(const Ensemble& ensemble, const Analysis& analysis
   line.legend = what.is_share ? "share of the runs, with 95 % interval"
                               : "mean, with 95 % interval";
   return parameter_chart(ensemble, analysis, std::move(line),
-                         what.is_share ? "share" : with_unit("mean", what.unit), width);
+                         what.is_share ? "share" : with_unit("mean", what.unit));
 }
 
-std::string differences_figure(const Ensemble& ensemble, const Analysis& analysis,
-                               std::size_t column, FigureWidth width) {
+post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
+                        std::size_t column) {
   const Column& what = ensemble.columns[column];
   if (analysis.axis.empty() || what.is_share)
     return {};
   post::ChartLine line = points(analysis);
   std::string reference;
   for (const std::size_t g : by_parameter(analysis)) {
-    const auto& differences = analysis.groups[g].differences;
+    const auto& from = analysis.groups[g].differences;
     Summary summary;
     summary.mean = 0.0;  // of the reference from itself
-    if (differences)
-      summary = differences->columns[column];
-    if (differences)
-      reference = ensemble.name_of(ensemble.groups[differences->reference]);
+    if (from)
+      summary = from->columns[column];
+    if (from)
+      reference = ensemble.name_of(ensemble.groups[from->reference]);
     line.y.push_back(summary.mean);
     line.low.push_back(summary.mean_interval.low);
     line.high.push_back(summary.mean_interval.high);
   }
   line.legend = fmt::format("difference from {}, with 95 % interval", reference);
   return parameter_chart(ensemble, analysis, std::move(line),
-                         with_unit("difference", what.unit), width);
+                         with_unit("difference", what.unit));
 }
 
-std::string first_and_last(const Ensemble& ensemble, const RunRow& row,
-                           const std::optional<double>& mirror) {
-  post::FigureOptions options;
-  options.page = page_size(FigureWidth::whole);
-  options.mirror = mirror.has_value();
-  options.mirror_x = mirror.value_or(0.0);
-  return picture(ensemble, row, options, true);
-}
-
-std::string last_picture(const Ensemble& ensemble, const RunRow& row) {
-  post::FigureOptions options;
-  options.page = page_size(FigureWidth::whole);
-  return picture(ensemble, row, options, false);
+std::vector<NamedChart> all_charts(const Ensemble& ensemble, const Analysis& analysis) {
+  std::vector<NamedChart> charts;
+  const auto add = [&](std::string name, post::Chart chart) {
+    for (char& c : name)
+      if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '_')
+        c = '-';
+    if (!chart.panels.empty())
+      charts.push_back({std::move(name), std::move(chart)});
+  };
+  add("profile", profile_chart(ensemble, analysis));
+  for (std::size_t c = 0; c < ensemble.columns.size(); ++c) {
+    const std::string name = ensemble.columns[c].measure.name;
+    add("histogram-" + name, histogram(ensemble, analysis, c));
+    add("mean-" + name, against_parameter(ensemble, analysis, c));
+    add("difference-" + name, differences(ensemble, analysis, c));
+  }
+  return charts;
 }
 
 }  // namespace blocks::report

@@ -1,43 +1,35 @@
-// The figures of a report, as SVG for its page.
+// The charts of a report.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "post/line_chart.hpp"
 #include "report/analysis.hpp"
 #include "report/ensemble.hpp"
 
 namespace blocks::report {
 
-/// The width of a figure on the page.
-enum class FigureWidth { whole, half };
+/// A chart that has nothing to show has no panels.
 
 /// Returns the median and the band of the profiles of the groups; empty if there is no
 /// profile. At most most_groups_drawn groups are drawn.
-std::string profile_figure(const Ensemble& ensemble, const Analysis& analysis);
+post::Chart profile_chart(const Ensemble& ensemble, const Analysis& analysis);
 
 /// Returns the histogram of a measure, one panel for each group; empty if it has fewer
 /// than two values, or for a share.
-std::string histogram(const Ensemble& ensemble, const Analysis& analysis,
-                      std::size_t column, FigureWidth width);
+post::Chart histogram(const Ensemble& ensemble, const Analysis& analysis,
+                      std::size_t column);
 
 /// Returns the means of a measure against the numbers of the parameter that varies,
 /// with their intervals; empty if there is no such parameter.
-std::string against_parameter(const Ensemble& ensemble, const Analysis& analysis,
-                              std::size_t column, FigureWidth width);
+post::Chart against_parameter(const Ensemble& ensemble, const Analysis& analysis,
+                              std::size_t column);
 
 /// Returns the paired differences from the first value of the parameter, with their
 /// intervals; empty if there are none.
-std::string differences_figure(const Ensemble& ensemble, const Analysis& analysis,
-                               std::size_t column, FigureWidth width);
-
-/// Returns the first and the last picture of a run.
-std::string first_and_last(const Ensemble& ensemble, const RunRow& row,
-                           const std::optional<double>& mirror);
-
-/// Returns the last picture of a run.
-std::string last_picture(const Ensemble& ensemble, const RunRow& row);
+post::Chart differences(const Ensemble& ensemble, const Analysis& analysis,
+                        std::size_t column);
 
 /// The most groups in one figure of profiles or histograms.
 inline constexpr std::size_t most_groups_drawn = 6;
@@ -46,5 +38,15 @@ inline constexpr std::size_t most_groups_drawn = 6;
 /// and Diaconis (1981), 2 (q75 - q25) / n^(1/3), within 5 to 40 bins. Whole numbers
 /// have bins around them.
 std::vector<double> bin_boundaries(std::vector<double> values);
+
+/// A chart with the name of its file, such as "histogram-dy-min".
+struct NamedChart {
+  std::string name;
+  post::Chart chart;
+};
+
+/// Returns all charts of the report that have something to show. Characters of
+/// quantities other than letters, digits, '.' and '_' become '-' in the names.
+std::vector<NamedChart> all_charts(const Ensemble& ensemble, const Analysis& analysis);
 
 }  // namespace blocks::report

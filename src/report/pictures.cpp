@@ -1,0 +1,52 @@
+#include "report/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include "post/figure.hpp"
+#include "report/html_text.hpp"
+
+namespace blocks::report {
+namespace {
+
+/// Blocks of one picture that is drawn as lines; a larger model is an image.
+constexpr int most_drawn_blocks = 5000;
+
+post::PageSize whole_width() { return post::PageSize::in_print("240mm"); }
+
+std::string picture(const Ensemble& ensemble, const RunRow& row,
+                    post::FigureOptions options, bool with_first) {
+  post::ResultsReader results(ensemble.results_of(row));
+  if (ensemble.units)
+    results.show_in(*ensemble.units);
+  const long last = results.frames() - 1;
+  const std::vector<long> frames =
+      with_first && last > 0 ? std::vector<long>{0, last} : std::vector<long>{last};
+  options.units = ensemble.units;
+  options.material_names = results.material_names();
+  options.title = "";
+  if (with_first)
+    options.subtitle = fmt::format("{} blocks", results.frame(0).size());
+  if (results.frame(0).size() <= most_drawn_blocks)
+    return post::figure_svg(results, frames, options);
+  return fmt::format("<img alt=\"the blocks\" src=\"data:image/png;base64,{}\">",
+                     base64(post::figure_png(results, frames, options)));
+}
+
+}  // namespace
+
+std::string first_and_last(const Ensemble& ensemble, const RunRow& row,
+                           const std::optional<double>& mirror) {
+  post::FigureOptions options;
+  options.page = whole_width();
+  options.mirror = mirror.has_value();
+  options.mirror_x = mirror.value_or(0.0);
+  return picture(ensemble, row, options, true);
+}
+
+std::string last_picture(const Ensemble& ensemble, const RunRow& row) {
+  post::FigureOptions options;
+  options.page = whole_width();
+  return picture(ensemble, row, options, false);
+}
+
+}  // namespace blocks::report
