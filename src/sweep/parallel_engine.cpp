@@ -9,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -46,16 +47,20 @@ std::vector<std::string> lines_of(const std::string& path) {
 }
 
 /// The numbers of the jobs that the log has as done, from 1. Its columns are Seq, Host,
-/// Starttime, JobRuntime, Send, Receive, Exitval, Signal, Command.
-std::set<std::size_t> jobs_done(const std::string& folder) {
+/// Starttime, JobRuntime, Send, Receive, Exitval, Signal, Command. Nothing if a line is
+/// damaged because GNU parallel was killed: it would refuse this log.
+std::optional<std::set<std::size_t>> jobs_done(const std::string& folder) {
   std::set<std::size_t> done;
   for (const std::string& line : lines_of(log_path(folder))) {
+    if (line.starts_with("Seq"))
+      continue;
     std::istringstream words(line);
     std::size_t job = 0;
     std::string host, start, time, sent, received;
     int code = 0, signal = 0;
-    if (words >> job >> host >> start >> time >> sent >> received >> code >> signal &&
-        code == 0 && signal == 0)
+    if (!(words >> job >> host >> start >> time >> sent >> received >> code >> signal))
+      return std::nullopt;
+    if (code == 0 && signal == 0)
       done.insert(job);
   }
   return done;
@@ -66,9 +71,11 @@ std::set<std::size_t> jobs_done(const std::string& folder) {
 bool can_resume(const std::string& folder, const std::vector<std::size_t>& ids) {
   const auto packs = lines_of(packs_path(folder));
   const auto done = jobs_done(folder);
+  if (!done)
+    return false;
   std::size_t covered = 0;
   for (std::size_t i = 0; i < packs.size(); ++i) {
-    if (done.contains(i + 1))
+    if (done->contains(i + 1))
       continue;
     const std::string& pack = packs[i];
     std::size_t first = 0, last = 0;
