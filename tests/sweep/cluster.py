@@ -84,6 +84,10 @@ class Unavailable(Exception):
     """Says why a cluster cannot be started on this machine."""
 
 
+class DaemonEnded(Unavailable):
+    """Says why a daemon ended at its start; with another port it may work."""
+
+
 def free_port():
     """Returns a free port below those that the system gives to connections."""
     while True:
@@ -215,7 +219,7 @@ class Processes:
         for _ in range(STARTS - 1):
             try:
                 return self.start()
-            except Unavailable as reason:
+            except DaemonEnded as reason:
                 print(f"trying again: {reason}", flush=True)
                 kill_all(self.mark, self.home, self.roots())
                 shutil.rmtree(self.folder)
@@ -260,7 +264,7 @@ class Processes:
 
         def works():
             if self.daemons[name].poll() is not None:
-                raise Unavailable(f"{name} does not start: {self.last_lines(name)}")
+                raise DaemonEnded(f"{name} does not start: {self.last_lines(name)}")
             return condition()
 
         try:
