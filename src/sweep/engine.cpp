@@ -108,7 +108,11 @@ class Engine {
     for (const char* program : {"sbatch", "squeue", "scontrol"})
       expect_program("slurm", program, "log in to a machine of the cluster");
     if (const std::string jobs = jobs_at_work(folder_); !jobs.empty()) {
-      fmt::print("still at work: {}\n", jobs);
+      fmt::print(
+          "still at work: {}{}\n", jobs,
+          jobs.find("held") == std::string::npos
+              ? ""
+              : "\nscontrol release JOB lets a held job go on, scancel JOB ends it");
       return run::done;
     }
     if (open_.empty()) {

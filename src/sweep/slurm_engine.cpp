@@ -92,14 +92,16 @@ done
 trap '' TERM
 
 # Runs that stopped at a checkpoint go on later: the task waits in the queue again. One
-# that was cancelled is not RUNNING any more and does not come back. The number of the job
-# alone would name the whole array.
+# that was cancelled is not RUNNING any more and does not come back. Runs that stopped
+# without a signal were killed, or are at work in another task; they come back three times.
+[ $stopped = yes ] || [ "${{SLURM_RESTART_COUNT:-0}}" -lt 3 ] || exit $code
+# The number of the job alone would name the whole array.
 task=${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID
 tries=0
-while [ $code -eq 75 ] && [ $stopped = yes ] && [ $tries -lt 60 ]; do
+while [ $code -eq 75 ] && [ $tries -lt 60 ]; do
   if state=$(squeue --noheader --jobs="$task" --format=%T); then
     [ "$state" = RUNNING ] || break
-    scontrol requeue "$task" && sleep 60  # Slurm ends this script here.
+    scontrol requeue "$task" && break
   fi
   tries=$((tries + 1))  # The controller does not answer.
   sleep 5
@@ -136,11 +138,14 @@ std::string jobs_at_work(const std::string& folder) {
     return words;
   for (const std::string& job : jobs_of(folder)) {
     const ProgramEnd queue = call_program(
-        {"squeue", "--noheader", "--array", "--jobs=" + job, "--format=%T"}, true);
+        {"squeue", "--noheader", "--array", "--jobs=" + job, "--format=%T %r"}, true);
     std::map<std::string, int> states;
     std::istringstream lines(queue.code == 0 ? queue.output : "");
-    for (std::string state; std::getline(lines, state);)
-      ++states[state];
+    for (std::string line; std::getline(lines, line);) {
+      // "PENDING launch failed requeued held" and the like need a release by hand.
+      const bool is_held = line.find("held") != std::string::npos;
+      ++states[line.substr(0, line.find(' ')) + (is_held ? " and held" : "")];
+    }
     if (states.empty())
       continue;
     words += fmt::format("{}job {}:", words.empty() ? "" : "; ", job);
