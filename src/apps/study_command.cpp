@@ -13,6 +13,7 @@
 #include "run/run.hpp"
 #include "study/figure.hpp"
 #include "study/report.hpp"
+#include "sweep/study_tables.hpp"
 #include "text_file.hpp"
 
 namespace blocks::apps {
@@ -162,6 +163,15 @@ std::vector<study::Scene> make_scenes(const std::vector<std::string>& names,
   return scenes;
 }
 
+/// Whether an option is given that chooses frames or variants, which a sweep has fixed.
+bool chooses_frames(const StudyOptions& options) {
+  const StudyOptions usual;
+  return !options.variants.empty() || options.expected || options.offset ||
+         options.scale || options.frames != usual.frames ||
+         options.first != usual.first || options.steps != usual.steps ||
+         options.seed != usual.seed;
+}
+
 /// Writes the tables of the studies finished so far. The first call keeps an older file
 /// as .bak.
 void save(const StudyOptions& options, const std::vector<study::Study>& studies) {
@@ -211,10 +221,83 @@ CLI::Validator whole_between(std::uint64_t low, std::uint64_t high) {
       fmt::format("{} to {}", low, high));
 }
 
+/// Prints what was found in a scene. Returns the exit code.
+int print_study(const study::Study& done, bool first) {
+  fmt::print("{}{}", first ? "" : "\n", study::text(done));
+  std::fflush(stdout);  // the next scene may take a minute
+  if (!done.doubt.empty())
+    fmt::print(
+        stderr,
+        "blocks: warning: {}: the run of {}, which is the expected motion, {}\n  "
+        "hint: hang-ups are counted against that run, so they mean little here\n",
+        done.scene, done.expected, done.doubt);
+  if (done.refused.empty())
+    return run::done;
+  fmt::print(stderr,
+             "blocks: error: {} was not run: {}\n  hint: a smaller --offset or a "
+             "larger --scale leaves more digits for the blocks\n",
+             done.scene, done.refused);
+  return run::deck_error;
+}
+
+int finish(const StudyOptions& options, const std::vector<study::Study>& studies,
+           int code) {
+  if (!options.figure.empty())
+    study::draw_studies(options.figure, studies);
+  return options.gate && !default_is_sound(studies) ? run::unsound_run : code;
+}
+
+bool expect_default(const StudyOptions& options,
+                    const std::vector<const study::Variant*>& variants,
+                    const char* what_next) {
+  if (!options.gate ||
+      std::find(variants.begin(), variants.end(), default_rules()) != variants.end())
+    return true;
+  fmt::print(stderr, "blocks: error: --gate needs the variant {}: {}\n",
+             default_rules()->name, what_next);
+  return false;
+}
+
+/// Makes the tables of a sweep, without running a frame.
+int show_sweep(const StudyOptions& options) {
+  if (options.scenes.size() != 1 || chooses_frames(options)) {
+    fmt::print(
+        stderr,
+        "blocks: error: a sweep has its own scenes, frames and variants\n  hint: "
+        "name only its folder; --csv, --json, --figure and --gate are possible\n");
+    return run::usage_error;
+  }
+  const std::string& folder = options.scenes.front();
+  try {
+    check_files(options);
+    const sweep::Plan plan = sweep::read_plan(folder);
+    if (plan.kind == sweep::Kind::study &&
+        !expect_default(options, variants_meant(plan.variants),
+                        "make a sweep with --variants default"))
+      return run::usage_error;
+    std::vector<study::Study> studies = sweep::read_studies(folder, plan), done;
+    StudyOptions head = options;
+    head.frames = static_cast<int>(plan.runs.size() / studies.size());
+    int code = run::done;
+    for (study::Study& study : studies) {
+      done.push_back(std::move(study));
+      code = std::max(code, print_study(done.back(), done.size() == 1));
+      save(head, done);
+    }
+    return finish(options, done, code);
+  } catch (const output::FileError& error) {
+    fmt::print(stderr, "blocks: error: {}\n", error.what());
+    return run::file_error;
+  }
+}
+
 }  // namespace
 
 void add_study_options(CLI::App& command, StudyOptions& options) {
-  command.add_option("SCENE", options.scenes, "names of scenes, all, or decks");
+  command.add_option("SCENE", options.scenes,
+                     "names of scenes, all, or decks; or the folder of a sweep with "
+                     "--study, whose table "
+                     "is made from its outcomes");
   command.add_flag("--list", options.list, "list scenes and variants");
   command
       .add_option("--frames", options.frames, "number of random frames of each scene")
@@ -271,6 +354,8 @@ int study_contacts(const StudyOptions& options) {
                study::list_of_scenes());
     return run::usage_error;
   }
+  if (std::any_of(options.scenes.begin(), options.scenes.end(), sweep::has_plan))
+    return show_sweep(options);
   const auto names = scenes_meant(options.scenes);
   study::StudyChoice choice{{options.seed, options.offset, options.scale},
                             options.first,
@@ -292,13 +377,8 @@ int study_contacts(const StudyOptions& options) {
       return run::usage_error;
     choice.expected = expected.front();
   }
-  if (options.gate && std::find(choice.variants.begin(), choice.variants.end(),
-                                default_rules()) == choice.variants.end()) {
-    fmt::print(stderr,
-               "blocks: error: --gate needs the variant {}: add it to --variants\n",
-               default_rules()->name);
+  if (!expect_default(options, choice.variants, "add it to --variants"))
     return run::usage_error;
-  }
 
   try {
     check_files(options);
@@ -313,27 +393,10 @@ int study_contacts(const StudyOptions& options) {
   std::vector<study::Study> studies;
   for (study::Scene& scene : scenes) {
     studies.push_back(study::run_study(std::move(scene), choice));
-    const study::Study& done = studies.back();
-    fmt::print("{}{}", studies.size() > 1 ? "\n" : "", study::text(done));
-    std::fflush(stdout);  // the next scene may take a minute
-    if (!done.doubt.empty())
-      fmt::print(
-          stderr,
-          "blocks: warning: {}: the run of {}, which is the expected motion, {}\n  "
-          "hint: hang-ups are counted against that run, so they mean little here\n",
-          done.scene, done.expected, done.doubt);
-    if (!done.refused.empty()) {
-      fmt::print(stderr,
-                 "blocks: error: {} was not run: {}\n  hint: a smaller --offset or a "
-                 "larger --scale leaves more digits for the blocks\n",
-                 done.scene, done.refused);
-      code = run::deck_error;
-    }
+    code = std::max(code, print_study(studies.back(), studies.size() == 1));
     save(options, studies);
   }
-  if (!options.figure.empty())
-    study::draw_studies(options.figure, studies);
-  return options.gate && !default_is_sound(studies) ? run::unsound_run : code;
+  return finish(options, studies, code);
 }
 
 }  // namespace blocks::apps

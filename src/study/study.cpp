@@ -12,8 +12,6 @@
 namespace blocks::study {
 namespace {
 
-using Outcomes = std::vector<Outcome>;  ///< one for each variant, in one frame
-
 /// Calls work(i) for i in [0, count) from several threads. Rethrows an exception of one
 /// of them.
 template <class Work> void in_parallel(int count, int threads, Work work) {
@@ -40,54 +38,33 @@ template <class Work> void in_parallel(int count, int threads, Work work) {
     std::rethrow_exception(fault);
 }
 
-void add_share(std::vector<double>& shares, long part, long whole) {
-  if (whole > 0)
-    shares.push_back(static_cast<double>(part) / static_cast<double>(whole));
+double share(long part, long whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : not_asked;
 }
 
-Row summarise(const StudyChoice& choice, const std::vector<Outcomes>& all,
-              std::size_t v) {
-  Row row;
-  const std::uint64_t seed = choice.frames.seed;
-  row.variant = choice.variants[v];
-  row.frames = static_cast<int>(all.size());
-  std::vector<double> signs, tangents, phantom, missed, energy, steps, speeds;
-  bool could_hang = false;
-  for (int f = 0; f < row.frames; ++f) {
-    const Outcome& o = all[static_cast<std::size_t>(f)][v];
-    add_share(signs, o.signs.wrong_areas, o.signs.areas);
-    add_share(tangents, o.signs.wrong_tangents, o.signs.tangents);
-    add_share(phantom, o.phantom, o.acting);
-    add_share(missed, o.missed, o.exact);
-    if (!std::isnan(o.energy_error))
-      energy.push_back(o.energy_error);
-    if (!std::isnan(o.speed_lost))
-      speeds.push_back(o.speed_lost);
-    could_hang |= o.could_hang;
-    if (o.hung)
-      row.hung_in.push_back(choice.first + f);
-    if (o.fell_through)
-      row.fell_in.push_back(choice.first + f);
-    if (o.diverged >= 0)
-      steps.push_back(static_cast<double>(o.diverged));
-  }
-  row.hung = static_cast<long>(row.hung_in.size());
-  row.fell = static_cast<long>(row.fell_in.size());
-  row.diverged = static_cast<long>(steps.size());
-  row.wrong_signs = mean(signs, seed);
-  row.wrong_tangents = mean(tangents, seed);
-  row.phantom = mean(phantom, seed);
-  row.missed = mean(missed, seed);
-  if (could_hang)
-    row.hang_ups = rate(row.hung, row.frames);
-  row.speed_lost = mean(speeds, seed);
-  row.fall_throughs = rate(row.fell, row.frames);
-  row.energy = mean(energy, seed);
-  if (!energy.empty())
-    row.worst_energy = *std::max_element(energy.begin(), energy.end());
-  row.divergences = rate(row.diverged, row.frames);
-  row.divergence_step = median(steps);
-  return row;
+FrameValues values_of(const Outcome& outcome, int frame) {
+  const SignTally& signs = outcome.signs;
+  return {frame,
+          outcome.could_hang,
+          outcome.hung,
+          outcome.fell_through,
+          share(signs.wrong_areas, signs.areas),
+          share(signs.wrong_tangents, signs.tangents),
+          share(outcome.phantom, outcome.acting),
+          share(outcome.missed, outcome.exact),
+          outcome.speed_lost,
+          outcome.energy_error,
+          outcome.diverged >= 0 ? static_cast<double>(outcome.diverged) : not_asked};
+}
+
+/// The values of one quantity in the frames in which it was measured.
+std::vector<double> measured(const std::vector<FrameValues>& frames,
+                             double FrameValues::*value) {
+  std::vector<double> all;
+  for (const FrameValues& frame : frames)
+    if (!std::isnan(frame.*value))
+      all.push_back(frame.*value);
+  return all;
 }
 
 /// The options that reproduce the frames, as on the command line.
@@ -132,6 +109,43 @@ std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corne
 
 }  // namespace
 
+Row summarise(const Variant& variant, const std::vector<FrameValues>& frames,
+              std::uint64_t seed) {
+  Row row;
+  row.variant = &variant;
+  row.frames = static_cast<int>(frames.size());
+  bool could_hang = false;
+  for (const FrameValues& frame : frames) {
+    could_hang |= frame.could_hang;
+    if (frame.hung)
+      row.hung_in.push_back(frame.frame);
+    if (frame.fell)
+      row.fell_in.push_back(frame.frame);
+  }
+  const auto mean_of = [&](double FrameValues::*value) {
+    return mean(measured(frames, value), seed);
+  };
+  row.hung = static_cast<long>(row.hung_in.size());
+  row.fell = static_cast<long>(row.fell_in.size());
+  row.wrong_signs = mean_of(&FrameValues::wrong_signs);
+  row.wrong_tangents = mean_of(&FrameValues::wrong_tangents);
+  row.phantom = mean_of(&FrameValues::phantom);
+  row.missed = mean_of(&FrameValues::missed);
+  if (could_hang)
+    row.hang_ups = rate(row.hung, row.frames);
+  row.speed_lost = mean_of(&FrameValues::speed_lost);
+  row.fall_throughs = rate(row.fell, row.frames);
+  row.energy = mean_of(&FrameValues::energy_error);
+  const auto energy = measured(frames, &FrameValues::energy_error);
+  if (!energy.empty())
+    row.worst_energy = *std::max_element(energy.begin(), energy.end());
+  const auto steps = measured(frames, &FrameValues::diverged);
+  row.diverged = static_cast<long>(steps.size());
+  row.divergences = rate(row.diverged, row.frames);
+  row.divergence_step = median(steps);
+  return row;
+}
+
 Study run_study(Scene scene, const StudyChoice& all_chosen) {
   StudyChoice choice = all_chosen;
   Study study{scene.name,
@@ -160,7 +174,10 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
     study.expected = measure_of.name;
     study.doubt = set_expectation(scene, measure_of, study.steps);
   }
-  std::vector<Outcomes> all(static_cast<std::size_t>(choice.count));
+  // For each variant, the values of each frame.
+  std::vector<std::vector<FrameValues>> all(
+      choice.variants.size(),
+      std::vector<FrameValues>(static_cast<std::size_t>(choice.count)));
   in_parallel(choice.count, choice.threads, [&](int f) {
     Scene varied;
     const int number = choice.first + f;
@@ -168,15 +185,20 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
     const Frame frame = frame_of(here, choice.frames, number);
     Trace trace;
     const Outcome leading = measure(here, frame, reference, study.steps, trace);
-    for (const Variant* variant : choice.variants)
-      all[static_cast<std::size_t>(f)].push_back(
-          variant == &reference ? leading
-                                : measure(here, frame, *variant, study.steps, trace));
+    for (std::size_t v = 0; v < choice.variants.size(); ++v) {
+      const Variant& variant = *choice.variants[v];
+      all[v][static_cast<std::size_t>(f)] = values_of(
+          &variant == &reference ? leading
+                                 : measure(here, frame, variant, study.steps, trace),
+          number);
+    }
   });
   std::size_t ran = 0;
   for (std::size_t v = 0; v < all_chosen.variants.size(); ++v) {
     if (refusals[v].empty()) {
-      study.rows.push_back(summarise(choice, all, ran++));
+      study.rows.push_back(
+          summarise(*choice.variants[ran], all[ran], choice.frames.seed));
+      ++ran;
       continue;
     }
     Row& row = study.rows.emplace_back();

@@ -52,6 +52,21 @@ struct Study {
   bool must_pass = true;  ///< the default rules must pass in every frame
 };
 
+/// What was measured of a variant in one frame; NaN if it was not measured.
+struct FrameValues {
+  int frame = 0;  ///< its number
+  bool could_hang = false, hung = false, fell = false;
+  double wrong_signs = not_asked, wrong_tangents = not_asked;  ///< shares, 0 to 1
+  double phantom = not_asked, missed = not_asked;              ///< likewise
+  double speed_lost = not_asked, energy_error = not_asked;
+  double diverged = not_asked;  ///< first step that differs; NaN: none
+};
+
+/// Returns the line of a variant. seed: of the frames, from which the resamples of the
+/// intervals are drawn. The result depends on the order of the frames.
+Row summarise(const Variant& variant, const std::vector<FrameValues>& frames,
+              std::uint64_t seed);
+
 /// Runs every variant in the same frames. The result does not depend on the number of
 /// threads. A variant is refused if its blocks cannot be made in every frame.
 Study run_study(Scene scene, const StudyChoice& choice);

@@ -23,9 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The seed of the frames of a study, that of `blocks study contacts`.
-constexpr std::uint64_t study_seed = 1982;
-
 run::RunOptions options_of(const Plan& plan, const Variation& run) {
   run::RunOptions options;
   options.deck = plan.deck;
@@ -141,11 +138,9 @@ int check(const Plan& plan, const Variation& run, Json& measured) {
 }
 
 int study(const Plan& plan, const Variation& run, Json& measured) {
-  const std::string& scene = run.sets.front();
   try {
-    measured["study"] =
-        study_outcome(scene.substr(scene.find('=') + 1),
-                      static_cast<int>(run.seed.value()), study_seed, plan.variants);
+    measured["study"] = study_outcome(scene_of(run), static_cast<int>(run.seed.value()),
+                                      study_seed, plan.variants);
   } catch (const study::UnfitBlock& fault) {
     fmt::print(stderr, "blocks: error: {}\n", fault.what());
     return run::deck_error;

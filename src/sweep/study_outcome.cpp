@@ -33,6 +33,11 @@ Json as_json(const study::Row& row) {
 
 }  // namespace
 
+std::string scene_of(const Variation& run) {
+  const std::string& set = run.sets.front();
+  return set.substr(set.find('=') + 1);
+}
+
 Json study_outcome(study::Scene scene, int frame, std::uint64_t seed,
                    const std::vector<std::string>& variants) {
   study::StudyChoice choice;

@@ -8,8 +8,15 @@
 #include <vector>
 
 #include "study/scene.hpp"
+#include "sweep/axes.hpp"
 
 namespace blocks::sweep {
+
+/// The seed of the frames of a sweep, the default of `blocks study contacts`.
+inline constexpr std::uint64_t study_seed = 1982;
+
+/// Returns the scene of a run of a study, whose only set is "scene=NAME".
+std::string scene_of(const Variation& run);
 
 /// Runs the variants in one frame of a scene, as `blocks study contacts SCENE --first
 /// FRAME --frames 1 --seed SEED` does, with one thread.
