@@ -1,5 +1,6 @@
 #include "child_run.hpp"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@
 
 namespace blocks::bench {
 
-RunSeconds run_child(std::vector<std::string> words) {
+RunCost run_child(std::vector<std::string> words) {
   std::vector<char*> arguments;
   for (std::string& word : words)
     arguments.push_back(word.data());
@@ -17,6 +18,8 @@ RunSeconds run_child(std::vector<std::string> words) {
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0) {
+    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0)
+      dup2(nowhere, STDOUT_FILENO);
     execv(arguments[0], arguments.data());
     _exit(127);
   }
@@ -29,9 +32,13 @@ RunSeconds run_child(std::vector<std::string> words) {
     throw std::runtime_error("this run failed: " + line);
   }
   const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - start;
-  return {.user = static_cast<double>(used.ru_utime.tv_sec) +
-                  1e-6 * static_cast<double>(used.ru_utime.tv_usec),
-          .clock = clock.count()};
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return {.user = seconds(used.ru_utime),
+          .system = seconds(used.ru_stime),
+          .clock = clock.count(),
+          .memory = 1024.0 * static_cast<double>(used.ru_maxrss)};
 }
 
 }  // namespace blocks::bench

@@ -1,10 +1,8 @@
 // Times whole runs of the example decks: by the program, with its output, and step by
 // step, to measure the share of the search.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -13,30 +11,10 @@
 #include "child_run.hpp"
 #include "deck_model.hpp"
 #include "parts.hpp"
+#include "temporary_folder.hpp"
 
 namespace blocks::bench {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A temporary folder.
-class Folder {
- public:
-  Folder()
-      : path_(fs::temp_directory_path() / fmt::format("blocks_bench_{}", getpid())) {
-    fs::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 struct WholeRun {
   double seconds = 0.0, block_steps = 0.0;
@@ -46,14 +24,14 @@ struct WholeRun {
 /// Times a run. One thread is timed by processor time; several are timed by wall-clock
 /// time, which includes waiting.
 WholeRun run_program(const std::string& deck, bool whole, int threads) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string output = folder / "run";
   std::vector<std::string> words{BLOCKS_PROGRAM,          "run", deck,  "--quiet", "-j",
                                  std::to_string(threads), "-o",  output};
   if (!whole)
     words.insert(words.end(), {"--set", "MOTION.dt=0.1"});
   WholeRun run;
-  const RunSeconds took = run_child(words);
+  const RunCost took = run_child(words);
   run.seconds = threads > 1 ? took.clock : took.user;
   std::ifstream file(output + ".summary.json");
   const auto summary = nlohmann::json::parse(file);

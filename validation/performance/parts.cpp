@@ -51,7 +51,9 @@ const std::vector<Part>& parts() {
       {"predicates", "contact predicates and contact law alone", run_predicates},
       {"generation", "random layers cut and certified", run_generation},
       {"seeds", "random layers of many seeds, from the deck to their measures",
-       run_seeds}};
+       run_seeds},
+      {"sweeps", "what a sweep costs beside its runs, and its plan and report",
+       run_sweeps}};
   return all;
 }
 

@@ -40,5 +40,6 @@ void run_search(const Plan& plan, Report& report);
 void run_predicates(const Plan& plan, Report& report);
 void run_generation(const Plan& plan, Report& report);
 void run_seeds(const Plan& plan, Report& report);
+void run_sweeps(const Plan& plan, Report& report);
 
 }  // namespace blocks::bench
