@@ -20,6 +20,7 @@ usage() {
   validate SUBCOMMAND  long checks and measurements; each subcommand has its own --help:
                        problems     problems with known answers, validation/REPORT.md
                        layers       generated layers and their certificate
+                       seeds        random layers of many seeds
                        predicates   the contact predicates against MPFR
                        study        the scenes of contact detection
                        reliability  damaged files, full disks, failing memory, kills
@@ -27,6 +28,7 @@ usage() {
                        fuzz         libFuzzer on every reader
                        soak, rest   many steps of one deck
                        bench        times of scenes, against other codes
+                       big          one model of up to a million blocks
                        asan, tsan   every test under the sanitizers
 TEXT
 }

@@ -7,6 +7,7 @@ The exit code is 0 if everything passed.
 
 import argparse
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -69,6 +70,19 @@ def layers(arguments):
     return first_failure
 
 
+def seeds(arguments):
+    build("release", "blocks")
+    program, folder = RELEASE / "src/blocks", BUILD / "seeds.sweep"
+    shutil.rmtree(folder, ignore_errors=True)
+    table = HERE / "geometry/SEEDS.csv" if arguments.count >= arguments.full else BUILD / "SEEDS.csv"
+    code = run(program, "sweep", HERE / "geometry/layer.deck", "--check",
+               "--table", HERE / "geometry/orient.csv", "--seeds", f"1-{arguments.count}",
+               "-o", folder)
+    return code or run(program, "report", folder, "-o", table, "-q", "angles_redrawn,"
+                       "sides_redrawn,sides_ruled,width:sd,aspect:max,shortest_side:min,"
+                       "smallest_angle:min,p21,certificate")
+
+
 def predicates(arguments):
     build("ci", "predicates")
     return run(CI / "validation/geometry/predicates", "--inputs", arguments.count,
@@ -83,9 +97,15 @@ def problems(arguments):
 
 def study(arguments):
     build("release", "blocks")
-    return run(RELEASE / "src/blocks", "study", "contacts", "all", "--variants", "default",
-               "--frames", arguments.count, "-j", os.cpu_count(), "--gate",
-               *report_option(arguments.count, arguments.full, "robustness/CONTACTS.csv", "--csv"))
+    program, folder = RELEASE / "src/blocks", BUILD / "study.sweep"
+    if not arguments.resume:
+        shutil.rmtree(folder, ignore_errors=True)
+    # The last frame has the number count - 1.
+    code = run(program, "sweep", "all", "--study", "--variants", "default",
+               "--seeds", f"0-{arguments.count - 1}", "-o", folder)
+    return code or run(program, "study", "contacts", folder, "--gate",
+                       *report_option(arguments.count, arguments.full, "robustness/CONTACTS.csv",
+                                      "--csv"))
 
 
 def reliability(arguments):
@@ -136,6 +156,14 @@ def bench(arguments):
     return run(CI / "validation/performance/bench", *options, *arguments.parts)
 
 
+def big(arguments):
+    build("release", "blocks")
+    return run_python("performance/big_model.py", RELEASE / "src/blocks",
+                      HERE / "performance/BIG_MODEL" if arguments.largest == 6
+                      else BUILD / "BIG_MODEL",
+                      "--largest", arguments.largest, "--rounds", arguments.rounds)
+
+
 def sanitizers(arguments):
     preset = "fuzz" if arguments.subcommand == "asan" else "tsan"  # The fuzz preset has ASan.
     build(preset)
@@ -181,12 +209,17 @@ def parser():
         "Writes LAYERS.md, CERTIFICATE.md and DISTRIBUTION.md in validation/geometry and compares "
         "the layers that g++ and clang++ make. All four parts run; the exit code is that of the "
         "first part that fails.", (100_000, "random layers"))
+    add("seeds", seeds, "random layers of 100 blocks with sides of several angles",
+        "A sweep in build/seeds.sweep. Writes its report to validation/geometry/SEEDS.csv. Takes "
+        "half a minute.", (1000, "seeds for each range of angles"))
     add("predicates", predicates, "the contact predicates against MPFR",
         "Writes validation/geometry/PREDICATES.md.", (10_000_000, "inputs"))
-    add("study", study, "every scene of contact detection by the default rules",
-        "Exit code 4: a hang-up or fall-through in a scene that is known to pass, or a decision "
-        "that is not exact. Writes validation/robustness/CONTACTS.csv.",
-        (1000, "frames of each scene"))
+    command = add("study", study, "every scene of contact detection by the default rules",
+                  "A sweep in build/study.sweep. Exit code 4: a hang-up or fall-through in a "
+                  "scene that is known to pass, or a decision that is not exact. Writes "
+                  "validation/robustness/CONTACTS.csv.", (1000, "frames of each scene"))
+    command.add_argument("--resume", action="store_true",
+                         help="go on with an interrupted sweep of the same program")
     command = add("reliability", reliability, "files and inputs that are damaged or forged",
                   "Kills runs, fills disks, lets memory requests fail and changes files at random, "
                   "at length. Writes validation/reliability/REPORT.md.")
@@ -217,12 +250,20 @@ def parser():
                   "folder.")
     command.add_argument("parts", metavar="PART", nargs="*",
                          help="wall, pile, slope, crater, subsidence, decks, search, predicates, "
-                              "generation, seeds (default: all)")
+                              "generation, seeds, sweeps (default: all)")
     command.add_argument("--quick", action="store_true", help="small scenes; takes one minute")
     command.add_argument("-o", "--output", metavar="NAME", help="write NAME.md, .json and .png")
     command.add_argument("--rounds", type=whole_number, help="turns of each code (5; quick: 3)")
     command.add_argument("--largest", type=whole_number, metavar="K",
                          help="at most 10^K blocks (6; quick: 4)")
+    command = add("big", big, "one model of up to a million blocks",
+                  "Measures times, memory and files, and extrapolates them to ten times as many "
+                  "blocks. Takes half an hour. Writes validation/performance/BIG_MODEL.md and "
+                  ".csv; with another --largest, the same in build.")
+    command.add_argument("--largest", type=int, choices=(5, 6, 7), default=6, metavar="K",
+                         help="at most 10^K blocks: 5, 6 (default) or 7")
+    command.add_argument("--rounds", type=whole_number, default=3,
+                         help="runs of each kind; the least one counts (default 3)")
     for name, what in (("asan", "the address and undefined-behaviour sanitizers"),
                        ("tsan", "the thread sanitizer")):
         add(name, sanitizers, f"every test under {what}",
