@@ -9,15 +9,16 @@
 namespace blocks::geometry {
 
 /// A joint is the segment along which edges of two blocks touch. Edges touch, and
-/// corners meet, if they are within rounding_units of the coarsest unit in the last
-/// place of all outlines; blocks of two layers on one slanted line need this.
+/// corners meet, if their distance is at most 4 units in the last place of the largest
+/// coordinate (rounding_units in rounding.hpp), because blocks of two layers on one
+/// slanted line are rounded differently.
 ///
 /// Corners of different blocks that meet form one vertex.
 struct JointNetwork {
   double length = 0.0;  ///< [L] of all joints; a joint of two blocks counts once
   /// Vertices inside an edge of another block, so that a joint ends at this edge.
   int t_vertices = 0;
-  /// Vertices where at least four corners meet, and which are no T vertices.
+  /// Vertices where at least four corners meet, and that are not T vertices.
   int x_vertices = 0;
 };
 

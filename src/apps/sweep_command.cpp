@@ -63,7 +63,7 @@ bool has_new_parameters(const SweepOptions& options) {
   const sweep::Request& request = options.request;
   return !request.seeds.empty() || !request.sets.empty() || !request.table.empty() ||
          request.until || request.audit_every > 0 || options.check || options.study ||
-         !options.output.empty();
+         !request.variants.empty() || !options.output.empty();
 }
 
 int go_on(const std::string& folder, const sweep::Plan& plan,
@@ -83,19 +83,45 @@ sweep::Plan plan_of(const std::string& word, const SweepOptions& options, int& c
   return sweep::make_plan(request, code);
 }
 
+/// Refuses options that would have no effect.
+void expect_used(const SweepOptions& options) {
+  const sweep::EngineChoice& engine = options.engine;
+  const auto expect = [](bool given, const char* option, bool used, const char* user) {
+    if (given && !used)
+      throw std::runtime_error(
+          fmt::format("{} has no effect without {}\n  hint: remove it, or add {}",
+                      option, user, user));
+  };
+  expect(!engine.logins.empty(), "--sshloginfile", engine.name == "parallel",
+         "--engine parallel");
+  expect(!engine.sbatch.empty(), "--sbatch", engine.name == "slurm", "--engine slurm");
+  expect(engine.pack.has_value(), "--pack", engine.name != "local",
+         "--engine parallel or --engine slurm");
+  if (!fs::is_directory(options.words.front()))
+    expect(!options.request.variants.empty(), "--variants", options.study, "--study");
+}
+
+int tell_status(const std::string& folder) {
+  fmt::print("{}", sweep::status_text(folder, sweep::read_plan(folder)));
+  try {
+    if (const std::string jobs = sweep::jobs_at_work(folder); !jobs.empty())
+      fmt::print("Slurm has {}\n", jobs);
+  } catch (const std::runtime_error&) {
+    fmt::print("Slurm does not answer\n");
+  }
+  return run::done;
+}
+
 int sweep_or_throw(const SweepOptions& options) {
   const std::vector<std::string>& words = options.words;
-  if (words.size() == 2 && words.front() == "status") {
-    fmt::print("{}", sweep::status_text(words[1], sweep::read_plan(words[1])));
-    if (const std::string jobs = sweep::jobs_at_work(words[1]); !jobs.empty())
-      fmt::print("Slurm has {}\n", jobs);
-    return run::done;
-  }
+  if (words.size() == 2 && words.front() == "status")
+    return tell_status(words[1]);
   if (words.size() != 1)
     throw std::runtime_error(
         "expected a deck, the folder of a sweep, or status and a folder, found '" +
         fmt::format("{}", fmt::join(words, " ")) +
         "'\n  hint: blocks sweep --help shows what is possible");
+  expect_used(options);
   const std::string& word = words.front();
   if (fs::is_directory(word)) {
     if (has_new_parameters(options))
@@ -162,8 +188,8 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   sweep::EngineChoice& engine = options.engine;
   command
       .add_option("--engine", engine.name,
-                  "what runs the runs: this program (local), GNU parallel, or an array "
-                  "job of Slurm; the results are the same")
+                  "what starts the runs: this program (local), GNU parallel, or an "
+                  "array job of Slurm; the results are the same")
       ->check(CLI::IsMember({"local", "parallel", "slurm"}))
       ->capture_default_str();
   command
@@ -176,8 +202,10 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
                   "runs of one job of GNU parallel or one task of Slurm (default: 1, "
                   "or what the cluster needs)")
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--sshloginfile", engine.logins,
-                     "machines of GNU parallel, one per line; they share this folder");
+  command
+      .add_option("--sshloginfile", engine.logins,
+                  "machines of GNU parallel, one per line; they share this folder")
+      ->check(CLI::ExistingFile);
   command.add_option("--sbatch", engine.sbatch,
                      "further options of Slurm, such as '--partition=long --time=60'");
   command.add_flag("--dry-run", engine.dry_run,

@@ -35,19 +35,33 @@ std::uint64_t parse_seed(const std::string& text) {
                   "make several sweeps, each with some of the seeds");
 }
 
-/// Splits at commas that are outside of quotes and brackets.
+/// Splits at commas that are not in quotes.
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts(1);
-  bool quoted = false;
+  char quote = 0;  // the open one
   for (const char c : text) {
-    if (c == '"' || c == '\'')
-      quoted = !quoted;
-    if (c == ',' && !quoted)
+    if (quote == 0 && (c == '"' || c == '\''))
+      quote = c;
+    else if (c == quote)
+      quote = 0;
+    if (c == ',' && quote == 0)
       parts.emplace_back();
     else
       parts.back() += c;
   }
   return parts;
+}
+
+/// Whether two values are the same text, or the same number: .3 and 0.30.
+bool is_same_value(const std::string& a, const std::string& b) {
+  double x = 0.0, y = 0.0;
+  const auto is_number = [](const std::string& text, double& number) {
+    const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(begin, end, number);
+    return read.ec == std::errc() && read.ptr == end;
+  };
+  return a == b || (is_number(a, x) && is_number(b, y) && x == y);
 }
 
 bool is_field(const std::string& name) {
@@ -60,7 +74,8 @@ bool is_field(const std::string& name) {
 std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
   std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
   bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  const std::string mark = "\xEF\xBB\xBF";  // of UTF-8, which some programs write
+  for (std::size_t i = text.starts_with(mark) ? mark.size() : 0; i < text.size(); ++i) {
     const char c = text[i];
     std::string& field = rows.back().back();
     if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"')
@@ -99,7 +114,7 @@ std::vector<std::uint64_t> parse_seeds(const std::string& text) {
     const std::uint64_t last =
         dash == std::string::npos ? first : parse_seed(part.substr(dash + 1));
     if (last < first)
-      throw AxisFault(fmt::format("the seeds {} have no first one", trimmed(part)),
+      throw AxisFault(fmt::format("the seeds {} end before they begin", trimmed(part)),
                       fmt::format("write them as {}-{}", last, first));
     if (last - first >= most_runs || seeds.size() + (last - first) >= most_runs)
       refuse_number_of_runs();
@@ -128,7 +143,8 @@ Axis parse_axis(const std::string& text) {
     if (value.empty())
       throw AxisFault(fmt::format("--set {}: a value is missing", text),
                       "separate the values by single commas");
-    if (std::find(axis.values.begin(), axis.values.end(), value) != axis.values.end())
+    if (std::any_of(axis.values.begin(), axis.values.end(),
+                    [&](const auto& other) { return is_same_value(other, value); }))
       throw AxisFault(fmt::format("--set {}: the value {} is given twice", text, value),
                       "name each value once");
     axis.values.push_back(value);

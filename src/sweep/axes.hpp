@@ -19,7 +19,7 @@ struct AxisFault : std::runtime_error {
   std::string hint;
 };
 
-/// What one run has of its own.
+/// The seed and the values in which one run differs from others.
 struct Variation {
   std::optional<std::uint64_t> seed;  ///< empty: that of the deck
   std::vector<std::string> sets;      ///< "CARD.field=value", in the order of the axes

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "run/progress_line.hpp"
@@ -36,6 +38,16 @@ std::vector<std::string> words_in(const std::string& text) {
   return words;
 }
 
+/// Returns what to do about files that cannot be written.
+std::string remedy_of(const std::string& message) {
+  const auto says = [&](int reason) {
+    return message.find(std::generic_category().message(reason)) != std::string::npos;
+  };
+  return says(ENOSPC) || says(EDQUOT) || says(EFBIG)  ? "make room"
+         : says(EACCES) || says(EROFS) || says(EPERM) ? "make the folder writable"
+                                                      : "correct this";
+}
+
 /// One call of an engine.
 class Engine {
  public:
@@ -53,26 +65,32 @@ class Engine {
   }
 
  private:
+  std::size_t number_of_runs() const { return runs_.last - runs_.first + 1; }
   std::string again() const { return "blocks sweep " + run::shell_word(folder_); }
 
   int local() {
     if (choice_.dry_run) {
-      fmt::print("{} of {} runs are open\n", open_.size(), plan_.runs.size());
+      if (!choice_.quiet)
+        fmt::print("{} of {} runs are open\n", open_.size(), number_of_runs());
       return run::done;
     }
     const int processors =
         std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const LocalResult result = run_local(
-        folder_, plan_, open_,
-        {choice_.run, choice_.jobs > 0 ? choice_.jobs : processors, choice_.quiet});
+    const LocalResult result =
+        run_local(folder_, plan_, open_,
+                  {choice_.run, choice_.jobs > 0 ? choice_.jobs : processors,
+                   number_of_runs(), choice_.quiet});
     tell_counts();
-    if (result.not_written > 0) {
-      fmt::print(stderr,
-                 "blocks: error: run {} could not write its files: {}\n  hint: make "
-                 "room, then {} goes on\n",
-                 result.not_written, result.message, again());
+    if (result.not_written) {
+      fmt::print(
+          stderr,
+          "blocks: error: run {} could not write its files: {}\n  hint: {}, then "
+          "give {} again\n",
+          *result.not_written, result.message, remedy_of(result.message), again());
       return run::file_error;
     }
+    if (result.elsewhere > 0 && !choice_.quiet)
+      fmt::print("{} of the runs are at work in another process\n", result.elsewhere);
     if (result.killed > 0)
       fmt::print(stderr,
                  "blocks: warning: {} of the runs were killed, perhaps because memory "
@@ -90,43 +108,46 @@ class Engine {
       fmt::print("{}\n", shell_line(parallel_words(folder_, choice)));
       return run::done;
     }
-    const int signal =
-        open_.empty() ? 0 : run_parallel(folder_, open_, plan_.runs.size(), choice);
+    const ParallelEnd result =
+        open_.empty() ? ParallelEnd{}
+                      : run_parallel(folder_, open_, number_of_runs(), choice);
     tell_counts();
-    return end(signal);
+    if (result.code != 0 && result.signal == 0 &&
+        open_runs(folder_, runs_).size() == open_.size())
+      throw std::runtime_error(
+          fmt::format("GNU parallel ended with code {} before any run did\n  hint: see "
+                      "its message above, correct this, and give {} again",
+                      result.code, again()));
+    return end(result.signal);
   }
 
   int slurm() {
     SlurmChoice choice{choice_.run, choice_.jobs, choice_.pack.value_or(1),
                        words_in(choice_.sbatch)};
-    if (choice_.dry_run && !open_.empty()) {
-      const SlurmJob job = slurm_job(folder_, open_, choice);
-      fmt::print("# {}\n{}", shell_line(job.words), job.script);
-    }
-    if (choice_.dry_run)
+    if (choice_.dry_run) {
+      if (!find_program("scontrol").empty())
+        fit_packs(choice);
+      if (!open_.empty()) {
+        const SlurmJob job = slurm_job(folder_, open_, choice);
+        fmt::print("# {}\n{}", shell_line(job.words), job.script);
+      }
       return run::done;
+    }
     for (const char* program : {"sbatch", "squeue", "scontrol"})
       expect_program("slurm", program, "log in to a machine of the cluster");
     if (const std::string jobs = jobs_at_work(folder_); !jobs.empty()) {
-      fmt::print(
-          "still at work: {}{}\n", jobs,
-          jobs.find("held") == std::string::npos
-              ? ""
-              : "\nscontrol release JOB lets a held job go on, scancel JOB ends it");
+      fmt::print("still at work: {}{}\n", jobs,
+                 jobs.find("held") == std::string::npos
+                     ? ""
+                     : "\nscontrol release JOB lets a held job go on, scancel JOB ends "
+                       "it");
       return run::done;
     }
     if (open_.empty()) {
       tell_counts();
       return run::done;
     }
-    const std::size_t most = most_tasks(),
-                      least_pack = (open_.size() + most - 1) / most;
-    if (choice_.pack && *choice_.pack < least_pack)
-      throw std::runtime_error(
-          fmt::format("an array job of this cluster has at most {} tasks, so {} runs "
-                      "need --pack {} or more\n  hint: without --pack, it is chosen",
-                      most, open_.size(), least_pack));
-    choice.pack = std::max(choice.pack, least_pack);
+    fit_packs(choice);
     const std::string job = submit(folder_, slurm_job(folder_, open_, choice));
     if (!choice_.quiet)
       fmt::print(
@@ -136,12 +157,24 @@ class Engine {
     return run::done;
   }
 
+  /// Makes the packs so large that an array job holds all of them.
+  void fit_packs(SlurmChoice& choice) const {
+    const std::size_t most = most_tasks(),
+                      least_pack = (open_.size() + most - 1) / most;
+    if (choice_.pack && *choice_.pack < least_pack)
+      throw std::runtime_error(
+          fmt::format("an array job of this cluster has at most {} tasks, so {} runs "
+                      "need --pack {} or more\n  hint: without --pack, it is chosen",
+                      most, open_.size(), least_pack));
+    choice.pack = std::max(choice.pack, least_pack);
+  }
+
   void tell_counts() const {
     if (choice_.quiet)
       return;
-    const std::size_t all = runs_.last - runs_.first + 1;
     const std::chrono::duration<double> spent = Clock::now() - begin_;
-    fmt::print("{} runs: {}{}: {}\n", all, words_of(count_runs(folder_, runs_)),
+    fmt::print("{} runs: {}{}: {}\n", number_of_runs(),
+               words_of(count_runs(folder_, runs_)),
                open_.empty() ? "" : ", in " + run::duration(spent.count()), folder_);
   }
 

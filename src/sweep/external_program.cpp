@@ -22,6 +22,10 @@ namespace {
   throw std::system_error(reason, std::generic_category(), "cannot call " + name);
 }
 
+int code_of(int status) {
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
 std::vector<char*> pointers_to(const std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (const std::string& word : words)
@@ -103,7 +107,7 @@ ProgramEnd call_program(const std::vector<std::string>& words, bool keep_output)
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  end.code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  end.code = code_of(status);
   return end;
 }
 
@@ -128,8 +132,11 @@ ProgramProcess::~ProgramProcess() {
 }
 
 bool ProgramProcess::has_ended() {
-  if (process_ > 0 && ::waitpid(process_, nullptr, WNOHANG) == process_)
+  int status = 0;
+  if (process_ > 0 && ::waitpid(process_, &status, WNOHANG) == process_) {
     process_ = -1;
+    code_ = code_of(status);
+  }
   return process_ < 0;
 }
 

@@ -34,10 +34,13 @@ class ProgramProcess {
   ProgramProcess& operator=(const ProgramProcess&) = delete;
 
   bool has_ended();
+  /// Returns the exit code, or 128 + signal, after it has ended.
+  int code() const { return code_; }
   void send(int signal) const;
 
  private:
   pid_t process_ = -1;
+  int code_ = 0;
 };
 
 /// Returns the words as a line for a POSIX shell.

@@ -27,8 +27,8 @@ class LocalEngine {
   LocalEngine(const std::string& folder, const Plan& plan,
               const std::vector<std::size_t>& ids, const LocalChoice& choice)
       : folder_(folder), plan_(plan), choice_(choice), queue_(ids.begin(), ids.end()),
-        progress_(plan.runs.size() - ids.size(), plan.runs.size(), choice.quiet),
-        finished_(plan.runs.size() - ids.size()) {}
+        progress_(choice.all - ids.size(), choice.all, choice.quiet),
+        finished_(choice.all - ids.size()) {}
 
   LocalResult run() {
     while (true) {
@@ -53,7 +53,9 @@ class LocalEngine {
   }
 
  private:
-  bool stops() const { return signals_.signal() != 0 || result_.not_written > 0; }
+  bool stops() const {
+    return signals_.signal() != 0 || result_.not_written.has_value();
+  }
 
   /// Short runs share a process, because starting one costs more than they do.
   std::size_t runs_per_worker() const {
@@ -98,7 +100,7 @@ class LocalEngine {
       if (const auto ended = here->next_end()) {
         note(id, *ended);
       } else {
-        lay_off(*here);
+        take_back(*here);
         workers_.erase(here);
       }
     }
@@ -111,27 +113,27 @@ class LocalEngine {
       failed_ += end.code == run::done ? 0 : 1;
     } else if (end.what == What::elsewhere) {
       ++result_.elsewhere;
-    } else if (end.what == What::not_written && result_.not_written == 0) {
+    } else if (end.what == What::not_written && !result_.not_written) {
       result_.not_written = id;
       result_.message = end.message;
     }
   }
 
-  /// Takes back the runs of a process that has ended.
-  void lay_off(Worker& worker) {
+  /// Takes back the runs that a process has not reported at its end. The first of them,
+  /// at which it ended, is not given to another process.
+  void take_back(Worker& worker) {
     const int signal = worker.signal();
-    std::deque<std::size_t> back = worker.open();
-    if (signal != 0 && !back.empty()) {
-      if (is_crash(signal)) {
-        write_crash(folder_, back.front(), signal);
-        ++finished_;
-        ++failed_;
-      } else {
-        ++result_.killed;
-      }
-      back.pop_front();
+    const std::deque<std::size_t>& open = worker.open();
+    if (open.empty())
+      return;
+    if (is_crash(signal)) {
+      write_crash(folder_, open.front(), signal);
+      ++finished_;
+      ++failed_;
+    } else {
+      ++result_.killed;
     }
-    queue_.insert(queue_.begin(), back.begin(), back.end());
+    queue_.insert(queue_.begin(), open.begin() + 1, open.end());
   }
 
   const std::string& folder_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,17 +14,18 @@ namespace blocks::sweep {
 
 struct LocalChoice {
   RunChoice run;
-  int jobs = 1;  ///< runs at once
+  int jobs = 1;         ///< runs at once
+  std::size_t all = 0;  ///< runs that the progress line counts, finished ones included
   bool quiet = false;
 };
 
 /// What happened to the runs that the engine was given.
 struct LocalResult {
-  int signal = 0;               ///< that ended the engine; 0: none
-  std::size_t killed = 0;       ///< runs whose process was killed
-  std::size_t elsewhere = 0;    ///< runs that another process has
-  std::size_t not_written = 0;  ///< run that could not write its files, or 0
-  std::string message;          ///< why it could not
+  int signal = 0;                          ///< that ended the engine; 0: none
+  std::size_t killed = 0;                  ///< number of runs whose process was killed
+  std::size_t elsewhere = 0;               ///< number of runs that another process has
+  std::optional<std::size_t> not_written;  ///< id of a run that could not write files
+  std::string message;                     ///< why it could not
 };
 
 /// Runs the runs with these ids. SIGINT, SIGTERM and SIGHUP end the running ones at a

@@ -49,12 +49,12 @@ class RunFolder {
         return name_ + ending;
     return {};
   }
-  /// Removes what a run without a checkpoint has left.
+  /// Removes what a run without a checkpoint has left: all but the log, which is the
+  /// lock.
   void clear() const {
-    const std::string stem = fs::path(name_).filename().string() + '.';
     for (const auto& entry : fs::directory_iterator(folder_))
-      if (entry.path().filename().string().starts_with(stem))
-        fs::remove(entry.path());
+      if (entry.path().filename() != RunLog::file_name)
+        fs::remove_all(entry.path());
   }
   /// Keeps the measures of the blocks at the start. A run that goes on from a
   /// checkpoint does not make them again.
@@ -188,7 +188,7 @@ RunEnd run_once(const std::string& folder, const Plan& plan, std::size_t id,
               outcome.code, outcome.message};
     outcome.status = status_of(outcome.code);
     write_outcome(place, outcome);
-  } catch (const output::FileError& fault) {
+  } catch (const std::exception& fault) {  // of the log, too
     return {What::not_written, run::file_error, fault.what()};
   }
   return {What::finished, outcome.code, outcome.message};
@@ -198,7 +198,7 @@ void write_crash(const std::string& folder, std::size_t id, int signal) {
   const int code = 128 + signal;
   write_outcome(
       run_folder(folder, id),
-      {code, status_of(code), "the program crashed; log.txt has its last words"});
+      {code, status_of(code), "the program crashed; log.txt may say where"});
 }
 
 }  // namespace blocks::sweep

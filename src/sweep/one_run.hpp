@@ -28,9 +28,9 @@ struct RunEnd {
 };
 
 /// Runs the run with this id of the plan in `folder`, from its checkpoint if it has
-/// one, and writes its outcome. The process holds a lock on the folder of the run, so
-/// no run is run twice at a time. Standard output and error of this process become the
-/// log of the run. Uses one thread. Call it in a process of its own.
+/// one, and writes its outcome. Meanwhile this process holds the lock on the log of the
+/// run, so no run is run twice at a time. Standard output and error of this process
+/// become that log. Uses one thread. Call it in a process of its own.
 RunEnd run_once(const std::string& folder, const Plan& plan, std::size_t id,
                 const RunChoice& choice);
 

@@ -61,10 +61,10 @@ std::optional<Outcome> read_outcome(const std::string& run_folder) {
       json.erase(key);
     outcome.measured = std::move(json);
     return outcome;
-  } catch (const std::exception& fault) {
+  } catch (const std::exception&) {
     throw output::FileError(fmt::format(
-        "cannot read {}: {}\n  hint: remove it, and blocks sweep goes on with this run",
-        path_of(run_folder), fault.what()));
+        "{} is damaged\n  hint: remove it, and blocks sweep goes on with this run",
+        path_of(run_folder)));
   }
 }
 

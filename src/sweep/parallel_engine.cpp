@@ -127,8 +127,8 @@ std::vector<std::string> parallel_words(const std::string& folder,
   return words;
 }
 
-int run_parallel(const std::string& folder, const std::vector<std::size_t>& ids,
-                 std::size_t all, const ParallelChoice& choice) {
+ParallelEnd run_parallel(const std::string& folder, const std::vector<std::size_t>& ids,
+                         std::size_t all, const ParallelChoice& choice) {
   using namespace std::chrono_literals;
   prepare(folder, ids, choice.pack);
   SignalWatch signals;
@@ -146,7 +146,7 @@ int run_parallel(const std::string& folder, const std::vector<std::size_t>& ids,
       progress.show(all - count_open(folder, ids));
   }
   progress.clear();
-  return signals.signal();
+  return {signals.signal(), parallel.code()};
 }
 
 }  // namespace blocks::sweep

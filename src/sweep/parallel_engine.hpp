@@ -23,11 +23,15 @@ struct ParallelChoice {
 std::vector<std::string> parallel_words(const std::string& folder,
                                         const ParallelChoice& choice);
 
-/// Runs these runs and waits for them. All of `all` runs are counted in the progress
-/// line. Returns the signal that stopped it, or 0. SIGINT, SIGTERM and SIGHUP end the
-/// running ones at a checkpoint. Throws std::system_error if GNU parallel cannot be
-/// started.
-int run_parallel(const std::string& folder, const std::vector<std::size_t>& ids,
-                 std::size_t all, const ParallelChoice& choice);
+struct ParallelEnd {
+  int signal = 0;  ///< that stopped it; 0: none
+  int code = 0;  ///< exit code of GNU parallel: the number of failed jobs, or an error
+};
+
+/// Runs these runs and waits for them. The progress line counts `all` runs, finished
+/// ones included. SIGINT, SIGTERM and SIGHUP end the running ones at a checkpoint.
+/// Throws std::system_error if GNU parallel cannot be started.
+ParallelEnd run_parallel(const std::string& folder, const std::vector<std::size_t>& ids,
+                         std::size_t all, const ParallelChoice& choice);
 
 }  // namespace blocks::sweep

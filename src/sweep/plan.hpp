@@ -51,8 +51,7 @@ void write_plan(const std::string& folder, const Plan& plan);
 /// or if it is damaged.
 Plan read_plan(const std::string& folder);
 
-/// Returns in words what the second plan has that differs from the first one; empty if
-/// they are the same.
+/// Describes the first difference between two plans; empty if they are the same.
 std::string difference(const Plan& there, const Plan& wanted);
 
 /// Returns the hash of a deck and the meshes that it reads. Throws output::FileError.

@@ -13,7 +13,7 @@
 
 namespace blocks::sweep {
 
-RunLog::RunLog(const std::string& run_folder) : path_(run_folder + "/log.txt") {
+RunLog::RunLog(const std::string& run_folder) : path_(run_folder + '/' + file_name) {
   const int flags = O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, mode = 0666;
   file_ = ::open(path_.c_str(), flags, mode);
   if (file_ < 0 && errno == ENOENT) {

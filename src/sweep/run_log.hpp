@@ -1,4 +1,5 @@
-// The log of a run, log.txt: what the run prints. It is also the lock of its folder.
+// The log of a run, log.txt, has everything that the run prints. A process that runs it
+// holds a lock on this file.
 #pragma once
 
 #include <string>
@@ -7,6 +8,8 @@ namespace blocks::sweep {
 
 class RunLog {
  public:
+  static constexpr const char* file_name = "log.txt";
+
   /// Opens the log of a run, and creates its folder if it is missing. Throws
   /// output::FileError.
   explicit RunLog(const std::string& run_folder);

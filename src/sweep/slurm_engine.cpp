@@ -133,26 +133,34 @@ SlurmJob slurm_job(const std::string& folder, const std::vector<std::size_t>& id
 }
 
 std::string jobs_at_work(const std::string& folder) {
-  std::string words;
-  if (find_program("squeue").empty())
-    return words;
-  for (const std::string& job : jobs_of(folder)) {
-    const ProgramEnd queue = call_program(
-        {"squeue", "--noheader", "--array", "--jobs=" + job, "--format=%T %r"}, true);
-    std::map<std::string, int> states;
-    std::istringstream lines(queue.code == 0 ? queue.output : "");
-    for (std::string line; std::getline(lines, line);) {
-      // "PENDING launch failed requeued held" and the like need a release by hand.
-      const bool is_held = line.find("held") != std::string::npos;
-      ++states[line.substr(0, line.find(' ')) + (is_held ? " and held" : "")];
-    }
-    if (states.empty())
-      continue;
-    words += fmt::format("{}job {}:", words.empty() ? "" : "; ", job);
-    for (const auto& [state, number] : states)
-      words += fmt::format("{} {} {}", words.ends_with(':') ? "" : ",", number, state);
+  const auto jobs = jobs_of(folder);
+  if (jobs.empty() || find_program("squeue").empty())
+    return {};
+  const ProgramEnd queue = call_program(
+      {"squeue", "--me", "--noheader", "--array", "--format=%F %T %r"}, true);
+  if (queue.code != 0)
+    throw std::runtime_error(
+        "Slurm does not answer, so it is not known whether jobs of this sweep are at "
+        "work\n  hint: give the same command again when squeue works");
+  std::map<std::string, std::map<std::string, int>> states;  // of each job
+  std::istringstream lines(queue.output);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string job, state;
+    words >> job >> state;
+    // "launch failed requeued held" and the like need a release by hand.
+    if (line.find("held") != std::string::npos)
+      state += " and held";
+    if (std::find(jobs.begin(), jobs.end(), job) != jobs.end())
+      ++states[job][state];
   }
-  return words;
+  std::string text;
+  for (const auto& [job, numbers] : states) {
+    text += fmt::format("{}job {}:", text.empty() ? "" : "; ", job);
+    for (const auto& [state, number] : numbers)
+      text += fmt::format("{} {} {}", text.ends_with(':') ? "" : ",", number, state);
+  }
+  return text;
 }
 
 std::size_t most_tasks() {
@@ -179,7 +187,11 @@ std::string submit(const std::string& folder, const SlurmJob& job) {
         "--sbatch, or what its message says, and give the same command again",
         end.code));
   const std::string number = end.output.substr(0, end.output.find(';'));
-  std::ofstream(jobs_path(folder), std::ios::app) << number << '\n';
+  std::ofstream jobs(jobs_path(folder), std::ios::app);
+  jobs << number << '\n';
+  jobs.close();
+  if (!jobs)
+    output::throw_errno("write", jobs_path(folder));
   return number;
 }
 

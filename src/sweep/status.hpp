@@ -15,15 +15,14 @@ struct Range {
   std::size_t first = 1, last = 1;
 };
 
-/// Returns how many of these runs have each status, from their outcomes. Throws
-/// output::FileError if one is damaged.
+/// Returns how many of these runs have each status, from their outcomes.
 Counts count_runs(const std::string& folder, const Range& runs);
 
 /// Returns those of these runs that have no outcome, in order.
 std::vector<std::size_t> open_runs(const std::string& folder, const Range& runs);
 
 /// Removes the outcomes of those of these runs that ended with an error or a limit of
-/// time, so that they go on. Throws output::FileError.
+/// time, or whose outcome is damaged, so that they continue. Throws output::FileError.
 void reopen_failed_runs(const std::string& folder, const Range& runs);
 
 /// Returns the text of `blocks sweep status`: the plan, the counts, and the first

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "run/interrupt.hpp"
+#include "run/run.hpp"
 
 namespace blocks::sweep {
 namespace {
@@ -30,28 +31,57 @@ struct Report {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
+/// Writes a report. Returns false if nobody reads it any more.
+bool send_report(int pipe, const RunEnd& end) {
+  Report report{end.what, end.code, {}};
+  end.message.copy(report.message.data(), report.message.size() - 1);
+  return ::write(pipe, &report, sizeof report) == static_cast<ssize_t>(sizeof report);
+}
+
+/// The work of the new process. Nothing is thrown to its caller, which has the objects
+/// of the parent.
 [[noreturn]] void work(const std::string& folder, const Plan& plan,
                        const std::deque<std::size_t>& ids, const RunChoice& choice,
                        int pipe, pid_t parent) {
   ::setpgid(0, 0);  // Ctrl-C reaches the parent alone, which passes it on once
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   std::signal(SIGPIPE, SIG_IGN);
-  run::catch_interrupts();
   if (::getppid() != parent)
     ::_exit(0);
-  for (const std::size_t id : ids) {
-    if (run::interrupt_requested())
-      break;
-    const RunEnd end = run_once(folder, plan, id, choice);
-    Report report{end.what, end.code, {}};
-    end.message.copy(report.message.data(), report.message.size() - 1);
-    if (::write(pipe, &report, sizeof report) != static_cast<ssize_t>(sizeof report))
-      break;
+  try {
+    for (const std::size_t id : ids)
+      if (run::interrupt_requested() ||
+          !send_report(pipe, run_once(folder, plan, id, choice)))
+        break;
+  } catch (const std::exception& fault) {
+    send_report(pipe, {RunEnd::What::not_written, run::file_error, fault.what()});
   }
   std::cout.flush();
   std::fflush(nullptr);
   ::_exit(0);  // without the ends of the objects of the parent
 }
+
+/// Keeps SIGINT, SIGTERM and SIGHUP waiting as long as it exists.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t held;
+    ::sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+      ::sigaddset(&held, signal);
+    ::sigprocmask(SIG_BLOCK, &held, &before_);
+  }
+  ~HeldSignals() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+  void release_in_child() const {
+    run::catch_interrupts();
+    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+ private:
+  sigset_t before_{};
+};
 
 }  // namespace
 
@@ -64,11 +94,14 @@ Worker::Worker(const std::string& folder, const Plan& plan,
   std::cout.flush();
   std::fflush(nullptr);  // the child has a copy of what is not written yet
   const pid_t parent = ::getpid();
+  // A signal between the fork and the handlers of the child would be lost.
+  const HeldSignals held;
   process_ = ::fork();
   if (process_ < 0)
     fail("cannot start a run");
   if (process_ == 0) {
     ::close(ends[0]);
+    held.release_in_child();
     work(folder, plan, open_, choice, ends[1], parent);
   }
   ::close(ends[1]);

@@ -30,7 +30,7 @@ TEST(Axes, SeedsAreRangesAndNumbers) {
 TEST(Axes, SeedsThatAreNoneAreRefused) {
   for (const char* text : {"", "a", "-1", "1.5", "1-", "3,", "1e3", "9007199254740992"})
     EXPECT_THAT(fault_of([&] { parse_seeds(text); }), HasSubstr("a seed is")) << text;
-  EXPECT_THAT(fault_of([] { parse_seeds("9-3"); }), HasSubstr("no first one"));
+  EXPECT_THAT(fault_of([] { parse_seeds("9-3"); }), HasSubstr("end before they begin"));
   EXPECT_THAT(fault_of([] { parse_seeds("1-5,3"); }), HasSubstr("3 is given twice"));
   EXPECT_THAT(fault_of([] { parse_seeds("0-1000000"); }), HasSubstr("at most"));
   EXPECT_THAT(fault_of([] { parse_seeds("0-9007199254740991"); }),
@@ -47,10 +47,12 @@ TEST(Axes, AnAxisHasAFieldAndValues) {
         << text;
   EXPECT_THAT(fault_of([] { parse_axis("A.b=1,,2"); }), HasSubstr("missing"));
   EXPECT_THAT(fault_of([] { parse_axis("A.b=1,2,1"); }), HasSubstr("twice"));
+  EXPECT_THAT(fault_of([] { parse_axis("A.b=.3,0.30"); }), HasSubstr("twice"));
+  EXPECT_THAT(parse_axis("A.b='x,\"y',z").values, ElementsAre("'x,\"y'", "z"));
 }
 
 TEST(Axes, ATableHasOneRunPerLine) {
-  const auto runs = parse_table("seed, FRICTN.fric,MATERIAL[1].name\r\n"
+  const auto runs = parse_table("\xEF\xBB\xBFseed, FRICTN.fric,MATERIAL[1].name\r\n"
                                 "3,.5,\"clay, wet\"\n"
                                 "\n"
                                 "4,.6,\"a \"\"b\"\"\"");

@@ -116,7 +116,7 @@ TEST_F(Sweep, OtherWordsAreRefusedInTheFolderOfASweep) {
 }
 
 TEST_F(Sweep, FaultyWordsAreRefusedBeforeAnythingIsWritten) {
-  expect_refused("a.deck --seeds 5-1", "no first one");
+  expect_refused("a.deck --seeds 5-1", "end before they begin");
   expect_refused("a.deck --seeds 1,1", "given twice");
   expect_refused("a.deck --set FRICTN.fric", "expected CARD.field=value");
   expect_refused("a.deck --set FRICTN.frik=1,2", "unknown field 'frik'", 3);
@@ -144,6 +144,43 @@ TEST_F(Sweep, AMissingEngineIsTold) {
     EXPECT_THAT(run.err, HasSubstr(std::string("the engine ") + engine + " needs"));
     EXPECT_THAT(run.err, HasSubstr("or use --engine local"));
   }
+}
+
+TEST_F(Sweep, OptionsWithoutEffectAreRefused) {
+  expect_refused("a.deck --pack 3", "--pack has no effect without --engine parallel");
+  expect_refused("a.deck --sbatch -p", "--sbatch has no effect without --engine slurm");
+  expect_refused("a.deck --variants report",
+                 "--variants has no effect without --study");
+}
+
+TEST_F(Sweep, ALogThatCannotBeWrittenEndsTheSweepOnce) {
+  sweep_well("a.deck --seeds 1-4 -o s --dry-run");
+  fs::create_directories(of_run("s", 2, ""));
+  fs::create_symlink("/dev/full", of_run("s", 2, "log.txt"));
+  const Outcome run = sweep("s -J 2");
+  EXPECT_EQ(run.code, 5);
+  EXPECT_THAT(run.err, HasSubstr("run 2 could not write its files"));
+  EXPECT_THAT(run.err, HasSubstr("hint: make room"));
+  fs::remove(of_run("s", 2, "log.txt"));
+  sweep_well("s");
+  EXPECT_THAT(sweep_well("status s").out, HasSubstr("\n4 done\n"));
+}
+
+TEST_F(Sweep, ADeckMayBeNamedLikeTheFilesOfASweep) {
+  for (const char* name : {"log", "outcome"}) {
+    folder_.write(std::string(name) + ".deck", falling_blocks());
+    sweep_well(std::string(name) + ".deck --seeds 1-2 -o " + name);
+    EXPECT_EQ(outcome(name, 2)["status"], "done");
+    EXPECT_EQ(starts(name, 2), 1);
+  }
+}
+
+TEST_F(Sweep, ADamagedOutcomeIsToldAndRunAgainByRetry) {
+  sweep_well("a.deck --seeds 1-3 -o s");
+  folder_.write("s/runs/000/000002/outcome.json", "{\"code\":");
+  EXPECT_THAT(sweep_well("status s").out, HasSubstr("2 done, 1 damaged outcome"));
+  sweep_well("s --retry");
+  EXPECT_EQ(outcome("s", 2)["status"], "done");
 }
 
 TEST_F(Sweep, AFailedRunIsAnOutcome) {
