@@ -41,7 +41,7 @@ std::string default_folder(const std::string& deck) {
 }
 
 /// Writes the plan of a new sweep, unless the folder has the same one already.
-void settle(const std::string& folder, const sweep::Plan& plan) {
+void write_new_plan(const std::string& folder, const sweep::Plan& plan) {
   std::error_code ignored;
   if (sweep::has_plan(folder)) {
     const std::string other = sweep::difference(sweep::read_plan(folder), plan);
@@ -140,7 +140,7 @@ int sweep_or_throw(const SweepOptions& options) {
   const std::string folder = !options.output.empty() ? options.output
                              : options.study         ? "study.sweep"
                                                      : default_folder(word);
-  settle(folder, plan);
+  write_new_plan(folder, plan);
   return go_on(folder, plan, options);
 }
 

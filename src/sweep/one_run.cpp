@@ -196,9 +196,8 @@ RunEnd run_once(const std::string& folder, const Plan& plan, std::size_t id,
 
 void write_crash(const std::string& folder, std::size_t id, int signal) {
   const int code = 128 + signal;
-  write_outcome(
-      run_folder(folder, id),
-      {code, status_of(code), "the program crashed; log.txt may say where"});
+  write_outcome(run_folder(folder, id),
+                {code, status_of(code), "the program crashed; log.txt may say where"});
 }
 
 }  // namespace blocks::sweep

@@ -9,21 +9,6 @@
 
 namespace blocks::sweep {
 
-std::string words_of(const Counts& counts) {
-  std::string words;
-  const auto add = [&](const std::string& status, std::size_t number) {
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", number, status);
-  };
-  if (const auto done = counts.find("done"); done != counts.end())
-    add("done", done->second);
-  for (const auto& [status, number] : counts)
-    if (status != "done" && status != "open")
-      add(status, number);
-  if (const auto open = counts.find("open"); open != counts.end())
-    add("open", open->second);
-  return words.empty() ? "no runs" : words;
-}
-
 Progress::Progress(std::size_t before, std::size_t all, bool quiet)
     : before_(before), all_(all), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
 }

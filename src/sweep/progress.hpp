@@ -1,24 +1,17 @@
-// How far a sweep has got.
+// The progress line of a sweep.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
-#include <map>
 #include <string>
 
 namespace blocks::sweep {
-
-/// The number of runs with each status; the status of runs without outcome is "open".
-using Counts = std::map<std::string, std::size_t>;
-
-/// Returns the counts in one line, "done" first: "62 done, 1 unsound, 1 open".
-std::string words_of(const Counts& counts);
 
 /// The progress line of a sweep on standard error. On a terminal it is drawn again and
 /// again in one place; in a log, a line appears every minute.
 class Progress {
  public:
-  /// `before` runs of `all` were finished when it began.
+  /// `before` of the `all` runs that it counts were finished when it began.
   Progress(std::size_t before, std::size_t all, bool quiet);
 
   bool is_due() const;

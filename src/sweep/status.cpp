@@ -33,6 +33,21 @@ std::string status_of(const std::optional<Outcome>& outcome) {
 
 }  // namespace
 
+std::string words_of(const Counts& counts) {
+  std::string words;
+  const auto add = [&](const std::string& status, std::size_t number) {
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", number, status);
+  };
+  if (const auto done = counts.find("done"); done != counts.end())
+    add("done", done->second);
+  for (const auto& [status, number] : counts)
+    if (status != "done" && status != "open")
+      add(status, number);
+  if (const auto open = counts.find("open"); open != counts.end())
+    add("open", open->second);
+  return words.empty() ? "no runs" : words;
+}
+
 Counts count_runs(const std::string& folder, const Range& runs) {
   Counts counts;
   each_outcome(folder, runs, [&](std::size_t, const std::optional<Outcome>& outcome) {

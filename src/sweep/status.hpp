@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "sweep/plan.hpp"
-#include "sweep/progress.hpp"
 
 namespace blocks::sweep {
 
@@ -14,6 +14,12 @@ namespace blocks::sweep {
 struct Range {
   std::size_t first = 1, last = 1;
 };
+
+/// The number of runs with each status; the status of runs without outcome is "open".
+using Counts = std::map<std::string, std::size_t>;
+
+/// Returns the counts in one line, "done" first: "62 done, 1 unsound, 1 open".
+std::string words_of(const Counts& counts);
 
 /// Returns how many of these runs have each status, from their outcomes.
 Counts count_runs(const std::string& folder, const Range& runs);
