@@ -20,6 +20,8 @@ namespace {
 
 constexpr Colour grid{0.9, 0.9, 0.9};
 constexpr double band_opacity = 0.28, bar_opacity = 0.72;
+constexpr double tick_size = 14;  ///< letters of the tick labels [units]
+constexpr double tick_gap = 9;    ///< from a tick label to the y axis [units]
 
 /// Colours that colour-blind readers can distinguish; the dashes change every seven
 /// lines.
@@ -134,6 +136,7 @@ class ChartDrawing : ChartLayout {
     if (x_.empty())
       throw std::runtime_error("there is nothing to draw: no curve has a number");
     x_ = wide ? x_.widened(0.04) : x_.high > x_.low ? x_ : x_.widened(0.0);
+    make_room_for_ticks();
   }
 
   void draw() {
@@ -155,6 +158,23 @@ class ChartDrawing : ChartLayout {
     return left + (x - x_.low) / (x_.high - x_.low) * (page - left - right);
   }
 
+  /// Moves the left edge of the panels if tick labels would reach the label of the y
+  /// axis. The height of the panels remains.
+  void make_room_for_ticks() {
+    const double label_end = label_x_ + 15;  // its letters reach 10 to the right
+    for (const ChartPanel& one : chart_.panels)
+      for (const std::string& label : ticks_of(one, range_of(one)).labels)
+        left = std::max(left, label_end + pen_.width(label, tick_size) + tick_gap);
+  }
+
+  /// Returns the ticks of the y axis.
+  TickLabels ticks_of(const ChartPanel& one, const Range& y) const {
+    int count = std::clamp(static_cast<int>(panel / 42), 3, 6);
+    if (has_bars(one))  // bars count, so the ticks are whole numbers
+      count = std::clamp(static_cast<int>(y.high), 1, count);
+    return label_ticks(y.low, y.high, count);
+  }
+
   void draw_panel(const ChartPanel& one, double top, bool last) {
     const Range y = range_of(one);
     const double bottom = top + panel, end = page - right;
@@ -173,14 +193,11 @@ class ChartDrawing : ChartLayout {
       if (last)
         pen_.text(along.labels[i], x, bottom + 11, 14, ink, 0.5, 0);
     }
-    int count = std::clamp(static_cast<int>(panel / 42), 3, 6);
-    if (has_bars(one))  // bars count, so the ticks are whole numbers
-      count = std::clamp(static_cast<int>(y.high), 1, count);
-    const TickLabels up = label_ticks(y.low, y.high, count);
+    const TickLabels up = ticks_of(one, y);
     for (std::size_t i = 0; i < up.ticks.size(); ++i) {
       const double at = page_y(up.ticks[i]);
       stroke(left, at, end, at, up.ticks[i] == 0.0 ? muted : grid);
-      pen_.text(up.labels[i], left - 9, at, 14, ink, 1, 0.5);
+      pen_.text(up.labels[i], left - tick_gap, at, tick_size, ink, 1, 0.5);
     }
     pen_.text(up.offset, 14, top - 5, 14, ink, 0, 1);
     cairo_save(cairo_);
@@ -203,8 +220,7 @@ class ChartDrawing : ChartLayout {
     cairo_set_line_width(cairo_, 1);
     pen_.colour(ink);
     cairo_stroke(cairo_);
-    pen_.upright(up.titled(one.y_label), left > 100 ? 22 : 14, top + panel / 2, 15, ink,
-                 panel);
+    pen_.upright(up.titled(one.y_label), label_x_, top + panel / 2, 15, ink, panel);
     if (last) {
       pen_.text(along.titled(chart_.x_label), (left + end) / 2, bottom + 38, 15, ink,
                 0.5, 0);
@@ -416,6 +432,7 @@ class ChartDrawing : ChartLayout {
   Pen pen_;
   cairo_t* cairo_;
   const Chart& chart_;
+  const double label_x_ = left > 100 ? 22 : 14;  ///< middle of the label of the y axis
   Range x_;
 };
 

@@ -32,6 +32,10 @@ class Pen {
   /// letters of the page, and then cut.
   void text(const std::string& text, double x, double y, double size, const Colour& c,
             double along, double up, double room = unlimited);
+  /// Returns the width of a text, as text() draws it.
+  double width(const std::string& words, double size) {
+    return measure(with_minus_signs(words), size).width;
+  }
   /// Breaks text into lines of width `room`; a unit in brackets is not broken. Returns
   /// the height used.
   double paragraph(const std::string& words, double x, double y, double size,

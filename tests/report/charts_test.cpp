@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "post/line_chart.hpp"
 #include "report/html_text.hpp"
@@ -84,6 +85,19 @@ TEST(HtmlText, PicturesHaveTheirOwnIdentifiers) {
                  "xlink:href=\"#c\"/></svg>",
                  "f1-"),
       "<svg><g id=\"f1-c\"/><use clip=\"url(#f1-c)\" xlink:href=\"#f1-c\"/></svg>");
+}
+
+TEST(Chart, LongTickLabelsDoNotReachTheLabelOfTheAxis) {
+  const auto left_edge = [](double low, double high) {
+    post::Chart chart;
+    chart.panels = {{"mean [m]", {{"", {0, 1}, {low, high}}}}};
+    const std::string svg = post::chart_svg(chart, post::PageSize::in_print("118mm"));
+    std::smatch tick;
+    const std::regex label(R"re(<text x="([0-9.]+)"[^>]*text-anchor="end")re");
+    return std::regex_search(svg, tick, label) ? std::stod(tick[1]) : 0.0;
+  };
+  EXPECT_EQ(left_edge(0, 2), left_edge(0, 20)) << "short labels need no more room";
+  EXPECT_GT(left_edge(-0.02481, -0.02479), left_edge(0, 2) + 3.0);
 }
 
 }  // namespace
