@@ -1,4 +1,4 @@
-// The charts of a report.
+// The charts of a report. A chart that has nothing to show has no panels.
 #pragma once
 
 #include <string>
@@ -9,8 +9,6 @@
 #include "report/ensemble.hpp"
 
 namespace blocks::report {
-
-/// A chart that has nothing to show has no panels.
 
 /// Returns the median and the band of the profiles of the groups; empty if there is no
 /// profile. At most most_groups_drawn groups are drawn.

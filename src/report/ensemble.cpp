@@ -28,6 +28,8 @@ constexpr const char* usual_measures[] = {"dy:min", "displacement:max", "overlap
                                           "kinetic_energy", "contacts"};
 constexpr const char* sweep_parameter = "sweep";
 constexpr const char* variant_parameter = "variant";
+/// The most results files that are opened to find one that is not damaged.
+constexpr std::size_t most_tried = 10;
 
 State state_of(int code) {
   switch (code) {
@@ -39,6 +41,22 @@ State state_of(int code) {
     return State::time_limit;
   default:
     return State::failed;
+  }
+}
+
+/// The status of a run whose outcome cannot be read.
+constexpr const char* damaged_outcome = "damaged outcome";
+
+/// Returns the outcome in the folder of a run. If it is damaged, returns that of a
+/// failed run with this status instead.
+std::optional<sweep::Outcome> outcome_in(const std::string& run_folder) {
+  try {
+    return sweep::read_outcome(run_folder);
+  } catch (const output::FileError&) {
+    return sweep::Outcome{
+        run::file_error, damaged_outcome,
+        "outcome.json is damaged; remove it, and blocks sweep goes on "
+        "with this run"};
   }
 }
 
@@ -63,7 +81,8 @@ class Collector {
   }
 
  private:
-  /// Finds a run that has measures, and one that has results.
+  /// Finds a run that has measures, and one that has results. If no run that is done
+  /// has results, takes those of another run that ended.
   void look_ahead() {
     own_units_.resize(all_.members.size());
     for (std::size_t m = 0; m < all_.members.size(); ++m) {
@@ -71,31 +90,44 @@ class Collector {
       if (one.plan.kind == sweep::Kind::check)
         look_at_deck(m);
       bool has_results = one.plan.kind != sweep::Kind::run;
+      std::vector<std::string> of_others;
       for (std::size_t i = 0; i < one.plan.runs.size(); ++i) {
         const std::string folder = sweep::run_folder(one.folder, i + 1);
-        const auto outcome = sweep::read_outcome(folder);
-        if (!outcome || outcome->code != run::done)
+        const auto outcome = outcome_in(folder);
+        if (!outcome)
           continue;
+        const std::string results = results_in(folder, one.plan);
+        if (outcome->code != run::done) {
+          if (!has_results && of_others.size() < most_tried && fs::exists(results))
+            of_others.push_back(results);
+          continue;
+        }
         if (outcome_names_.empty()) {
           outcome_names_ = measured_names(*outcome);
           outcome_shares_ = measured_shares(*outcome);
         }
-        const std::string results = results_in(folder, one.plan);
-        if (!has_results && fs::exists(results)) {
-          has_results = true;
-          look_at_results(m, results);
-        }
+        if (!has_results && fs::exists(results))
+          has_results = look_at_results(m, results);
         if (has_results)
           break;
       }
+      for (std::size_t i = 0; i < of_others.size() && !has_results; ++i)
+        has_results = look_at_results(m, of_others[i]);
     }
   }
 
-  void look_at_results(std::size_t member, const std::string& path) {
-    const post::ResultsReader results(path);
+  /// Returns false if the file is damaged.
+  bool look_at_results(std::size_t member, const std::string& path) {
+    std::optional<post::ResultsReader> results;
+    try {
+      results.emplace(path);
+    } catch (const std::runtime_error&) {
+      return false;  // the row of this run says so
+    }
     if (first_results_.empty())
       first_results_ = path;
-    set_title_and_units(member, results.title(), results.units());
+    set_title_and_units(member, results->title(), results->units());
+    return true;
   }
 
   /// A deck whose blocks are only checked has no results; its title and units are read
@@ -285,7 +317,7 @@ class Collector {
     const Member& one = all_.members[member];
     const sweep::Variation& run = one.plan.runs[id - 1];
     const std::string folder = sweep::run_folder(one.folder, id);
-    const auto outcome = sweep::read_outcome(folder);
+    const auto outcome = outcome_in(folder);
     RunRow row;
     row.member = member;
     row.id = id;
@@ -294,14 +326,12 @@ class Collector {
     row.status = "not finished";
     if (outcome) {
       row.state = state_of(outcome->code);
-      row.code = outcome->code;
       row.status = outcome->status;
+      if (row.status != damaged_outcome)
+        row.code = outcome->code;
       row.message = outcome->message;
-      if (const std::string results = results_in(folder, one.plan);
-          one.plan.kind == sweep::Kind::run && fs::exists(results))
-        read_results(results, row);
-      else if (one.plan.kind == sweep::Kind::run && row.state == State::done)
-        row.message = fmt::format("{}.vtkhdf is missing", one.plan.name);
+      if (one.plan.kind == sweep::Kind::run)
+        find_results(results_in(folder, one.plan), row);
     }
     std::vector<std::string> variants = {no_variant};
     if (one.plan.kind == sweep::Kind::study)
@@ -321,6 +351,34 @@ class Collector {
     }
   }
 
+  /// Reads the results if they are those of this run. Otherwise a run that is done has
+  /// failed if any measure needs them.
+  void find_results(const std::string& path, RunRow& row) {
+    const std::string name = fs::path(path).filename().string();
+    std::string status, message;
+    if (!fs::exists(path)) {
+      status = "results missing", message = name + " is missing";
+    } else if (const auto identity = output::ResultsWriter::identity_of(path);
+               row.seed && identity && identity->seed != *row.seed) {
+      status = "results of another run";
+      message = fmt::format("{} is of a run with seed {}, not {}", name, identity->seed,
+                            *row.seed);
+    } else {
+      row.has_results = true;
+      read_results(path, row);
+      return;
+    }
+    const bool needed =
+        std::any_of(measures_.begin(), measures_.end(), [](const Measure& measure) {
+          return measure.from != Measure::From::outcome;
+        });
+    if (row.state != State::done || !needed)
+      return;
+    row.state = State::failed;
+    row.status = status;
+    row.message = message;
+  }
+
   void read_results(const std::string& path, RunRow& row) {
     ReadingOptions reading = request_.reading;
     reading.units = all_.units;
@@ -338,6 +396,11 @@ class Collector {
       }
       if (read.profile && row.state == State::done)
         row.profile = grid_->resampled(*read.profile);
+      any_profile_ = any_profile_ || !row.profile.empty();
+      if (request_.profile && row.state == State::done && row.message.empty())
+        row.message = read.profile_fault;
+      if (profile_fault_.empty() && row.state == State::done)
+        profile_fault_ = read.profile_fault;
     } catch (const std::runtime_error& fault) {
       if (row.message.empty())
         row.message = fault.what();
@@ -379,7 +442,8 @@ class Collector {
   }
 
   /// If runs are done, but none of them has a measure, leaves it out, or throws if the
-  /// user asked for it.
+  /// user asked for it. Also throws if none of them has the profile that the user asked
+  /// for.
   void expect_values() {
     bool any_done = false;
     std::vector<bool> has(measures_.size(), false);
@@ -391,6 +455,10 @@ class Collector {
       }
     if (!any_done)
       return;
+    if (request_.profile && !any_profile_ && !profile_fault_.empty())
+      throw std::runtime_error(
+          "no run has the profile: " + profile_fault_ +
+          (request_.profile->time ? "\n  hint: choose a --time in this range" : ""));
     for (std::size_t i = measures_.size(); i-- > 0;) {
       if (has[i])
         continue;
@@ -416,7 +484,8 @@ class Collector {
   std::string first_results_;
   std::vector<Measure> measures_;
   std::vector<std::string> faults_;  ///< (measures) the first ones
-  std::string any_fault_;
+  std::string any_fault_, profile_fault_;
+  bool any_profile_ = false;
   std::vector<bool> labelled_;
   std::optional<ProfileGrid> grid_;
   std::size_t fields_ = 0;

@@ -31,7 +31,7 @@ enum class State {
   done,
   unsound,     ///< exit code 4
   time_limit,  ///< 75: it used up its time limit, so it has not converged
-  failed,      ///< any other error
+  failed,      ///< any other error, or its own results cannot be found
   open         ///< no outcome yet: it is missing, at work or stopped
 };
 
@@ -41,8 +41,9 @@ struct RunRow {
   std::optional<std::uint64_t> seed;
   std::size_t group = 0;
   State state = State::open;
-  int code = 0;  ///< exit code; 0 if open
+  std::optional<int> code;  ///< exit code; empty if open, or not known
   std::string status, message;
+  bool has_results = false;     ///< a results file of its own, which may be damaged
   std::vector<double> values;   ///< (measures) NaN: none
   std::vector<double> profile;  ///< (profile_positions), or empty
 };
@@ -85,9 +86,10 @@ struct Ensemble {
   std::string name_of(const Group& group) const;
 };
 
-/// Reads the sweeps. Throws output::FileError if a plan or an outcome cannot be read.
-/// Throws std::runtime_error, with a hint, if the sweeps do not belong together, a
-/// measure is unknown, or no finished run has it.
+/// Reads the sweeps. A run whose outcome is damaged, or whose results are missing or
+/// those of another seed, has failed. Throws output::FileError if a plan cannot be
+/// read. Throws std::runtime_error, with a hint, if the sweeps do not belong together,
+/// a measure is unknown, or no finished run has it.
 Ensemble read_ensemble(const Request& request);
 
 }  // namespace blocks::report

@@ -72,12 +72,29 @@ std::string indented(std::string hint) {
   return hint;
 }
 
+/// Returns "p21, t_vertices; with :max, :min: aspect, width" for these and aspect:max,
+/// aspect:min, width:max and width:min.
+std::string short_list(const std::set<std::string>& names) {
+  std::set<std::string> alone, whole, parts;
+  for (const std::string& name : names)
+    if (const auto colon = name.rfind(':'); colon == std::string::npos) {
+      alone.insert(name);
+    } else {
+      whole.insert(name.substr(0, colon));
+      parts.insert(name.substr(colon));
+    }
+  std::string list = fmt::format("{}", fmt::join(alone, ", "));
+  if (!parts.empty())
+    list += fmt::format("{}with {}: {}", list.empty() ? "" : "; ",
+                        fmt::join(parts, ", "), fmt::join(whole, ", "));
+  return list;
+}
+
 [[noreturn]] void tell_unknown(const quantities::CurveFault& fault,
                                const std::set<std::string>& outcome_names) {
   std::string hint = fault.hint;
   if (!outcome_names.empty())
-    hint += fmt::format("\nof the blocks at the first motion: {}",
-                        fmt::join(outcome_names, ", "));
+    hint += "\nof the blocks at the first motion: " + short_list(outcome_names);
   throw std::runtime_error(std::string(fault.what()) + "\n  hint: " + indented(hint));
 }
 

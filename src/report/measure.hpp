@@ -1,4 +1,5 @@
-// What is asked of each run of a sweep: one number, named by the user.
+// A measure is a number that the report takes from each run of a sweep, such as the
+// smallest displacement at the end. The user names it.
 #pragma once
 
 #include <limits>
@@ -17,8 +18,7 @@ namespace blocks::report {
 ///     CURVE@0.5     at this time, linear between two samples or frames
 ///     CURVE@max     its largest value over time, CURVE@min the smallest
 ///     profile:min   the smallest value of the profile, profile:max the largest
-///     NAME          a measure that the run wrote into outcome.json: "p21",
-///     "aspect:max"
+///     NAME          a number in outcome.json, such as p21 or aspect:max
 ///
 /// With <LIMIT or >LIMIT after it, it is 1 if the number is below or above the limit,
 /// otherwise 0, and the report gives the share of the runs.

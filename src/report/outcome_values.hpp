@@ -20,7 +20,8 @@ std::vector<std::string> measured_variants(const sweep::Outcome& outcome);
 /// "p21", and "aspect:max" for a part of a distribution.
 std::set<std::string> measured_names(const sweep::Outcome& outcome);
 
-/// Returns the names whose values are true or false, or by their meaning 0 or 1.
+/// Returns the names whose mean is a share of the runs: their values are true or false,
+/// or a flag stored as 0 or 1, such as "hung", whether a frame of the study hung.
 std::set<std::string> measured_shares(const sweep::Outcome& outcome);
 
 /// Returns the number with this name; 1 or 0 for true or false. NaN if there is none.

@@ -39,6 +39,21 @@ void PageWriter::figure(const std::string& picture, const std::string& caption,
            (caption_first ? "" : words) + "</figure>\n";
 }
 
+std::string PageWriter::typical_heading(const std::vector<std::size_t>& shown) const {
+  if (shown.size() == 1)
+    return "<section>\n<h2>A typical run</h2>\n";
+  const auto group_of = [&](std::size_t r) {
+    return escaped(all_.name_of(all_.groups[all_.rows[r].group]));
+  };
+  return fmt::format(
+      "<section>\n<h2>Typical runs</h2>\n<p>The pictures show a run with {} "
+      "and a run with {}{}.</p>\n",
+      group_of(shown.front()), group_of(shown.back()),
+      typical_.size() > 2
+          ? fmt::format(", the first and the last of {} groups", typical_.size())
+          : "");
+}
+
 void PageWriter::typical_pictures() {
   if (all_.kind() != sweep::Kind::run || typical_.empty())
     return;
@@ -50,6 +65,8 @@ void PageWriter::typical_pictures() {
     shown.push_back(typical_.back());
   for (const std::size_t r : shown) {
     const RunRow& row = all_.rows[r];
+    if (!row.has_results)
+      continue;
     std::string picture;
     try {
       picture =
@@ -58,17 +75,19 @@ void PageWriter::typical_pictures() {
       continue;  // the results are damaged; the table of runs says so
     }
     if (!begun)
-      text_ += "<section>\n<h2>A typical run</h2>\n";
+      text_ += typical_heading(shown);
     begun = true;
     const Group& group = all_.groups[row.group];
-    const std::string name = all_.name_of(group);
+    const std::string name = all_.name_of(group), unit = escaped(all_.columns[c].unit);
+    const Summary& summary = analysis_.groups[row.group].columns[c].summary;
     figure(picture,
-           fmt::format("The first and the last state of {}{}{}: its {} is nearest to "
-                       "the median of the {} runs ({} {}).",
-                       run_link(r, run_name(row)), name.empty() ? "" : ", ",
-                       escaped(name), escaped(all_.columns[c].label),
-                       analysis_.groups[row.group].columns[c].summary.n,
-                       number_text(row.values[c]), escaped(all_.columns[c].unit)));
+           fmt::format(
+               "The first and the last state of {}{}{}: its {} of {} is nearest "
+               "to the median, {}, of the {} runs.",
+               run_link(r, run_name(row)), name.empty() ? "" : ", ", escaped(name),
+               escaped(all_.columns[c].label),
+               number_with_unit(number_text(row.values[c]), unit),
+               number_with_unit(number_text(summary.median.value), unit), summary.n));
   }
   if (begun)
     text_ += "</section>\n";

@@ -289,7 +289,7 @@ void PageWriter::run_row(std::size_t r) {
       "<td>{}</td><td class=\"text\"><span class=\"state\"><i class=\"{}\"></i>{}{}"
       "</span>{}</td>",
       row.seed ? std::to_string(*row.seed) : "–", class_of(row.state),
-      escaped(row.status), bad ? fmt::format(" (exit {})", row.code) : "",
+      escaped(row.status), bad && row.code ? fmt::format(" (exit {})", *row.code) : "",
       row.message.empty()
           ? ""
           : "<small class=\"message\">" + escaped(row.message) + "</small>");

@@ -42,6 +42,9 @@ class PageWriter {
   // page_figures.cpp
   void figure(const std::string& picture, const std::string& caption,
               bool caption_first = false);
+  /// Returns the heading above the pictures of these rows, and their groups if there
+  /// are several.
+  std::string typical_heading(const std::vector<std::size_t>& shown) const;
   void typical_pictures();
   void profile();
   void parameter_figures();

@@ -20,9 +20,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Marks the pages that this file writes without `blocks view`.
-constexpr const char* summary_mark =
-    "<meta name=\"generator\" content=\"blocks report\">";
+/// A page has a mark with the options that it was written with, so that it is written
+/// again if they change.
+std::string mark(const std::string& content) {
+  return "<meta name=\"blocks-report\" content=\"" + escaped(content) + "\">";
+}
+
+/// The marks of pages that play the run begin so.
+const std::string plays_mark = "<meta name=\"blocks-report\" content=\"plays";
+
+std::string units_words(const Ensemble& ensemble) {
+  return ensemble.units ? "units " + post::names_of(*ensemble.units) : "no units";
+}
+
+std::optional<double> mirror_of(const Ensemble& ensemble) {
+  return ensemble.profile ? ensemble.profile->mirror : std::nullopt;
+}
+
+/// Returns the mark of pages that play the run.
+std::string view_mark(const Ensemble& ensemble) {
+  const auto mirror = mirror_of(ensemble);
+  return mark("plays; " + units_words(ensemble) +
+              (mirror ? fmt::format("; mirror {}", *mirror) : ""));
+}
+
+/// Returns the mark of pages with the last picture and the log.
+std::string summary_mark(const Ensemble& ensemble, const RunRow& row) {
+  return mark("summary; " + units_words(ensemble) + "; " + row.status);
+}
 
 bool exists(const std::string& path) {
   std::error_code ignored;
@@ -35,12 +60,30 @@ bool is_newer(const std::string& path, const std::string& than) {
   return !fault && time >= fs::last_write_time(than, fault) && !fault;
 }
 
-bool is_summary(const std::string& path) {
-  constexpr std::streamsize head = 400;
+/// Returns the beginning of a page, with its mark.
+std::string head_of(const std::string& path) {
+  constexpr std::streamsize head = 600;
   std::string begin(head, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(begin.data(), head);
-  return begin.find(summary_mark) != std::string::npos;
+  return begin;
+}
+
+bool has(const std::string& head, const std::string& part) {
+  return head.find(part) != std::string::npos;
+}
+
+/// Whether the page of a run can remain. A page that plays the run may take the place
+/// of one with the last picture; without results it could not be written again.
+bool is_sound(const std::string& page, const Ensemble& ensemble, const RunRow& row,
+              bool plays) {
+  if (!is_newer(page, ensemble.folder_of(row) + "/outcome.json"))
+    return false;
+  const std::string head = head_of(page);
+  if (has(head, view_mark(ensemble)))
+    return true;
+  return !plays && (has(head, summary_mark(ensemble, row)) ||
+                    (!row.has_results && has(head, plays_mark)));
 }
 
 /// Returns the file, or its last part if it is long.
@@ -75,9 +118,9 @@ std::string facts_table(const Ensemble& ensemble, const RunRow& row) {
     add(ensemble.parameters[p], ensemble.groups[row.group].values[p]);
   if (row.seed)
     add("seed", std::to_string(*row.seed));
-  add("outcome", row.state == State::done || row.state == State::open
+  add("outcome", row.state == State::done || !row.code
                      ? row.status
-                     : fmt::format("{} (exit {})", row.status, row.code));
+                     : fmt::format("{} (exit {})", row.status, *row.code));
   return text + "</table>\n";
 }
 
@@ -92,8 +135,8 @@ std::string summary_page(const Ensemble& ensemble, const RunRow& row,
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}: {}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n"
       "<header><p class=\"kicker\">{}</p><h1>{}</h1></header>\n",
-      summary_mark, escaped(name), escaped(title), page_style, escaped(title),
-      escaped(name));
+      summary_mark(ensemble, row), escaped(name), escaped(title), page_style,
+      escaped(title), escaped(name));
   if (!row.message.empty())
     page += "<p class=\"fault\">" + escaped(row.message) + "</p>\n";
   page += facts_table(ensemble, row);
@@ -113,9 +156,10 @@ void write_view(const Ensemble& ensemble, const RunRow& row, const std::string& 
   post::ResultsReader results(ensemble.results_of(row));
   if (ensemble.units)
     results.show_in(*ensemble.units);
-  const std::optional<double> mirror =
-      ensemble.profile ? ensemble.profile->mirror : std::nullopt;
-  write_whole(path, post::view_page(post::view_data(results, 1, mirror)));
+  std::string page = post::view_page(post::view_data(results, 1, mirror_of(ensemble)));
+  const std::string head = "<head>\n";
+  page.insert(page.find(head) + head.size(), view_mark(ensemble) + '\n');
+  write_whole(path, page);
 }
 
 /// Returns the rows whose runs get a page that plays them.
@@ -150,8 +194,7 @@ RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
   const auto ended = [&](const RunRow& row) { return row.state != State::open; };
   std::vector<bool> with_results(ensemble.rows.size(), false);
   for (std::size_t r = 0; r < ensemble.rows.size(); ++r)
-    with_results[r] = runs && ended(ensemble.rows[r]) &&
-                      exists(ensemble.results_of(ensemble.rows[r]));
+    with_results[r] = ensemble.rows[r].has_results;
   const std::set<std::size_t> played =
       played_rows(analysis, with_results, chosen, most_played);
   const bool summaries = runs && ensemble.rows.size() <= most_summary_pages;
@@ -164,10 +207,7 @@ RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
         (folder / (ensemble.members[row.member].plan.name + ".html")).string();
     const std::string log = (folder / "log.txt").string();
     const bool plays = played.contains(r), wanted = plays || (summaries && ended(row));
-    const bool sound = exists(page) &&
-                       is_newer(page, (folder / "outcome.json").string()) &&
-                       !(plays && is_summary(page));
-    if (wanted && !sound && pages.fault.empty()) {
+    if (wanted && pages.fault.empty() && !is_sound(page, ensemble, row, plays)) {
       try {
         if (plays)
           write_view(ensemble, row, page);

@@ -20,11 +20,12 @@ struct RunPages {
   std::string fault;  ///< why pages could not be written, or empty
 };
 
-/// Writes DIR/runs/.../NAME.html for the runs if it is missing or older than the
-/// outcome. Up to `most_played` runs with results have the page of `blocks view`, which
-/// plays the run. If there are more, only the median and the extreme runs have it; the
-/// others have a page with the last picture and the log. Runs without results have a
-/// page with the log. `chosen` are the rows of the median runs.
+/// Writes DIR/runs/.../NAME.html for the runs if it is missing, older than the outcome,
+/// or was written with other units or another mirror. Up to `most_played` runs with
+/// results have the page of `blocks view`, which plays the run. If there are more, only
+/// the median and the extreme runs have it; the others have a page with the last
+/// picture and the log. Runs without results have a page with the log. `chosen` are the
+/// rows of the median runs.
 RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
                          const std::vector<std::size_t>& chosen,
                          std::size_t most_played);

@@ -123,6 +123,15 @@ void RunReader::read_curves(const std::vector<Measure>& measures,
     values.labels[wanted[k]] = {series.label + moment_words(measure, results_.units()),
                                 series.dimension};
     values.values[wanted[k]] = reduced_value(measure, history.time, series.values);
+    const std::vector<double>& times = frames ? results_.times() : history.time;
+    if (measure.when == When::time && !times.empty() &&
+        !(measure.time >= times.front() && measure.time <= times.back()))
+      values.faults[wanted[k]] =
+          fmt::format("{} has values at times {:g} to {:g}, not {:g}\n  hint: choose a "
+                      "time in this "
+                      "range, or {} for the end of each run",
+                      results_.path(), times.front(), times.back(), measure.time,
+                      measure.curve.name());
   }
 }
 
@@ -173,6 +182,7 @@ RunValues RunReader::read(const std::vector<Measure>& measures,
     values.profile = read_profile(*profile);
   } catch (const std::runtime_error& fault) {
     // The run ended before the time of the profile, or it meets no block.
+    values.profile_fault = fault.what();
     for (std::size_t i = 0; i < measures.size(); ++i)
       if (measures[i].from == Measure::From::profile)
         values.faults[i] = fault.what();

@@ -44,6 +44,7 @@ struct RunValues {
   std::vector<std::string> faults;   ///< (measures) why there is no value, or empty
   std::vector<MeasureLabel> labels;  ///< (measures) of curves and profiles
   std::optional<ProfileValues> profile;
+  std::string profile_fault;  ///< why there is no profile, or empty
 };
 
 /// Reads the results of a run. Measures of outcomes are left NaN. Reads one frame at a

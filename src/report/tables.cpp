@@ -295,8 +295,7 @@ std::string runs_csv(const Ensemble& ensemble) {
     for (const std::string& value : ensemble.groups[row.group].values)
       text += quoted(value) + ',';
     text += fmt::format("{},{},{},{},{}", row.seed ? std::to_string(*row.seed) : "",
-                        name_of(row.state),
-                        row.state == State::open ? "" : std::to_string(row.code),
+                        name_of(row.state), row.code ? std::to_string(*row.code) : "",
                         quoted(row.status), quoted(portable_message(ensemble, row)));
     for (const double value : row.values)
       text += ',' + cell(value);

@@ -58,7 +58,7 @@ TEST(Measure, TheKindOfTheSweepDecidesBetweenCurveAndOutcome) {
 }
 
 TEST(Measure, FaultsNameWhatIsPossible) {
-  EXPECT_THAT(fault("aspct"), HasSubstr("aspect:max, blocks, p21"));
+  EXPECT_THAT(fault("aspct"), HasSubstr("blocks, p21; with :max: aspect"));
   EXPECT_THAT(fault("y:9@late"), HasSubstr("y:9@0.5 is the value at that time"));
   EXPECT_THAT(fault("dy:min<low"), HasSubstr("needs a number after <"));
   EXPECT_THAT(fault("p21@1"), HasSubstr("there is no quantity 'p21'"));

@@ -145,16 +145,62 @@ TEST_F(Report, EachFigureHasAFileOfItsOwn) {
   }
 }
 
-TEST_F(Report, APageIsWrittenAgainOnlyIfItIsOlder) {
+TEST_F(Report, APageIsWrittenAgainOnlyIfItIsOlderOrHasOtherOptions) {
   ASSERT_EQ(report("one").code, 0);
   const std::string page = run_folder("one", 1) + "/layer.html";
-  folder_.write(page, "mine");
+  const std::string mine = text(page) + "mine";
+  folder_.write(page, mine);
   ASSERT_EQ(report("one").code, 0);
-  EXPECT_EQ(text(page), "mine");
+  EXPECT_EQ(text(page), mine);
+  for (const char* options : {"one --mirror 0", "one --units mm,kg,s", "one"}) {
+    folder_.write(page, text(page) + "mine");
+    ASSERT_EQ(report(options).code, 0);
+    EXPECT_FALSE(text(page).ends_with("mine")) << options;
+  }
+  folder_.write(page, mine);
   fs::last_write_time(folder_ / page,
                       fs::last_write_time(folder_ / page) - std::chrono::hours(1));
   ASSERT_EQ(report("one").code, 0);
-  EXPECT_THAT(text(page), HasSubstr("id=\"data\""));
+  EXPECT_FALSE(text(page).ends_with("mine"));
+}
+
+TEST_F(Report, DamagedMissingAndForeignFilesMakeFailedRows) {
+  set_outcome(1, R"({"code": 0, "sta)");
+  fs::remove(folder_ / run_folder("one", 2) / "layer.vtkhdf");
+  fs::copy_file(folder_ / run_folder("one", 4) / "layer.vtkhdf",
+                folder_ / run_folder("one", 3) / "layer.vtkhdf",
+                fs::copy_options::overwrite_existing);
+  const Outcome run =
+      report("one -q dy:min,p21 --run-table runs.csv -o one.csv,one.html");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string rows = text("runs.csv");
+  EXPECT_THAT(rows, HasSubstr("\n1,.2,1,failed,,damaged outcome,\"outcome.json is "
+                              "damaged; remove it"));
+  EXPECT_THAT(rows, HasSubstr("\n2,.2,2,failed,0,results missing,layer.vtkhdf is "
+                              "missing,,"));
+  EXPECT_THAT(rows, HasSubstr("\n3,.2,3,failed,0,results of another run,\"layer.vtkhdf "
+                              "is of a run with seed 4, not 3\",,"));
+  EXPECT_THAT(text("one.csv"), HasSubstr("\n.2,quantity,dy:min,m,1,0,,"));
+  // Measures of the generated blocks do not need the results.
+  ASSERT_EQ(report("one -q p21 -o one.csv").code, 0);
+  EXPECT_THAT(text("one.csv"), HasSubstr("\n.2,quantity,p21,1/m,3,0,,"));
+}
+
+TEST_F(Report, UnitsAreKnownIfNoRunIsDone) {
+  for (int id = 1; id <= 8; ++id)
+    set_outcome(id, R"({"code": 75, "status": "time limit", "message": ""})");
+  ASSERT_EQ(report("one -q dy:min -o one.csv").code, 0);
+  EXPECT_THAT(text("one.csv"), HasSubstr("\n.2,quantity,dy:min,m,0,0,"));
+}
+
+TEST_F(Report, PicturesOfTypicalRunsNameTheMedianAndTheGroups) {
+  ASSERT_EQ(report("one -q dy:min -o one.csv,one.html").code, 0);
+  const std::string page = text("one.html");
+  EXPECT_THAT(page, HasSubstr("<h2>Typical runs</h2>\n<p>The pictures show a run with "
+                              "FRICTN.fric = .2 and a run with FRICTN.fric = .6.</p>"));
+  EXPECT_THAT(page, ::testing::ContainsRegex("displacement y at the end of [^ ]* m is "
+                                             "nearest to the median, [^ ]* m, of the 4 "
+                                             "runs\\."));
 }
 
 TEST_F(Report, TwoDecksAreComparedBySeed) {
@@ -182,7 +228,8 @@ TEST_F(Report, FaultsSayWhatToDoNext) {
   expect("layer.deck", 5, "is not the folder of a sweep");
   expect("one -q spede:max", 2, "there is no quantity 'spede'");
   expect("one -q y:99", 2, "no run has y:99");
-  expect("one -q dy:min@7", 2, "no run has dy:min@7");
+  expect("one -q dy:min@7", 2, "values at times 0 to 0.1, not 7\n  hint: ");
+  expect("one --time 7", 2, "not 7\n  hint: choose a --time in this range");
   expect("one --precision 0", 2, "a precision is a number above 0");
   expect("one --pair", 2, "--pair compares two sweeps, found 1");
   expect("one one", 2, "one is named twice");
