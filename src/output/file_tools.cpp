@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 namespace blocks::output {
@@ -66,6 +67,16 @@ TemporaryFile::~TemporaryFile() {
 void TemporaryFile::take_name(const std::string& name) {
   move_file(path_, name);
   path_.clear();
+}
+
+void replace_file(const std::string& path, const std::string& content) {
+  TemporaryFile temporary(path + ".tmp");
+  std::ofstream file(temporary.path(), std::ios::binary);
+  file << content;
+  file.close();
+  if (!file)
+    throw_errno("write", path);
+  temporary.take_name(path);
 }
 
 void sync_file(const std::string& path, const std::string& meant) {

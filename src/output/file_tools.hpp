@@ -55,6 +55,10 @@ class TemporaryFile {
   std::string path_;
 };
 
+/// Writes a file all at once: it has the old content or the new one at any moment.
+/// Throws FileError.
+void replace_file(const std::string& path, const std::string& content);
+
 /// Waits until the bytes of a file, or the entries of its folder, are on disk. Throws
 /// FileError that names `meant`; `path` may be its temporary file.
 void sync_file(const std::string& path, const std::string& meant);

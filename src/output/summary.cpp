@@ -217,16 +217,8 @@ void write_summary(const std::string& path, const Model& model,
   if (const int present = model.blocks.count_present(); present < model.blocks.size())
     json["removed_blocks"] = model.blocks.size() - present;
 
-  TemporaryFile temporary(path + ".tmp");
-  std::ofstream file(temporary.path(), std::ios::binary);
-  if (!file)
-    throw_errno("write", path);
   // A title may contain any bytes. Numbers that are not finite become null.
-  file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  file.close();
-  if (!file)
-    throw_errno("write", path);
-  temporary.take_name(path);
+  replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace blocks::output

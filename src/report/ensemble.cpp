@@ -44,22 +44,6 @@ State state_of(int code) {
   }
 }
 
-/// The status of a run whose outcome cannot be read.
-constexpr const char* damaged_outcome = "damaged outcome";
-
-/// Returns the outcome in the folder of a run. If it is damaged, returns that of a
-/// failed run with this status instead.
-std::optional<sweep::Outcome> outcome_in(const std::string& run_folder) {
-  try {
-    return sweep::read_outcome(run_folder);
-  } catch (const output::FileError&) {
-    return sweep::Outcome{
-        run::file_error, damaged_outcome,
-        "outcome.json is damaged; remove it, and blocks sweep goes on "
-        "with this run"};
-  }
-}
-
 /// Collects the runs of the sweeps in an Ensemble.
 class Collector {
  public:
@@ -93,7 +77,7 @@ class Collector {
       std::vector<std::string> of_others;
       for (std::size_t i = 0; i < one.plan.runs.size(); ++i) {
         const std::string folder = sweep::run_folder(one.folder, i + 1);
-        const auto outcome = outcome_in(folder);
+        const auto outcome = sweep::read_outcome_or_damage(folder);
         if (!outcome)
           continue;
         const std::string results = results_in(folder, one.plan);
@@ -317,7 +301,7 @@ class Collector {
     const Member& one = all_.members[member];
     const sweep::Variation& run = one.plan.runs[id - 1];
     const std::string folder = sweep::run_folder(one.folder, id);
-    const auto outcome = outcome_in(folder);
+    const auto outcome = sweep::read_outcome_or_damage(folder);
     RunRow row;
     row.member = member;
     row.id = id;
@@ -327,7 +311,7 @@ class Collector {
     if (outcome) {
       row.state = state_of(outcome->code);
       row.status = outcome->status;
-      if (row.status != damaged_outcome)
+      if (row.status != sweep::damaged_outcome)
         row.code = outcome->code;
       row.message = outcome->message;
       if (one.plan.kind == sweep::Kind::run)

@@ -1,5 +1,5 @@
 // The page of a report: one HTML file with all figures, which opens from the file
-// system and can be printed. It is written for a reader who has not seen the deck.
+// system and can be printed. It explains the sweep to readers who do not know the deck.
 #pragma once
 
 #include <optional>

@@ -32,7 +32,7 @@ struct LayerMeasures {
   int blocks = 0;          ///< measured blocks, after MERGE
   int absorbed = 0;        ///< blocks that MERGE absorbed
   int angles_redrawn = 0;  ///< number of times that an angle was drawn again
-  int sides_redrawn = 0;   ///< sides of which an angle was drawn again
+  int sides_redrawn = 0;   ///< sides with an angle that was drawn again
   int sides_ruled = 0;     ///< sides that take the ruling, because no angle fits
   Spread area;             ///< [L^2]
   Spread aspect;           ///< >= 1, as in `blocks check --geometry`

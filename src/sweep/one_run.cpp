@@ -59,13 +59,7 @@ class RunFolder {
   /// Keeps the measures of the blocks at the start. A run that goes on from a
   /// checkpoint does not make them again.
   void write_layers(const Json& layers) const {
-    output::TemporaryFile temporary(layers_path() + ".tmp");
-    std::ofstream file(temporary.path(), std::ios::binary);
-    file << layers.dump() << '\n';
-    file.close();
-    if (!file)
-      output::throw_errno("write", layers_path());
-    temporary.take_name(layers_path());
+    output::replace_file(layers_path(), layers.dump() + '\n');
   }
   Json layers() const {
     std::ifstream in(layers_path(), std::ios::binary);

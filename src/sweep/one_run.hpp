@@ -8,7 +8,7 @@
 
 namespace blocks::sweep {
 
-/// What the command that goes on with a sweep can choose anew each time.
+/// Options of a command that starts or continues a sweep.
 struct RunChoice {
   double time_limit = 0.0;          ///< wall-clock seconds of a run; 0: none
   double checkpoint_every = 600.0;  ///< wall-clock seconds

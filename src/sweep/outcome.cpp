@@ -68,6 +68,17 @@ std::optional<Outcome> read_outcome(const std::string& run_folder) {
   }
 }
 
+std::optional<Outcome> read_outcome_or_damage(const std::string& run_folder) {
+  try {
+    return read_outcome(run_folder);
+  } catch (const output::FileError&) {
+    return Outcome{
+        run::file_error, damaged_outcome,
+        "outcome.json is damaged; remove it, or give --retry, and blocks sweep runs "
+        "this run again"};
+  }
+}
+
 bool has_outcome(const std::string& run_folder) {
   struct stat file {};
   return ::stat(path_of(run_folder).c_str(), &file) == 0 && file.st_size > 0;
@@ -77,14 +88,8 @@ void write_outcome(const std::string& run_folder, const Outcome& outcome) {
   Json json = {
       {"code", outcome.code}, {"status", outcome.status}, {"message", outcome.message}};
   json.update(outcome.measured);
-  const std::string path = path_of(run_folder);
-  output::TemporaryFile temporary(path + ".tmp");
-  std::ofstream file(temporary.path(), std::ios::binary);
-  file << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
-  file.close();
-  if (!file)
-    output::throw_errno("write", path);
-  temporary.take_name(path);
+  output::replace_file(path_of(run_folder),
+                       json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 void remove_outcome(const std::string& run_folder) {

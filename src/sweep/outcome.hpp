@@ -27,6 +27,14 @@ bool is_final(int code);
 /// leave, is none. Throws output::FileError if it is damaged.
 std::optional<Outcome> read_outcome(const std::string& run_folder);
 
+/// The status of an outcome that cannot be read.
+inline constexpr const char* damaged_outcome = "damaged outcome";
+
+/// Returns the outcome in the folder of a run, or nothing if there is none. If it is
+/// damaged, returns one with the status damaged_outcome and a message that says what to
+/// do.
+std::optional<Outcome> read_outcome_or_damage(const std::string& run_folder);
+
 /// Returns whether there is one, without reading it.
 bool has_outcome(const std::string& run_folder);
 

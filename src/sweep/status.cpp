@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "output/results.hpp"
 #include "run/run.hpp"
 #include "run/shell_word.hpp"
 #include "sweep/outcome.hpp"
@@ -10,21 +9,11 @@
 namespace blocks::sweep {
 namespace {
 
-/// Returns the outcome of a run; for one that is damaged, an outcome that says so.
-std::optional<Outcome> outcome_of(const std::string& run_folder) {
-  try {
-    return read_outcome(run_folder);
-  } catch (const output::FileError&) {
-    return Outcome{run::internal_error, "damaged outcome",
-                   "outcome.json is damaged; --retry runs this run again"};
-  }
-}
-
 /// Calls see(id, outcome) for every run.
 template <class See>
 void each_outcome(const std::string& folder, const Range& runs, See&& see) {
   for (std::size_t id = runs.first; id <= runs.last; ++id)
-    see(id, outcome_of(run_folder(folder, id)));
+    see(id, read_outcome_or_damage(run_folder(folder, id)));
 }
 
 std::string status_of(const std::optional<Outcome>& outcome) {

@@ -31,7 +31,7 @@ struct Report {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// Writes a report. Returns false if nobody reads it any more.
+/// Sends a report to the parent. Returns false if the parent has ended.
 bool send_report(int pipe, const RunEnd& end) {
   Report report{end.what, end.code, {}};
   end.message.copy(report.message.data(), report.message.size() - 1);

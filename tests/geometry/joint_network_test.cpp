@@ -15,7 +15,7 @@ Polygon rectangle(double x, double y, double width, double height) {
   return {{x, y}, {x, y + height}, {x + width, y + height}, {x + width, y}};
 }
 
-/// A square of unit cells, each of which belongs to one rectangular block.
+/// A square of unit cells. Each cell belongs to one rectangular block.
 class Lattice {
  public:
   Lattice(int size, std::mt19937& random)

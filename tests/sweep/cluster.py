@@ -376,7 +376,7 @@ class SshServer(Processes):
         port = free_port()
         host_key = (self.folder / "host.pub").read_text()
         (self.folder / "known").write_text(f"[127.0.0.1]:{port} {host_key}")
-        # With another HOME, a shell reads no start-up files of the user, in the midst of which it might be killed.
+        # A shell with this HOME reads no start-up files of the user, so no kill interrupts one.
         (self.folder / "sshd.conf").write_text(
             f"ListenAddress 127.0.0.1:{port}\nHostKey {self.folder}/host\nPidFile none\n"
             f"AuthorizedKeysFile {self.folder}/client.pub\nStrictModes no\nUsePAM no\n"
