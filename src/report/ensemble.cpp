@@ -6,16 +6,14 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <stdexcept>
 
-#include "deck/parser.hpp"
 #include "output/results.hpp"
 #include "post/history.hpp"
 #include "report/outcome_labels.hpp"
 #include "report/outcome_values.hpp"
+#include "report/preview.hpp"
 #include "report/statistics.hpp"
-#include "run/deck_file.hpp"
 #include "run/run.hpp"
 #include "sweep/outcome.hpp"
 
@@ -28,8 +26,6 @@ constexpr const char* usual_measures[] = {"dy:min", "displacement:max", "overlap
                                           "kinetic_energy", "contacts"};
 constexpr const char* sweep_parameter = "sweep";
 constexpr const char* variant_parameter = "variant";
-/// The most results files that are opened to find one that is not damaged.
-constexpr std::size_t most_tried = 10;
 
 State state_of(int code) {
   switch (code) {
@@ -47,13 +43,15 @@ State state_of(int code) {
 /// Collects the runs of the sweeps in an Ensemble.
 class Collector {
  public:
-  explicit Collector(const Request& request) : request_(request) {
+  explicit Collector(const Request& request)
+      : request_(request), side_by_side_(request.pair || request.mixed) {
     all_.members = read_members(request.folders, request.pair, request.mixed);
-    side_by_side_ = request.pair || request.mixed;
+    preview_ = look_ahead(all_.members, request.reading.units);
   }
 
   Ensemble collect() {
-    look_ahead();
+    all_.title = preview_.title;
+    all_.units = preview_.units;
     choose_measures();
     set_parameters();
     for (std::size_t m = 0; m < all_.members.size(); ++m)
@@ -65,101 +63,10 @@ class Collector {
   }
 
  private:
-  /// Finds a run that has measures, and one that has results. If no run that is done
-  /// has results, takes those of another run that ended.
-  void look_ahead() {
-    own_units_.resize(all_.members.size());
-    for (std::size_t m = 0; m < all_.members.size(); ++m) {
-      const Member& one = all_.members[m];
-      if (one.plan.kind == sweep::Kind::check)
-        look_at_deck(m);
-      bool has_results = one.plan.kind != sweep::Kind::run;
-      std::vector<std::string> of_others;
-      for (std::size_t i = 0; i < one.plan.runs.size(); ++i) {
-        const std::string folder = sweep::run_folder(one.folder, i + 1);
-        const auto outcome = sweep::read_outcome_or_damage(folder);
-        if (!outcome)
-          continue;
-        const std::string results = results_in(folder, one.plan);
-        if (outcome->code != run::done) {
-          if (!has_results && of_others.size() < most_tried && fs::exists(results))
-            of_others.push_back(results);
-          continue;
-        }
-        if (outcome_names_.empty()) {
-          outcome_names_ = measured_names(*outcome);
-          outcome_shares_ = measured_shares(*outcome);
-        }
-        if (!has_results && fs::exists(results))
-          has_results = look_at_results(m, results);
-        if (has_results)
-          break;
-      }
-      for (std::size_t i = 0; i < of_others.size() && !has_results; ++i)
-        has_results = look_at_results(m, of_others[i]);
-    }
-  }
-
-  /// Returns false if the file is damaged.
-  bool look_at_results(std::size_t member, const std::string& path) {
-    std::optional<post::ResultsReader> results;
-    try {
-      results.emplace(path);
-    } catch (const std::runtime_error&) {
-      return false;  // the row of this run says so
-    }
-    if (first_results_.empty())
-      first_results_ = path;
-    set_title_and_units(member, results->title(), results->units());
-    return true;
-  }
-
-  /// A deck whose blocks are only checked has no results; its title and units are read
-  /// from the deck itself, if it is still the same.
-  void look_at_deck(std::size_t member) {
-    const sweep::Plan& plan = all_.members[member].plan;
-    std::string title;
-    std::optional<Units> units;
-    try {
-      if (sweep::hash_of_deck(plan.deck) != plan.deck_hash)
-        return;
-      const std::string text = run::read_deck(plan.deck);
-      deck::Diagnostics ignored(plan.deck, text);
-      for (const deck::Command& command :
-           deck::parse(plan.deck, text, ignored).commands) {
-        if (const auto* start = std::get_if<deck::Start>(&command.card))
-          title = start->title;
-        if (const auto* card = std::get_if<deck::Units>(&command.card))
-          units = Units{card->length.value, card->mass.value, card->time.value};
-      }
-    } catch (const output::FileError&) {
-      return;  // the deck is on another computer
-    }
-    set_title_and_units(member, title, units);
-  }
-
-  /// The first sweep gives the title and, unless they are asked for, the units.
-  void set_title_and_units(std::size_t member, const std::string& title,
-                           const std::optional<Units>& units) {
-    own_units_[member] = units;
-    if (!first_known_) {
-      first_known_ = member;
-      all_.title = title;
-      all_.units = request_.reading.units ? request_.reading.units : units;
-    } else if (!request_.reading.units &&
-               own_units_[*first_known_].has_value() != units.has_value()) {
-      throw std::runtime_error(
-          fmt::format("only one of the decks of {} and {} names its units (UNITS "
-                      "card)\n  hint: --units m,kg,s means that all of them are in "
-                      "these units, or converts",
-                      all_.members[*first_known_].folder, all_.members[member].folder));
-    }
-  }
-
   /// Returns the factor that converts a measured value of a sweep to the units of the
   /// report.
   double scale_of(std::size_t member, const quantities::Dimension& dimension) const {
-    const auto& own = own_units_[member];
+    const auto& own = preview_.own_units[member];
     return own && all_.units && !(*own == *all_.units)
                ? post::UnitScale::between(*own, *all_.units).of(dimension)
                : 1.0;
@@ -169,11 +76,11 @@ class Collector {
     const sweep::Kind kind = all_.kind();
     std::vector<std::string> names = request_.measures;
     std::vector<std::string> recorded;
-    if (!first_results_.empty()) {
+    if (!preview_.first_results.empty()) {
       set_profile();
       if (names.empty() && !request_.reading.frames)
         for (const auto& curve :
-             post::recorded_curves(post::ResultsReader(first_results_)))
+             post::recorded_curves(post::ResultsReader(preview_.first_results)))
           recorded.push_back(curve.name());
     }
     if (names.empty()) {
@@ -181,7 +88,7 @@ class Collector {
         names.emplace_back(all_.profile->quantity == "dy" ? "profile:min"
                                                           : "profile:max");
       if (kind != sweep::Kind::run)
-        names = usual_names(outcome_names_, kind == sweep::Kind::study);
+        names = usual_names(preview_.outcome_names, kind == sweep::Kind::study);
       else if (!recorded.empty())
         names.insert(names.end(), recorded.begin(), recorded.end());
       else
@@ -189,15 +96,16 @@ class Collector {
     }
     for (const std::string& name : names) {
       Column column;
-      column.measure = parse_measure(name, outcome_names_, kind != sweep::Kind::run);
+      column.measure =
+          parse_measure(name, preview_.outcome_names, kind != sweep::Kind::run);
       if (column.measure.from == Measure::From::profile && !all_.profile &&
-          !first_results_.empty())
+          !preview_.first_results.empty())
         throw std::runtime_error(fmt::format(
             "{} needs a profile\n  hint: --profile top, or --profile x0,y0,x1,y1",
             name));
       column.is_share = column.measure.limit.has_value() ||
                         (column.measure.from == Measure::From::outcome &&
-                         outcome_shares_.contains(column.measure.key));
+                         preview_.outcome_shares.contains(column.measure.key));
       column.label = column.measure.name;
       measures_.push_back(column.measure);
       all_.columns.push_back(std::move(column));
@@ -221,7 +129,7 @@ class Collector {
       return;
     const bool asked = request_.profile.has_value();
     const ProfileQuestion question = request_.profile.value_or(ProfileQuestion{});
-    post::ResultsReader results(first_results_);
+    post::ResultsReader results(preview_.first_results);
     if (all_.units)
       results.show_in(*all_.units);
     const post::Frame first = results.frame(0);
@@ -293,10 +201,6 @@ class Collector {
     return found->second;
   }
 
-  static std::string results_in(const std::string& folder, const sweep::Plan& plan) {
-    return (fs::path(folder) / (plan.name + ".vtkhdf")).string();
-  }
-
   void add_run(std::size_t member, std::size_t id) {
     const Member& one = all_.members[member];
     const sweep::Variation& run = one.plan.runs[id - 1];
@@ -315,7 +219,7 @@ class Collector {
         row.code = outcome->code;
       row.message = outcome->message;
       if (one.plan.kind == sweep::Kind::run)
-        find_results(results_in(folder, one.plan), row);
+        find_results(results_path(one, id), row);
     }
     std::vector<std::string> variants = {no_variant};
     if (one.plan.kind == sweep::Kind::study)
@@ -460,12 +364,9 @@ class Collector {
 
   const Request& request_;
   Ensemble all_;
-  bool side_by_side_ = false;
-  std::vector<std::optional<Units>> own_units_;  ///< (members) of the decks
-  std::optional<std::size_t> first_known_;       ///< member with known title and units
-  std::vector<std::vector<double>> scales_;      ///< (members, measures) of outcomes
-  std::set<std::string> outcome_names_, outcome_shares_;
-  std::string first_results_;
+  bool side_by_side_;
+  Preview preview_;
+  std::vector<std::vector<double>> scales_;  ///< (members, measures) of outcomes
   std::vector<Measure> measures_;
   std::vector<std::string> faults_;  ///< (measures) the first ones
   std::string any_fault_, profile_fault_;
@@ -491,8 +392,7 @@ std::string Ensemble::folder_of(const RunRow& row) const {
 }
 
 std::string Ensemble::results_of(const RunRow& row) const {
-  return (fs::path(folder_of(row)) / (members[row.member].plan.name + ".vtkhdf"))
-      .string();
+  return results_path(members[row.member], row.id);
 }
 
 std::string Ensemble::name_of(const Group& group) const {

@@ -66,6 +66,10 @@ void expect_alike(const Member& one, const Member& other, bool any_deck) {
 
 }  // namespace
 
+std::string results_path(const Member& member, std::size_t id) {
+  return sweep::run_folder(member.folder, id) + "/" + member.plan.name + ".vtkhdf";
+}
+
 std::vector<Member> read_members(const std::vector<std::string>& folders, bool pair,
                                  bool mixed) {
   std::vector<Member> members;

@@ -1,6 +1,7 @@
 // The sweeps of a report.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct Member {
   std::string label;   ///< the last part of the folder, or more if labels would repeat
   sweep::Plan plan;
 };
+
+/// Returns the path of the results of a run, which need not exist.
+std::string results_path(const Member& member, std::size_t id);
 
 /// Reads the plans of the sweeps in these folders, at least one. Throws
 /// output::FileError if a plan cannot be read. Throws std::runtime_error, with a hint,
