@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "post/axes.hpp"
+#include "post/chart_layout.hpp"
 #include "post/colour_map.hpp"
 #include "post/page_file.hpp"
 #include "post/pen.hpp"
@@ -33,25 +34,6 @@ Colour line_colour(std::size_t i) {
   return palette[i % palette.size()];
 }
 
-/// An entry of a legend: a line, or the band of a line.
-struct Key {
-  std::size_t line;
-  bool is_band;
-  const std::string& words;
-  ChartLine::Form form = ChartLine::Form::curve;
-};
-
-std::vector<Key> keys_of(const ChartPanel& panel) {
-  std::vector<Key> keys;
-  for (std::size_t i = 0; i < panel.lines.size(); ++i) {
-    if (!panel.lines[i].legend.empty())
-      keys.push_back({i, false, panel.lines[i].legend, panel.lines[i].form});
-    if (!panel.lines[i].low.empty() && !panel.lines[i].band_legend.empty())
-      keys.push_back({i, true, panel.lines[i].band_legend});
-  }
-  return keys;
-}
-
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
@@ -70,50 +52,6 @@ struct Range {
     return {low - margin, high + margin};
   }
 };
-
-/// The places of the panels on the page [units].
-struct ChartLayout {
-  double head = 84, panel = 300, between = 34, foot = 66, left = 104, right = 270;
-  double page = 1200, page_height = 0;
-  double title = 34, subtitle = 62;
-  bool keys_above = false;  ///< the legend of a panel is above it, not beside it
-  static constexpr double key_line = 19;
-  static constexpr std::size_t most_keys = 8;
-
-  ChartLayout(const Chart& chart, const PageSize& size);
-
-  /// Returns the height of the legend above a panel.
-  double keys(const ChartPanel& one) const {
-    const std::size_t lines = std::min(keys_of(one).size(), most_keys);
-    return keys_above ? static_cast<double>(lines) * key_line + 4 : 0.0;
-  }
-};
-
-ChartLayout::ChartLayout(const Chart& chart, const PageSize& size) : page(size.width) {
-  constexpr double narrow = 620, flat = 0.62, least_panel = 50;
-  if (size.printed) {
-    keys_above = size.width < narrow;
-    head = 54, between = 26, foot = 60, left = 84, right = keys_above ? 16.0 : 200.0;
-    title = 24, subtitle = 44;
-    panel = std::clamp(flat * (page - left - right), 120.0, 210.0);
-  }
-  if (chart.title.empty()) {
-    head -= subtitle - title;
-    subtitle = title;
-  }
-  if (chart.subtitle.empty())
-    head -= 22;
-  const auto n = static_cast<double>(chart.panels.size());
-  double rest = head + (n - 1) * between + foot;
-  for (const ChartPanel& one : chart.panels)
-    rest += keys(one);
-  if (size.height > 0.0)
-    panel = (size.height - rest) / n;
-  if (panel < least_panel || page - left - right < least_panel)
-    throw std::runtime_error("the size leaves no room for the curves: choose a larger "
-                             "size, or fewer quantities");
-  page_height = rest + n * panel;
-}
 
 class ChartDrawing : ChartLayout {
   using Form = ChartLine::Form;
@@ -370,7 +308,7 @@ class ChartDrawing : ChartLayout {
   }
 
   /// Draws a piece of the line or band, centred at this height.
-  void sample(const Key& key, double x, double y) {
+  void sample(const ChartKey& key, double x, double y) {
     constexpr double width = 26, height = 10;
     if (key.is_band || key.form == Form::bars) {
       pen_.colour(line_colour(key.line), key.is_band ? band_opacity : bar_opacity);

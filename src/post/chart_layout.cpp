@@ -1,0 +1,50 @@
+#include "post/chart_layout.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace blocks::post {
+
+std::vector<ChartKey> keys_of(const ChartPanel& panel) {
+  std::vector<ChartKey> keys;
+  for (std::size_t i = 0; i < panel.lines.size(); ++i) {
+    if (!panel.lines[i].legend.empty())
+      keys.push_back({i, false, panel.lines[i].legend, panel.lines[i].form});
+    if (!panel.lines[i].low.empty() && !panel.lines[i].band_legend.empty())
+      keys.push_back({i, true, panel.lines[i].band_legend});
+  }
+  return keys;
+}
+
+double ChartLayout::keys(const ChartPanel& one) const {
+  const std::size_t lines = std::min(keys_of(one).size(), most_keys);
+  return keys_above ? static_cast<double>(lines) * key_line + 4 : 0.0;
+}
+
+ChartLayout::ChartLayout(const Chart& chart, const PageSize& size) : page(size.width) {
+  constexpr double narrow = 620, flat = 0.62, least_panel = 50;
+  if (size.printed) {
+    keys_above = size.width < narrow;
+    head = 54, between = 26, foot = 60, left = 84, right = keys_above ? 16.0 : 200.0;
+    title = 24, subtitle = 44;
+    panel = std::clamp(flat * (page - left - right), 120.0, 210.0);
+  }
+  if (chart.title.empty()) {
+    head -= subtitle - title;
+    subtitle = title;
+  }
+  if (chart.subtitle.empty())
+    head -= 22;
+  const auto n = static_cast<double>(chart.panels.size());
+  double rest = head + (n - 1) * between + foot;
+  for (const ChartPanel& one : chart.panels)
+    rest += keys(one);
+  if (size.height > 0.0)
+    panel = (size.height - rest) / n;
+  if (panel < least_panel || page - left - right < least_panel)
+    throw std::runtime_error("the size leaves no room for the curves: choose a larger "
+                             "size, or fewer quantities");
+  page_height = rest + n * panel;
+}
+
+}  // namespace blocks::post
