@@ -95,7 +95,66 @@ std::optional<double> tangent_to(mpfr_prec_t bits, const Rational& degrees) {
   return result;
 }
 
+// Returns the double nearest to the sine or the cosine, 0 < degrees <= 45.
+double sine_or_cosine(const Rational& degrees, bool sine) {
+  static thread_local const MpfrCache cache;
+  if (sine && degrees == 30)
+    return 0.5;  // other sines and cosines of rational degrees in (0, 45] are
+                 // irrational
+  for (mpfr_prec_t bits = 96;; bits *= 2) {
+    mpfr_t angle;
+    mpfr_t pi;
+    mpfr_inits2(bits, angle, pi, static_cast<mpfr_ptr>(nullptr));
+    mpfr_set_q(angle, degrees.mpq(), MPFR_RNDN);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_mul(angle, angle, pi, MPFR_RNDN);
+    mpfr_div_ui(angle, angle, 180, MPFR_RNDN);
+    if (sine)
+      mpfr_sin(angle, angle, MPFR_RNDN);
+    else
+      mpfr_cos(angle, angle, MPFR_RNDN);
+    // The angle has four roundings. Up to 45 degrees sine and cosine do not amplify
+    // relative errors, so five roundings need less than four bits.
+    const bool certain =
+        mpfr_can_round(angle, bits - 4, MPFR_RNDN, MPFR_RNDN, digits) != 0;
+    const double value = mpfr_get_d(angle, MPFR_RNDN);
+    mpfr_clears(angle, pi, static_cast<mpfr_ptr>(nullptr));
+    if (certain)
+      return value;
+  }
+}
+
 }  // namespace
+
+Vec2 direction_of_degrees(const Rational& degrees) {
+  // Reduces the angle exactly to octants: degrees = 90 quarter + rest, |rest| <= 45.
+  const Rational quarters = degrees / 90 + Rational(1, 2);
+  Integer whole;
+  mpz_fdiv_q(whole.mpz(), mpq_numref(quarters.mpq()), mpq_denref(quarters.mpq()));
+  const Rational rest = degrees - 90 * Rational(whole);
+  Vec2 turned(1.0, 0.0);
+  if (rest != 0) {
+    const Rational size = rest < 0 ? Rational(-rest) : rest;
+    turned = {sine_or_cosine(size, false), sine_or_cosine(size, true)};
+    if (rest < 0)
+      turned.y() = -turned.y();
+  }
+  const unsigned long quarter = mpz_fdiv_ui(whole.mpz(), 4);
+  for (unsigned long i = 0; i < quarter; ++i)
+    turned = Vec2(0.0 - turned.y(), turned.x());
+  return turned;
+}
+
+double negative_logarithm(double u) {
+  static thread_local const MpfrCache cache;
+  mpfr_t value;
+  mpfr_init2(value, digits);
+  mpfr_set_d(value, u, MPFR_RNDN);
+  mpfr_log(value, value, MPFR_RNDN);
+  const double result = 0.0 - mpfr_get_d(value, MPFR_RNDN);
+  mpfr_clear(value);
+  return result;
+}
 
 Rational rational(const Decimal& decimal) {
   const CGAL::Gmpz digits(decimal.digits());

@@ -31,4 +31,13 @@ double rounded_place(const Integer& from, const Integer& length, const Integer& 
 /// result is the same on every machine, and exact at 0 and 45 degrees.
 double tangent_of_degrees(const Rational& degrees);
 
+/// Returns the doubles nearest to cosine and sine of an angle in degrees: a vector in
+/// this direction. The result is the same on every machine, and exact for multiples of
+/// 90 degrees.
+Vec2 direction_of_degrees(const Rational& degrees);
+
+/// Returns the double nearest to -ln(u), u in (0, 1). The result is the same on every
+/// machine.
+double negative_logarithm(double u);
+
 }  // namespace blocks::geometry::exact

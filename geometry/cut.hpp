@@ -1,0 +1,141 @@
+// Cuts a domain into blocks along joints (OUTLINE ... CUT cards, docs/joints.md). The
+// arrangement of outline and joints is exact. Each vertex is rounded once, and the
+// rounded cells are certified.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "geometry/decimal.hpp"
+#include "geometry/tiling.hpp"
+#include "geometry/vec2.hpp"
+
+namespace blocks::geometry {
+
+namespace exact {
+struct SharedPoint;  // rational coordinates, see exact/shared_point.hpp
+}
+
+/// A point with exact rational coordinates, [L]. Copies are cheap.
+class ExactPoint {
+ public:
+  /// The point with exactly these coordinates, which must be finite.
+  ExactPoint(const Vec2& p);  // NOLINT(google-explicit-constructor)
+  /// The point as the deck gives it.
+  ExactPoint(const DecimalPoint& p);  // NOLINT(google-explicit-constructor)
+  explicit ExactPoint(std::shared_ptr<const exact::SharedPoint> point);
+  /// The nearest doubles, [L].
+  const Vec2& nearest() const { return nearest_; }
+  /// The rational coordinates, or null if the nearest doubles are exact.
+  const exact::SharedPoint* rational() const { return exact_.get(); }
+
+ private:
+  Vec2 nearest_;
+  std::shared_ptr<const exact::SharedPoint> exact_;
+};
+
+/// A straight piece of a joint. Pieces may cross, overlap and leave the outline.
+struct JointSegment {
+  ExactPoint from;
+  ExactPoint to;
+  int id = 0;  ///< joint id of the faces that it makes, >= 0; 0: none
+};
+
+/// A domain and the joints that cut it.
+struct CutRequest {
+  std::vector<DecimalPoint> outline;  ///< [L] simple and clockwise, at least 3 corners
+  /// [L] the corners as doubles (SharedCorners); by default the nearest doubles.
+  std::optional<std::vector<Vec2>> rounded;
+  std::vector<JointSegment> joints;
+  double emin = 0.0;  ///< [L] >= 0: shorter edges are contracted; 0: none
+  double amin = 0.0;  ///< [L^2] >= 0: smaller cells are merged; 0: none
+  /// Called before each step of the work with its name and the part done, from 0 to 1.
+  /// It may throw to stop the work.
+  std::function<void(const std::string& step, double part)> progress;
+};
+
+/// What each step of the cutting did.
+struct CutReport {
+  // The arrangement inside the outline, before anything is removed. Its edges include
+  // those of the outline.
+  std::size_t vertices = 0, edges = 0, faces = 0, components = 0;
+  double joint_length = 0.0;          ///< [L] of all inner edges before pruning
+  double p21_before = 0.0;            ///< [1/L] joint_length per area of the outline
+  double p21_after = 0.0;             ///< [1/L] likewise after pruning, before cleaning
+  std::map<int, double> pruned;       ///< [L] removed length of each joint id
+  std::size_t pruned_edges = 0;       ///< number of removed edges
+  std::size_t islands = 0;            ///< components with cells, apart from the outline
+  std::size_t pinched_loops = 0;      ///< loops that meet the rest in one vertex only
+  std::size_t absorbed_faces = 0;     ///< faces of islands and of pinched loops
+  std::size_t straight_vertices = 0;  ///< vertices of degree two that were removed
+  // Cleaning.
+  std::size_t contractions = 0;  ///< edges shorter than emin, and edges of length 0
+  double largest_move = 0.0;     ///< [L] of a vertex by contraction
+  std::size_t kept_short = 0;    ///< edges below emin whose contraction is not possible
+  std::size_t merges = 0;        ///< cells that were merged into a neighbour
+  std::size_t kept_small = 0;    ///< cells below amin that could not be merged
+  // The blocks.
+  std::size_t t_vertices = 0;        ///< vertices inside a straight side of one cell
+  std::size_t x_vertices = 0;        ///< other inner vertices of degree four or more
+  std::size_t moved_t_vertices = 0;  ///< T vertices that were moved off the side
+  std::size_t kept_t_vertices = 0;   ///< T vertices that remain corners of both sides
+};
+
+/// One block: a cell without the T vertices that are inside its straight sides.
+struct CutBlock {
+  std::vector<int> corners;  ///< indices of vertices, clockwise
+  std::vector<int> joints;   ///< joint id of the side from corner i to corner i + 1
+};
+
+/// The certified cells. The result does not depend on the order of the joints, nor on
+/// the direction of a joint.
+struct CutResult {
+  /// Cells begin with their vertex of lowest index and are in order of that index.
+  Mesh mesh;
+  /// Joint id of each cell's edge from vertex i to vertex i + 1. Where joints overlap,
+  /// the smallest id that is not 0 counts.
+  std::vector<std::vector<int>> joints;
+  /// The blocks, one for each cell. Blocks share no interior point.
+  std::vector<CutBlock> blocks;
+  TilingCertificate certificate;  ///< always holds
+  CutReport report;
+};
+
+/// Thrown when a domain cannot be cut. `kind` tells which part of the request is at
+/// fault.
+class CutError : public std::runtime_error {
+ public:
+  enum class Kind { outline, joint, generator, cleaning, certificate };
+  CutError(Kind which, const std::string& message, const Vec2& where,
+           const std::string& next)
+      : std::runtime_error(message), kind(which), place(where), hint(next) {}
+  Kind kind;
+  Vec2 place;        ///< [L] where it fails
+  std::string hint;  ///< says what to do next
+};
+
+/// Cuts the domain.
+///
+/// Edges that do not separate two cells are removed: dangling ends, islands, and loops
+/// that meet the rest in one vertex. What remains is the part of the network that is
+/// connected to the outline by at least two disjoint paths, so every cell is simple.
+/// Vertices of degree two with two collinear edges of one joint id are removed, except
+/// corners of the outline. Vertices are rounded to the nearest doubles, on slanted
+/// sides of the outline towards the domain, as those of layers.
+///
+/// Edges shorter than emin are contracted, the shortest first. The vertex on the
+/// outline remains, otherwise the one with more edges. Edges of length 0 are always
+/// contracted. Cells smaller than amin are merged into the neighbour with the longest
+/// common chain.
+///
+/// Throws CutError if the outline is not simple and clockwise, a coordinate is not
+/// finite, or the certificate does not hold; the error has the place.
+CutResult cut_outline(const CutRequest& request);
+
+}  // namespace blocks::geometry

@@ -1,0 +1,22 @@
+// Removes short edges and small cells from a cut domain (emin and amin of the CUT
+// card). Part of cut.cpp. The certificate, not the cleaning, proves the result.
+#pragma once
+
+#include "geometry/cut.hpp"
+#include "geometry/cut_graph.hpp"
+#include "geometry/exact/line.hpp"
+
+namespace blocks::geometry {
+
+/// Contracts edges and merges cells as described at cut_outline. Requires numbered
+/// cells, and vertices in an order that does not depend on that of the joints. Only
+/// cells that are not simple and clockwise may remain so. lines: of the segments.
+void clean(CutGraph& graph, const std::vector<exact::Line>& lines, double emin,
+           double amin, CutReport& report);
+
+/// Tests whether the two edges of a vertex of degree two are collinear and may become
+/// one: they have one joint id, and the vertex is not a corner of the outline.
+bool is_superfluous(const CutGraph& graph, const std::vector<exact::Line>& lines,
+                    int vertex);
+
+}  // namespace blocks::geometry

@@ -1,0 +1,199 @@
+#include "geometry/exact/joint_arrangement.hpp"
+
+#include <CGAL/Arr_curve_data_traits_2.h>
+#include <CGAL/Arr_extended_dcel.h>
+#include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace blocks::geometry::exact {
+namespace {
+
+// Measured for 100,000 traces (GCC 12.2, CGAL 5.5.1): lazy numbers with cached lines
+// take 2.3 s; without cached lines 16 s; rationals take 11 to 14 s.
+using Lazy = CGAL::Exact_predicates_exact_constructions_kernel;
+
+// What an edge of the arrangement belongs to.
+struct Source {
+  int segment = 0;
+  int joint = 0;
+  bool outline = false;
+  bool operator==(const Source&) const = default;
+};
+
+// The joint id of an edge where joints overlap is the smallest one that is not 0.
+int common_joint(int a, int b) { return a == 0 || b == 0 ? a + b : std::min(a, b); }
+
+struct MergeSources {
+  Source operator()(const Source& a, const Source& b) const {
+    return {std::min(a.segment, b.segment), common_joint(a.joint, b.joint),
+            a.outline || b.outline};
+  }
+};
+
+using Segments = CGAL::Arr_segment_traits_2<Lazy>;
+using Traits = CGAL::Arr_curve_data_traits_2<Segments, Source, MergeSources>;
+// Vertices and half-edges have numbers. A face has 1 if it is outside of the outline.
+using Dcel = CGAL::Arr_extended_dcel<Traits, int, int, int>;
+using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
+
+Lazy::FT lazy(const Rational& value) {
+  const double rounded = nearest(value);
+  if (value == Rational(rounded))
+    return {rounded};
+  return {Lazy::Exact_kernel::FT(value.mpq())};
+}
+
+// CGAL uses the rationals of GMP's C++ interface or those of Boost.
+template <typename Number> mpq_srcptr rational_of(const Number& value) {
+  if constexpr (requires { value.get_mpq_t(); })
+    return value.get_mpq_t();
+  else
+    return value.backend().data();
+}
+
+Rational rational(const Lazy::Exact_kernel::FT& value) {
+  Rational copy;
+  mpq_set(copy.mpq(), rational_of(value));
+  return copy;
+}
+
+Lazy::Point_2 lazy(const Point& p) { return {lazy(p.x()), lazy(p.y())}; }
+
+// Calls visit(half-edge) for all half-edges around the face.
+template <typename Visit> void for_each_side(Arrangement::Face& face, Visit visit) {
+  const auto around = [&visit](Arrangement::Ccb_halfedge_circulator first) {
+    auto turn = first;
+    do {
+      visit(*turn);
+    } while (++turn != first);
+  };
+  for (auto ccb = face.outer_ccbs_begin(); ccb != face.outer_ccbs_end(); ++ccb)
+    around(*ccb);
+  for (auto ccb = face.inner_ccbs_begin(); ccb != face.inner_ccbs_end(); ++ccb)
+    around(*ccb);
+}
+
+// Marks the faces that are connected to the unbounded one without crossing the outline.
+void mark_outside(Arrangement& arrangement) {
+  for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face)
+    face->set_data(0);
+  std::vector<Arrangement::Face_handle> open = {arrangement.unbounded_face()};
+  open.front()->set_data(1);
+  while (!open.empty()) {
+    const Arrangement::Face_handle face = open.back();
+    open.pop_back();
+    for_each_side(*face, [&open](Arrangement::Halfedge& side) {
+      const Arrangement::Face_handle other = side.twin()->face();
+      if (side.curve().data().outline || other->data() != 0)
+        return;
+      other->set_data(1);
+      open.push_back(other);
+    });
+  }
+}
+
+// Fills what is known about a vertex from the edges around it.
+void describe_vertex(const Arrangement::Vertex& from, const std::vector<Line>& lines,
+                     int sides, CutGraph::Vertex& vertex) {
+  int edges = 0;
+  auto turn = from.incident_halfedges();
+  const auto first = turn;
+  do {
+    const Source& source = turn->curve().data();
+    ++edges;
+    if (source.outline) {
+      const int side = source.segment;
+      if (vertex.side >= 0 && vertex.side != side)
+        vertex.corner = (side + 1) % sides == vertex.side ? vertex.side : side;
+      vertex.side = vertex.side < 0 ? side : std::min(vertex.side, side);
+    }
+    if (vertex.first < 0)
+      vertex.first = source.segment;
+    else if (vertex.second < 0 && source.segment != vertex.first &&
+             !parallel(lines[CutGraph::at(source.segment)],
+                       lines[CutGraph::at(vertex.first)]))
+      vertex.second = source.segment;
+  } while (++turn != first);
+  // Places of ends that are removed matter only for lengths of the report.
+  if (vertex.second < 0 && edges > 1) {
+    const auto& exactly = from.point().exact();
+    vertex.place = nearest(Point(rational(exactly.x()), rational(exactly.y())));
+  } else {
+    vertex.place = {CGAL::to_double(from.point().approx().x()),
+                    CGAL::to_double(from.point().approx().y())};
+  }
+}
+
+// Copies the edges that have the inside of the outline on at least one side.
+CutGraph copy_inside(Arrangement& arrangement, const std::vector<Line>& lines,
+                     int sides) {
+  CutGraph graph;
+  graph.vertices.reserve(arrangement.number_of_vertices());
+  graph.edges.reserve(arrangement.number_of_edges());
+  for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
+    v->set_data(static_cast<int>(graph.vertices.size()));
+    if (!v->is_isolated())
+      describe_vertex(*v, lines, sides, graph.vertices.emplace_back());
+  }
+  for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e) {
+    const auto number = static_cast<int>(2 * graph.edges.size());
+    e->set_data(number);
+    e->twin()->set_data(number + 1);
+    const Source& source = e->curve().data();
+    graph.edges.push_back({source.segment, source.joint, source.outline, true});
+  }
+  const std::size_t half_edges = 2 * graph.edges.size();
+  graph.origin.resize(half_edges);
+  graph.next.resize(half_edges);
+  graph.previous.resize(half_edges);
+  graph.cell.resize(half_edges);
+  std::vector<std::size_t> outside;
+  for (auto h = arrangement.halfedges_begin(); h != arrangement.halfedges_end(); ++h) {
+    const std::size_t i = CutGraph::at(h->data());
+    graph.origin[i] = h->source()->data();
+    graph.next[i] = h->next()->data();
+    graph.previous[i] = h->prev()->data();
+    graph.cell[i] = h->face()->data() != 0 ? -1 : 0;
+    graph.vertices[CutGraph::at(graph.origin[i])].half_edge = static_cast<int>(i);
+    if (i % 2 == 0 && h->face()->data() != 0 && h->twin()->face()->data() != 0)
+      outside.push_back(i / 2);
+  }
+  for (const std::size_t e : outside)
+    graph.remove_edge(e);
+  return graph;
+}
+
+}  // namespace
+
+JointArrangement arrange_joints(const std::vector<Point>& outline,
+                                const std::vector<JointSegment>& joints) {
+  JointArrangement result;
+  result.lines.reserve(outline.size() + joints.size());
+  std::vector<Traits::Curve_2> curves;
+  curves.reserve(outline.size() + joints.size());
+  const auto add = [&](const Point& p, const Point& q, int joint, bool is_outline) {
+    const auto segment = static_cast<int>(result.lines.size());
+    result.lines.emplace_back(p, q);
+    curves.emplace_back(Segments::Curve_2(lazy(p), lazy(q)),
+                        Source{segment, joint, is_outline});
+  };
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    add(outline[i], outline[(i + 1) % outline.size()], 0, true);
+  for (const JointSegment& joint : joints) {
+    const Point p = point_of(joint.from), q = point_of(joint.to);
+    if (p != q)
+      add(p, q, joint.id, false);
+  }
+  Arrangement arrangement;
+  CGAL::insert(arrangement, curves.begin(), curves.end());
+  mark_outside(arrangement);
+  result.graph =
+      copy_inside(arrangement, result.lines, static_cast<int>(outline.size()));
+  return result;
+}
+
+}  // namespace blocks::geometry::exact

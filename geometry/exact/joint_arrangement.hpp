@@ -1,0 +1,28 @@
+// PRIVATE to geometry/: the exact arrangement of an outline and its joints.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/cut.hpp"
+#include "geometry/cut_graph.hpp"
+#include "geometry/exact/line.hpp"
+#include "geometry/exact/shared_point.hpp"
+
+namespace blocks::geometry::exact {
+
+/// The graph inside the outline, and the lines of the segments: first the sides of the
+/// outline, then the joints.
+struct JointArrangement {
+  CutGraph graph;
+  std::vector<Line> lines;
+};
+
+/// Arranges outline and joints; edges outside of the outline are left out. Vertices
+/// have approximate places, except that those without a second line have the nearest
+/// doubles. outline: simple and clockwise. Joints of length 0 are ignored.
+JointArrangement arrange_joints(const std::vector<Point>& outline,
+                                const std::vector<JointSegment>& joints);
+
+}  // namespace blocks::geometry::exact

@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "geometry/exact/box_pairs.hpp"
+#include "geometry/exact/line.hpp"
+#include "geometry/exact/shared_point.hpp"
+#include "geometry/joint_sources.hpp"
+#include "geometry/numeric_environment.hpp"
+
+namespace blocks::geometry {
+namespace {
+
+using exact::Point;
+using exact::Rational;
+using exact::Vector;
+
+struct Piece {
+  Point from, to;
+};
+
+// An end of a trace and the direction in which it may be prolonged.
+struct End {
+  std::size_t trace;
+  bool at_to;
+  Point place;
+  Vector direction;  ///< the trace, so parameter 1 prolongs it by its own length
+  bool dangles = true;
+  std::optional<Rational> hit;  ///< least parameter > 0
+};
+
+exact::Box box_of(const Point& p, const Point& q, std::size_t number) {
+  Vec2 a = exact::nearest(p), b = exact::nearest(q);
+  // Encloses the exact points, whose distance to the nearest doubles is below an ulp.
+  const double slack =
+      0x1p-50 * std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+  return exact::box_of({a, b}, number, slack);
+}
+
+bool contains(const Piece& piece, const Point& p) {
+  if (exact::cross(piece.to - piece.from, p - piece.from) != 0)
+    return false;
+  return CGAL::collinear_are_ordered_along_line(piece.from, p, piece.to);
+}
+
+// Records where the prolonged end meets the piece.
+void meet(const Piece& piece, End& end) {
+  const auto record = [&end](const Rational& s) {
+    if (s > 0 && (!end.hit || s < *end.hit))
+      end.hit = s;
+  };
+  const Vector side = piece.to - piece.from, to_piece = piece.from - end.place;
+  const Rational turn = exact::cross(end.direction, side);
+  if (turn != 0) {
+    const Rational along = exact::cross(to_piece, end.direction) / turn;
+    if (along >= 0 && along <= 1)
+      record(exact::cross(to_piece, side) / turn);
+    return;
+  }
+  if (exact::cross(end.direction, to_piece) != 0)
+    return;
+  const Rational square = end.direction.squared_length();
+  record(to_piece * end.direction / square);
+  record((piece.to - end.place) * end.direction / square);
+}
+
+bool is_inside(const std::vector<Point>& outline, const Point& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        (exact::cross(a - p, b - p) > 0) == (b.y() > a.y()))
+      inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace
+
+Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& snap,
+                       const std::vector<JointSegment>& others,
+                       const std::vector<DecimalPoint>& outline) {
+  const RoundToNearest mode;
+  Prolongation result;
+  result.traces = traces;
+  const Rational reach = exact::rational(snap);
+  if (reach <= 0)
+    return result;
+  std::vector<Piece> pieces;
+  for (const auto* joints : {&traces, &others})
+    for (const JointSegment& joint : *joints)
+      pieces.push_back({exact::point_of(joint.from), exact::point_of(joint.to)});
+  std::vector<Point> corners;
+  for (const DecimalPoint& corner : outline)
+    corners.push_back(exact::rational(corner));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    pieces.push_back({corners[i], corners[(i + 1) % corners.size()]});
+
+  std::vector<End> ends;
+  std::vector<exact::Box> probes, boxes;
+  for (std::size_t i = 0; i < traces.size(); ++i)
+    for (const bool at_to : {false, true}) {
+      const Point& place = at_to ? pieces[i].to : pieces[i].from;
+      const Point& back = at_to ? pieces[i].from : pieces[i].to;
+      if (place == back)
+        continue;
+      const Vector direction = place - back;
+      const Vec2 d(exact::nearest(direction.x()), exact::nearest(direction.y()));
+      // Slightly more than the reach, in doubles; the hit is compared exactly.
+      const Rational far(1.001 * snap.value() / d.norm());
+      probes.push_back(box_of(place, place + direction * far, ends.size()));
+      ends.push_back({i, at_to, place, direction, true, {}});
+    }
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    boxes.push_back(box_of(pieces[i].from, pieces[i].to, i));
+  CGAL::box_intersection_d(probes.begin(), probes.end(), boxes.begin(), boxes.end(),
+                           [&](const exact::Box& probe, const exact::Box& box) {
+                             End& end = ends[probe.info()];
+                             if (box.info() == end.trace || !end.dangles)
+                               return;
+                             const Piece& piece = pieces[box.info()];
+                             if (contains(piece, end.place))
+                               end.dangles = false;
+                             else
+                               meet(piece, end);
+                           });
+  for (const End& end : ends) {
+    if (!end.dangles || !end.hit || !is_inside(corners, end.place))
+      continue;
+    if (*end.hit * *end.hit * end.direction.squared_length() > reach * reach)
+      continue;
+    JointSegment& trace = result.traces[end.trace];
+    (end.at_to ? trace.to : trace.from) =
+        exact::exact_point(end.place + end.direction * *end.hit);
+    ++result.ends;
+    const double length =
+        exact::nearest(*end.hit) * std::hypot(exact::nearest(end.direction.x()),
+                                              exact::nearest(end.direction.y()));
+    result.largest = std::max(result.largest, length);
+  }
+  return result;
+}
+
+}  // namespace blocks::geometry

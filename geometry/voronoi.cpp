@@ -1,0 +1,239 @@
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "geometry/exact/shared_point.hpp"
+#include "geometry/joint_sources.hpp"
+#include "geometry/numeric_environment.hpp"
+#include "geometry/polygon.hpp"
+#include "geometry/region.hpp"
+
+namespace blocks::geometry {
+namespace {
+
+using exact::Point;
+using exact::Rational;
+using exact::Vector;
+
+using VertexBase =
+    CGAL::Triangulation_vertex_base_with_info_2<std::size_t, exact::Filtered>;
+using FaceBase = CGAL::Triangulation_face_base_2<exact::Filtered>;
+using Delaunay = CGAL::Delaunay_triangulation_2<
+    exact::Filtered, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+[[noreturn]] void refuse(const std::string& message, const Vec2& place,
+                         const std::string& hint) {
+  throw CutError(CutError::Kind::generator, message, place, hint);
+}
+
+Polygon rounded(const std::vector<DecimalPoint>& outline) {
+  Polygon polygon;
+  for (const DecimalPoint& corner : outline)
+    polygon.emplace_back(corner.x.value(), corner.y.value());
+  return polygon;
+}
+
+std::vector<Vec2> random_points(const VoronoiRequest& request, const Polygon& outline) {
+  const Region region(outline);
+  Vec2 low = outline[0], high = outline[0];
+  for (const Vec2& corner : outline) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  // A point outside of the outline is drawn again, at most so many times.
+  constexpr std::uint32_t most_draws = 100'000;
+  std::vector<Vec2> points;
+  for (int i = 0; i < request.count; ++i)
+    for (std::uint32_t draw = 0;; ++draw) {
+      if (draw == most_draws)
+        refuse("no random points are in the outline", outline[0],
+               "give points, or an outline that fills more of its bounding box");
+      const auto part = [&](std::uint32_t use) {
+        return (static_cast<double>(random_53_bits(
+                    request.stream, static_cast<std::uint64_t>(i), draw, use)) +
+                0.5) *
+               0x1p-53;
+      };
+      const Vec2 p(low.x() + part(0) * (high.x() - low.x()),
+                   low.y() + part(1) * (high.y() - low.y()));
+      if (!region.contains(p))
+        continue;
+      points.push_back(p);
+      break;
+    }
+  return points;
+}
+
+Delaunay triangulation_of(const std::vector<Vec2>& points) {
+  std::vector<std::pair<exact::Filtered::Point_2, std::size_t>> sites;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sites.emplace_back(exact::point(points[i]), i);
+  Delaunay delaunay;
+  delaunay.insert(sites.begin(), sites.end());
+  return delaunay;
+}
+
+// The part of the polygon on the side of `own` of the bisector to `other` (Sutherland
+// and Hodgman), in doubles. Bridges of a concave outline have no area.
+Polygon nearer(const Polygon& polygon, const Vec2& own, const Vec2& other) {
+  const Vec2 normal = other - own, middle = own + normal / 2.0;
+  const auto side = [&](const Vec2& p) { return normal.dot(p - middle); };
+  Polygon rest;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &here = polygon[i], &then = polygon[(i + 1) % polygon.size()];
+    const double d = side(here), e = side(then);
+    if (d <= 0.0)
+      rest.push_back(here);
+    if ((d < 0.0 && e > 0.0) || (d > 0.0 && e < 0.0))
+      rest.emplace_back(here + (then - here) * (d / (d - e)));
+  }
+  return rest;
+}
+
+// One round of Lloyd's relaxation: moves points to the centroids of their cells.
+std::vector<Vec2> relaxed(const std::vector<Vec2>& points, const Polygon& outline) {
+  const Region region(outline);
+  const Delaunay delaunay = triangulation_of(points);
+  std::vector<Vec2> moved = points;
+  for (auto v = delaunay.finite_vertices_begin(); v != delaunay.finite_vertices_end();
+       ++v) {
+    const Vec2& own = points[v->info()];
+    // The order of the neighbours is fixed, so that the bits are the same everywhere.
+    std::vector<std::size_t> neighbours;
+    auto turn = delaunay.incident_vertices(v);
+    if (turn != nullptr) {
+      const auto first = turn;
+      do {
+        if (!delaunay.is_infinite(turn))
+          neighbours.push_back(turn->info());
+      } while (++turn != first);
+    }
+    std::sort(neighbours.begin(), neighbours.end());
+    Polygon cell = outline;
+    for (const std::size_t other : neighbours)
+      cell = nearer(cell, own, points[other]);
+    if (cell.size() < 3)
+      continue;
+    const SectionProperties properties = section_properties(cell);
+    if (properties.area > 0.0 && region.contains(properties.centroid))
+      moved[v->info()] = properties.centroid;
+  }
+  return moved;
+}
+
+Point exactly(const exact::Filtered::Point_2& p) {
+  return {Rational(p.x()), Rational(p.y())};
+}
+
+// Makes the edges of the cells. Edges to infinity end outside of the box.
+class Cells {
+ public:
+  Cells(const Delaunay& delaunay, const Polygon& outline, int id)
+      : delaunay_(delaunay), id_(id) {
+    Vec2 low = outline[0], high = outline[0];
+    const auto include = [&](const Vec2& p) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    };
+    for (const Vec2& corner : outline)
+      include(corner);
+    for (auto v = delaunay.finite_vertices_begin(); v != delaunay.finite_vertices_end();
+         ++v)
+      include({v->point().x(), v->point().y()});
+    middle_ = (low + high) / 2.0;
+    radius_ = (high - low).norm() + 0x1p-40 * middle_.lpNorm<Eigen::Infinity>();
+  }
+
+  std::vector<JointSegment> edges() {
+    std::vector<JointSegment> result;
+    for (auto e = delaunay_.finite_edges_begin(); e != delaunay_.finite_edges_end();
+         ++e) {
+      const auto face = e->first;
+      const Point p = exactly(face->vertex(Delaunay::ccw(e->second))->point());
+      const Point q = exactly(face->vertex(Delaunay::cw(e->second))->point());
+      if (delaunay_.dimension() == 1) {
+        const Point m = CGAL::midpoint(p, q);
+        add(exact::nearest(far_from(m, q - p)), exact::nearest(far_from(m, p - q)),
+            result);
+        continue;
+      }
+      const auto other = face->neighbor(e->second);
+      const bool left = !delaunay_.is_infinite(face),
+                 right = !delaunay_.is_infinite(other);
+      // p -> q has the face on its left, so the other face is on the right.
+      const Vec2 from =
+          left ? centre(face)
+               : exact::nearest(far_from(exact_centre(other), reversed(q - p)));
+      const Vec2 to =
+          right ? centre(other) : exact::nearest(far_from(exact_centre(face), q - p));
+      add(from, to, result);
+    }
+    return result;
+  }
+
+ private:
+  static Vector reversed(const Vector& v) { return {-v.x(), -v.y()}; }
+  static Point exact_centre(Delaunay::Face_handle face) {
+    return CGAL::circumcenter(exactly(face->vertex(0)->point()),
+                              exactly(face->vertex(1)->point()),
+                              exactly(face->vertex(2)->point()));
+  }
+  const Vec2& centre(Delaunay::Face_handle face) {
+    auto [found, is_new] = centres_.try_emplace(&*face);
+    if (is_new)
+      found->second = exact::nearest(exact_centre(face));
+    return found->second;
+  }
+  // A point outside of the box, from p on the right of the direction.
+  Point far_from(const Point& p, const Vector& direction) const {
+    const Vec2 d(exact::nearest(direction.x()), exact::nearest(direction.y()));
+    const double reach = (exact::nearest(p) - middle_).norm() + 2.0 * radius_;
+    const double factor = std::exp2(std::ceil(std::log2(reach / d.norm())));
+    return {p.x() + direction.y() * Rational(factor),
+            p.y() - direction.x() * Rational(factor)};
+  }
+  void add(const Vec2& from, const Vec2& to, std::vector<JointSegment>& result) const {
+    if (from != to)  // points on one circle share a vertex
+      result.push_back({from, to, id_});
+  }
+
+  const Delaunay& delaunay_;
+  int id_;
+  Vec2 middle_;
+  double radius_ = 0.0;
+  std::map<const Delaunay::Face*, Vec2> centres_;
+};
+
+}  // namespace
+
+VoronoiCells voronoi_cells(const VoronoiRequest& request,
+                           const std::vector<DecimalPoint>& outline) {
+  const RoundToNearest mode;
+  const Polygon corners = rounded(outline);
+  const Vec2 place = corners.empty() ? Vec2(0.0, 0.0) : corners[0];
+  if (corners.size() < 3)
+    refuse("the outline has fewer than three corners", place, "give an outline first");
+  if (request.id < 0 || request.lloyd < 0)
+    refuse("the joint id or the number of rounds is negative", place, "give 0 or more");
+  if (request.points.empty() &&
+      (request.count < 1 || request.count > static_cast<int>(max_joint_pieces)))
+    refuse("the number of points is not between 1 and 1e7", place,
+           "give a number of points, or the points");
+  for (const Vec2& p : request.points)
+    if (!p.allFinite())
+      refuse("a point is not finite", place, "give finite coordinates");
+  VoronoiCells cells;
+  cells.points =
+      request.points.empty() ? random_points(request, corners) : request.points;
+  for (int round = 0; round < request.lloyd; ++round)
+    cells.points = relaxed(cells.points, corners);
+  const Delaunay delaunay = triangulation_of(cells.points);
+  cells.edges = Cells(delaunay, corners, request.id).edges();
+  return cells;
+}
+
+}  // namespace blocks::geometry

@@ -1,0 +1,371 @@
+// Joint sets, Voronoi cells and prolonged traces: conventions, exactness, and the
+// statistics that are known exactly (fixed seeds).
+#include "geometry/joint_sources.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/exact/numbers.hpp"
+#include "tests/geometry/cut_scenes.hpp"
+
+namespace blocks::geometry {
+namespace {
+
+using testing::joints;
+using testing::number;
+using testing::points;
+using testing::request;
+using testing::ten;
+using testing::twice_area;
+
+JointSet set_of(const std::string& dip, const std::string& spacing,
+                const std::string& trace = "0", const std::string& gap = "0") {
+  JointSet set;
+  set.id = 2;
+  set.dip.mean = number(dip);
+  set.spacing.mean = number(spacing);
+  set.trace.mean = number(trace);
+  set.gap.mean = number(gap);
+  set.stream = {1, 2};
+  return set;
+}
+
+std::string square(double size) {
+  const std::string s = std::to_string(size);
+  return "0 0 0 " + s + " " + s + " " + s + " " + s + " 0";
+}
+
+double length(const JointSegment& joint) {
+  return (joint.to.nearest() - joint.from.nearest()).norm();
+}
+
+TEST(DirectionOfDegrees, IsCorrectlyRoundedAndExactAtRightAngles) {
+  const auto direction = [](int degrees) {
+    return exact::direction_of_degrees(exact::Rational(degrees));
+  };
+  EXPECT_EQ(direction(0), Vec2(1, 0));
+  EXPECT_EQ(direction(90), Vec2(0, 1));
+  EXPECT_EQ(direction(180), Vec2(-1, 0));
+  EXPECT_EQ(direction(-90), Vec2(0, -1));
+  EXPECT_EQ(direction(30).y(), 0.5);
+  EXPECT_EQ(direction(-60).x(), 0.5);
+  EXPECT_EQ(direction(120).x(), -0.5);
+  EXPECT_EQ(direction(45).x(), direction(45).y());
+  EXPECT_EQ(direction(45).x(), std::numbers::sqrt2 / 2.0);
+  for (int degrees = -400; degrees < 400; ++degrees) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    EXPECT_NEAR(direction(degrees).x(), std::cos(angle), 2e-15);
+    EXPECT_NEAR(direction(degrees).y(), std::sin(angle), 2e-15);
+    EXPECT_EQ(direction(degrees), direction(degrees + 360));
+  }
+}
+
+// Tracks at multiples of the decimal 0.1 meet the decimal corners of the outline.
+TEST(JointSets, EvenSpacingIsExact) {
+  const auto outline = points("0 0 0 0.3 0.1 0.3 0.1 0.6 1 0.6 1 0");
+  CutRequest cuts;
+  cuts.outline = outline;
+  cuts.joints = joint_set(set_of("0", "0.1"), outline);
+  const CutResult result = cut_outline(cuts);
+  // Five tracks inside; the one at 0.3 starts at the re-entrant corner.
+  EXPECT_EQ(result.mesh.cells.size(), 6U);
+  for (const CutBlock& block : result.blocks)
+    EXPECT_GE(block.corners.size(), 4U);
+}
+
+TEST(JointSets, TrackZeroBeginsAtTheStart) {
+  JointSet set = set_of("0", "100", "2", "1");
+  set.start = points("3 5")[0];
+  const auto traces = joint_set(set, points(ten));
+  std::vector<double> begins;
+  for (const JointSegment& trace : traces) {
+    if (trace.from.nearest().y() != 5.0)  // a track outside of the window
+      continue;
+    EXPECT_EQ(trace.id, 2);
+    begins.push_back(trace.from.nearest().x());
+  }
+  for (const double x : {0.0, 3.0, 6.0, 9.0})
+    EXPECT_EQ(std::count(begins.begin(), begins.end(), x), 1) << x;
+}
+
+TEST(JointSets, DipIsAnticlockwiseFromTheXAxis) {
+  JointSet set = set_of("30", "1");
+  for (const JointSegment& line : joint_set(set, points(ten))) {
+    const Vec2 d = line.to.nearest() - line.from.nearest();
+    EXPECT_NEAR(std::atan2(d.y(), d.x()), std::numbers::pi / 6.0, 1e-12);
+  }
+  set = set_of("30", "1", "2", "1");
+  set.dip.deviation = number("5");
+  double least = 90.0, most = 0.0;
+  for (const JointSegment& trace : joint_set(set, points(square(40.0)))) {
+    const Vec2 d = trace.to.nearest() - trace.from.nearest();
+    EXPECT_NEAR(length(trace), 2.0, 1e-12);
+    const double dip = std::atan2(d.y(), d.x()) * 180.0 / std::numbers::pi;
+    least = std::min(least, dip);
+    most = std::max(most, dip);
+  }
+  EXPECT_NEAR(least, 25.0, 0.2);
+  EXPECT_NEAR(most, 35.0, 0.2);
+}
+
+TEST(JointSets, AnotherOutlineOrStreamDoesNotChangeThePieces) {
+  for (const JointLaw law : {JointLaw::uniform, JointLaw::negexp, JointLaw::poisson}) {
+    JointSet set = set_of("20", "1", "3", "1");
+    set.law = law;
+    set.spacing.deviation = number("0.5");
+    set.trace.deviation = number("1");
+    const auto small = joint_set(set, points(ten));
+    const auto large = joint_set(set, points("-20 -20 -20 30 30 30 30 -20"));
+    // Each trace inside the small square is one of the large square.
+    std::size_t inside = 0;
+    for (const JointSegment& trace : small) {
+      const Vec2 a = trace.from.nearest(), b = trace.to.nearest();
+      if (a.minCoeff() < 0.0 || b.minCoeff() < 0.0 || a.maxCoeff() > 10.0 ||
+          b.maxCoeff() > 10.0)
+        continue;
+      ++inside;
+      EXPECT_TRUE(std::any_of(large.begin(), large.end(), [&](const auto& other) {
+        return other.from.nearest() == a && other.to.nearest() == b;
+      }));
+    }
+    EXPECT_GT(inside, 5U);
+    JointSet other = set;
+    other.stream.layer = 3;
+    EXPECT_NE(joint_set(other, points(ten)).back().from.nearest(),
+              small.back().from.nearest());
+  }
+}
+
+TEST(JointSets, FaultsAreReportedBeforeAnythingIsComputed) {
+  const auto fault = [](const JointSet& set) -> std::string {
+    try {
+      joint_set(set, points(ten));
+    } catch (const CutError& error) {
+      EXPECT_EQ(error.kind, CutError::Kind::generator);
+      return error.what();
+    }
+    return "no fault";
+  };
+  EXPECT_EQ(fault(set_of("0", "0")), "the mean spacing is not positive");
+  EXPECT_EQ(fault(set_of("0", "1e-8")),
+            "the joint set has too many pieces for its spacing");
+  EXPECT_EQ(fault(set_of("0", "1e-3", "1e-6", "0")),
+            "the joint set has too many pieces for its spacing");
+  JointSet set = set_of("0", "1");
+  set.spacing.deviation = number("1");
+  EXPECT_EQ(fault(set), "the spacing may be 0 or negative");
+  set = set_of("0", "1", "1");
+  set.trace.deviation = number("2");
+  EXPECT_EQ(fault(set), "traces may have length 0");
+}
+
+TEST(Prolonged, EndsThatTouchAJointOrAreOutsideDoNotMove) {
+  const auto traces = joints("1 5 5 5 5 1 5 9 9.5 2 12 2 2 2 5 2");
+  const Prolongation result = prolonged(traces, Decimal(2), {}, points(ten));
+  // 1 5: to the left side. 5 1 and 5 9: to the lower and upper side. 2 2: to the left
+  // side. 9.5 2 -> 12 2 begins inside and dangles; the next joint is 4.5 away.
+  EXPECT_EQ(result.ends, 4U);
+  EXPECT_EQ(result.traces[0].from.nearest(), Vec2(0, 5));
+  EXPECT_EQ(result.traces[0].to.nearest(), Vec2(5, 5));
+  EXPECT_EQ(result.traces[1].from.nearest(), Vec2(5, 0));
+  EXPECT_EQ(result.traces[1].to.nearest(), Vec2(5, 10));
+  EXPECT_EQ(result.traces[2].from.nearest(), Vec2(9.5, 2));
+  EXPECT_EQ(result.traces[3].from.nearest(), Vec2(0, 2));
+}
+
+// The prolonged end is on the other joint exactly, whatever the direction.
+TEST(Prolonged, ReachesTheOtherJointExactly) {
+  auto traces = joints("0.1 0 9.7 10 1.3 7.1 2.9 3.7 0.9 9.1 4.1 6.3");
+  const Prolongation result = prolonged(traces, Decimal(20), {}, points(ten));
+  CutRequest cuts = request(ten, result.traces);
+  const CutResult cut = cut_outline(cuts);
+  EXPECT_EQ(cut.mesh.cells.size(), 4U);
+  EXPECT_NEAR(cut.report.p21_before - cut.report.p21_after, 0.0, 1e-12);
+  testing::expect_tiling(cut);
+}
+
+TEST(Voronoi, PointsOnALineAndOnACircleAreCut) {
+  VoronoiRequest cells;
+  cells.points = {{1, 1}, {3, 3}, {8, 8}};
+  CutRequest cuts = request(ten, voronoi_cells(cells, points(ten)).edges);
+  EXPECT_EQ(cut_outline(cuts).mesh.cells.size(), 3U);
+  cells.points.clear();
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      cells.points.emplace_back(1 + 2 * i, 1 + 2 * j);
+  cuts.joints = voronoi_cells(cells, points(ten)).edges;
+  const CutResult lattice = cut_outline(cuts);
+  EXPECT_EQ(lattice.mesh.cells.size(), 25U);
+  EXPECT_EQ(lattice.report.x_vertices, 16U);
+  cells.points = {{5, 5}};
+  EXPECT_TRUE(voronoi_cells(cells, points(ten)).edges.empty());
+}
+
+TEST(Voronoi, RelaxationEvensTheAreas) {
+  VoronoiRequest cells;
+  cells.count = 200;
+  cells.stream = {5, 1};
+  double before = 0.0;
+  for (const int rounds : {0, 2, 10}) {
+    cells.lloyd = rounds;
+    const CutResult result =
+        cut_outline(request(ten, voronoi_cells(cells, points(ten)).edges));
+    EXPECT_EQ(result.mesh.cells.size(), 200U);
+    double squares = 0.0;
+    for (const auto& cell : result.mesh.cells) {
+      const double area =
+          static_cast<double>(twice_area(testing::polygon(result.mesh, cell)) / 2);
+      squares += (area / 0.5 - 1.0) * (area / 0.5 - 1.0);
+    }
+    EXPECT_TRUE(rounds == 0 || squares < before);
+    before = squares;
+  }
+}
+
+// Statistics of the cells whose lowest point is in the inner window. The window cuts
+// other cells, which would bias the statistics.
+struct CellStatistics {
+  double cells = 0, area = 0, square = 0, perimeter = 0, sides = 0, side_square = 0,
+         triangles = 0, faces = 0, p21 = 0;
+  int networks = 0;
+
+  void add(const CutResult& result, double size, double margin) {
+    ++networks;
+    faces += static_cast<double>(result.mesh.cells.size());
+    p21 += result.report.p21_before;
+    for (const CutBlock& block : result.blocks) {
+      const Polygon p = testing::polygon(result.mesh, block.corners);
+      const Vec2 low = *std::min_element(p.begin(), p.end(), [](auto& a, auto& b) {
+        return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
+      });
+      if (low.minCoeff() < margin || low.maxCoeff() > size - margin)
+        continue;
+      double twice = 0.0, around = 0.0;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        const Vec2 a = p[i] - p[0], b = p[(i + 1) % p.size()] - p[0];
+        twice += cross(b, a);
+        around += (b - a).norm();
+      }
+      const auto n = static_cast<double>(p.size());
+      cells += 1;
+      area += twice / 2;
+      square += twice * twice / 4;
+      perimeter += around;
+      sides += n;
+      side_square += n * n;
+      triangles += p.size() == 3 ? 1 : 0;
+    }
+  }
+};
+
+template <typename Joints>
+CellStatistics statistics(int networks, double size, double margin, Joints make) {
+  CellStatistics sum;
+  for (int i = 0; i < networks; ++i) {
+    CutRequest cuts = request(square(size), {});
+    cuts.joints = make(static_cast<std::uint64_t>(i), cuts.outline);
+    sum.add(cut_outline(cuts), size, margin);
+  }
+  return sum;
+}
+
+TEST(JointStatistics, PoissonLines) {
+  JointSet set = set_of("0", "1");
+  set.law = JointLaw::poisson;
+  const CellStatistics s =
+      statistics(400, 40.0, 10.0, [&](std::uint64_t seed, const auto& outline) {
+        set.stream.seed = seed;
+        return joint_set(set, outline);
+      });
+  constexpr double pi = std::numbers::pi;
+  EXPECT_NEAR(s.area / s.cells, pi, 0.06 * pi);
+  EXPECT_NEAR(s.perimeter / s.cells, 2 * pi, 0.05 * 2 * pi);
+  EXPECT_NEAR(s.sides / s.cells, 4.0, 0.05);
+  EXPECT_NEAR(s.square * s.cells / (s.area * s.area), pi * pi / 2, 0.5);
+  EXPECT_NEAR(s.side_square / s.cells - std::pow(s.sides / s.cells, 2),
+              (pi * pi - 8) / 2, 0.08);
+  EXPECT_NEAR(s.triangles / s.cells, 2 - pi * pi / 6, 0.02);
+  const double faces = 1 + 160 / pi + 1600 / pi;
+  EXPECT_NEAR(s.faces / s.networks, faces, 0.06 * faces);
+  EXPECT_NEAR(s.p21 / s.networks, 1.0, 0.03);
+}
+
+TEST(JointStatistics, TwoExponentialSets) {
+  JointSet first = set_of("10", "1"), second = set_of("70", "2");
+  for (JointSet* set : {&first, &second}) {
+    set->law = JointLaw::negexp;
+    set->start = points("-100 -100")[0];
+  }
+  second.stream.layer = 9;
+  const CellStatistics s =
+      statistics(30, 60.0, 20.0, [&](std::uint64_t seed, const auto& outline) {
+        first.stream.seed = second.stream.seed = seed;
+        auto all = joint_set(first, outline);
+        const auto more = joint_set(second, outline);
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+      });
+  const double mean = 2.0 / std::sin(std::numbers::pi / 3.0);
+  EXPECT_NEAR(s.area / s.cells, mean, 0.08 * mean);
+  EXPECT_NEAR(std::sqrt(s.square * s.cells / (s.area * s.area) - 1), std::sqrt(3.0),
+              0.15);
+}
+
+TEST(JointStatistics, TwoUniformSetsAtRightAngles) {
+  JointSet first = set_of("0", "2"), second = set_of("90", "2");
+  for (JointSet* set : {&first, &second}) {
+    set->spacing.deviation = number("1");
+    set->start = points("-100.3 -100.7")[0];
+  }
+  second.stream.layer = 9;
+  const CellStatistics s =
+      statistics(30, 80.0, 20.0, [&](std::uint64_t seed, const auto& outline) {
+        first.stream.seed = second.stream.seed = seed;
+        auto all = joint_set(first, outline);
+        const auto more = joint_set(second, outline);
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+      });
+  EXPECT_NEAR(s.area / s.cells, 4.0, 0.1);
+  EXPECT_NEAR(s.square * s.cells / (s.area * s.area) - 1, std::pow(13.0 / 12.0, 2) - 1,
+              0.02);
+}
+
+TEST(JointStatistics, PersistenceGivesTheLengthPerArea) {
+  for (const bool random : {false, true}) {
+    JointSet set = set_of("35", "0.5", "3", "2");
+    if (random) {
+      set.spacing.deviation = number("0.4");
+      set.trace.deviation = number("2");
+      set.gap.deviation = number("2");
+    }
+    set.start = points("-50.1 -50.2")[0];
+    const CellStatistics s =
+        statistics(20, 20.0, 5.0, [&](std::uint64_t seed, const auto& outline) {
+          set.stream.seed = seed;
+          return joint_set(set, outline);
+        });
+    EXPECT_NEAR(s.p21 / s.networks, 3.0 / (5.0 * 0.5), 0.02);
+  }
+}
+
+TEST(JointStatistics, PoissonVoronoi) {
+  VoronoiRequest cells;
+  cells.count = 1600;
+  const CellStatistics s =
+      statistics(10, 40.0, 4.0, [&](std::uint64_t seed, const auto& outline) {
+        cells.stream = {seed, 4};
+        return voronoi_cells(cells, outline).edges;
+      });
+  EXPECT_NEAR(s.area / s.cells, 1.0, 0.02);
+  EXPECT_NEAR(s.sides / s.cells, 6.0, 0.01);
+  EXPECT_NEAR(s.perimeter / s.cells, 4.0, 0.04);
+  EXPECT_NEAR(s.square / s.cells - std::pow(s.area / s.cells, 2), 0.28018, 0.02);
+  EXPECT_NEAR(s.side_square / s.cells - std::pow(s.sides / s.cells, 2), 1.7808, 0.06);
+}
+
+}  // namespace
+}  // namespace blocks::geometry
