@@ -330,6 +330,17 @@ bool areas_add_up(const Mesh& mesh) {
   return CGAL::sign(rest) == CGAL::ZERO;
 }
 
+// Adds the length of each joint id to the report, and returns the sum.
+double add_lengths(const CutGraph& graph, CutReport& report) {
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    if (graph.edges[e].alive && !graph.edges[e].outline)
+      report.lengths[graph.edges[e].joint].drawn += graph.length(e);
+  double sum = 0.0;
+  for (const auto& [joint, length] : report.lengths)
+    sum += length.drawn;
+  return sum;
+}
+
 double inner_length(const CutGraph& graph) {
   double length = 0.0;
   for (std::size_t e = 0; e < graph.edges.size(); ++e)
@@ -364,9 +375,8 @@ CutResult cut_outline(const CutRequest& request) {
   begin("arrange joints", 0.0);
   exact::JointArrangement arrangement = exact::arrange_joints(outline, request.joints);
   begin("prune joints", 0.6);
-  report.joint_length = inner_length(arrangement.graph);
+  report.p21_before = add_lengths(arrangement.graph, report) / area;
   keep_separating_edges(arrangement.graph, report);
-  report.p21_before = report.joint_length / area;
   report.p21_after = inner_length(arrangement.graph) / area;
   report.straight_vertices = join_straight_edges(arrangement.graph, arrangement.lines);
   begin("round vertices", 0.7);

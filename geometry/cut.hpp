@@ -60,15 +60,20 @@ struct CutRequest {
   std::function<void(const std::string& step, double part)> progress;
 };
 
+/// Length of the joints with one id, [L].
+struct JointLength {
+  double drawn = 0.0;   ///< inside the outline, before pruning
+  double pruned = 0.0;  ///< removed because it separates no cells
+};
+
 /// What each step of the cutting did.
 struct CutReport {
   // The arrangement inside the outline, before anything is removed. Its edges include
   // those of the outline.
   std::size_t vertices = 0, edges = 0, faces = 0, components = 0;
-  double joint_length = 0.0;          ///< [L] of all inner edges before pruning
-  double p21_before = 0.0;            ///< [1/L] joint_length per area of the outline
+  std::map<int, JointLength> lengths;  ///< of each joint id
+  double p21_before = 0.0;             ///< [1/L] drawn length per area of the outline
   double p21_after = 0.0;             ///< [1/L] likewise after pruning, before cleaning
-  std::map<int, double> pruned;       ///< [L] removed length of each joint id
   std::size_t pruned_edges = 0;       ///< number of removed edges
   std::size_t islands = 0;            ///< components with cells, apart from the outline
   std::size_t pinched_loops = 0;      ///< loops that meet the rest in one vertex only

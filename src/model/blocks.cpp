@@ -26,6 +26,8 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     if (block.outline.size() > geometry::max_corners)
       throw std::invalid_argument("a block has at most " +
                                   std::to_string(geometry::max_corners) + " corners");
+    if (!block.joints.empty() && block.joints.size() != block.outline.size())
+      throw std::invalid_argument("a block needs one joint id for each side");
     new_corners += static_cast<int>(block.outline.size());
   }
   const int new_blocks = old_blocks + static_cast<int>(added.size());
@@ -67,6 +69,8 @@ void Blocks::append(const std::vector<NewBlock>& added) {
     convex.push_back(geometry::check_outline(block.outline).convex ? 1 : 0);
     if (!convex.back())
       cut(b, block.outline);
+    joint.insert(joint.end(), block.joints.begin(), block.joints.end());
+    joint.resize(static_cast<std::size_t>(first + count), 0);
     int c = first;
     for (const Vec2& point : block.outline) {
       corner.col(c) = point;

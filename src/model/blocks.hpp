@@ -23,6 +23,8 @@ struct NewBlock {
   double density = 0.0;  ///< [M/L^3] > 0
   Fixity fixity = Fixity::free;
   int layer = 0;  ///< LAYER card that made it, from 1; 0: none
+  /// Joint id of the side from corner i to i + 1; empty: 0 for all sides.
+  std::vector<int> joints = {};
 };
 
 /// Arrays of all blocks and their corners. Second-order tensors are stored as rows 11,
@@ -36,6 +38,8 @@ struct Blocks {
   std::vector<int> corner_block;        ///< (m) block of each corner
   std::vector<int> next;                ///< (m) next corner of the block, clockwise
   std::vector<int> previous;            ///< (m) previous corner of the block
+  /// (m) joint id of the side that begins at the corner; 0: none (docs/joints.md)
+  std::vector<int> joint;
   Eigen::Matrix2Xd arm;     ///< [L] (2, m) corner - centroid at creation (13)
   Eigen::Matrix2Xd corner;  ///< [L] (2, m) centroid + gradient arm (15)
 
@@ -86,8 +90,8 @@ struct Blocks {
   std::vector<geometry::Polygon> present_outlines() const;
 
   /// Appends blocks at rest. Throws std::invalid_argument if a corner is not finite, an
-  /// area or a density is not positive, or a block has more than geometry::max_corners
-  /// corners.
+  /// area or a density is not positive, a block has more than geometry::max_corners
+  /// corners, or joints and corners differ in number.
   void append(const std::vector<NewBlock>& blocks);
 
   /// Calls visit(block, corners) for each convex part in `cuts`; corners is a

@@ -67,6 +67,30 @@ struct LayerRecord {
   int redrawn_sides = 0;       ///< sides with a redrawn angle
 };
 
+/// Result of one CUT card (docs/joints.md).
+struct CutRecord {
+  int number = 0;                   ///< number of the CUT card, from 1
+  int first_block = 0, blocks = 0;  ///< first block, from 0, and number of blocks
+  /// The counts of the tiling certificate.
+  int cells = 0, interior_edges = 0, outline_edges = 0;
+  double area = 0.0;  ///< [L^2] of the outline
+  // The steps of the work; geometry::CutReport explains the values.
+  long vertices = 0, edges = 0, faces = 0, components = 0;
+  double p21_before = 0.0, p21_after = 0.0;  ///< [1/L]
+  long islands = 0, pinched_loops = 0, absorbed_faces = 0, straight_vertices = 0;
+  long contractions = 0, kept_short = 0, merges = 0, kept_small = 0;
+  double largest_move = 0.0;  ///< [L] of a vertex by contraction
+  long t_vertices = 0, moved_t_vertices = 0, kept_t_vertices = 0, x_vertices = 0;
+};
+
+/// Length of the joints with one id in the domain of one CUT card, [L].
+struct JointLengthRecord {
+  int cut = 0;         ///< number of the CUT card, from 1
+  int joint = 0;       ///< joint id
+  double drawn = 0.0;  ///< before pruning
+  double pruned = 0.0;
+};
+
 /// The state of a run.
 struct Model {
   Settings settings;
@@ -87,7 +111,9 @@ struct Model {
   std::vector<DomainExit> exits;
   std::vector<MergeRecord> merges;
   std::vector<LayerRecord> layers;
-  long steps = 0;              ///< MCYCLE, number of steps done
+  std::vector<CutRecord> cuts;
+  std::vector<JointLengthRecord> joint_lengths;  ///< ascending in cut and joint
+  long steps = 0;                                ///< MCYCLE, number of steps done
   double time = 0.0;           ///< [T] TIME = time_origin + (steps - step_origin) dt
   double time_origin = 0.0;    ///< [T] time at which the present dt was set
   long step_origin = 0;        ///< value of `steps` at that time

@@ -118,8 +118,8 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
   const auto of_blocks = [&](auto... columns) {
     (take(from.*columns, blocks_, to.*columns), ...);
   };
-  of_corners(&Blocks::corner_block, &Blocks::next, &Blocks::previous, &Blocks::arm,
-             &Blocks::corner);
+  of_corners(&Blocks::corner_block, &Blocks::next, &Blocks::previous, &Blocks::joint,
+             &Blocks::arm, &Blocks::corner);
   of_blocks(&Blocks::material, &Blocks::fixity, &Blocks::convex, &Blocks::layer,
             &Blocks::area, &Blocks::mass, &Blocks::inertia, &Blocks::centroid,
             &Blocks::gradient, &Blocks::velocity, &Blocks::angle, &Blocks::spin,

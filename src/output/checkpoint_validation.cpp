@@ -169,6 +169,7 @@ void expect_cuts(const Blocks& b) {
 void expect_blocks(const Blocks& b, const Settings& settings) {
   expect_corners(b);
   const Eigen::Index n = b.size(), m = b.corners();
+  expect_all("blocks/joint", b.joint, m, not_negative);
   expect_all("blocks/arm", b.arm, m, finite);
   expect_all("blocks/corner", b.corner, m, finite);
   for (const int number : b.material)
@@ -316,6 +317,41 @@ void expect_records(const Model& model) {
     if (layer.blocks > model.blocks.size() - layer.first_block)
       reject_checkpoint("layers names blocks that do not exist");
   }
+  for (const CutRecord& cut : model.cuts) {
+    for (const long count : {static_cast<long>(cut.number),
+                             static_cast<long>(cut.first_block),
+                             static_cast<long>(cut.blocks),
+                             static_cast<long>(cut.cells),
+                             static_cast<long>(cut.interior_edges),
+                             static_cast<long>(cut.outline_edges),
+                             cut.vertices,
+                             cut.edges,
+                             cut.faces,
+                             cut.components,
+                             cut.islands,
+                             cut.pinched_loops,
+                             cut.absorbed_faces,
+                             cut.straight_vertices,
+                             cut.contractions,
+                             cut.kept_short,
+                             cut.merges,
+                             cut.kept_small,
+                             cut.t_vertices,
+                             cut.moved_t_vertices,
+                             cut.kept_t_vertices,
+                             cut.x_vertices})
+      expect("cuts", static_cast<double>(count), not_negative);
+    for (const double value :
+         {cut.area, cut.p21_before, cut.p21_after, cut.largest_move})
+      expect("cuts", value, not_negative);
+    if (cut.blocks > model.blocks.size() - cut.first_block)
+      reject_checkpoint("cuts names blocks that do not exist");
+  }
+  for (const JointLengthRecord& length : model.joint_lengths)
+    for (const double value :
+         {static_cast<double>(length.cut), static_cast<double>(length.joint),
+          length.drawn, length.pruned})
+      expect("joint_lengths", value, not_negative);
 }
 
 void expect_history(const HistoryRequest& history) {

@@ -64,13 +64,14 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
 }
 
 template <class B, class Archive> void visit_blocks(B& blocks, Archive& ar) {
-  auto& [first_corner, corner_block, next, previous, arm, corner, material, fixity,
-         convex, cuts, layer, area, mass, inertia, centroid, velocity, gradient, angle,
-         spin, force, moment, applied, stress, strain_rate] = blocks;
+  auto& [first_corner, corner_block, next, previous, joint, arm, corner, material,
+         fixity, convex, cuts, layer, area, mass, inertia, centroid, velocity, gradient,
+         angle, spin, force, moment, applied, stress, strain_rate] = blocks;
   ar("blocks/first_corner", first_corner);
   ar("blocks/corner_block", corner_block);
   ar("blocks/next", next);
   ar("blocks/previous", previous);
+  ar("blocks/joint", joint);
   ar("blocks/arm", arm);
   ar("blocks/corner", corner);
   ar("blocks/material", material);
@@ -149,8 +150,9 @@ void visit_clock(C& clock, const char* interval_name, const char* due_name,
 
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, plane_contacts, loads, time_step, search, output,
-         plots, plot_times, history, output_blocks, order, exits, merges, layers, steps, time,
-         time_origin, step_origin, started, worst_overlap] = model;
+         plots, plot_times, history, output_blocks, order, exits, merges, layers, cuts,
+         joint_lengths, steps, time, time_origin, step_origin, started, worst_overlap] =
+      model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -204,6 +206,46 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("redrawn", redrawn);
     column("ruled", ruled);
     column("redrawn_sides", redrawn_sides);
+  });
+  ar.records("cuts", cuts, [](auto& column, auto& cut) {
+    auto& [number, first_block, block_count, cells, interior_edges, outline_edges, area,
+           vertices, edges, faces, components, p21_before, p21_after, islands,
+           pinched_loops, absorbed_faces, straight_vertices, contractions, kept_short,
+           merge_count, kept_small, largest_move, t_vertices, moved_t_vertices,
+           kept_t_vertices, x_vertices] = cut;
+    column("number", number);
+    column("first_block", first_block);
+    column("blocks", block_count);
+    column("cells", cells);
+    column("interior_edges", interior_edges);
+    column("outline_edges", outline_edges);
+    column("area", area);
+    column("vertices", vertices);
+    column("edges", edges);
+    column("faces", faces);
+    column("components", components);
+    column("p21_before", p21_before);
+    column("p21_after", p21_after);
+    column("islands", islands);
+    column("pinched_loops", pinched_loops);
+    column("absorbed_faces", absorbed_faces);
+    column("straight_vertices", straight_vertices);
+    column("contractions", contractions);
+    column("kept_short", kept_short);
+    column("merges", merge_count);
+    column("kept_small", kept_small);
+    column("largest_move", largest_move);
+    column("t_vertices", t_vertices);
+    column("moved_t_vertices", moved_t_vertices);
+    column("kept_t_vertices", kept_t_vertices);
+    column("x_vertices", x_vertices);
+  });
+  ar.records("joint_lengths", joint_lengths, [](auto& column, auto& length) {
+    auto& [cut, joint, drawn, pruned] = length;
+    column("cut", cut);
+    column("joint", joint);
+    column("drawn", drawn);
+    column("pruned", pruned);
   });
   ar("steps", steps);
   ar("time", time);

@@ -137,7 +137,7 @@ TEST(CutOutline, VoronoiCellsHaveTheNumberOfVerticesOfEulersFormula) {
 TEST(CutOutline, TraceWithOneFreeEndIsPruned) {
   const CutResult result = cut_outline(request(ten, joints("0 5 9 5", 4)));
   EXPECT_EQ(result.mesh.cells.size(), 1U);
-  EXPECT_DOUBLE_EQ(result.report.pruned.at(4), 9.0);
+  EXPECT_DOUBLE_EQ(result.report.lengths.at(4).pruned, 9.0);
   EXPECT_DOUBLE_EQ(result.report.p21_before, 0.09);
   EXPECT_DOUBLE_EQ(result.report.p21_after, 0.0);
   // The vertex where the trace met the outline is gone as well.
@@ -187,7 +187,7 @@ TEST(CutOutline, WhatIsOutsideIsDropped) {
   const std::string notched = "0 0 0 10 4 10 4 4 6 4 6 10 10 10 10 0";
   const CutResult result = cut_outline(request(notched, joints("-5 7 15 7")));
   EXPECT_EQ(result.mesh.cells.size(), 3U);
-  EXPECT_DOUBLE_EQ(result.report.joint_length, 8.0);
+  EXPECT_DOUBLE_EQ(result.report.lengths.at(1).drawn, 8.0);
   expect_tiling(result);
 }
 
