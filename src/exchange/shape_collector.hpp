@@ -1,0 +1,59 @@
+// Collects the polylines or points of one text, with its messages, and checks their
+// numbers. Filled by one function per form. Private to src/exchange.
+#pragma once
+
+#include "exchange/ring.hpp"
+#include "exchange/trace_reader.hpp"
+
+namespace blocks::exchange {
+
+enum class Shapes { lines, points };
+
+class ShapeCollector {
+ public:
+  /// wanted: the geometry to read; others are refused.
+  ShapeCollector(std::string_view text, Shapes wanted) : text_(text), wanted_(wanted) {}
+
+  Shapes wanted() const { return wanted_; }
+
+  /// Adds a polyline, or reports why it is none. at: its offset in the text.
+  void add_line(const std::vector<Position>& positions, std::optional<int> joint,
+                std::size_t at);
+  void add_point(const Position& position);
+
+  /// Returns the joint id, or reports an error and returns nothing.
+  std::optional<int> joint(const WrittenNumber& number);
+
+  void error(std::size_t at, std::string text, std::string hint = {},
+             std::size_t length = 1);
+  void warning(std::size_t at, std::string text, std::string hint = {});
+  /// Reports a geometry that is not wanted. kind: "Polygon", "POLYGON".
+  void refuse(std::size_t at, const std::string& kind);
+  /// Registers a position with more than two numbers; all are reported once.
+  void saw_height(std::size_t at);
+
+  TraceFile finish_traces(const std::string& form);
+  PointFile finish_points(const std::string& form);
+
+ private:
+  std::string_view text_;
+  Shapes wanted_;
+  std::vector<Trace> traces_;
+  std::vector<std::size_t> begins_;  // offset of each trace
+  std::vector<geometry::DecimalPoint> points_;
+  std::vector<Message> messages_;
+  std::size_t heights_ = 0, first_height_ = 0;
+  std::size_t repeated_ = 0, first_repeated_ = 0;
+
+  std::optional<geometry::Decimal> number(const WrittenNumber& number);
+  std::optional<geometry::DecimalPoint> point(const Position& position);
+  void report_counts();
+  void number_lines();
+};
+
+/// Each reads the text from offset `begin` into the collector.
+void collect_geojson(std::string_view text, ShapeCollector& shapes);
+void collect_wkt(std::string_view text, std::size_t begin, ShapeCollector& shapes);
+void collect_csv(std::string_view text, std::size_t begin, ShapeCollector& shapes);
+
+}  // namespace blocks::exchange

@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "exchange/json_tree.hpp"
+#include "exchange/shape_collector.hpp"
+
+namespace blocks::exchange {
+namespace {
+
+class GeoJsonShapes {
+ public:
+  explicit GeoJsonShapes(ShapeCollector& shapes) : shapes_(shapes) {}
+
+  void read(const Json& root) {
+    if (expect(root, Json::Kind::object, "the file"))
+      object(root, {});
+  }
+
+ private:
+  ShapeCollector& shapes_;
+
+  bool expect(const Json& node, Json::Kind kind, const std::string& what) {
+    if (node.kind == kind)
+      return true;
+    shapes_.error(node.at, fmt::format("{}: expected {}, found {}", what, name_of(kind),
+                                       name_of(node.kind)));
+    return false;
+  }
+
+  /// Returns the items of an array member, or reports an error and returns none.
+  const std::vector<Json>& items(const Json& object, const std::string& key) {
+    static const std::vector<Json> none;
+    const Json* found = object.find(key);
+    if (!found)
+      shapes_.error(object.at, fmt::format("\"{}\" is missing", key));
+    return found && expect(*found, Json::Kind::array, "\"" + key + "\"") ? found->items
+                                                                         : none;
+  }
+
+  void object(const Json& node, std::optional<int> joint);
+  void feature(const Json& node);
+  void line(const Json& node, std::optional<int> joint);
+  void point(const Json& node);
+  std::optional<Position> position(const Json& node);
+};
+
+void GeoJsonShapes::object(const Json& node, std::optional<int> joint) {
+  const Json* type = node.find("type");
+  if (!type) {
+    shapes_.error(node.at, "\"type\" is missing");
+    return;
+  }
+  if (!expect(*type, Json::Kind::string, "\"type\""))
+    return;
+  const bool lines = shapes_.wanted() == Shapes::lines;
+  const auto objects = [&](const char* key, std::optional<int> with) {
+    for (const Json& item : items(node, key))
+      if (expect(item, Json::Kind::object, type->text))
+        object(item, with);
+  };
+  if (type->text == "FeatureCollection") {
+    objects("features", {});
+  } else if (type->text == "Feature") {
+    feature(node);
+  } else if (type->text == "GeometryCollection") {
+    objects("geometries", joint);
+  } else if (lines && type->text == "MultiLineString") {
+    for (const Json& item : items(node, "coordinates"))
+      line(item, joint);
+  } else if (!lines && type->text == "MultiPoint") {
+    for (const Json& item : items(node, "coordinates"))
+      point(item);
+  } else if (type->text != (lines ? "LineString" : "Point")) {
+    shapes_.refuse(node.at, type->text.substr(0, 40));
+  } else if (const Json* found = node.find("coordinates"); !found) {
+    shapes_.error(node.at, "\"coordinates\" is missing");
+  } else if (lines) {
+    line(*found, joint);
+  } else {
+    point(*found);
+  }
+}
+
+void GeoJsonShapes::feature(const Json& node) {
+  std::optional<int> joint;
+  if (const Json* given = node.find("properties");
+      given && given->kind != Json::Kind::null &&
+      expect(*given, Json::Kind::object, "\"properties\""))
+    if (const Json* id = given->find("joint");
+        shapes_.wanted() == Shapes::lines && id && id->kind != Json::Kind::null &&
+        expect(*id, Json::Kind::number, "\"joint\""))
+      joint = shapes_.joint({id->number, id->at});
+  const Json* geometry = node.find("geometry");
+  if (!geometry || geometry->kind == Json::Kind::null)
+    shapes_.warning(node.at, "a feature without geometry is skipped");
+  else if (expect(*geometry, Json::Kind::object, "\"geometry\""))
+    object(*geometry, joint);
+}
+
+std::optional<Position> GeoJsonShapes::position(const Json& node) {
+  if (!expect(node, Json::Kind::array, "position"))
+    return std::nullopt;
+  if (node.items.size() < 2) {
+    shapes_.error(node.at, fmt::format("position: expected 2 numbers, found {}",
+                                       node.items.size()));
+    return std::nullopt;
+  }
+  if (node.items.size() > 2)
+    shapes_.saw_height(node.at);
+  const Json &x = node.items[0], &y = node.items[1];
+  if (!expect(x, Json::Kind::number, "x") || !expect(y, Json::Kind::number, "y"))
+    return std::nullopt;
+  return Position{WrittenNumber{x.number, x.at}, WrittenNumber{y.number, y.at}};
+}
+
+void GeoJsonShapes::line(const Json& node, std::optional<int> joint) {
+  if (!expect(node, Json::Kind::array, "line"))
+    return;
+  if (node.items.empty()) {
+    shapes_.warning(node.at, "an empty line is skipped");
+    return;
+  }
+  std::vector<Position> positions;
+  for (const Json& item : node.items) {
+    const auto found = position(item);
+    if (!found)
+      return;
+    positions.push_back(*found);
+  }
+  shapes_.add_line(positions, joint, node.at);
+}
+
+void GeoJsonShapes::point(const Json& node) {
+  if (const auto found = position(node))
+    shapes_.add_point(*found);
+}
+
+}  // namespace
+
+void collect_geojson(std::string_view text, ShapeCollector& shapes) {
+  try {
+    const Json root = parse_json(text);
+    GeoJsonShapes(shapes).read(root);
+  } catch (const JsonFault& fault) {
+    shapes.error(std::min(fault.at, text.size()), fault.what());
+  }
+}
+
+}  // namespace blocks::exchange
