@@ -128,11 +128,12 @@ class Rounder {
           const std::vector<Point>& outline, const std::vector<Vec2>& corners)
       : graph_(graph), lines_(lines), outline_(outline), corners_(corners) {}
 
-  CutGraph rounded() {
+  CutGraph rounded(StepProgress progress) {
     std::vector<int> order;
     places_.resize(graph_.vertices.size());
     for (std::size_t v = 0; v < graph_.vertices.size(); ++v)
       if (graph_.vertices[v].half_edge >= 0) {
+        progress.count(v, graph_.vertices.size());
         places_[v] = round(graph_.vertices[v]);
         order.push_back(static_cast<int>(v));
       }
@@ -361,10 +362,6 @@ ExactPoint::ExactPoint(std::shared_ptr<const exact::SharedPoint> point)
 
 CutResult cut_outline(const CutRequest& request) {
   const RoundToNearest mode;
-  const auto begin = [&request](const char* step, double part) {
-    if (request.progress)
-      request.progress(step, part);
-  };
   const std::vector<Point> outline = exact_outline(request);
   const std::vector<Vec2> corners = rounded_outline(request, outline);
   check_request(request, outline, corners);
@@ -372,23 +369,23 @@ CutResult cut_outline(const CutRequest& request) {
 
   CutResult result;
   CutReport& report = result.report;
-  begin("arrange joints", 0.0);
-  exact::JointArrangement arrangement = exact::arrange_joints(outline, request.joints);
-  begin("prune joints", 0.6);
+  exact::JointArrangement arrangement =
+      exact::arrange_joints(outline, request.joints, request.progress);
+  StepProgress(request.progress, "prune joints", 0.6);
   report.p21_before = add_lengths(arrangement.graph, report) / area;
   keep_separating_edges(arrangement.graph, report);
   report.p21_after = inner_length(arrangement.graph) / area;
   report.straight_vertices = join_straight_edges(arrangement.graph, arrangement.lines);
-  begin("round vertices", 0.7);
   CutGraph graph =
-      Rounder(arrangement.graph, arrangement.lines, outline, corners).rounded();
+      Rounder(arrangement.graph, arrangement.lines, outline, corners)
+          .rounded(StepProgress(request.progress, "round vertices", 0.7, 0.8));
   arrangement.graph = {};
   graph.number_cells();
-  begin("clean cells", 0.8);
-  clean(graph, arrangement.lines, request.emin, request.amin, report);
-  begin("certify cells", 0.85);
+  clean(graph, arrangement.lines, request.emin, request.amin, report,
+        StepProgress(request.progress, "clean cells", 0.8, 0.85));
   const StraightCorners straight = fill_mesh(graph, arrangement.lines, result);
-  make_blocks(result, straight);
+  make_blocks(result, straight,
+              StepProgress(request.progress, "certify cells", 0.85, 1.0));
   if (!result.certificate.holds)
     refuse(request, result, result.certificate.fault);
   if (!areas_add_up(result.mesh))

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "geometry/decimal.hpp"
+#include "geometry/step_progress.hpp"
 #include "geometry/tiling.hpp"
 #include "geometry/vec2.hpp"
 
@@ -55,9 +55,8 @@ struct CutRequest {
   std::vector<JointSegment> joints;
   double emin = 0.0;  ///< [L] >= 0: shorter edges are contracted; 0: none
   double amin = 0.0;  ///< [L^2] >= 0: smaller cells are merged; 0: none
-  /// Called before each step of the work with its name and the part done, from 0 to 1.
-  /// It may throw to stop the work.
-  std::function<void(const std::string& step, double part)> progress;
+  /// Called before and during each step of the work; may throw to stop it.
+  ProgressFunction progress;
 };
 
 /// Length of the joints with one id, [L].

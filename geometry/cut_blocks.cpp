@@ -27,12 +27,15 @@ class BlockMaker {
         cells_.push_back(c);
     note_axes();
   }
-  void move_out() {
+  void move_out(StepProgress& progress) {
     bool moving = true;
     for (int round = 0; round < most_rounds && moving; ++round) {
       moving = false;
-      for_each_intruder([&](std::size_t, std::size_t, int v, const Vec2& a,
-                            const Vec2& b) { moving = leave(v, a, b) || moving; });
+      for_each_intruder(
+          [&](std::size_t, std::size_t, int v, const Vec2& a, const Vec2& b) {
+            progress.count(0, 1);
+            moving = leave(v, a, b) || moving;
+          });
     }
   }
   // A vertex that is still inside the block remains its corner. This changes the sides
@@ -151,7 +154,8 @@ std::size_t count(const StraightCorners& corners) {
 
 }  // namespace
 
-void make_blocks(CutResult& result, const StraightCorners& straight) {
+void make_blocks(CutResult& result, const StraightCorners& straight,
+                 StepProgress progress) {
   const std::vector<Vec2> before = result.mesh.vertices;
   const auto finish = [&](BlockMaker& maker) {
     maker.keep_intruders();
@@ -162,10 +166,10 @@ void make_blocks(CutResult& result, const StraightCorners& straight) {
     result.report.moved_t_vertices = 0;
     for (std::size_t v = 0; v < before.size(); ++v)
       result.report.moved_t_vertices += before[v] != result.mesh.vertices[v] ? 1U : 0U;
-    result.certificate = certify_tiling(result.mesh);
+    result.certificate = certify_tiling(result.mesh, &progress);
   };
   BlockMaker maker(result, straight);
-  maker.move_out();
+  maker.move_out(progress);
   finish(maker);
   if (!result.certificate.holds && result.report.moved_t_vertices > 0) {
     result.mesh.vertices = before;  // thin cells may leave no room to move

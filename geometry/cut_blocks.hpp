@@ -17,6 +17,7 @@ using StraightCorners = std::vector<std::vector<bool>>;
 /// coordinate. What cannot be moved so remains a corner of that block. Guarantees: each
 /// block is a part of its cell, so blocks share no interior point if the cells of the
 /// final mesh are certified.
-void make_blocks(CutResult& result, const StraightCorners& straight);
+void make_blocks(CutResult& result, const StraightCorners& straight,
+                 StepProgress progress);
 
 }  // namespace blocks::geometry

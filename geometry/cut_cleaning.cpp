@@ -14,8 +14,9 @@ constexpr auto at = CutGraph::at;
 
 class Cleaner {
  public:
-  Cleaner(CutGraph& graph, const std::vector<exact::Line>& lines, CutReport& report)
-      : graph_(graph), lines_(lines), report_(report) {}
+  Cleaner(CutGraph& graph, const std::vector<exact::Line>& lines, CutReport& report,
+          StepProgress& progress)
+      : graph_(graph), lines_(lines), report_(report), progress_(progress) {}
 
   void contract_below(double emin);
   void merge_below(double amin);
@@ -65,6 +66,7 @@ class Cleaner {
   CutGraph& graph_;
   const std::vector<exact::Line>& lines_;
   CutReport& report_;
+  StepProgress& progress_;
 };
 
 bool Cleaner::lies_on(const CutGraph::Vertex& vertex, int line) const {
@@ -211,6 +213,7 @@ void Cleaner::contract_below(double emin) {
     if (const Key k = key(static_cast<int>(e)); graph_.edges[e].alive && is_short(k))
       open.insert(k);
   while (!open.empty()) {
+    progress_.count(0, 1);
     const Key shortest = *open.begin();
     open.erase(open.begin());
     const int e = std::get<3>(shortest);
@@ -354,6 +357,7 @@ void Cleaner::merge_below(double amin) {
       open.emplace(a, cell);
   std::map<int, double> refused;
   while (!open.empty()) {
+    progress_.count(1, 2);
     const auto [size, cell] = *open.begin();
     open.erase(open.begin());
     if (!first.contains(cell))
@@ -388,8 +392,8 @@ bool is_superfluous(const CutGraph& graph, const std::vector<exact::Line>& lines
 }
 
 void clean(CutGraph& graph, const std::vector<exact::Line>& lines, double emin,
-           double amin, CutReport& report) {
-  Cleaner cleaner(graph, lines, report);
+           double amin, CutReport& report, StepProgress progress) {
+  Cleaner cleaner(graph, lines, report, progress);
   cleaner.contract_below(emin);
   if (emin > 0.0 || amin > 0.0)
     cleaner.merge_below(amin);

@@ -12,7 +12,7 @@ namespace blocks::geometry {
 /// cells, and vertices in an order that does not depend on that of the joints. Only
 /// cells that are not simple and clockwise may remain so. lines: of the segments.
 void clean(CutGraph& graph, const std::vector<exact::Line>& lines, double emin,
-           double amin, CutReport& report);
+           double amin, CutReport& report, StepProgress progress);
 
 /// Tests whether the two edges of a vertex of degree two are collinear and may become
 /// one: they have one joint id, and the vertex is not a corner of the outline.

@@ -87,8 +87,10 @@ void check(const JointSet& set) {
 
 class Generator {
  public:
-  Generator(const JointSet& set, const std::vector<DecimalPoint>& outline)
-      : set_(set), window_(outline), start_(exact::rational(set.start)),
+  Generator(const JointSet& set, const std::vector<DecimalPoint>& outline,
+            const ProgressFunction& progress)
+      : set_(set), progress_(progress, "draw joints"), window_(outline),
+        start_(exact::rational(set.start)),
         near_(set.start.x.value(), set.start.y.value()),
         dip_(exact::rational(set.dip.mean)),
         direction_(exact::direction_of_degrees(dip_)) {}
@@ -111,6 +113,7 @@ class Generator {
   }
 
   std::vector<JointSegment> pieces() {
+    expected_ = expected();
     if (set_.law == JointLaw::poisson) {
       poisson();
     } else {
@@ -174,7 +177,10 @@ class Generator {
     const Rational u(2.0 * random(track, piece, use) - 1.0);
     return {exact::nearest(mean + exact::rational(spread.deviation) * u)};
   }
-  Rational spacing(long k) const {
+  // Called for each track, also for those that do not meet the window.
+  Rational spacing(long k) {
+    if (progress_.is_due())
+      progress_.report(0.0);
     if (set_.law == JointLaw::uniform)
       return draw(set_.spacing, counter(k), 0, spacing_use);
     return {set_.spacing.mean.value() *
@@ -328,6 +334,8 @@ class Generator {
   }
 
   void add_piece(const Point& p, const Point& q) {
+    if (progress_.is_due())
+      progress_.report(static_cast<double>(pieces_.size()) / expected_);
     if (static_cast<double>(pieces_.size()) >= max_joint_pieces)
       refuse(set_, "the joint set has too many pieces",
              "give a larger spacing or trace");
@@ -335,11 +343,13 @@ class Generator {
   }
 
   const JointSet& set_;
+  StepProgress progress_;
   Window window_;
   Point start_;
   Vec2 near_;  ///< start_, rounded
   Rational dip_;
   Vec2 direction_;
+  double expected_ = 1.0;
   std::vector<JointSegment> pieces_;
 };
 
@@ -348,16 +358,17 @@ class Generator {
 double expected_pieces(const JointSet& set, const std::vector<DecimalPoint>& outline) {
   const RoundToNearest mode;
   check(set);
-  return Generator(set, outline).expected();
+  return Generator(set, outline, {}).expected();
 }
 
 std::vector<JointSegment> joint_set(const JointSet& set,
-                                    const std::vector<DecimalPoint>& outline) {
+                                    const std::vector<DecimalPoint>& outline,
+                                    const ProgressFunction& progress) {
   const RoundToNearest mode;
   if (!(expected_pieces(set, outline) <= max_joint_pieces))
     refuse(set, "the joint set has too many pieces for its spacing",
            "give a larger spacing or trace, or a start near the outline");
-  return Generator(set, outline).pieces();
+  return Generator(set, outline, progress).pieces();
 }
 
 }  // namespace blocks::geometry

@@ -1,6 +1,7 @@
 // Generates the joints that cut a domain: joint sets, Voronoi cells, prolonged traces
 // (JSET, VORONOI and TRACES cards, docs/joints.md). Everything is exact from the
-// directions on, and random numbers are the same on every machine.
+// directions on, and random numbers are the same on every machine. A progress function
+// is called during the work and may throw to stop it.
 #pragma once
 
 #include <cstddef>
@@ -55,7 +56,8 @@ double expected_pieces(const JointSet& set, const std::vector<DecimalPoint>& out
 ///
 /// Throws CutError (generator) for a value out of range or more than max_joint_pieces.
 std::vector<JointSegment> joint_set(const JointSet& set,
-                                    const std::vector<DecimalPoint>& outline);
+                                    const std::vector<DecimalPoint>& outline,
+                                    const ProgressFunction& progress = {});
 
 /// Voronoi cells of random or given points.
 struct VoronoiRequest {
@@ -78,7 +80,8 @@ struct VoronoiCells {
 /// end outside the bounding box. A point whose relaxed place is outside the outline is
 /// not moved. Throws CutError (generator).
 VoronoiCells voronoi_cells(const VoronoiRequest& request,
-                           const std::vector<DecimalPoint>& outline);
+                           const std::vector<DecimalPoint>& outline,
+                           const ProgressFunction& progress = {});
 
 /// What prolonged did.
 struct Prolongation {
@@ -93,6 +96,7 @@ struct Prolongation {
 /// the order of the traces has no effect. others: joints that are not prolonged.
 Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& snap,
                        const std::vector<JointSegment>& others,
-                       const std::vector<DecimalPoint>& outline);
+                       const std::vector<DecimalPoint>& outline,
+                       const ProgressFunction& progress = {});
 
 }  // namespace blocks::geometry

@@ -79,17 +79,21 @@ bool is_inside(const std::vector<Point>& outline, const Point& p) {
 
 Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& snap,
                        const std::vector<JointSegment>& others,
-                       const std::vector<DecimalPoint>& outline) {
+                       const std::vector<DecimalPoint>& outline,
+                       const ProgressFunction& progress) {
   const RoundToNearest mode;
   Prolongation result;
   result.traces = traces;
   const Rational reach = exact::rational(snap);
   if (reach <= 0)
     return result;
+  StepProgress reading(progress, "prolong traces", 0.0, 0.3);
   std::vector<Piece> pieces;
   for (const auto* joints : {&traces, &others})
-    for (const JointSegment& joint : *joints)
+    for (const JointSegment& joint : *joints) {
+      reading.count(0, 1);
       pieces.push_back({exact::point_of(joint.from), exact::point_of(joint.to)});
+    }
   std::vector<Point> corners;
   for (const DecimalPoint& corner : outline)
     corners.push_back(exact::rational(corner));
@@ -100,6 +104,7 @@ Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& s
   std::vector<exact::Box> probes, boxes;
   for (std::size_t i = 0; i < traces.size(); ++i)
     for (const bool at_to : {false, true}) {
+      reading.count(i, traces.size());
       const Point& place = at_to ? pieces[i].to : pieces[i].from;
       const Point& back = at_to ? pieces[i].from : pieces[i].to;
       if (place == back)
@@ -113,8 +118,10 @@ Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& s
     }
   for (std::size_t i = 0; i < pieces.size(); ++i)
     boxes.push_back(box_of(pieces[i].from, pieces[i].to, i));
+  StepProgress meeting(progress, "prolong traces", 0.3, 1.0);
   CGAL::box_intersection_d(probes.begin(), probes.end(), boxes.begin(), boxes.end(),
                            [&](const exact::Box& probe, const exact::Box& box) {
+                             meeting.count(0, 1);
                              End& end = ends[probe.info()];
                              if (box.info() == end.trace || !end.dangles)
                                return;
@@ -125,6 +132,7 @@ Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& s
                                meet(piece, end);
                            });
   for (const End& end : ends) {
+    meeting.count(1, 1);
     if (!end.dangles || !end.hit || !is_inside(corners, end.place))
       continue;
     if (*end.hit * *end.hit * end.direction.squared_length() > reach * reach)

@@ -72,8 +72,11 @@ void append_edges(const std::vector<int>& loop, int cell, std::vector<Edge>& edg
 }
 
 // Checks (b) and (c): every cell, and the outline, is simple and clockwise.
-void check_loops(const Mesh& mesh, TilingCertificate& certificate) {
+void check_loops(const Mesh& mesh, TilingCertificate& certificate,
+                 StepProgress* progress) {
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    if (progress)
+      progress->count(c, mesh.cells.size());
     const int cell = static_cast<int>(c);
     const std::string fault = loop_fault(mesh, mesh.cells[c]);
     if (fault.empty()) {
@@ -129,12 +132,12 @@ void check_edges(const Mesh& mesh, TilingCertificate& certificate) {
 
 }  // namespace
 
-TilingCertificate certify_tiling(const Mesh& mesh) {
+TilingCertificate certify_tiling(const Mesh& mesh, StepProgress* progress) {
   const RoundToNearest mode;  // required by the proofs of the predicates' filters
   TilingCertificate certificate;
   if (mesh.cells.empty())
     refuse(certificate, "no cells");
-  check_loops(mesh, certificate);
+  check_loops(mesh, certificate, progress);
   check_edges(mesh, certificate);
   certificate.holds = certificate.fault.empty();
   return certificate;

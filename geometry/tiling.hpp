@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/step_progress.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::geometry {
@@ -30,7 +31,7 @@ struct TilingCertificate {
 /// Proves that the cells tile the outline, so that every interior point lies in exactly
 /// one cell. It checks that (a) every interior directed edge has its twin and the
 /// others form the outline, (b) every cell is simple and clockwise, and (c) the outline
-/// is simple and clockwise. Takes O(n log n) time.
-TilingCertificate certify_tiling(const Mesh& mesh);
+/// is simple and clockwise. Takes O(n log n) time. progress: may be null.
+TilingCertificate certify_tiling(const Mesh& mesh, StepProgress* progress = nullptr);
 
 }  // namespace blocks::geometry

@@ -1,5 +1,8 @@
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +40,8 @@ Polygon rounded(const std::vector<DecimalPoint>& outline) {
   return polygon;
 }
 
-std::vector<Vec2> random_points(const VoronoiRequest& request, const Polygon& outline) {
+std::vector<Vec2> random_points(const VoronoiRequest& request, const Polygon& outline,
+                                StepProgress progress) {
   const Region region(outline);
   Vec2 low = outline[0], high = outline[0];
   for (const Vec2& corner : outline) {
@@ -52,6 +56,7 @@ std::vector<Vec2> random_points(const VoronoiRequest& request, const Polygon& ou
       if (draw == most_draws)
         refuse("no random points are in the outline", outline[0],
                "give points, or an outline that fills more of its bounding box");
+      progress.count(points.size(), static_cast<std::size_t>(request.count));
       const auto part = [&](std::uint32_t use) {
         return (static_cast<double>(random_53_bits(
                     request.stream, static_cast<std::uint64_t>(i), draw, use)) +
@@ -68,12 +73,26 @@ std::vector<Vec2> random_points(const VoronoiRequest& request, const Polygon& ou
   return points;
 }
 
-Delaunay triangulation_of(const std::vector<Vec2>& points) {
-  std::vector<std::pair<exact::Filtered::Point_2, std::size_t>> sites;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sites.emplace_back(exact::point(points[i]), i);
+Delaunay triangulation_of(const std::vector<Vec2>& points, StepProgress& progress) {
+  std::vector<exact::Filtered::Point_2> sites;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sites.push_back(exact::point(points[i]));
+    order.push_back(i);
+  }
+  using Places = CGAL::Pointer_property_map<exact::Filtered::Point_2>::type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<exact::Filtered, Places>(
+                         CGAL::make_property_map(sites)));
   Delaunay delaunay;
-  delaunay.insert(sites.begin(), sites.end());
+  Delaunay::Face_handle near;
+  std::size_t done = 0;
+  for (const std::size_t i : order) {
+    progress.count(done++, 2 * order.size());
+    const Delaunay::Vertex_handle vertex = delaunay.insert(sites[i], near);
+    vertex->info() = i;
+    near = vertex->face();
+  }
   return delaunay;
 }
 
@@ -95,12 +114,15 @@ Polygon nearer(const Polygon& polygon, const Vec2& own, const Vec2& other) {
 }
 
 // One round of Lloyd's relaxation: moves points to the centroids of their cells.
-std::vector<Vec2> relaxed(const std::vector<Vec2>& points, const Polygon& outline) {
+std::vector<Vec2> relaxed(const std::vector<Vec2>& points, const Polygon& outline,
+                          StepProgress progress) {
   const Region region(outline);
-  const Delaunay delaunay = triangulation_of(points);
+  const Delaunay delaunay = triangulation_of(points, progress);
   std::vector<Vec2> moved = points;
+  std::size_t done = points.size();
   for (auto v = delaunay.finite_vertices_begin(); v != delaunay.finite_vertices_end();
        ++v) {
+    progress.count(done++, 2 * points.size());
     const Vec2& own = points[v->info()];
     // The order of the neighbours is fixed, so that the bits are the same everywhere.
     std::vector<std::size_t> neighbours;
@@ -148,10 +170,11 @@ class Cells {
     radius_ = (high - low).norm() + 0x1p-40 * middle_.lpNorm<Eigen::Infinity>();
   }
 
-  std::vector<JointSegment> edges() {
+  std::vector<JointSegment> edges(StepProgress& progress) {
     std::vector<JointSegment> result;
     for (auto e = delaunay_.finite_edges_begin(); e != delaunay_.finite_edges_end();
          ++e) {
+      progress.count(1, 2);
       const auto face = e->first;
       const Point p = exactly(face->vertex(Delaunay::ccw(e->second))->point());
       const Point q = exactly(face->vertex(Delaunay::cw(e->second))->point());
@@ -211,7 +234,8 @@ class Cells {
 }  // namespace
 
 VoronoiCells voronoi_cells(const VoronoiRequest& request,
-                           const std::vector<DecimalPoint>& outline) {
+                           const std::vector<DecimalPoint>& outline,
+                           const ProgressFunction& progress) {
   const RoundToNearest mode;
   const Polygon corners = rounded(outline);
   const Vec2 place = corners.empty() ? Vec2(0.0, 0.0) : corners[0];
@@ -227,12 +251,21 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request,
     if (!p.allFinite())
       refuse("a point is not finite", place, "give finite coordinates");
   VoronoiCells cells;
-  cells.points =
-      request.points.empty() ? random_points(request, corners) : request.points;
+  // The rounds of relaxation, the points and the cells share the work evenly.
+  const double steps = 2.0 + request.lloyd;
+  double step = 0.0;
+  const auto next = [&](const char* name) {
+    step += 1.0;
+    return StepProgress(progress, name, (step - 1.0) / steps, step / steps);
+  };
+  StepProgress drawing = next("draw points");
+  cells.points = request.points.empty() ? random_points(request, corners, drawing)
+                                        : request.points;
   for (int round = 0; round < request.lloyd; ++round)
-    cells.points = relaxed(cells.points, corners);
-  const Delaunay delaunay = triangulation_of(cells.points);
-  cells.edges = Cells(delaunay, corners, request.id).edges();
+    cells.points = relaxed(cells.points, corners, next("relax points"));
+  StepProgress making = next("make cells");
+  const Delaunay delaunay = triangulation_of(cells.points, making);
+  cells.edges = Cells(delaunay, corners, request.id).edges(making);
   return cells;
 }
 

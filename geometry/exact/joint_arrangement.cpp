@@ -2,12 +2,13 @@
 
 #include <CGAL/Arr_curve_data_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
-#include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "geometry/exact/watched_sweep.hpp"
 
 namespace blocks::geometry::exact {
 namespace {
@@ -34,7 +35,7 @@ struct MergeSources {
   }
 };
 
-using Segments = CGAL::Arr_segment_traits_2<Lazy>;
+using Segments = WatchedSegments<Lazy>;
 using Traits = CGAL::Arr_curve_data_traits_2<Segments, Source, MergeSources>;
 // Vertices and half-edges have numbers. A face has 1 if it is outside of the outline.
 using Dcel = CGAL::Arr_extended_dcel<Traits, int, int, int>;
@@ -78,7 +79,7 @@ template <typename Visit> void for_each_side(Arrangement::Face& face, Visit visi
 }
 
 // Marks the faces that are connected to the unbounded one without crossing the outline.
-void mark_outside(Arrangement& arrangement) {
+void mark_outside(Arrangement& arrangement, StepProgress& progress) {
   for (auto face = arrangement.faces_begin(); face != arrangement.faces_end(); ++face)
     face->set_data(0);
   std::vector<Arrangement::Face_handle> open = {arrangement.unbounded_face()};
@@ -86,7 +87,8 @@ void mark_outside(Arrangement& arrangement) {
   while (!open.empty()) {
     const Arrangement::Face_handle face = open.back();
     open.pop_back();
-    for_each_side(*face, [&open](Arrangement::Halfedge& side) {
+    for_each_side(*face, [&open, &progress](Arrangement::Halfedge& side) {
+      progress.count(0, 1);
       const Arrangement::Face_handle other = side.twin()->face();
       if (side.curve().data().outline || other->data() != 0)
         return;
@@ -130,16 +132,18 @@ void describe_vertex(const Arrangement::Vertex& from, const std::vector<Line>& l
 
 // Copies the edges that have the inside of the outline on at least one side.
 CutGraph copy_inside(Arrangement& arrangement, const std::vector<Line>& lines,
-                     int sides) {
+                     int sides, StepProgress& progress) {
   CutGraph graph;
   graph.vertices.reserve(arrangement.number_of_vertices());
   graph.edges.reserve(arrangement.number_of_edges());
   for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
+    progress.count(graph.vertices.size(), 2 * arrangement.number_of_vertices());
     v->set_data(static_cast<int>(graph.vertices.size()));
     if (!v->is_isolated())
       describe_vertex(*v, lines, sides, graph.vertices.emplace_back());
   }
   for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e) {
+    progress.count(1, 2);
     const auto number = static_cast<int>(2 * graph.edges.size());
     e->set_data(number);
     e->twin()->set_data(number + 1);
@@ -153,6 +157,7 @@ CutGraph copy_inside(Arrangement& arrangement, const std::vector<Line>& lines,
   graph.cell.resize(half_edges);
   std::vector<std::size_t> outside;
   for (auto h = arrangement.halfedges_begin(); h != arrangement.halfedges_end(); ++h) {
+    progress.count(1, 2);
     const std::size_t i = CutGraph::at(h->data());
     graph.origin[i] = h->source()->data();
     graph.next[i] = h->next()->data();
@@ -167,32 +172,59 @@ CutGraph copy_inside(Arrangement& arrangement, const std::vector<Line>& lines,
   return graph;
 }
 
+// The least and the greatest x of all ends.
+std::pair<double, double> range_in_x(const std::vector<Point>& outline,
+                                     const std::vector<JointSegment>& joints) {
+  double low = nearest(outline[0].x()), high = low;
+  const auto include = [&](double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  };
+  for (const Point& corner : outline)
+    include(nearest(corner.x()));
+  for (const JointSegment& joint : joints) {
+    include(joint.from.nearest().x());
+    include(joint.to.nearest().x());
+  }
+  return {low, high};
+}
+
 }  // namespace
 
 JointArrangement arrange_joints(const std::vector<Point>& outline,
-                                const std::vector<JointSegment>& joints) {
+                                const std::vector<JointSegment>& joints,
+                                const ProgressFunction& progress) {
   JointArrangement result;
+  StepProgress reading(progress, "arrange joints", 0.0, 0.02);
   result.lines.reserve(outline.size() + joints.size());
-  std::vector<Traits::Curve_2> curves;
+  std::vector<Traits::X_monotone_curve_2> curves;
   curves.reserve(outline.size() + joints.size());
   const auto add = [&](const Point& p, const Point& q, int joint, bool is_outline) {
     const auto segment = static_cast<int>(result.lines.size());
     result.lines.emplace_back(p, q);
-    curves.emplace_back(Segments::Curve_2(lazy(p), lazy(q)),
+    curves.emplace_back(Segments::X_monotone_curve_2(lazy(p), lazy(q)),
                         Source{segment, joint, is_outline});
   };
   for (std::size_t i = 0; i < outline.size(); ++i)
     add(outline[i], outline[(i + 1) % outline.size()], 0, true);
   for (const JointSegment& joint : joints) {
+    reading.count(result.lines.size(), joints.size());
     const Point p = point_of(joint.from), q = point_of(joint.to);
     if (p != q)
       add(p, q, joint.id, false);
   }
-  Arrangement arrangement;
-  CGAL::insert(arrangement, curves.begin(), curves.end());
-  mark_outside(arrangement);
+  StepProgress sweeping(progress, "arrange joints", 0.02, 0.5);
+  const auto [low, high] = range_in_x(outline, joints);
+  SweepWatch watch(sweeping, low, high);
+  Traits traits;
+  traits.watch = &watch;
+  Arrangement arrangement(&traits);
+  insert_watched(arrangement, curves);
+  traits.watch = nullptr;
+  StepProgress copying(progress, "arrange joints", 0.5, 0.6);
+  mark_outside(arrangement, copying);
   result.graph =
-      copy_inside(arrangement, result.lines, static_cast<int>(outline.size()));
+      copy_inside(arrangement, result.lines, static_cast<int>(outline.size()), copying);
   return result;
 }
 

@@ -1,8 +1,6 @@
 // PRIVATE to geometry/: the exact arrangement of an outline and its joints.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "geometry/cut.hpp"
@@ -21,8 +19,10 @@ struct JointArrangement {
 
 /// Arranges outline and joints; edges outside of the outline are left out. Vertices
 /// have approximate places, except that those without a second line have the nearest
-/// doubles. outline: simple and clockwise. Joints of length 0 are ignored.
+/// doubles. outline: simple and clockwise. Joints of length 0 are ignored. The reports of
+/// progress end at part 0.6.
 JointArrangement arrange_joints(const std::vector<Point>& outline,
-                                const std::vector<JointSegment>& joints);
+                                const std::vector<JointSegment>& joints,
+                                const ProgressFunction& progress);
 
 }  // namespace blocks::geometry::exact
