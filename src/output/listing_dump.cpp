@@ -34,8 +34,11 @@ std::map<long, std::vector<int>> filled_boxes(const Model& model) {
 }
 
 std::string blocks_dump(const Blocks& blocks) {
+  const bool with_joints = std::any_of(blocks.joint.begin(), blocks.joint.end(),
+                                       [](int joint) { return joint != 0; });
   std::string text = over_whole("block") + over_whole("") + over_whole("MAT") +
-                     over_whole("corner") + over_number("x") + over_number("y") + "\n";
+                     over_whole("corner") + over_number("x") + over_number("y") +
+                     (with_joints ? over_whole("joint") : "") + "\n";
   for (int b = 0; b < blocks.size(); ++b) {
     const auto i = static_cast<std::size_t>(b);
     for (int c = blocks.first_corner[i]; c < blocks.first_corner[i + 1]; ++c) {
@@ -44,7 +47,11 @@ std::string blocks_dump(const Blocks& blocks) {
                           whole(blocks.material[i])
                     : fmt::format("{:27}", "");
       text += whole(c - blocks.first_corner[i] + 1) + number(blocks.corner(0, c)) +
-              number(blocks.corner(1, c)) + "\n";
+              number(blocks.corner(1, c)) +
+              (with_joints
+                   ? fmt::format(" {:>8}", blocks.joint[static_cast<std::size_t>(c)])
+                   : "") +
+              "\n";
     }
   }
   return text;

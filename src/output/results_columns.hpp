@@ -99,6 +99,20 @@ class FrameColumn {
     offsets_.put(static_cast<hsize_t>(frame), &offset_, 1);
   }
 
+  /// Makes up for a column that begins after `frames` frames: writes `rows` rows of 0,
+  /// to which all these frames refer.
+  template <class T> void start_late(long frames, hsize_t rows) {
+    put_rows(data_, 0, rows, made_of<T>([](hsize_t) { return T(0); }));
+    rows_ = rows;
+    offset_ = 0;
+    const std::int64_t zero = 0;
+    for (long frame = 0; frame < frames; ++frame)
+      offsets_.put(static_cast<hsize_t>(frame), &zero, 1);
+  }
+
+  /// The number of frames that have an offset.
+  hsize_t frames() const { return offsets_.rows(); }
+
   /// Keeps the data of `frames` frames; the last of them has `rows` rows.
   void truncate(long frames, hsize_t rows) {
     const auto kept = static_cast<hsize_t>(frames);

@@ -61,7 +61,8 @@ ResultsCells::ResultsCells(const Blocks& blocks) {
 
 template <class Make>
 ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t blocks,
-                             hsize_t corners) {
+                             hsize_t corners)
+    : joints_(to.vtk.get(), to.steps.get()) {
   const hid_t whole = H5T_NATIVE_INT64, real = H5T_NATIVE_DOUBLE;
   const hsize_t per_block = chunk_rows(blocks), per_corner = chunk_rows(corners);
   points_ = make(to.vtk, "Points", real, 3, per_corner);
@@ -124,17 +125,21 @@ std::unique_ptr<ResultsFrames> ResultsFrames::open(const ResultsGroups& groups) 
       throw hdf5::Failure(name + " has the wrong shape");
     return column;
   };
-  return std::unique_ptr<ResultsFrames>(new ResultsFrames(groups, open, 0, 0));
+  std::unique_ptr<ResultsFrames> frames(new ResultsFrames(groups, open, 0, 0));
+  frames->joints_.open();
+  return frames;
 }
 
 void ResultsFrames::truncate(long count) {
-  hsize_t cell_count = 0, corner_end = 0, cell_end = 0, id_end = 0, parts = 0;
+  hsize_t cell_count = 0, corner_count = 0, corner_end = 0, cell_end = 0, id_end = 0,
+          parts = 0;
   const auto kept = static_cast<hsize_t>(count);
   if (count > 0) {
     const hsize_t last = kept - 1;
     const hsize_t own_part = place(part_offsets_, last);
     cell_count = place(number_of_cells_, own_part);
-    corner_end = place(point_offsets_, last) + place(number_of_points_, own_part);
+    corner_count = place(number_of_points_, own_part);
+    corner_end = place(point_offsets_, last) + corner_count;
     cell_end = place(cell_offsets_, last) + cell_count;
     id_end = place(id_offsets_, last) + place(number_of_ids_, own_part);
     parts = own_part + 1;
@@ -145,6 +150,7 @@ void ResultsFrames::truncate(long count) {
   contacts_->truncate(count);
   for (auto& [name, column] : cells_)
     column.truncate(count, cell_count);
+  joints_.truncate(count, corner_count);
   points_.truncate(corner_end);
   connectivity_.truncate(id_end);
   types_.truncate(cell_end);
@@ -251,6 +257,7 @@ void ResultsFrames::put(long number, const Model& model) {
   put_rows(points_, points_.rows(), static_cast<hsize_t>(model.blocks.corners()),
            in_space(model.blocks.corner));
   put_cells(number, model.blocks);
+  joints_.put(number, model.blocks.joint);
   put_frame_data(number, model);
   contacts_->put(number, model);
   values_.put(frame, &model.time, 1);

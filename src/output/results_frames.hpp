@@ -11,6 +11,7 @@
 #include "output/results.hpp"
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"
+#include "output/results_joints.hpp"
 
 namespace blocks::output {
 
@@ -63,6 +64,7 @@ class ResultsFrames {
   hdf5::Column values_, number_of_parts_, part_offsets_, point_offsets_, cell_offsets_,
       id_offsets_;
   std::map<std::string, FrameColumn> cells_;
+  JointColumn joints_;
   std::map<std::string, hdf5::Column> frame_data_, frame_offsets_, frame_sizes_;
   std::unique_ptr<ContactColumns> contacts_;
 

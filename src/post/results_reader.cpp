@@ -94,6 +94,8 @@ struct ResultsReader::File {
   Frame read(hsize_t i) const;
   FrameContacts read_contacts(hsize_t i) const;
   std::vector<RecordedHistory> read_recorded() const;
+  /// Returns the joint ids of all points of a frame; empty if the file has none.
+  std::vector<int> read_joints(hsize_t i, hsize_t points) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
 };
 
@@ -131,6 +133,25 @@ void hide_removed(Frame& frame) {
 
 }  // namespace
 
+std::vector<int> ResultsReader::File::read_joints(hsize_t i, hsize_t points) const {
+  if (!output::hdf5::exists(vtk.get(), "PointData") ||
+      !output::hdf5::exists(vtk.get(), "PointData/Joint"))
+    return {};
+  Column stored = Column::open(vtk.get(), "PointData/Joint");
+  if (stored.width() != 1)
+    throw Failure("Joint has the wrong shape");
+  // A run that was interrupted while it added the data left frames without an offset.
+  if (!output::hdf5::exists(steps.get(), "PointDataOffsets") ||
+      !output::hdf5::exists(steps.get(), "PointDataOffsets/Joint") ||
+      Column::open(steps.get(), "PointDataOffsets/Joint").rows() <= i)
+    return {};
+  std::vector<int> joints =
+      stored.read<int>(step_value("PointDataOffsets/Joint", i), points);
+  if (std::any_of(joints.begin(), joints.end(), [](int joint) { return joint < 0; }))
+    throw Failure("Joint is negative");
+  return joints;
+}
+
 void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
                                         Frame& frame) const {
   const hsize_t points = count("NumberOfPoints", part);
@@ -145,6 +166,9 @@ void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
   const auto connectivity =
       rows<std::int64_t>("Connectivity", step_value("ConnectivityIdOffsets", i), ids);
 
+  const std::vector<int> joints = read_joints(i, points);
+  if (!joints.empty())
+    frame.joints.resize(n);
   frame.outlines.resize(n);
   for (std::size_t b = 0; b < n; ++b) {
     const std::int64_t from = starts[b], to = starts[b + 1];
@@ -155,6 +179,8 @@ void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
       if (point < 0 || point >= corners.cols())
         throw Failure("Connectivity is out of range");
       frame.outlines[b].emplace_back(corners.col(point));
+      if (!joints.empty())
+        frame.joints[b].push_back(joints[static_cast<std::size_t>(point)]);
     }
   }
 }

@@ -21,6 +21,9 @@ struct Frame {
   long step = 0;
   double kinetic_energy = 0.0;
   std::vector<std::vector<Eigen::Vector2d>> outlines;  ///< [L] clockwise, per block
+  /// Joint id of the side that begins at each corner of `outlines`, >= 0; empty if the
+  /// file has none, so all are 0.
+  std::vector<std::vector<int>> joints;
   std::vector<int> number, material;
   std::vector<int> fixed;  ///< 0: free, 1: fixed, 2: left the domain, 3: removed
   Eigen::Matrix2Xd centroid, velocity, force;

@@ -24,6 +24,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (frame.centroid.cols() != frame.size() ||
           contacts.point.cols() != contacts.size())
         std::abort();
+      for (std::size_t b = 0; b < frame.joints.size(); ++b)
+        if (frame.joints[b].size() != frame.outlines[b].size())
+          std::abort();
     }
   } catch (const output::FileError&) {
   }

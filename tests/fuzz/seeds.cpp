@@ -19,6 +19,9 @@ int main(int argc, char** argv) {
     ++model.steps;
     samples::add_triangle(model, 4, 4);
     results.write(model);
+    ++model.steps;
+    model.blocks.joint.back() = 7;
+    results.write(model);
   }
   output::write_checkpoint(folder / "checkpoint/empty.ckpt.h5", samples::no_blocks(),
                            {});
