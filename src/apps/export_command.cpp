@@ -67,13 +67,16 @@ Scene scene_of(const Model& model) {
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b))
       continue;
-    scene.blocks.push_back({b + 1,
-                            blocks.material[b],
-                            model.settings.materials.at(blocks.material[b]).name,
-                            !blocks.is_free(b),
-                            blocks.area[b],
-                            blocks.outline(b),
-                            {}});
+    const auto joint = blocks.joint.begin();
+    scene.blocks.push_back(
+        {b + 1,
+         blocks.material[b],
+         model.settings.materials.at(blocks.material[b]).name,
+         !blocks.is_free(b),
+         blocks.area[b],
+         blocks.outline(b),
+         {joint + blocks.first_corner[b], joint + blocks.first_corner[b + 1]},
+         {}});
   }
   scene.removed = blocks.size() - blocks.count_present();
   return scene;
@@ -101,6 +104,7 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
                             frame.fixed[b] != 0,
                             geometry::section_properties(frame.outlines[b]).area,
                             frame.outlines[b],
+                            frame.joints.empty() ? std::vector<int>() : frame.joints[b],
                             {}});
   for (const char* name :
        {"speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2"}) {
@@ -118,6 +122,7 @@ std::string mesh_text(const Scene& scene, const std::string& comment) {
     exchange::Outline outline;
     outline.corners = block.outline;
     outline.material = block.material;
+    outline.joints = block.joints;
     outlines.push_back(std::move(outline));
   }
   return exchange::write_mesh(outlines, comment);
@@ -145,7 +150,9 @@ std::string left_out(const Scene& scene, const std::string& format) {
   }
   if (format == "txt" && named)
     text = "names of materials";
-  if (format != "geojson" && fixed)
+  const bool keeps_fixed =
+      format == "geojson" || (format == "msh" && exchange::needs_rings(scene.blocks));
+  if (!keeps_fixed && fixed)
     text += (text.empty() ? "" : ", ") + std::string("which blocks are fixed");
   if (format != "geojson" && scene.time)
     text += (text.empty() ? "" : ", ") + std::string("results");

@@ -48,6 +48,8 @@ OutlineFile read_mesh(const std::string& name, const std::string& text) {
     Outline outline;
     outline.corners = std::move(block.outline);
     outline.material = block.material;
+    outline.fixed = block.fixed;
+    outline.joints = std::move(block.joints);
     for (; line < block.line; ++line)  // blocks are sorted by line
       at = text.find('\n', at) + 1;
     if (block.line > 0)
@@ -183,7 +185,8 @@ int import_blocks(ImportOptions options) {
                fault.what());
     return run::deck_error;
   } catch (const deck::MeshError& fault) {
-    fmt::print(stderr, "blocks: error: {}\n", fault.what());
+    fmt::print(stderr, "blocks: error: {}\n{}", fault.what(),
+               fault.hint().empty() ? "" : "  hint: " + fault.hint() + "\n");
     return run::deck_error;
   }
   const bool readable = !exchange::has_errors(file.messages);

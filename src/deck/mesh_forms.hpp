@@ -28,7 +28,9 @@ struct Place {
 };
 
 /// Throws MeshError "file:line: message", "file: record N: message" or "file: message".
-[[noreturn]] void fail(const Place& place, const std::string& message);
+/// hint: what to do; may be empty.
+[[noreturn]] void fail(const Place& place, const std::string& message,
+                       const std::string& hint = {});
 
 /// Fails unless `material` is a valid material number: 1 to 2147483647.
 void check_material(long material, const std::string& name, const Place& place);
@@ -60,12 +62,21 @@ class Elements {
   void add(std::span<const long> corners, long material, const std::string& name,
            const Place& place);
 
+  /// Returns a block with these node ids as its corners, which are clockwise; if they
+  /// are not, it becomes clockwise as in add(). Throws if a node is unknown or off the
+  /// plane of the others, or if the material is invalid.
+  MeshBlock ring(std::span<const long> corners, std::vector<int> joints, long material,
+                 const std::string& name, const Place& place);
+
   /// Returns "12 quadrilaterals, 3 triangles".
   std::string found() const;
 
   std::vector<MeshBlock> blocks;
 
  private:
+  geometry::Polygon outline_of(std::span<const long> corners, const std::string& name,
+                               const Place& place);
+
   struct Node {
     geometry::Vec2 position;
     double z = 0;
@@ -77,9 +88,9 @@ class Elements {
   std::size_t triangles_ = 0, quadrilaterals_ = 0;
 };
 
-/// Makes the outline clockwise; its first corner stays first. Returns false if it has
-/// no area and hence no orientation.
-bool turn_clockwise(geometry::Polygon& outline);
+/// Makes the outline of the block clockwise; its first corner stays first, and each
+/// side keeps its joint id. Returns false if it has no area and hence no orientation.
+bool turn_clockwise(MeshBlock& block);
 
 /// The lines of a text without blank ones, split into fields.
 class Lines {
@@ -102,6 +113,9 @@ class Lines {
   /// missing, is not a number or is out of range.
   long integer(std::size_t i, const std::string& what) const;
   double real(std::size_t i, const std::string& what) const;
+  /// Returns field i as a joint id. Throws, with a hint, unless it is a whole number
+  /// from 0.
+  int joint(std::size_t i, const std::string& what) const;
   /// Returns field i as a count of items that follow, each at least two bytes long. It
   /// is checked against the rest of the file before anything is allocated.
   std::size_t count(std::size_t i, const std::string& what) const;
@@ -116,6 +130,11 @@ class Lines {
   void split(std::string_view line);
   std::string_view field(std::size_t i, const std::string& what) const;
 };
+
+/// Reads the present line as a block of the section $Blocks: its material, fixed (0 or
+/// 1) and number of corners; then, for each corner, its node and the joint id of the
+/// side that begins there. name: "block 7", for messages.
+MeshBlock read_ring(const Lines& lines, Elements& elements, const std::string& name);
 
 /// A Fortran unformatted sequential file with 4-byte record markers, either endianness.
 class Records {

@@ -1,6 +1,7 @@
 // READ9 form (b): Gmsh .msh, ASCII, versions 2 to 2.2 and 4.1 (docs/mesh-formats.md).
 // Triangles and quadrilaterals of any order are read by their corners; z must be the
-// same for all.
+// same for all. Files of `blocks export` may have a section $Blocks, which replaces the
+// elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ class Reader {
   std::unordered_map<long, long> physical_of_surface_;  // version 4.1 only
   std::map<long, std::string> names_;
   std::size_t passed_over_ = 0, higher_order_ = 0;
-  bool nodes_seen_ = false, elements_seen_ = false;
+  bool nodes_seen_ = false, elements_seen_ = false, rings_seen_ = false;
 
   void format();
   void entities();
@@ -49,6 +50,7 @@ class Reader {
   void nodes_4();
   void elements_2();
   void elements_4();
+  void rings();
   void skip(const std::string& section);
   void end(const std::string& section);
   void expect(std::size_t fields, const std::string& what);
@@ -267,6 +269,17 @@ void Reader::elements_4() {
   end("Elements");
 }
 
+void Reader::rings() {
+  lines_.need("the number of blocks");
+  const std::size_t count = lines_.count(0, "number of blocks");
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = fmt::format("block {}", i + 1);
+    lines_.need(fmt::format("{} of {}", name, count));
+    elements_.blocks.push_back(read_ring(lines_, elements_, name));
+  }
+  end("Blocks");
+}
+
 MeshFile Reader::read() {
   while (lines_.next()) {
     const std::string_view word = lines_.fields()[0];
@@ -286,6 +299,16 @@ MeshFile Reader::read() {
     } else if (section == "Nodes") {
       version_ == "4.1" ? nodes_4() : nodes_2();
       nodes_seen_ = true;
+    } else if (section == "Blocks") {
+      if (!nodes_seen_ || elements_seen_)
+        fail(lines_.place(), "$Blocks should be between $Nodes and $Elements");
+      if (rings_seen_)
+        fail(lines_.place(), "$Blocks is given twice");
+      rings();
+      rings_seen_ = true;
+    } else if (section == "Elements" && rings_seen_) {
+      skip(section);  // triangles of the same blocks, and their sides
+      elements_seen_ = true;
     } else if (section == "Elements") {
       if (!nodes_seen_)
         fail(lines_.place(), "$Elements comes before $Nodes");
@@ -298,10 +321,15 @@ MeshFile Reader::read() {
   if (!elements_seen_)
     fail(lines_.place(), "the file ends without an $Elements section");
   if (elements_.blocks.empty())
-    fail(lines_.place(), "no triangles or quadrilaterals in the Gmsh file");
+    fail(lines_.place(), rings_seen_
+                             ? "no blocks in $Blocks"
+                             : "no triangles or quadrilaterals in the Gmsh file");
   MeshFile mesh;
   mesh.form = MeshForm::gmsh;
-  mesh.found = fmt::format("Gmsh {} ASCII, {}", version_, elements_.found());
+  mesh.found = fmt::format("Gmsh {} ASCII, {}", version_,
+                           rings_seen_ ? counted(elements_.blocks.size(), "block") +
+                                             " of $Blocks"
+                                       : elements_.found());
   if (higher_order_ > 0)
     mesh.found +=
         fmt::format(" ({} of higher order, reduced to corners)", higher_order_);

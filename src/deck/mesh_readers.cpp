@@ -19,25 +19,28 @@
 namespace blocks::deck {
 namespace mesh {
 
-void fail(const Place& place, const std::string& message) {
+void fail(const Place& place, const std::string& message, const std::string& hint) {
   if (place.line > 0)
-    throw MeshError(fmt::format("{}:{}: {}", place.file, place.line, message));
+    throw MeshError(fmt::format("{}:{}: {}", place.file, place.line, message), hint);
   if (place.record > 0)
-    throw MeshError(
-        fmt::format("{}: record {}: {}", place.file, place.record, message));
-  throw MeshError(fmt::format("{}: {}", place.file, message));
+    throw MeshError(fmt::format("{}: record {}: {}", place.file, place.record, message),
+                    hint);
+  throw MeshError(fmt::format("{}: {}", place.file, message), hint);
 }
 
 std::string counted(std::size_t n, const std::string& noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
-bool turn_clockwise(geometry::Polygon& outline) {
+bool turn_clockwise(MeshBlock& block) {
+  geometry::Polygon& outline = block.outline;
   double twice_area = 0;  // relative to the first corner, to lose no digits
   for (std::size_t i = 2; i < outline.size(); ++i)
     twice_area += geometry::cross(outline[i - 1] - outline[0], outline[i] - outline[0]);
-  if (twice_area > 0)
+  if (twice_area > 0) {
     std::reverse(outline.begin() + 1, outline.end());
+    std::reverse(block.joints.begin(), block.joints.end());
+  }
   return std::isfinite(twice_area) && twice_area != 0;
 }
 
@@ -56,6 +59,34 @@ void check_material(long material, const std::string& name, const Place& place) 
   if (material > std::numeric_limits<int>::max())
     fail(place, fmt::format("{}: material {} is above {}", name, material,
                             std::numeric_limits<int>::max()));
+}
+
+geometry::Polygon Elements::outline_of(std::span<const long> corners,
+                                       const std::string& name, const Place& place) {
+  geometry::Polygon outline;
+  for (const long id : corners) {
+    const auto node = nodes_.find(id);
+    if (node == nodes_.end())
+      fail(place, fmt::format("{} refers to node {}, which is not there", name, id));
+    outline.push_back(node->second.position);
+    if (!level_)
+      level_ = node->second.z;
+    const double size = (outline.back() - outline.front()).norm();
+    if (std::abs(node->second.z - *level_) > 1e-9 * (std::abs(*level_) + size))
+      fail(place, fmt::format("{} leaves the plane of the mesh: node {} has z = {}, "
+                              "others {}",
+                              name, id, node->second.z, *level_));
+  }
+  return outline;
+}
+
+MeshBlock Elements::ring(std::span<const long> corners, std::vector<int> joints,
+                         long material, const std::string& name, const Place& place) {
+  check_material(material, name, place);
+  MeshBlock block{outline_of(corners, name, place), material, place.line,
+                  std::move(joints)};
+  turn_clockwise(block);  // the model's check rejects one without area
+  return block;
 }
 
 void Elements::add(std::span<const long> corners, long material,
@@ -79,21 +110,8 @@ void Elements::add(std::span<const long> corners, long material,
     fail(place, fmt::format("{} has the nodes of an earlier element: {}", name,
                             fmt::join(corners, ", ")));
 
-  MeshBlock block{{}, material, place.line};
-  for (const long id : ids) {
-    const auto node = nodes_.find(id);
-    if (node == nodes_.end())
-      fail(place, fmt::format("{} refers to node {}, which is not there", name, id));
-    block.outline.push_back(node->second.position);
-    if (!level_)
-      level_ = node->second.z;
-    const double size = (block.outline.back() - block.outline.front()).norm();
-    if (std::abs(node->second.z - *level_) > 1e-9 * (std::abs(*level_) + size))
-      fail(place, fmt::format("{} leaves the plane of the mesh: node {} has z = {}, "
-                              "others {}",
-                              name, id, node->second.z, *level_));
-  }
-  if (!turn_clockwise(block.outline))
+  MeshBlock block{outline_of(ids, name, place), material, place.line};
+  if (!turn_clockwise(block))
     fail(place, name + " has no area in the x, y plane");
   ++(ids.size() == 3 ? triangles_ : quadrilaterals_);
   blocks.push_back(std::move(block));

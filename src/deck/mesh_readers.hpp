@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "geometry/vec2.hpp"
@@ -18,6 +19,9 @@ struct MeshBlock {
   geometry::Polygon outline;  ///< clockwise, [L]; the model checks it
   long material = 0;          ///< block id, physical or region id
   int line = 0;               ///< line in a text file, otherwise 0
+  /// Joint id of the side that begins at each corner, >= 0; empty: 0 for all sides.
+  std::vector<int> joints = {};
+  bool fixed = false;  ///< only $Blocks of a Gmsh file can say so
 };
 
 struct MeshFile {
@@ -28,8 +32,15 @@ struct MeshFile {
 };
 
 class MeshError : public std::runtime_error {
-  using std::runtime_error::runtime_error;  // "mesh.txt:12: expected 4 coordinates,
-                                            // found 3"
+ public:
+  /// message: "mesh.txt:12: expected 4 coordinates, found 3". hint: what to do; may be
+  /// empty.
+  explicit MeshError(const std::string& message, std::string hint = {})
+      : std::runtime_error(message), hint_(std::move(hint)) {}
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
 };
 
 /// Thrown if the file has none of the four forms.

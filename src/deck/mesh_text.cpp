@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "deck/mesh_forms.hpp"
 
@@ -96,6 +97,19 @@ long Lines::integer(std::size_t i, const std::string& what) const {
   return value;
 }
 
+int Lines::joint(std::size_t i, const std::string& what) const {
+  const std::string_view text = field(i, what);
+  int value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0)
+    fail(place(),
+         fmt::format("{} should be a whole number from 0 to {}, found {}", what,
+                     std::numeric_limits<int>::max(), quoted(text)),
+         "a joint id names the joint of the side that begins at the corner; 0 is none");
+  return value;
+}
+
 double Lines::real(std::size_t i, const std::string& what) const {
   std::string text(field(i, what));
   std::replace(text.begin(), text.end(), 'D', 'E');  // exponents as in Fortran
@@ -123,7 +137,7 @@ std::size_t Lines::count(std::size_t i, const std::string& what) const {
   return n;
 }
 
-// Reads BLOCKS [n], then for each block "nc, mat" and nc lines "x, y".
+// Reads BLOCKS [n], then for each block "nc, mat" and nc lines "x, y[, joint]".
 MeshFile read_text(std::string_view file, std::string_view text) {
   Lines lines(file, text, "$!", true);
   lines.need("the word BLOCKS");
@@ -152,13 +166,24 @@ MeshFile read_text(std::string_view file, std::string_view text) {
     for (std::size_t i = 1; i <= corners; ++i) {
       const std::string corner = fmt::format("{}: corner {} of {}", name, i, corners);
       lines.need(corner);
-      if (lines.fields().size() != 2)
-        fail(lines.place(), fmt::format("{}: expected 2 coordinates, found {}", corner,
-                                        lines.fields().size()));
+      const std::size_t values = lines.fields().size();
+      if (values < 2)
+        fail(lines.place(),
+             fmt::format("{}: expected 2 coordinates, found {}", corner, values));
+      if (values > 3)
+        fail(lines.place(),
+             fmt::format("{}: expected 2 coordinates and at most a joint id, found {}",
+                         corner, counted(values, "value")),
+             "put each corner on a line of its own: x, y or x, y, joint");
       block.outline.emplace_back(lines.real(0, corner + ": x"),
                                  lines.real(1, corner + ": y"));
+      const int joint = values == 3 ? lines.joint(2, corner + ": joint id") : 0;
+      if (joint != 0)
+        block.joints.resize(i - 1, 0);
+      if (joint != 0 || !block.joints.empty())
+        block.joints.push_back(joint);
     }
-    turn_clockwise(block.outline);  // the model's check rejects one without area
+    turn_clockwise(block);  // the model's check rejects one without area
     mesh.blocks.push_back(std::move(block));
   }
   if (announced && mesh.blocks.size() != expected)

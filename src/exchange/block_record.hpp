@@ -16,30 +16,52 @@ struct BlockRecord {
   int material = 0;
   std::string material_name;  ///< may be empty
   bool fixed = false;
-  double area = 0.0;                                    ///< [L^2]
-  geometry::Polygon outline;                            ///< [L] clockwise, not closed
+  double area = 0.0;          ///< [L^2]
+  geometry::Polygon outline;  ///< [L] clockwise, not closed
+  /// Joint id of the side from corner i to i + 1; empty: 0 for all sides.
+  std::vector<int> joints = {};
   std::vector<std::pair<std::string, double>> results;  ///< name and value
 };
 
 /// Returns the shortest decimal that reads back as the same double.
 std::string shortest(double value);
 
+/// Tests whether a side of any block has a joint id other than 0. Only then do the
+/// writers mention joints.
+bool has_joints(const std::vector<BlockRecord>& blocks);
+
+/// One position of a ring as GeoJSON and WKT have it.
+struct RingPosition {
+  geometry::Vec2 corner;  ///< [L]
+  int joint = 0;          ///< of the side that begins here in the order of the ring
+};
+
+/// Returns corner 1, the other corners in reverse order (anticlockwise), and corner 1
+/// again. Side k of the ring is side n - k + 1 of the block, with both counted from 1.
+std::vector<RingPosition> closed_ring(const BlockRecord& block);
+
 /// Returns a GeoJSON FeatureCollection with one feature per line. The name of a
 /// material is the property "material_name". Rings are
-/// anticlockwise (RFC 7946) and begin and end with corner 1. time: written as a member
+/// anticlockwise (RFC 7946) and begin and end with corner 1. Joint ids are the property
+/// "joints", in the order of the sides of the ring. time: written as a member
 /// of the collection. Values that are not finite become null.
 std::string write_geojson(const std::vector<BlockRecord>& blocks,
                           std::optional<double> time = {});
 
-/// Returns WKT with one POLYGON per line; rings are as in GeoJSON. WKT cannot hold
-/// materials.
+/// Returns WKT with one POLYGON per line; rings are as in GeoJSON. Joint ids make it
+/// POLYGON M, where m is the id of the side that begins at the position. WKT cannot
+/// hold materials.
 std::string write_wkt(const std::vector<BlockRecord>& blocks);
 
 /// Returns Gmsh 2.2 ASCII. Corners at the same point share a node; elements are
 /// anticlockwise from corner 1; the material is the physical group, with its name if it
-/// has one. Every block must
-/// have 3 or 4 corners. Throws std::invalid_argument that names the first block with
-/// more.
+/// has one. A block with more than 4 corners becomes triangles, and a joint id becomes
+/// the physical group of a line element. Throws std::invalid_argument that names a
+/// block without triangles, because its outline is not simple.
 std::string write_gmsh(const std::vector<BlockRecord>& blocks);
+
+/// Tests whether elements cannot hold all of the blocks. Then write_gmsh() adds the
+/// section $Blocks (docs/mesh-formats.md), which also says which blocks are fixed.
+bool needs_rings(const std::vector<BlockRecord>& blocks);
 
 }  // namespace blocks::exchange

@@ -12,9 +12,13 @@
 namespace blocks::exchange {
 namespace {
 
+constexpr const char* hint_of_joints =
+    "give one id for each side, in the order of the positions, 0 for none";
+
+/// The properties of a feature.
 struct Properties {
-  long material = 0;
-  bool fixed = false;
+  RingData data;
+  const Json* joints = nullptr;  ///< the property, an array; null: absent
 };
 
 class Reader {
@@ -38,6 +42,7 @@ class Reader {
  private:
   std::string_view text_;
   RingReader rings_;
+  const Json* used_joints_ = nullptr;  ///< property that the last polygon used
   std::map<long, std::string> names_;
 
   bool expect(const Json& node, Json::Kind kind, const std::string& what) {
@@ -61,6 +66,7 @@ class Reader {
   void feature(const Json& node);
   Properties read_properties(const Json& node);
   void read_name(const Json& node, long material);
+  bool read_joints(const Json& node, std::size_t sides, std::vector<int>& joints);
   void polygon(const Json& rings, const Properties& properties);
   bool ring(const Json& node, std::vector<Position>& positions);
 };
@@ -115,20 +121,29 @@ Properties Reader::read_properties(const Json& node) {
     std::from_chars(text.data(), text.data() + text.size(), value);
     if (value >= 1 && value <= std::numeric_limits<int>::max() &&
         value == std::floor(value))
-      properties.material = static_cast<long>(value);
+      properties.data.material = static_cast<long>(value);
     else
       rings_.error(material->at, "\"material\" should be a whole number from 1",
                    "remove the property and give --material N instead");
   }
-  read_name(node, properties.material);
+  read_name(node, properties.data.material);
   if (const Json* fixed = node.find("fixed");
       fixed && fixed->kind != Json::Kind::null) {
     if (fixed->kind == Json::Kind::boolean)
-      properties.fixed = fixed->text == "true";
+      properties.data.fixed = fixed->text == "true";
     else if (fixed->number == "0" || fixed->number == "1")
-      properties.fixed = fixed->number == "1";
+      properties.data.fixed = fixed->number == "1";
     else
       rings_.error(fixed->at, "\"fixed\" should be true or false");
+  }
+  if (const Json* joints = node.find("joints");
+      joints && joints->kind != Json::Kind::null) {
+    if (joints->kind == Json::Kind::array)
+      properties.joints = joints;
+    else
+      rings_.error(joints->at,
+                   "\"joints\": expected an array, found " + name_of(joints->kind),
+                   hint_of_joints);
   }
   return properties;
 }
@@ -148,6 +163,38 @@ void Reader::read_name(const Json& node, long material) {
                                material, first->second));
 }
 
+/// Reads the ids of the sides of one ring. The array belongs to a single polygon.
+bool Reader::read_joints(const Json& node, std::size_t sides,
+                         std::vector<int>& joints) {
+  const std::string hint = hint_of_joints;
+  if (used_joints_ == &node) {
+    rings_.error(node.at, "\"joints\" belongs to a feature with several polygons",
+                 "write one feature for each polygon");
+    return false;
+  }
+  used_joints_ = &node;
+  if (node.items.size() != sides) {
+    rings_.error(node.at,
+                 fmt::format("\"joints\" has {} id{}, the polygon {} sides",
+                             node.items.size(), node.items.size() == 1 ? "" : "s",
+                             sides),
+                 hint);
+    return false;
+  }
+  for (const Json& item : node.items) {
+    if (item.kind != Json::Kind::number) {
+      rings_.error(item.at, "joint id: expected a number, found " + name_of(item.kind),
+                   hint);
+      return false;
+    }
+    const auto id = rings_.joint({item.number, item.at}, hint);
+    if (!id)
+      return false;
+    joints.push_back(*id);
+  }
+  return true;
+}
+
 void Reader::polygon(const Json& rings, const Properties& properties) {
   if (!expect(rings, Json::Kind::array, "polygon"))
     return;
@@ -161,8 +208,12 @@ void Reader::polygon(const Json& rings, const Properties& properties) {
                  "a polygon is an array of rings, a ring an array of positions");
   else if (rings.items.size() > 1)
     rings_.refuse_holes(rings.items.size() - 1, rings.at);
-  else if (std::vector<Position> positions; ring(rings.items[0], positions))
-    rings_.add(positions, properties.material, properties.fixed, rings.at);
+  else if (std::vector<Position> positions; ring(rings.items[0], positions)) {
+    RingData data = properties.data;
+    if (!properties.joints || positions.size() < 4 ||
+        read_joints(*properties.joints, positions.size() - 1, data.joints))
+      rings_.add(positions, std::move(data), rings.at);
+  }
 }
 
 bool Reader::ring(const Json& node, std::vector<Position>& positions) {

@@ -12,15 +12,20 @@ std::string number(double value) {
   return std::isfinite(value) ? shortest(value) : "null";
 }
 
-/// Returns corner 1, the other corners in reverse order, and corner 1 again.
-std::string ring(const geometry::Polygon& outline) {
+std::string text_of(const std::vector<RingPosition>& ring) {
   std::string text;
-  for (std::size_t i = 0; i <= outline.size(); ++i) {
-    const geometry::Vec2& corner = outline[(outline.size() - i) % outline.size()];
-    text += fmt::format("{}[{}, {}]", i > 0 ? ", " : "", shortest(corner.x()),
+  for (const auto& [corner, joint] : ring)
+    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", shortest(corner.x()),
                         shortest(corner.y()));
-  }
   return text;
+}
+
+/// Returns the property with the ids of all sides, in the order of the ring.
+std::string joints_of(const std::vector<RingPosition>& ring) {
+  std::string text;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    text += fmt::format("{}{}", i > 0 ? ", " : "", ring[i].joint);
+  return ", \"joints\": [" + text + "]";
 }
 
 std::string name_of(const BlockRecord& block) {
@@ -33,26 +38,26 @@ std::string name_of(const BlockRecord& block) {
 
 }  // namespace
 
-// {fmt} and std::to_chars give the shortest digits. "-0" keeps its sign, because the
-// readers here read the digits as written.
-std::string shortest(double value) { return fmt::format("{}", value); }
-
 std::string write_geojson(const std::vector<BlockRecord>& blocks,
                           std::optional<double> time) {
   std::string text = "{\"type\": \"FeatureCollection\",\n";
   if (time)
     text += fmt::format("\"time\": {},\n", number(*time));
   text += "\"features\": [\n";
+  const bool with_joints = has_joints(blocks);
   for (const BlockRecord& block : blocks) {
+    const std::vector<RingPosition> ring = closed_ring(block);
     text += fmt::format("{{\"type\": \"Feature\", \"properties\": {{\"number\": {}, "
                         "\"material\": {}{}, \"fixed\": {}, \"area\": {}",
                         block.number, block.material, name_of(block), block.fixed,
                         number(block.area));
+    if (with_joints)
+      text += joints_of(ring);
     for (const auto& [name, value] : block.results)
       text += fmt::format(", \"{}\": {}", name, number(value));
     text += fmt::format("}}, \"geometry\": {{\"type\": \"Polygon\", \"coordinates\": "
                         "[[{}]]}}}}{}\n",
-                        ring(block.outline), &block == &blocks.back() ? "" : ",");
+                        text_of(ring), &block == &blocks.back() ? "" : ",");
   }
   return text + "]}\n";
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "exchange/block_record.hpp"
 
 namespace blocks::exchange {
@@ -19,12 +21,16 @@ std::string write_mesh(const std::vector<Outline>& outlines,
       fmt::format("$ {}\nBLOCKS {}\n", one_line(comment), outlines.size());
   for (const Outline& outline : outlines) {
     text += fmt::format("{}, {}\n", outline.corners.size(), outline.material);
-    for (std::size_t i = 0; i < outline.corners.size(); ++i)
+    const bool with_joints = std::any_of(outline.joints.begin(), outline.joints.end(),
+                                         [](int joint) { return joint != 0; });
+    for (std::size_t i = 0; i < outline.corners.size(); ++i) {
       if (!outline.written.empty())
-        text += fmt::format("  {}, {}\n", outline.written[i][0], outline.written[i][1]);
+        text += fmt::format("  {}, {}", outline.written[i][0], outline.written[i][1]);
       else
-        text += fmt::format("  {}, {}\n", shortest(outline.corners[i].x()),
+        text += fmt::format("  {}, {}", shortest(outline.corners[i].x()),
                             shortest(outline.corners[i].y()));
+      text += with_joints ? fmt::format(", {}\n", outline.joints[i]) : "\n";
+    }
   }
   return text;
 }

@@ -9,7 +9,8 @@
 namespace blocks::exchange {
 
 /// Returns the outlines in the form that READ9 reads. Numbers are as written if known,
-/// otherwise the shortest decimals. Every outline must have a material. comment: placed
+/// otherwise the shortest decimals. Corners have joint ids if the outline has an id
+/// other than 0. Every outline must have a material. comment: placed
 /// at the head of the file.
 std::string write_mesh(const std::vector<Outline>& outlines,
                        const std::string& comment);

@@ -9,6 +9,7 @@ void reverse(Outline& outline) {
     std::reverse(outline.corners.begin() + 1, outline.corners.end());
   if (!outline.written.empty())
     std::reverse(outline.written.begin() + 1, outline.written.end());
+  std::reverse(outline.joints.begin(), outline.joints.end());
 }
 
 }  // namespace blocks::exchange

@@ -20,7 +20,9 @@ using WrittenCorner = std::array<std::string, 2>;
 struct Outline {
   geometry::Polygon corners;  ///< [L] nearest doubles, in the file's order, not closed
   std::vector<WrittenCorner> written;  ///< the same corners as written; may be empty
-  long material = 0;                   ///< 0 if the file has none
+  /// Joint id of the side that begins at each corner, >= 0; empty: 0 for all sides.
+  std::vector<int> joints;
+  long material = 0;  ///< 0 if the file has none
   bool fixed = false;
   std::size_t at = nowhere;  ///< offset of the polygon in the text
 };
@@ -34,7 +36,7 @@ struct OutlineFile {
 };
 
 /// Reverses the orientation of the outline, including the numbers as written; corner 1
-/// stays first.
+/// stays first. Each side keeps its joint id, but then begins at its other end.
 void reverse(Outline& outline);
 
 }  // namespace blocks::exchange

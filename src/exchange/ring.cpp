@@ -4,7 +4,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace blocks::exchange {
 namespace {
@@ -45,11 +47,24 @@ void RingReader::saw_height(std::size_t at) {
     first_height_ = at;
 }
 
-void RingReader::add(const std::vector<Position>& ring, long material, bool fixed,
-                     std::size_t at) {
+std::optional<int> RingReader::joint(const WrittenNumber& number,
+                                     const std::string& hint) {
+  const auto value = value_of(number.text);
+  if (value && *value >= 0.0 && *value <= std::numeric_limits<int>::max() &&
+      *value == std::floor(*value))
+    return static_cast<int>(*value);
+  error(number.at,
+        fmt::format("joint id {} should be a whole number from 0 to {}",
+                    number.text.substr(0, 40), std::numeric_limits<int>::max()),
+        hint, number.text.size());
+  return std::nullopt;
+}
+
+void RingReader::add(const std::vector<Position>& ring, RingData data, std::size_t at) {
   Outline outline;
-  outline.material = material;
-  outline.fixed = fixed;
+  outline.material = data.material;
+  outline.fixed = data.fixed;
+  outline.joints = std::move(data.joints);
   outline.at = at;
   for (const Position& position : ring) {
     std::array<double, 2> xy{};

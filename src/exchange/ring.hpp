@@ -2,6 +2,7 @@
 // is dropped, and numbers stay as written. Private to src/exchange.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,14 +18,25 @@ struct WrittenNumber {
 };
 using Position = std::array<WrittenNumber, 2>;
 
+/// What a file says about a polygon besides its ring.
+struct RingData {
+  long material = 0;
+  bool fixed = false;
+  /// Joint ids of the sides of the ring, in its order; empty: none.
+  std::vector<int> joints = {};
+};
+
 /// Collects the outlines and messages of one text.
 class RingReader {
  public:
   /// Adds the outline of a closed ring. at: offset of its polygon. It is an error if
   /// the ring is not closed, is too short, or contains a number beyond the range of
-  /// doubles.
-  void add(const std::vector<Position>& ring, long material, bool fixed,
-           std::size_t at);
+  /// doubles. The joint ids must be as many as the sides.
+  void add(const std::vector<Position>& ring, RingData data, std::size_t at);
+
+  /// Returns a joint id: a whole number from 0. Reports an error, and returns nothing,
+  /// for other numbers. hint: what to do.
+  std::optional<int> joint(const WrittenNumber& number, const std::string& hint);
 
   void error(std::size_t at, std::string text, std::string hint = {},
              std::size_t length = 1);

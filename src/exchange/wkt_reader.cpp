@@ -31,7 +31,7 @@ class Reader {
       for (scan_.skip(";"); !scan_.is_at_end(); scan_.skip(";"))
         geometry(0);
     } catch (const SyntaxFault& fault) {
-      rings_.error(fault.at, fault.message, {}, fault.length);
+      rings_.error(fault.at, fault.message, fault.hint, fault.length);
     }
     return rings_.finish("WKT");
   }
@@ -40,9 +40,16 @@ class Reader {
   WktScanner scan_;
   RingReader rings_;
 
+  /// A ring with the joint ids of its sides; without ids if it has none.
+  struct Ring {
+    std::vector<Position> positions;
+    std::vector<int> joints;
+  };
+
   void geometry(int depth);
-  void polygon(std::size_t begin);
-  std::vector<Position> ring();
+  void polygon(std::size_t begin, bool measured);
+  Ring ring(bool measured);
+  void measure(Ring& ring);
 };
 
 void Reader::geometry(int depth) {
@@ -53,7 +60,8 @@ void Reader::geometry(int depth) {
     rings_.warning(begin, "SRID is ignored: coordinates are taken as lengths");
     return;
   }
-  scan_.take_dimensions();  // reported with the first position that has a third number
+  // Heights are reported with the first position that has one.
+  const bool measured = scan_.take_dimensions() == "M";
   if (kind != "POLYGON" && kind != "MULTIPOLYGON" && kind != "GEOMETRYCOLLECTION") {
     scan_.move_to(begin);
     scan_.fail("POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION");
@@ -61,14 +69,14 @@ void Reader::geometry(int depth) {
   if (scan_.take_empty()) {
     rings_.warning(begin, kind + " EMPTY is skipped");
   } else if (kind == "POLYGON") {
-    polygon(begin);
+    polygon(begin, measured);
   } else if (kind == "MULTIPOLYGON") {
     scan_.list([&] {
       const std::size_t one = scan_.skip();
       if (scan_.take_empty())
         rings_.warning(one, "POLYGON EMPTY is skipped");
       else
-        polygon(one);
+        polygon(one, measured);
     });
   } else if (depth == deepest_collection) {
     throw SyntaxFault{begin, fmt::format("nested deeper than {}", deepest_collection),
@@ -78,26 +86,46 @@ void Reader::geometry(int depth) {
   }
 }
 
-void Reader::polygon(std::size_t begin) {
-  std::vector<Position> outer;
+void Reader::polygon(std::size_t begin, bool measured) {
+  Ring outer;
   std::size_t rings = 0;
   scan_.list([&] {
-    auto positions = ring();
+    Ring next = ring(measured);
     if (rings++ == 0)
-      outer = std::move(positions);
+      outer = std::move(next);
   });
   if (rings > 1)
     rings_.refuse_holes(rings - 1, begin);
   else
-    rings_.add(outer, 0, false, begin);
+    rings_.add(outer.positions, {0, false, std::move(outer.joints)}, begin);
 }
 
-std::vector<Position> Reader::ring() {
-  std::vector<Position> positions;
+/// Reads m of a position, which is a joint id. The last position has that of the first.
+void Reader::measure(Ring& ring) {
+  static const std::string hint =
+      "m is the id of the side that begins here; write POLYGON without M if m means "
+      "something else";
+  const WrittenNumber m = scan_.number("a number, m (the joint id)", hint);
+  const auto id = rings_.joint(m, hint);
+  ring.joints.push_back(id.value_or(0));
+  if (scan_.is_next(')') && id && ring.joints.front() != *id)
+    rings_.error(m.at,
+                 fmt::format("the last position has the joint id {}, the first {}", *id,
+                             ring.joints.front()),
+                 "both are the same point: give both the id of the first side",
+                 m.text.size());
+}
+
+Reader::Ring Reader::ring(bool measured) {
+  Ring ring;
   scan_.list([&] {
     const WrittenNumber x = scan_.number("a number, x"),
                         y = scan_.number("a number, y");
-    positions.push_back({x, y});
+    ring.positions.push_back({x, y});
+    if (measured) {
+      measure(ring);
+      return;
+    }
     const auto has_more = [&] {
       return !scan_.is_at_end() && !scan_.is_next(',') && !scan_.is_next(')');
     };
@@ -108,7 +136,9 @@ std::vector<Position> Reader::ring() {
         scan_.number("',' or ')'");
     }
   });
-  return positions;
+  if (measured)
+    ring.joints.pop_back();
+  return ring;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::size_t WktScanner::skip(std::string_view also) {
   return at_;
 }
 
-void WktScanner::fail(const std::string& expected) {
+void WktScanner::fail(const std::string& expected, const std::string& hint) {
   skip();
   const auto end = std::min(text_.find_first_of(delimiters, at_), text_.size());
   std::string_view found = text_.substr(at_, std::max<std::size_t>(end - at_, 1));
@@ -33,7 +33,7 @@ void WktScanner::fail(const std::string& expected) {
       at_ == text_.size()
           ? fmt::format("expected {}, found the end of the file", expected)
           : fmt::format("expected {}, found '{}'", expected, found),
-      std::max<std::size_t>(found.size(), 1)};
+      std::max<std::size_t>(found.size(), 1), hint};
 }
 
 bool WktScanner::take(char c) {
@@ -63,10 +63,12 @@ bool WktScanner::take_empty() {
   return false;
 }
 
-void WktScanner::take_dimensions() {
+std::string WktScanner::take_dimensions() {
   const std::size_t before = at_;
-  if (const std::string tag = word(); tag != "Z" && tag != "M" && tag != "ZM")
-    at_ = before;
+  if (std::string tag = word(); tag == "Z" || tag == "M" || tag == "ZM")
+    return tag;
+  at_ = before;
+  return {};
 }
 
 WrittenNumber WktScanner::token() {
@@ -77,13 +79,13 @@ WrittenNumber WktScanner::token() {
   return found;
 }
 
-WrittenNumber WktScanner::number(const std::string& what) {
+WrittenNumber WktScanner::number(const std::string& what, const std::string& hint) {
   const WrittenNumber found = token();
   // WKT does not allow Fortran's exponent letter D, which Decimal accepts.
   if (found.text.find_first_of("dD") != found.text.npos ||
       !geometry::Decimal::parse(found.text)) {
     at_ = found.at;
-    fail(what);
+    fail(what, hint);
   }
   return found;
 }

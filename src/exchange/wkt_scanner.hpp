@@ -16,6 +16,7 @@ struct SyntaxFault {
   std::size_t at;
   std::string message;
   std::size_t length;
+  std::string hint = {};
 };
 
 /// A position in the text that moves forward. Blanks before each item are skipped.
@@ -33,7 +34,7 @@ class WktScanner {
   bool is_next(char c) { return !is_at_end() && text_[at_] == c; }
 
   /// Throws SyntaxFault: "expected ..., found ...".
-  [[noreturn]] void fail(const std::string& expected);
+  [[noreturn]] void fail(const std::string& expected, const std::string& hint = {});
   /// Takes the character if it is next.
   bool take(char c);
   /// Takes the character, or fails.
@@ -42,12 +43,12 @@ class WktScanner {
   std::string word();
   /// Takes the word EMPTY if it is next.
   bool take_empty();
-  /// Takes the tag Z, M or ZM if it is next.
-  void take_dimensions();
+  /// Takes the tag Z, M or ZM if it is next, and returns it; otherwise an empty text.
+  std::string take_dimensions();
   /// Takes everything up to a blank, bracket, comma or semicolon; may be empty.
   WrittenNumber token();
   /// Takes a number of WKT, or fails. what: "a number, x".
-  WrittenNumber number(const std::string& what);
+  WrittenNumber number(const std::string& what, const std::string& hint = {});
   /// Continues at this offset.
   void move_to(std::size_t at) { at_ = at; }
   /// Takes the rest of "SRID=n;" up to the semicolon.

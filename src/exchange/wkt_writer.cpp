@@ -5,14 +5,17 @@
 namespace blocks::exchange {
 
 std::string write_wkt(const std::vector<BlockRecord>& blocks) {
+  const bool with_joints = has_joints(blocks);
   std::string text;
   for (const BlockRecord& block : blocks) {
-    const geometry::Polygon& outline = block.outline;
-    text += "POLYGON ((";
-    for (std::size_t i = 0; i <= outline.size(); ++i) {
-      const geometry::Vec2& corner = outline[(outline.size() - i) % outline.size()];
-      text += fmt::format("{}{} {}", i > 0 ? ", " : "", shortest(corner.x()),
-                          shortest(corner.y()));
+    text += with_joints ? "POLYGON M ((" : "POLYGON ((";
+    const char* separator = "";
+    for (const auto& [corner, joint] : closed_ring(block)) {
+      text +=
+          fmt::format("{}{} {}", separator, shortest(corner.x()), shortest(corner.y()));
+      if (with_joints)
+        text += fmt::format(" {}", joint);
+      separator = ", ";
     }
     text += "))\n";
   }

@@ -73,7 +73,8 @@ bool BlockBuilder::has_weight(const geometry::Polygon& clockwise,
 }
 
 bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where,
-                          const std::string& what, bool& warned) {
+                          const std::string& what, bool& warned,
+                          std::vector<int>* joints) {
   if (static_cast<long>(outline.size()) > model_.settings.max_corners && has_start()) {
     error(where,
           fmt::format("{} has {} corners, more than START's maximum of {}", what,
@@ -95,6 +96,8 @@ bool BlockBuilder::accept(geometry::Polygon& outline, deck::SourceLocation where
       warning(where, fmt::format("{}: the corners run anticlockwise", what),
               "corner 1 is kept and the others are taken in the reverse order");
     outline = geometry::reversed(outline);
+    if (joints)
+      std::reverse(joints->begin(), joints->end());
   }
   if (!check.convex && !warned)
     warning(where, fmt::format("{} is not convex", what),
@@ -265,8 +268,10 @@ std::string BlockBuilder::read_mesh(const deck::Read9&, const std::string& path)
     mesh = deck::read_mesh(path);
   } catch (const deck::MeshError& fault) {
     error(command_.where, fault.what(),
-          "READ9 reads the text form, Gmsh .msh, GENESIS and region records "
-          "(docs/mesh-formats.md)");
+          !fault.hint().empty()
+              ? fault.hint()
+              : "READ9 reads the text form, Gmsh .msh, GENESIS and region records "
+                "(docs/mesh-formats.md)");
     return {};
   }
   if (!fits(static_cast<long>(mesh.blocks.size()), command_.where))
@@ -279,10 +284,12 @@ std::string BlockBuilder::read_mesh(const deck::Read9&, const std::string& path)
                                         made.size() + 1, block.line)
                           : fmt::format("block {} of the mesh", made.size() + 1);
     const double rho = density(block.material, command_.where);
-    if (!(rho > 0.0) || !accept(block.outline, command_.where, what, warned))
+    if (!(rho > 0.0) ||
+        !accept(block.outline, command_.where, what, warned, &block.joints))
       return {};
     made.push_back({std::move(block.outline), static_cast<int>(block.material), rho,
-                    Fixity::free});
+                    block.fixed ? Fixity::by_user : Fixity::free, 0,
+                    std::move(block.joints)});
   }
   const int first = model_.blocks.size() + 1;
   append(made);

@@ -48,10 +48,12 @@ class BlockBuilder {
   /// Whether area and second moment are finite and positive. Reports an error if not.
   bool has_weight(const geometry::Polygon& clockwise, deck::SourceLocation where,
                   const std::string& what);
-  /// Checks an outline exactly and makes it clockwise. `what` names it in messages.
+  /// Checks an outline exactly and makes it clockwise. Each side keeps its joint id in
+  /// `joints`, which may be null. `what` names the outline in messages.
   /// `warned` is set once a warning was given, which is then not repeated.
   bool accept(geometry::Polygon& outline, deck::SourceLocation where,
-              const std::string& what, bool& warned);
+              const std::string& what, bool& warned,
+              std::vector<int>* joints = nullptr);
   /// Puts the corners of a layer in clockwise order. Reports an error if that is not
   /// possible.
   bool orient_corners(const deck::Layer& card, geometry::LayerRequest& request);

@@ -13,6 +13,7 @@ using ::testing::StartsWith;
 TEST(MeshErrors, MutantsAreReadOrRefused) {
   const std::vector<std::string> seeds{
       sample("two_quads.txt"),     sample("two_quads_2.2.msh"),
+      sample("joints.txt"),        sample("joints.msh"),
       sample("two_quads_4.1.msh"), genesis().bytes,
       genesis(true, 8, 4).bytes,   regions().bytes,
       regions(true, 8, 4).bytes};
@@ -60,6 +61,9 @@ TEST(MeshErrors, MutantsAreReadOrRefused) {
         EXPECT_GE(block.outline.size(), 3u);
         for (const Vec2& corner : block.outline)
           EXPECT_TRUE(corner.allFinite());
+        if (!block.joints.empty()) {
+          EXPECT_EQ(block.joints.size(), block.outline.size());
+        }
       }
     } catch (const MeshError& error) {
       ++refused;

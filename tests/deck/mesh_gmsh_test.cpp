@@ -50,6 +50,20 @@ TEST(MeshGmsh, HasTheTagOfItsSurfaceAsMaterialWithoutAGroup) {
   EXPECT_EQ(read(replaced(good_4, "2 1 0 1 2 0", "2 1 0 0 0")).blocks[1].material, 12);
 }
 
+// The elements are triangles of the first block. They are not read.
+TEST(MeshGmsh, ReadsTheBlocksOfItsOwnSection) {
+  const MeshFile mesh = read_mesh(samples + "joints.msh");
+  EXPECT_EQ(mesh.found, "Gmsh 2.2 ASCII, 2 blocks of $Blocks");
+  ASSERT_EQ(mesh.blocks.size(), 2u);
+  EXPECT_EQ(mesh.blocks[0].outline,
+            (Polygon{{0, 0}, {0, 1}, {0.5, 0.25}, {1, 1}, {1, 0}}));
+  EXPECT_EQ(mesh.blocks[0].joints, (std::vector<int>{1, 2, 0, 3, 4}));
+  EXPECT_TRUE(mesh.blocks[0].fixed);
+  EXPECT_EQ(mesh.blocks[1].joints, (std::vector<int>{3, 0, 0}));
+  EXPECT_EQ(mesh.blocks[1].material, 2);
+  EXPECT_FALSE(mesh.blocks[1].fixed);
+}
+
 TEST(MeshErrors, GmshFilesOfVersion2HaveLineAndReason) {
   const std::string good = sample("two_quads_2.2.msh");
   EXPECT_EQ(read(good).blocks.size(), 2u);

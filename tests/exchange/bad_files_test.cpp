@@ -54,13 +54,13 @@ TEST(BadFiles, AreFound) { EXPECT_GE(bad_files().size(), 35u); }
 TEST(BadFiles, MutantsAreReadOrRefused) {
   const std::vector<std::string> seeds = {
       R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": )"
-      R"({"material": 2, "fixed": true}, "geometry": {"type": "Polygon", )"
+      R"({"material": 2, "fixed": true, "joints": [3, 0, 2]}, "geometry": {"type": "Polygon", )"
       R"("coordinates": [[[0, 0], [1.5, 0], [1.5, 1e0], [0, 0]]]}}, {"type": )"
       R"("Feature", "properties": null, "geometry": {"type": "MultiPolygon", )"
       R"("coordinates": [[[[2, 0], [3, 0], [3, 1], [2, 0]]]]}}]})",
       "POLYGON ((0 0, 1.5 0, 1.5 1e0, 0 0))\nMULTIPOLYGON Z (((2 0 1, 3 0 1, 3 1 1, 2 "
       "0 "
-      "1)), EMPTY);GEOMETRYCOLLECTION (POLYGON ((5 0, 6 0, 6 1, 5 0)))\n"};
+      "1)), EMPTY);GEOMETRYCOLLECTION (POLYGON M ((5 0 3, 6 0 0, 6 1 2, 5 0 3)))\n"};
   const std::vector<std::string> splices = {
       "-",     "1e999", "1e308",   "NaN",
       "[",     "]",     "(",       ")",
@@ -102,6 +102,9 @@ TEST(BadFiles, MutantsAreReadOrRefused) {
       ASSERT_GE(outline.corners.size(), 3u);
       for (const geometry::Vec2& corner : outline.corners)
         ASSERT_TRUE(corner.allFinite());
+      if (!outline.joints.empty()) {
+        ASSERT_EQ(outline.joints.size(), outline.corners.size());
+      }
       outlines.push_back(outline.corners);
     }
     examine(outlines);

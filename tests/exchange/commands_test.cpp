@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "exchange/block_record.hpp"
 #include "run/program.hpp"
 
 namespace blocks::testing {
@@ -11,6 +12,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const std::string square = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n";
@@ -214,14 +216,26 @@ TEST(Export, WritesAFrameOfResults) {
   EXPECT_NEAR(y(then) - y(now), properties["displacement"].get<double>(), 1e-9);
 }
 
-// Gmsh has no hexagons.
-TEST(Export, RefusesBlocksThatTheFormatCannotHold) {
+// Gmsh has no hexagons, so block 32 becomes triangles. $Blocks keeps its outline and
+// which blocks are fixed.
+TEST(Export, KeepsBlocksThatAreNoGmshElements) {
   const TemporaryFolder folder;
   const std::string deck = BLOCKS_SOURCE_DIR "/decks/every_card/every_card.deck";
   const Outcome msh = blocks("export " + deck + " -o a.msh", folder.path());
-  EXPECT_EQ(msh.code, 3);
-  EXPECT_THAT(msh.err, StartsWith("blocks: error: block 32 has 6 corners"));
-  EXPECT_FALSE(folder.holds("a.msh"));
+  EXPECT_EQ(msh.code, 0) << msh.err;
+  EXPECT_THAT(msh.out, Not(HasSubstr("leaves out")));
+  EXPECT_EQ(blocks("export " + deck + " -o a.geojson", folder.path()).code, 0);
+  EXPECT_EQ(blocks("import a.msh -o b.mesh.txt --deck", folder.path()).code, 0);
+  EXPECT_EQ(blocks("export b.deck -o b.geojson", folder.path()).code, 0);
+  EXPECT_EQ(slurp(folder / "a.geojson"), slurp(folder / "b.geojson"));
+}
+
+// An outline that crosses itself has no triangles, so nothing is written.
+TEST(Export, RefusesToGmshWhatCannotBeCut) {
+  exchange::BlockRecord block;
+  block.number = block.material = 7;
+  block.outline = {{0, 0}, {2, 2}, {2, 0}, {0, 2}, {-1, 1}};
+  EXPECT_THROW(exchange::write_gmsh({block}), std::invalid_argument);
 }
 
 TEST(Export, SaysWhatTheFormatLeavesOut) {

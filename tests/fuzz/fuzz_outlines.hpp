@@ -2,6 +2,7 @@
 // messages, examine the outlines, write the mesh and read it.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "deck/mesh_readers.hpp"
@@ -27,12 +28,21 @@ inline void use(OutlineFile file, std::string_view text) {
   for (const int b : soundness.turned)
     reverse(file.outlines[b]);
   const auto mesh = deck::parse_mesh("mesh", write_mesh(file.outlines, "fuzz"));
+  const auto ids = [](const std::vector<int>& joints, std::size_t sides) {
+    return joints.empty() ? std::vector<int>(sides, 0) : joints;
+  };
   for (std::size_t b = 0; b < file.outlines.size(); ++b) {
-    const geometry::Polygon& read = mesh.blocks.at(b).outline;
+    const Outline& written = file.outlines[b];
+    const deck::MeshBlock& read = mesh.blocks.at(b);
+    std::vector<int> joints = ids(read.joints, read.outline.size());
     // Nearly flat outlines may have the other sense after reading. READ9 corrects it
     // exactly.
-    if (read != file.outlines[b].corners &&
-        geometry::reversed(read) != file.outlines[b].corners)
+    if (read.outline != written.corners) {
+      if (geometry::reversed(read.outline) != written.corners)
+        std::abort();
+      std::reverse(joints.begin(), joints.end());
+    }
+    if (joints != ids(written.joints, written.corners.size()))
       std::abort();
   }
 }
