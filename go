@@ -20,6 +20,7 @@ usage() {
   validate SUBCOMMAND  long checks and measurements; each subcommand has its own --help:
                        problems     problems with known answers, validation/REPORT.md
                        layers       generated layers and their certificate
+                       cells        cells of random joints against exact answers
                        seeds        random layers of many seeds
                        predicates   the contact predicates against MPFR
                        study        the scenes of contact detection

@@ -106,9 +106,12 @@ class Generator {
                                : (std::max(high, 0.0) - std::min(low, 0.0)) / spacing;
     }
     double pieces = 2.0;
-    if (set_.trace.mean.value() > 0.0)
-      pieces +=
-          2.0 * window_.radius() / (set_.trace.mean.value() + set_.gap.mean.value());
+    if (!through_going()) {
+      const auto [from, to] = window_.range(near_, direction_);
+      const double length =
+          set_.law == JointLaw::poisson ? 2.0 * window_.radius() : to - from;
+      pieces += length / (set_.trace.mean.value() + set_.gap.mean.value());
+    }
     return std::max(tracks, 1.0) * pieces;
   }
 

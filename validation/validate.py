@@ -70,6 +70,16 @@ def layers(arguments):
     return first_failure
 
 
+def cells(arguments):
+    build("ci", "cell_statistics")
+    report = report_option(arguments.count, arguments.full, "cells")
+    code = run(CI / "validation/cells/cell_statistics", "--networks", arguments.count, *report)
+    if report and code in (0, 4):
+        with open(HERE / "cells/REPORT.md", "a", encoding="utf-8") as page:
+            page.write(f"\n{version.sentence()}\n")
+    return code
+
+
 def seeds(arguments):
     build("release", "blocks")
     program, folder = RELEASE / "src/blocks", BUILD / "seeds.sweep"
@@ -209,6 +219,10 @@ def parser():
         "Writes LAYERS.md, CERTIFICATE.md and DISTRIBUTION.md in validation/geometry and compares "
         "the layers that g++ and clang++ make. All four parts run; the exit code is that of the "
         "first part that fails.", (100_000, "random layers"))
+    add("cells", cells, "cells of random joints against exact answers",
+        "Exit code 4: a mean deviates too far from its exact value. Writes "
+        "validation/cells/REPORT.md and its figures. Takes 6 minutes.",
+        (4000, "networks of Poisson lines; the others are in proportion"))
     add("seeds", seeds, "random layers of 100 blocks with sides of several angles",
         "A sweep in build/seeds.sweep. Writes its report to validation/geometry/SEEDS.csv. Takes "
         "half a minute.", (1000, "seeds for each range of angles"))

@@ -51,121 +51,12 @@ std::vector<JointSegment> random_joints(int count, double length, unsigned seed)
   return result;
 }
 
-// Counts the crossings inside a convex clockwise outline by rationals of Boost.
-int inner_crossings(const std::vector<JointSegment>& lines, const Polygon& outline) {
-  const auto cross = [](const Exact& ax, const Exact& ay, const Exact& bx,
-                        const Exact& by) { return Exact(ax * by - ay * bx); };
-  int count = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    for (std::size_t j = i + 1; j < lines.size(); ++j) {
-      const Vec2 a = lines[i].from.nearest(), b = lines[i].to.nearest();
-      const Vec2 c = lines[j].from.nearest(), d = lines[j].to.nearest();
-      const Exact ux = Exact(b.x()) - Exact(a.x()), uy = Exact(b.y()) - Exact(a.y());
-      const Exact vx = Exact(d.x()) - Exact(c.x()), vy = Exact(d.y()) - Exact(c.y());
-      const Exact wx = Exact(c.x()) - Exact(a.x()), wy = Exact(c.y()) - Exact(a.y());
-      const Exact s = cross(wx, wy, vx, vy) / cross(ux, uy, vx, vy);
-      const Exact x = Exact(a.x()) + s * ux, y = Exact(a.y()) + s * uy;
-      bool inside = true;
-      for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Vec2 &p = outline[k], &q = outline[(k + 1) % outline.size()];
-        inside =
-            inside && cross(Exact(q.x()) - Exact(p.x()), Exact(q.y()) - Exact(p.y()),
-                            x - Exact(p.x()), y - Exact(p.y())) < 0;
-      }
-      count += inside ? 1 : 0;
-    }
-  return count;
-}
-
 TEST(CutOutline, WithoutJointsIsOneBlock) {
   const CutResult result = cut_outline(request(ten, {}));
   EXPECT_EQ(result.mesh.cells.size(), 1U);
   EXPECT_EQ(result.blocks[0].corners.size(), 4U);
   EXPECT_EQ(result.report.faces, 1U);
   EXPECT_EQ(result.report.components, 1U);
-}
-
-// Each line adds a face, and so does each crossing (Euler's formula).
-TEST(CutOutline, LinesInGeneralPositionMakeOneFacePerLineAndCrossing) {
-  for (const std::string& outline : {ten, std::string("0 3 2 10 9 9 10 4 6 0")})
-    for (unsigned seed = 0; seed < 12; ++seed) {
-      const int n = 3 + static_cast<int>(seed);
-      CutRequest lines = request(outline, random_joints(n, 40.0, seed));
-      Polygon corners;
-      for (const DecimalPoint& p : lines.outline)
-        corners.emplace_back(p.x.value(), p.y.value());
-      // Lines of random joints pass through the square, but may miss the pentagon.
-      int passing = 0;
-      for (const JointSegment& line : lines.joints) {
-        const Vec2 a = line.from.nearest(), d = line.to.nearest() - a;
-        bool left = false, right = false;
-        for (const Vec2& corner : corners)
-          (cross(d, corner - a) > 0.0 ? left : right) = true;
-        passing += left && right ? 1 : 0;
-      }
-      const CutResult result = cut_outline(lines);
-      EXPECT_EQ(static_cast<int>(result.mesh.cells.size()),
-                1 + passing + inner_crossings(lines.joints, corners));
-      EXPECT_EQ(result.report.pruned_edges, 0U);
-      expect_tiling(result);
-    }
-}
-
-// Cells of points in general position meet in threes.
-TEST(CutOutline, VoronoiCellsHaveTheNumberOfVerticesOfEulersFormula) {
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    VoronoiRequest cells;
-    cells.count = 30;
-    cells.lloyd = static_cast<int>(seed % 3);
-    cells.stream = {seed, 7};
-    cells.id = 3;
-    for (const std::string& outline : {ten, std::string("0 0 0 10 5 4 10 10 10 0")}) {
-      CutRequest all = request(outline, {});
-      all.joints = voronoi_cells(cells, all.outline).edges;
-      const CutResult result = cut_outline(all);
-      const std::size_t faces = result.mesh.cells.size();
-      const std::size_t nodes = result.mesh.outline.size() - all.outline.size();
-      const std::size_t inner =
-          result.mesh.vertices.size() - result.mesh.outline.size();
-      EXPECT_EQ(inner, 2 * (faces - 1) - nodes);
-      EXPECT_GE(faces, 30U);
-      expect_tiling(result);
-    }
-  }
-}
-
-TEST(CutOutline, TraceWithOneFreeEndIsPruned) {
-  const CutResult result = cut_outline(request(ten, joints("0 5 9 5", 4)));
-  EXPECT_EQ(result.mesh.cells.size(), 1U);
-  EXPECT_DOUBLE_EQ(result.report.lengths.at(4).pruned, 9.0);
-  EXPECT_DOUBLE_EQ(result.report.p21_before, 0.09);
-  EXPECT_DOUBLE_EQ(result.report.p21_after, 0.0);
-  // The vertex where the trace met the outline is gone as well.
-  EXPECT_EQ(result.mesh.vertices.size(), 4U);
-}
-
-TEST(CutOutline, ProlongedTraceHalvesTheSquare) {
-  CutRequest square = request(ten, joints("0 5 9 5", 4));
-  const Prolongation traces = prolonged(square.joints, Decimal(1), {}, square.outline);
-  EXPECT_EQ(traces.ends, 1U);
-  EXPECT_DOUBLE_EQ(traces.largest, 1.0);
-  square.joints = traces.traces;
-  const CutResult result = cut_outline(square);
-  ASSERT_EQ(result.mesh.cells.size(), 2U);
-  EXPECT_EQ(area(result, 0), 50.0);
-  EXPECT_EQ(area(result, 1), 50.0);
-}
-
-// The decimals 0.3 and 9.7 are not doubles; the trace still bisects the square.
-TEST(CutOutline, SlantedTraceBisectsTheSquareAndMovesNothing) {
-  const CutResult result = cut_outline(request(ten, joints("0.3 0 9.7 10")));
-  ASSERT_EQ(result.mesh.cells.size(), 2U);
-  for (const Vec2& end : {Vec2(0.3, 0.0), Vec2(9.7, 10.0)})
-    EXPECT_NE(std::find(result.mesh.vertices.begin(), result.mesh.vertices.end(), end),
-              result.mesh.vertices.end());
-  EXPECT_NEAR(area(result, 0), 50.0, 1e-13);
-  EXPECT_NEAR(area(result, 1), 50.0, 1e-13);
-  EXPECT_EQ(result.report.moved_t_vertices + result.report.contractions, 0U);
 }
 
 TEST(CutOutline, IslandsAndLoopsAtOneVertexAreAbsorbed) {
