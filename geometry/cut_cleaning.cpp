@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/exact/line.hpp"
 #include "geometry/polygon.hpp"
 
 namespace blocks::geometry {

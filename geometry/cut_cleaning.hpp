@@ -2,11 +2,16 @@
 // card). Part of cut.cpp. The certificate, not the cleaning, proves the result.
 #pragma once
 
+#include <vector>
+
 #include "geometry/cut.hpp"
 #include "geometry/cut_graph.hpp"
-#include "geometry/exact/line.hpp"
 
 namespace blocks::geometry {
+
+namespace exact {
+struct Line;
+}
 
 /// Contracts edges and merges cells as described at cut_outline. Requires numbered
 /// cells, and vertices in an order that does not depend on that of the joints. Only

@@ -123,7 +123,7 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"post", {"post", "output", "quantities"}},
       {"study", {"study", "dynamics", "post", "model", "geometry"}},
       {"run",
-       {"run", "deck", "dynamics", "audit", "quantities", "output", "model",
+       {"run", "deck", "dynamics", "audit", "exchange", "quantities", "output", "model",
         "geometry"}},
       {"sweep",
        {"sweep", "study", "run", "deck", "output", "quantities", "model", "geometry"}},

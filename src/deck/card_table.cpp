@@ -38,7 +38,7 @@ std::vector<CardSpec> preliminary_cards() {
        .follow_on = {{"title", "title of the problem, one line, 80 characters"}},
        .notes = "Must be the first card. The line after it is always the title, even "
                 "if it looks like a card.",
-       .example = "START, 100, 4\nColumn of five blocks"});
+       .example = "START, 500, 40\nColumn of five blocks"});
   add({.name = "XLIMITS",
        .once = true,
        .required = true,

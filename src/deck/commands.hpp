@@ -87,6 +87,35 @@ struct Layer {
   Word rcommand;                   ///< RANDOM or blank
   std::vector<Exact> bottom, top;  ///< if ns > 0: ns widths each, short lists completed
 };
+// A group OUTLINE ... CUT, which the parser joins into the command CUT; not in the
+// report
+struct Outline {
+  SourceLocation where = {};
+  Int nc, mat;
+  std::vector<Exact> x, y;  ///< [L] (nc) corners
+};
+struct Jset {
+  SourceLocation where;
+  Int id;
+  Exact dip, ddev, space, sdev, trace, tdev, gap, gdev, x0, y0;
+  Word law;  ///< UNIFORM, NEGEXP or POISSON
+};
+struct Traces {
+  SourceLocation where;
+  Word file;
+  Int id;
+  Exact snap;
+};
+struct Voronoi {
+  SourceLocation where;
+  Int n, lloyd, id;
+  Word file;  ///< given if n is not
+};
+struct Cut {
+  Outline outline;
+  std::vector<std::variant<Jset, Traces, Voronoi>> joints;  ///< at least one
+  Exact emin, amin;
+};
 struct Orient {
   Exact angmin, angplus;
 };
@@ -159,11 +188,11 @@ struct Cycle {
 };
 struct Stop {};
 
-using Card =
-    std::variant<Start, XLimits, YLimits, Boxes, Stiff, Fraction, Material, Function,
-                 Rigid, Seed, Units, End, Restart, Create, Read9, Layer, Orient, Merge,
-                 Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn, SetVel,
-                 SetVelM, Damping, Dump, Output, Plots, History, Motion, Cycle, Stop>;
+using Card = std::variant<Start, XLimits, YLimits, Boxes, Stiff, Fraction, Material,
+                          Function, Rigid, Seed, Units, End, Restart, Create, Read9,
+                          Layer, Cut, Orient, Merge, Splane, Gravity, Fix, Remove, Free,
+                          PressBc, Force, Frictn, SetVel, SetVelM, Damping, Dump,
+                          Output, Plots, History, Motion, Cycle, Stop>;
 
 struct Command {
   SourceLocation where;  ///< the keyword

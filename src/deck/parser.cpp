@@ -10,6 +10,7 @@
 #include "deck/card_lists.hpp"
 #include "deck/card_order.hpp"
 #include "deck/card_reader.hpp"
+#include "deck/cut_group.hpp"
 #include "deck/deck_text.hpp"
 #include "deck/suggest.hpp"
 
@@ -44,6 +45,7 @@ class Parser {
   void card(const CardSpec& spec, bool misspelt);
   void unknown(const Line& line);
   void finish(const CardSpec& spec, Card card, SourceLocation where);
+  void part_of_group(const CutGroup::Part& part, bool in_place);
   void check_loop(const CardSpec* next);
   void check_unused_overrides();
 
@@ -68,6 +70,7 @@ class Parser {
   std::map<std::string_view, long> met_;  ///< number of cards of each kind so far
   std::optional<Cloop> loop_;  ///< a CLOOP whose CREATE has not been read yet
   std::optional<SourceLocation> loop_at_;
+  CutGroup group_;
 };
 
 const CardSpec* Parser::meant(const Line& line) {
@@ -128,6 +131,7 @@ void Parser::run() {
     }
   }
   check_loop(nullptr);
+  group_.end_before({}, *diagnostics_);
   SourceLocation end{1, 1, 1};
   if (!lines_.empty()) {
     const Line& last = stopped_ ? lines_[next_ - 1] : lines_.back();
@@ -169,6 +173,7 @@ void Parser::unknown(const Line& line) {
   }
   loop_at_.reset();
   loop_.reset();
+  group_.unknown();
   ++next_;
   const bool has_lines = !take_data().empty();  // so it may be a CREATE or LAYER
   deck_.unread.push_back({word.where, "", first_number(line),
@@ -187,7 +192,7 @@ long Parser::most_blocks(const CardSpec& spec, std::optional<long> number) const
   }
   const bool counts = spec.name == "READ9" || spec.name == "CLOOP" ||
                       spec.name == "ORIENT" || spec.name == "MERGE" ||
-                      spec.name == "RESTART";
+                      spec.name == "RESTART" || CutGroup::has(spec.name);
   return counts ? any : 0;
 }
 
@@ -211,6 +216,11 @@ void Parser::card(const CardSpec& spec, bool misspelt) {
   stopped_ = spec.name == "STOP";
   // Lines after STOP belong to no card.
   const std::vector<Line> data = stopped_ ? std::vector<Line>{} : take_data();
+  if (CutGroup::has(spec.name)) {
+    part_of_group({spec.name, where, values, data, line.end}, in_place);
+    return;
+  }
+  group_.end_before(spec.name, *diagnostics_);
 
   if (spec.name == "CLOOP") {
     if (!misspelt) {
@@ -272,6 +282,17 @@ void Parser::card(const CardSpec& spec, bool misspelt) {
     loop_.reset();
     loop_at_.reset();
   }
+}
+
+void Parser::part_of_group(const CutGroup::Part& part, bool in_place) {
+  loop_at_.reset();
+  loop_.reset();
+  std::optional<Cut> cut = group_.take(part, *diagnostics_);
+  if (cut && in_place)
+    deck_.commands.push_back({part.where, std::string(part.name), std::move(*cut)});
+  else if (cut || part.name == "CUT" || !part.values.ok)
+    deck_.unread.push_back({part.where, std::string(part.name), std::nullopt,
+                            UnreadCard::any_number_of_blocks});
 }
 
 /// Adds a card without faults to the deck.

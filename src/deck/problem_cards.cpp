@@ -1,5 +1,6 @@
 #include "deck/problem_cards.hpp"
 
+#include "deck/joint_cards.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::deck {
@@ -347,6 +348,8 @@ void add_run_cards(std::vector<CardSpec>& cards) {
 std::vector<CardSpec> problem_cards() {
   std::vector<CardSpec> cards;
   add_block_cards(cards);
+  for (CardSpec& card : joint_cards())
+    cards.push_back(std::move(card));
   add_load_cards(cards);
   add_run_cards(cards);
   return cards;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/cut_report.hpp"
+
 namespace blocks::output {
 namespace {
 
@@ -152,6 +154,13 @@ std::string layers_echo(const Model& model) {
   return text;
 }
 
+std::string cuts_echo(const Model& model) {
+  std::string text;
+  for (const CutRecord& cut : model.cuts)
+    text += cut_report(cut, model.joint_lengths);
+  return text.empty() ? text : heading("BLOCKS CUT ALONG JOINTS") + text;
+}
+
 std::string blocks_echo(const Blocks& blocks) {
   std::string text = heading("BLOCKS") + over_whole("block") + over_whole("") +
                      over_whole("MAT") + over_whole("layer") + over_whole("corners") +
@@ -172,7 +181,8 @@ std::string blocks_echo(const Blocks& blocks) {
 
 void Listing::input_echo(const Model& model) {
   out_ << heading("INPUT") << settings_echo(model) << materials_echo(model.settings)
-       << loads_echo(model) << layers_echo(model) << blocks_echo(model.blocks);
+       << loads_echo(model) << layers_echo(model) << cuts_echo(model)
+       << blocks_echo(model.blocks);
   flush();
 }
 

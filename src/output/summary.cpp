@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "output/cuts_json.hpp"
 #include "output/file_tools.hpp"
 
 namespace blocks::output {
@@ -214,6 +215,8 @@ void write_summary(const std::string& path, const Model& model,
       {"state_hash", state_hash(model)},
       {"wall_seconds", report.wall_seconds}};
 
+  if (!model.cuts.empty())
+    json["cuts"] = cuts_json(model.cuts, model.joint_lengths);
   if (const int present = model.blocks.count_present(); present < model.blocks.size())
     json["removed_blocks"] = model.blocks.size() - present;
 

@@ -262,6 +262,68 @@ void BlockBuilder::record(const geometry::Layer& cut, int number) {
                              absorption.width_to_height, limit});
 }
 
+std::vector<std::string> BlockBuilder::cut(const deck::Cut& card,
+                                           const CutOptions& options, CutStore* store) {
+  const deck::Outline& outline = card.outline;
+  const double rho = density(outline.mat.value, outline.mat.where);
+  std::optional<CutOutcome> made =
+      store != nullptr ? store->take(command_.where.line) : std::nullopt;
+  const bool is_new = !made;
+  if (is_new)
+    made = cut_domain(card, command_.where, corners_, options, diagnostics_);
+  if (!made || !(rho > 0.0) ||
+      !fits(static_cast<long>(made->blocks.size()), command_.where))
+    return {};
+  if (store != nullptr && is_new)
+    store->put(command_.where.line, *made);
+  std::size_t corners = 0;
+  for (NewBlock& block : made->blocks) {
+    block.density = rho;
+    corners = std::max(corners, block.outline.size());
+    if (!has_weight(block.outline, command_.where,
+                    fmt::format("block {} of the cut domain",
+                                &block - made->blocks.data() + 1)))
+      return {};
+  }
+  if (static_cast<long>(corners) > model_.settings.max_corners && has_start()) {
+    error(command_.where,
+          fmt::format("a block has {} corners, more than START's maximum of {}",
+                      corners, model_.settings.max_corners),
+          "raise ncmx on the START card");
+    return {};
+  }
+  warn_of(card, made->record);
+  record(*made);
+  append(made->blocks);
+  return std::move(made->notes);
+}
+
+void BlockBuilder::warn_of(const deck::Cut& card, const CutRecord& record) {
+  if (record.blocks == 1)
+    warning(command_.where, "the joints cut off no block",
+            "only joints that connect two points of the outline, or of joints that do, "
+            "separate blocks; see snap of TRACES");
+  if (record.kept_short > 0)
+    warning(card.emin.where,
+            fmt::format("edges shorter than emin remain: {}", record.kept_short),
+            "contracting them would fold a block or change the outline");
+  if (record.kept_small > 0)
+    warning(card.amin.where,
+            fmt::format("cells smaller than amin remain: {}", record.kept_small),
+            "they have no neighbour into which they can be merged");
+}
+
+void BlockBuilder::record(const CutOutcome& outcome) {
+  const int number = model_.cuts.empty() ? 1 : model_.cuts.back().number + 1;
+  CutRecord& record = model_.cuts.emplace_back(outcome.record);
+  record.number = number;
+  record.first_block = model_.blocks.size();
+  for (JointLengthRecord length : outcome.lengths) {
+    length.cut = number;
+    model_.joint_lengths.push_back(length);
+  }
+}
+
 std::string BlockBuilder::read_mesh(const deck::Read9&, const std::string& path) {
   deck::MeshFile mesh;
   try {

@@ -1,5 +1,5 @@
 // Executes the cards that make blocks: CREATE with CLOOP, LAYER, READ9 (report
-// A.2.1-A.2.6).
+// A.2.1-A.2.6), and CUT with its group.
 #pragma once
 
 #include "deck/commands.hpp"
@@ -8,6 +8,8 @@
 #include "geometry/polygon.hpp"
 #include "geometry/shared_corners.hpp"
 #include "model/model.hpp"
+#include "run/cut_outcome.hpp"
+#include "run/cut_store.hpp"
 #include "run/unread_cards.hpp"
 
 namespace blocks::run {
@@ -26,6 +28,10 @@ class BlockBuilder {
 
   void create(const deck::Create& card);
   void layer(const deck::Layer& card);
+  /// Cuts the domain, or takes the blocks that the store has for this card. Otherwise
+  /// the store, if not null, receives them. Returns notes on the joints, one per line.
+  std::vector<std::string> cut(const deck::Cut& card, const CutOptions& options,
+                               CutStore* store);
   /// Returns a description of what was found in the file; empty after an error.
   std::string read_mesh(const deck::Read9& card, const std::string& path);
 
@@ -58,6 +64,9 @@ class BlockBuilder {
   /// possible.
   bool orient_corners(const deck::Layer& card, geometry::LayerRequest& request);
   void record(const geometry::Layer& cut, int number);
+  void record(const CutOutcome& outcome);
+  /// Warns of joints that do not cut, and of edges and cells that remain small.
+  void warn_of(const deck::Cut& card, const CutRecord& record);
   void append(const std::vector<NewBlock>& blocks);
 
   Model& model_;

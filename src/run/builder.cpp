@@ -32,7 +32,10 @@ long most_blocks(const Command& command) {
     return create->loop ? std::min(create->loop->nloop.value, any) : 1;
   if (const auto* layer = std::get_if<deck::Layer>(&command.card))
     return std::min(std::abs(layer->ns.value), any);
-  return std::holds_alternative<deck::Read9>(command.card) ? any : 0;
+  return std::holds_alternative<deck::Read9>(command.card) ||
+                 std::holds_alternative<deck::Cut>(command.card)
+             ? any
+             : 0;
 }
 
 }  // namespace
@@ -168,6 +171,17 @@ struct Builder::Visitor {
       self.notes_.push_back(std::move(found));
   }
   void operator()(const deck::Layer& card) { builder().layer(card); }
+  void operator()(const deck::Cut& card) {
+    CutOptions options{settings.seed, self.options_.folder};
+    if (self.options_.cut_progress)
+      options.progress = [&](const std::string& step, double part) {
+        self.options_.cut_progress(command.where.line, step, part);
+      };
+    for (std::string& line : builder().cut(card, options, self.options_.cuts.get()))
+      self.notes_.push_back(std::move(line));
+    if (options.progress)
+      options.progress("", 1.0);
+  }
   void operator()(const deck::Orient& card) {
     settings.angle_min = card.angmin.value;
     settings.angle_max = card.angplus.value;

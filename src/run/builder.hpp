@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +18,7 @@
 #include "model/assembly_certificate.hpp"
 #include "model/model.hpp"
 #include "run/block_makers.hpp"
+#include "run/cut_store.hpp"
 #include "run/domain_check.hpp"
 #include "run/physics_check.hpp"
 #include "run/unread_cards.hpp"
@@ -31,6 +34,10 @@ struct BuildOptions {
   std::vector<deck::UnreadCard> unread = {};
   /// Overlaps that were reported before the checkpoint of a RESTART deck was written.
   std::vector<geometry::BlockOverlap> overlaps = {};
+  /// As CutOptions::progress, with the line of the CUT card.
+  std::function<void(int line, const std::string& step, double part)> cut_progress = {};
+  std::shared_ptr<CutStore> cuts =
+      {};  ///< blocks that CUT cards have made; may be null
   /// Whether steps are made at MOTION and CYCLE. If not, the blocks stay where the
   /// cards put them.
   bool moves = true;

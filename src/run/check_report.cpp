@@ -4,6 +4,7 @@
 
 #include "dynamics/time_step.hpp"
 #include "model/counted.hpp"
+#include "model/cut_report.hpp"
 
 namespace blocks::run {
 
@@ -36,6 +37,8 @@ std::string check_report(const std::string& file, const Model& model,
         "layer {}: block {} absorbed by {} (counted within the layer before MERGE): "
         "width/height {}\n",
         merge.layer, merge.absorbed, merge.into, merge.why());
+  for (const CutRecord& cut : model.cuts)
+    text += cut_report(cut, model.joint_lengths);
   if (certificate)
     text += verdict(*certificate) + "\n" + joints_line(*certificate) + "\n";
   if (present > 0) {

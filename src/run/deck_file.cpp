@@ -40,23 +40,41 @@ std::string mesh_path(const deck::Read9& card, const std::string& folder,
   return card.file.given ? beside(folder, card.file.value) : tape9;
 }
 
-std::string mesh_sums(const deck::Deck& deck, const std::string& folder,
+std::string file_sums(const deck::Deck& deck, const std::string& folder,
                       const std::string& tape9) {
   std::string lines;
-  for (const deck::Command& command : deck.commands)
-    if (const auto* card = std::get_if<deck::Read9>(&command.card)) {
-      const std::string path = mesh_path(*card, folder, tape9);
-      std::error_code ignored;
-      if (!std::filesystem::is_regular_file(path, ignored))
-        continue;  // reading the mesh reports the error
-      std::ifstream in(path, std::ios::binary);
-      const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-      output::Fnv1a sum;
-      sum.add(bytes.data(), bytes.size());
-      lines += fmt::format("READ9 in line {}: a mesh of fnv1a {}\n", command.where.line,
-                           sum.text());
+  const auto add = [&](const char* card, deck::SourceLocation where, const char* what,
+                       const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored))
+      return;  // reading the file reports the error
+    std::ifstream in(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    output::Fnv1a sum;
+    sum.add(bytes.data(), bytes.size());
+    lines += fmt::format("{} in line {}: {} of fnv1a {}\n", card, where.line, what,
+                         sum.text());
+  };
+  for (const deck::Command& command : deck.commands) {
+    if (const auto* card = std::get_if<deck::Read9>(&command.card))
+      add("READ9", command.where, "a mesh", mesh_path(*card, folder, tape9));
+    const auto* cut = std::get_if<deck::Cut>(&command.card);
+    for (std::size_t i = 0; cut != nullptr && i < cut->joints.size(); ++i) {
+      if (const auto* traces = std::get_if<deck::Traces>(&cut->joints[i]))
+        add("TRACES", traces->where, "traces", beside(folder, traces->file.value));
+      const auto* cells = std::get_if<deck::Voronoi>(&cut->joints[i]);
+      if (cells != nullptr && cells->file.given)
+        add("VORONOI", cells->where, "points", beside(folder, cells->file.value));
     }
+  }
   return lines;
+}
+
+bool holds_file_sums(std::string_view text) {
+  for (const char* card : {"READ9 ", "TRACES ", "VORONOI "})
+    if (text.starts_with(card))
+      return true;
+  return false;
 }
 
 long first_difference(std::string_view one, std::string_view other) {

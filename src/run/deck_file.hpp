@@ -23,10 +23,14 @@ std::string deck_folder(const std::string& deck);
 std::string mesh_path(const deck::Read9& card, const std::string& folder,
                       const std::string& tape9);
 
-/// Returns one line per mesh of a deck with a hash of its bytes, so that a restart
-/// detects changed meshes. Pipes and missing files are omitted.
-std::string mesh_sums(const deck::Deck& deck, const std::string& folder,
+/// Returns one line per file that a READ9, TRACES or VORONOI card reads, with a hash of
+/// its bytes, so that a restart detects changed files. Pipes and missing files are
+/// omitted.
+std::string file_sums(const deck::Deck& deck, const std::string& folder,
                       const std::string& tape9);
+
+/// Whether the text begins with a line of file_sums.
+bool holds_file_sums(std::string_view text);
 
 /// The first line in which two texts differ, counted from 1.
 long first_difference(std::string_view one, std::string_view other);

@@ -18,6 +18,13 @@ geometry::DeckOutline outline_of(const deck::Layer& card) {
   return outline;
 }
 
+geometry::DeckOutline outline_of(const deck::Cut& card) {
+  geometry::DeckOutline outline;
+  for (std::size_t i = 0; i < card.outline.x.size(); ++i)
+    outline.corners.push_back({card.outline.x[i].value, card.outline.y[i].value});
+  return outline;
+}
+
 geometry::DeckOutline outline_of(const deck::Create& card) {
   geometry::DeckOutline outline;
   for (std::size_t i = 0; i < card.x.size(); ++i)
@@ -45,6 +52,8 @@ shared_corners(const std::vector<deck::Command>& cards) {
       room = std::min(start->nblok.value, most_at_once);
     else if (const auto* layer = std::get_if<deck::Layer>(&command.card))
       outlines.push_back(outline_of(*layer));
+    else if (const auto* cut = std::get_if<deck::Cut>(&command.card))
+      outlines.push_back(outline_of(*cut));
     else if (const auto* create = std::get_if<deck::Create>(&command.card);
              create != nullptr && (!create->loop || create->loop->nloop.value <= room))
       outlines.push_back(outline_of(*create));

@@ -75,11 +75,15 @@ GeometryReport examine_geometry(const std::string& file, const Model& model,
   report.blocks = blocks.count_present();
   report.layers = model.layers;
   report.merges = model.merges;
+  report.cuts = model.cuts;
+  report.joint_lengths = model.joint_lengths;
   std::vector<Measure::Place> area, aspect, edge, angle;
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b))
       continue;
     report.corners += blocks.corners_of(b);
+    if (!model.cuts.empty())
+      ++report.sides[blocks.corners_of(b)];
     const geometry::Polygon outline = blocks.outline(b);
     const auto shape = geometry::measure_shape(outline);
     const Vec2 middle = blocks.centroid.col(b);

@@ -2,6 +2,7 @@
 // and as JSON.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct GeometryReport {
   AssemblyCertificate certificate;
   std::vector<LayerRecord> layers;
   std::vector<MergeRecord> merges;
+  std::vector<CutRecord> cuts;
+  std::vector<JointLengthRecord> joint_lengths;
+  /// Number of blocks with each number of sides; empty if no CUT card made blocks.
+  std::map<int, long> sides;
 
   /// The ulp of the coordinates over the shortest edge of all blocks.
   double resolution() const {

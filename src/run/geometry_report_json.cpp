@@ -1,6 +1,7 @@
 // The geometry report as JSON for scripts.
 #include <nlohmann/json.hpp>
 
+#include "output/cuts_json.hpp"
 #include "run/geometry_report.hpp"
 
 namespace blocks::run {
@@ -78,33 +79,38 @@ std::string json(const GeometryReport& report) {
                     {"width", slit.width},
                     {"place", vector(slit.place)}});
   }
-  const Json all = {{"deck", report.file},
-                    {"blocks", report.blocks},
-                    {"corners", report.corners},
-                    {"area", measure(report.area, nullptr)},
-                    {"aspect_ratio", measure(report.aspect, nullptr)},
-                    {"shortest_side", measure(report.edge, "side")},
-                    {"smallest_angle", measure(report.angle, "corner")},
-                    {"layers", layers(report)},
-                    {"merges", merges(report)},
-                    {"certificate",
-                     {{"holds", report.certificate.holds()},
-                      {"overlaps", overlaps(report.certificate.overlaps)},
-                      {"moved_blocks", report.certificate.moved},
-                      {"contacts", overlaps(report.certificate.contacts)},
-                      {"roundings", overlaps(report.certificate.roundings)},
-                      {"largest_rounding", report.certificate.largest_rounding}}},
-                    {"t_junctions", junctions},
-                    {"gaps", gaps},
-                    {"widest_gap", report.certificate.gaps() > 0
-                                       ? report.certificate.joints.slits.front().width
-                                       : 0.0},
-                    {"slits_by_rounding", report.certificate.rounding_slits},
-                    {"resolution",
-                     {{"ulp", report.certificate.ulp},
-                      {"ulp_over_shortest_side", report.resolution()},
-                      {"bound", coarsest_resolution},
-                      {"sufficient", report.resolved()}}}};
+  Json all = {{"deck", report.file},
+              {"blocks", report.blocks},
+              {"corners", report.corners},
+              {"area", measure(report.area, nullptr)},
+              {"aspect_ratio", measure(report.aspect, nullptr)},
+              {"shortest_side", measure(report.edge, "side")},
+              {"smallest_angle", measure(report.angle, "corner")},
+              {"layers", layers(report)},
+              {"merges", merges(report)},
+              {"certificate",
+               {{"holds", report.certificate.holds()},
+                {"overlaps", overlaps(report.certificate.overlaps)},
+                {"moved_blocks", report.certificate.moved},
+                {"contacts", overlaps(report.certificate.contacts)},
+                {"roundings", overlaps(report.certificate.roundings)},
+                {"largest_rounding", report.certificate.largest_rounding}}},
+              {"t_junctions", junctions},
+              {"gaps", gaps},
+              {"widest_gap", report.certificate.gaps() > 0
+                                 ? report.certificate.joints.slits.front().width
+                                 : 0.0},
+              {"slits_by_rounding", report.certificate.rounding_slits},
+              {"resolution",
+               {{"ulp", report.certificate.ulp},
+                {"ulp_over_shortest_side", report.resolution()},
+                {"bound", coarsest_resolution},
+                {"sufficient", report.resolved()}}}};
+  if (!report.cuts.empty()) {
+    all["cuts"] = output::cuts_json(report.cuts, report.joint_lengths);
+    for (const auto& [sides, blocks] : report.sides)
+      all["sides"].push_back({{"sides", sides}, {"blocks", blocks}});
+  }
   return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/counted.hpp"
+#include "model/cut_report.hpp"
 #include "run/geometry_report.hpp"
 
 namespace blocks::run {
@@ -40,6 +41,19 @@ std::string histogram(const char* name, const Measure& m) {
   return text;
 }
 
+std::string sides(const GeometryReport& report) {
+  if (report.sides.empty())
+    return {};
+  std::string text = "\nSides of blocks\n";
+  long largest = 0;
+  for (const auto& [sides, blocks] : report.sides)
+    largest = std::max(largest, blocks);
+  for (const auto& [sides, blocks] : report.sides)
+    text += fmt::format("  {:>10}{:<14} {:>8}  {}\n", sides, "", blocks,
+                        bar(blocks, largest, 36));
+  return text;
+}
+
 /// `where` is "side" or "corner", or empty for a measure of the whole block.
 std::string worst(const char* name, const Measure& m, const std::string& where) {
   if (m.worst.empty())
@@ -63,6 +77,13 @@ std::string first_of(const List& list, Line line) {
   return text;
 }
 
+/// Returns the lines with two more blanks before all but the first.
+std::string indented(std::string lines) {
+  for (std::size_t at = 0; (at = lines.find('\n', at)) + 1 < lines.size(); at += 3)
+    lines.insert(at + 1, "  ");
+  return lines;
+}
+
 std::string layers(const GeometryReport& report) {
   std::string text;
   for (const LayerRecord& layer : report.layers) {
@@ -80,6 +101,8 @@ std::string layers(const GeometryReport& report) {
     text += fmt::format("  layer {}: MERGE: block {} absorbed by {} (counted within "
                         "the layer before MERGE), width/height {}\n",
                         merge.layer, merge.absorbed, merge.into, merge.why());
+  for (const CutRecord& cut : report.cuts)
+    text += "  " + indented(cut_report(cut, report.joint_lengths));
   return text;
 }
 
@@ -140,7 +163,7 @@ std::string text(const GeometryReport& report) {
           row("shortest side", report.edge) + row("smallest angle, deg", report.angle);
   text += histogram("Areas", report.area) + histogram("Aspect ratios", report.aspect) +
           histogram("Shortest sides", report.edge) +
-          histogram("Smallest angles, degrees", report.angle);
+          histogram("Smallest angles, degrees", report.angle) + sides(report);
   text += worst("Most slender blocks", report.aspect, "") +
           worst("Shortest sides", report.edge, "side") +
           worst("Smallest angles, degrees", report.angle, "corner");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <variant>
 
+#include "run/cut_progress.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
 
@@ -16,7 +17,7 @@ Job::Job(const RunOptions& given)
       diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
       deck(deck::parse(given.deck, text, diagnostics, given.overrides)),
       end(deck.commands.size()),
-      meshes(mesh_sums(deck, deck_folder(given.deck), given.tape9)),
+      files(file_sums(deck, deck_folder(given.deck), given.tape9)),
       name(output_name(given.deck, given.output)) {
   auto& commands = deck.commands;
   if (!commands.empty() && std::holds_alternative<deck::Stop>(commands.back().card))
@@ -60,8 +61,15 @@ void Job::place_at_end(const Model& model) {
 }
 
 BuildOptions Job::build_options() const {
-  return {options.seed, options.tape9, deck_folder(options.deck), deck.unread,
-          from.progress.overlaps};
+  BuildOptions built;
+  built.seed = options.seed;
+  built.tape9 = options.tape9;
+  built.folder = deck_folder(options.deck);
+  built.unread = deck.unread;
+  built.overlaps = from.progress.overlaps;
+  built.cut_progress = CutProgress(options.quiet);
+  built.cuts = cuts;
+  return built;
 }
 
 bool Job::continues() const {
@@ -87,7 +95,7 @@ std::string Job::overrides() const {
 output::RunIdentity Job::identity(const Model& model) const {
   return {diagnostics.file(),   text,
           model.settings.title, BLOCKS_VERSION,
-          model.settings.seed,  overrides() + meshes};
+          model.settings.seed,  overrides() + files};
 }
 
 /// Whether the position at which the checkpoint's run stopped exists in this deck. A
@@ -127,10 +135,10 @@ Model Job::load() {
   if (!resumes)
     return model;
   const std::string sets = overrides();
-  if (from.overrides != sets + meshes && from.overrides.starts_with(sets) &&
-      from.overrides.substr(sets.size()).starts_with("READ9 "))
-    refuse("a mesh file that READ9 reads has changed");
-  if (from.overrides != sets + meshes)
+  if (from.overrides != sets + files && from.overrides.starts_with(sets) &&
+      holds_file_sums(from.overrides.substr(sets.size())))
+    refuse("a file that READ9, TRACES or VORONOI reads has changed");
+  if (from.overrides != sets + files)
     refuse(from.overrides.empty()
                ? "it was written without --set options"
                : "it was written with other --set options, one a line:\n" +

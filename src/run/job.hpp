@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -55,9 +56,10 @@ struct Job {
   std::string text;
   deck::Diagnostics diagnostics;
   deck::Deck deck;
-  std::size_t end;     ///< index of STOP, or behind the last card
-  std::string meshes;  ///< hashes of the meshes, compared by a restart
+  std::size_t end;    ///< index of STOP, or behind the last card
+  std::string files;  ///< hashes of the files on the cards, compared by a restart
   std::string name;
+  std::shared_ptr<CutStore> cuts = std::make_shared<CutStore>();  ///< of the check
   SharedCertificate certificate;  ///< of all blocks, found by the check
   output::CheckpointInfo from;    ///< valid once loaded
   bool resumes = false;           ///< the same deck resumes where it stopped

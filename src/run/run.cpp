@@ -16,6 +16,7 @@
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
 #include "run/continuation_hint.hpp"
+#include "run/cut_progress.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
 #include "run/interrupt.hpp"
@@ -64,7 +65,12 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
   bool has_moved = false;
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
-    builder.apply(command);
+    try {
+      builder.apply(command);
+    } catch (const Interrupted&) {
+      job.fault = interrupted;
+      return false;
+    }
     if (!deck::passes_time(command))
       continue;
     if (!job.diagnostics.has_errors()) {

@@ -196,10 +196,10 @@ std::string hash_of_deck(const std::string& path) {
   const std::string text = run::read_deck(path);
   deck::Diagnostics ignored(path, text);
   const deck::Deck deck = deck::parse(path, text, ignored);
-  const std::string meshes = run::mesh_sums(deck, run::deck_folder(path), "");
+  const std::string files = run::file_sums(deck, run::deck_folder(path), "");
   output::Fnv1a hash;
   hash.add(text.data(), text.size());
-  hash.add(meshes.data(), meshes.size());
+  hash.add(files.data(), files.size());
   return hash.text();
 }
 

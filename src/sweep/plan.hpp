@@ -21,7 +21,7 @@ enum class Kind {
 struct Plan {
   Kind kind = Kind::run;
   std::string deck;             ///< absolute path; empty for a study
-  std::string deck_hash;        ///< FNV-1a of the deck and of the meshes that it reads
+  std::string deck_hash;        ///< FNV-1a of the deck and of the files that it reads
   std::string version;          ///< of the program
   std::string numerics;         ///< see numerics()
   std::string name;             ///< of the files of a run, without extension
@@ -54,7 +54,7 @@ Plan read_plan(const std::string& folder);
 /// Describes the first difference between two plans; empty if they are the same.
 std::string difference(const Plan& there, const Plan& wanted);
 
-/// Returns the hash of a deck and the meshes that it reads. Throws output::FileError.
+/// Returns the hash of a deck and the files that it reads. Throws output::FileError.
 std::string hash_of_deck(const std::string& path);
 
 /// Throws output::FileError if the deck is not that of the plan any more, or if the

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "deck/card_table.hpp"
+#include "deck/cut_group.hpp"
 #include "deck_test_tools.hpp"
 
 namespace blocks::deck {
@@ -22,6 +23,16 @@ TEST(CardsText, HasExamplesThatParse) {
       text = example;
     } else if (card.name == "START") {
       replace("START, 100, 6\nTitle\n");
+    } else if (CutGroup::has(card.name)) {  // its group, in which CUT follows
+      const auto example_of = [](std::string_view name) {
+        return std::string(find_card(name)->example) + "\n";
+      };
+      if (card.name == "OUTLINE") {
+        text += example + "\n" + example_of("JSET");
+      } else {
+        text += example_of("OUTLINE") + example_of("JSET") + example + "\n";
+      }
+      text += card.name == "CUT" ? "" : example_of("CUT");
     } else if (card.phase == Phase::problem) {
       text += example;
     } else {

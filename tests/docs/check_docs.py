@@ -172,6 +172,8 @@ def check_examples(source, program):
     faults = [] if f"```\n{whole}```" in page.split("## The examples in one deck")[1] else ["the whole deck differs"]
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "mine.msh").write_text(TWO_SQUARES)
+        Path(folder, "mapped.geojson").write_text(
+            '{"type": "LineString", "coordinates": [[8, 3], [14, 6], [22, 7]]}')
         Path(folder, "crater.deck").write_text(whole)
         Path(folder, "on.deck").write_text(restart + examples["MOTION"])
         steps = 0

@@ -1,0 +1,16 @@
+// The records of CUT cards as JSON, for the summary and `blocks check --geometry
+// --json`.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace blocks::output {
+
+/// Returns one object per CUT card. Blocks are counted from 1.
+nlohmann::ordered_json cuts_json(const std::vector<CutRecord>& cuts,
+                                 const std::vector<JointLengthRecord>& lengths);
+
+}  // namespace blocks::output

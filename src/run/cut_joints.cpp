@@ -1,0 +1,297 @@
+#include "run/cut_joints.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "exchange/trace_reader.hpp"
+#include "geometry/joint_sources.hpp"
+#include "model/counted.hpp"
+#include "output/file_tools.hpp"
+#include "run/contact_room.hpp"
+#include "run/deck_file.hpp"
+
+namespace blocks::run {
+namespace {
+
+using geometry::JointSegment;
+
+// Measured with 100,000 traces: 720 MB.
+constexpr double bytes_of_piece = 7200.0;
+
+/// Returns the line and column of an offset as ":12:5", or an empty text if there is
+/// none. Columns count characters.
+std::string place(const std::string& text, std::size_t at) {
+  if (at == exchange::nowhere)
+    return {};
+  at = std::min(at, text.size());
+  const std::size_t before = at == 0 ? text.npos : text.rfind('\n', at - 1);
+  const std::size_t begin = before == text.npos ? 0 : before + 1;
+  const auto count = [&](std::size_t from, auto&& counts) {
+    return 1 + std::count_if(text.begin() + static_cast<long>(from),
+                             text.begin() + static_cast<long>(at), counts);
+  };
+  return fmt::format(":{}:{}", count(0, [](char c) { return c == '\n'; }),
+                     count(begin, [](char c) {
+                       return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+                     }));
+}
+
+std::uint64_t stream(const std::string& text) {
+  output::Fnv1a sum;
+  sum.add(text.data(), text.size());
+  return sum.value();
+}
+
+geometry::JointSet joint_set(const deck::Jset& card, geometry::StreamKey key) {
+  using geometry::JointLaw;
+  return {static_cast<int>(card.id.value),
+          {card.dip.value, card.ddev.value},
+          {card.space.value, card.sdev.value},
+          {card.trace.value, card.tdev.value},
+          {card.gap.value, card.gdev.value},
+          {card.x0.value, card.y0.value},
+          card.law.value == "NEGEXP"    ? JointLaw::negexp
+          : card.law.value == "POISSON" ? JointLaw::poisson
+                                        : JointLaw::uniform,
+          key};
+}
+
+class Generator {
+ public:
+  Generator(const deck::Cut& card, const CutSurroundings& around,
+            deck::Diagnostics& diagnostics)
+      : card_(card), around_(around), diagnostics_(diagnostics) {}
+
+  std::optional<CutJoints> joints() {
+    for (const auto& source : card_.joints)
+      std::visit([this](const auto& one) { prepare(one); }, source);
+    check_room();
+    if (!sound_)
+      return {};
+    for (const auto& source : card_.joints)
+      std::visit([this](const auto& one) { generate(one); }, source);
+    if (!sound_)
+      return {};
+    prolong();
+    return std::move(made_);
+  }
+
+ private:
+  /// The segments of a TRACES card in made_.segments.
+  struct Snapped {
+    const deck::Traces* card;
+    std::size_t first, end;
+  };
+
+  void error(deck::SourceLocation where, const char* card, const std::string& message,
+             const std::string& hint) {
+    diagnostics_.error(where, card, message, hint);
+    sound_ = false;
+  }
+
+  /// Returns the key of the card's random numbers. It does not depend on the values of
+  /// this or another card, except the id.
+  geometry::StreamKey key(const char* card, long id, const std::string& more = {}) {
+    const int nth = met_[{card, id}]++;
+    return {around_.seed, stream(fmt::format("{} {} {} {}", card, id, nth, more))};
+  }
+
+  void prepare(const deck::Jset& card) {
+    const geometry::JointSet set = joint_set(card, key("JSET", card.id.value));
+    sets_.emplace(&card, set);
+    const double pieces = geometry::expected_pieces(set, around_.outline);
+    expect(pieces, card.space.where, "JSET");
+  }
+  void prepare(const deck::Voronoi& card) {
+    std::string places;  // so that equal cards cut different outlines differently
+    for (const geometry::DecimalPoint& corner : around_.outline)
+      places += fmt::format(" {} {}", corner.x.value(), corner.y.value());
+    geometry::VoronoiRequest request{static_cast<int>(card.id.value),
+                                     static_cast<int>(card.n.value),
+                                     {},
+                                     static_cast<int>(card.lloyd.value),
+                                     key("VORONOI", card.id.value, places)};
+    if (card.file.given) {
+      const std::optional<std::string> text = read(card.file, "VORONOI");
+      if (!text)
+        return;
+      const exchange::PointFile file = exchange::read_points(*text);
+      tell(file.messages, *text, card.file, "VORONOI");
+      for (const geometry::DecimalPoint& point : file.points)
+        request.points.emplace_back(point.x.value(), point.y.value());
+      note("VORONOI", card.file, file.found);
+    }
+    expect(3.0 * std::max(card.file.given ? static_cast<double>(request.points.size())
+                                          : static_cast<double>(card.n.value),
+                          1.0),
+           card.n.where, "VORONOI");
+    cells_.emplace(&card, std::move(request));
+  }
+  void prepare(const deck::Traces& card) {
+    const std::optional<std::string> text = read(card.file, "TRACES");
+    if (!text)
+      return;
+    exchange::TraceFile file = exchange::read_traces(*text);
+    tell(file.messages, *text, card.file, "TRACES");
+    note("TRACES", card.file, file.found);
+    for (const exchange::Trace& trace : file.traces)
+      expected_ += static_cast<double>(trace.points.size());
+    traces_.emplace(&card, std::move(file.traces));
+  }
+
+  void generate(const deck::Jset& card) {
+    guarded(card.where, "JSET", [&] {
+      add(geometry::joint_set(sets_.at(&card), around_.outline, around_.progress),
+          card.where, "JSET");
+    });
+  }
+  void generate(const deck::Voronoi& card) {
+    guarded(card.where, "VORONOI", [&] {
+      const auto& request = cells_.at(&card);
+      add(geometry::voronoi_cells(request, around_.outline, around_.progress).edges,
+          card.where, nullptr);
+    });
+  }
+  void generate(const deck::Traces& card) {
+    const std::size_t first = made_.segments.size();
+    for (const exchange::Trace& trace : traces_.at(&card))
+      for (std::size_t i = 1; i < trace.points.size(); ++i)
+        made_.segments.push_back(
+            {trace.points[i - 1], trace.points[i],
+             trace.joint.value_or(static_cast<int>(card.id.value))});
+    if (card.snap.value.value() > 0.0)
+      snapped_.push_back({&card, first, made_.segments.size()});
+  }
+
+  /// Prolongs the ends of each file against all other joints as they are given.
+  void prolong() {
+    const std::vector<JointSegment> given = made_.segments;
+    for (const Snapped& part : snapped_) {
+      const auto begin = given.begin(), first = begin + static_cast<long>(part.first),
+                 end = begin + static_cast<long>(part.end);
+      std::vector<JointSegment> others(begin, first);
+      others.insert(others.end(), end, given.end());
+      geometry::Prolongation moved =
+          geometry::prolonged({first, end}, part.card->snap.value, others,
+                              around_.outline, around_.progress);
+      std::move(moved.traces.begin(), moved.traces.end(),
+                made_.segments.begin() + static_cast<long>(part.first));
+      note("TRACES", part.card->file,
+           moved.ends == 0
+               ? std::string("no loose end is prolonged")
+               : fmt::format("{} prolonged, by {:.4g} at most",
+                             counted(static_cast<long>(moved.ends), "loose end"),
+                             moved.largest));
+    }
+  }
+
+  void add(std::vector<JointSegment> segments, deck::SourceLocation where,
+           const char* card) {
+    if (card != nullptr &&
+        std::none_of(segments.begin(), segments.end(),
+                     [this](const JointSegment& one) { return is_near(one); }))
+      diagnostics_.warning(where, card, "no joint of this set meets the outline",
+                           "reduce space, or move x0, y0");
+    std::move(segments.begin(), segments.end(), std::back_inserter(made_.segments));
+  }
+
+  /// Whether the boxes of the segment and of the outline meet.
+  bool is_near(const JointSegment& segment) const {
+    const Vec2 &a = segment.from.nearest(), &b = segment.to.nearest();
+    Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
+    for (const geometry::DecimalPoint& corner : around_.outline) {
+      const Vec2 p(corner.x.value(), corner.y.value());
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    return (a.cwiseMin(b).array() <= high.array()).all() &&
+           (a.cwiseMax(b).array() >= low.array()).all();
+  }
+
+  template <class Act>
+  void guarded(deck::SourceLocation where, const char* card, const Act& act) {
+    try {
+      act();
+    } catch (const geometry::CutError& fault) {
+      error(where, card, fault.what(), fault.hint);
+    }
+  }
+
+  void expect(double pieces, deck::SourceLocation where, const char* card) {
+    expected_ += pieces;
+    if (pieces > geometry::max_joint_pieces)
+      error(where, card,
+            fmt::format("about {:.2g} pieces of joints are expected", pieces),
+            fmt::format("one card may make {:g}: {}", geometry::max_joint_pieces,
+                        std::string_view(card) == "JSET"
+                            ? "increase space, or move x0, y0 to the outline"
+                            : "reduce the number of points"));
+  }
+  void check_room() {
+    const double memory = physical_memory();
+    if (sound_ && expected_ * bytes_of_piece > memory)
+      error(card_.outline.where, "OUTLINE",
+            fmt::format("about {:.2g} pieces of joints are expected", expected_),
+            fmt::format("this machine has memory for about {:.2g}",
+                        memory / bytes_of_piece));
+  }
+
+  std::optional<std::string> read(const deck::Word& file, const char* card) {
+    try {
+      return read_deck(beside(around_.folder, file.value));
+    } catch (const output::FileError& fault) {
+      error(file.where, card, fault.what(),
+            "a name is relative to the folder of the deck");
+      return {};
+    }
+  }
+  /// Reports the faults of a file at the card that names it, with their places.
+  void tell(const std::vector<exchange::Message>& messages, const std::string& text,
+            const deck::Word& file, const char* card) {
+    constexpr std::size_t most_shown = 5;
+    for (std::size_t i = 0; i < messages.size(); ++i) {
+      const exchange::Message& one = messages[i];
+      if (i == most_shown && messages.size() > most_shown + 1)
+        return error(file.where, card,
+                     fmt::format("{}: and {} more messages", file.value,
+                                 messages.size() - most_shown),
+                     "");
+      const std::string message =
+          fmt::format("{}{}: {}", file.value, place(text, one.at), one.text);
+      if (one.error)
+        error(file.where, card, message, one.hint);
+      else
+        diagnostics_.warning(file.where, card, message, one.hint);
+    }
+  }
+  void note(const char* card, const deck::Word& file, const std::string& text) {
+    made_.notes.push_back(fmt::format("{}: {}: {}", card, file.value, text));
+  }
+
+  const deck::Cut& card_;
+  const CutSurroundings& around_;
+  deck::Diagnostics& diagnostics_;
+  CutJoints made_;
+  std::map<std::pair<std::string, long>, int> met_;
+  std::map<const deck::Jset*, geometry::JointSet> sets_;
+  std::map<const deck::Voronoi*, geometry::VoronoiRequest> cells_;
+  std::map<const deck::Traces*, std::vector<exchange::Trace>> traces_;
+  std::vector<Snapped> snapped_;
+  double expected_ = 0.0;  ///< number of pieces
+  bool sound_ = true;
+};
+
+}  // namespace
+
+std::optional<CutJoints> cut_joints(const deck::Cut& card,
+                                    const CutSurroundings& around,
+                                    deck::Diagnostics& diagnostics) {
+  return Generator(card, around, diagnostics).joints();
+}
+
+}  // namespace blocks::run

@@ -1,0 +1,32 @@
+// The progress line of CUT cards that take long, on standard error.
+#pragma once
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+namespace blocks::run {
+
+/// Thrown if an interrupt stops the work on a card.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+class CutProgress {
+ public:
+  explicit CutProgress(bool quiet);
+
+  /// Shows the line if the card has taken two seconds: again and again in one place on
+  /// a terminal, every ten seconds in a log. part: the part of the work that is done;
+  /// at 1 the line is removed. Throws Interrupted if an interrupt is requested.
+  void operator()(int line, const std::string& step, double part);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool quiet_, terminal_;
+  int line_ = 0;  ///< of the card
+  bool shown_ = false;
+  Clock::time_point start_, drawn_;
+};
+
+}  // namespace blocks::run
