@@ -123,6 +123,17 @@ def footing(results, folder):
     yield r"and sinks by # m", sunk(run(folder, "footing", "--set", "FRICTN.fric=.4"), 0.7)
 
 
+def opening(results, folder):
+    deck = SOURCE / "decks/opening/opening.deck"
+    told = subprocess.run([PROGRAM, "check", deck], text=True, capture_output=True).stdout
+    yield r"reports # loose ends", float(re.search(r"(\d+) loose ends prolonged", told)[1])
+    told = subprocess.run([PROGRAM, "check", deck, "--set", "TRACES.snap=0"], text=True, capture_output=True).stdout
+    yield r"only # blocks", float(re.search(r"blocks 4 to (\d+)", told)[1]) - 3
+    yield r"takes the # blocks", np.sum(results.all("Fixed")[-1] == 3)
+    y = results.of("Centroid", 38)[:, 1]
+    yield r"fallen by # m", y[0] - y[-1]
+
+
 def every_card(results, _):
     yield r"\n# steps", results.summary["steps"]
     yield r"steps to t = # s", results.summary["time"]
