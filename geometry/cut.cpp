@@ -3,14 +3,14 @@
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "geometry/cut_blocks.hpp"
 #include "geometry/cut_cleaning.hpp"
 #include "geometry/cut_graph.hpp"
+#include "geometry/cut_rounding.hpp"
 #include "geometry/exact/joint_arrangement.hpp"
 #include "geometry/exact/shared_point.hpp"
 #include "geometry/numeric_environment.hpp"
@@ -20,9 +20,7 @@ namespace blocks::geometry {
 namespace {
 
 constexpr auto at = CutGraph::at;
-using exact::Integer;
 using exact::Line;
-using exact::Place;
 using exact::Point;
 using exact::Rational;
 
@@ -92,127 +90,6 @@ void check_request(const CutRequest& request, const std::vector<Point>& outline,
     refuse(CutError::Kind::cleaning, "amin is not between 0 and the area of the domain",
            place, "give a part of the smallest cell that matters");
 }
-
-// Rounds points on a side of the outline. On a slanted side each coordinate is rounded
-// towards the domain, so that neither the exact line nor the line of the rounded
-// corners is crossed. Layers on the other side of the line do the same (see RoundedLine
-// in layer.cpp).
-Vec2 round_on_side(const Point& p, const Point& from, const Point& to,
-                   const Vec2& start, const Vec2& end) {
-  const int rises = CGAL::sign(to.y() - from.y()), runs = CGAL::sign(to.x() - from.x());
-  if (rises == 0 || runs == 0) {
-    Vec2 place = exact::nearest(p);
-    // The coordinate of the side may have been chosen together with other outlines.
-    if (rises == 0 && start.y() == end.y())
-      place.y() = start.y();
-    if (runs == 0 && start.x() == end.x())
-      place.x() = start.x();
-    return place;
-  }
-  // The domain is on the right of its clockwise sides.
-  const int x_side = rises, y_side = -runs;
-  const Rational s = (p.x() - from.x()) / (to.x() - from.x());
-  const Rational ax(start.x()), ay(start.y()), bx(end.x()), by(end.y());
-  const auto inner = [](const Rational& a, const Rational& b, int side) {
-    return exact::rounded_towards(side < 0 ? std::min(a, b) : std::max(a, b), side);
-  };
-  return {inner(p.x(), ax + (bx - ax) * s, x_side),
-          inner(p.y(), ay + (by - ay) * s, y_side)};
-}
-
-// Rounds the vertices and returns a graph whose vertices are in order of their places.
-// So numbers of vertices and edges do not depend on the order of the joints.
-class Rounder {
- public:
-  Rounder(const CutGraph& graph, const std::vector<Line>& lines,
-          const std::vector<Point>& outline, const std::vector<Vec2>& corners)
-      : graph_(graph), lines_(lines), outline_(outline), corners_(corners) {}
-
-  CutGraph rounded(StepProgress progress) {
-    std::vector<int> order;
-    places_.resize(graph_.vertices.size());
-    for (std::size_t v = 0; v < graph_.vertices.size(); ++v)
-      if (graph_.vertices[v].half_edge >= 0) {
-        progress.count(v, graph_.vertices.size());
-        places_[v] = round(graph_.vertices[v]);
-        order.push_back(static_cast<int>(v));
-      }
-    std::sort(order.begin(), order.end(), [this](int a, int b) { return less(a, b); });
-    return renumbered(order);
-  }
-
- private:
-  Place exact_place(const CutGraph::Vertex& v) const {
-    return exact::intersection(lines_[at(v.first)], lines_[at(v.second)]);
-  }
-  Vec2 round(const CutGraph::Vertex& v) const {
-    if (v.corner >= 0)
-      return corners_[at(v.corner)];
-    if (v.second < 0)
-      return v.place;
-    if (v.side < 0)
-      return exact_place(v).nearest();
-    const std::size_t i = at(v.side), j = (i + 1) % outline_.size();
-    return round_on_side(exact_place(v).reduced(), outline_[i], outline_[j],
-                         corners_[i], corners_[j]);
-  }
-  bool less(int a, int b) const {
-    const Vec2 &p = places_[at(a)], &q = places_[at(b)];
-    if (p != q)
-      return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
-    const auto &v = graph_.vertices[at(a)], &w = graph_.vertices[at(b)];
-    if (a == b || v.second < 0 || w.second < 0)
-      return v.second < w.second;  // both are doubles only if they are the same
-    return exact_place(v).reduced() < exact_place(w).reduced();
-  }
-  CutGraph renumbered(const std::vector<int>& order) const {
-    CutGraph result;
-    std::vector<int> number(graph_.vertices.size(), -1);
-    for (const int v : order) {
-      number[at(v)] = static_cast<int>(result.vertices.size());
-      result.vertices.push_back(graph_.vertices[at(v)]);
-      result.vertices.back().place = places_[at(v)] + Vec2(0.0, 0.0);  // no -0
-    }
-    std::vector<std::tuple<int, int, int>> edges;  // lower end, higher end, half-edge
-    for (int h = 0; h < graph_.half_edges(); ++h) {
-      const int from = number[at(graph_.origin[at(h)])];
-      const int to = number[at(graph_.target(h))];
-      if (graph_.alive(h) && from < to)
-        edges.emplace_back(from, to, h);
-    }
-    std::sort(edges.begin(), edges.end());
-    std::vector<int> half_edge(at(graph_.half_edges()), -1);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      const int h = std::get<2>(edges[e]);
-      half_edge[at(h)] = static_cast<int>(2 * e);
-      half_edge[at(CutGraph::twin(h))] = static_cast<int>(2 * e + 1);
-      result.edges.push_back(graph_.edge(h));
-    }
-    const std::size_t count = 2 * edges.size();
-    result.origin.resize(count);
-    result.next.resize(count);
-    result.previous.resize(count);
-    result.cell.resize(count);
-    for (int h = 0; h < graph_.half_edges(); ++h) {
-      if (!graph_.alive(h))
-        continue;
-      const std::size_t i = at(half_edge[at(h)]);
-      result.origin[i] = number[at(graph_.origin[at(h)])];
-      result.next[i] = half_edge[at(graph_.next[at(h)])];
-      result.previous[i] = half_edge[at(graph_.previous[at(h)])];
-      result.cell[i] = graph_.cell[at(h)];
-    }
-    for (std::size_t i = count; i-- > 0;)
-      result.vertices[at(result.origin[i])].half_edge = static_cast<int>(i);
-    return result;
-  }
-
-  const CutGraph& graph_;
-  const std::vector<Line>& lines_;
-  const std::vector<Point>& outline_;
-  const std::vector<Vec2>& corners_;
-  std::vector<Vec2> places_;
-};
 
 std::size_t join_straight_edges(CutGraph& graph, const std::vector<Line>& lines) {
   std::size_t joined = 0;
@@ -331,23 +208,66 @@ bool areas_add_up(const Mesh& mesh) {
   return CGAL::sign(rest) == CGAL::ZERO;
 }
 
-// Adds the length of each joint id to the report, and returns the sum.
-double add_lengths(const CutGraph& graph, CutReport& report) {
-  for (std::size_t e = 0; e < graph.edges.size(); ++e)
-    if (graph.edges[e].alive && !graph.edges[e].outline)
-      report.lengths[graph.edges[e].joint].drawn += graph.length(e);
-  double sum = 0.0;
-  for (const auto& [joint, length] : report.lengths)
-    sum += length.drawn;
-  return sum;
+// Cleans and certifies the cells of a graph. part: what the work takes of the progress.
+CutResult cleaned(const CutRequest& request, CutGraph graph,
+                  const std::vector<Line>& lines, const CutReport& report, double emin,
+                  const std::pair<double, double>& part) {
+  const double middle = part.first + (part.second - part.first) / 3.0;
+  CutResult result;
+  result.report = report;
+  clean(graph, lines, emin, request.amin, result.report,
+        StepProgress(request.progress, "clean cells", part.first, middle));
+  const StraightCorners straight = fill_mesh(graph, lines, result);
+  make_blocks(result, straight,
+              StepProgress(request.progress, "certify cells", middle, part.second));
+  return result;
 }
 
-double inner_length(const CutGraph& graph) {
-  double length = 0.0;
+// Lengths of edges, in units in the last place of the largest coordinate, that are
+// contracted one after the other until the certificate holds. Rounding moves a vertex
+// by one unit, so the cells that it destroys have edges or widths of a few units.
+// Larger values would refuse fewer domains, but move vertices farther than asked for.
+constexpr std::array<double, 3> repair_units = {4.0, 64.0, 1024.0};
+
+double largest_unit(const std::vector<Vec2>& corners) {
+  double largest = 0.0;
+  for (const Vec2& corner : corners)
+    largest = std::max(largest, corner.lpNorm<Eigen::Infinity>());
+  return std::nextafter(largest, HUGE_VAL) - largest;
+}
+
+using EdgeLengths = std::vector<std::pair<int, double>>;  // joint id, length
+
+// Returns the sum for each joint id. The lengths are added in the order of their
+// values, because that of the edges depends on the order of the joints.
+std::map<int, double> sums(EdgeLengths edges) {
+  std::sort(edges.begin(), edges.end());
+  std::map<int, double> result;
+  for (const auto& [joint, length] : edges)
+    result[joint] += length;
+  return result;
+}
+
+// Prunes the graph and reports the lengths of the joints.
+void prune(CutGraph& graph, double area, CutReport& report) {
+  EdgeLengths drawn, pruned, kept;
+  std::vector<std::size_t> inner;
   for (std::size_t e = 0; e < graph.edges.size(); ++e)
-    if (graph.edges[e].alive && !graph.edges[e].outline)
-      length += graph.length(e);
-  return length;
+    if (graph.edges[e].alive && !graph.edges[e].outline) {
+      inner.push_back(e);
+      drawn.emplace_back(graph.edges[e].joint, graph.length(e));
+    }
+  keep_separating_edges(graph, report);
+  for (std::size_t i = 0; i < inner.size(); ++i)
+    (graph.edges[inner[i]].alive ? kept : pruned).push_back(drawn[i]);
+  for (const auto& [joint, length] : sums(std::move(drawn))) {
+    report.lengths[joint].drawn = length;
+    report.p21_before += length / area;
+  }
+  for (const auto& [joint, length] : sums(std::move(pruned)))
+    report.lengths[joint].pruned = length;
+  for (const auto& [joint, length] : sums(std::move(kept)))
+    report.p21_after += length / area;
 }
 
 }  // namespace
@@ -367,25 +287,35 @@ CutResult cut_outline(const CutRequest& request) {
   check_request(request, outline, corners);
   const double area = section_properties(corners).area;
 
-  CutResult result;
-  CutReport& report = result.report;
+  CutReport report;
   exact::JointArrangement arrangement =
       exact::arrange_joints(outline, request.joints, request.progress);
   StepProgress(request.progress, "prune joints", 0.6);
-  report.p21_before = add_lengths(arrangement.graph, report) / area;
-  keep_separating_edges(arrangement.graph, report);
-  report.p21_after = inner_length(arrangement.graph) / area;
+  prune(arrangement.graph, area, report);
   report.straight_vertices = join_straight_edges(arrangement.graph, arrangement.lines);
   CutGraph graph =
-      Rounder(arrangement.graph, arrangement.lines, outline, corners)
-          .rounded(StepProgress(request.progress, "round vertices", 0.7, 0.8));
+      round_vertices(arrangement, outline, corners,
+                     StepProgress(request.progress, "round vertices", 0.7, 0.8));
   arrangement.graph = {};
   graph.number_cells();
-  clean(graph, arrangement.lines, request.emin, request.amin, report,
-        StepProgress(request.progress, "clean cells", 0.8, 0.85));
-  const StraightCorners straight = fill_mesh(graph, arrangement.lines, result);
-  make_blocks(result, straight,
-              StepProgress(request.progress, "certify cells", 0.85, 1.0));
+  CutResult result =
+      cleaned(request, graph, arrangement.lines, report, request.emin, {0.8, 0.95});
+  // Where rounding has destroyed cells, very short edges are contracted as well.
+  double begin = 0.95;
+  const double unit = largest_unit(corners);
+  for (const double units : repair_units) {
+    const double emin = units * unit;
+    if (result.certificate.holds || emin <= request.emin ||
+        !(emin * emin < area / 16.0))
+      continue;
+    CutResult again =
+        cleaned(request, graph, arrangement.lines, report, emin, {begin, begin + 0.01});
+    begin += 0.01;
+    if (again.certificate.holds) {
+      result = std::move(again);
+      result.report.repaired_below = emin;
+    }
+  }
   if (!result.certificate.holds)
     refuse(request, result, result.certificate.fault);
   if (!areas_add_up(result.mesh))

@@ -81,6 +81,7 @@ struct CutReport {
   // Cleaning.
   std::size_t contractions = 0;  ///< edges shorter than emin, and edges of length 0
   double largest_move = 0.0;     ///< [L] of a vertex by contraction
+  double repaired_below = 0.0;   ///< [L] used instead of emin, see cut_outline; or 0
   std::size_t kept_short = 0;    ///< edges below emin whose contraction is not possible
   std::size_t merges = 0;        ///< cells that were merged into a neighbour
   std::size_t kept_small = 0;    ///< cells below amin that could not be merged
@@ -135,8 +136,10 @@ class CutError : public std::runtime_error {
 ///
 /// Edges shorter than emin are contracted, the shortest first. The vertex on the
 /// outline remains, otherwise the one with more edges. Edges of length 0 are always
-/// contracted. Cells smaller than amin are merged into the neighbour with the longest
-/// common chain.
+/// contracted. Cells smaller than amin, and cells that rounding has destroyed, are
+/// merged into the neighbour with the longest common chain. If cells are still not
+/// simple, edges shorter than 4, 64 or 1024 units in the last place of the largest
+/// coordinate are contracted as well; the report has this length.
 ///
 /// Throws CutError if the outline is not simple and clockwise, a coordinate is not
 /// finite, or the certificate does not hold; the error has the place.

@@ -21,6 +21,7 @@ class Cleaner {
 
   void contract_below(double emin);
   void merge_below(double amin);
+  bool identify_coinciding_vertices();
 
  private:
   using Key = std::tuple<double, int, int, int>;  // squared length, ends, edge
@@ -44,6 +45,10 @@ class Cleaner {
     const OutlineCheck check = check_outline(clockwise(loop));
     return check.fault == OutlineFault::none && !check.anticlockwise;
   }
+  static bool has_distinct_vertices(std::vector<int> loop) {
+    std::sort(loop.begin(), loop.end());
+    return std::adjacent_find(loop.begin(), loop.end()) == loop.end();
+  }
   Key key(int e) const {
     const int a = graph_.origin[2 * at(e)], b = graph_.origin[2 * at(e) + 1];
     const Vec2 d = graph_.vertices[at(a)].place - graph_.vertices[at(b)].place;
@@ -61,6 +66,7 @@ class Cleaner {
   void contract(int half_edge);
   void remove_digon(int half_edge);
   bool lies_on(const CutGraph::Vertex& vertex, int line) const;
+  bool try_identify(int half_edge, int other);
   bool try_merge(int cell, std::map<int, int>& first);
   void join_if_straight(int vertex, std::map<int, int>& first);
 
@@ -68,6 +74,8 @@ class Cleaner {
   const std::vector<exact::Line>& lines_;
   CutReport& report_;
   StepProgress& progress_;
+  int cells_ = 0;               ///< number of the next new cell; 0: not known yet
+  std::vector<int> destroyed_;  ///< a half-edge of each cell that is still not valid
 };
 
 bool Cleaner::lies_on(const CutGraph::Vertex& vertex, int line) const {
@@ -128,7 +136,7 @@ bool Cleaner::may_move(int half_edge) const {
         const int other = graph_.cell[at(CutGraph::twin(x))];
         if (other == graph_.cell[at(CutGraph::twin(y))] || before.size() != 3)
           return false;
-      } else if (!valid(after) && valid(before)) {
+      } else if (!has_distinct_vertices(after) || (!valid(after) && valid(before))) {
         return false;
       }
     }
@@ -247,10 +255,73 @@ void Cleaner::contract_below(double emin) {
       out = graph_.next[at(CutGraph::twin(out))];
     } while (out != begin);
   }
-  report_.kept_short += static_cast<std::size_t>(
+  report_.kept_short = static_cast<std::size_t>(
       std::count_if(refused.begin(), refused.end(), [this](const Key& k) {
         return graph_.edges[at(std::get<3>(k))].alive;
       }));
+}
+
+// Identifies the origins of two half-edges of one cell by an edge of length 0 between
+// them, which is contracted. The edge splits the cell.
+bool Cleaner::try_identify(int half_edge, int other) {
+  const auto e = static_cast<int>(graph_.edges.size());
+  const int forward = 2 * e, back = 2 * e + 1;
+  graph_.edges.emplace_back();
+  const int before = graph_.previous[at(half_edge)], cell = graph_.cell[at(half_edge)];
+  const int before_other = graph_.previous[at(other)];
+  for (const int from : {half_edge, other}) {
+    graph_.origin.push_back(graph_.origin[at(from)]);
+    graph_.cell.push_back(cell);
+  }
+  // forward leads from the first vertex to the other one, which its cell leaves by
+  // `other`.
+  graph_.next.insert(graph_.next.end(), {other, half_edge});
+  graph_.previous.insert(graph_.previous.end(), {before, before_other});
+  graph_.next[at(before)] = graph_.previous[at(other)] = forward;
+  graph_.next[at(before_other)] = graph_.previous[at(half_edge)] = back;
+  if (cells_ == 0)
+    cells_ = *std::max_element(graph_.cell.begin(), graph_.cell.end()) + 1;
+  const int new_cell = cells_++;
+  graph_.cell[at(back)] = new_cell;
+  for (int h = graph_.next[at(back)]; h != back; h = graph_.next[at(h)])
+    graph_.cell[at(h)] = new_cell;
+  if (try_contract(e))
+    return true;
+  for (int h = graph_.next[at(back)]; h != back; h = graph_.next[at(h)])
+    graph_.cell[at(h)] = cell;
+  graph_.remove_edge(at(e));
+  return false;
+}
+
+// A cell that rounding has pinched has two vertices at one place. They become one, so
+// that the cell becomes two, or loses a spike. Returns whether there were any.
+bool Cleaner::identify_coinciding_vertices() {
+  bool found = false;
+  for (const int begin : destroyed_) {
+    if (!graph_.alive(begin) || valid(loop_of(begin)))
+      continue;
+    std::vector<int> sides;
+    for (int h = begin;;) {
+      sides.push_back(h);
+      h = graph_.next[at(h)];
+      if (h == begin)
+        break;
+    }
+    const auto place = [this](int h) { return graph_.from(h).place; };
+    std::stable_sort(sides.begin(), sides.end(), [&](int g, int h) {
+      const Vec2 p = place(g), q = place(h);
+      return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
+    });
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      const int g = sides[i - 1], h = sides[i];
+      if (place(g) == place(h) && graph_.origin[at(g)] != graph_.origin[at(h)] &&
+          graph_.next[at(g)] != h && graph_.next[at(h)] != g && try_identify(g, h)) {
+        found = true;
+        break;
+      }
+    }
+  }
+  return found;
 }
 
 void Cleaner::join_if_straight(int vertex, std::map<int, int>& first) {
@@ -322,7 +393,11 @@ bool Cleaner::try_merge(int cell, std::map<int, int>& first) {
     const int last = CutGraph::twin(out), start = CutGraph::twin(into);
     for (int h = graph_.next[at(start)]; h != last; h = graph_.next[at(h)])
       loop.push_back(graph_.origin[at(h)]);
-    if (loop.size() < 3 || !valid(loop))
+    // Two cells that rounding has destroyed may become one that is still not valid.
+    const bool is_better =
+        valid(loop) || (has_distinct_vertices(loop) && !valid(loop_of(begin)) &&
+                        !valid(loop_of(first.at(neighbour))));
+    if (loop.size() < 3 || !is_better)
       continue;
     const int ends[2] = {graph_.origin[at(into)], graph_.target(out)};
     first[neighbour] = graph_.next[at(out)];
@@ -376,7 +451,11 @@ void Cleaner::merge_below(double amin) {
       refused.emplace(cell, size);
     }
   }
-  report_.kept_small += refused.size();
+  report_.kept_small = refused.size();
+  destroyed_.clear();
+  for (const auto& [cell, size] : refused)
+    if (size < 0.0)
+      destroyed_.push_back(first.at(cell));
 }
 
 }  // namespace
@@ -395,9 +474,14 @@ bool is_superfluous(const CutGraph& graph, const std::vector<exact::Line>& lines
 void clean(CutGraph& graph, const std::vector<exact::Line>& lines, double emin,
            double amin, CutReport& report, StepProgress progress) {
   Cleaner cleaner(graph, lines, report, progress);
-  cleaner.contract_below(emin);
-  if (emin > 0.0 || amin > 0.0)
+  // Edges whose contraction was not possible may be contracted after a merge. Each
+  // round removes a vertex or a cell, so the loop ends.
+  for (bool changed = true; changed;) {
+    const std::size_t merges = report.merges;
+    cleaner.contract_below(emin);
     cleaner.merge_below(amin);
+    changed = cleaner.identify_coinciding_vertices() || report.merges > merges;
+  }
 }
 
 }  // namespace blocks::geometry

@@ -193,7 +193,6 @@ void keep_separating_edges(CutGraph& graph, CutReport& report) {
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     if (!graph.edges[e].alive || search.component(e) == kept)
       continue;
-    report.lengths[graph.edges[e].joint].pruned += graph.length(e);
     ++report.pruned_edges;
     graph.remove_edge(e);
   }

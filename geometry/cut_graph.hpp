@@ -25,6 +25,7 @@ class CutGraph {
   struct Vertex {
     Vec2 place = Vec2::Zero();    ///< [L]
     int first = -1, second = -1;  ///< segments with different lines through it; or -1
+    int point = -1;               ///< exact place, if needed and no second line; or -1
     int half_edge = -1;           ///< one that begins here; -1: none is left
     int corner = -1;              ///< corner of the outline, from 0; -1: none
     int side = -1;                ///< side of the outline that contains it; -1: none

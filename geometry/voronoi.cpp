@@ -195,10 +195,19 @@ class Cells {
           right ? centre(other) : exact::nearest(far_from(exact_centre(face), q - p));
       add(from, to, result);
     }
+    // The order of CGAL's edges depends on the places of faces in memory.
+    std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+      return a.from.nearest() != b.from.nearest()
+                 ? is_before(a.from.nearest(), b.from.nearest())
+                 : is_before(a.to.nearest(), b.to.nearest());
+    });
     return result;
   }
 
  private:
+  static bool is_before(const Vec2& p, const Vec2& q) {
+    return p.x() != q.x() ? p.x() < q.x() : p.y() < q.y();
+  }
   static Vector reversed(const Vector& v) { return {-v.x(), -v.y()}; }
   static Point exact_centre(Delaunay::Face_handle face) {
     return CGAL::circumcenter(exactly(face->vertex(0)->point()),
@@ -221,7 +230,8 @@ class Cells {
   }
   void add(const Vec2& from, const Vec2& to, std::vector<JointSegment>& result) const {
     if (from != to)  // points on one circle share a vertex
-      result.push_back({from, to, id_});
+      result.push_back(
+          {is_before(from, to) ? from : to, is_before(from, to) ? to : from, id_});
   }
 
   const Delaunay& delaunay_;

@@ -15,12 +15,12 @@ namespace blocks::geometry::exact {
 struct JointArrangement {
   CutGraph graph;
   std::vector<Line> lines;
+  std::vector<Point> points;  ///< places of vertices that have no second line
 };
 
-/// Arranges outline and joints; edges outside of the outline are left out. Vertices
-/// have approximate places, except that those without a second line have the nearest
-/// doubles. outline: simple and clockwise. Joints of length 0 are ignored. The reports of
-/// progress end at part 0.6.
+/// Arranges outline and joints; edges outside of the outline are left out. The places
+/// of vertices are rounded to the nearest doubles. outline: simple and clockwise.
+/// Joints of length 0 are ignored. The reports of progress end at part 0.6.
 JointArrangement arrange_joints(const std::vector<Point>& outline,
                                 const std::vector<JointSegment>& joints,
                                 const ProgressFunction& progress);
