@@ -80,6 +80,12 @@ def cells(arguments):
     return code
 
 
+def cuts(arguments):
+    build("ci", "cuts")
+    return run(CI / "validation/geometry/cuts", "--networks", arguments.count,
+               *report_option(arguments.count, arguments.full, "geometry/CUTS"))
+
+
 def seeds(arguments):
     build("release", "blocks")
     program, folder = RELEASE / "src/blocks", BUILD / "seeds.sweep"
@@ -223,6 +229,9 @@ def parser():
         "Exit code 4: a mean deviates too far from its exact value. Writes "
         "validation/cells/REPORT.md and its figures. Takes 6 minutes.",
         (4000, "networks of Poisson lines; the others are in proportion"))
+    add("cuts", cuts, "random networks of joints, cut and judged",
+        "Writes validation/geometry/CUTS.md. Takes ten minutes on two cores. Exit code 4: a "
+        "certified result is wrong, or a refusal has no place.", (100_000, "random networks"))
     add("seeds", seeds, "random layers of 100 blocks with sides of several angles",
         "A sweep in build/seeds.sweep. Writes its report to validation/geometry/SEEDS.csv. Takes "
         "half a minute.", (1000, "seeds for each range of angles"))
@@ -264,7 +273,7 @@ def parser():
                   "folder.")
     command.add_argument("parts", metavar="PART", nargs="*",
                          help="wall, pile, slope, crater, subsidence, decks, search, predicates, "
-                              "generation, seeds, sweeps (default: all)")
+                              "generation, cut, seeds, sweeps (default: all)")
     command.add_argument("--quick", action="store_true", help="small scenes; takes one minute")
     command.add_argument("-o", "--output", metavar="NAME", help="write NAME.md, .json and .png")
     command.add_argument("--rounds", type=whole_number, help="turns of each code (5; quick: 3)")

@@ -50,6 +50,7 @@ const std::vector<Part>& parts() {
       {"search", "the search for near pairs of blocks alone", run_search},
       {"predicates", "contact predicates and contact law alone", run_predicates},
       {"generation", "random layers cut and certified", run_generation},
+      {"cut", "a square cut by random traces, time and memory", run_cut},
       {"seeds", "random layers of many seeds, from the deck to their measures",
        run_seeds},
       {"sweeps", "what a sweep costs beside its runs, and its plan and report",

@@ -39,6 +39,7 @@ void run_decks(const Plan& plan, Report& report);
 void run_search(const Plan& plan, Report& report);
 void run_predicates(const Plan& plan, Report& report);
 void run_generation(const Plan& plan, Report& report);
+void run_cut(const Plan& plan, Report& report);
 void run_seeds(const Plan& plan, Report& report);
 void run_sweeps(const Plan& plan, Report& report);
 
