@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "geometry/cut_blocks.hpp"
+#include "geometry/cut_certificate.hpp"
 #include "geometry/cut_cleaning.hpp"
 #include "geometry/cut_graph.hpp"
-#include "geometry/cut_rounding.hpp"
+#include "geometry/exact/cut_rounding.hpp"
 #include "geometry/exact/joint_arrangement.hpp"
 #include "geometry/exact/shared_point.hpp"
 #include "geometry/numeric_environment.hpp"
@@ -29,16 +30,6 @@ std::vector<Point> exact_outline(const CutRequest& request) {
   for (const DecimalPoint& corner : request.outline)
     outline.push_back(exact::rational(corner));
   return outline;
-}
-
-std::vector<Vec2> rounded_outline(const CutRequest& request,
-                                  const std::vector<Point>& outline) {
-  if (request.rounded)
-    return *request.rounded;
-  std::vector<Vec2> corners;
-  for (const Point& corner : outline)
-    corners.push_back(exact::nearest(corner));
-  return corners;
 }
 
 Rational twice_area(const std::vector<Point>& p) {  // positive if anticlockwise
@@ -61,6 +52,10 @@ void check_request(const CutRequest& request, const std::vector<Point>& outline,
   if (corners.size() != outline.size() || check.fault != OutlineFault::none)
     refuse(CutError::Kind::outline, "the outline is not simple: " + describe(check),
            place, "give at least three corners, clockwise");
+  for (const Vec2& corner : corners)
+    if (!(corner.cwiseAbs().maxCoeff() <= largest_coordinate))
+      refuse(CutError::Kind::outline, "a corner is too far away to calculate with",
+             corner, "choose another unit of length");
   if (check.anticlockwise)
     refuse(CutError::Kind::outline, "the outline is anticlockwise", place,
            "give the corners clockwise");
@@ -83,6 +78,9 @@ void check_request(const CutRequest& request, const std::vector<Point>& outline,
     high = high.cwiseMax(corner);
   }
   const double area = section_properties(corners).area;
+  if (!(area > 0.0))
+    refuse(CutError::Kind::outline, "the area is too small to calculate with", place,
+           "choose another unit of length");
   if (!(request.emin >= 0.0) || request.emin >= (high - low).maxCoeff())
     refuse(CutError::Kind::cleaning, "emin is not between 0 and the size of the domain",
            place, "give a part of the smallest edge that matters");
@@ -175,37 +173,12 @@ StraightCorners fill_mesh(const CutGraph& graph, const std::vector<Line>& lines,
   return straight;
 }
 
-[[noreturn]] void refuse(const CutRequest& request, const CutResult& result,
-                         const std::string& fault) {
-  Vec2 place = result.mesh.vertices.empty() ? Vec2(0.0, 0.0) : result.mesh.vertices[0];
-  if (!result.certificate.offending_cells.empty()) {
-    const auto& cell = result.mesh.cells[at(result.certificate.offending_cells[0])];
-    place = result.mesh.vertices[at(cell[0])];
-  }
-  throw CutError(CutError::Kind::certificate,
-                 "cells are thinner than doubles can represent: " + fault, place,
+[[noreturn]] void refuse(const CutRequest& request, const CutFault& fault) {
+  throw CutError(CutError::Kind::certificate, fault.fault, fault.place,
                  request.emin > 0.0 && request.amin > 0.0
                      ? "give larger emin and amin, or remove one of two joints that "
                        "nearly coincide there"
                      : "give emin and amin, such as 1e-6 of the size of a block");
-}
-
-// The areas of the cells add up to that of their common outline, exactly.
-bool areas_add_up(const Mesh& mesh) {
-  using CGAL::Mpzf;
-  const auto twice = [&mesh](const std::vector<int>& loop) {
-    Mpzf sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Vec2& p = mesh.vertices[at(loop[i])];
-      const Vec2& q = mesh.vertices[at(loop[(i + 1) % loop.size()])];
-      sum = sum + Mpzf(p.x()) * Mpzf(q.y()) - Mpzf(q.x()) * Mpzf(p.y());
-    }
-    return sum;
-  };
-  Mpzf rest = twice(mesh.outline);
-  for (const std::vector<int>& cell : mesh.cells)
-    rest = rest - twice(cell);
-  return CGAL::sign(rest) == CGAL::ZERO;
 }
 
 // Cleans and certifies the cells of a graph. part: what the work takes of the progress.
@@ -220,6 +193,7 @@ CutResult cleaned(const CutRequest& request, CutGraph graph,
   const StraightCorners straight = fill_mesh(graph, lines, result);
   make_blocks(result, straight,
               StepProgress(request.progress, "certify cells", middle, part.second));
+  result.report.kept_short = short_sides(result, request.emin);
   return result;
 }
 
@@ -283,7 +257,7 @@ ExactPoint::ExactPoint(std::shared_ptr<const exact::SharedPoint> point)
 CutResult cut_outline(const CutRequest& request) {
   const RoundToNearest mode;
   const std::vector<Point> outline = exact_outline(request);
-  const std::vector<Vec2> corners = rounded_outline(request, outline);
+  const std::vector<Vec2> corners = rounded_corners(request);
   check_request(request, outline, corners);
   const double area = section_properties(corners).area;
 
@@ -300,26 +274,25 @@ CutResult cut_outline(const CutRequest& request) {
   graph.number_cells();
   CutResult result =
       cleaned(request, graph, arrangement.lines, report, request.emin, {0.8, 0.95});
+  std::optional<CutFault> fault = find_fault(result, request);
   // Where rounding has destroyed cells, very short edges are contracted as well.
   double begin = 0.95;
   const double unit = largest_unit(corners);
   for (const double units : repair_units) {
     const double emin = units * unit;
-    if (result.certificate.holds || emin <= request.emin ||
-        !(emin * emin < area / 16.0))
+    if (!fault || emin <= request.emin || !(emin * emin < area / 16.0))
       continue;
     CutResult again =
         cleaned(request, graph, arrangement.lines, report, emin, {begin, begin + 0.01});
     begin += 0.01;
-    if (again.certificate.holds) {
+    if (!find_fault(again, request)) {
+      fault.reset();
       result = std::move(again);
       result.report.repaired_below = emin;
     }
   }
-  if (!result.certificate.holds)
-    refuse(request, result, result.certificate.fault);
-  if (!areas_add_up(result.mesh))
-    refuse(request, result, "the areas of the cells do not add up");
+  if (fault)
+    refuse(request, *fault);
   return result;
 }
 

@@ -40,6 +40,10 @@ class ExactPoint {
   std::shared_ptr<const exact::SharedPoint> exact_;
 };
 
+/// The largest coordinate of a domain or of a Voronoi point, [L]. Predicates have at most
+/// the sixth power of four times this value, which must be a double.
+inline constexpr double largest_coordinate = 0x1p100;
+
 /// A straight piece of a joint. Pieces may cross, overlap and leave the outline.
 struct JointSegment {
   ExactPoint from;
@@ -82,7 +86,7 @@ struct CutReport {
   std::size_t contractions = 0;  ///< edges shorter than emin, and edges of length 0
   double largest_move = 0.0;     ///< [L] of a vertex by contraction
   double repaired_below = 0.0;   ///< [L] used instead of emin, see cut_outline; or 0
-  std::size_t kept_short = 0;    ///< edges below emin whose contraction is not possible
+  std::size_t kept_short = 0;    ///< sides of blocks below emin that remain
   std::size_t merges = 0;        ///< cells that were merged into a neighbour
   std::size_t kept_small = 0;    ///< cells below amin that could not be merged
   // The blocks.

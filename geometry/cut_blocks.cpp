@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "geometry/exact/kernels.hpp"
 #include "geometry/polygon.hpp"
@@ -79,18 +81,26 @@ class BlockMaker {
     for (const std::size_t cell : cells_) {
       const std::vector<int>& loop = result_.mesh.cells[cell];
       const std::size_t n = loop.size();
+      std::size_t before = 0, after = 0;  // ends of the side; i is inside
+      bool is_new = true;                 // no vertex of this side was visited
+      while (dropped_[cell][before])
+        before = (before + n - 1) % n;
       for (std::size_t i = 0; i < n; ++i) {
-        if (!dropped_[cell][i])
+        if (!dropped_[cell][i]) {
+          before = i;
+          is_new = true;
           continue;
-        std::size_t before = i, after = i;
-        while (dropped_[cell][before])
-          before = (before + n - 1) % n;
-        while (dropped_[cell][after])
-          after = (after + 1) % n;
+        }
+        if (is_new)
+          for (after = i; dropped_[cell][after];)
+            after = (after + 1) % n;
+        is_new = false;
         const Vec2 a = vertices_[index(loop[before])],
                    b = vertices_[index(loop[after])];
         if (is_inside(a, b, vertices_[index(loop[i])]))
           visit(cell, i, loop[i], a, b);
+        if (!dropped_[cell][i])
+          before = i;
       }
     }
   }
@@ -153,6 +163,18 @@ std::size_t count(const StraightCorners& corners) {
 }
 
 }  // namespace
+
+std::size_t short_sides(const CutResult& result, double emin) {
+  std::set<std::pair<int, int>> found;
+  for (const CutBlock& block : result.blocks)
+    for (std::size_t i = 0; i < block.corners.size(); ++i) {
+      const int v = block.corners[i], w = block.corners[(i + 1) % block.corners.size()];
+      if ((result.mesh.vertices[index(v)] - result.mesh.vertices[index(w)])
+              .squaredNorm() < emin * emin)
+        found.emplace(std::min(v, w), std::max(v, w));
+    }
+  return found.size();
+}
 
 void make_blocks(CutResult& result, const StraightCorners& straight,
                  StepProgress progress) {

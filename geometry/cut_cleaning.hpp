@@ -14,8 +14,9 @@ struct Line;
 }
 
 /// Contracts edges and merges cells as described at cut_outline. Requires numbered
-/// cells, and vertices in an order that does not depend on that of the joints. Only
-/// cells that are not simple and clockwise may remain so. lines: of the segments.
+/// cells, and vertices in an order that does not depend on that of the joints. A
+/// cell that is simple and clockwise remains so; another one may stay as it is. lines:
+/// of the segments.
 void clean(CutGraph& graph, const std::vector<exact::Line>& lines, double emin,
            double amin, CutReport& report, StepProgress progress);
 

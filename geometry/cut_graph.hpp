@@ -29,7 +29,6 @@ class CutGraph {
     int half_edge = -1;           ///< one that begins here; -1: none is left
     int corner = -1;              ///< corner of the outline, from 0; -1: none
     int side = -1;                ///< side of the outline that contains it; -1: none
-    bool moved = false;           ///< by cleaning
   };
   std::vector<Edge> edges;
   std::vector<Vertex> vertices;

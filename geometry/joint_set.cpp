@@ -73,6 +73,10 @@ void check(const JointSet& set) {
   for (const Spread* spread : {&set.spacing, &set.trace, &set.gap, &set.dip})
     if (spread->deviation.value() < 0.0)
       refuse(set, "a deviation is negative", "give half ranges of 0 or more");
+  if (set.law != JointLaw::poisson && set.trace.mean.value() == 0.0 &&
+      !(set.dip.deviation.value() < 90.0))
+    refuse(set, "joints that run through deviate by 90 degrees or more",
+           "give ddev below 90, or law POISSON for all directions");
   if (set.law == JointLaw::uniform &&
       set.spacing.deviation.value() >= set.spacing.mean.value())
     refuse(set, "the spacing may be 0 or negative", "give sdev below space");
@@ -97,22 +101,30 @@ class Generator {
 
   double expected() const {
     const double spacing = set_.spacing.mean.value();
-    double tracks = 0.0;
+    double tracks = 0.0;  // between the start and the window, and in the window
+    double inner = 2.0 * window_.radius() / spacing;
     if (set_.law == JointLaw::poisson) {
       tracks = 2.0 * ((window_.centre() - near_).norm() + window_.radius()) / spacing;
     } else {
       const auto [low, high] = reach();
-      tracks = exact_spacing() ? (high - low) / spacing
+      inner = (high - low) / spacing;
+      if (!(std::max(high, -low) / spacing < 0x1p50))  // numbers of tracks are doubles
+        refuse(set_, "the start is too many tracks away from the outline",
+               "give a start near the outline");
+      tracks = exact_spacing() ? inner
                                : (std::max(high, 0.0) - std::min(low, 0.0)) / spacing;
     }
     double pieces = 2.0;
     if (!through_going()) {
       const auto [from, to] = window_.range(near_, direction_);
-      const double length =
-          set_.law == JointLaw::poisson ? 2.0 * window_.radius() : to - from;
+      // Traces between the foot of the start and the window take time as well.
+      const double far = (window_.centre() - near_).norm() + window_.radius();
+      const double length = set_.law == JointLaw::poisson
+                                ? std::max(2.0 * window_.radius(), far)
+                                : std::max(to, 0.0) - std::min(from, 0.0);
       pieces += length / (set_.trace.mean.value() + set_.gap.mean.value());
     }
-    return std::max(tracks, 1.0) * pieces;
+    return std::max(tracks - inner, 0.0) + std::max(inner, 1.0) * pieces;
   }
 
   std::vector<JointSegment> pieces() {
@@ -155,7 +167,7 @@ class Generator {
   // piece.
   double most_tilt() const {
     constexpr double degree = 3.14159265358979323846 / 180.0;
-    return 1.01 * std::tan(std::min(set_.dip.deviation.value(), 89.9) * degree);
+    return 1.01 * std::tan(set_.dip.deviation.value() * degree);
   }
 
   // A random number in (0, 1), a multiple of 2^-54.
@@ -180,10 +192,14 @@ class Generator {
     const Rational u(2.0 * random(track, piece, use) - 1.0);
     return {exact::nearest(mean + exact::rational(spread.deviation) * u)};
   }
-  // Called for each track, also for those that do not meet the window.
-  Rational spacing(long k) {
+  // Called for each track and trace, also for those that do not meet the window.
+  void watch() {
+    done_ += 1.0;
     if (progress_.is_due())
-      progress_.report(0.0);
+      progress_.report(std::min(done_ / expected_, 1.0));
+  }
+  Rational spacing(long k) {
+    watch();
     if (set_.law == JointLaw::uniform)
       return draw(set_.spacing, counter(k), 0, spacing_use);
     return {set_.spacing.mean.value() *
@@ -247,6 +263,7 @@ class Generator {
 
   void add_track(std::uint64_t track, const Point& foot, const Rational& dip,
                  const Vec2& direction, bool random_phase) {
+    watch();
     if (through_going()) {
       add_line(foot, turned(dip, direction, track, 0));
       return;
@@ -268,7 +285,8 @@ class Generator {
              random(track, redraw++, chosen) * longest > exact::nearest(trace + gap));
     if (random_phase)
       begin = Rational(-random(track, 0, phase_use) * exact::nearest(trace + gap));
-    const auto [low, high] = window_.range(exact::nearest(foot), direction);
+    const auto range = window_.range(exact::nearest(foot), direction);
+    const double low = range.first, high = range.second;
     const double half =
         set_.dip.deviation.value() > 0.0
             ? (set_.trace.mean.value() + set_.trace.deviation.value()) / 2.0
@@ -281,12 +299,14 @@ class Generator {
     add(begin, trace, 0);
     Rational at = begin + trace + gap;
     for (int j = 1; exact::nearest(at) <= to; ++j) {
+      watch();
       const Rational length = draw(set_.trace, track, counter(j), trace_use);
       add(at, length, j);
       at += length + draw(set_.gap, track, counter(j), gap_use);
     }
     at = begin;
     for (int j = -1; exact::nearest(at) >= from; --j) {
+      watch();
       const Rational length = draw(set_.trace, track, counter(j), trace_use);
       at -= length + draw(set_.gap, track, counter(j), gap_use);
       add(at, length, j);
@@ -337,8 +357,6 @@ class Generator {
   }
 
   void add_piece(const Point& p, const Point& q) {
-    if (progress_.is_due())
-      progress_.report(static_cast<double>(pieces_.size()) / expected_);
     if (static_cast<double>(pieces_.size()) >= max_joint_pieces)
       refuse(set_, "the joint set has too many pieces",
              "give a larger spacing or trace");
@@ -353,6 +371,7 @@ class Generator {
   Rational dip_;
   Vec2 direction_;
   double expected_ = 1.0;
+  double done_ = 0.0;  ///< tracks and traces, also those that do not meet the window
   std::vector<JointSegment> pieces_;
 };
 

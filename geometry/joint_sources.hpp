@@ -42,7 +42,8 @@ struct JointSet {
 inline constexpr double max_joint_pieces = 1e7;
 
 /// Returns the expected number of pieces in the bounding box of the outline, counting
-/// the tracks between the start and the box. Cheap; call it before joint_set.
+/// the tracks and traces between the start and the box. Cheap; call it before
+/// joint_set.
 double expected_pieces(const JointSet& set, const std::vector<DecimalPoint>& outline);
 
 /// Generates the pieces of the set that may meet the outline. Pieces reach beyond its
@@ -82,6 +83,11 @@ struct VoronoiCells {
 VoronoiCells voronoi_cells(const VoronoiRequest& request,
                            const std::vector<DecimalPoint>& outline,
                            const ProgressFunction& progress = {});
+
+/// Estimates the number of crossings of segments inside a box, [L], from 100,000 pairs
+/// of segments; exact if there are fewer pairs. The same segments give the same number.
+double likely_crossings(const std::vector<JointSegment>& segments, const Vec2& low,
+                        const Vec2& high);
 
 /// What prolonged did.
 struct Prolongation {

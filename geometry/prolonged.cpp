@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "geometry/exact/box_pairs.hpp"
@@ -33,7 +34,8 @@ exact::Box box_of(const Point& p, const Point& q, std::size_t number) {
   Vec2 a = exact::nearest(p), b = exact::nearest(q);
   // Encloses the exact points, whose distance to the nearest doubles is below an ulp.
   const double slack =
-      0x1p-50 * std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+      0x1p-50 * std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>()) +
+      std::numeric_limits<double>::denorm_min();
   return exact::box_of({a, b}, number, slack);
 }
 
@@ -99,6 +101,15 @@ Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& s
     corners.push_back(exact::rational(corner));
   for (std::size_t i = 0; i < corners.size(); ++i)
     pieces.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  // An end inside meets the outline within the width and height of its box.
+  const auto [left, right] =
+      std::minmax_element(corners.begin(), corners.end(),
+                          [](const Point& p, const Point& q) { return p.x() < q.x(); });
+  const auto [low, high] =
+      std::minmax_element(corners.begin(), corners.end(),
+                          [](const Point& p, const Point& q) { return p.y() < q.y(); });
+  const Rational probed =
+      std::min<Rational>(reach, right->x() - left->x() + high->y() - low->y());
 
   std::vector<End> ends;
   std::vector<exact::Box> probes, boxes;
@@ -110,9 +121,9 @@ Prolongation prolonged(const std::vector<JointSegment>& traces, const Decimal& s
       if (place == back)
         continue;
       const Vector direction = place - back;
-      const Vec2 d(exact::nearest(direction.x()), exact::nearest(direction.y()));
-      // Slightly more than the reach, in doubles; the hit is compared exactly.
-      const Rational far(1.001 * snap.value() / d.norm());
+      // Not less than the parameter at the reach; the hit is compared exactly.
+      const Rational far =
+          probed / std::max<Rational>(abs(direction.x()), abs(direction.y()));
       probes.push_back(box_of(place, place + direction * far, ends.size()));
       ends.push_back({i, at_to, place, direction, true, {}});
     }

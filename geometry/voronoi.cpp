@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "geometry/exact/shared_point.hpp"
 #include "geometry/joint_sources.hpp"
@@ -71,6 +72,16 @@ std::vector<Vec2> random_points(const VoronoiRequest& request, const Polygon& ou
       break;
     }
   return points;
+}
+
+// The points without repeated ones, in their order.
+std::vector<Vec2> distinct(const std::vector<Vec2>& points) {
+  std::set<std::pair<double, double>> met;
+  std::vector<Vec2> kept;
+  for (const Vec2& p : points)
+    if (met.emplace(p.x(), p.y()).second)
+      kept.push_back(p);
+  return kept;
 }
 
 Delaunay triangulation_of(const std::vector<Vec2>& points, StepProgress& progress) {
@@ -189,10 +200,10 @@ class Cells {
                  right = !delaunay_.is_infinite(other);
       // p -> q has the face on its left, so the other face is on the right.
       const Vec2 from =
-          left ? centre(face)
-               : exact::nearest(far_from(exact_centre(other), reversed(q - p)));
-      const Vec2 to =
-          right ? centre(other) : exact::nearest(far_from(exact_centre(face), q - p));
+          left ? end_at(face, p, q)
+               : exact::nearest(far_from(base(other, p, q), reversed(q - p)));
+      const Vec2 to = right ? end_at(other, p, q)
+                            : exact::nearest(far_from(base(face, p, q), q - p));
       add(from, to, result);
     }
     // The order of CGAL's edges depends on the places of faces in memory.
@@ -220,13 +231,33 @@ class Cells {
       found->second = exact::nearest(exact_centre(face));
     return found->second;
   }
+  bool is_near(Delaunay::Face_handle face) {
+    return centre(face).lpNorm<Eigen::Infinity>() <= largest_coordinate;
+  }
+  // A point of the edge between the cells of p and q, at the centre of a face if that
+  // is not too far away.
+  Point base(Delaunay::Face_handle face, const Point& p, const Point& q) {
+    return is_near(face) ? exact_centre(face) : CGAL::midpoint(p, q);
+  }
+  // The end of the edge between the cells of p and q at the centre of a face. A centre
+  // that is too far away is replaced by a nearer point of the edge outside of the box.
+  Vec2 end_at(Delaunay::Face_handle face, const Point& p, const Point& q) {
+    if (is_near(face))
+      return centre(face);
+    const Point m = CGAL::midpoint(p, q);
+    const bool is_right = exact::cross(q - p, exact_centre(face) - m) < 0;
+    return exact::nearest(far_from(m, is_right ? q - p : p - q));
+  }
   // A point outside of the box, from p on the right of the direction.
   Point far_from(const Point& p, const Vector& direction) const {
     const Vec2 d(exact::nearest(direction.x()), exact::nearest(direction.y()));
     const double reach = (exact::nearest(p) - middle_).norm() + 2.0 * radius_;
-    const double factor = std::exp2(std::ceil(std::log2(reach / d.norm())));
-    return {p.x() + direction.y() * Rational(factor),
-            p.y() - direction.x() * Rational(factor)};
+    constexpr double least = 0x1p-500;  // squares of lesser lengths are no doubles
+    const Rational factor =
+        d.norm() > least ? Rational(std::exp2(std::ceil(std::log2(reach / d.norm()))))
+                         : Rational(reach) / std::max<Rational>(abs(direction.x()),
+                                                                abs(direction.y()));
+    return {p.x() + direction.y() * factor, p.y() - direction.x() * factor};
   }
   void add(const Vec2& from, const Vec2& to, std::vector<JointSegment>& result) const {
     if (from != to)  // points on one circle share a vertex
@@ -260,6 +291,9 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request,
   for (const Vec2& p : request.points)
     if (!p.allFinite())
       refuse("a point is not finite", place, "give finite coordinates");
+    else if (p.lpNorm<Eigen::Infinity>() > largest_coordinate)
+      refuse("a point is too far away to calculate with", p,
+             "remove it, or choose another unit of length");
   VoronoiCells cells;
   // The rounds of relaxation, the points and the cells share the work evenly.
   const double steps = 2.0 + request.lloyd;
@@ -270,7 +304,7 @@ VoronoiCells voronoi_cells(const VoronoiRequest& request,
   };
   StepProgress drawing = next("draw points");
   cells.points = request.points.empty() ? random_points(request, corners, drawing)
-                                        : request.points;
+                                        : distinct(request.points);
   for (int round = 0; round < request.lloyd; ++round)
     cells.points = relaxed(cells.points, corners, next("relax points"));
   StepProgress making = next("make cells");

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/exact/joint_pieces.hpp"
 #include "geometry/exact/watched_sweep.hpp"
 
 namespace blocks::geometry::exact {
@@ -28,13 +29,12 @@ struct Source {
   bool operator==(const Source&) const = default;
 };
 
-// The joint id of an edge where joints overlap is the smallest one that is not 0.
-int common_joint(int a, int b) { return a == 0 || b == 0 ? a + b : std::min(a, b); }
-
+// Joints on the outline separate no blocks there, so it has no joint id.
 struct MergeSources {
   Source operator()(const Source& a, const Source& b) const {
-    return {std::min(a.segment, b.segment), common_joint(a.joint, b.joint),
-            a.outline || b.outline};
+    const bool outline = a.outline || b.outline;
+    return {std::min(a.segment, b.segment),
+            outline ? 0 : common_joint(a.joint, b.joint), outline};
   }
 };
 
@@ -179,7 +179,7 @@ void copy_inside(Arrangement& arrangement, int sides, JointArrangement& result,
     graph.remove_edge(e);
 }
 
-// The least and the greatest x of all ends.
+// The least and the greatest x of all ends, at most as far as pieces of joints reach.
 std::pair<double, double> range_in_x(const std::vector<Point>& outline,
                                      const std::vector<JointSegment>& joints) {
   double low = nearest(outline[0].x()), high = low;
@@ -189,9 +189,10 @@ std::pair<double, double> range_in_x(const std::vector<Point>& outline,
   };
   for (const Point& corner : outline)
     include(nearest(corner.x()));
+  constexpr double most = 4.0 * largest_coordinate;
   for (const JointSegment& joint : joints) {
-    include(joint.from.nearest().x());
-    include(joint.to.nearest().x());
+    include(std::clamp(joint.from.nearest().x(), -most, most));
+    include(std::clamp(joint.to.nearest().x(), -most, most));
   }
   return {low, high};
 }
@@ -206,19 +207,20 @@ JointArrangement arrange_joints(const std::vector<Point>& outline,
   result.lines.reserve(outline.size() + joints.size());
   std::vector<Traits::X_monotone_curve_2> curves;
   curves.reserve(outline.size() + joints.size());
-  const auto add = [&](const Point& p, const Point& q, int joint, bool is_outline) {
+  const auto add = [&](const Point& p, const Point& q, Line line, int joint,
+                       bool is_outline) {
     const auto segment = static_cast<int>(result.lines.size());
-    result.lines.emplace_back(p, q);
+    result.lines.push_back(std::move(line));
     curves.emplace_back(Segments::X_monotone_curve_2(lazy(p), lazy(q)),
                         Source{segment, joint, is_outline});
   };
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    add(outline[i], outline[(i + 1) % outline.size()], 0, true);
-  for (const JointSegment& joint : joints) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point &p = outline[i], &q = outline[(i + 1) % outline.size()];
+    add(p, q, Line(p, q), 0, true);
+  }
+  for (JointPiece& piece : joint_pieces(joints)) {
     reading.count(result.lines.size(), joints.size());
-    const Point p = point_of(joint.from), q = point_of(joint.to);
-    if (p != q)
-      add(p, q, joint.id, false);
+    add(piece.from, piece.to, std::move(piece.line), piece.joint, false);
   }
   StepProgress sweeping(progress, "arrange joints", 0.02, 0.5);
   const auto [low, high] = range_in_x(outline, joints);

@@ -165,6 +165,33 @@ TEST(CutOutline, ShortEdgesAreContracted) {
   expect_tiling(result);
 }
 
+// A joint across a narrow domain cannot be contracted, but the merge removes it.
+TEST(CutOutline, ShortEdgesAreCountedAfterAllCleaning) {
+  CutRequest cuts = request("0 0 0 0.05 10 0.05 10 0", joints("5 0 5 0.05"));
+  cuts.emin = 0.06;
+  EXPECT_EQ(cut_outline(cuts).report.kept_short, 3U);
+  cuts.amin = 0.3;
+  EXPECT_EQ(cut_outline(cuts).report.kept_short, 2U);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    cuts = request("0 0 0 10 0.1 10 10 10 10 0", random_joints(60, 2.5, seed));
+    cuts.emin = 0.8;
+    cuts.amin = 1.0;
+    const CutResult result = cut_outline(cuts);
+    std::set<std::pair<int, int>> sides;
+    for (const CutBlock& block : result.blocks)
+      for (std::size_t i = 0; i < block.corners.size(); ++i) {
+        const int v = block.corners[i];
+        const int w = block.corners[(i + 1) % block.corners.size()];
+        const auto place = [&](int vertex) {
+          return result.mesh.vertices[static_cast<std::size_t>(vertex)];
+        };
+        if ((place(v) - place(w)).norm() < 0.8)
+          sides.insert(std::minmax({v, w}));
+      }
+    EXPECT_EQ(result.report.kept_short, sides.size());
+  }
+}
+
 TEST(CutOutline, SmallCellsAreMergedAlongTheLongestChain) {
   // A strip of width 0.01 beside the left half.
   CutRequest cuts = request(ten, joints("5 0 5 10 5.01 0 5.01 10 5.01 5 10 5", 2));
@@ -177,6 +204,32 @@ TEST(CutOutline, SmallCellsAreMergedAlongTheLongestChain) {
   // Vertices of the removed side are gone.
   EXPECT_EQ(result.mesh.vertices.size(), 8U);
   expect_tiling(result);
+}
+
+// The joint becomes a part of the outline, and its end on it no corner.
+TEST(CutOutline, JointsContractedOntoTheOutlineLeaveNothing) {
+  CutRequest cuts = request(ten, joints("0 0.01 5 0"));
+  cuts.emin = 0.05;
+  const CutResult result = cut_outline(cuts);
+  ASSERT_EQ(result.blocks.size(), 1U);
+  EXPECT_EQ(result.blocks[0].joints, std::vector<int>(4, 0));
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    cuts = request(ten, random_joints(60, 2.5, seed));
+    cuts.emin = 0.8;
+    const CutResult cleaned = cut_outline(cuts);
+    std::set<std::pair<int, int>> outline;
+    const std::vector<int>& loop = cleaned.mesh.outline;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      outline.emplace(loop[i], loop[(i + 1) % loop.size()]);
+    for (std::size_t c = 0; c < cleaned.mesh.cells.size(); ++c) {
+      const auto& cell = cleaned.mesh.cells[c];
+      for (std::size_t i = 0; i < cell.size(); ++i)
+        if (outline.contains({cell[i], cell[(i + 1) % cell.size()]})) {
+          EXPECT_EQ(cleaned.joints[c][i], 0);
+        }
+    }
+    expect_tiling(cleaned);
+  }
 }
 
 TEST(CutOutline, CleaningKeepsTheCornersOfTheOutline) {
@@ -226,6 +279,53 @@ TEST(CutOutline, JointsThatCoincideUpToRoundingBecomeOne) {
     EXPECT_EQ(result.mesh.cells.size(), 2U);
     expect_tiling(result);
   }
+}
+
+// CGAL's sweep alone takes 30 s for 2,000 copies and cubic time beyond.
+TEST(CutOutline, ManyCopiesOfAJointAreOneJoint) {
+  std::vector<JointSegment> cuts;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 left(0.0, 5.0), right(10.0 - 1e-4 * (i % 2 == 0 ? 0 : i), 5.0);
+    cuts.push_back({i % 3 == 0 ? left : right, i % 3 == 0 ? right : left, i % 5});
+  }
+  const CutResult result = cut_outline(request(ten, cuts));
+  ASSERT_EQ(result.mesh.cells.size(), 2U);
+  EXPECT_EQ(result.mesh.cells[0].size(), 4U);
+  EXPECT_NEAR(result.report.lengths.at(1).drawn, 10.0, 1e-9);
+}
+
+TEST(CutOutline, JointsOnTheOutlineAreNoCornersOfIt) {
+  const CutResult result = cut_outline(
+      request(ten, joints("0 2 0 5 3 10 7 10 10 1 10 12 2 0 4 0 3 0 6 0 0 5 10 5")));
+  ASSERT_EQ(result.blocks.size(), 2U);
+  for (const CutBlock& block : result.blocks) {
+    EXPECT_EQ(block.corners.size(), 4U);
+    EXPECT_EQ(std::count(block.joints.begin(), block.joints.end(), 0), 3);
+  }
+}
+
+// Products of such coordinates are not doubles.
+TEST(CutOutline, EndsOfJointsMayBeVeryFarAway) {
+  const CutResult result =
+      cut_outline(request(ten, joints("-1e300 -1e300 1e300 1e300 0 1e300 10 -1e300 "
+                                      "0 3 1e300 3 "
+                                      "1e300 5 2e300 1e300")));
+  EXPECT_EQ(result.mesh.cells.size(), 7U);
+  expect_tiling(result);
+  EXPECT_EQ(cut_fault(request("0 0 0 1e300 1e300 1e300 1e300 0", {}),
+                      CutError::Kind::outline),
+            "a corner is too far away to calculate with");
+}
+
+// The second joint crosses the slanted side in (4.5, 1.5) and encloses a triangle with
+// it whose other two vertices are rounded to one corner of the outline.
+TEST(CutOutline, CellsOfNoAreaVanishAtTheOutline) {
+  const CutResult result =
+      cut_outline(request("0 0 0 8 9 8 9 3", joints("-3 -1.000000000000000001 12 "
+                                                    "4.000000000000000001 3 1 5 8")));
+  EXPECT_EQ(result.mesh.cells.size(), 2U);
+  EXPECT_EQ(result.report.contractions, 1U);
+  expect_tiling(result);
 }
 
 // Doubles about 1e9 are 1.2e-7 apart, and the domain has the size 1e-5.

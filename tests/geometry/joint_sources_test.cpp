@@ -197,6 +197,36 @@ TEST(Prolonged, ReachesTheOtherJointExactly) {
   testing::expect_tiling(cut);
 }
 
+// Squares of such lengths are not doubles.
+TEST(Prolonged, TracesMayBeTinyOrEndFarAway) {
+  const auto traces = joints("5 5 5 5.00000000000000000000000000001 -1e300 2 0 2 "
+                             "1e-200 1e-200 2e-200 2e-200 2 3 3 3");
+  const Prolongation result = prolonged(traces, Decimal(20), {}, points(ten));
+  EXPECT_EQ(result.traces[0].from.nearest(), Vec2(5, 0));
+  EXPECT_EQ(result.traces[0].to.nearest(), Vec2(5, 10));
+  EXPECT_EQ(result.traces[2].from.nearest(), Vec2(0, 0));
+  EXPECT_EQ(result.traces[2].to.nearest(), Vec2(3, 3));
+  testing::expect_tiling(cut_outline(request(ten, result.traces)));
+}
+
+TEST(Voronoi, PointsMayBeVeryCloseOrNearlyOnALine) {
+  for (const std::vector<Vec2>& given :
+       {std::vector<Vec2>{{1e-300, 0}, {2e-300, 0}, {5, 5}},
+        std::vector<Vec2>{{0, 5}, {5, 5}, {5, 5e-320}, {10, 0}, {0, 0}},
+        std::vector<Vec2>{{5e-324, 0}, {0, 0}},
+        std::vector<Vec2>{{2, 0}, {5, 1e-320}, {8, 0}}}) {
+    VoronoiRequest cells;
+    cells.points = given;
+    const CutResult result =
+        cut_outline(request(ten, voronoi_cells(cells, points(ten)).edges));
+    EXPECT_GE(result.mesh.cells.size(), given.size() - 1);
+    testing::expect_tiling(result);
+  }
+  VoronoiRequest far;
+  far.points = {{1e300, 1e300}, {5, 5}};
+  EXPECT_THROW(voronoi_cells(far, points(ten)), CutError);
+}
+
 TEST(Voronoi, PointsOnALineAndOnACircleAreCut) {
   VoronoiRequest cells;
   cells.points = {{1, 1}, {3, 3}, {8, 8}};
@@ -212,6 +242,16 @@ TEST(Voronoi, PointsOnALineAndOnACircleAreCut) {
   EXPECT_EQ(lattice.report.x_vertices, 16U);
   cells.points = {{5, 5}};
   EXPECT_TRUE(voronoi_cells(cells, points(ten)).edges.empty());
+}
+
+TEST(Voronoi, RepeatedPointsCountOnceInEveryRound) {
+  const auto outline = points("0 0 0 10 10 10 10 0");
+  for (const int rounds : {0, 1, 2}) {
+    VoronoiRequest once{1, 0, {{3, 3}, {7, 7}, {2, 8}}, rounds, {}},
+        twice{1, 0, {{3, 3}, {3, 3}, {7, 7}, {2, 8}, {7, 7}}, rounds, {}};
+    EXPECT_EQ(voronoi_cells(once, outline).points,
+              voronoi_cells(twice, outline).points);
+  }
 }
 
 TEST(Voronoi, RelaxationEvensTheAreas) {

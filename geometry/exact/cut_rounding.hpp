@@ -1,4 +1,5 @@
-// Rounds the vertices of an exact arrangement, each one once. Part of cut.cpp.
+// PRIVATE to geometry/: rounds the vertices of an exact arrangement, each one once.
+// Part of cut.cpp.
 #pragma once
 
 #include <vector>

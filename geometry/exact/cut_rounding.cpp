@@ -1,4 +1,4 @@
-#include "geometry/cut_rounding.hpp"
+#include "geometry/exact/cut_rounding.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -18,19 +18,22 @@ using exact::Rational;
 // in layer.cpp).
 Vec2 round_on_side(const Point& p, const Point& from, const Point& to,
                    const Vec2& start, const Vec2& end) {
-  const int rises = CGAL::sign(to.y() - from.y()), runs = CGAL::sign(to.x() - from.x());
-  if (rises == 0 || runs == 0) {
-    Vec2 place = exact::nearest(p);
-    // The coordinate of the side may have been chosen together with other outlines.
-    if (rises == 0 && start.y() == end.y())
-      place.y() = start.y();
-    if (runs == 0 && start.x() == end.x())
-      place.x() = start.x();
-    return place;
-  }
+  // The corners may have been chosen together with other outlines, so that an
+  // axis-parallel side has another coordinate, or becomes slanted.
+  if (from.y() == to.y() && start.y() == end.y())
+    return {exact::nearest(p.x()), start.y()};
+  if (from.x() == to.x() && start.x() == end.x())
+    return {start.x(), exact::nearest(p.y())};
+  const auto direction = [](double rounded, const Rational& exactly) {
+    return rounded != 0.0 ? (rounded > 0.0 ? 1 : -1)
+                          : static_cast<int>(CGAL::sign(exactly));
+  };
+  const int rises = direction(end.y() - start.y(), to.y() - from.y());
+  const int runs = direction(end.x() - start.x(), to.x() - from.x());
   // The domain is on the right of its clockwise sides.
   const int x_side = rises, y_side = -runs;
-  const Rational s = (p.x() - from.x()) / (to.x() - from.x());
+  const Rational s = from.x() != to.x() ? (p.x() - from.x()) / (to.x() - from.x())
+                                        : (p.y() - from.y()) / (to.y() - from.y());
   const Rational ax(start.x()), ay(start.y()), bx(end.x()), by(end.y());
   const auto inner = [](const Rational& a, const Rational& b, int side) {
     return exact::rounded_towards(side < 0 ? std::min(a, b) : std::max(a, b), side);
