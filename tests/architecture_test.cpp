@@ -120,7 +120,7 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"audit", {"audit", "model", "geometry"}},
       {"quantities", {"quantities", "model", "geometry"}},
       {"output", {"output", "quantities", "model", "geometry"}},
-      {"post", {"post", "output", "quantities"}},
+      {"post", {"post", "output", "quantities", "geometry"}},
       {"study", {"study", "dynamics", "post", "model", "geometry"}},
       {"run",
        {"run", "deck", "dynamics", "audit", "exchange", "quantities", "output", "model",
@@ -198,6 +198,14 @@ TEST(Architecture, InstalledHeadersAreSelfContained) {
           << include.file << " includes " << include.target;
     }
   EXPECT_GT(headers, 0);
+}
+
+// Figures are drawn from results files, so they need no search and no cutting.
+TEST(Architecture, PostIncludesOnlyShapesOfGeometry) {
+  for (const Include& include : includes())
+    if (include.folder == "post" && folder_of(include.target) == "geometry") {
+      EXPECT_EQ(include.target, "geometry/block_shape.hpp") << include.file;
+    }
 }
 
 // Figures are drawn from results files.

@@ -49,7 +49,7 @@ std::string completion_of(const CLI::Option& option) {
   static const std::map<std::string, std::string> known = {
       {"--restart", "_blocks_files h5"},
       {"--colour",
-       "_blocks_words material " + blanks(quantities::block_quantity_names())},
+       "_blocks_words material joint " + blanks(quantities::block_quantity_names())},
       {"--dblock", "_blocks_files"},
       {"--sshloginfile", "_blocks_files"},
       {"--table", "_blocks_files csv"},

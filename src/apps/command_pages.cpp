@@ -26,9 +26,10 @@ const std::map<std::string, CommandPage>& command_pages() {
         "that the option --set of run and check can replace."}},
       {"plot",
        {"blocks plot stack.vtkhdf --forces -o stack.png", run_stack,
-        "Draws the blocks, coloured by material or a quantity, with contact forces or "
-        "arrows. It draws one time, several times on one sheet (-t 0,1,2), or a movie "
-        "(-o stack.mp4)."}},
+        "Draws the blocks, coloured by material, joint or a quantity, with contact "
+        "forces or arrows. It draws one time, several times on one sheet (-t 0,1,2), or "
+        "a movie (-o stack.mp4). With --joints, it draws a rose of joint directions and "
+        "histograms of the blocks."}},
       {"history",
        {"blocks history stack.vtkhdf -q y:4,speed:max -o stack.png", run_stack,
         "Writes quantities of blocks, corners and the model over time as a table, CSV, "
@@ -37,8 +38,8 @@ const std::map<std::string, CommandPage>& command_pages() {
       {"view",
        {"blocks view stack.vtkhdf -o stack.html", run_stack,
         "Writes one page for the browser, which needs no server and no network. It "
-        "plays the run, shows numbers and histories of one or two blocks, and saves "
-        "pictures and CSV. The key ? lists its keys."}},
+        "plays the run, shows numbers and histories of one or two blocks and the joints "
+        "of their sides, and saves pictures and CSV. The key ? lists its keys."}},
       {"report",
        {"blocks report stacks -q displacement:max",
         "blocks sweep decks/stack/stack.deck --seeds 1-4 -o stacks",

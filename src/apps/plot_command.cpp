@@ -17,6 +17,7 @@
 #include "output/results.hpp"
 #include "post/counted.hpp"
 #include "post/figure_scales.hpp"
+#include "post/joints_figure.hpp"
 #include "post/material_list.hpp"
 #include "post/movie.hpp"
 #include "post/quantity.hpp"
@@ -96,6 +97,23 @@ void check_ending(const std::string& path) {
                            path + "'");
 }
 
+/// Throws std::runtime_error if --joints is given with an option that it does not use.
+void check_options_of_joints(const PlotOptions& options) {
+  static const std::set<std::string> usable = {"joints", "output", "time", "title",
+                                               "units",  "width",  "size"};
+  for (const CLI::Option* other : options.command->get_options())
+    if (other->count() > 0 && !other->get_positional() &&
+        !usable.contains(other->get_lnames().front()))
+      throw std::runtime_error(fmt::format(
+          "--joints and --{} exclude each other\n  hint: --joints uses --output, "
+          "--time, --title, --units, --width and --size",
+          other->get_lnames().front()));
+  if (post::is_movie(options.output))
+    throw std::runtime_error("--joints is for a figure: -o NAME.png, .svg or .pdf");
+  if (options.times.size() > 1)
+    throw std::runtime_error("--joints draws one time; give a single time with -t");
+}
+
 /// Throws std::runtime_error if an option would have no effect.
 void check_combinations(const PlotOptions& options) {
   const auto refuse = [](bool given, const std::string& words) {
@@ -118,21 +136,22 @@ void check_combinations(const PlotOptions& options) {
          "--sheet is for a figure; limit a movie with --from, --to and --every");
   refuse(options.mirror && !std::isfinite(*options.mirror),
          "--mirror needs the x of the symmetry plane of a half model");
-  const bool by_material = options.figure.colour == "material";
+  const bool by_material = !options.figure.shows_quantity();
   for (const double end : options.range)
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(!options.range.empty() && by_material,
-         "--range is for --colour QUANTITY; materials have no range");
+         "--range is for --colour QUANTITY; materials and joints have no range");
   const post::QuantityKind* kind = quantities::find_quantity(options.figure.colour);
   refuse(options.compression_positive &&
              (!kind || post::sign_convention(*kind, true).empty()),
          "--compression-positive is for --colour with a stress, such as s22 or p1");
   refuse(!options.figure.colour_map.empty() && by_material,
-         "--colormap is for --colour QUANTITY; colours of materials are --materials");
+         "--colormap is for --colour QUANTITY; colours of materials are --materials, "
+         "those of joints are fixed");
   if (!options.figure.colour_map.empty())
     post::colour_map(options.figure.colour_map);  // throws for an unknown name
   refuse(!options.materials.empty() && !by_material,
-         "--materials is for --colour material");
+         "--materials is for --colour material or joint");
 }
 
 /// Reads colours such as "1=RED". Throws std::runtime_error that lists the possible
@@ -175,8 +194,9 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
     figure.mirror = true;
     figure.mirror_x = *options.mirror;
   }
-  if (deck::capitals(figure.colour) == "MATERIAL")
-    figure.colour = "material";
+  for (const char* name : {"material", "joint"})
+    if (deck::capitals(figure.colour) == deck::capitals(name))
+      figure.colour = name;
   figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
                                      : post::PageSize::in_print(options.size);
 }
@@ -188,12 +208,14 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command.add_option("FILE", options.file, "results of a run, NAME.vtkhdf")->required();
   command.add_option("-o,--output", options.output,
                      "figure: .png, .svg or .pdf; movie: .mp4 or .gif, which need "
-                     "ffmpeg (default: NAME.png)");
+                     "ffmpeg (default: NAME.png, with --joints NAME_joints.png)");
   auto* times =
       command
-          .add_option("-t,--time", options.times,
-                      "time of the frame (default: the last); several times, separated "
-                      "by commas, are drawn side by side on one sheet or as a movie")
+          .add_option(
+              "-t,--time", options.times,
+              "time of the frame (default: the last, with --joints the first); several "
+              "times, separated by commas, are drawn side by side on one sheet or as a "
+              "movie")
           ->delimiter(',')
           ->allow_extra_args(false);
   auto* sheet =
@@ -220,7 +242,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->check(CLI::Range(0.1, 100.0));
   command
       .add_option("--colour,--color", figure.colour,
-                  "material, " + quantities::block_quantity_names())
+                  "material, joint (the sides of blocks by joint id), " +
+                      quantities::block_quantity_names())
       ->capture_default_str();
   command.add_option("--colormap,--colourmap", figure.colour_map,
                      "colours of a quantity: " + post::colour_map_names() +
@@ -271,6 +294,11 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                     ->capture_default_str();
   auto* size = command.add_option("--size", options.size, post::PageSize::help())
                    ->excludes(width);
+  command.add_flag(
+      "--joints", options.joints,
+      "draw a rose of joint directions and histograms of block area, aspect ratio and "
+      "number of sides, instead of the blocks; used with --output, --time, --title, "
+      "--units, --width and --size only");
   command
       .add_option("--dblock", options.dblock,
                   "file of DBLOCK cards (Appendix E of the report), which give a "
@@ -283,15 +311,19 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
       ->excludes(every)
       ->excludes(width)
       ->excludes(size);
+  options.command = &command;
 }
 
 int plot(PlotOptions options) {
   try {
     if (options.output.empty())
-      options.output = std::filesystem::path(options.file).stem().string() + ".png";
+      options.output = std::filesystem::path(options.file).stem().string() +
+                       (options.joints ? "_joints.png" : ".png");
     check_ending(options.output);
     output::check_outputs({options.output});
     take(options, options.figure);
+    if (options.joints)
+      check_options_of_joints(options);
     check_combinations(options);
     post::ResultsReader results(options.file);
     if (options.compression_positive)
@@ -301,6 +333,13 @@ int plot(PlotOptions options) {
     options.figure.units = results.units();
     options.figure.material_names = results.material_names();
     options.figure.material_colours = material_colours(options.materials, results);
+    if (options.joints) {
+      const long shown = options.times.empty() ? 0 : results.at(options.times.front());
+      post::draw_joints_figure(options.output, results.frame(shown), results.title(),
+                               options.figure);
+      fmt::print("{}\n", options.output);
+      return run::done;
+    }
     const double rate = options.rate.value_or(25.0);
     if (!options.dblock.empty())
       return plot_dblock(options.dblock, results, options.output, rate, options.figure);

@@ -17,7 +17,8 @@ namespace blocks::post {
 
 struct FigureOptions {
   PageSize page;
-  std::string colour = "material";  ///< or a name of quantity.hpp
+  /// "material", "joint" (the sides of blocks by joint id), or a name of quantity.hpp
+  std::string colour = "material";
   std::string colour_map;           ///< a name of colour_map.hpp; empty: automatic
   std::optional<Eigen::Vector2d>
       range;  ///< of the colours; empty: that of all values drawn
@@ -38,6 +39,10 @@ struct FigureOptions {
   std::string subtitle;  ///< replaces time and step, or the counts of a sheet
   std::map<int, Colour> material_colours;     ///< replace the default colours
   std::map<int, std::string> material_names;  ///< shown instead of the numbers
+
+  bool shows_joints() const { return colour == "joint"; }
+  /// True if the colours of blocks are those of a quantity, not of their materials.
+  bool shows_quantity() const { return colour != "material" && !shows_joints(); }
 };
 
 /// Draws frames to a PNG, SVG or PDF file, depending on the extension. Several frames

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "post/axes.hpp"
+#include "post/joint_style.hpp"
 #include "post/quantity.hpp"
 #include "post/scene_drawing.hpp"
 
@@ -23,7 +24,7 @@ constexpr double cell = 116, cell_line = 20;  ///< an entry of a legend below
 constexpr double low_bar = 62;                ///< height of a bar in a legend below
 constexpr double arrow_line = 26;             ///< height of the arrow in a legend below
 
-bool by_material(const FigureOptions& options) { return options.colour == "material"; }
+bool by_material(const FigureOptions& options) { return !options.shows_quantity(); }
 bool with_forces(const FigureScales& scales, const FigureOptions& options) {
   return options.forces && scales.force > 0.0;
 }
@@ -37,6 +38,12 @@ double many_materials_height(std::size_t count, double width) {
   const std::size_t shown = std::min(count, most_materials),
                     columns = columns_of(width), rows = (shown + columns - 1) / columns;
   return static_cast<double>(rows + 1) * small_line + 10;
+}
+/// Returns the number of entries for joints: those listed, how many more there are, and
+/// the sides without a joint.
+std::size_t joint_entries(const FigureScales& scales) {
+  const std::size_t count = scales.joints.size();
+  return count == 0 ? 0 : std::min(count, most_joints_listed + 1) + 1;
 }
 double materials_height(std::size_t count) {
   return count <= few_materials ? static_cast<double>(count) * line
@@ -52,6 +59,7 @@ class Legend {
         scales_(scales), options_(options), y_(place.top + 2) {}
 
   void draw() {
+    joints();
     if (by_material(options_))
       materials();
     if (scales_.fixed)
@@ -82,7 +90,19 @@ class Legend {
     if (hatched)
       hatch(pen_, fill);
     pen_.stroke(0.8, ink);
-    pen_.text(name, x + 28, y_ + 7, 14, ink, 0, 0.5,
+    end_entry(name);
+  }
+  /// Draws a line of the width that it has in the picture.
+  void line_swatch(const Colour& colour, double width, const std::string& name) {
+    cairo_move_to(cairo_, place_.x + across_, y_ + 7);
+    cairo_rel_line_to(cairo_, 20, 0);
+    pen_.stroke(width, colour);
+    pen_.dashes({});
+    end_entry(name);
+  }
+  /// Writes the name of an entry beside its symbol, and goes to the next entry.
+  void end_entry(const std::string& name) {
+    pen_.text(name, place_.x + across_ + 28, y_ + 7, 14, ink, 0, 0.5,
               (place_.below ? cell : room()) - 28);
     if (!place_.below) {
       y_ += line;
@@ -99,6 +119,21 @@ class Legend {
   }
   void words(const std::string& text) {
     pen_.text(text, place_.x + 28, y_ + 7, 14, ink, 0, 0.5, room() - 28);
+  }
+
+  void joints() {
+    if (scales_.joints.empty())
+      return;
+    std::size_t listed = 0;
+    for (const int id : scales_.joints) {
+      if (++listed > most_joints_listed)
+        break;
+      set_joint_dashes(pen_, id);
+      line_swatch(joint_colour(id), 3.0, fmt::format("joint {}", id));
+    }
+    if (scales_.joints.size() > most_joints_listed)
+      end_entry(fmt::format("and {} more", scales_.joints.size() - most_joints_listed));
+    line_swatch(no_joint_colour, 1.0, "no joint");
   }
 
   std::string material_text(int material) const {
@@ -254,16 +289,16 @@ class Legend {
 double legend_height(const FigureScales& scales, const FigureOptions& options) {
   constexpr double arrow = 62, mark = 42;
   return (by_material(options) ? materials_height(scales.materials.size()) : 0) +
-         (scales.fixed ? line : 0) + (options.arrows.empty() ? 0 : arrow) +
-         bars(scales, options) * least_bar +
+         static_cast<double>(joint_entries(scales)) * line + (scales.fixed ? line : 0) +
+         (options.arrows.empty() ? 0 : arrow) + bars(scales, options) * least_bar +
          mark * static_cast<double>(options.mark_names.size());
 }
 
 double legend_height_below(const FigureScales& scales, const FigureOptions& options,
                            double width) {
   const std::size_t materials = by_material(options) ? scales.materials.size() : 0;
-  const std::size_t cells =
-      (materials <= few_materials ? materials : 0) + (scales.fixed ? 1 : 0);
+  const std::size_t cells = (materials <= few_materials ? materials : 0) +
+                            (scales.fixed ? 1 : 0) + joint_entries(scales);
   const double in_row = std::max(1.0, std::floor(width / cell));
   return (materials > few_materials ? many_materials_height(materials, width) : 0) +
          std::ceil(static_cast<double>(cells) / in_row) * cell_line +

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "post/force_network.hpp"
+#include "post/joint_style.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
@@ -63,7 +64,9 @@ void ScaleSurvey::include(const Picture& picture) {
   }
   if (options_.original)
     include_corners(picture.first);
-  if (options_.colour != "material") {
+  if (options_.shows_joints())
+    joints_.merge(joints_of(now));
+  if (options_.shows_quantity()) {
     const Quantity shown =
         quantity(options_.colour, picture.now, picture.first, picture.contacts);
     centred_ = map_of(options_, shown.zero).diverging;
@@ -112,6 +115,8 @@ FigureScales ScaleSurvey::scales() const {
     result.view = {left - margin, right + margin, low_.y() - margin,
                    high_.y() + margin};
   }
+  if (options_.shows_joints() && joints_.empty())
+    throw std::runtime_error(no_joints_text());
   if (const QuantityKind* kind = quantities::find_quantity(options_.colour);
       kind && is_internal_stress(*kind) && least_ == 0.0 && most_ == 0.0)
     throw std::runtime_error(
@@ -136,6 +141,7 @@ FigureScales ScaleSurvey::scales() const {
   result.arrow = usual(arrows_);
   result.block_size = block_size_;
   result.materials = materials_;
+  result.joints = joints_;
   result.fixed = fixed_;
   result.block_counts = block_counts_;
   return result;

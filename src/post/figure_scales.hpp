@@ -27,6 +27,7 @@ struct FigureScales {
       0.0;  ///< drawn at full length: the median of the largest of each picture
   double block_size = 1.0;  ///< [L] root of the median area
   std::set<int> materials;
+  std::set<int> joints;  ///< ids other than 0, if the figure shows joints
   bool fixed = false;          ///< true if some block is fixed
   std::set<int> block_counts;  ///< numbers of blocks of the pictures
 };
@@ -36,7 +37,7 @@ class ScaleSurvey {
   explicit ScaleSurvey(const FigureOptions& options) : options_(options) {}
   void include(const Picture& picture);
   /// Throws std::runtime_error if the ends of the zoom or the range are in the wrong
-  /// order, or every stress is 0.
+  /// order, every stress is 0, or the figure shows joints and there is none.
   FigureScales scales() const;
 
  private:
@@ -48,7 +49,7 @@ class ScaleSurvey {
   bool centred_ = false;                 ///< the colours are centred on 0
   std::vector<double> forces_, arrows_;  ///< the largest of each picture
   double block_size_ = 1.0;
-  std::set<int> materials_, block_counts_;
+  std::set<int> materials_, joints_, block_counts_;
   bool fixed_ = false;
 };
 

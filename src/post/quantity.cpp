@@ -98,7 +98,7 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
                       {values.data(), static_cast<std::size_t>(values.size())});
     return {kind->label, kind->dimension, values, Zero::lowest};
   }
-  throw std::runtime_error("there is no quantity '" + name + "': choose material, " +
+  throw std::runtime_error("there is no quantity '" + name + "': choose material, joint, " +
                            quantities::block_quantity_names());
 }
 

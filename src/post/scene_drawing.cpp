@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "post/force_network.hpp"
+#include "post/joint_sides.hpp"
 #include "post/quantity.hpp"
 
 namespace blocks::post {
@@ -18,7 +19,7 @@ class SceneDrawing {
                const FigureScales& scales, const FigureOptions& options)
       : pen_(pen), cairo_(pen.cairo()), axes_(axes), now_(picture.now),
         picture_(picture), scales_(scales), options_(options) {
-    if (options.colour == "material")
+    if (!options.shows_quantity())
       return;
     shown_ = quantity(options.colour, now_, picture.first, picture.contacts);
     if (options.mirror)
@@ -40,6 +41,9 @@ class SceneDrawing {
       for (std::size_t b = 0; b < now_.outlines.size(); ++b)
         if (in_view(now_.outlines[b]))
           block(b);
+      if (options_.shows_joints())
+        draw_joint_sides(pen_, axes_, now_, scales_,
+                         mirrored ? std::optional(options_.mirror_x) : std::nullopt);
       if (options_.forces)
         forces();
       if (!options_.arrows.empty())
@@ -83,9 +87,9 @@ class SceneDrawing {
   }
 
   /// Returns the fill colour of a block; material colours are pale under a network of
-  /// forces.
+  /// forces and between joints.
   Colour fill_of(std::size_t b) const {
-    if (options_.colour == "material")
+    if (!options_.shows_quantity())
       return colour_of_material(now_.material[b], options_);
     const double value =
         (mirrored_ ? in_mirror_ : shown_.values)[static_cast<Eigen::Index>(b)];
@@ -100,6 +104,10 @@ class SceneDrawing {
     cairo_fill_preserve(cairo_);
     if (now_.fixed[b] != 0)
       hatch(pen_, fill);
+    if (options_.shows_joints()) {  // the sides are drawn on top
+      cairo_new_path(cairo_);
+      return;
+    }
     const double width = std::clamp(0.03 * size_on_page(now_.outlines[b]), 0.25, 1.1);
     pen_.stroke(width, outline_on(fill, options_.forces), 0.9);
   }
@@ -324,7 +332,8 @@ Colour colour_of_material(int material, const FigureOptions& options) {
   const Colour own = chosen == options.material_colours.end()
                          ? material_colour(material)
                          : chosen->second;
-  return options.forces ? mix(own, white, 0.3) : own;  // pale under the lines
+  const bool below_lines = options.forces || options.shows_joints();
+  return below_lines ? mix(own, white, 0.3) : own;
 }
 
 }  // namespace blocks::post

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "output/results.hpp"
@@ -148,10 +149,13 @@ class Packer {
     if (strained_)
       store.add_whole("strain", strain_, 4 * blocks_);
     store.add("corners", "u16", corners);
+    const std::vector<int> ids = joint_ids();
+    if (!ids.empty())
+      store.add("joint", "u16", joints_of_sides(ids));
     store.add_frames("fixed", fixed_, blocks_);
     add_forces(store);
     PackedText packed = store.packed();
-    return {meta(store, packed.bytes), std::move(packed.text)};
+    return {meta(store, packed.bytes, ids), std::move(packed.text)};
   }
 
  private:
@@ -177,6 +181,29 @@ class Packer {
         strain_.push_back(in_strain_steps(value));
     }
     take_contacts(contacts);
+    joints_.resize(blocks_);
+    for (std::size_t b = 0; b < now.joints.size(); ++b)
+      if (!now.joints[b].empty())
+        joints_[b] = now.joints[b];
+  }
+
+  /// Returns all joint ids in their order, with 0 as the first; empty if every id is 0.
+  std::vector<int> joint_ids() const {
+    std::set<int> ids = {0};
+    for (const auto& sides : joints_)
+      ids.insert(sides.begin(), sides.end());
+    return ids.size() > 1 ? std::vector<int>(ids.begin(), ids.end())
+                          : std::vector<int>();
+  }
+  /// Returns the index of the joint id of each side, in the order of all corners.
+  std::vector<std::uint16_t> joints_of_sides(const std::vector<int>& ids) const {
+    std::vector<std::uint16_t> indices(static_cast<std::size_t>(first_corner_.back()));
+    for (std::size_t b = 0; b < blocks_; ++b)
+      for (std::size_t k = 0; k < joints_[b].size(); ++k)
+        indices[static_cast<std::size_t>(first_corner_[b]) + k] =
+            static_cast<std::uint16_t>(
+                std::lower_bound(ids.begin(), ids.end(), joints_[b][k]) - ids.begin());
+    return indices;
   }
 
   /// Returns 0 for a free block, 1 for a fixed one, 2 for a removed one.
@@ -365,7 +392,8 @@ class Packer {
     return maps;
   }
 
-  std::string meta(const ViewStore& store, std::size_t packed) const {
+  std::string meta(const ViewStore& store, std::size_t packed,
+                   const std::vector<int>& joints) const {
     const std::optional<Units>& units = results_.units();
     Json quantities = Json::array();
     for (const char* name : shown) {
@@ -385,31 +413,33 @@ class Packer {
     std::vector<std::size_t> acting;
     for (const auto& arrows : arrows_)
       acting.push_back(arrows.size());
-    const Json json = {{"title", results_.title()},
-                       {"file", results_.path()},
-                       {"blocks", blocks_},
-                       {"times", times_},
-                       {"steps", steps_},
-                       {"counts", counts_},
-                       {"present", present_},
-                       {"material", last_.material},
-                       {"materials", materials},
-                       {"material_names", names},
-                       {"quantities", quantities},
-                       {"maps", colour_maps()},
-                       {"kinetic_energy", energy_},
-                       {"contacts", acting},
-                       {"largest_force", largest_},
-                       {"time_unit", unit_text({0, 0, 1, "s", ""}, units)},
-                       {"length_unit", unit_text({1, 0, 0, "m", ""}, units)},
-                       {"units_known", units.has_value()},
-                       {"force_unit", unit_text({0, 1, -2, "N/m", ""}, units)},
-                       {"energy_unit", unit_text({1, 1, -2, "J/m", ""}, units)},
-                       {"intensity", colours_of({intensity})},
-                       {"mirror", mirror_ ? Json(*mirror_) : Json()},
-                       {"strain_step", strain_step},
-                       {"packed", packed},
-                       {"arrays", store.notes()}};
+    Json json = {{"title", results_.title()},
+                 {"file", results_.path()},
+                 {"blocks", blocks_},
+                 {"times", times_},
+                 {"steps", steps_},
+                 {"counts", counts_},
+                 {"present", present_},
+                 {"material", last_.material},
+                 {"materials", materials},
+                 {"material_names", names},
+                 {"quantities", quantities},
+                 {"maps", colour_maps()},
+                 {"kinetic_energy", energy_},
+                 {"contacts", acting},
+                 {"largest_force", largest_},
+                 {"time_unit", unit_text({0, 0, 1, "s", ""}, units)},
+                 {"length_unit", unit_text({1, 0, 0, "m", ""}, units)},
+                 {"units_known", units.has_value()},
+                 {"force_unit", unit_text({0, 1, -2, "N/m", ""}, units)},
+                 {"energy_unit", unit_text({1, 1, -2, "J/m", ""}, units)},
+                 {"intensity", colours_of({intensity})},
+                 {"mirror", mirror_ ? Json(*mirror_) : Json()},
+                 {"strain_step", strain_step},
+                 {"packed", packed},
+                 {"arrays", store.notes()}};
+    if (!joints.empty())
+      json["joints"] = joints;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
@@ -426,6 +456,7 @@ class Packer {
   bool strained_ = false;
   std::vector<Shape> shapes_;
   std::vector<Eigen::Vector2d> origin_;
+  std::vector<std::vector<int>> joints_;  ///< of the sides of each block
   std::vector<std::vector<Arrow>> arrows_;
   double largest_ = 0.0;
   std::vector<double> times_, energy_;

@@ -70,6 +70,7 @@ function draw_marks(f, visible, halves) {
   if (state.mirror) draw_plane();
   if (state.labels) draw_labels(f, visible);
   state.picked.forEach((block, i) => exists(block, f) && draw_outline(pen, block, halves, mark_colour(i), 3));
+  draw_picked_side(f, halves);
 }
 
 /// Returns the colour of the first or second picked block.

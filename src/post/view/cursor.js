@@ -7,7 +7,7 @@ const over = $("over"), over_pen = over.getContext("2d");
 let pointer_at = null;  // on the canvas of the model
 
 const cursor_at = () => state.crosshair ? [model.clientWidth / 2, model.clientHeight / 2] : pointer_at;
-const no_block = {block: -1, mirrored: false};
+const no_block = {block: -1, mirrored: false, side: -1};
 let hovered = no_block;
 
 /// Returns the quantity of the chart and of the cursor: that of the colours, if they show one.
@@ -15,10 +15,12 @@ const chosen = () => quantity(state.colour === "material" ? state.followed : sta
 
 function draw_cursor() {
   const at = cursor_at(), before = hovered.block;
-  hovered = at ? block_at(at) : no_block;
+  hovered = at ? place_at(at) : no_block;
   size_canvas(over, over_pen);
   if (hovered.block >= 0)
     draw_outline(over_pen, hovered.block, [hovered.mirrored ? reflect(corners) : corners], style("--ink"), 1.5);
+  if (hovered.side >= 0)
+    draw_side(over_pen, hovered.block, hovered.side, [hovered.mirrored ? reflect(corners) : corners], style("--ink"));
   if (state.crosshair) draw_crosshair(...at);
   tell_place(at);
   tell_block(at);
@@ -44,20 +46,28 @@ function tell_place(at) {
   $("place").textContent = measured(`x = ${x}   y = ${y}`, meta.length_unit);
 }
 
-/// Returns what is known of the block under the cursor: the block, and the value of the quantity.
-function words_of({block, mirrored}) {
+/// Returns the block at a point of the canvas and its side there.
+function place_at(at) {
+  const found = block_at(at);
+  return {...found, side: side_at(found.block, at, found.mirrored ? reflect(corners) : corners)};
+}
+
+/// Returns what is known of the block under the cursor: the block, and the value of the quantity,
+/// and the joint of the side under the cursor.
+function words_of({block, mirrored, side}) {
   const q = chosen(), f = state.frame, v = value(q.name, block, f);
   const text = mirrored ? digits(in_mirror(q, v)) : text_of(q.name, block, f);
   return [`Block ${block + 1}${mirrored ? ", mirrored" : ""}, ${material_of(block)}`,
-    `${q.label} ${value_text(text, q.unit)}`];
+    `${q.label} ${value_text(text, q.unit)}`,
+    ...(side < 0 ? [] : [`side ${side + 1}: ${joint_text(joint_of(block, side))}`])];
 }
 
 function tell_block(at) {
   const tip = $("tip");
   tip.hidden = hovered.block < 0 || pointers.size > 0;
   if (tip.hidden) return;
-  const [block, number] = words_of(hovered);
-  tip.replaceChildren(made("b", "", block), made("span", "", number));
+  const [block, ...others] = words_of(hovered);
+  tip.replaceChildren(made("b", "", block), ...others.map((text) => made("span", "", text)));
   const [x, y] = [at[0] + model.offsetLeft, at[1] + model.offsetTop], gap = 14, room = $("plot");
   const left = x + gap + tip.offsetWidth < room.clientWidth ? x + gap : x - gap - tip.offsetWidth;
   const top = y + gap + tip.offsetHeight < room.clientHeight ? y + gap : y - gap - tip.offsetHeight;

@@ -44,7 +44,7 @@ const commands = [
 ];
 const actions = Object.assign({}, ...commands.map(({keys}) => keys));
 
-const pick_at_crosshair = (is_second) => state.crosshair && pick(hovered.block, is_second);
+const pick_at_crosshair = (is_second) => state.crosshair && pick(hovered, is_second);
 
 /// A key keeps its meaning in every control, except where the control needs it: a field takes all
 /// keys until Enter or Esc, a button takes the space bar, a menu takes the keys that choose in it.

@@ -26,7 +26,7 @@ model.addEventListener("pointermove", (event) => {
 });
 model.addEventListener("pointerup", (event) => {
   if (pointers.delete(event.pointerId) && moved < click && pointers.size === 0)
-    pick(block_at([event.offsetX, event.offsetY]).block, event.shiftKey);
+    pick(place_at([event.offsetX, event.offsetY]), event.shiftKey);
 });
 model.addEventListener("pointercancel", (event) => pointers.delete(event.pointerId));
 model.addEventListener("pointerleave", () => follow_pointer(null));
@@ -36,7 +36,7 @@ model.addEventListener("wheel", (event) => {
 }, {passive: false});
 model.addEventListener("dblclick", (event) => zoom(2, event.offsetX, event.offsetY));
 
-const pick = (block, is_second) => is_second ? pick_second(block) : pick_first(block);
+const pick = ({block, side}, is_second) => is_second ? pick_second(block) : pick_first(block, side);
 
 let cursor_asked = false;
 function follow_pointer(at) {

@@ -1,14 +1,15 @@
 // The picked blocks: their numbers side by side, and which quantity the chart follows.
 
-function set_picked(blocks) {
+function set_picked(blocks, side = -1) {
   state.picked = blocks.filter((b, i) => b >= 0 && blocks.indexOf(b) === i);
+  state.side = blocks[0] >= 0 ? side : -1;
   redraw();
 }
-const pick_first = (block) => set_picked([block]);
+const pick_first = (block, side) => set_picked([block], side);
 /// Picks a block to compare with the first one; the same block again ends the comparison.
 function pick_second(block) {
   const [first, second] = state.picked;
-  if (block >= 0) set_picked(block === second ? [first] : [first ?? block, block]);
+  if (block >= 0) set_picked(block === second ? [first] : [first ?? block, block], state.side);
 }
 /// Picks the next or previous block as the first one (i = 0), or as the one to compare (i = 1).
 function pick_next(i, step) {
@@ -89,6 +90,7 @@ function about_picked() {
     : !exists(b, f) ? `Block ${b + 1} does not exist yet.`
     : `Block ${b + 1}: ${material_of(b)}, ${data.corners[b]} corners`
       + `${data.fixed[f * meta.blocks + b] ? ", fixed" : ""}.`);
+  about.push(...about_joints(f));
   if (picked.length < 2 || !picked.every((b) => exists(b, f))) return about;
   const [[x0, y0], [x1, y1]] = picked.map((b) => centre(b, f)), q = chosen();
   const distance = digits(Math.hypot(x1 - x0, y1 - y0), finest_place);

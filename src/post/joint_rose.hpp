@@ -1,0 +1,28 @@
+// The rose diagram of joint directions and its legend.
+#pragma once
+
+#include "post/joint_statistics.hpp"
+#include "post/pen.hpp"
+
+namespace blocks::post {
+
+/// The half disc of a rose on the page [units]: the middle of its base, and its radius.
+struct RosePlace {
+  double x, y, radius;
+  /// The space that its numbers need beside, above and below the half disc.
+  static constexpr double beside = 50, above = 40, below = 66;
+};
+
+/// Draws the directions from 0 (right) to 180 degrees (left). The area of a sector is
+/// proportional to the length of its sides; the joints are stacked in the order of
+/// their ids.
+void draw_rose(Pen& pen, const RosePlace& place, const JointStatistics& joints);
+
+/// Returns the height of the legend.
+double rose_legend_height(const JointStatistics& joints);
+
+/// Draws colour, share, mean direction and deviation of each joint.
+void draw_rose_legend(Pen& pen, double x, double top, double width,
+                      const JointStatistics& joints);
+
+}  // namespace blocks::post
