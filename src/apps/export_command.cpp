@@ -205,7 +205,7 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
   command.add_option(
       "-t,--time", options.time,
       "for results: time of the frame (default: the last; for .pvd and .csv: all)");
-  command.add_option("--seed", options.input.seed, "for a deck: seed of random layers");
+  command.add_option("--seed", options.input.seed, "for a deck: seed of random layers and joints");
   command.add_option("--tape9", options.input.tape9,
                      "for a deck: mesh file for a READ9 card that names none");
   command.add_flag("-q,--quiet", options.input.quiet, "print errors and warnings only");

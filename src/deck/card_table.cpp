@@ -146,7 +146,7 @@ std::vector<CardSpec> preliminary_cards() {
                    {},
                    not_negative,
                    "[-]",
-                   "seed of random layers; the same seed gives the same layers on "
+                   "seed of random layers and joints; the same seed gives the same blocks on "
                    "every machine"}},
        .notes = "Without this card a fixed seed is used and printed.",
        .example = "SEED, 42"});

@@ -31,13 +31,20 @@ bool check_set(const Jset& set, Diagnostics& diagnostics) {
          fmt::format("gdev must not be greater than gap, found {:g} and {:g}",
                      value(set.gdev), value(set.gap)),
          "gaps are drawn from gap - gdev to gap + gdev");
+  expect(set.law.value == "POISSON" || value(set.ddev) < 90.0 ||
+             (value(set.trace) > 0.0 && value(set.ddev) == 90.0),
+         set.ddev,
+         fmt::format("ddev must be less than 90 degrees, or 90 for traces that end, "
+                     "found {:g}",
+                     value(set.ddev)),
+         "directions repeat after 180 degrees; the law POISSON gives all of them");
   const auto unused = [&](const Exact& field, const char* name, const char* why) {
     if (field.given && value(field) != 0.0)
       diagnostics.warning(field.where, "JSET",
                           fmt::format("{} is ignored {}", name, why));
   };
   if (!uniform)
-    unused(set.sdev, "sdev", "by this law");
+    unused(set.sdev, "sdev", "by the law NEGEXP or POISSON");
   if (set.law.value == "POISSON") {
     unused(set.dip, "dip", "by POISSON, whose lines have all directions");
     unused(set.ddev, "ddev", "by POISSON, whose lines have all directions");

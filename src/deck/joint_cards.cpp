@@ -11,7 +11,7 @@ constexpr Range from_one{1, infinity, false, false, false};
 constexpr Range joint_id{0, 1e9, false, false, false};
 // More corners, points or rounds are taken as typing errors.
 constexpr Range outline_corners{3, 1e6, false, false, false};
-constexpr Range points{1, 1e7, false, false, false};
+constexpr Range points{1, 3e6, false, false, false};
 constexpr Range rounds{0, 1000, false, false, false};
 
 /// The mean and half range of a value of JSET.

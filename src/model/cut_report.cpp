@@ -39,6 +39,11 @@ std::string cut_report(const CutRecord& cut,
                     counted(cut.contractions, "edge"), cut.largest_move,
                     counted(cut.merges, "cell"), counted(cut.kept_short, "edge"),
                     counted(cut.kept_small, "cell"));
+  if (cut.repaired_below > 0.0)
+    text +=
+        fmt::format("  repaired: joints coincide up to rounding; edges below {:.3g} "
+                    "are contracted\n",
+                    cut.repaired_below);
   return text;
 }
 

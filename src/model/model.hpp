@@ -79,7 +79,8 @@ struct CutRecord {
   double p21_before = 0.0, p21_after = 0.0;  ///< [1/L]
   long islands = 0, pinched_loops = 0, absorbed_faces = 0, straight_vertices = 0;
   long contractions = 0, kept_short = 0, merges = 0, kept_small = 0;
-  double largest_move = 0.0;  ///< [L] of a vertex by contraction
+  double largest_move = 0.0;    ///< [L] of a vertex by contraction
+  double repaired_below = 0.0;  ///< [L] edges contracted by the repair; 0: none needed
   long t_vertices = 0, moved_t_vertices = 0, kept_t_vertices = 0, x_vertices = 0;
 };
 

@@ -341,8 +341,8 @@ void expect_records(const Model& model) {
                              cut.kept_t_vertices,
                              cut.x_vertices})
       expect("cuts", static_cast<double>(count), not_negative);
-    for (const double value :
-         {cut.area, cut.p21_before, cut.p21_after, cut.largest_move})
+    for (const double value : {cut.area, cut.p21_before, cut.p21_after,
+                               cut.largest_move, cut.repaired_below})
       expect("cuts", value, not_negative);
     if (cut.blocks > model.blocks.size() - cut.first_block)
       reject_checkpoint("cuts names blocks that do not exist");

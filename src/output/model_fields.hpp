@@ -211,8 +211,8 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     auto& [number, first_block, block_count, cells, interior_edges, outline_edges, area,
            vertices, edges, faces, components, p21_before, p21_after, islands,
            pinched_loops, absorbed_faces, straight_vertices, contractions, kept_short,
-           merge_count, kept_small, largest_move, t_vertices, moved_t_vertices,
-           kept_t_vertices, x_vertices] = cut;
+           merge_count, kept_small, largest_move, repaired_below, t_vertices,
+           moved_t_vertices, kept_t_vertices, x_vertices] = cut;
     column("number", number);
     column("first_block", first_block);
     column("blocks", block_count);
@@ -235,6 +235,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("merges", merge_count);
     column("kept_small", kept_small);
     column("largest_move", largest_move);
+    column("repaired_below", repaired_below);
     column("t_vertices", t_vertices);
     column("moved_t_vertices", moved_t_vertices);
     column("kept_t_vertices", kept_t_vertices);

@@ -266,13 +266,14 @@ std::vector<std::string> BlockBuilder::cut(const deck::Cut& card,
                                            const CutOptions& options, CutStore* store) {
   const deck::Outline& outline = card.outline;
   const double rho = density(outline.mat.value, outline.mat.where);
+  if (!(rho > 0.0))
+    return {};
   std::optional<CutOutcome> made =
       store != nullptr ? store->take(command_.where.line) : std::nullopt;
   const bool is_new = !made;
   if (is_new)
     made = cut_domain(card, command_.where, corners_, options, diagnostics_);
-  if (!made || !(rho > 0.0) ||
-      !fits(static_cast<long>(made->blocks.size()), command_.where))
+  if (!made || !fits(static_cast<long>(made->blocks.size()), command_.where))
     return {};
   if (store != nullptr && is_new)
     store->put(command_.where.line, *made);
@@ -300,9 +301,12 @@ std::vector<std::string> BlockBuilder::cut(const deck::Cut& card,
 
 void BlockBuilder::warn_of(const deck::Cut& card, const CutRecord& record) {
   if (record.blocks == 1)
-    warning(command_.where, "the joints cut off no block",
-            "only joints that connect two points of the outline, or of joints that do, "
-            "separate blocks; see snap of TRACES");
+    warning(
+        command_.where, "the joints cut off no block",
+        record.merges > 0
+            ? "amin merges all cells into one: reduce it"
+            : "only joints that connect two points of the outline, or of joints that "
+              "do, separate blocks; see snap of TRACES");
   if (record.kept_short > 0)
     warning(card.emin.where,
             fmt::format("edges shorter than emin remain: {}", record.kept_short),

@@ -173,6 +173,8 @@ struct Builder::Visitor {
   void operator()(const deck::Layer& card) { builder().layer(card); }
   void operator()(const deck::Cut& card) {
     CutOptions options{settings.seed, self.options_.folder};
+    if (settings.max_blocks > 0)
+      options.most_blocks = settings.max_blocks - blocks.size();
     if (self.options_.cut_progress)
       options.progress = [&](const std::string& step, double part) {
         self.options_.cut_progress(command.where.line, step, part);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <utility>
 #include <variant>
@@ -78,7 +79,8 @@ class Generator {
     if (!sound_)
       return {};
     prolong();
-    return std::move(made_);
+    check_crossings();
+    return sound_ ? std::optional(std::move(made_)) : std::nullopt;
   }
 
  private:
@@ -146,15 +148,16 @@ class Generator {
 
   void generate(const deck::Jset& card) {
     guarded(card.where, "JSET", [&] {
-      add(geometry::joint_set(sets_.at(&card), around_.outline, around_.progress),
-          card.where, "JSET");
+      const std::size_t first = made_.segments.size();
+      add(geometry::joint_set(sets_.at(&card), around_.outline, around_.progress));
+      warn_if_far(first, card.where, "JSET", "no joint of this set meets the outline",
+                  "reduce space, or move x0, y0");
     });
   }
   void generate(const deck::Voronoi& card) {
     guarded(card.where, "VORONOI", [&] {
       const auto& request = cells_.at(&card);
-      add(geometry::voronoi_cells(request, around_.outline, around_.progress).edges,
-          card.where, nullptr);
+      add(geometry::voronoi_cells(request, around_.outline, around_.progress).edges);
     });
   }
   void generate(const deck::Traces& card) {
@@ -164,6 +167,8 @@ class Generator {
         made_.segments.push_back(
             {trace.points[i - 1], trace.points[i],
              trace.joint.value_or(static_cast<int>(card.id.value))});
+    warn_if_far(first, card.where, "TRACES", "no trace of this file meets the outline",
+                "give the outline and the traces in the same coordinates");
     if (card.snap.value.value() > 0.0)
       snapped_.push_back({&card, first, made_.segments.size()});
   }
@@ -190,25 +195,31 @@ class Generator {
     }
   }
 
-  void add(std::vector<JointSegment> segments, deck::SourceLocation where,
-           const char* card) {
-    if (card != nullptr &&
-        std::none_of(segments.begin(), segments.end(),
-                     [this](const JointSegment& one) { return is_near(one); }))
-      diagnostics_.warning(where, card, "no joint of this set meets the outline",
-                           "reduce space, or move x0, y0");
+  void add(std::vector<JointSegment> segments) {
     std::move(segments.begin(), segments.end(), std::back_inserter(made_.segments));
   }
-
-  /// Whether the boxes of the segment and of the outline meet.
-  bool is_near(const JointSegment& segment) const {
-    const Vec2 &a = segment.from.nearest(), &b = segment.to.nearest();
+  /// Warns if none of the segments from `first` on is near the outline.
+  void warn_if_far(std::size_t first, deck::SourceLocation where, const char* card,
+                   const char* message, const char* hint) {
+    if (std::none_of(made_.segments.begin() + static_cast<long>(first),
+                     made_.segments.end(),
+                     [this](const JointSegment& one) { return is_near(one); }))
+      diagnostics_.warning(where, card, message, hint);
+  }
+  /// The box of the outline, [L].
+  std::pair<Vec2, Vec2> box() const {
     Vec2 low = Vec2::Constant(HUGE_VAL), high = -low;
     for (const geometry::DecimalPoint& corner : around_.outline) {
       const Vec2 p(corner.x.value(), corner.y.value());
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
+    return {low, high};
+  }
+  /// Whether the boxes of the segment and of the outline meet.
+  bool is_near(const JointSegment& segment) const {
+    const Vec2 &a = segment.from.nearest(), &b = segment.to.nearest();
+    const auto [low, high] = box();
     return (a.cwiseMin(b).array() <= high.array()).all() &&
            (a.cwiseMax(b).array() >= low.array()).all();
   }
@@ -232,6 +243,37 @@ class Generator {
                             ? "increase space, or move x0, y0 to the outline"
                             : "reduce the number of points"));
   }
+  /// Refuses joints that certainly make too many blocks for START or the memory, before
+  /// they are cut. The crossings are estimated from random pairs of joints.
+  void check_crossings() {
+    constexpr double bytes_of_block = 2700.0;  // measured with 260,000 blocks
+    const auto [low, high] = box();
+    const double crossings = geometry::likely_crossings(made_.segments, low, high);
+    const double memory = physical_memory() / bytes_of_block;
+    // Traces that end may cross without cutting a block, and amin merges cells.
+    const double allowed = card_.amin.value.value() > 0.0 || has_ends()
+                               ? memory
+                               : std::min(memory, 2.0 * around_.most_blocks + 1e4);
+    if (crossings > allowed)
+      error(
+          card_.outline.where, "OUTLINE",
+          fmt::format("about {:.2g} crossings of joints, and so as many blocks, are "
+                      "expected",
+                      crossings),
+          allowed < memory
+              ? fmt::format("START allows {:.0f} more blocks: increase space, or raise "
+                            "nblok",
+                            around_.most_blocks)
+              : fmt::format("this machine has memory for about {:.2g}: increase space",
+                            memory));
+  }
+  bool has_ends() const {
+    return std::any_of(card_.joints.begin(), card_.joints.end(), [](const auto& one) {
+      const auto* set = std::get_if<deck::Jset>(&one);
+      return std::holds_alternative<deck::Traces>(one) ||
+             (set != nullptr && set->trace.value.value() > 0.0);
+    });
+  }
   void check_room() {
     const double memory = physical_memory();
     if (sound_ && expected_ * bytes_of_piece > memory)
@@ -242,8 +284,20 @@ class Generator {
   }
 
   std::optional<std::string> read(const deck::Word& file, const char* card) {
+    constexpr std::uintmax_t most_bytes = 2'000'000'000;
+    const std::string path = beside(around_.folder, file.value);
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) &&
+        !std::filesystem::is_directory(path, ignored) &&
+        (!std::filesystem::is_regular_file(path, ignored) ||
+         std::filesystem::file_size(path, ignored) > most_bytes)) {
+      error(file.where, card,
+            fmt::format("cannot read {}: it is no file, or larger than 2 GB", path),
+            "write the traces or points to a file");
+      return {};
+    }
     try {
-      return read_deck(beside(around_.folder, file.value));
+      return read_deck(path);
     } catch (const output::FileError& fault) {
       error(file.where, card, fault.what(),
             "a name is relative to the folder of the deck");
@@ -254,20 +308,25 @@ class Generator {
   void tell(const std::vector<exchange::Message>& messages, const std::string& text,
             const deck::Word& file, const char* card) {
     constexpr std::size_t most_shown = 5;
-    for (std::size_t i = 0; i < messages.size(); ++i) {
-      const exchange::Message& one = messages[i];
-      if (i == most_shown && messages.size() > most_shown + 1)
-        return error(file.where, card,
-                     fmt::format("{}: and {} more messages", file.value,
-                                 messages.size() - most_shown),
-                     "");
-      const std::string message =
-          fmt::format("{}{}: {}", file.value, place(text, one.at), one.text);
-      if (one.error)
-        error(file.where, card, message, one.hint);
-      else
-        diagnostics_.warning(file.where, card, message, one.hint);
+    for (const bool errors : {true, false}) {
+      std::size_t count = 0;
+      for (const exchange::Message& one : messages)
+        if (one.error == errors && ++count <= most_shown)
+          say(errors, file.where, card,
+              fmt::format("{}{}: {}", file.value, place(text, one.at), one.text),
+              one.hint);
+      if (count > most_shown)
+        say(errors, file.where, card,
+            fmt::format("{}: {} more like these", file.value, count - most_shown),
+            "correct the first ones and check again");
     }
+  }
+  void say(bool is_error, deck::SourceLocation where, const char* card,
+           const std::string& message, const std::string& hint) {
+    if (is_error)
+      error(where, card, message, hint);
+    else
+      diagnostics_.warning(where, card, message, hint);
   }
   void note(const char* card, const deck::Word& file, const std::string& text) {
     made_.notes.push_back(fmt::format("{}: {}: {}", card, file.value, text));

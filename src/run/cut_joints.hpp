@@ -1,5 +1,5 @@
 // Generates the joints of a CUT command: joint sets, Voronoi cells and traces from
-// files, which loose ends of traces may extend (docs/joints.md).
+// files, whose loose ends are prolonged (docs/joints.md).
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,7 @@ struct CutSurroundings {
   std::string folder;  ///< of the deck; names of files are relative to it
   /// [L] corners of the outline, clockwise.
   std::vector<geometry::DecimalPoint> outline;
+  double most_blocks = 0.0;  ///< as many blocks may still be made
   /// As CutRequest::progress.
   std::function<void(const std::string& step, double part)> progress = {};
 };

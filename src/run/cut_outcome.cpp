@@ -28,9 +28,11 @@ class DomainCutter {
     geometry::CutRequest request = this->request(corners);
     if (!sound_)
       return {};
-    std::optional<CutJoints> joints = cut_joints(
-        card_, {options.seed, options.folder, request.outline, options.progress},
-        diagnostics_);
+    std::optional<CutJoints> joints =
+        cut_joints(card_,
+                   {options.seed, options.folder, request.outline, options.most_blocks,
+                    options.progress},
+                   diagnostics_);
     if (!joints)
       return {};
     request.joints = std::move(joints->segments);
@@ -94,13 +96,22 @@ class DomainCutter {
       low = low.cwiseMin(corner);
       high = high.cwiseMax(corner);
     }
+    if (std::max(-low.minCoeff(), high.maxCoeff()) > geometry::largest_coordinate)
+      return error(card_.outline.where, "OUTLINE",
+                   "a corner is too far away to calculate with",
+                   "choose another unit of length");
     area_ = geometry::section_properties(corners).area;
+    if (!(area_ > 0.0) || !std::isfinite(area_))
+      return error(card_.outline.where, "OUTLINE",
+                   fmt::format("its area is too {} to calculate with",
+                               area_ > 0.0 ? "large" : "small"),
+                   "choose another unit of length");
     const double size = (high - low).maxCoeff();
-    if (const double emin = card_.emin.value.value(); emin >= size)
+    if (const double emin = card_.emin.value.value(); emin > 0.0 && emin >= size)
       error(card_.emin.where, "CUT",
             fmt::format("emin is {:g}, and the outline measures only {:g}", emin, size),
             "give a small part of the size of a block");
-    if (const double amin = card_.amin.value.value(); amin >= area_)
+    if (const double amin = card_.amin.value.value(); amin > 0.0 && amin >= area_)
       error(card_.amin.where, "CUT",
             fmt::format("amin is {:g}, and the area of the outline only {:g}", amin,
                         area_),
@@ -154,6 +165,7 @@ class DomainCutter {
     record.merges = count(report.merges);
     record.kept_small = count(report.kept_small);
     record.largest_move = report.largest_move;
+    record.repaired_below = report.repaired_below;
     record.t_vertices = count(report.t_vertices);
     record.moved_t_vertices = count(report.moved_t_vertices);
     record.kept_t_vertices = count(report.kept_t_vertices);

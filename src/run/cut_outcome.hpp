@@ -14,7 +14,8 @@ namespace blocks::run {
 
 struct CutOptions {
   std::uint64_t seed = 0;
-  std::string folder;  ///< of the deck; names of files are relative to it
+  std::string folder;        ///< of the deck; names of files are relative to it
+  double most_blocks = 1e9;  ///< as many blocks may still be made
   /// Called with each step of the work and the part of it that is done, from 0 to 1. It
   /// may throw to stop the work.
   std::function<void(const std::string& step, double part)> progress = {};

@@ -68,6 +68,7 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
     try {
       builder.apply(command);
     } catch (const Interrupted&) {
+      std::fputs("blocks: interrupted; no file was written\n", stderr);
       job.fault = interrupted;
       return false;
     }
@@ -326,6 +327,7 @@ int run_deck(const RunOptions& options) {
   }
   Model checked;
   std::vector<std::string> notes;
+  catch_interrupts();
   const bool sound = check(job, checked, notes);
   // fmt::print would throw if nothing reads standard error, and end the run.
   std::fputs(job.diagnostics.format_all().c_str(), stderr);
@@ -346,7 +348,6 @@ int run_deck(const RunOptions& options) {
   if (options.at_start && !job.loads())
     options.at_start(checked, job.certificate);
   checked = {};  // frees the memory before the run
-  catch_interrupts();
   Console console(!options.json, options.quiet);
   return execute(job, console, warnings_of(job.diagnostics));
 }
@@ -363,6 +364,7 @@ CheckedDeck build_checked(const RunOptions& options) {
 }
 
 int check_deck(const RunOptions& options) {
+  catch_interrupts();
   const auto checked = build_checked(options);
   if (checked.code != done)
     return checked.code;

@@ -70,14 +70,31 @@ bool can_set_all(const Plan& plan, const std::string& text) {
   return true;
 }
 
+/// Whether the joints of a group depend on the seed.
+bool has_random_joints(const deck::Cut& cut) {
+  const auto is_random = [](const auto& card) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(card)>, deck::Jset>)
+      return card.law.value != "UNIFORM" || card.trace.value.value() > 0.0 ||
+             card.ddev.value.value() > 0.0 || card.sdev.value.value() > 0.0;
+    else if constexpr (std::is_same_v<std::decay_t<decltype(card)>, deck::Voronoi>)
+      return !card.file.given;
+    else
+      return false;
+  };
+  return std::any_of(cut.joints.begin(), cut.joints.end(),
+                     [&](const auto& card) { return std::visit(is_random, card); });
+}
+
 /// Whether seeds make runs differ.
-bool has_random_layers(const std::string& path, const std::string& text) {
+bool has_random_blocks(const std::string& path, const std::string& text) {
   deck::Diagnostics ignored(path, text);
   const deck::Deck deck = deck::parse(path, text, ignored);
   return std::any_of(deck.commands.begin(), deck.commands.end(),
                      [](const auto& command) {
                        const auto* layer = std::get_if<deck::Layer>(&command.card);
-                       return layer != nullptr && layer->rcommand.given;
+                       const auto* cut = std::get_if<deck::Cut>(&command.card);
+                       return (layer != nullptr && layer->rcommand.given) ||
+                              (cut != nullptr && has_random_joints(*cut));
                      });
 }
 
@@ -118,9 +135,9 @@ Plan make_plan(const Request& request, int& code) {
   const bool many_seeds =
       std::any_of(plan.runs.begin(), plan.runs.end(),
                   [&](const auto& run) { return run.seed != plan.runs.front().seed; });
-  if (code == run::done && many_seeds && !has_random_layers(plan.deck, text))
+  if (code == run::done && many_seeds && !has_random_blocks(plan.deck, text))
     fmt::print(stderr,
-               "blocks: warning: the deck has no random layer, so all seeds give the "
+               "blocks: warning: the deck has no random blocks, so all seeds give the "
                "same run\n  hint: RANDOM on a LAYER card makes its widths random\n");
   return plan;
 }

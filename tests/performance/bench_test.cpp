@@ -69,7 +69,7 @@ TEST(Bench, NamesItsPartsIfOneIsUnknown) {
   EXPECT_EQ(bench(folder, "wal"), 2);
   EXPECT_EQ(testing::slurp(folder / "err.txt"),
             "blocks: error: no benchmark 'wal'; there are: wall, pile, slope, "
-            "crater, subsidence, decks, search, predicates, generation, seeds, "
+            "crater, subsidence, decks, search, predicates, generation, cut, seeds, "
             "sweeps\n");
 }
 

@@ -233,9 +233,10 @@ TEST_F(CutCards, GiveTheSameBitsForAnyThreadsAndAfterARestart) {
 }
 
 TEST_F(CutCards, LongWorkShowsProgressAndEndsAtAnInterrupt) {
-  folder_.write("a.deck", start() + "OUTLINE, 4, 1\n-9, -9, 9, 9\n-9, 9, 9, -9\n"
-                                    "JSET, 1, , , .002\nJSET, 2, 40, , .1\n"
-                                    "JSET, 3, 90, , .01\nCUT\n");
+  std::string cards = start();
+  cards.replace(0, cards.find('\n'), "START, 2000000, 500");
+  folder_.write("a.deck", cards + "OUTLINE, 4, 1\n-9, -9, 9, 9\n-9, 9, 9, -9\n"
+                                  "JSET, 1, , , .02\nJSET, 2, 40, , .02\nCUT\n");
   const Outcome stopped =
       blocks("--version && timeout --preserve-status -s INT 3.5 '" BLOCKS_PROGRAM
              "' check a.deck",
@@ -243,6 +244,7 @@ TEST_F(CutCards, LongWorkShowsProgressAndEndsAtAnInterrupt) {
   EXPECT_EQ(stopped.code, 130);
   EXPECT_THAT(stopped.err, HasSubstr("CUT in line "));
   EXPECT_THAT(stopped.err, HasSubstr(" %, "));
+  EXPECT_THAT(stopped.err, HasSubstr("blocks: interrupted; no file was written\n"));
   EXPECT_FALSE(folder_.holds("a.out"));
 }
 
@@ -275,6 +277,37 @@ TEST_F(CutCards, FaultyTracesAreReportedWithTheirPlaces) {
   EXPECT_EQ(told.code, 3);
   EXPECT_THAT(told.err, AllOf(HasSubstr("a.deck:15:9: error: TRACES: traces.csv:2:5: "),
                               HasSubstr("TRACES: traces.csv:3:1: ")));
+}
+
+TEST_F(CutCards, TooManyBlocksAreRefusedBeforeTheyAreCut) {
+  folder_.write("a.deck",
+                start() + square("JSET, 1, 0, 0, .001\nJSET, 2, 90, 0, .001"));
+  const Outcome told = blocks("check a.deck", folder_.path());
+  EXPECT_EQ(told.code, 3);
+  EXPECT_THAT(told.err, AllOf(HasSubstr("error: OUTLINE: about 1e+08 crossings"),
+                              HasSubstr("START allows 50000 more blocks")));
+}
+
+TEST_F(CutCards, WarningsOfATraceFileStayWarnings) {
+  std::string features;
+  for (int i = 0; i < 8; ++i)
+    features += R"({"type": "Feature", "properties": {}, "geometry": null}, )";
+  folder_.write("a.geojson", R"({"type": "FeatureCollection", "features": [)" +
+                                 features +
+                                 R"({"type": "Feature", "properties": {}, "geometry": )"
+                                 R"({"type": "LineString", "coordinates": [[-9, 0], )"
+                                 R"([9, 1]]}}]})");
+  folder_.write("a.deck", start() + square("TRACES, a.geojson"));
+  const Outcome told = blocks("check a.deck", folder_.path());
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_THAT(told.err, HasSubstr("a.geojson: 3 more like these"));
+}
+
+TEST_F(CutCards, SeedsOfASweepChangeTheJoints) {
+  folder_.write("a.deck", start() + square("VORONOI, 9") + "CYCLE, 1\n");
+  const Outcome sweep = blocks("sweep a.deck --seeds 1-2 --check -o s", folder_.path());
+  EXPECT_EQ(sweep.code, 0) << sweep.err;
+  EXPECT_THAT(sweep.err, Not(HasSubstr("all seeds give the same")));
 }
 
 TEST_F(CutCards, CanBeStudied) {
