@@ -31,6 +31,8 @@ TARGETS = {
     "wkt": ("WKT", 3000000, [CORPUS / "bad_exchange"], []),
     "geojson": ("GeoJSON", 2000000, [CORPUS / "bad_exchange"], []),
     "layer": ("layers to be cut", 20000, [CORPUS / "fuzz/layer"], []),
+    "traces": ("traces and points, cut into blocks", 1000000,
+               [CORPUS / "bad_traces", CORPUS / "fuzz/traces"], ["-max_len=1000"]),
     "run": ("decks, built and stepped", 5000, [CORPUS / "fuzz/run"], DICTIONARY),
     "checkpoint": ("checkpoints with a new checksum", 5000, [], []),
     "results": ("results", 5000, [], []),

@@ -63,6 +63,7 @@ FUZZ = [
     ("geojson", [], 2000, 100000, ["tests/corpus/bad_exchange"]),
     ("wkt", [], 2000, 100000, ["tests/corpus/bad_exchange"]),
     ("layer", [], 500, 20000, ["tests/corpus/fuzz/layer"]),
+    ("traces", [], 2000, 100000, ["tests/corpus/bad_traces", "tests/corpus/fuzz/traces"]),
     ("results", ["--children"], 100, 3000, ["seeds/results"]),
     ("checkpoint", ["--children"], 100, 3000, ["seeds/checkpoint"]),
 ]
