@@ -9,7 +9,6 @@
 
 #include "geometry/cut_cleaning.hpp"
 #include "geometry/cut_validity.hpp"
-#include "geometry/exact/line.hpp"
 #include "geometry/polygon.hpp"
 
 namespace blocks::geometry {

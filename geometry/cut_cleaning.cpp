@@ -1,6 +1,7 @@
 #include "geometry/cut_cleaning.hpp"
 
 #include "geometry/cut_cleaner.hpp"
+#include "geometry/exact/line.hpp"
 
 namespace blocks::geometry {
 

@@ -4,6 +4,8 @@
 #include <set>
 #include <tuple>
 
+#include "geometry/exact/line.hpp"
+
 namespace blocks::geometry {
 namespace {
 
