@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Tests that every compiler, level of optimisation, number of threads and instruction set gives
-the same bits. Builds the program with each compiler at each level, runs ten decks and compares the
-hashes of their last states.
+the same bits. Builds the program with each compiler at each level, runs thirteen decks and compares
+the hashes of their last states.
 
 BUILDS: a folder for the builds, which is reused. REPORT: the page without its ending.
 --program NAME=PATH: also runs an existing program.
@@ -33,6 +33,9 @@ DECKS = {
     "decks/every_card/every_card.deck": 2000,
     "decks/crater/crater.deck": 500,
     "decks/subsidence/subsidence.deck": 300,
+    "decks/slope/slope.deck": 400,
+    "decks/opening/opening.deck": 200,
+    "decks/footing/footing.deck": 400,
     "validation/problems/longwall/longwall.deck": 100,
     "validation/rest/wall.deck": 150,
 }
