@@ -237,10 +237,10 @@ TEST_F(CutCards, LongWorkShowsProgressAndEndsAtAnInterrupt) {
   cards.replace(0, cards.find('\n'), "START, 2000000, 500");
   folder_.write("a.deck", cards + "OUTLINE, 4, 1\n-9, -9, 9, 9\n-9, 9, 9, -9\n"
                                   "JSET, 1, , , .02\nJSET, 2, 40, , .02\nCUT\n");
-  const Outcome stopped =
-      blocks("--version && timeout --preserve-status -s INT 3.5 '" BLOCKS_PROGRAM
-             "' check a.deck",
-             folder_.path());
+  const Outcome stopped = blocks(
+      "--version && timeout --foreground --preserve-status -s INT 3.5 '" BLOCKS_PROGRAM
+      "' check a.deck",
+      folder_.path());
   EXPECT_EQ(stopped.code, 130);
   EXPECT_THAT(stopped.err, HasSubstr("CUT in line "));
   EXPECT_THAT(stopped.err, HasSubstr(" %, "));
