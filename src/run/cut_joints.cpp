@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <utility>
 #include <variant>
 
-#include "exchange/trace_reader.hpp"
 #include "geometry/joint_sources.hpp"
 #include "model/counted.hpp"
 #include "output/file_tools.hpp"
 #include "run/contact_room.hpp"
-#include "run/deck_file.hpp"
+#include "run/joint_files.hpp"
 
 namespace blocks::run {
 namespace {
@@ -23,24 +21,6 @@ using geometry::JointSegment;
 
 // Measured with 100,000 traces: 720 MB.
 constexpr double bytes_of_piece = 7200.0;
-
-/// Returns the line and column of an offset as ":12:5", or an empty text if there is
-/// none. Columns count characters.
-std::string place(const std::string& text, std::size_t at) {
-  if (at == exchange::nowhere)
-    return {};
-  at = std::min(at, text.size());
-  const std::size_t before = at == 0 ? text.npos : text.rfind('\n', at - 1);
-  const std::size_t begin = before == text.npos ? 0 : before + 1;
-  const auto count = [&](std::size_t from, auto&& counts) {
-    return 1 + std::count_if(text.begin() + static_cast<long>(from),
-                             text.begin() + static_cast<long>(at), counts);
-  };
-  return fmt::format(":{}:{}", count(0, [](char c) { return c == '\n'; }),
-                     count(begin, [](char c) {
-                       return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-                     }));
-}
 
 std::uint64_t stream(const std::string& text) {
   output::Fnv1a sum;
@@ -96,6 +76,8 @@ class Generator {
     sound_ = false;
   }
 
+  void fail() { sound_ = false; }
+
   /// Returns the key of the card's random numbers. It does not depend on the values of
   /// this or another card, except the id.
   geometry::StreamKey key(const char* card, long id, const std::string& more = {}) {
@@ -119,14 +101,12 @@ class Generator {
                                      static_cast<int>(card.lloyd.value),
                                      key("VORONOI", card.id.value, places)};
     if (card.file.given) {
-      const std::optional<std::string> text = read(card.file, "VORONOI");
-      if (!text)
-        return;
-      const exchange::PointFile file = exchange::read_points(*text);
-      tell(file.messages, *text, card.file, "VORONOI");
-      for (const geometry::DecimalPoint& point : file.points)
+      const auto file = points_of({"VORONOI", card.file, around_.folder}, diagnostics_);
+      if (!file)
+        return fail();
+      for (const geometry::DecimalPoint& point : file->points)
         request.points.emplace_back(point.x.value(), point.y.value());
-      note("VORONOI", card.file, file.found);
+      note("VORONOI", card.file, file->found);
     }
     expect(3.0 * std::max(card.file.given ? static_cast<double>(request.points.size())
                                           : static_cast<double>(card.n.value),
@@ -135,15 +115,13 @@ class Generator {
     cells_.emplace(&card, std::move(request));
   }
   void prepare(const deck::Traces& card) {
-    const std::optional<std::string> text = read(card.file, "TRACES");
-    if (!text)
-      return;
-    exchange::TraceFile file = exchange::read_traces(*text);
-    tell(file.messages, *text, card.file, "TRACES");
-    note("TRACES", card.file, file.found);
-    for (const exchange::Trace& trace : file.traces)
+    auto file = traces_of({"TRACES", card.file, around_.folder}, diagnostics_);
+    if (!file)
+      return fail();
+    note("TRACES", card.file, file->found);
+    for (const exchange::Trace& trace : file->traces)
       expected_ += static_cast<double>(trace.points.size());
-    traces_.emplace(&card, std::move(file.traces));
+    traces_.emplace(&card, std::move(file->traces));
   }
 
   void generate(const deck::Jset& card) {
@@ -283,51 +261,6 @@ class Generator {
                         memory / bytes_of_piece));
   }
 
-  std::optional<std::string> read(const deck::Word& file, const char* card) {
-    constexpr std::uintmax_t most_bytes = 2'000'000'000;
-    const std::string path = beside(around_.folder, file.value);
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) &&
-        !std::filesystem::is_directory(path, ignored) &&
-        (!std::filesystem::is_regular_file(path, ignored) ||
-         std::filesystem::file_size(path, ignored) > most_bytes)) {
-      error(file.where, card,
-            fmt::format("cannot read {}: it is no file, or larger than 2 GB", path),
-            "write the traces or points to a file");
-      return {};
-    }
-    try {
-      return read_deck(path);
-    } catch (const output::FileError& fault) {
-      error(file.where, card, fault.what(),
-            "a name is relative to the folder of the deck");
-      return {};
-    }
-  }
-  /// Reports the faults of a file at the card that names it, with their places.
-  void tell(const std::vector<exchange::Message>& messages, const std::string& text,
-            const deck::Word& file, const char* card) {
-    constexpr std::size_t most_shown = 5;
-    for (const bool errors : {true, false}) {
-      std::size_t count = 0;
-      for (const exchange::Message& one : messages)
-        if (one.error == errors && ++count <= most_shown)
-          say(errors, file.where, card,
-              fmt::format("{}{}: {}", file.value, place(text, one.at), one.text),
-              one.hint);
-      if (count > most_shown)
-        say(errors, file.where, card,
-            fmt::format("{}: {} more like these", file.value, count - most_shown),
-            "correct the first ones and check again");
-    }
-  }
-  void say(bool is_error, deck::SourceLocation where, const char* card,
-           const std::string& message, const std::string& hint) {
-    if (is_error)
-      error(where, card, message, hint);
-    else
-      diagnostics_.warning(where, card, message, hint);
-  }
   void note(const char* card, const deck::Word& file, const std::string& text) {
     made_.notes.push_back(fmt::format("{}: {}: {}", card, file.value, text));
   }
