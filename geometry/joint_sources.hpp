@@ -15,8 +15,8 @@
 namespace blocks::geometry {
 
 /// How tracks of a joint set are placed. uniform: spacing + deviation. negexp:
-/// exponential spacing. poisson: isotropic lines, of which 1/spacing is the length per
-/// area; dip is ignored, and the start is the centre of the process.
+/// exponential spacing. poisson: isotropic lines, whose length per area is 1/spacing;
+/// dip is ignored, and the start is the centre of the process.
 enum class JointLaw { uniform, negexp, poisson };
 
 /// A mean and the half range of the uniform distribution about it.

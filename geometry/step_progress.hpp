@@ -34,7 +34,7 @@ class StepProgress {
     if (*function_)
       (*function_)(step_, begin_ + done_ * (end_ - begin_));
   }
-  /// Counts one unit of work of `all`, of which `done` are complete.
+  /// Counts one unit of work. `done` of `all` units are complete.
   void count(std::size_t done, std::size_t all) {
     if (is_due())
       report(static_cast<double>(done) /

@@ -73,42 +73,42 @@ struct MpfrCache {
   ~MpfrCache() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 };
 
-// Computes the tangent to `bits` bits. Returns the double nearest to the true value if
-// these bits determine it.
-std::optional<double> tangent_to(mpfr_prec_t bits, const Rational& degrees) {
+// Sets an angle in radians. Its relative error is four roundings to `bits` bits. Clear
+// the angle after use.
+void init_radians(mpfr_t angle, mpfr_prec_t bits, const Rational& degrees) {
   static thread_local const MpfrCache cache;
-  mpfr_t angle;
   mpfr_t pi;
   mpfr_inits2(bits, angle, pi, static_cast<mpfr_ptr>(nullptr));
   mpfr_set_q(angle, degrees.mpq(), MPFR_RNDN);
   mpfr_const_pi(pi, MPFR_RNDN);
   mpfr_mul(angle, angle, pi, MPFR_RNDN);
   mpfr_div_ui(angle, angle, 180, MPFR_RNDN);
+  mpfr_clear(pi);
+}
+
+// Computes the tangent to `bits` bits. Returns the double nearest to the true value if
+// these bits determine it.
+std::optional<double> tangent_to(mpfr_prec_t bits, const Rational& degrees) {
+  mpfr_t angle;
+  init_radians(angle, bits, degrees);
   mpfr_tan(angle, angle, MPFR_RNDN);
-  // The angle has four roundings with relative error 2^-bits each. The tangent
-  // amplifies them by x / (sin x cos x) < 90 up to 89 degrees, which is less than 10
-  // bits.
+  // The tangent amplifies the four roundings of the angle by x / (sin x cos x) < 90 up
+  // to 89 degrees, which is less than 10 bits.
   std::optional<double> result;
   if (mpfr_can_round(angle, bits - 10, MPFR_RNDN, MPFR_RNDN, 53) != 0)
     result = mpfr_get_d(angle, MPFR_RNDN);
-  mpfr_clears(angle, pi, static_cast<mpfr_ptr>(nullptr));
+  mpfr_clear(angle);
   return result;
 }
 
 // Returns the double nearest to the sine or the cosine, 0 < degrees <= 45.
 double sine_or_cosine(const Rational& degrees, bool sine) {
-  static thread_local const MpfrCache cache;
   if (sine && degrees == 30)
     return 0.5;  // other sines and cosines of rational degrees in (0, 45] are
                  // irrational
   for (mpfr_prec_t bits = 96;; bits *= 2) {
     mpfr_t angle;
-    mpfr_t pi;
-    mpfr_inits2(bits, angle, pi, static_cast<mpfr_ptr>(nullptr));
-    mpfr_set_q(angle, degrees.mpq(), MPFR_RNDN);
-    mpfr_const_pi(pi, MPFR_RNDN);
-    mpfr_mul(angle, angle, pi, MPFR_RNDN);
-    mpfr_div_ui(angle, angle, 180, MPFR_RNDN);
+    init_radians(angle, bits, degrees);
     if (sine)
       mpfr_sin(angle, angle, MPFR_RNDN);
     else
@@ -118,7 +118,7 @@ double sine_or_cosine(const Rational& degrees, bool sine) {
     const bool certain =
         mpfr_can_round(angle, bits - 4, MPFR_RNDN, MPFR_RNDN, digits) != 0;
     const double value = mpfr_get_d(angle, MPFR_RNDN);
-    mpfr_clears(angle, pi, static_cast<mpfr_ptr>(nullptr));
+    mpfr_clear(angle);
     if (certain)
       return value;
   }

@@ -9,15 +9,15 @@ namespace blocks {
 std::string cut_report(const CutRecord& cut,
                        const std::vector<JointLengthRecord>& lengths) {
   std::string text = fmt::format(
-      "cut {}: blocks {} to {}, tiling proved: {} cells, {} shared sides, {} outline "
-      "sides, area {:.9g}\n",
-      cut.number, cut.first_block + 1, cut.first_block + cut.blocks, cut.cells,
-      cut.interior_edges, cut.outline_edges, cut.area);
-  text += fmt::format("  joints and outline: {}, {}, {}, {}; ",  //
+      "cut {}: blocks {} to {}, tiling proved: {}, {}, {}, area {:.9g}\n", cut.number,
+      cut.first_block + 1, cut.first_block + cut.blocks, counted(cut.cells, "cell"),
+      counted(cut.interior_edges, "shared side"),
+      counted(cut.outline_edges, "outline side"), cut.area);
+  text += fmt::format("  joints and outline: {}, {}, {}, {}\n",
                       counted(cut.vertices, "point"), counted(cut.edges, "edge"),
                       counted(cut.faces, "face"), counted(cut.components, "component"));
-  text += fmt::format("length per area {:.6g}, {:.6g} after pruning\n", cut.p21_before,
-                      cut.p21_after);
+  text += fmt::format("  length per area {:.6g}, {:.6g} after pruning\n",
+                      cut.p21_before, cut.p21_after);
   for (const JointLengthRecord& length : lengths)
     if (length.cut == cut.number)
       text += fmt::format("  joint {}: length {:.6g}, of which {:.6g} pruned\n",

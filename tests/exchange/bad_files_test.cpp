@@ -6,6 +6,7 @@
 #include <random>
 
 #include "exchange/geojson_reader.hpp"
+#include "exchange/mutants.hpp"
 #include "exchange/soundness.hpp"
 #include "exchange/wkt_reader.hpp"
 #include "run/program.hpp"
@@ -67,28 +68,10 @@ TEST(BadFiles, MutantsAreReadOrRefused) {
       ",",     "\"",    "{}",      "null",
       "EMPTY", "\xff",  "\\u0000", "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[["};
   std::mt19937 random(1982);
-  const auto below = [&](std::size_t n) { return random() % n; };
   std::size_t read = 0, refused = 0;
   for (int mutant = 0; mutant < 8000; ++mutant) {
     const bool wkt = mutant % 2 == 1;
-    std::string bytes = seeds[wkt];
-    for (std::size_t change = 0; change <= below(3); ++change) {
-      const std::size_t at = below(bytes.size() + 1);
-      const std::string& splice = splices[below(splices.size())];
-      switch (below(4)) {
-      case 0:
-        bytes.erase(at, 1);
-        break;
-      case 1:
-        bytes.resize(at);
-        break;
-      case 2:
-        bytes.replace(at, below(2) * splice.size(), splice);
-        break;
-      default:
-        bytes.insert(at, bytes.substr(below(bytes.size() + 1), below(60)));
-      }
-    }
+    const std::string bytes = testing::mutant_of(seeds[wkt], splices, random);
     const OutlineFile file = wkt ? read_wkt(bytes) : read_geojson(bytes);
     const std::string said = format(file.messages, "mutant", "form", bytes);
     if (has_errors(file.messages)) {

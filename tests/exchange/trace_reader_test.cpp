@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <random>
 
+#include "exchange/mutants.hpp"
 #include "run/program.hpp"
 
 namespace blocks::exchange {
@@ -132,27 +133,10 @@ TEST(Traces, MutantsAreReadOrRefused) {
                                             "(", ")",     ",",    "\"",   "{}",
                                             ";", "#",     "null", "\xff", "\n"};
   std::mt19937 random(1982);
-  const auto below = [&](std::size_t n) { return random() % n; };
   std::size_t read = 0, refused = 0;
   for (int mutant = 0; mutant < 6000; ++mutant) {
-    std::string bytes = seeds[static_cast<std::size_t>(mutant) % seeds.size()];
-    for (std::size_t change = 0; change <= below(3); ++change) {
-      const std::size_t at = below(bytes.size() + 1);
-      const std::string& splice = splices[below(splices.size())];
-      switch (below(4)) {
-      case 0:
-        bytes.erase(at, 1);
-        break;
-      case 1:
-        bytes.resize(at);
-        break;
-      case 2:
-        bytes.replace(at, below(2) * splice.size(), splice);
-        break;
-      default:
-        bytes.insert(at, bytes.substr(below(bytes.size() + 1), below(60)));
-      }
-    }
+    const std::string bytes = testing::mutant_of(
+        seeds[static_cast<std::size_t>(mutant) % seeds.size()], splices, random);
     const TraceFile file = read_traces(bytes);
     read_points(bytes);
     if (has_errors(file.messages)) {

@@ -165,7 +165,7 @@ struct Frame {
   bool as_doubles = false;  // ends of joints are doubles, not decimals
 };
 
-// The number 10^exponent * (value + offset), of which the value is rounded to 1e-17.
+// The number 10^exponent * (value + offset). The value is rounded to 1e-17.
 Decimal decimal(double value, Whole offset, int exponent) {
   constexpr Whole units = 100'000'000'000'000'000;
   const boost::multiprecision::cpp_int digits =
