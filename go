@@ -21,6 +21,7 @@ usage() {
                        problems     problems with known answers, validation/REPORT.md
                        layers       generated layers and their certificate
                        cells        cells of random joints against exact answers
+                       law-figures  the laws of joints as curves
                        cuts         random networks of joints, cut and judged
                        seeds        random layers of many seeds
                        predicates   the contact predicates against MPFR

@@ -70,6 +70,11 @@ def layers(arguments):
     return first_failure
 
 
+def law_figures(_):
+    build("ci", "law_figures")
+    return run(CI / "validation/laws/law_figures", ROOT / "docs/images")
+
+
 def cells(arguments):
     build("ci", "cell_statistics")
     report = report_option(arguments.count, arguments.full, "cells")
@@ -229,6 +234,8 @@ def parser():
         "Exit code 4: a mean deviates too far from its exact value. Writes "
         "validation/cells/REPORT.md and its figures. Takes 6 minutes.",
         (4000, "networks of Poisson lines; the others are in proportion"))
+    add("law-figures", law_figures, "the laws of joints as curves",
+        "Drives single contacts along paths and writes docs/images/laws-*.svg.")
     add("cuts", cuts, "random networks of joints, cut and judged",
         "Writes validation/geometry/CUTS.md. Takes ten minutes on two cores. Exit code 4: a "
         "certified result is wrong, or a refusal has no place.", (100_000, "random networks"))

@@ -140,18 +140,18 @@ void check_combinations(const PlotOptions& options) {
   for (const double end : options.range)
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
   refuse(!options.range.empty() && by_material,
-         "--range is for --colour QUANTITY; materials and joints have no range");
+         "--range is for --colour QUANTITY; materials, joints and bonds have no range");
   const post::QuantityKind* kind = quantities::find_quantity(options.figure.colour);
   refuse(options.compression_positive &&
              (!kind || post::sign_convention(*kind, true).empty()),
          "--compression-positive is for --colour with a stress, such as s22 or p1");
   refuse(!options.figure.colour_map.empty() && by_material,
          "--colormap is for --colour QUANTITY; colours of materials are --materials, "
-         "those of joints are fixed");
+         "those of joints and bonds are fixed");
   if (!options.figure.colour_map.empty())
     post::colour_map(options.figure.colour_map);  // throws for an unknown name
   refuse(!options.materials.empty() && !by_material,
-         "--materials is for --colour material or joint");
+         "--materials is for --colour material, joint or bond");
 }
 
 /// Reads colours such as "1=RED". Throws std::runtime_error that lists the possible
@@ -194,7 +194,7 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
     figure.mirror = true;
     figure.mirror_x = *options.mirror;
   }
-  for (const char* name : {"material", "joint"})
+  for (const char* name : {"material", "joint", "bond"})
     if (deck::capitals(figure.colour) == deck::capitals(name))
       figure.colour = name;
   figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
@@ -241,9 +241,11 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                   "for a movie: pictures per second (default: 25)")
       ->check(CLI::Range(0.1, 100.0));
   command
-      .add_option("--colour,--color", figure.colour,
-                  "material, joint (the sides of blocks by joint id), " +
-                      quantities::block_quantity_names())
+      .add_option(
+          "--colour,--color", figure.colour,
+          "material, joint (the sides of blocks by joint id), bond (the faces "
+          "with the law of a joint: bonded, or failed and how far they slipped), " +
+              quantities::block_quantity_names())
       ->capture_default_str();
   command.add_option("--colormap,--colourmap", figure.colour_map,
                      "colours of a quantity: " + post::colour_map_names() +

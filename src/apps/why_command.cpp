@@ -148,13 +148,19 @@ int why(const WhyOptions& options) {
     return refuse(what, neighbours(rule, chosen[0] - 1));
   const int i = chosen[0] - 1, j = chosen[1] - 1;
   const std::string beside = neighbours(rule, i) + "; " + neighbours(rule, j);
-  if (!blocks.is_free(i) && !blocks.is_free(j))
+  if (!blocks.may_touch(i, j))
     return refuse(
         fmt::format("blocks {} and {} are both fixed: there is no contact between them",
                     i + 1, j + 1),
         beside);
   const std::vector<int>& near = rule.neighbours(i);
-  if (std::find(near.begin(), near.end(), j) == near.end())
+  const bool touched = std::any_of(
+      scene.contacts.begin(), scene.contacts.end(), [&](const RememberedContact& one) {
+        return std::minmax(
+                   {blocks.corner_block[one.corner], blocks.corner_block[one.edge]}) ==
+               std::pair(std::min(i, j), std::max(i, j));
+      });  // a bond may reach farther
+  if (!touched && std::find(near.begin(), near.end(), j) == near.end())
     return refuse(fmt::format("blocks {} and {} are not near each other at time {:g}: "
                               "their bounding boxes are more than {:.6g} apart",
                               i + 1, j + 1, scene.time, reach),

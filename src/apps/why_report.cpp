@@ -7,6 +7,7 @@
 
 #include "audit/story.hpp"
 #include "audit/words.hpp"
+#include "quantities/bond.hpp"
 
 namespace blocks::apps {
 namespace {
@@ -146,6 +147,31 @@ std::vector<RememberedContact> remembered(const WhyReport& report,
   return found;
 }
 
+/// Returns the mean stress of a contact, [F/L^2]; 0 if no face belongs to it.
+double stress_of(double force, const JointState& state) {
+  return state.length > 0.0 ? force / state.length : 0.0;
+}
+
+/// Describes the state of the law of a contact, and what it means for the next step.
+std::string state_in_words(const Blocks& blocks, const RememberedContact& contact) {
+  const JointState& state = contact.state;
+  std::string out = fmt::format(
+      "    law of joint {}: {}, slip {:.6g}, dilation {:.6g}, length {:.6g}, normal "
+      "stress {:.6g}, shear stress {:.6g}\n",
+      state.law, word(quantities::bond_of(state.bonded, state.failed)), state.slip,
+      state.offset, state.length, stress_of(contact.normal_force, state),
+      stress_of(contact.shear_force, state));
+  if (state.bonded)
+    out += fmt::format("    bonded, so it acts in the next step whatever the rule "
+                       "decides, and {} acts on no other edge of block {}\n",
+                       audit::name_of(blocks, contact.corner),
+                       blocks.corner_block[contact.edge] + 1);
+  else if (state.offset > 0.0)
+    out += "    it also acts in the next step while overlap and dilation sum to more "
+           "than 0 between the ends of the edge\n";
+  return out;
+}
+
 /// Returns the depth of the deepest acting contact [L]; 0 if there is none.
 double deepest(const WhyReport& report, const audit::ExactPairRule& rule) {
   double depth = 0.0;
@@ -203,12 +229,15 @@ std::string text(const WhyReport& report, const WhyScene& scene,
   for (std::size_t i = 1; i < lines.size(); ++i)
     out += "  " + lines[i] + '\n';
   const auto contacts = remembered(report, scene);
-  for (const RememberedContact& contact : contacts)
+  for (const RememberedContact& contact : contacts) {
     out += fmt::format("  in the file: {} on {} acted in the step before: normal force "
                        "{:.6g}, shear force {:.6g}, overlap {:.6g}\n",
                        audit::name_of(blocks, contact.corner),
                        audit::name_of_edge(blocks, contact.edge), contact.normal_force,
                        contact.shear_force, contact.overlap);
+    if (contact.state.law != 0)
+      out += state_in_words(blocks, contact);
+  }
   if (contacts.empty())
     out += "  in the file: no contact acted in the step before\n";
   return out;
@@ -223,13 +252,24 @@ std::string json(const WhyReport& report, const WhyScene& scene,
                         {"block", blocks.corner_block[edge] + 1},
                         {"edge", audit::number_in_block(blocks, edge)},
                         {"depth", rule.overlap(corner, edge)}});
-  for (const RememberedContact& contact : remembered(report, scene))
+  for (const RememberedContact& contact : remembered(report, scene)) {
     before.push_back({{"corner", place(blocks, contact.corner)},
                       {"block", blocks.corner_block[contact.edge] + 1},
                       {"edge", audit::number_in_block(blocks, contact.edge)},
                       {"normal_force", contact.normal_force},
                       {"shear_force", contact.shear_force},
                       {"overlap", contact.overlap}});
+    if (const JointState& state = contact.state; state.law != 0)
+      before.back()["law"] = {
+          {"joint", state.law},
+          {"bond", word(quantities::bond_of(state.bonded, state.failed))},
+          {"slip", state.slip},
+          {"dilation", state.offset},
+          {"plastic_closure", state.plastic},
+          {"length", state.length},
+          {"normal_stress", stress_of(contact.normal_force, state)},
+          {"shear_stress", stress_of(contact.shear_force, state)}};
+  }
   for (const audit::PartDecision& part : report.decision.parts)
     parts.push_back({{"choice", word(part.choice)},
                      {"axes", axes(rule, part)},

@@ -48,6 +48,18 @@ void restore_shapes(const post::ResultsReader& results, Blocks& blocks) {
 /// Any outline, for a block that was removed before the first frame.
 const geometry::Polygon never_shown = {{0, 0}, {0, 1}, {1, 0}};
 
+JointState state_of(const post::FrameContacts::Laws& laws, int i) {
+  JointState state;
+  if (laws.empty())
+    return state;
+  const auto k = static_cast<std::size_t>(i);
+  state.law = laws.law[k];
+  state.bonded = laws.bonded[k] != 0, state.failed = laws.failed[k] != 0;
+  state.slip = laws.slip[i], state.offset = laws.dilation[i];
+  state.plastic = laws.plastic_closure[i], state.length = laws.length[i];
+  return state;
+}
+
 WhyScene from_results(const std::string& path, const std::optional<double>& time) {
   const post::ResultsReader results(path);
   WhyScene scene;
@@ -83,7 +95,8 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
       scene.contacts.push_back(
           {blocks.first_corner[stored.corner_block[i] - 1] + stored.corner[i] - 1,
            blocks.first_corner[stored.edge_block[i] - 1] + stored.edge[i] - 1,
-           stored.normal_force[i], stored.shear_force[i], stored.overlap[i]});
+           stored.normal_force[i], stored.shear_force[i], stored.overlap[i],
+           state_of(stored.laws, i)});
   return scene;
 }
 
@@ -95,9 +108,13 @@ WhyScene from_checkpoint(const std::string& path) {
   scene.time = model.time, scene.step = model.steps;
   scene.times = {model.time};
   scene.order = model.order;
-  for (const Contact& contact : model.contacts)
-    scene.contacts.push_back({contact.corner, contact.edge, contact.normal_force,
-                              contact.shear_force, contact.overlap});
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const Contact& contact = model.contacts[i];
+    scene.contacts.push_back(
+        {contact.corner, contact.edge, contact.normal_force, contact.shear_force,
+         contact.overlap,
+         i < model.joint_states.size() ? model.joint_states[i] : JointState{}});
+  }
   return scene;
 }
 

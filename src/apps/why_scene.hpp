@@ -14,6 +14,9 @@ struct RememberedContact {
   int corner = 0, edge = 0;                      ///< from 0, of the whole model
   double normal_force = 0.0, shear_force = 0.0;  ///< [F] including the dashpots
   double overlap = 0.0;                          ///< [L] in that step
+  /// The state of the law of its joint (docs/laws.md); law 0: it has none. Results do
+  /// not hold all of its members.
+  JointState state = {};
 };
 
 struct WhyScene {

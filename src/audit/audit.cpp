@@ -6,8 +6,10 @@
 #include <set>
 
 #include "audit/common_depth.hpp"
+#include "audit/held_contacts.hpp"
 #include "audit/make_exact_rule.hpp"
 #include "geometry/overlap.hpp"
+#include "model/compression.hpp"
 
 namespace blocks::audit {
 namespace {
@@ -28,7 +30,7 @@ class Auditor {
  public:
   explicit Auditor(const Moment& moment)
       : blocks_(moment.blocks), contacts_(moment.contacts), settings_(moment.settings),
-        listed_(moment.listed),
+        states_(moment.joint_states), listed_(moment.listed), held_(moment),
         // Each of the two blocks of a pair may move by moment.left.
         rule_(make_exact_rule(moment.blocks, 2.0 * moment.left, moment.order)) {}
 
@@ -47,6 +49,8 @@ class Auditor {
     found_.acting = static_cast<long>(contacts_.size());
     for (const Contact& contact : contacts_)
       acting[pair_of(blocks_, contact)].emplace_back(contact.corner, contact.edge);
+    for (const BlockPair& pair : held_.pairs())  // they may be apart
+      acting[pair];
     for (int a = 0; a < blocks_.size(); ++a)
       for (const int b : rule_.neighbours(a)) {
         if (b < a)
@@ -58,13 +62,23 @@ class Auditor {
         by_joint_[{a, b}] = depth_explained_by_joints(exact);
         auto by_program = std::move(acting[{a, b}]);
         acting.erase({a, b});
-        std::sort(by_program.begin(), by_program.end());
-        if (by_program != exact.contacts)
-          found_.wrong.push_back({a, b, std::move(by_program), exact.contacts});
+        compare({a, b}, std::move(by_program), exact.contacts);
       }
     for (auto& [pair, contacts] : acting)  // the two blocks are not near each other
-      if (blocks_.is_free(pair.first) || blocks_.is_free(pair.second))
-        found_.wrong.push_back({pair.first, pair.second, std::move(contacts), {}});
+      if (blocks_.may_touch(pair.first, pair.second))
+        compare(pair, std::move(contacts), {});
+  }
+
+  /// Records a wrong decision unless the contacts of a pair are those of the rule and
+  /// of the laws of joints.
+  void compare(const BlockPair& pair, std::vector<std::pair<int, int>> by_program,
+               const std::vector<std::pair<int, int>>& by_rule) {
+    std::sort(by_program.begin(), by_program.end());
+    std::vector<std::pair<int, int>> exact =
+        held_.expected(pair, by_rule, by_program, rule_);
+    if (by_program != exact)
+      found_.wrong.push_back(
+          {pair.first, pair.second, std::move(by_program), std::move(exact)});
   }
 
   double shortest_edge(int block) const {
@@ -86,9 +100,13 @@ class Auditor {
                                        geometry::Figures::quick);
   }
 
-  /// Returns the compression of a contact's spring, [L].
-  double pressed(const Contact& contact) const {
-    return contact.normal_elastic / settings_.normal_stiffness;
+  /// Returns how far a contact is pressed in, [L]: the compression of its spring, or
+  /// what its force would need.
+  double pressed(std::size_t i) const {
+    const double needed = i < states_.size() && states_[i].stiffness > 0.0
+                              ? contacts_[i].normal_elastic / states_[i].stiffness
+                              : 0.0;
+    return std::max(compression(settings_, contacts_, states_, i), needed);
   }
 
   void look_for_excess() {
@@ -96,14 +114,15 @@ class Auditor {
       double depth = 0.0, pressed = 0.0;
     };
     std::map<BlockPair, Held> held;
-    for (const Contact& contact : contacts_) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const Contact& contact = contacts_[i];
       Held& pair = held[pair_of(blocks_, contact)];
       pair.depth = std::max(pair.depth, rule_.overlap(contact.corner, contact.edge));
-      pair.pressed = std::max(pair.pressed, pressed(contact));
+      pair.pressed = std::max(pair.pressed, pressed(i));
     }
     for (const auto& overlap : overlaps_) {
       const int a = overlap.first, b = overlap.second;
-      if (!blocks_.is_free(a) && !blocks_.is_free(b))
+      if (!blocks_.may_touch(a, b))
         continue;
       const Held& by = held[{a, b}];
       const ExcessOverlap excess{a,
@@ -127,15 +146,18 @@ class Auditor {
     for (const auto& overlap : overlaps_)
       overlapping.insert({overlap.first, overlap.second});
     const CommonDepth common(blocks_);
-    for (const Contact& contact : contacts_) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const Contact& contact = contacts_[i];
       const int c = contact.corner, e = contact.edge;
+      if (held_.contains(c, e))
+        continue;  // it may act beyond the overlap of the blocks
       const int a = blocks_.corner_block[c], b = blocks_.corner_block[e];
       const double deep = rule_.overlap(c, e), tolerance = slack(a, b);
       if (deep <= tolerance)
         continue;
       const bool meet = overlapping.contains(pair_of(blocks_, contact));
       const DeepContact found{c, e, deep, meet ? common.along_normal(e, a) : 0.0,
-                              pressed(contact)};
+                              pressed(i)};
       if (found.excess() > found_.deepest.excess())
         found_.deepest = found;
       if (found.excess() > tolerance)
@@ -148,7 +170,9 @@ class Auditor {
   const Blocks& blocks_;
   const std::vector<Contact>& contacts_;
   const Settings& settings_;
+  const std::vector<JointState>& states_;
   const std::vector<BlockPair>& listed_;
+  const HeldContacts held_;
   ExactPairRule rule_;
   /// [L] depth_explained_by_joints of each pair
   std::map<BlockPair, double> by_joint_;

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "audit/exact_pair_rule.hpp"
-#include "model/contacts.hpp"
-#include "model/settings.hpp"
+#include "model/model.hpp"
 
 namespace blocks::audit {
 
@@ -62,6 +61,19 @@ struct Findings {
   bool sound() const { return missed.empty() && wrong.empty(); }
 };
 
+/// A contact that the law of a joint holds, so that it acts outside the contact rule
+/// (docs/laws.md#results): it is bonded, or dilation keeps its spring
+/// pressed in.
+struct HeldContact {
+  int corner = 0, edge = 0;
+  bool bonded = false;
+  double offset = 0.0;  ///< [L] added to its overlap
+};
+
+/// Returns the contacts of a model that the laws of joints hold. The list of contacts
+/// must be up to date.
+std::vector<HeldContact> held_contacts(const Model& model);
+
 /// The state in which a step decided its contacts, and the contacts that acted. Blocks
 /// and corners are numbered as in `blocks`.
 struct Moment {
@@ -71,9 +83,14 @@ struct Moment {
   double left = 0.0;  ///< [L] how far corners may move before the next search
   std::vector<BlockPair> listed;  ///< the program's near pairs, in ascending order
   std::vector<int> order = {};    ///< order in which the program steps (Model::order)
+  std::vector<HeldContact> held = {};  ///< of the state before the step
+  /// States of the laws of joints after the step, parallel to `contacts`, or empty.
+  std::vector<JointState> joint_states = {};
 };
 
 /// Audits all pairs of blocks that are near each other.
+/// Held contacts act besides those of the rule, or instead of them: a corner that is
+/// bonded to a block acts on no other edge of that block.
 /// A pair is missed if the list lacks it although the bounding boxes of its blocks may
 /// meet before the next search.
 /// Two blocks overlap in excess if they overlap deeper than their deepest acting

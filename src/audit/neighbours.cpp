@@ -26,7 +26,7 @@ std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double re
       if (low(0, b) > high(0, a) + reach)
         break;
       if (low(1, b) > high(1, a) + reach || low(1, a) > high(1, b) + reach ||
-          (!blocks.is_free(a) && !blocks.is_free(b)))
+          !blocks.may_touch(a, b))
         continue;
       near[a].push_back(b);
       near[b].push_back(a);

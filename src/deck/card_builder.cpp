@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <map>
 
+#include "deck/law_cards.hpp"
+
 namespace blocks::deck {
 namespace {
 
@@ -229,6 +231,24 @@ const std::map<std::string_view, Builder>& builders() {
          return SetVelM{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
        }},
       {"DAMPING", [](F f, V, D) -> Maybe { return Damping{f[0].as_real()}; }},
+      {"JOINT", [](F f, V, D d) -> Maybe { return build_joint(f, d); }},
+      {"WALTON",
+       [](F f, V, D) -> Maybe {
+         return Walton{f[0].as_int(), f[1].as_real()};
+       }},
+      {"BARTON", [](F f, V, D d) -> Maybe { return build_barton(f, d); }},
+      {"JPAIR",
+       [](F f, V, D) -> Maybe {
+         return Jpair{f[0].as_int(), f[1].as_int(), f[2].as_int()};
+       }},
+      {"BOND",
+       [](F f, V, D) -> Maybe {
+         return Bond{f[0].as_int(), f[1].as_real()};
+       }},
+      {"DRIVE",
+       [](F f, V, D) -> Maybe {
+         return Drive{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
+       }},
       {"DUMP", [](F, V, D) -> Maybe { return Dump{}; }},
       {"OUTPUT", [](F f, V v, D) -> Maybe { return output(f, v); }},
       {"PLOTS", [](F f, V v, D) -> Maybe { return plots(f, v); }},

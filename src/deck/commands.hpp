@@ -167,6 +167,34 @@ struct SetVelM {
 struct Damping {
   Real beta;
 };
+// Joints with strength and driven blocks (docs/laws.md); not in the report
+/// Blank fields have their defaults, except zdil, kn and ks: `given` is then false.
+struct Joint {
+  Int id;
+  Real fric, coh, ten, fricr, cohr, tenr;
+  Exact dil;  ///< degrees
+  /// ks has the value of kn if it is blank.
+  Real zdil, kn, ks;
+};
+struct Walton {
+  Int id;
+  Real e;
+};
+struct Barton {
+  Int id;
+  Real jrc, jcs, phir, upeak, kni, vm, knmax;
+};
+struct Jpair {
+  Int mat1, mat2, id;
+};
+struct Bond {
+  Int id;
+  Real tol;
+};
+struct Drive {
+  Int nb;
+  Real vx, vy, tdot;
+};
 struct Dump {};
 struct Output {
   Real dtout;
@@ -188,11 +216,12 @@ struct Cycle {
 };
 struct Stop {};
 
-using Card = std::variant<Start, XLimits, YLimits, Boxes, Stiff, Fraction, Material,
-                          Function, Rigid, Seed, Units, End, Restart, Create, Read9,
-                          Layer, Cut, Orient, Merge, Splane, Gravity, Fix, Remove, Free,
-                          PressBc, Force, Frictn, SetVel, SetVelM, Damping, Dump,
-                          Output, Plots, History, Motion, Cycle, Stop>;
+using Card =
+    std::variant<Start, XLimits, YLimits, Boxes, Stiff, Fraction, Material, Function,
+                 Rigid, Seed, Units, End, Restart, Create, Read9, Layer, Cut, Orient,
+                 Merge, Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn,
+                 SetVel, SetVelM, Damping, Joint, Walton, Barton, Jpair, Bond, Drive,
+                 Dump, Output, Plots, History, Motion, Cycle, Stop>;
 
 struct Command {
   SourceLocation where;  ///< the keyword

@@ -1,6 +1,7 @@
 #include "deck/problem_cards.hpp"
 
 #include "deck/joint_cards.hpp"
+#include "deck/law_cards.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::deck {
@@ -318,7 +319,9 @@ void add_run_cards(std::vector<CardSpec>& cards) {
            "Samples are at the multiples of dthist, so those of several runs are "
            "at the same times. A value between two steps is interpolated linearly. "
            "Both steps are read, so an interval near the time step slows the run. "
-           "The samples are in the results file, for 'blocks history'. A later "
+           "The samples are in the results file, for 'blocks history'. Quantities "
+           "energy:friction, energy:kinetic, ... are those of the energy account, "
+           "which is kept if one of them is named (docs/laws.md). A later "
            "card replaces the earlier one from its place on. Blocks may be made "
            "after the card. All quantities are on its line; "
            "--set HISTORY.quantity=ke,y:3 replaces all of them.",
@@ -351,6 +354,8 @@ std::vector<CardSpec> problem_cards() {
   for (CardSpec& card : joint_cards())
     cards.push_back(std::move(card));
   add_load_cards(cards);
+  for (CardSpec& card : law_cards())
+    cards.push_back(std::move(card));
   add_run_cards(cards);
   return cards;
 }

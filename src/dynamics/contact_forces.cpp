@@ -46,12 +46,29 @@ void release_springs(const ContactArrays& arrays, int batch,
                      std::vector<ReleasedSpring>& released) {
   const ContactBatches& batches = arrays.batches;
   each_marked(batches, batch, &ContactStates::ends, [&](int slot) {
-    if (const double normal = batches.at(slot, &SpringRow::normal_elastic);
-        normal > 0.0)
-      released.push_back({arrays.pair_of_lane[batch * lane_count + slot % lane_count],
-                          arrays.at(slot), normal,
-                          batches.at(slot, &SpringRow::shear_elastic)});
+    const double normal = batches.at(slot, &SpringRow::normal_elastic);
+    if (!(normal > 0.0))
+      return;
+    released.push_back({arrays.pair_of_lane[batch * lane_count + slot % lane_count],
+                        arrays.at(slot), normal,
+                        batches.at(slot, &SpringRow::shear_elastic)});
+    if (!arrays.laws.none()) {
+      released.back().stiffness = batches.at(slot, &JointRow::stiffness);
+      released.back().shear_stiffness = batches.at(slot, &JointRow::shear_stiffness);
+    }
   });
+}
+
+/// Collects the pairs of a batch of which a bond broke.
+void find_broken(const ContactArrays& arrays, int batch, std::vector<int>& broken) {
+  const ContactBatches& batches = arrays.batches;
+  const BatchPairs& pairs = batches.pairs[batch];
+  for (int k = 0; k < lane_count; ++k)
+    for (int row = pairs.first_row; row < pairs.first_row + pairs.rows; ++row)
+      if (batches.joints[row].bonded[k] > batches.advanced_joints[row].bonded[k]) {
+        broken.push_back(arrays.pair_of_lane[batch * lane_count + k]);
+        break;
+      }
 }
 
 }  // namespace
@@ -78,6 +95,8 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
       }
       if (batches.marks[batch].ends)
         release_springs(arrays, batch, thread.released);
+      if (batches.marks[batch].breaks)
+        find_broken(arrays, batch, thread.broken);
     }
   });
   std::vector<ReleasedSpring>& released = memory.transfer.released;
@@ -93,24 +112,35 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
   split.split_evenly(static_cast<int>(memory.receivers.size()), batches_per_thread,
                      memory.shares);
   workers.each(memory.shares, [&](int k, int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      memory.threads[k].extremes.include(act(memory.receivers[i]));
+    for (int i = begin; i < end; ++i) {
+      const int batch = memory.receivers[i];
+      memory.threads[k].extremes.include(act(batch));
+      if (batches.marks[batch].breaks)
+        find_broken(arrays, batch, memory.threads[k].broken);
+    }
   });
   Extremes extremes;
-  for (ForceThread& thread : memory.threads)
+  memory.broken.clear();
+  for (ForceThread& thread : memory.threads) {
     extremes.include(std::exchange(thread.extremes, {}));
+    memory.broken.insert(memory.broken.end(), thread.broken.begin(),
+                         thread.broken.end());
+    thread.broken.clear();
+  }
   return extremes;
 }
 
-void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& settings,
-                   double dt, const PairIndex& index, ContactArrays& arrays) {
+void read_contacts(Blocks& blocks, std::vector<Contact>& list,
+                   std::vector<JointState>& states, const Settings& settings, double dt,
+                   const PairIndex& index, ContactArrays& arrays) {
   ContactBatches& batches = arrays.batches;
   if (settings.rigid)
     blocks.applied.setZero();
   kernels().compute_forces(batches, state_of(blocks), law_of(settings, dt),
                            settings.rigid, true, 0, batches.batches());
-  write_list(arrays, list);
+  write_list(arrays, list, states);
   auto contact = list.begin();
+  auto state = states.begin();
   for (int p = 0; p < index.size(); ++p) {
     arrays.each_slot(p, [&](int slot) {
       if (!batches.is(slot, &ContactStates::acts))
@@ -123,6 +153,8 @@ void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& s
       contact->shear_force = reading.shear_force[k];
       contact->overlap = reading.overlap[k];
       ++contact;
+      if (!states.empty())
+        *state++ = arrays.advanced_joint_at(slot);
     });
     if (settings.rigid && arrays.lane_of_pair[p] >= 0) {
       const PairStress& of = batches.stresses[arrays.lane_of_pair[p]];

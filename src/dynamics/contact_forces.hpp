@@ -13,6 +13,7 @@ namespace blocks::dynamics {
 /// Results of one thread.
 struct ForceThread {
   std::vector<ReleasedSpring> released;
+  std::vector<int> broken;
   Extremes extremes;
 };
 
@@ -22,6 +23,8 @@ struct ForceMemory {
   SpringTransfer transfer;
   std::vector<int> receivers;  ///< batches that have received springs
   std::vector<int> shares;     ///< splits the receivers among the threads
+  /// Pairs of which a bond broke in this step. Their contacts have to be decided again.
+  std::vector<int> broken;
 };
 
 /// Finds which potential contacts act, advances their springs and sums their forces for
@@ -35,10 +38,12 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
                              ForceMemory& memory);
 
 /// Computes the contacts of this step once more for output. Writes springs at the end
-/// of the step, forces and overlaps to the list of the model. For rigid blocks it also
+/// of the step, forces and overlaps to the list of the model, and the states of their
+/// laws to `states`. For rigid blocks it also
 /// overwrites `applied` with the sums f_i x_j of the contacts. Call it after
 /// find_contact_forces and before ContactBatches::advance_springs.
-void read_contacts(Blocks& blocks, std::vector<Contact>& list, const Settings& settings,
-                   double dt, const PairIndex& index, ContactArrays& arrays);
+void read_contacts(Blocks& blocks, std::vector<Contact>& list,
+                   std::vector<JointState>& states, const Settings& settings, double dt,
+                   const PairIndex& index, ContactArrays& arrays);
 
 }  // namespace blocks::dynamics

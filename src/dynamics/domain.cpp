@@ -1,5 +1,7 @@
 #include "dynamics/domain.hpp"
 
+#include "model/drives.hpp"
+
 namespace blocks::dynamics {
 
 bool is_inside_domain(const Blocks& blocks, int b, const Settings& settings) {
@@ -13,9 +15,11 @@ int fix_outside_domain(Model& model) {
   Blocks& blocks = model.blocks;
   int fixed = 0;
   for (int b = 0; b < blocks.size(); ++b) {
-    if (!blocks.is_free(b) || is_inside_domain(blocks, b, model.settings))
+    if (!(blocks.is_free(b) || blocks.is_driven(b)) ||
+        is_inside_domain(blocks, b, model.settings))
       continue;
     blocks.fix(b, Fixity::left_domain);
+    end_drive(model, b);
     model.exits.push_back({b, model.time});
     model.search.invalidate();  // the block now has infinite mass
     ++fixed;

@@ -8,8 +8,8 @@ namespace blocks::dynamics {
 /// Returns whether every corner of block b is inside the domain or on its border.
 bool is_inside_domain(const Blocks& blocks, int b, const Settings& settings);
 
-/// Fixes every free block that has a corner strictly outside the closed domain, and
-/// records the block and the time. Returns the number of blocks fixed.
+/// Fixes every free or driven block that has a corner strictly outside the closed
+/// domain, and records the block and the time. Returns the number of blocks fixed.
 int fix_outside_domain(Model& model);
 
 /// If `left_domain`, fixes the blocks that have left the domain. Subtracts `largest`,

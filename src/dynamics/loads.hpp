@@ -11,6 +11,13 @@ namespace blocks::dynamics {
 /// or forces at centroids.
 bool has_loads(const Model& model);
 
+/// The two forces of a pressure, which act at the ends of its side.
+struct PressureForces {
+  Vec2 arm[2];    ///< [L] from the centroid
+  Vec2 force[2];  ///< [F]
+};
+PressureForces forces_of(const Blocks& blocks, const Pressure& pressure, double factor);
+
 /// Overwrites force and moment of all blocks with those of planes and of loads at
 /// model.time. In deformable runs it also overwrites the sums f_i x_j. In rigid runs it
 /// adds to them; they are meaningful only in a step that read_contacts() has set. A

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "dynamics/domain.hpp"
 
@@ -144,10 +145,26 @@ Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& 
   return result;
 }
 
+Displacement move_driven(Blocks& blocks, const std::vector<Drive>& drives,
+                         const MotionBounds& bounds, const Settings& settings,
+                         double dt, const Kernels& by) {
+  Displacement all;
+  for (const Drive& drive : drives) {
+    // The kernel moves free blocks only.
+    Fixity& fixity = blocks.fixity[drive.block];
+    const Fixity fixed = std::exchange(fixity, Fixity::free);
+    all.include(
+        move_corners(blocks, {drive.block, drive.block + 1}, bounds, settings, dt, by));
+    fixity = fixed;
+  }
+  return all;
+}
+
 Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
                          bool loaded, const ContactArrays& contacts,
-                         MotionBounds& bounds, const std::vector<int>& shares,
-                         Workers& workers, std::vector<Displacement>& threads) {
+                         const std::vector<Drive>& drives, MotionBounds& bounds,
+                         const std::vector<int>& shares, Workers& workers,
+                         std::vector<Displacement>& threads) {
   // Data that one stage has read are still in the cache when the next stage needs them.
   constexpr int blocks_at_once = 64;
   threads.assign(threads.size(), {});
@@ -164,6 +181,8 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
   Displacement all;
   for (const Displacement& part : threads)
     all.include(part);
+  if (!drives.empty())
+    all.include(move_driven(blocks, drives, bounds, settings, dt));
   bounds.grow(all.finite ? all.bound : std::numeric_limits<double>::infinity());
   return all;
 }

@@ -40,8 +40,9 @@ struct Displacement {
 /// memory, one for each thread.
 Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
                          bool loaded, const ContactArrays& contacts,
-                         MotionBounds& bounds, const std::vector<int>& shares,
-                         Workers& workers, std::vector<Displacement>& threads);
+                         const std::vector<Drive>& drives, MotionBounds& bounds,
+                         const std::vector<int>& shares, Workers& workers,
+                         std::vector<Displacement>& threads);
 
 // The stages of move_blocks, each for a range of blocks.
 
@@ -69,5 +70,11 @@ void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
 Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& bounds,
                           const Settings& settings, double dt,
                           const Kernels& by = kernels());
+
+/// Moves driven blocks at their velocity and spin, as move_corners moves free blocks.
+/// No force acts on them.
+Displacement move_driven(Blocks& blocks, const std::vector<Drive>& drives,
+                         const MotionBounds& bounds, const Settings& settings,
+                         double dt, const Kernels& by = kernels());
 
 }  // namespace blocks::dynamics

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -10,6 +12,24 @@
 namespace blocks::dynamics {
 namespace {
 
+/// A linear spring.
+struct Spring {
+  double force, stiffness;  ///< [F], [F/L]
+  double energy() const {
+    return stiffness > 0.0 ? force * force / (2.0 * stiffness) : 0.0;
+  }
+};
+
+/// Returns two springs as one. Forces and stiffnesses are added. The stiffness becomes
+/// no larger than `limit`, unless `own` has more, and the force not so large that
+/// energy would be created.
+Spring joined(const Spring& own, const Spring& other, double limit) {
+  const double stiffness =
+      std::min(own.stiffness + other.stiffness, std::max(limit, own.stiffness));
+  const double most = std::sqrt(2.0 * stiffness * (own.energy() + other.energy()));
+  return {std::clamp(own.force + other.force, -most, most), stiffness};
+}
+
 /// Chooses the contact that can take most of one released spring.
 class Choice {
  public:
@@ -17,7 +37,10 @@ class Choice {
          const ReleasedSpring& released, double stiffness)
       : blocks_(blocks), arrays_(arrays), released_(released), stiffness_(stiffness),
         block_(blocks.corner_block[released.at.corner]),
-        along_(along(released.at.edge)) {}
+        along_(along(released.at.edge)),
+        adds_(!arrays.laws.none() &&
+              arrays.laws.has_stiffness(
+                  arrays.laws.law_of(blocks, released.at.corner, released.at.edge))) {}
 
   Successor best() {
     // Few contacts have the same corner, so this is tested first.
@@ -50,11 +73,44 @@ class Choice {
   Vec2 along(int edge) const {
     return (at(blocks_.next[edge]) - at(edge)).normalized();
   }
+  bool adds(int row, int k) const {
+    return !arrays_.laws.none() &&
+           arrays_.laws.has_stiffness(arrays_.batches.faces[row].law[k]);
+  }
+  /// Adds the released springs to those of a contact.
+  Successor added(int row, int lane_of_pair, double cosine) const {
+    const ContactBatches& batches = arrays_.batches;
+    const int lane = lane_of_pair % lane_count;
+    const SpringRow& springs = batches.springs[row];
+    const JointRow& joints = batches.joints[row];
+    const int edge = batches.contacts[row].edge[lane],
+              law = batches.faces[row].law[lane];
+    // The time step is chosen for these stiffnesses.
+    const double half = 0.5 * (at(blocks_.next[edge]) - at(edge)).norm();
+    const LawColumns& laws = batches.laws;
+    const Spring normal =
+        joined({springs.normal_elastic[lane], joints.stiffness[lane]},
+               {cosine * released_.normal, released_.stiffness},
+               half * laws.normal_stiffness[static_cast<std::size_t>(law)]);
+    const Spring shear =
+        joined({springs.shear_elastic[lane], joints.shear_stiffness[lane]},
+               {cosine * released_.shear, released_.shear_stiffness},
+               half * laws.shear_stiffness[static_cast<std::size_t>(law)]);
+    return {row * lane_count + lane,
+            lane_of_pair / lane_count,
+            springs.normal_elastic[lane],
+            normal.force,
+            shear.force,
+            normal.stiffness,
+            shear.stiffness};
+  }
   /// Makes a contact the best candidate if its normal spring gains more than that of
   /// the best one so far. The cosine of the angle between the two edges has to be above
   /// `least_cosine`. If the candidate's corner belongs to the other block, its edge
   /// runs in the opposite direction, so the sign of the cosine is changed.
   void consider(int row, int lane_of_pair, double least_cosine) {
+    if (adds_ != adds(row, lane_of_pair % lane_count))
+      return;
     const int lane = lane_of_pair % lane_count;
     const ContactRow& contacts = arrays_.batches.contacts[row];
     const int corner = contacts.corner[lane];
@@ -64,6 +120,14 @@ class Choice {
     if (cosine <= least_cosine)
       return;
     const double own = arrays_.batches.springs[row].normal_elastic[lane];
+    if (adds_) {
+      const double distance = (at(corner) - at(released_.at.corner)).norm();
+      if (distance < nearest_) {
+        nearest_ = distance;
+        best_ = added(row, lane_of_pair, cosine);
+      }
+      return;
+    }
     const double received = cosine * released_.normal;
     const double overlap =
         std::max(0.0, geometry::cross(at(corner) - at(contacts.edge[lane]), edge));
@@ -71,8 +135,11 @@ class Choice {
         std::min(std::sqrt(received * received + own * own), stiffness_ * overlap);
     if (both - own > gain_) {
       gain_ = both - own;
-      best_ = {row * lane_count + lane, lane_of_pair / lane_count, own, both,
-               cosine * released_.shear};
+      best_ = {.slot = row * lane_count + lane,
+               .batch = lane_of_pair / lane_count,
+               .before = own,
+               .normal = both,
+               .shear = cosine * released_.shear};
     }
   }
 
@@ -82,9 +149,21 @@ class Choice {
   double stiffness_;
   int block_;  ///< block of the released spring's corner
   Vec2 along_;
+  bool adds_;  ///< the springs are added to those of the successor
+  double nearest_ = std::numeric_limits<double>::infinity();  ///< [L]
   Successor best_;
   double gain_ = 0.0;
 };
+
+/// Stores the stiffnesses of a successor to whose springs others were added. If it
+/// begins to act in this step, it is born with the residual strength, as others are.
+void put_stiffness(ContactBatches& batches, const Successor& successor) {
+  double& stiffness = batches.at(successor.slot, &JointRow::stiffness);
+  if (stiffness == 0.0 && batches.at(successor.slot, &JointRow::bonded) == 0.0)
+    batches.at(successor.slot, &JointRow::failed) = 1.0;
+  stiffness = successor.stiffness;
+  batches.at(successor.slot, &JointRow::shear_stiffness) = successor.shear_stiffness;
+}
 
 }  // namespace
 
@@ -119,10 +198,14 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
       successor = choose(i);
     if (successor.slot < 0)
       continue;
-    batches.set(successor.slot, &ContactStates::starts, true);
+    // Added springs are not limited by the overlap, as springs of new contacts are.
+    if (successor.adds())
+      put_stiffness(batches, successor);
+    else
+      batches.set(successor.slot, &ContactStates::starts, true);
     batches.at(successor.slot, &SpringRow::normal_elastic) = successor.normal;
     if (double& shear = batches.at(successor.slot, &SpringRow::shear_elastic);
-        shear == 0.0)
+        shear == 0.0 || successor.adds())
       shear = successor.shear;
     if (!std::exchange(batches.marks[successor.batch].receives, true))
       receivers.push_back(successor.batch);

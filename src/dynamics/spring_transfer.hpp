@@ -16,6 +16,11 @@ struct Successor {
   /// [F] normal spring of the successor before the transfer
   double before = 0.0;
   double normal = 0.0, shear = 0.0;  ///< [F] its springs after the transfer
+  /// [F/L] its stiffnesses after the transfer, if the released springs are added to its
+  /// own; otherwise 0
+  double stiffness = 0.0, shear_stiffness = 0.0;
+
+  bool adds() const { return stiffness > 0.0; }
 };
 
 /// Working memory of transfer_springs.
@@ -28,7 +33,10 @@ struct SpringTransfer {
 /// Passes each released spring to the contact whose normal spring it strengthens most.
 /// A candidate acts. It has the same corner and an edge within 90 degrees, or it
 /// belongs to the same pair and has a nearly parallel edge
-/// (geometry::successor_cosine). It takes the shear spring only if it has none. All
+/// (geometry::successor_cosine). It takes the shear spring only if it has none. If both
+/// contacts have laws with a stiffness of their own, the candidate nearest to the
+/// released corner takes the springs: forces and stiffnesses are added to its own
+/// (docs/laws.md#length). All
 /// released springs choose a successor at the same time. They are then passed on in the
 /// order of pair, corner and edge, whatever their order in the list. If the chosen
 /// contact has received another spring in the meantime, the choice is repeated. Each

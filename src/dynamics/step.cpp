@@ -15,6 +15,7 @@ void prepare(Model& model) {
     model.time_step = choose_time_step(model);
     model.order = order_if_worthwhile(model.blocks);
   }
+  begin_energy(model);
   model.started = true;
 }
 
@@ -34,7 +35,7 @@ StepResult step(Model& model, Workspace& work) {
 void catch_up(Model& model, Workspace& work) {
   if (work.springs.list_is_current())
     return;
-  write_list(work.contacts, model.contacts);
+  write_list(work.contacts, model.contacts, model.joint_states);
   if (model.settings.rigid)
     model.blocks.applied.setZero();
   work.springs.both_agree();

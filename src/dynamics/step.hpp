@@ -7,6 +7,7 @@
 #include "dynamics/contact_forces.hpp"
 #include "dynamics/decisions/decide_contacts.hpp"
 #include "dynamics/domain.hpp"
+#include "dynamics/energy.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/update_pairs.hpp"
@@ -18,10 +19,12 @@ namespace blocks::dynamics {
 /// The outcome of a step. If it is not `finite`, the state is unusable and the run must
 /// stop.
 struct StepResult {
-  double largest = 0.0;    ///< [L] Displacement::largest
-  int block = -1;          ///< the first block that moved by `largest`
-  bool finite = true;      ///< whether all corners are finite numbers
-  double strongest = 0.0;  ///< [F] largest elastic normal force, planes included
+  double largest = 0.0;  ///< [L] Displacement::largest
+  int block = -1;        ///< the first block that moved by `largest`
+  bool finite = true;    ///< whether all corners are finite numbers
+  /// [F] largest elastic normal force, planes included. Contacts with the law of a
+  /// joint count with the force that would press in a contact of STIFF as far.
+  double strongest = 0.0;
 };
 
 /// Prepares a model for stepping after cards have acted. Fixes blocks outside the
@@ -71,10 +74,16 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   const Extremes at_contacts =
       find_contact_forces(blocks, settings, dt, work.contacts, Rules::transfers_springs,
                           work.split, *work.workers, work.forces);
+  for (const int pair : work.forces.broken)
+    work.decisions.expire(pair);
   const bool reads = readings || !(at_contacts.spring <= alarm);
+  if (model.energy.kept)
+    count_forces(model, work.contacts, work.springs.list_is_current(), work.split,
+                 *work.workers, work.energy);
   work.springs.arrays_changed();
   if (reads) {
-    read_contacts(blocks, model.contacts, settings, dt, work.index, work.contacts);
+    read_contacts(blocks, model.contacts, model.joint_states, settings, dt, work.index,
+                  work.contacts);
     work.springs.both_agree();
   }
 
@@ -86,15 +95,19 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   // 5. Motion. Reads forces; writes velocities, strain, stress, corners, motion bounds.
   work.contacts.batches.advance_springs();
   const Displacement moved =
-      move_blocks(blocks, settings, dt, loaded, work.contacts, work.decisions.bounds,
-                  work.split.blocks, *work.workers, work.moved);
+      move_blocks(blocks, settings, dt, loaded, work.contacts, model.drives,
+                  work.decisions.bounds, work.split.blocks, *work.workers, work.moved);
   if (settings.rigid && reads)
     blocks.applied.array().rowwise() /= blocks.area.transpose().array();
   model.time = time_after_step(model);
   ++model.steps;
+  if (model.energy.kept)
+    count_motion(model, work.split, *work.workers, work.energy);
 
   // 6. Blocks outside the domain, next search. Reads corners; writes fixities, search.
   update_domain(model, moved.left_domain, moved.largest);
+  if (model.energy.kept && moved.left_domain)
+    count_fixed(model, work.contacts, work.split, *work.workers, work.energy);
 
   Extremes all = at_contacts;
   all.include(at_planes);

@@ -45,14 +45,17 @@ void Stepper::bring_in() {
   }
   inwards_.renumber(model_.blocks, inside_.blocks);
   inwards_.renumber(model_.plane_contacts, inside_.plane_contacts);
-  inwards_.renumber(model_.contacts, inside_.blocks, inside_.contacts);
+  inwards_.renumber(model_.contacts, model_.joint_states, inside_.blocks,
+                    inside_.contacts, inside_.joint_states);
   inside_.loads = inwards_.renumbered(model_.loads);
+  inside_.drives = inwards_.renumbered(model_.drives);
   inside_.settings = model_.settings;
   inside_.time_step = model_.time_step;
   inside_.search = model_.search;
   inside_.steps = model_.steps, inside_.step_origin = model_.step_origin;
   inside_.time = model_.time, inside_.time_origin = model_.time_origin;
   inside_.worst_overlap = model_.worst_overlap;
+  inside_.energy = model_.energy;
   work_.springs.list_changed();
   inside_current_ = true;
 }
@@ -60,7 +63,8 @@ void Stepper::bring_in() {
 void Stepper::bring_out() {
   outwards_.renumber(inside_.blocks, model_.blocks);
   outwards_.renumber(inside_.plane_contacts, model_.plane_contacts);
-  outwards_.renumber(inside_.contacts, model_.blocks, model_.contacts);
+  outwards_.renumber(inside_.contacts, inside_.joint_states, model_.blocks,
+                     model_.contacts, model_.joint_states);
   outside_current_ = true;
 }
 
@@ -69,6 +73,9 @@ void Stepper::bring_out_time() {
   model_.steps = inside_.steps;
   model_.time = inside_.time;
   model_.worst_overlap = inside_.worst_overlap;
+  if (inside_.drives.size() != model_.drives.size())  // a driven block left the domain
+    model_.drives = outwards_.renumbered(inside_.drives);
+  model_.energy = inside_.energy;
   // All new exits have the same time, so they are sorted by block.
   const auto told = static_cast<std::ptrdiff_t>(model_.exits.size());
   for (const DomainExit& exit : inside_.exits)

@@ -7,21 +7,10 @@
 #include "dynamics/applied_force.hpp"
 #include "dynamics/contacts/dashpot.hpp"
 #include "dynamics/kernels/contact_law.hpp"
+#include "dynamics/point_velocity.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
-namespace {
-
-/// Returns the velocity (14) of the material point of block b at `arm` from its
-/// centroid. The strain rates are included; they are zero for a rigid block.
-Vec2 point_velocity(const Blocks& blocks, int b, const Vec2& arm) {
-  const auto rate = blocks.strain_rate.col(b);
-  const double spin = blocks.spin[b];
-  return {blocks.velocity(0, b) + rate[0] * arm.x() + (rate[1] - spin) * arm.y(),
-          blocks.velocity(1, b) + (rate[2] + spin) * arm.x() + rate[3] * arm.y()};
-}
-
-}  // namespace
 
 void update_plane_contacts(Model& model, PlaneContacts& memory, double tolerance) {
   const Blocks& blocks = model.blocks;
@@ -55,34 +44,44 @@ void update_plane_contacts(Model& model, PlaneContacts& memory, double tolerance
   std::swap(model.plane_contacts, next);
 }
 
+PlaneForce plane_force(const Blocks& blocks, const PlaneContacts& contacts, int i,
+                       const Settings& settings, double dt) {
+  PlaneForce force;
+  const Plane& plane = settings.planes[contacts.plane[i]];
+  const int c = contacts.corner[i], b = blocks.corner_block[c];
+  const Vec2 at = blocks.corner.col(c);
+  if (!blocks.is_free(b) || geometry::overlap_sign(at, plane.a, plane.b) <= 0)
+    return force;
+  force.acts = true;
+  const Vec2 along = plane.b - plane.a;
+  const double length = along.norm();
+  force.inward = {-along.y() / length, along.x() / length};
+  force.overlap = std::max(0.0, geometry::cross(at - plane.a, along) / length);
+  force.arm = blocks.present_arm(c);
+  force.closing = -point_velocity(blocks, b, force.arm).dot(force.inward);
+  const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness, 0.0, dt};
+  const double damping = damping_against_fixed(settings, blocks.mass[b]);
+  double shear_elastic = 0.0, shear = 0.0;
+  force.spring = contacts.normal_elastic[i];
+  apply(law, force.spring, shear_elastic, force.closing, 0.0, force.overlap, damping,
+        contacts.active[i] ? 0.0 : 1.0, force.normal, shear);
+  return force;
+}
+
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,
                           const Settings& settings, double dt) {
-  const ContactLaw law{settings.normal_stiffness, settings.shear_stiffness, 0.0, dt};
   Extremes extremes;
   for (int i = 0; i < contacts.size(); ++i) {
-    const Plane& plane = settings.planes[contacts.plane[i]];
-    const int c = contacts.corner[i], b = blocks.corner_block[c];
-    const Vec2 at = blocks.corner.col(c);
-    if (!blocks.is_free(b) || geometry::overlap_sign(at, plane.a, plane.b) <= 0) {
-      contacts.active[i] = 0;
-      contacts.normal_elastic[i] = contacts.normal_force[i] = contacts.overlap[i] = 0.0;
+    const PlaneForce force = plane_force(blocks, contacts, i, settings, dt);
+    contacts.active[i] = force.acts ? 1 : 0;
+    contacts.normal_elastic[i] = force.spring;
+    contacts.normal_force[i] = force.normal;
+    contacts.overlap[i] = force.overlap;
+    if (!force.acts)
       continue;
-    }
-    const Vec2 along = plane.b - plane.a;
-    const double length = along.norm();
-    const Vec2 n(-along.y() / length, along.x() / length);
-    const double overlap = std::max(0.0, geometry::cross(at - plane.a, along) / length);
-    const Vec2 arm = blocks.present_arm(c);
-    const double damping = damping_against_fixed(settings, blocks.mass[b]);
-    double shear_elastic = 0.0, normal = 0.0, shear = 0.0;
-    apply(law, contacts.normal_elastic[i], shear_elastic,
-          -point_velocity(blocks, b, arm).dot(n), 0.0, overlap, damping,
-          contacts.active[i] ? 0.0 : 1.0, normal, shear);
-    contacts.active[i] = 1;
-    contacts.normal_force[i] = normal;
-    contacts.overlap[i] = overlap;
-    add_force(blocks, b, arm, normal * n);
-    extremes.include({overlap, contacts.normal_elastic[i]});
+    add_force(blocks, blocks.corner_block[contacts.corner[i]], force.arm,
+              force.normal * force.inward);
+    extremes.include({force.overlap, force.spring});
   }
   return extremes;
 }

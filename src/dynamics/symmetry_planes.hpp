@@ -12,6 +12,22 @@ namespace blocks::dynamics {
 /// working memory, kept between calls.
 void update_plane_contacts(Model& model, PlaneContacts& memory, double tolerance);
 
+/// What a plane does to a corner in a step.
+struct PlaneForce {
+  bool acts = false;           ///< the corner is behind the plane
+  Vec2 inward = Vec2::Zero();  ///< unit normal of the plane, towards the blocks
+  Vec2 arm = Vec2::Zero();     ///< [L] from the centroid of the block to the corner
+  double overlap = 0.0;        ///< [L] >= 0
+  double closing = 0.0;        ///< [L/T] velocity of the corner into the plane
+  double spring = 0.0;         ///< [F] at the end of the step
+  double normal = 0.0;         ///< [F] spring and dashpot
+};
+
+/// Computes the force of contact i from its spring at the start of the step. If the
+/// contact does not act, all values are 0.
+PlaneForce plane_force(const Blocks& blocks, const PlaneContacts& contacts, int i,
+                       const Settings& settings, double dt);
+
 /// Adds the forces of the planes to the blocks. A plane is frictionless, has infinite
 /// mass and carries no tension. Returns the largest overlap and spring.
 Extremes add_plane_forces(Blocks& blocks, PlaneContacts& contacts,

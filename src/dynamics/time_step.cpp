@@ -3,8 +3,64 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace blocks::dynamics {
+
+namespace {
+
+/// The largest stiffness of a contact with this law on an edge of length `edge`, [F/L].
+/// A contact stands for half of an edge at most; contacts without a face have STIFF.
+double largest_stiffness(const JointLaw& law, const Settings& settings, double edge) {
+  const double half = 0.5 * edge;
+  double normal = std::max(settings.normal_stiffness, law.normal_stiffness * half);
+  if (law.kind == LawKind::walton)
+    normal /= law.restitution * law.restitution;
+  if (law.kind == LawKind::barton)
+    normal = std::max(normal, law.largest_stiffness * half);
+  return std::max(normal, law.shear_stiffness * half);
+}
+
+/// Finds the largest stiffness of any contact of a block, [F/L].
+class ContactStiffness {
+ public:
+  explicit ContactStiffness(const Settings& settings)
+      : settings_(settings),
+        constant_(std::max(settings.normal_stiffness, settings.shear_stiffness)) {
+    for (const auto& [materials, id] : settings.joint_of_materials)
+      for (const int material : {materials.first, materials.second})
+        of_material_[material].push_back(&settings.joint_laws.at(id));
+  }
+
+  double of(const Blocks& blocks, int b) const {
+    double largest = constant_;
+    if (settings_.joint_laws.empty())
+      return largest;
+    const auto of_pairs = of_material_.find(blocks.material[b]);
+    for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
+      const double edge =
+          (blocks.corner.col(blocks.next[c]) - blocks.corner.col(c)).norm();
+      const auto include = [&](const JointLaw& law) {
+        largest = std::max(largest, largest_stiffness(law, settings_, edge));
+      };
+      if (const auto own = settings_.joint_laws.find(blocks.joint[c]);
+          own != settings_.joint_laws.end())
+        include(own->second);
+      if (of_pairs != of_material_.end())
+        for (const JointLaw* law : of_pairs->second)
+          include(*law);
+    }
+    return largest;
+  }
+
+ private:
+  const Settings& settings_;
+  double constant_;  ///< of STIFF
+  std::map<int, std::vector<const JointLaw*>> of_material_;
+};
+
+}  // namespace
 
 Vec2 extent(const Blocks& blocks, int b) {
   const auto corners =
@@ -40,14 +96,14 @@ double safe_fraction(double damping, int contacts) {
 TimeStep choose_time_step(const Model& model) {
   const Settings& settings = model.settings;
   const Blocks& blocks = model.blocks;
-  const double stiffness =
-      std::max(settings.normal_stiffness, settings.shear_stiffness);
+  const ContactStiffness stiffness(settings);
 
   TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size(), false};
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b))
       continue;
-    const double dt = settings.fraction * 2.0 * std::sqrt(blocks.mass[b] / stiffness);
+    const double dt =
+        settings.fraction * 2.0 * std::sqrt(blocks.mass[b] / stiffness.of(blocks, b));
     if (dt < best.dt)
       best = {dt, b, blocks.size(), false};
   }

@@ -6,8 +6,10 @@
 namespace blocks::dynamics {
 
 /// Chooses the largest step that (4), FRACTION and deformability allow, and records the
-/// block that limits it. In deformable runs the step is at most half the smallest
-/// l sqrt(rho / C11) over the free blocks; l is the least width in any direction.
+/// block that limits it. The stiffness in (4) is the largest that STIFF and the laws of
+/// joints give a contact of the block (docs/laws.md#length). In deformable runs the
+/// step is at most half the smallest l sqrt(rho / C11) over the free blocks; l is the
+/// least width in any direction.
 TimeStep choose_time_step(const Model& model);
 
 /// Returns the largest fraction of (4) at which a block with `contacts` contacts is

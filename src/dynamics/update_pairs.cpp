@@ -27,10 +27,12 @@ std::vector<NearPair> pairs_with_springs(const PairIndex& index,
                                          const ContactsOfPairs& contacts) {
   std::vector<NearPair> found;
   for (std::size_t k = 0; k < contacts.pair.size(); ++k)
-    if (std::any_of(contacts.all.begin() + contacts.first[k],
-                    contacts.all.begin() + contacts.first[k + 1],
-                    [](const PairContact& contact) { return contact.normal > 0.0; }))
-      found.push_back(index.pairs[contacts.pair[k]]);
+    for (int i = contacts.first[k]; i < contacts.first[k + 1]; ++i)
+      if (const PairContact contact = contacts.at(static_cast<std::size_t>(i));
+          contact.normal > 0.0 || contact.is_held()) {
+        found.push_back(index.pairs[contacts.pair[k]]);
+        break;
+      }
   return found;
 }
 std::vector<NearPair> pairs_with_springs(const Blocks& blocks,
@@ -38,7 +40,7 @@ std::vector<NearPair> pairs_with_springs(const Blocks& blocks,
   std::vector<NearPair> found;
   for (const Contact& contact : list) {
     const auto [low, high] = pair_of(blocks, contact);
-    if (blocks.is_free(low) || blocks.is_free(high))
+    if (blocks.may_touch(low, high))
       found.push_back({low, high});
   }
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -88,7 +90,7 @@ bool fits(const Workspace& work, const Blocks& blocks) {
 
 void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& also) {
   const Blocks& blocks = model.blocks;
-  if (!fits(work, blocks))
+  if (!fits(work, blocks) || !work.contacts.laws.is_of(model.settings))
     work.springs.list_changed();
   const bool from_list = !work.springs.arrays_are_current();
   if (model.search.current && !from_list)
@@ -108,7 +110,7 @@ void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& al
   add_pairs(found, also);
   work.index.take(found, blocks.size());
   if (from_list) {
-    read_list(blocks, model.contacts, work.index, contacts);
+    read_list(blocks, model.contacts, model.joint_states, work.index, contacts);
     work.contacts.slots_of_pair.assign(work.index.pairs.size(), 0);
     work.decisions.bounds.start(blocks, model.settings.rigid);
     work.parts.make(blocks);

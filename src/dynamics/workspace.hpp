@@ -9,6 +9,7 @@
 #include "dynamics/contacts/contact_arrays.hpp"
 #include "dynamics/decisions/decide_contacts.hpp"
 #include "dynamics/decisions/decisions.hpp"
+#include "dynamics/energy.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/rules/block_parts.hpp"
 #include "dynamics/search/near_pairs.hpp"
@@ -58,6 +59,7 @@ struct Workspace {
   const double* corners_in_huge_pages = nullptr;
   DecisionMemory deciding;
   ForceMemory forces;
+  EnergyMemory energy;
   std::vector<Displacement> moved;  ///< (threads)
 };
 

@@ -12,9 +12,15 @@ namespace blocks {
 
 using geometry::Vec2;
 
-/// Whether a block is free, or why it does not move. A removed block keeps its number
-/// and its data, but touches nothing.
-enum class Fixity : int { free = 0, by_user = 1, left_domain = 2, removed = 3 };
+/// Whether a block is free, or why no force moves it. A driven block is fixed by_user.
+/// A removed block keeps its number and its data, but touches nothing.
+enum class Fixity : int {
+  free = 0,
+  by_user = 1,
+  left_domain = 2,
+  removed = 3,
+  driven = 4,  ///< it moves at a given velocity, whatever the forces (DRIVE)
+};
 
 /// A block to be created from a simple clockwise outline.
 struct NewBlock {
@@ -74,6 +80,11 @@ struct Blocks {
   int corners_of(int b) const { return first_corner[b + 1] - first_corner[b]; }
   bool is_free(int b) const { return fixity[b] == Fixity::free; }
   bool is_removed(int b) const { return fixity[b] == Fixity::removed; }
+  bool is_driven(int b) const { return fixity[b] == Fixity::driven; }
+  /// Returns whether two blocks can touch: at least one is free or driven.
+  bool may_touch(int a, int b) const {
+    return is_free(a) || is_free(b) || is_driven(a) || is_driven(b);
+  }
   /// Returns the number of blocks that are not removed.
   int count_present() const;
 

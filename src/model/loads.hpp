@@ -34,6 +34,13 @@ struct CentroidForce {
   double arrival = 0;             ///< [T]
 };
 
+/// DRIVE: the motion of a fixed block.
+struct Drive {
+  int block = 0;                     ///< from 0
+  geometry::Vec2 velocity = {0, 0};  ///< [L/T] of the centroid
+  double spin = 0.0;                 ///< rad/T, anticlockwise
+};
+
 struct Loads {
   TimeFunction function;
   std::vector<Pressure> pressures;

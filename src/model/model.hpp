@@ -7,6 +7,7 @@
 
 #include "model/blocks.hpp"
 #include "model/contacts.hpp"
+#include "model/energy.hpp"
 #include "model/loads.hpp"
 #include "model/settings.hpp"
 
@@ -97,8 +98,13 @@ struct Model {
   Settings settings;
   Blocks blocks;
   std::vector<Contact> contacts;  ///< active contacts, ascending in sort_key
+  /// (contacts) states of their laws; empty if the deck has no JOINT card
+  std::vector<JointState> joint_states;
+  /// Number of contacts that BOND has bonded, without bonds that REMOVE took away.
+  long bonds_made = 0;
   PlaneContacts plane_contacts;
   Loads loads;
+  std::vector<Drive> drives;  ///< ascending in block
   TimeStep time_step;
   SearchState search;
   OutputClock output, plots;
@@ -120,6 +126,7 @@ struct Model {
   long step_origin = 0;        ///< value of `steps` at that time
   bool started = false;        ///< a MOTION or CYCLE has run, so FRACTION is fixed
   double worst_overlap = 0.0;  ///< [L] largest of any active contact so far
+  EnergyAccount energy;
 };
 
 /// Sums over the model, in [F L], [M L/T], [M L^2/T] and [L].
@@ -131,6 +138,11 @@ struct ModelTotals {
   int listed_contacts = 0;        ///< also counts inactive corners near planes
   double worst_overlap = 0.0;
   double fastest = 0.0;  ///< largest speed of a centroid, [L/T]
+  // Contacts with the law of a joint.
+  int with_law = 0;
+  int bonded = 0;   ///< they act in tension too
+  int failed = 0;   ///< they have the residual strengths; some may be bonded
+  long broken = 0;  ///< bonds that BOND made and that have failed since
 };
 ModelTotals totals(const Model& model);
 

@@ -111,6 +111,14 @@ Loads Numbering::renumbered(Loads loads) const {
   return loads;
 }
 
+std::vector<Drive> Numbering::renumbered(std::vector<Drive> drives) const {
+  for (Drive& drive : drives)
+    drive.block = blocks_.new_of[drive.block];
+  std::sort(drives.begin(), drives.end(),
+            [](const Drive& l, const Drive& r) { return l.block < r.block; });
+  return drives;
+}
+
 void Numbering::renumber(const Blocks& from, Blocks& to) const {
   const auto of_corners = [&](auto... columns) {
     (take(from.*columns, corners_, to.*columns), ...);
@@ -139,16 +147,26 @@ void Numbering::renumber(const Blocks& from, Blocks& to) const {
     to.first_corner.push_back(to.first_corner.back() + from.corners_of(b));
 }
 
-void Numbering::renumber(const std::vector<Contact>& from, const Blocks& blocks,
-                         std::vector<Contact>& to) const {
-  to = from;
-  for (Contact& contact : to) {
+void Numbering::renumber(const std::vector<Contact>& from,
+                         const std::vector<JointState>& states, const Blocks& blocks,
+                         std::vector<Contact>& to,
+                         std::vector<JointState>& states_to) const {
+  NewNumbers records;
+  records.old_of.resize(from.size());
+  std::iota(records.old_of.begin(), records.old_of.end(), 0);
+  std::vector<Contact> renumbered = from;
+  for (Contact& contact : renumbered) {
     contact.corner = corners_.new_of[contact.corner];
     contact.edge = corners_.new_of[contact.edge];
   }
-  std::sort(to.begin(), to.end(), [&](const Contact& l, const Contact& r) {
-    return sort_key(blocks, l) < sort_key(blocks, r);
+  std::sort(records.old_of.begin(), records.old_of.end(), [&](int l, int r) {
+    return sort_key(blocks, renumbered[l]) < sort_key(blocks, renumbered[r]);
   });
+  take(renumbered, records, to);
+  if (states.empty())
+    states_to.clear();
+  else
+    take(states, records, states_to);
 }
 
 void Numbering::renumber(const PlaneContacts& from, PlaneContacts& to) const {

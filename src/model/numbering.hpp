@@ -47,11 +47,14 @@ class Numbering {
   void renumber(const Blocks& from, Blocks& to) const;
   /// Renumbers corners and edges and sorts the list by sort_key. blocks: the renumbered
   /// blocks.
-  void renumber(const std::vector<Contact>& from, const Blocks& blocks,
-                std::vector<Contact>& to) const;
+  void renumber(const std::vector<Contact>& from, const std::vector<JointState>& states,
+                const Blocks& blocks, std::vector<Contact>& to,
+                std::vector<JointState>& states_to) const;
   void renumber(const PlaneContacts& from, PlaneContacts& to) const;
   /// Returns the loads with new block numbers; their order is unchanged.
   Loads renumbered(Loads loads) const;
+  /// Returns the drives with new block numbers, in ascending order.
+  std::vector<Drive> renumbered(std::vector<Drive> drives) const;
 
  private:
   NewNumbers blocks_, corners_;

@@ -2,15 +2,30 @@
 
 #include <algorithm>
 
+#include "model/drives.hpp"
+
 namespace blocks {
 namespace {
 
 void remove_contacts(Model& model) {
   const Blocks& blocks = model.blocks;
-  std::erase_if(model.contacts, [&](const Contact& contact) {
-    const auto [low, high] = pair_of(blocks, contact);
-    return blocks.is_removed(low) || blocks.is_removed(high);
-  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const auto [low, high] = pair_of(blocks, model.contacts[i]);
+    if (blocks.is_removed(low) || blocks.is_removed(high)) {
+      if (!model.joint_states.empty() && model.joint_states[i].bonded &&
+          !model.joint_states[i].failed)
+        --model.bonds_made;
+      continue;
+    }
+    model.contacts[kept] = model.contacts[i];
+    if (!model.joint_states.empty())
+      model.joint_states[kept] = model.joint_states[i];
+    ++kept;
+  }
+  model.contacts.resize(kept);
+  if (!model.joint_states.empty())
+    model.joint_states.resize(kept);
 }
 
 void remove_plane_contacts(Model& model) {
@@ -45,6 +60,7 @@ void remove_blocks(Model& model, const std::vector<int>& chosen) {
   Blocks& blocks = model.blocks;
   for (const int b : chosen) {
     blocks.fix(b, Fixity::removed);
+    end_drive(model, b);
     blocks.force.col(b).setZero();
     blocks.moment[b] = 0.0;
     blocks.applied.col(b).setZero();
@@ -60,7 +76,7 @@ void remove_blocks(Model& model, const std::vector<int>& chosen) {
 
 void free_blocks(Model& model, const std::vector<int>& chosen) {
   for (const int b : chosen)
-    model.blocks.fixity[b] = Fixity::free;
+    model.blocks.fixity[b] = Fixity::free, end_drive(model, b);
   if (!model.settings.rigid)
     model.time_step.blocks = 0;
   model.search.invalidate();

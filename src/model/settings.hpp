@@ -5,10 +5,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/decimal.hpp"
 #include "geometry/vec2.hpp"
+#include "model/joint_law.hpp"
 
 namespace blocks {
 
@@ -55,6 +57,9 @@ struct Settings {
   geometry::Vec2 gravity = {0, 0};  ///< [L/T^2]
   bool rigid = false;               ///< IRIGID
   std::map<int, Material> materials;
+  std::map<int, JointLaw> joint_laws;  ///< JOINT, WALTON, BARTON by joint id
+  /// JPAIR: joint id of two materials, the lower number first
+  std::map<std::pair<int, int>, int> joint_of_materials;
   std::vector<Plane> planes;
   std::uint64_t seed = 1982;  ///< ISEED
   // values of the last ORIENT and MERGE cards

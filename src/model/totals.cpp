@@ -8,6 +8,8 @@ ModelTotals totals(const Model& model) {
   const Blocks& blocks = model.blocks;
   ModelTotals sum;
   for (int b = 0; b < blocks.size(); ++b) {
+    if (!blocks.is_free(b))  // driven blocks have no finite mass
+      continue;
     const Vec2 v = blocks.velocity.col(b);
     const Vec2 momentum = blocks.mass[b] * v;
     sum.kinetic_energy +=
@@ -25,6 +27,14 @@ ModelTotals totals(const Model& model) {
   };
   for (const Contact& contact : model.contacts)
     count(contact.overlap);
+  long intact_bonds = 0;
+  for (const JointState& state : model.joint_states) {
+    sum.with_law += state.law != 0;
+    sum.bonded += state.law != 0 && state.bonded;
+    sum.failed += state.law != 0 && state.failed;
+    intact_bonds += state.bonded && !state.failed;
+  }
+  sum.broken = model.bonds_made - intact_bonds;
   const PlaneContacts& on_planes = model.plane_contacts;
   for (int i = 0; i < on_planes.size(); ++i)
     if (on_planes.active[static_cast<std::size_t>(i)])

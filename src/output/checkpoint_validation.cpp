@@ -8,75 +8,15 @@
 #include <tuple>
 #include <utility>
 
-#include "output/hdf5_handle.hpp"
+#include "output/checkpoint_expectations.hpp"
+#include "output/checkpoint_law_validation.hpp"
 #include "quantities/curve.hpp"
 
 namespace blocks::output {
+
+using namespace expectations;
+
 namespace {
-
-[[noreturn]] void reject_checkpoint(const std::string& what) {
-  throw hdf5::Failure("no run writes such a state: " + what);
-}
-
-struct Range {
-  double least, most;
-  const char* words;
-  bool open = false;  ///< `least` itself is excluded
-};
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr Range finite{-largest, largest, "a finite number"};
-constexpr Range not_negative{0.0, largest, "a number from 0"};
-/// Counts that a double represents exactly.
-constexpr Range count_from_0{0.0, 0x1p53, "a number from 0 to 9007199254740992"};
-constexpr Range positive{0.0, largest, "a number above 0", true};
-constexpr Range yes_or_no{0.0, 1.0, "0 or 1"};
-
-bool holds(const Range& range, double value) {
-  return value >= range.least && value <= range.most &&
-         !(range.open && value == range.least);
-}
-
-void expect(const std::string& name, double value, const Range& range) {
-  if (!holds(range, value))
-    reject_checkpoint(fmt::format("{} is {}, expected {}", name, value, range.words));
-}
-
-void expect(const std::string& name, const Vec2& point) {
-  expect(name, point.x(), finite);
-  expect(name, point.y(), finite);
-}
-
-/// Expects `rows` rows with all values in the range.
-template <class Column>
-void expect_all(const char* name, const Column& column, Eigen::Index rows,
-                const Range& range) {
-  Eigen::Index width = 1, length = static_cast<Eigen::Index>(column.size());
-  if constexpr (requires { column.cols(); })
-    if (Column::ColsAtCompileTime != 1)
-      width = column.rows(), length = column.cols();
-  if (length != rows)
-    reject_checkpoint(fmt::format("{} has {} rows, expected {}", name, length, rows));
-  for (Eigen::Index i = 0; i < rows * width; ++i)
-    if (const auto value = static_cast<double>(column.data()[i]); !holds(range, value))
-      reject_checkpoint(fmt::format("{}: value {} is {}, expected {}", name,
-                                    i / width + 1, value, range.words));
-}
-
-/// Expects an index in [0, n).
-void expect_index(const std::string& name, long index, long n) {
-  if (index < 0 || index >= n)
-    reject_checkpoint(fmt::format("{} names number {} of {}", name, index + 1, n));
-}
-
-void expect_indices(const char* name, const std::vector<int>& column, std::size_t rows,
-                    long n) {
-  if (column.size() != rows)
-    reject_checkpoint(
-        fmt::format("{} has {} rows, expected {}", name, column.size(), rows));
-  for (const int index : column)
-    expect_index(name, index, n);
-}
 
 void expect_settings(const Settings& s) {
   expect("settings/max_blocks", s.max_blocks, not_negative);
@@ -106,6 +46,7 @@ void expect_settings(const Settings& s) {
     expect("settings/materials/youngs_modulus", material.youngs_modulus, not_negative);
     expect("settings/materials/shear_modulus", material.shear_modulus, not_negative);
   }
+  expect_laws(s);
   for (const Plane& plane : s.planes) {
     expect("settings/planes", plane.a);
     expect("settings/planes", plane.b);
@@ -176,7 +117,7 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
     if (!settings.materials.contains(number))
       reject_checkpoint(fmt::format(
           "blocks/material names material {}, which does not exist", number));
-  expect_all("blocks/fixity", b.fixity, n, {0.0, 3.0, "0, 1, 2 or 3"});
+  expect_all("blocks/fixity", b.fixity, n, {0.0, 4.0, "0, 1, 2, 3 or 4"});
   expect_all("blocks/convex", b.convex, n, yes_or_no);
   expect_cuts(b);
   expect_all("blocks/layer", b.layer, n, not_negative);
@@ -210,7 +151,9 @@ void expect_blocks(const Blocks& b, const Settings& settings) {
   }
 }
 
-void expect_contacts(const std::vector<Contact>& contacts, const Blocks& b) {
+void expect_contacts(const Model& model) {
+  const std::vector<Contact>& contacts = model.contacts;
+  const Blocks& b = model.blocks;
   for (const Contact& contact : contacts) {
     expect_index("contacts/corner", contact.corner, b.corners());
     expect_index("contacts/edge", contact.edge, b.corners());
@@ -222,10 +165,14 @@ void expect_contacts(const std::vector<Contact>& contacts, const Blocks& b) {
       reject_checkpoint(fmt::format("contact {} is between a block and itself", i + 1));
     if (i > 0 && !(sort_key(b, contacts[i - 1]) < sort_key(b, contact)))
       reject_checkpoint(fmt::format("contact {} is out of order", i + 1));
+    // Bonded contacts have tension and gaps; dilation pushes contacts apart.
+    const bool has_law =
+        i < model.joint_states.size() && model.joint_states[i].law != 0;
+    const Range& pressure = has_law ? finite : not_negative;
     for (const auto& [name, value, range] :
-         {std::tuple{"normal_elastic", contact.normal_elastic, &not_negative},
-          {"normal_force", contact.normal_force, &not_negative},
-          {"overlap", contact.overlap, &not_negative},
+         {std::tuple{"normal_elastic", contact.normal_elastic, &pressure},
+          {"normal_force", contact.normal_force, &pressure},
+          {"overlap", contact.overlap, &pressure},
           {"shear_elastic", contact.shear_elastic, &finite},
           {"shear_force", contact.shear_force, &finite}})
       if (!holds(*range, value))
@@ -401,6 +348,22 @@ void expect_time(const Model& model) {
   }
 }
 
+/// Expects finite energies, and all sums or, without an account, none.
+void expect_energy(const EnergyAccount& energy) {
+  const Eigen::Index entries = energy.kept ? energy_entries : 0;
+  expect_all("energy/sums", energy.sums, entries, finite);
+  expect_all("energy/errors", energy.errors, entries, finite);
+  for (const auto& [name, value] : {std::pair{"start", energy.start},
+                                    {"kinetic", energy.kinetic},
+                                    {"strain_work", energy.strain_work}})
+    expect(std::string("energy/") + name, value, finite);
+  for (const auto& [name, value] : {std::pair{"elastic", energy.elastic},
+                                    {"strain", energy.strain},
+                                    {"next_kinetic", energy.next_kinetic},
+                                    {"next_strain", energy.next_strain}})
+    expect(std::string("energy/") + name, value, not_negative);
+}
+
 void expect_info(const CheckpointInfo& info, int blocks) {
   const Progress& at = info.progress;
   for (const auto& [name, count] : {std::pair{"results_frames", info.results_frames},
@@ -431,12 +394,15 @@ void expect_info(const CheckpointInfo& info, int blocks) {
 void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_settings(model.settings);
   expect_blocks(model.blocks, model.settings);
-  expect_contacts(model.contacts, model.blocks);
+  expect_contacts(model);
+  expect_joint_states(model);
+  expect_drives(model);
   expect_plane_contacts(model.plane_contacts, model);
   expect_loads(model.loads, model.blocks);
   expect_records(model);
   expect_time(model);
   expect_order(model);
+  expect_energy(model.energy);
   expect_info(info, model.blocks.size());
   expect_all_move(model, info.progress);
 }

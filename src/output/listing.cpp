@@ -5,6 +5,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/listing_text.hpp"
+#include "quantities/energy.hpp"
 
 namespace blocks::output {
 
@@ -109,6 +110,11 @@ void Listing::closing(const Model& model) {
   line("blocks that left the domain", fmt::format("{}", model.exits.size()));
   for (const DomainExit& exit : model.exits)
     out_ << fmt::format("    block {} at time {:.9g}\n", exit.block + 1, exit.time);
+  if (model.energy.kept) {
+    out_ << heading("ENERGY");
+    for (const quantities::EnergyQuantity& one : quantities::energy_quantities())
+      line(one.label.c_str(), real(one.value(model.energy)));
+  }
   flush();
 }
 

@@ -6,6 +6,7 @@
 
 #include "output/listing.hpp"
 #include "output/listing_text.hpp"
+#include "quantities/bond.hpp"
 
 namespace blocks::output {
 namespace {
@@ -84,22 +85,42 @@ std::string boxes_dump(const Model& model) {
   return text;
 }
 
+/// The number of a corner's block, and that of the corner within it.
+std::string named(const Blocks& blocks, int c) {
+  const int b = blocks.corner_block[static_cast<std::size_t>(c)];
+  return whole(b + 1) + whole(c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
+}
+
 std::string contacts_dump(const Model& model) {
   const Blocks& blocks = model.blocks;
   std::string text = over_whole("block") + over_whole("corner") + over_whole("block") +
                      over_whole("edge") + over_whole("active") + over_number("FN") +
                      over_number("FS") + over_number("normal force") +
                      over_number("shear force") + over_number("overlap") + "\n";
-  const auto named = [&](int c) {  // block, corner within it
-    const int b = blocks.corner_block[static_cast<std::size_t>(c)];
-    return whole(b + 1) +
-           whole(c - blocks.first_corner[static_cast<std::size_t>(b)] + 1);
-  };
   for (const Contact& contact : model.contacts)
-    text += named(contact.corner) + named(contact.edge) + over_whole("yes") +
-            number(contact.normal_elastic) + number(contact.shear_elastic) +
-            number(contact.normal_force) + number(contact.shear_force) +
-            number(contact.overlap) + "\n";
+    text += named(blocks, contact.corner) + named(blocks, contact.edge) +
+            over_whole("yes") + number(contact.normal_elastic) +
+            number(contact.shear_elastic) + number(contact.normal_force) +
+            number(contact.shear_force) + number(contact.overlap) + "\n";
+  return text;
+}
+
+/// The contacts that have the law of a joint, in the order of the list.
+std::string joint_states_dump(const Model& model) {
+  std::string text = over_whole("block") + over_whole("corner") + over_whole("block") +
+                     over_whole("edge") + over_whole("joint") + over_whole("bond") +
+                     over_number("slip") + over_number("dilation") + over_number("a0") +
+                     over_number("length") + "\n";
+  for (std::size_t i = 0; i < model.joint_states.size(); ++i) {
+    const Contact& contact = model.contacts[i];
+    const JointState& state = model.joint_states[i];
+    if (state.law != 0)
+      text += named(model.blocks, contact.corner) + named(model.blocks, contact.edge) +
+              whole(state.law) +
+              over_whole(word(quantities::bond_of(state.bonded, state.failed))) +
+              number(state.slip) + number(state.offset) + number(state.plastic) +
+              number(state.length) + "\n";
+  }
   return text;
 }
 
@@ -130,6 +151,8 @@ void Listing::dump(const Model& model) {
        << boxes_dump(model)
        << heading(fmt::format("CONTACTS, {} listed", model.contacts.size()))
        << contacts_dump(model);
+  if (!model.joint_states.empty())
+    out_ << heading("CONTACTS OF JOINTS WITH A LAW") << joint_states_dump(model);
   if (model.plane_contacts.size() > 0)
     out_ << heading(fmt::format("CORNERS AT PLANES, {} listed",
                                 model.plane_contacts.size()))

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/cut_report.hpp"
+#include "model/law_report.hpp"
 
 namespace blocks::output {
 namespace {
@@ -82,6 +83,11 @@ std::string materials_echo(const Settings& settings) {
     text += (material.name.empty() ? "" : "  " + material.name) + "\n";
   }
   return text;
+}
+
+std::string laws_echo(const Model& model) {
+  const std::string text = law_report(model);
+  return text.empty() ? text : heading("LAWS OF JOINTS, DRIVEN BLOCKS") + text;
 }
 
 std::string loads_echo(const Model& model) {
@@ -181,8 +187,8 @@ std::string blocks_echo(const Blocks& blocks) {
 
 void Listing::input_echo(const Model& model) {
   out_ << heading("INPUT") << settings_echo(model) << materials_echo(model.settings)
-       << loads_echo(model) << layers_echo(model) << cuts_echo(model)
-       << blocks_echo(model.blocks);
+       << laws_echo(model) << loads_echo(model) << layers_echo(model)
+       << cuts_echo(model) << blocks_echo(model.blocks);
   flush();
 }
 

@@ -38,6 +38,8 @@ inline std::string fixity_word(Fixity fixity) {
     return "     left";
   case Fixity::removed:
     return "  removed";
+  case Fixity::driven:
+    return "   driven";
   }
   return "        ?";
 }

@@ -11,14 +11,51 @@ namespace blocks::output {
 //   ar(name, field)             for numbers, enums, texts, vectors, Eigen columns
 //   ar.records(name, list, f)   for lists of structs: f(column, record) calls
 //                               column(name, member) for every member
-//   ar.materials(name, map, f)  for the map of materials: f(column, number, material)
+//   ar.materials(name, map, f)  for maps, such as the materials: f(column, key, value)
 // M is Model or const Model.
+
+template <class L, class P, class Archive>
+void visit_laws(L& laws, P& pairs, Archive& ar) {
+  ar.materials("settings/joint_laws", laws, [](auto& column, auto& id, auto& law) {
+    auto& [kind, friction, cohesion, tension, residual_friction, residual_cohesion,
+           residual_tension, dilation, dilation_limit, normal_stiffness,
+           shear_stiffness, restitution, roughness, wall_strength, residual_angle,
+           peak_slip, initial_stiffness, largest_closure, largest_stiffness] = law;
+    column("id", id);
+    column("kind", kind);
+    column("friction", friction);
+    column("cohesion", cohesion);
+    column("tension", tension);
+    column("residual_friction", residual_friction);
+    column("residual_cohesion", residual_cohesion);
+    column("residual_tension", residual_tension);
+    column("dilation", dilation);
+    column("dilation_limit", dilation_limit);
+    column("normal_stiffness", normal_stiffness);
+    column("shear_stiffness", shear_stiffness);
+    column("restitution", restitution);
+    column("roughness", roughness);
+    column("wall_strength", wall_strength);
+    column("residual_angle", residual_angle);
+    column("peak_slip", peak_slip);
+    column("initial_stiffness", initial_stiffness);
+    column("largest_closure", largest_closure);
+    column("largest_stiffness", largest_stiffness);
+  });
+  ar.materials("settings/joint_of_materials", pairs,
+               [](auto& column, auto& pair, auto& id) {
+                 auto& [first, second] = pair;
+                 column("first", first);
+                 column("second", second);
+                 column("id", id);
+               });
+}
 
 template <class S, class Archive> void visit_settings(S& settings, Archive& ar) {
   auto& [title, units, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
          contact_tolerance, normal_stiffness, shear_stiffness, fraction, damping,
-         friction, gravity, rigid, materials, planes, seed, angle_min, angle_max,
-         merge_ratio, layers_made] = settings;
+         friction, gravity, rigid, materials, joint_laws, joint_of_materials, planes,
+         seed, angle_min, angle_max, merge_ratio, layers_made] = settings;
   ar("settings/title", title);
   {
     auto& [length, mass, time] = units;
@@ -49,6 +86,7 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
                  column("density", rho);
                  column("name", name);
                });
+  visit_laws(joint_laws, joint_of_materials, ar);
   ar.records("settings/planes", planes, [](auto& column, auto& plane) {
     auto& [a, b] = plane;
     column("ax", a.x());
@@ -108,6 +146,24 @@ template <class C, class Archive> void visit_contacts(C& contacts, Archive& ar) 
   });
 }
 
+template <class S, class Archive> void visit_joint_states(S& states, Archive& ar) {
+  ar.records("joint_states", states, [](auto& column, auto& state) {
+    auto& [law, stiffness, shear_stiffness, slip, path, closure, plastic, offset,
+           bonded, failed, length] = state;
+    column("law", law);
+    column("stiffness", stiffness);
+    column("shear_stiffness", shear_stiffness);
+    column("slip", slip);
+    column("path", path);
+    column("closure", closure);
+    column("plastic", plastic);
+    column("offset", offset);
+    column("bonded", bonded);
+    column("failed", failed);
+    column("length", length);
+  });
+}
+
 template <class C, class Archive> void visit_plane_contacts(C& contacts, Archive& ar) {
   auto& [plane, corner, active, normal_elastic, normal_force, overlap] = contacts;
   ar("plane_contacts/plane", plane);
@@ -148,16 +204,40 @@ void visit_clock(C& clock, const char* interval_name, const char* due_name,
   ar(due_name, due);
 }
 
+template <class E, class Archive> void visit_energy(E& energy, Archive& ar) {
+  auto& [kept, start, kinetic, elastic, strain, next_kinetic, next_strain, strain_work,
+         sums, errors] = energy;
+  ar("energy/kept", kept);
+  ar("energy/start", start);
+  ar("energy/kinetic", kinetic);
+  ar("energy/elastic", elastic);
+  ar("energy/strain", strain);
+  ar("energy/next_kinetic", next_kinetic);
+  ar("energy/next_strain", next_strain);
+  ar("energy/strain_work", strain_work);
+  ar("energy/sums", sums);
+  ar("energy/errors", errors);
+}
+
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
-  auto& [settings, blocks, contacts, plane_contacts, loads, time_step, search, output,
-         plots, plot_times, history, output_blocks, order, exits, merges, layers, cuts,
-         joint_lengths, steps, time, time_origin, step_origin, started, worst_overlap] =
-      model;
+  auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts, loads,
+         drives, time_step, search, output, plots, plot_times, history, output_blocks,
+         order, exits, merges, layers, cuts, joint_lengths, steps, time, time_origin,
+         step_origin, started, worst_overlap, energy] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
+  visit_joint_states(joint_states, ar);
+  ar("bonds_made", bonds_made);
   visit_plane_contacts(plane_contacts, ar);
   visit_loads(loads, ar);
+  ar.records("drives", drives, [](auto& column, auto& drive) {
+    auto& [block, velocity, spin] = drive;
+    column("block", block);
+    column("vx", velocity.x());
+    column("vy", velocity.y());
+    column("spin", spin);
+  });
   {
     auto& [dt, block, block_count, elastic] = time_step;
     ar("time_step/dt", dt);
@@ -254,6 +334,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   ar("step_origin", step_origin);
   ar("started", started);
   ar("worst_overlap", worst_overlap);
+  visit_energy(energy, ar);
 }
 
 }  // namespace blocks::output

@@ -66,7 +66,7 @@ constexpr std::size_t contacts_at_once = 65536;
 
 }  // namespace
 
-ContactColumns::ContactColumns(const Make& make)
+ContactColumns::ContactColumns(const Make& make, hid_t own)
     : corner_block_(make("CornerBlock", H5T_NATIVE_INT, 0, contacts_per_chunk)),
       corner_(make("Corner", H5T_NATIVE_INT, 0, contacts_per_chunk)),
       edge_block_(make("EdgeBlock", H5T_NATIVE_INT, 0, contacts_per_chunk)),
@@ -77,7 +77,7 @@ ContactColumns::ContactColumns(const Make& make)
       shear_force_(make("ShearForce", H5T_NATIVE_DOUBLE, 0, contacts_per_chunk)),
       overlap_(make("Overlap", H5T_NATIVE_DOUBLE, 0, contacts_per_chunk)),
       offsets_(make("Offsets", H5T_NATIVE_INT64, 0, frames_per_chunk)),
-      counts_(make("Counts", H5T_NATIVE_INT64, 0, frames_per_chunk)) {}
+      counts_(make("Counts", H5T_NATIVE_INT64, 0, frames_per_chunk)), states_(own) {}
 
 void ContactColumns::put(long frame, const Model& model) {
   const hsize_t first = rows_;
@@ -99,6 +99,7 @@ void ContactColumns::put(long frame, const Model& model) {
   for (std::size_t done = 0; done < acting; done += contacts_at_once)
     add(between_blocks(model, done, std::min(acting, done + contacts_at_once)));
   add(against_planes(model));
+  states_.put(first, next, model);
   const auto offset = static_cast<std::int64_t>(first);
   const auto size = static_cast<std::int64_t>(next - first);
   offsets_.put(static_cast<hsize_t>(frame), &offset, 1);
@@ -114,6 +115,7 @@ void ContactColumns::truncate(long frames) {
   for (hdf5::Column* column : {&corner_block_, &corner_, &edge_block_, &edge_, &point_,
                                &normal_, &normal_force_, &shear_force_, &overlap_})
     column->truncate(rows_);
+  states_.truncate(rows_);
   offsets_.truncate(kept);
   counts_.truncate(kept);
 }

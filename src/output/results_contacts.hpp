@@ -5,6 +5,7 @@
 
 #include "model/model.hpp"
 #include "output/hdf5_handle.hpp"
+#include "output/results_joint_states.hpp"
 
 namespace blocks::output {
 
@@ -15,7 +16,11 @@ class ContactColumns {
  public:
   /// make(name, type, width, rows per chunk) creates or opens a column.
   using Make = std::function<hdf5::Column(const std::string&, hid_t, hsize_t, hsize_t)>;
-  explicit ContactColumns(const Make& make);
+  /// own: the group /BLOCKS, which stays open.
+  ContactColumns(const Make& make, hid_t own);
+
+  /// Opens what a file may lack: the states of laws. Throws hdf5::Failure.
+  void open() { states_.open(); }
 
   void put(long frame, const Model& model);
   void truncate(long frames);
@@ -24,6 +29,7 @@ class ContactColumns {
   hdf5::Column corner_block_, corner_, edge_block_, edge_;
   hdf5::Column point_, normal_, normal_force_, shear_force_, overlap_;
   hdf5::Column offsets_, counts_;
+  JointStateColumns states_;
   hsize_t rows_ = 0;
 };
 

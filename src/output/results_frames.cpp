@@ -100,7 +100,8 @@ ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t block
   contacts_ = std::make_unique<ContactColumns>(
       [&](const std::string& name, hid_t type, hsize_t width, hsize_t chunk) {
         return make(to.own, "contacts/" + name, type, width, chunk);
-      });
+      },
+      to.own.get());
 }
 
 std::unique_ptr<ResultsFrames> ResultsFrames::create(const ResultsGroups& groups,
@@ -127,6 +128,7 @@ std::unique_ptr<ResultsFrames> ResultsFrames::open(const ResultsGroups& groups) 
   };
   std::unique_ptr<ResultsFrames> frames(new ResultsFrames(groups, open, 0, 0));
   frames->joints_.open();
+  frames->contacts_->open();
   return frames;
 }
 

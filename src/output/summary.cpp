@@ -8,6 +8,7 @@
 
 #include "output/cuts_json.hpp"
 #include "output/file_tools.hpp"
+#include "quantities/energy.hpp"
 
 namespace blocks::output {
 namespace {
@@ -215,6 +216,14 @@ void write_summary(const std::string& path, const Model& model,
       {"state_hash", state_hash(model)},
       {"wall_seconds", report.wall_seconds}};
 
+  if (model.energy.kept)
+    for (const quantities::EnergyQuantity& one : quantities::energy_quantities())
+      json["energy"][one.name] = one.value(model.energy);
+  if (!model.settings.joint_laws.empty())
+    json["joint_contacts"] = {{"with_law", sums.with_law},
+                              {"bonded", sums.bonded},
+                              {"failed", sums.failed},
+                              {"broken", sums.broken}};
   if (!model.cuts.empty())
     json["cuts"] = cuts_json(model.cuts, model.joint_lengths);
   if (const int present = model.blocks.count_present(); present < model.blocks.size())

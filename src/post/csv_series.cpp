@@ -6,6 +6,7 @@
 #include "post/quantity.hpp"
 #include "post/time_series.hpp"
 #include "post/whole_file.hpp"
+#include "quantities/bond.hpp"
 
 namespace blocks::post {
 namespace {
@@ -33,6 +34,17 @@ std::string block_rows(const Frame& now, const Frame& first) {
 /// Removes the sign of a zero.
 Eigen::Matrix2Xd plain(const Eigen::Matrix2Xd& values) { return values.array() + 0.0; }
 
+/// Returns the state of the law of a contact; `bond` is empty if it has no law.
+std::string law_columns(const FrameContacts::Laws& laws, int i) {
+  const auto k = static_cast<std::size_t>(i);
+  const char* bond = laws.law[k] == 0 ? ""
+                                      : quantities::word(quantities::bond_of(
+                                            laws.bonded[k] != 0, laws.failed[k] != 0));
+  return fmt::format(",{},{},{},{},{},{}", laws.law[k], bond, laws.slip[i] + 0.0,
+                     laws.dilation[i] + 0.0, laws.plastic_closure[i] + 0.0,
+                     laws.length[i]);
+}
+
 std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
   const Eigen::Matrix2Xd force = plain(contacts.force()),
                          normal = plain(contacts.normal);
@@ -40,12 +52,13 @@ std::string contact_rows(const Frame& now, const FrameContacts& contacts) {
   for (int i = 0; i < contacts.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     fmt::format_to(std::back_inserter(text),
-                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", now.time, now.step,
+                   "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", now.time, now.step,
                    contacts.corner_block[k], contacts.corner[k], contacts.edge_block[k],
                    contacts.edge[k], contacts.point(0, i), contacts.point(1, i),
                    normal(0, i), normal(1, i), force(0, i), force(1, i),
                    contacts.normal_force[i] + 0.0, contacts.shear_force[i] + 0.0,
                    contacts.overlap[i] + 0.0);
+    text += (contacts.laws.empty() ? "" : law_columns(contacts.laws, i)) + "\n";
   }
   return text;
 }
@@ -62,7 +75,9 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
     head += "," + kind.name;
   blocks << head + "\n";
   contacts << "time,step,corner_block,corner,edge_block,edge,x,y,nx,ny,fx,fy,"
-              "normal_force,shear_force,overlap\n";
+              "normal_force,shear_force,overlap"
+           << (results.has_laws() ? ",joint,bond,slip,dilation,plastic_closure,length\n"
+                                  : "\n");
   const Frame first = results.frame(0);
   for (const long i : frames) {
     const Frame now = results.frame(i);

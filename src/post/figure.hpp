@@ -17,9 +17,10 @@ namespace blocks::post {
 
 struct FigureOptions {
   PageSize page;
-  /// "material", "joint" (the sides of blocks by joint id), or a name of quantity.hpp
+  /// "material", "joint" (the sides of blocks by joint id), "bond" (the faces of blocks
+  /// by the state of their bond), or a name of quantity.hpp
   std::string colour = "material";
-  std::string colour_map;           ///< a name of colour_map.hpp; empty: automatic
+  std::string colour_map;  ///< a name of colour_map.hpp; empty: automatic
   std::optional<Eigen::Vector2d>
       range;  ///< of the colours; empty: that of all values drawn
   std::optional<Eigen::Vector4d> zoom;  ///< xmin, xmax, ymin, ymax [L]
@@ -42,7 +43,10 @@ struct FigureOptions {
 
   bool shows_joints() const { return colour == "joint"; }
   /// True if the colours of blocks are those of a quantity, not of their materials.
-  bool shows_quantity() const { return colour != "material" && !shows_joints(); }
+  bool shows_bonds() const { return colour == "bond"; }
+  /// True if the sides of blocks have colours, and blocks those of their materials.
+  bool shows_sides() const { return shows_joints() || shows_bonds(); }
+  bool shows_quantity() const { return colour != "material" && !shows_sides(); }
 };
 
 /// Draws frames to a PNG, SVG or PDF file, depending on the extension. Several frames

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "post/axes.hpp"
+#include "post/bond_sides.hpp"
 #include "post/joint_style.hpp"
 #include "post/quantity.hpp"
 #include "post/scene_drawing.hpp"
@@ -29,7 +30,8 @@ bool with_forces(const FigureScales& scales, const FigureOptions& options) {
   return options.forces && scales.force > 0.0;
 }
 int bars(const FigureScales& scales, const FigureOptions& options) {
-  return (by_material(options) ? 0 : 1) + (with_forces(scales, options) ? 1 : 0);
+  return (by_material(options) ? 0 : 1) + (with_forces(scales, options) ? 1 : 0) +
+         (scales.slip > 0.0 ? 1 : 0);
 }
 std::size_t columns_of(double width) {
   return static_cast<std::size_t>(std::max(3.0, std::floor(width / least_column)));
@@ -40,10 +42,11 @@ double many_materials_height(std::size_t count, double width) {
   return static_cast<double>(rows + 1) * small_line + 10;
 }
 /// Returns the number of entries for joints: those listed, how many more there are, and
-/// the sides without a joint.
+/// the sides without a joint; or for the states of bonds.
 std::size_t joint_entries(const FigureScales& scales) {
   const std::size_t count = scales.joints.size();
-  return count == 0 ? 0 : std::min(count, most_joints_listed + 1) + 1;
+  const std::size_t bonds = scales.bonds.empty() ? 0 : scales.bonds.size() + 1;
+  return (count == 0 ? 0 : std::min(count, most_joints_listed + 1) + 1) + bonds;
 }
 double materials_height(std::size_t count) {
   return count <= few_materials ? static_cast<double>(count) * line
@@ -60,6 +63,7 @@ class Legend {
 
   void draw() {
     joints();
+    bonds();
     if (by_material(options_))
       materials();
     if (scales_.fixed)
@@ -76,6 +80,8 @@ class Legend {
       bar(shown.label, shown.dimension, scales_.low, scales_.high, each,
           [map = map_of(options_, shown.zero)](double s) { return map.at(s); });
     }
+    if (scales_.slip > 0.0)
+      bar("slip", {1, 0, 0, "m", ""}, 0.0, scales_.slip, each, slip_colour);
     if (with_forces(scales_, options_))
       bar("contact force", {0, 1, -2, "N/m", ""}, 0.0, scales_.force, each, intensity);
     marks();
@@ -134,6 +140,20 @@ class Legend {
     if (scales_.joints.size() > most_joints_listed)
       end_entry(fmt::format("and {} more", scales_.joints.size() - most_joints_listed));
     line_swatch(no_joint_colour, 1.0, "no joint");
+  }
+
+  /// Faces that have failed have the colours of the bar of slip, if there is one.
+  void bonds() {
+    if (scales_.bonds.empty())
+      return;
+    for (const quantities::Bond bond : scales_.bonds) {
+      const bool failed =
+          bond == quantities::Bond::failed || bond == quantities::Bond::weakened;
+      set_bond_dashes(pen_, bond);
+      line_swatch(failed ? slip_colour(scales_.slip > 0.0 ? 0.5 : 0.0) : bonded_colour,
+                  3.0, quantities::word(bond));
+    }
+    line_swatch(no_joint_colour, 1.0, "open, or no law");
   }
 
   std::string material_text(int material) const {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "post/bond_sides.hpp"
 #include "post/force_network.hpp"
+#include "post/joint_faces.hpp"
 #include "post/joint_style.hpp"
 #include "post/quantity.hpp"
 
@@ -66,6 +68,11 @@ void ScaleSurvey::include(const Picture& picture) {
     include_corners(picture.first);
   if (options_.shows_joints())
     joints_.merge(joints_of(now));
+  if (options_.shows_bonds())
+    for (const FacePart& part : face_parts(now, picture.contacts)) {
+      bonds_.insert(part.bond);
+      slip_ = std::max(slip_, part.slip);
+    }
   if (options_.shows_quantity()) {
     const Quantity shown =
         quantity(options_.colour, picture.now, picture.first, picture.contacts);
@@ -117,6 +124,8 @@ FigureScales ScaleSurvey::scales() const {
   }
   if (options_.shows_joints() && joints_.empty())
     throw std::runtime_error(no_joints_text());
+  if (options_.shows_bonds() && bonds_.empty())
+    throw std::runtime_error(no_laws_text());
   if (const QuantityKind* kind = quantities::find_quantity(options_.colour);
       kind && is_internal_stress(*kind) && least_ == 0.0 && most_ == 0.0)
     throw std::runtime_error(
@@ -142,6 +151,8 @@ FigureScales ScaleSurvey::scales() const {
   result.block_size = block_size_;
   result.materials = materials_;
   result.joints = joints_;
+  result.bonds = bonds_;
+  result.slip = slip_;
   result.fixed = fixed_;
   result.block_counts = block_counts_;
   return result;
@@ -149,7 +160,8 @@ FigureScales ScaleSurvey::scales() const {
 
 FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
                            long frame) {
-  const bool shown = options.forces || quantities::find_other(options.colour);
+  const bool shown =
+      options.forces || options.shows_bonds() || quantities::find_other(options.colour);
   return shown ? results.contacts(frame) : FrameContacts{};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "post/figure.hpp"
+#include "quantities/bond.hpp"
 
 namespace blocks::post {
 
@@ -27,9 +28,11 @@ struct FigureScales {
       0.0;  ///< drawn at full length: the median of the largest of each picture
   double block_size = 1.0;  ///< [L] root of the median area
   std::set<int> materials;
-  std::set<int> joints;  ///< ids other than 0, if the figure shows joints
-  bool fixed = false;          ///< true if some block is fixed
-  std::set<int> block_counts;  ///< numbers of blocks of the pictures
+  std::set<int> joints;              ///< ids other than 0, if the figure shows joints
+  std::set<quantities::Bond> bonds;  ///< of the contacts, if the figure shows bonds
+  double slip = 0.0;                 ///< [L] the largest, if the figure shows bonds
+  bool fixed = false;                ///< true if some block is fixed
+  std::set<int> block_counts;        ///< numbers of blocks of the pictures
 };
 
 class ScaleSurvey {
@@ -37,7 +40,7 @@ class ScaleSurvey {
   explicit ScaleSurvey(const FigureOptions& options) : options_(options) {}
   void include(const Picture& picture);
   /// Throws std::runtime_error if the ends of the zoom or the range are in the wrong
-  /// order, every stress is 0, or the figure shows joints and there is none.
+  /// order, every stress is 0, or the figure shows joints or bonds and there is none.
   FigureScales scales() const;
 
  private:
@@ -50,6 +53,8 @@ class ScaleSurvey {
   std::vector<double> forces_, arrows_;  ///< the largest of each picture
   double block_size_ = 1.0;
   std::set<int> materials_, joints_, block_counts_;
+  std::set<quantities::Bond> bonds_;
+  double slip_ = 0.0;
   bool fixed_ = false;
 };
 

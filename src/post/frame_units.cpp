@@ -37,6 +37,10 @@ void convert(FrameContacts& contacts, const UnitScale& scale) {
   contacts.overlap *= scale.length;
   contacts.normal_force *= force;
   contacts.shear_force *= force;
+  FrameContacts::Laws& laws = contacts.laws;
+  for (auto* lengths :
+       {&laws.slip, &laws.dilation, &laws.plastic_closure, &laws.length})
+    *lengths *= scale.length;
 }
 
 void convert(RecordedHistory& recorded, const UnitScale& scale) {

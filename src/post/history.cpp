@@ -8,6 +8,7 @@
 
 #include "post/material_list.hpp"
 #include "post/quantity.hpp"
+#include "quantities/energy.hpp"
 
 namespace blocks::post {
 namespace {
@@ -40,6 +41,16 @@ std::string label_of(const Curve& curve, const std::string& label) {
     return fmt::format("{} of block {}", label, curve.first);
   case Of::corner:
     return fmt::format("{} of block {}, corner {}", label, curve.first, curve.corner);
+  case Of::joint:
+  case Of::pair: {
+    const std::string place =
+        curve.of == Of::joint
+            ? fmt::format("joint {}", curve.joint)
+            : fmt::format("blocks {} and {}", curve.first, curve.last);
+    return fmt::format(
+        "{} of {}", curve.has_statistic ? reduced_label(curve.statistic, label) : label,
+        place);
+  }
   case Of::blocks:
     break;
   case Of::model:
@@ -115,6 +126,15 @@ void require_places(const Question& question) {
   std::vector<std::vector<Eigen::Vector2d>> outlines;  // read if a corner is asked for
   const std::set<int> materials(last.material.begin(), last.material.end());
   for (const Curve& curve : question.curves) {
+    if (curve.quantity.starts_with(quantities::energy_prefix))
+      throw std::runtime_error(fmt::format("{} has no {}: name it on the HISTORY card",
+                                           results.path(), curve.name()));
+    const OtherKind* kind = quantities::find_other(curve.quantity);
+    if (((kind != nullptr && kind->of_laws) || curve.joint > 0) && !results.has_laws())
+      throw std::runtime_error(
+          fmt::format("{} has no joints with a law, so there is no {}\n  hint: the "
+                      "cards JOINT and JPAIR give joints a law",
+                      results.path(), curve.name()));
     if (curve.last > last.size())
       throw std::runtime_error(fmt::format("{} has blocks 1 to {}, no block {}",
                                            results.path(), last.size(), curve.last));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "output/results.hpp"
 #include "post/quantity.hpp"
@@ -72,6 +73,17 @@ VtuGrid contact_grid(const FrameContacts& contacts) {
                     {"NormalForce", 1, numbers(contacts.normal_force)},
                     {"ShearForce", 1, numbers(contacts.shear_force)},
                     {"Overlap", 1, numbers(contacts.overlap)}};
+  if (const FrameContacts::Laws& laws = contacts.laws; !laws.empty()) {
+    for (const auto& [name, values] : {std::pair{"Law", &laws.law},
+                                       {"Bonded", &laws.bonded},
+                                       {"Failed", &laws.failed}})
+      grid.cell_data.push_back({name, 1, *values});
+    for (const auto& [name, values] : {std::pair{"Slip", &laws.slip},
+                                       {"Dilation", &laws.dilation},
+                                       {"PlasticClosure", &laws.plastic_closure},
+                                       {"Length", &laws.length}})
+      grid.cell_data.push_back({name, 1, numbers(*values)});
+  }
   return grid;
 }
 

@@ -36,6 +36,14 @@ std::vector<ContactState> states_of(const FrameContacts& contacts) {
     states.push_back({contacts.corner_block[k], contacts.edge_block[k],
                       contacts.normal_force[i], contacts.shear_force[i],
                       contacts.overlap[i]});
+    const FrameContacts::Laws& laws = contacts.laws;
+    if (laws.empty() || laws.law[k] == 0)
+      continue;
+    ContactState& listed = states.back();
+    listed.joint = laws.law[k];
+    listed.bonded = laws.bonded[k] != 0, listed.failed = laws.failed[k] != 0;
+    listed.slip = laws.slip[i], listed.dilation = laws.dilation[i];
+    listed.length = laws.length[i];
   }
   return states;
 }
@@ -98,7 +106,8 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
                       {values.data(), static_cast<std::size_t>(values.size())});
     return {kind->label, kind->dimension, values, Zero::lowest};
   }
-  throw std::runtime_error("there is no quantity '" + name + "': choose material, joint, " +
+  throw std::runtime_error("there is no quantity '" + name +
+                           "': choose material, joint, bond, " +
                            quantities::block_quantity_names());
 }
 

@@ -28,6 +28,8 @@ namespace {
 /// How long to wait for a run that is writing a frame, [s]. It needs milliseconds, but
 /// a disk may delay it.
 constexpr std::chrono::seconds patience(10);
+/// The column of the states of laws that a run makes last.
+const std::string last_law_column = "contacts/Length";
 const std::string busy = "a run is writing to it now; try again";
 
 }  // namespace
@@ -89,10 +91,23 @@ struct ResultsReader::File {
       throw Failure(std::string("contacts/") + name + " has the wrong shape");
     return column.read<T>(from, n);
   }
+  /// Returns a column of the states of laws. Rows that it lacks belong to frames
+  /// before the first JOINT card and are 0.
+  template <class T>
+  std::vector<T> law(const char* name, hsize_t from, hsize_t n) const {
+    Column column = Column::open(own.get(), std::string("contacts/") + name);
+    if (column.width() != 1)
+      throw Failure(std::string("contacts/") + name + " has the wrong shape");
+    const hsize_t rows = column.rows(), there = rows > from ? rows - from : 0;
+    std::vector<T> values = column.read<T>(std::min(from, rows), std::min(n, there));
+    values.resize(n, T(0));
+    return values;
+  }
   /// Throws FileError, with the range of frames, unless frame i exists.
   void require(long i) const;
   Frame read(hsize_t i) const;
   FrameContacts read_contacts(hsize_t i) const;
+  FrameContacts::Laws read_laws(hsize_t from, hsize_t m) const;
   std::vector<RecordedHistory> read_recorded() const;
   /// Returns the joint ids of all points of a frame; empty if the file has none.
   std::vector<int> read_joints(hsize_t i, hsize_t points) const;
@@ -234,7 +249,21 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   rows.normal_force = vector(contact<double>("NormalForce", from, m, 1));
   rows.shear_force = vector(contact<double>("ShearForce", from, m, 1));
   rows.overlap = vector(contact<double>("Overlap", from, m, 1));
+  if (output::hdf5::exists(own.get(), last_law_column))
+    rows.laws = read_laws(from, m);
   return rows;
+}
+
+FrameContacts::Laws ResultsReader::File::read_laws(hsize_t from, hsize_t m) const {
+  FrameContacts::Laws laws;
+  laws.law = law<int>("Law", from, m);
+  laws.bonded = law<int>("Bonded", from, m);
+  laws.failed = law<int>("Failed", from, m);
+  laws.slip = vector(law<double>("Slip", from, m));
+  laws.dilation = vector(law<double>("Dilation", from, m));
+  laws.plastic_closure = vector(law<double>("PlasticClosure", from, m));
+  laws.length = vector(law<double>("Length", from, m));
+  return laws;
 }
 
 std::vector<RecordedHistory> ResultsReader::File::read_recorded() const {
@@ -434,6 +463,13 @@ FrameContacts ResultsReader::contacts(long i) const {
   });
   convert(contacts, file_->scale);
   return contacts;
+}
+
+bool ResultsReader::has_laws() const {
+  return output::with_file_errors("read", file_->path, [&] {
+    return file_->soundly(
+        [&] { return output::hdf5::exists(file_->own.get(), last_law_column); });
+  });
 }
 
 std::vector<RecordedHistory> ResultsReader::recorded() const {

@@ -39,9 +39,18 @@ struct Frame {
 /// The m active contacts of a frame, each of a corner on an edge. Blocks, corners and
 /// edges count from 1; edge block 0 means a symmetry plane.
 struct FrameContacts {
+  /// What the laws of joints remember (docs/laws.md); all empty if the file has none.
+  struct Laws {
+    std::vector<int> law;             ///< (m) joint id; 0: STIFF and FRICTN
+    std::vector<int> bonded, failed;  ///< (m) 0 or 1
+    Eigen::VectorXd slip, dilation, plastic_closure;  ///< (m) [L]
+    Eigen::VectorXd length;  ///< (m) [L] part of the faces that a contact stands for
+    bool empty() const { return law.empty(); }
+  };
   std::vector<int> corner_block, corner, edge_block, edge;  ///< (m)
   Eigen::Matrix2Xd point, normal;  ///< [L] the corner; outward normal of the edge
   Eigen::VectorXd normal_force, shear_force, overlap;  ///< [F], [F], [L]
+  Laws laws;
   int size() const { return static_cast<int>(corner.size()); }
   /// Returns the forces on the blocks of the corners, n Fn - t Fs (16), [F], (2, m).
   /// The opposite forces act on the other blocks.
@@ -85,6 +94,8 @@ class ResultsReader {
   /// the last earlier frame that shows them, or empty if there is none.
   std::vector<std::vector<Eigen::Vector2d>> last_outlines(long i) const;
   FrameContacts contacts(long i) const;
+  /// Whether the contacts of some frame have the laws of joints.
+  bool has_laws() const;
   /// Reads the histories that the run recorded, in the order of time; those without
   /// samples are left out.
   std::vector<RecordedHistory> recorded() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/bond_sides.hpp"
 #include "post/force_network.hpp"
 #include "post/joint_sides.hpp"
 #include "post/quantity.hpp"
@@ -44,6 +45,9 @@ class SceneDrawing {
       if (options_.shows_joints())
         draw_joint_sides(pen_, axes_, now_, scales_,
                          mirrored ? std::optional(options_.mirror_x) : std::nullopt);
+      if (options_.shows_bonds())
+        draw_bond_sides(pen_, axes_, picture_, scales_,
+                        mirrored ? std::optional(options_.mirror_x) : std::nullopt);
       if (options_.forces)
         forces();
       if (!options_.arrows.empty())
@@ -104,7 +108,7 @@ class SceneDrawing {
     cairo_fill_preserve(cairo_);
     if (now_.fixed[b] != 0)
       hatch(pen_, fill);
-    if (options_.shows_joints()) {  // the sides are drawn on top
+    if (options_.shows_sides()) {  // the sides are drawn on top
       cairo_new_path(cairo_);
       return;
     }
@@ -332,7 +336,7 @@ Colour colour_of_material(int material, const FigureOptions& options) {
   const Colour own = chosen == options.material_colours.end()
                          ? material_colour(material)
                          : chosen->second;
-  const bool below_lines = options.forces || options.shows_joints();
+  const bool below_lines = options.forces || options.shows_sides();
   return below_lines ? mix(own, white, 0.3) : own;
 }
 

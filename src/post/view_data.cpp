@@ -14,8 +14,10 @@
 #include <stdexcept>
 
 #include "output/results.hpp"
+#include "post/bond_sides.hpp"
 #include "post/colour_map.hpp"
 #include "post/quantity.hpp"
+#include "post/view_bonds.hpp"
 #include "post/view_numbers.hpp"
 #include "post/view_store.hpp"
 
@@ -154,6 +156,8 @@ class Packer {
       store.add("joint", "u16", joints_of_sides(ids));
     store.add_frames("fixed", fixed_, blocks_);
     add_forces(store);
+    if (bonds_.any())
+      bonds_.store(store);
     PackedText packed = store.packed();
     return {meta(store, packed.bytes, ids), std::move(packed.text)};
   }
@@ -181,6 +185,7 @@ class Packer {
         strain_.push_back(in_strain_steps(value));
     }
     take_contacts(contacts);
+    bonds_.add_frame(contacts, first_corner_);
     joints_.resize(blocks_);
     for (std::size_t b = 0; b < now.joints.size(); ++b)
       if (!now.joints[b].empty())
@@ -440,6 +445,11 @@ class Packer {
                  {"arrays", store.notes()}};
     if (!joints.empty())
       json["joints"] = joints;
+    if (bonds_.any()) {
+      json["largest_slip"] = bonds_.largest_slip();
+      json["slip_colours"] = colours_of({slip_colour});
+      json["stress_unit"] = unit_text({-1, 1, -2, "Pa", ""}, units);
+    }
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
@@ -458,6 +468,7 @@ class Packer {
   std::vector<Eigen::Vector2d> origin_;
   std::vector<std::vector<int>> joints_;  ///< of the sides of each block
   std::vector<std::vector<Arrow>> arrows_;
+  ViewBonds bonds_;
   double largest_ = 0.0;
   std::vector<double> times_, energy_;
   std::vector<long> steps_;

@@ -22,7 +22,7 @@ struct PackedText {
 
 class ViewStore {
  public:
-  /// Adds values as they are in memory. type: f64, f32, u16 or u8.
+  /// Adds values as they are in memory. type: f64, f32, u32, u16 or u8.
   template <class T>
   void add(const std::string& name, const char* type, const std::vector<T>& values) {
     note(name, type, values.size(), 0);

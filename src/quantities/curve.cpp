@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
+#include "quantities/energy.hpp"
 #include "quantities/model_quantity.hpp"
 #include "quantities/quantity.hpp"
 
@@ -19,7 +21,9 @@ const std::vector<std::string> corner_names = {
 
 constexpr const char* places =
     "after the colon give block 9, its corner 9.2, or several blocks: 6-9 or "
-    "material=2, alone or with max, min, mean, sum or a percentile from p0 to p100";
+    "material=2, alone or with max, min, mean, sum or a percentile from p0 to p100; "
+    "for "
+    "quantities of contacts also joint=1 or the two blocks 2+3";
 
 /// Returns a whole number from 1, or 0 if the text is none.
 int whole_number(const std::string& digits) {
@@ -28,7 +32,8 @@ int whole_number(const std::string& digits) {
   return fine ? std::stoi(digits) : 0;
 }
 
-/// Reads "9", "9.2", "6-9" or "material=2". Returns false if it is none of them.
+/// Reads "9", "9.2", "6-9", "2+3", "material=2" or "joint=1". Returns false if it is
+/// none of them.
 bool read_place(const std::string& where, Curve& curve) {
   const std::string material = "material=";
   if (where.starts_with(material)) {
@@ -36,7 +41,13 @@ bool read_place(const std::string& where, Curve& curve) {
     curve.material = where.substr(material.size());
     return !curve.material.empty();
   }
-  const auto mark = where.find_first_of(".-");
+  const std::string joint = "joint=";
+  if (where.starts_with(joint)) {
+    curve.of = Of::joint;
+    curve.joint = whole_number(where.substr(joint.size()));
+    return curve.joint > 0;
+  }
+  const auto mark = where.find_first_of(".-+");
   curve.first = curve.last = whole_number(where.substr(0, mark));
   curve.of = Of::block;
   if (mark == std::string::npos)
@@ -44,6 +55,9 @@ bool read_place(const std::string& where, Curve& curve) {
   const int second = whole_number(where.substr(mark + 1));
   if (where[mark] == '.')
     curve.of = Of::corner, curve.corner = second;
+  else if (where[mark] == '+')
+    curve.of = Of::pair, curve.last = std::max(curve.first, second),
+    curve.first = std::min(curve.first, second);
   else
     curve.of = Of::blocks, curve.last = second;
   return curve.first > 0 && second > 0;
@@ -68,10 +82,26 @@ void read_where(const std::string& text, const std::string& where, Curve& curve)
     throw CurveFault(
         fmt::format("'{}' begins with the higher number", text),
         fmt::format("write {}:{}-{}", curve.quantity, curve.last, curve.first));
-  if (reduced && curve.of != Of::blocks)
+  if (reduced && curve.of != Of::blocks && !curve.of_contacts())
     throw CurveFault(
         fmt::format("'{}': {} is for several blocks", text, curve.statistic.name()),
         places);
+  curve.has_statistic = reduced && curve.of_contacts();
+}
+
+/// Lists the quantities of the contacts of a joint or of two blocks.
+std::string contact_quantities() {
+  std::string names;
+  for (const auto& [name, kind] : other_kinds())
+    if (!kind.whole)
+      names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+std::string joint_places(const std::string& name) {
+  return fmt::format("{0}:joint=1 is that of the joint with id 1, {0}:2+3 that between "
+                     "blocks 2 and 3",
+                     name);
 }
 
 }  // namespace
@@ -84,6 +114,13 @@ std::string Curve::name() const {
     return fmt::format("{}:{}", quantity, first);
   case Of::corner:
     return fmt::format("{}:{}.{}", quantity, first, corner);
+  case Of::joint:
+  case Of::pair: {
+    const std::string where = of == Of::pair ? fmt::format("{}+{}", first, last)
+                                             : fmt::format("joint={}", joint);
+    return fmt::format("{}:{}{}", quantity, where,
+                       has_statistic ? ":" + statistic.name() : "");
+  }
   case Of::blocks:
     break;
   }
@@ -98,19 +135,48 @@ std::string Curve::name() const {
 std::string history_help() {
   std::string whole;
   for (const auto& [name, kind] : other_kinds())
-    whole += (whole.empty() ? "" : ", ") + name;
+    if (!kind.per_length)
+      whole += (whole.empty() ? "" : ", ") + name;
   for (const QuantityKind& kind : quantity_kinds())
     if (kind.additive)
       whole += ", " + kind.name;
   return "of blocks (:9, :6-9, :material=2, :max, :min, :mean, :sum, :p90): " +
          quantity_names() +
          "\nof corners (:9.2): " + fmt::format("{}", fmt::join(corner_names, ", ")) +
-         "\nof the model: " + whole;
+         "\nof joints with a law or of two blocks (:joint=1, :2+3): " +
+         contact_quantities() + "\nof the model: " + whole;
 }
+
+namespace {
+
+/// Whether the part of a name before the colon is that of the energy account.
+bool is_energy(std::string name) {
+  for (char& c : name)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name + ':' == energy_prefix;
+}
+
+/// Reads "energy:NAME", which names a quantity of the model.
+Curve parse_energy(const std::string& text) {
+  Curve curve;
+  if (const OtherKind* kind = find_other(text); kind == nullptr) {
+    std::string names;
+    for (const EnergyQuantity& one : energy_quantities())
+      names += (names.empty() ? "" : ", ") + (energy_prefix + one.name);
+    throw CurveFault("the energy account has no entry '" + text + "'", names);
+  }
+  for (const char c : text)
+    curve.quantity += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return curve;
+}
+
+}  // namespace
 
 Curve parse_curve(const std::string& text) {
   const auto colon = text.find(':');
   const std::string name = text.substr(0, colon);
+  if (is_energy(name))
+    return parse_energy(text);
   const QuantityKind* kind = find_quantity(name);
   const OtherKind* other = find_other(name);
   if (!kind && !other) {
@@ -120,6 +186,10 @@ Curve parse_curve(const std::string& text) {
   }
   Curve curve;
   curve.quantity = kind ? kind->name : name;
+  const bool only_joints = other && other->per_length;
+  if (only_joints && colon == std::string::npos)
+    throw CurveFault(fmt::format("{} needs a joint or two blocks", name),
+                     joint_places(name));
   if (colon == std::string::npos) {
     if (kind && !kind->additive)
       throw CurveFault(fmt::format("{} needs a block or a statistic", name),
@@ -133,6 +203,20 @@ Curve parse_curve(const std::string& text) {
     throw CurveFault(fmt::format("{} is a quantity of the whole model", name),
                      fmt::format("write {} alone", name));
   read_where(text, text.substr(colon + 1), curve);
+  if (curve.of_contacts() && kind)
+    throw CurveFault(fmt::format("{} is a quantity of blocks, not of contacts", name),
+                     "a joint or two blocks have: " + contact_quantities());
+  if (only_joints && !curve.of_contacts())
+    throw CurveFault(fmt::format("{} is a quantity of joints", name),
+                     joint_places(name));
+  if (only_joints && curve.has_statistic)
+    throw CurveFault(fmt::format("{} is a sum of forces over a length, without a "
+                                 "statistic",
+                                 name),
+                     joint_places(name));
+  if (curve.of == Of::pair && curve.first == curve.last)
+    throw CurveFault(fmt::format("'{}' has the same block twice", text),
+                     "a contact has two blocks");
   if (curve.of == Of::corner && std::find(corner_names.begin(), corner_names.end(),
                                           curve.quantity) == corner_names.end())
     throw CurveFault(

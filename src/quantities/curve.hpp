@@ -20,16 +20,24 @@ struct CurveFault : std::runtime_error {
 /// A quantity and its place: "kinetic_energy" for the model, "speed:9" for block 9,
 /// "x:9.2" for its corner 2. For several blocks a statistic reduces the values to one:
 /// "speed:max" for all blocks, "y:6-9" for the mean of blocks 6 to 9,
-/// "y:material=2:p90" for a percentile of those of a material.
+/// "y:material=2:p90" for a percentile of those of a material. The contacts of a joint
+/// with a law or those between two blocks have a value too: "shear_force:joint=1",
+/// "slip:2+3".
 struct Curve {
-  enum class Of { model, block, corner, blocks };
+  enum class Of { model, block, corner, blocks, joint, pair };
   std::string quantity;  ///< a name of quantity.hpp or model_quantity.hpp
   Of of = Of::model;
-  int first = 0, last = 0;  ///< numbers of the blocks, from 1; 0, 0: all
-  int corner = 0;           ///< from 1
-  std::string material;     ///< number or name; empty: any
-  Statistic statistic;      ///< of several blocks
+  /// Numbers of the blocks, from 1; 0, 0: all. Of a pair: its two blocks, the lower
+  /// number first.
+  int first = 0, last = 0;
+  int joint = 0;         ///< joint id, from 1
+  int corner = 0;        ///< from 1
+  std::string material;  ///< number or name; empty: any
+  Statistic statistic;   ///< of several blocks or contacts
+  /// Of the contacts of a joint or a pair: false means the usual one of the quantity.
+  bool has_statistic = false;
 
+  bool of_contacts() const { return of == Of::joint || of == Of::pair; }
   bool all_blocks() const { return of == Of::blocks && first == 0 && material.empty(); }
   /// As the user writes it, in one form: curves with the same name are the same.
   std::string name() const;

@@ -53,7 +53,7 @@ CurveValues::CurveValues(const std::vector<Curve>& curves,
 
 bool CurveValues::has_contacts() const {
   return std::any_of(curves_.begin(), curves_.end(), [](const Reader& reader) {
-    return reader.other && reader.other->contact;
+    return reader.other && !reader.other->whole;
   });
 }
 
@@ -88,12 +88,42 @@ double CurveValues::of_contacts(const Reader& reader, const State& now) {
   return none;
 }
 
+/// Returns the value of the contacts of a joint or of two blocks: NaN if there is no
+/// contact, unless they are summed.
+double CurveValues::of_joint(const Reader& reader, const State& now) {
+  const OtherKind& kind = *reader.other;
+  const Curve& curve = reader.curve;
+  double length = 0.0;
+  scratch_.clear();
+  for (const ContactState& contact : now.contacts) {
+    const auto [low, high] = std::minmax(contact.corner_block, contact.edge_block);
+    const bool counts = curve.of == Of::joint
+                            ? contact.joint == curve.joint
+                            : low == curve.first && high == curve.last;
+    if (!counts)
+      continue;
+    scratch_.push_back(kind.along(contact));
+    length += contact.length;
+  }
+  if (kind.per_length) {
+    const double sum = scratch_.empty() ? 0.0 : reduce({Statistic::How::sum}, scratch_);
+    return length > 0.0 ? sum / length : 0.0;
+  }
+  const Statistic statistic =
+      curve.has_statistic ? curve.statistic : Statistic{kind.natural_of_joint};
+  if (scratch_.empty())
+    return statistic.how == Statistic::How::sum ? 0.0 : none;
+  return reduce(statistic, scratch_);
+}
+
 double CurveValues::value(const Reader& reader, const State& now,
                           const Positions& first) {
   const Curve& curve = reader.curve;
   if (reader.other) {
     if (reader.other->whole)
       return reader.other->whole(now);
+    if (curve.of_contacts())
+      return of_joint(reader, now);
     const double whole = of_contacts(reader, now);
     if (curve.of == Of::model || curve.all_blocks())
       return whole;

@@ -45,6 +45,7 @@ class CurveValues {
   };
   double value(const Reader& reader, const State& now, const Positions& first);
   double of_contacts(const Reader& reader, const State& now);
+  double of_joint(const Reader& reader, const State& now);
 
   std::vector<Reader> curves_;
   std::vector<double> scratch_;    ///< values to be reduced

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
+#include "quantities/energy.hpp"
 #include "quantities/quantity.hpp"
 
 namespace blocks::quantities {
@@ -21,11 +23,14 @@ void OtherKind::of_contacts(std::span<const ContactState> contacts,
       }
 }
 
-const std::map<std::string, OtherKind>& other_kinds() {
+namespace {
+
+std::map<std::string, OtherKind> all_other_kinds() {
   using How = Statistic::How;
   constexpr Dimension force{0, 1, -2, "N/m", ""}, length{1, 0, 0, "m", ""},
-      duration{0, 0, 1, "s", ""}, pure{};
-  static const std::map<std::string, OtherKind> kinds = {
+      duration{0, 0, 1, "s", ""}, stress{-1, 1, -2, "Pa", ""}, pure{};
+  constexpr bool per_length = true, with_laws = true;
+  std::map<std::string, OtherKind> kinds = {
       {"contacts",
        {"contacts", pure, How::sum, [](const ContactState&) { return 1.0; }, {}}},
       {"normal_force",
@@ -39,13 +44,86 @@ const std::map<std::string, OtherKind>& other_kinds() {
         force,
         How::sum,
         [](const ContactState& c) { return std::abs(c.shear_force); },
-        {}}},
+        {},
+        [](const ContactState& c) { return c.shear_force; }}},
       {"overlap",
        {"overlap",
         length,
         How::largest,
         [](const ContactState& c) { return c.overlap; },
-        {}}},
+        {},
+        {},
+        How::largest}},
+      {"bonded",
+       {"bonded contacts",
+        pure,
+        How::sum,
+        [](const ContactState& c) { return c.bonded ? 1.0 : 0.0; },
+        {},
+        {},
+        How::sum,
+        false,
+        with_laws}},
+      {"failed",
+       {"failed contacts",
+        pure,
+        How::sum,
+        [](const ContactState& c) { return c.failed ? 1.0 : 0.0; },
+        {},
+        {},
+        How::sum,
+        false,
+        with_laws}},
+      {"slip",
+       {"slip",
+        length,
+        How::largest,
+        [](const ContactState& c) { return std::abs(c.slip); },
+        {},
+        [](const ContactState& c) { return c.slip; },
+        How::mean,
+        false,
+        with_laws}},
+      {"dilation",
+       {"dilation",
+        length,
+        How::largest,
+        [](const ContactState& c) { return c.dilation; },
+        {},
+        {},
+        How::mean,
+        false,
+        with_laws}},
+      {"joint_length",
+       {"length in contact",
+        length,
+        How::sum,
+        [](const ContactState& c) { return c.length; },
+        {},
+        {},
+        How::sum,
+        false,
+        with_laws}},
+      {"normal_stress",
+       {"normal stress",
+        stress,
+        How::sum,
+        {},
+        {},
+        [](const ContactState& c) { return c.joint != 0 ? c.normal_force : 0.0; },
+        How::sum,
+        per_length,
+        with_laws}},
+      {"shear_stress",
+       {"shear stress",
+        stress,
+        How::sum,
+        {},
+        {},
+        [](const ContactState& c) { return c.joint != 0 ? c.shear_force : 0.0; },
+        How::sum,
+        per_length,
+        with_laws}},
       {"step",
        {"step",
         pure,
@@ -60,6 +138,21 @@ const std::map<std::string, OtherKind>& other_kinds() {
         [](const State& now) { return static_cast<double>(now.blocks.present()); }}},
       {"time",
        {"time", duration, How::sum, {}, [](const State& now) { return now.time; }}}};
+  // The account is on request only; see energy.hpp.
+  const Dimension energy{1, 1, -2, "J/m", ""};
+  for (const EnergyQuantity& one : energy_quantities())
+    kinds[energy_prefix + one.name] = {
+        one.label, energy, How::sum, {}, [value = one.value](const State& now) {
+          return now.energy == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                       : value(*now.energy);
+        }};
+  return kinds;
+}
+
+}  // namespace
+
+const std::map<std::string, OtherKind>& other_kinds() {
+  static const std::map<std::string, OtherKind> kinds = all_other_kinds();
   return kinds;
 }
 

@@ -28,8 +28,11 @@ double principal(const Eigen::Vector4d& tensor, double sign) {
   return mean + sign * std::sqrt(half * half + tensor[1] * tensor[1]);
 }
 
-/// Computed exactly as in the totals of the model, to the last bit.
+/// Computed exactly as in the totals of the model, to the last bit. Driven blocks have
+/// no finite mass.
 double kinetic_energy(const BlockStates& now, int b) {
+  if (!now.is_free(b))
+    return 0.0;
   const Eigen::Vector2d v = now.velocity.col(b), p = now.mass[b] * v;
   return 0.5 * (p.dot(v) + now.inertia[b] * now.spin[b] * now.spin[b]);
 }

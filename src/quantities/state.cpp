@@ -22,6 +22,12 @@ bool BlockStates::is_removed(int b) const {
                            : (*fixed)[k] == static_cast<int>(Fixity::removed);
 }
 
+bool BlockStates::is_free(int b) const {
+  const auto k = static_cast<std::size_t>(b);
+  return fixity != nullptr ? (*fixity)[k] == Fixity::free
+                           : (*fixed)[k] == static_cast<int>(Fixity::free);
+}
+
 int BlockStates::present() const {
   int count = 0;
   for (int b = 0; b < size(); ++b)
@@ -52,9 +58,19 @@ void list_contacts(const Model& model, std::vector<ContactState>& contacts) {
     return block_of[static_cast<std::size_t>(corner)] + 1;
   };
   contacts.clear();
-  for (const Contact& contact : model.contacts)
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const Contact& contact = model.contacts[i];
     contacts.push_back({number(contact.corner), number(contact.edge),
                         contact.normal_force, contact.shear_force, contact.overlap});
+    if (i >= model.joint_states.size() || model.joint_states[i].law == 0)
+      continue;
+    const JointState& state = model.joint_states[i];
+    ContactState& listed = contacts.back();
+    listed.joint = state.law;
+    listed.bonded = state.bonded, listed.failed = state.failed;
+    listed.slip = state.slip, listed.dilation = state.offset;
+    listed.length = state.length;
+  }
   const PlaneContacts& on_planes = model.plane_contacts;
   for (int i = 0; i < on_planes.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);

@@ -45,6 +45,7 @@ struct BlockStates : Positions {
 
   int size() const { return static_cast<int>(material.size()); }
   bool is_removed(int b) const;
+  bool is_free(int b) const;
   /// The number of blocks that are not removed.
   int present() const;
 };
@@ -54,6 +55,11 @@ struct ContactState {
   int corner_block = 0, edge_block = 0;
   double normal_force = 0.0, shear_force = 0.0;  ///< [F]
   double overlap = 0.0;                          ///< [L]
+  // The state of the law of a joint, as in JointState; 0 for other contacts.
+  int joint = 0;  ///< joint id
+  bool bonded = false, failed = false;
+  double slip = 0.0, dilation = 0.0;  ///< [L]
+  double length = 0.0;                ///< [L] part of the faces that it stands for
 };
 
 struct State {
@@ -61,6 +67,7 @@ struct State {
   long step = 0;
   BlockStates blocks;
   std::span<const ContactState> contacts;
+  const EnergyAccount* energy = nullptr;  ///< null for a frame, which has no account
 };
 
 /// The blocks of a model. Valid as long as they exist and their number is the same.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "audit/audit.hpp"
 #include "audit/make_exact_rule.hpp"
 #include "audit/story.hpp"
 #include "audit/words.hpp"
@@ -22,6 +21,7 @@ constexpr std::size_t most_faults = 10;
 
 void AuditWatch::before(const Model& model) {
   blocks_ = model.blocks;
+  held_ = audit::held_contacts(model);
   // If the present list is not current, the step makes a new one first.
   left_ = model.search.current ? model.search.left : dynamics::list_tolerance(model);
 }
@@ -29,7 +29,8 @@ void AuditWatch::before(const Model& model) {
 AuditWatch::Verdict AuditWatch::after(const Model& model,
                                       std::vector<audit::BlockPair> listed) {
   const audit::Moment moment{blocks_, model.contacts,    model.settings,
-                             left_,   std::move(listed), model.order};
+                             left_,   std::move(listed), model.order,
+                             held_,   model.joint_states};
   const audit::Findings found = audit::audit(moment);
   const long step = model.steps;
   const double time = model.time - model.time_step.dt;  // time of the decision

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "audit/audit.hpp"
 #include "model/audit_totals.hpp"
 #include "model/model.hpp"
 
@@ -19,7 +20,8 @@ class AuditWatch {
   bool due(const Model& model) const {
     return totals_.every > 0 && model.steps % totals_.every == 0;
   }
-  /// Keeps a copy of the blocks, from which the next step decides its contacts.
+  /// Keeps a copy of the blocks and of what the laws of joints hold, from which the
+  /// next step decides its contacts. The list of contacts must be up to date.
   void before(const Model& model);
 
   struct Verdict {
@@ -38,6 +40,7 @@ class AuditWatch {
 
  private:
   Blocks blocks_;
+  std::vector<audit::HeldContact> held_;
   double left_ = 0.0;  ///< [L] distance corners may move before the next search
   AuditTotals totals_;
   std::map<std::pair<int, int>, std::size_t> told_;       ///< index into totals_.excess

@@ -12,6 +12,7 @@
 #include "deck/mesh_readers.hpp"
 #include "dynamics/time_step.hpp"
 #include "model/counted.hpp"
+#include "model/drives.hpp"
 #include "run/build_blocks.hpp"
 #include "run/deck_file.hpp"
 #include "run/deck_outlines.hpp"
@@ -203,6 +204,7 @@ struct Builder::Visitor {
     if (b < 0)
       return;
     blocks.fix(b, Fixity::by_user);
+    end_drive(model, b);
     model.search.invalidate();
   }
   void operator()(const deck::Remove& card) { self.remove(command, card.blocks); }
@@ -264,6 +266,12 @@ struct Builder::Visitor {
     settings.damping = card.beta.value;
     self.fraction_by_ = command;
   }
+  void operator()(const deck::Joint& card) { self.define_joint(command, card); }
+  void operator()(const deck::Walton& card) { self.define_walton(command, card); }
+  void operator()(const deck::Barton& card) { self.define_barton(command, card); }
+  void operator()(const deck::Jpair& card) { self.pair_materials(command, card); }
+  void operator()(const deck::Bond& card) { self.bond(command, card); }
+  void operator()(const deck::Drive& card) { self.drive(command, card); }
   void operator()(const deck::Output& card) {
     model.output_blocks.clear();
     constexpr long most = std::numeric_limits<int>::max();

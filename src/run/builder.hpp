@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -133,6 +134,23 @@ class Builder {
   void note(const deck::Command& command, const char* done,
             const std::vector<int>& chosen);
 
+  // Laws of joints and driven blocks, in builder_laws.cpp
+  void define_joint(const deck::Command& command, const deck::Joint& card);
+  void define_walton(const deck::Command& command, const deck::Walton& card);
+  void define_barton(const deck::Command& command, const deck::Barton& card);
+  void pair_materials(const deck::Command& command, const deck::Jpair& card);
+  void bond(const deck::Command& command, const deck::Bond& card);
+  void drive(const deck::Command& command, const deck::Drive& card);
+  /// Whether a MOTION or CYCLE lies before the present card.
+  bool has_moved() const { return stretch_ > 0 || model_.steps > 0; }
+  /// Returns the law of this joint id. Reports an error and returns null if no JOINT
+  /// card defines it.
+  JointLaw* law(const deck::Command& command, const deck::Int& id);
+  /// Returns the law that WALTON or BARTON extends, or null after an error.
+  JointLaw* law_to_extend(const deck::Command& command, const deck::Int& id);
+  /// Demands a new time step if one of the laws has a stiffness of its own.
+  void law_changed(const JointLaw& before, const JointLaw& after);
+
   void check_planes();
   void check_room(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
@@ -157,6 +175,13 @@ class Builder {
   /// Blocks inside the outlines of REMOVE cards that acted while not in place. They
   /// remain in the model, because they may be elsewhere when the run removes blocks.
   std::set<int> perhaps_removed_;
+  /// The line of a card and its section between motions.
+  struct GivenAt {
+    int line = 0;
+    std::size_t stretch = 0;
+  };
+  std::map<int, GivenAt> joints_;                 ///< JOINT cards by id
+  std::map<std::pair<int, int>, GivenAt> pairs_;  ///< JPAIR cards by materials
   std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END

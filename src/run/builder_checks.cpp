@@ -111,7 +111,18 @@ void Builder::check_history_blocks(const Command& command) {
   const quantities::MaterialNumbers numbers = material_numbers(model_.settings);
   deck::Diagnostics told("", "");  // faults of the card itself are reported before
   for (const auto& [curve, where] : named_curves(command, told)) {
-    if (curve.last > blocks.size()) {
+    if (const quantities::OtherKind* kind = quantities::find_other(curve.quantity);
+        model_.settings.joint_laws.empty() && !unread_.may_define_joint(0) &&
+        ((kind != nullptr && kind->of_laws) || curve.joint > 0)) {
+      diagnostics_.error(where, command.name,
+                         curve.name() + " needs a joint with a law",
+                         "JOINT defines a law, JPAIR gives it to materials");
+    } else if (curve.joint > 0 && !model_.settings.joint_laws.contains(curve.joint) &&
+               !unread_.may_define_joint(curve.joint)) {
+      diagnostics_.error(where, command.name,
+                         fmt::format("no JOINT card above has the id {}", curve.joint),
+                         "name a joint that has a law");
+    } else if (curve.last > blocks.size()) {
       error_no_block(command, {curve.last, where, true});
     } else if (curve.corner > 0 && curve.corner > blocks.corners_of(curve.first - 1)) {
       diagnostics_.error(

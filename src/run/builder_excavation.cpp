@@ -65,7 +65,9 @@ void Builder::free(const Command& command, const deck::Selection& named) {
         found.push_back(b);
     return found;
   };
-  const std::vector<int> fixed = chosen_with(Fixity::by_user);
+  std::vector<int> fixed = chosen_with(Fixity::by_user);
+  const std::vector<int> driven = chosen_with(Fixity::driven);
+  fixed.insert(fixed.end(), driven.begin(), driven.end());
   if (!fixed.empty()) {
     free_blocks(model_, fixed);
     note(command, "freed", fixed);

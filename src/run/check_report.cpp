@@ -5,6 +5,7 @@
 #include "dynamics/time_step.hpp"
 #include "model/counted.hpp"
 #include "model/cut_report.hpp"
+#include "model/law_report.hpp"
 
 namespace blocks::run {
 
@@ -39,6 +40,7 @@ std::string check_report(const std::string& file, const Model& model,
         merge.layer, merge.absorbed, merge.into, merge.why());
   for (const CutRecord& cut : model.cuts)
     text += cut_report(cut, model.joint_lengths);
+  text += law_report(model);
   if (certificate)
     text += verdict(*certificate) + "\n" + joints_line(*certificate) + "\n";
   if (present > 0) {

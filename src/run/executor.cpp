@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "model/counted.hpp"
+#include "model/law_report.hpp"
 #include "run/continuation_hint.hpp"
 #include "run/interrupt.hpp"
 #include "run/profile_table.hpp"
@@ -91,6 +92,8 @@ void Executor::echo() {
 
 void Executor::finish() {
   echo();
+  if (!model_.settings.joint_laws.empty())
+    console_.note(bonds_line(model_));
   if (audit_.totals().every > 0)
     console_.note(audit_.closing());
 }

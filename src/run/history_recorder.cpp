@@ -75,7 +75,8 @@ void HistoryRecorder::read(const Model& model, std::vector<double>& values) {
   const quantities::BlockStates blocks = quantities::states_of(model.blocks);
   const quantities::Positions first{first_.centroid,
                                     quantities::Corners(first_.outlines)};
-  values_of_.evaluate({model.time, model.steps, blocks, contacts_}, first, values);
+  values_of_.evaluate({model.time, model.steps, blocks, contacts_, &model.energy},
+                      first, values);
 }
 
 }  // namespace blocks::run

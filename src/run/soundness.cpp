@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/compression.hpp"
+
 namespace blocks::run {
 namespace {
 
@@ -91,10 +93,12 @@ std::string unsound(const Model& model, const dynamics::StepResult& moved,
           "raise STIFF, or lower FRACTION if the run is unstable",
           model.time, model.steps, block + 1, pressed, above);
   }
-  for (const Contact& contact : model.contacts) {
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const Contact& contact = model.contacts[i];
     const int edge = contact.edge, block = blocks.corner_block[edge];
     const int other = blocks.corner_block[contact.corner];
-    const double pressed = contact.normal_elastic / stiffness;
+    const double pressed =
+        compression(model.settings, model.contacts, model.joint_states, i);
     const double behind = depth_of_middle(blocks, edge, block);
     const double above =
         0.5 * extent_across(blocks, blocks.corner.col(edge),

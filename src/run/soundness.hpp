@@ -28,7 +28,8 @@ bool may_be_unsound(const Settings& settings, const dynamics::StepResult& moved,
 ///   across the edge or plane. For an edge, that block must be convex.
 ///
 /// If the strongest spring exceeds Kn times half_depth, the springs of the contact list
-/// must be up to date.
+/// must be up to date. Kn is that of STIFF. For contacts with the law of a joint,
+/// moved.strongest is the force that would press in a contact of STIFF as far.
 std::string unsound(const Model& model, const dynamics::StepResult& moved,
                     double half_depth);
 

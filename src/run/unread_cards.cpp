@@ -22,6 +22,15 @@ bool UnreadCards::may_define(long material, const Settings& settings) const {
          });
 }
 
+bool UnreadCards::may_define_joint(long id) const {
+  return has("RESTART") ||
+         std::any_of(cards_.begin(), cards_.end(), [&](const UnreadCard& card) {
+           return (card.name == "JOINT" &&
+                   (id == 0 || card.number.value_or(id) == id)) ||
+                  (card.name.empty() && card.number == id);
+         });
+}
+
 long UnreadCards::most_blocks_above(int line) const {
   long most = 0;
   for (const UnreadCard& card : cards_)

@@ -20,6 +20,8 @@ class UnreadCards {
   /// Whether one of the cards, or a MATERIAL card that is missing altogether, may
   /// define this material.
   bool may_define(long material, const Settings& settings) const;
+  /// Whether one of the cards may be a JOINT card with this id; 0: with any id.
+  bool may_define_joint(long id) const;
   /// The number of blocks that the cards above this line may have made at most.
   long most_blocks_above(int line) const;
 

@@ -20,6 +20,7 @@ class AuditedRun {
 
   void step() {
     before = stepper_.up_to_date().blocks;
+    held = audit::held_contacts(model);
     left = model.search.current ? model.search.left : dynamics::list_tolerance(model);
     stepper_.advance(true);
     stepper_.up_to_date();
@@ -27,12 +28,13 @@ class AuditedRun {
   }
   /// Judges the last step.
   audit::Findings audit() const {
-    return audit::audit(
-        {before, model.contacts, model.settings, left, listed, model.order});
+    return audit::audit({before, model.contacts, model.settings, left, listed,
+                         model.order, held, model.joint_states});
   }
 
   Model& model;
   Blocks before;
+  std::vector<audit::HeldContact> held;
   double left = 0.0;
   std::vector<audit::BlockPair> listed;
 

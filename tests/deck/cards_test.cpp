@@ -192,6 +192,50 @@ TEST(Cards, SetVelMNamesAMaterial) {
   EXPECT_EQ((V{m.vx.value, m.vy.value, m.tdot.value}), (V{3, 4, 5}));
 }
 
+TEST(Cards, JointHasStrengthAndStiffness) {
+  const auto j = card<Joint>("JOINT, 7, .8, 2, 1, .5, .3, .2, 10,\n.05, 6, 9\n");
+  EXPECT_EQ(j.id.value, 7);
+  EXPECT_EQ(
+      (V{j.fric.value, j.coh.value, j.ten.value, j.fricr.value, j.cohr.value,
+         j.tenr.value, j.dil.value.value(), j.zdil.value, j.kn.value, j.ks.value}),
+      (V{.8, 2, 1, .5, .3, .2, 10, .05, 6, 9}));
+  const auto bare = card<Joint>("JOINT, 7, .8\n");
+  EXPECT_EQ((V{bare.coh.value, bare.ten.value, bare.fricr.value, bare.cohr.value,
+               bare.tenr.value, bare.dil.value.value(), bare.kn.value, bare.ks.value}),
+            (V{0, 0, .8, 0, 0, 0, 0, 0}));
+  EXPECT_FALSE(bare.zdil.given);
+  EXPECT_EQ(card<Joint>("JOINT, 7, , , , , , , , , 3\n").ks.value, 3);
+}
+
+TEST(Cards, WaltonAndBartonNameAJoint) {
+  const auto w = card<Walton>("WALTON, 7, .6\n");
+  EXPECT_EQ(w.id.value, 7);
+  EXPECT_EQ(w.e.value, .6);
+  EXPECT_EQ(card<Walton>("WALTON, 7\n").e.value, 1);
+  const auto b = card<Barton>("BARTON, 7, 10, 2, 30, 4, 5, 6, 8\n");
+  EXPECT_EQ(b.id.value, 7);
+  EXPECT_EQ((V{b.jrc.value, b.jcs.value, b.phir.value, b.upeak.value, b.kni.value,
+               b.vm.value, b.knmax.value}),
+            (V{10, 2, 30, 4, 5, 6, 8}));
+}
+
+TEST(Cards, JpairNamesMaterialsAndBondAJoint) {
+  const auto p = card<Jpair>("JPAIR, 3, 2, 7\n");
+  EXPECT_EQ(p.mat1.value, 3);
+  EXPECT_EQ(p.mat2.value, 2);
+  EXPECT_EQ(p.id.value, 7);
+  EXPECT_EQ(card<Bond>("BOND, 7, .5\n").tol.value, .5);
+  EXPECT_EQ(card<Bond>("BOND\n").id.value, 0);
+  EXPECT_FALSE(card<Bond>("BOND\n").tol.given);
+}
+
+TEST(Cards, DriveNamesABlock) {
+  const auto d = card<Drive>("DRIVE, 7, 3, 4, 5\n");
+  EXPECT_EQ(d.nb.value, 7);
+  EXPECT_EQ((V{d.vx.value, d.vy.value, d.tdot.value}), (V{3, 4, 5}));
+  EXPECT_EQ(card<Drive>("DRIVE, 7\n").vx.value, 0);
+}
+
 TEST(Cards, OutputNamesBlocks) {
   const auto o = card<Output>("OUTPUT, .1, 1, 5,\n9\n");
   EXPECT_EQ(o.dtout.value, .1);

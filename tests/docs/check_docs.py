@@ -228,6 +228,16 @@ def check_results(source, program):
                             int(n) != m for n, m in zip(given, real) if n.isdigit()) or (
                             given[:1] == ["s"] and real[0] != frames):
                         faults.append(f"{group}/{name}: {shape} on the page, {real} in the file")
+        Path(folder, "laws.deck").write_text(
+            deck.replace("\nMOTION", "\nJOINT, 1, 0.6\nJPAIR, 1, 1, 1\nMOTION", 1).replace("MOTION, 2", "MOTION, 0.01"))
+        subprocess.run([program, "run", "laws.deck"], cwd=folder, check=True, capture_output=True)
+        with h5py.File(Path(folder, "laws.vtkhdf")) as file:
+            with_laws = {name.strip("`") for name, _ in names("| dataset of `BLOCKS`, with laws |")}
+            more = {f"contacts/{name}" for name in file["BLOCKS/contacts"]} - found.keys()
+            faults += [f"datasets with laws differ: {name}" for name in sorted(with_laws ^ more)]
+        laws_summary = json.loads(Path(folder, "laws.summary.json").read_text())
+        if set(laws_summary["joint_contacts"]) != set(re.findall(r"`(\w+)`", page.split("there is also `joint_contacts`")[1])[:4]):
+            faults.append("joint_contacts of the summary differs from the page")
         summary = json.loads(Path(folder, "stack.summary.json").read_text())
         keys = {key for name, _ in names("| key | unit | meaning |") for key in re.findall(r"`(\w+)`", name)}
         if keys != summary.keys():

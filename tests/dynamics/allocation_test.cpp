@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "sanitized.hpp"
@@ -25,10 +26,15 @@ namespace blocks {
 namespace {
 
 TEST(Step, AllocatesNothingBetweenSearches) {
-  for (const bool rigid : {true, false}) {
+  for (const auto& [rigid, with_law] :
+       {std::pair(true, false), {false, false}, {true, true}, {false, true}}) {
     scenes::Scene scene;
     Settings& s = scene.model.settings;
     s.rigid = rigid;
+    if (with_law) {
+      s.joint_laws[1] = {.friction = 0.3, .residual_friction = 0.3, .dilation = 0.1};
+      s.joint_of_materials[{1, 1}] = 1;
+    }
     s.friction = 0.3, s.damping = 0.3;
     scene.box(-10, -1, 20, 1, true);
     for (int row = 0; row < 6; ++row)

@@ -62,7 +62,7 @@ struct Scene {
 
   /// Fills the batches with the contacts of the scene.
   void put(ContactBatches& batches) const {
-    batches.reserve(5, 11);
+    batches.reserve(5, 11, false);
     for (const int rows : rows_of_batch)
       batches.add_batch(rows);
     for (int i = 0; i < batches.batches() * lane_count; ++i) {
@@ -179,7 +179,7 @@ TEST(ContactKernel, DecidesWhatTouchesExactly) {
     const BlockState state{corner.data(), zeros, zeros, zeros, zeros};
     const auto at = [&](int c) { return Vec2(corner[2 * c], corner[2 * c + 1]); };
     ContactBatches batches;
-    batches.reserve(1, 1);
+    batches.reserve(1, 1, false);
     batches.add_batch(1);
     ContactRow& row = batches.contacts[0];
     for (int k = 0; k < lane_count; ++k) {

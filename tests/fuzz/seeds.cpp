@@ -29,5 +29,9 @@ int main(int argc, char** argv) {
   info.deck_file = "a.deck";
   info.deck_text = "START\n";
   info.results = "a.vtkhdf";
+  Model with_laws = samples::two_blocks();
+  with_laws.contacts.push_back({7, 1});
+  samples::add_laws(with_laws);
+  output::write_checkpoint(folder / "checkpoint/laws.ckpt.h5", with_laws, {});
   output::write_checkpoint(folder / "checkpoint/three_blocks.ckpt.h5", model, info);
 }

@@ -121,6 +121,8 @@ Model random_model(Dice& dice) {
   for (const auto& [low, high, corner, edge] : places)
     model.contacts.push_back(
         {corner, edge, dice.number(), dice.number(), dice.number()});
+  for (std::size_t k = 0; k < model.contacts.size(); ++k)
+    model.joint_states.push_back({dice.below(3), dice.number(), dice.number()});
   PlaneContacts& planes = model.plane_contacts;
   std::set<std::pair<int, int>> on_planes;
   for (int k = dice.below(20); k > 0; --k)
@@ -137,15 +139,20 @@ Model random_model(Dice& dice) {
     model.loads.pressures.push_back({dice.below(n), 0, dice.number()});
     model.loads.forces.push_back({dice.below(n), {dice.number(), 0}});
   }
+  for (int b = 0; b < n; ++b)
+    if (blocks.fixity[b] == Fixity::by_user)
+      model.drives.push_back({b, {dice.number(), dice.number()}, dice.number()});
   return model;
 }
 
 Model renumbered(const Model& from, const Numbering& by) {
   Model to;
   by.renumber(from.blocks, to.blocks);
-  by.renumber(from.contacts, to.blocks, to.contacts);
+  by.renumber(from.contacts, from.joint_states, to.blocks, to.contacts,
+              to.joint_states);
   by.renumber(from.plane_contacts, to.plane_contacts);
   to.loads = by.renumbered(from.loads);
+  to.drives = by.renumbered(from.drives);
   return to;
 }
 
@@ -205,6 +212,22 @@ TEST(Numbering, KeepsContactsAndTheirForces) {
   for (unsigned seed = 1; seed <= models; ++seed) {
     const Renumbered r(seed);
     ASSERT_EQ(acting(r.other), acting(r.model)) << seed;
+  }
+}
+
+TEST(Numbering, KeepsStatesWithTheirContactsAndDrivesWithTheirBlocks) {
+  for (unsigned seed = 1; seed <= models; ++seed) {
+    Renumbered r(seed);
+    for (std::size_t k = 0; k < r.model.contacts.size(); ++k)
+      r.model.joint_states[k].slip = r.model.contacts[k].normal_elastic;
+    const Model other = renumbered(r.model, r.numbering);
+    for (std::size_t k = 0; k < other.contacts.size(); ++k)
+      ASSERT_EQ(other.joint_states[k].slip, other.contacts[k].normal_elastic);
+    ASSERT_EQ(other.drives.size(), r.model.drives.size());
+    for (std::size_t k = 0; k < other.drives.size(); ++k) {
+      ASSERT_EQ(other.blocks.fixity[other.drives[k].block], Fixity::by_user);
+      ASSERT_TRUE(k == 0 || other.drives[k - 1].block < other.drives[k].block);
+    }
   }
 }
 

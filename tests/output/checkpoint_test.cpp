@@ -71,8 +71,8 @@ class Filler {
   template <class Map, class Visit>
   void materials(const std::string& name, Map& map, Visit&& visit) {
     for (int i = 0; i < 3; ++i) {
-      int number = 0;
-      Material material;
+      typename Map::key_type number{};
+      typename Map::mapped_type material;
       auto member = [&](const char* at, auto& v) { (*this)(name + at, v); };
       visit(member, number, material);
       map.emplace(number, material);

@@ -65,6 +65,34 @@ inline Model two_blocks() {
   return model;
 }
 
+/// Adds laws of joints, the states of the two contacts and a drive to two_blocks() with
+/// two contacts. The first contact is in tension.
+inline void add_laws(Model& model) {
+  JointLaw& coulomb = model.settings.joint_laws[5];
+  coulomb.friction = 0.75, coulomb.residual_friction = 0.5;
+  coulomb.cohesion = 8, coulomb.residual_cohesion = 4;
+  coulomb.tension = 2, coulomb.residual_tension = 1;
+  coulomb.dilation = 0.25, coulomb.dilation_limit = 0.125;
+  coulomb.normal_stiffness = 1e6, coulomb.shear_stiffness = 2e6;
+  JointLaw& walton = model.settings.joint_laws[6];
+  walton.kind = LawKind::walton, walton.restitution = 0.625;
+  JointLaw& barton = model.settings.joint_laws[7];
+  barton.kind = LawKind::barton, barton.roughness = 10, barton.wall_strength = 1e4;
+  barton.residual_angle = 30, barton.peak_slip = 0.25, barton.initial_stiffness = 1e5;
+  barton.largest_closure = 0.5, barton.largest_stiffness = 1e6;
+  model.settings.joint_of_materials[{3, 3}] = 5;
+  model.joint_states = {
+      {5, 3e6, 4e6, -0.03125, 0.0625, 0.015625, 0.0078125, 0.25, true, false, 0.75},
+      {0, 1e7, 5e6, 0, 0, 0, 0, 0, false, true, 0}};
+  model.bonds_made = 3;
+  model.contacts[0].normal_elastic = model.contacts[0].normal_force = -0.5;
+  model.contacts[0].overlap = -0.0625;
+  model.drives = {{0, {0.375, -0.625}, 0.875}};
+  model.blocks.fixity[0] = Fixity::driven;
+  model.blocks.velocity.col(0) = model.drives[0].velocity;
+  model.blocks.spin[0] = model.drives[0].spin;
+}
+
 /// A new temporary folder. The destructor removes it.
 class TemporaryFolder {
  public:

@@ -56,6 +56,27 @@ TEST(Summary, HasTheValuesOfTheRun) {
   EXPECT_EQ(summary["state_hash"], state_hash(model));
 }
 
+TEST(Summary, HasTheEnergyAccountIfItIsKept) {
+  const TemporaryFolder folder;
+  Model model = samples::two_blocks();
+  write_summary(folder / "a.summary.json", model, report());
+  EXPECT_FALSE(
+      json::parse(samples::contents(folder / "a.summary.json")).contains("energy"));
+  model.energy.kept = true;
+  model.energy.sums.assign(energy_entries, 0.0);
+  model.energy.errors.assign(energy_entries, 0.0);
+  model.energy.start = 5.0, model.energy.kinetic = 3.0;
+  model.energy.add(EnergyEntry::gravity, 1.0);
+  model.energy.add(EnergyEntry::friction, 2.5);
+  write_summary(folder / "a.summary.json", model, report());
+  const json energy =
+      json::parse(samples::contents(folder / "a.summary.json"))["energy"];
+  EXPECT_EQ(energy["start"], 5.0);
+  EXPECT_EQ(energy["friction"], 2.5);
+  EXPECT_EQ(energy["residual"], 0.5);
+  EXPECT_EQ(energy["at_play"], 5.75);
+}
+
 // The run is unsound, and its title has an unknown encoding.
 TEST(Summary, IsValidJsonAfterAnUnsoundRun) {
   const TemporaryFolder folder;

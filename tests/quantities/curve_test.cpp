@@ -22,7 +22,13 @@ TEST(Curve, HasOneName) {
       {"y:material=old: red", "y:material=old: red"},
       {"speed:p99.5", "speed:p99.5"},
       {"overlap", "overlap"},
-      {"overlap:3-4:sum", "overlap:3-4:sum"}};
+      {"energy:friction", "energy:friction"},
+      {"ENERGY:at_play", "energy:at_play"},
+      {"overlap:3-4:sum", "overlap:3-4:sum"},
+      {"shear_force:3+2", "shear_force:2+3"},
+      {"slip:joint=01", "slip:joint=1"},
+      {"slip:2+3:mean", "slip:2+3:mean"},
+      {"normal_stress:joint=7", "normal_stress:joint=7"}};
   for (const auto& [text, name] : names) {
     EXPECT_EQ(parse_curve(text).name(), name) << text;
     EXPECT_EQ(parse_curve(name).name(), name);
@@ -42,7 +48,18 @@ TEST(Curve, SaysWhatCannotBeRead) {
       {"y:9:max", "'y:9:max': max is for several blocks"},
       {"y:9.2:p50", "p50 is for several blocks"},
       {"step:3", "step is a quantity of the whole model"},
-      {"mass:3.1", "a corner has no mass"}};
+      {"energy", "the energy account has no entry 'energy'"},
+      {"energy:9", "the energy account has no entry 'energy:9'"},
+      {"energy:friction:max", "the energy account has no entry 'energy:friction:max'"},
+      {"mass:3.1", "a corner has no mass"},
+      {"speed:2+3", "speed is a quantity of blocks, not of contacts"},
+      {"slip:joint=", "cannot read the place in 'slip:joint='"},
+      {"slip:joint=0", "cannot read the place"},
+      {"slip:3+3", "'slip:3+3' has the same block twice"},
+      {"shear_stress", "shear_stress needs a joint or two blocks"},
+      {"shear_stress:3", "shear_stress is a quantity of joints"},
+      {"shear_stress:sum", "shear_stress is a quantity of joints"},
+      {"shear_stress:2+3:max", "without a statistic"}};
   for (const auto& [text, message] : faults) {
     try {
       parse_curve(text);

@@ -77,6 +77,51 @@ TEST(CurveValues, MeasureDisplacementsFromTheFirstPositions) {
   EXPECT_EQ(value(model, "dy:6.1"), 0.0);
 }
 
+/// Three contacts: two of joint 7 between blocks 1 and 2, one without a law between
+/// blocks 2 and 3.
+Model jointed_stairs() {
+  Model model = stairs();
+  model.contacts = {{0, 4, 0, 0, 30.0, -5.0, 0.25},
+                    {5, 1, 0, 0, 10.0, 1.0, 0.125},
+                    {4, 8, 0, 0, 2.0, 4.0, 0.5}};
+  JointState one;
+  one.law = 7, one.bonded = true, one.failed = true;
+  one.slip = -3.0, one.offset = 0.5, one.length = 1.5;
+  JointState two;
+  two.law = 7, two.bonded = true, two.slip = 1.0, two.length = 0.5;
+  model.joint_states = {one, two, {}};
+  return model;
+}
+
+TEST(CurveValues, ReduceContactsToJointsAndPairsOfBlocks) {
+  const Model model = jointed_stairs();
+  EXPECT_EQ(value(model, "bonded"), 2.0);
+  EXPECT_EQ(value(model, "failed"), 1.0);
+  EXPECT_EQ(value(model, "slip"), 3.0) << "the largest size";
+  EXPECT_EQ(value(model, "slip:1"), 3.0);
+  EXPECT_EQ(value(model, "slip:joint=7"), -1.0) << "the mean with its sign";
+  EXPECT_EQ(value(model, "slip:1+2:max"), 1.0);
+  EXPECT_EQ(value(model, "dilation:joint=7"), 0.25);
+  EXPECT_EQ(value(model, "joint_length:joint=7"), 2.0);
+  EXPECT_EQ(value(model, "contacts:joint=7"), 2.0);
+  EXPECT_EQ(value(model, "shear_force"), 10.0) << "the sum of sizes";
+  EXPECT_EQ(value(model, "shear_force:1+2"), -4.0);
+  EXPECT_EQ(value(model, "shear_force:2+3"), 4.0) << "without a law too";
+  EXPECT_EQ(value(model, "normal_force:2+1"), 40.0);
+  EXPECT_EQ(value(model, "overlap:1+2"), 0.25);
+  EXPECT_EQ(value(model, "normal_stress:joint=7"), 20.0);
+  EXPECT_EQ(value(model, "shear_stress:1+2"), -2.0);
+}
+
+TEST(CurveValues, OfJointsWithoutContactsAreNoneUnlessTheyAreSums) {
+  const Model model = jointed_stairs();
+  EXPECT_EQ(value(model, "normal_force:joint=8"), 0.0);
+  EXPECT_EQ(value(model, "normal_stress:joint=8"), 0.0);
+  EXPECT_EQ(value(model, "normal_stress:2+3"), 0.0) << "it has no length";
+  EXPECT_TRUE(std::isnan(value(model, "slip:joint=8")));
+  EXPECT_TRUE(std::isnan(value(model, "overlap:1+5")));
+}
+
 // Corner 0 of block 1 acts on block 2 and corner 1 on a plane. Block 3 has no contact.
 TEST(CurveValues, ReduceContactsToBlocks) {
   Model model = stairs();

@@ -358,7 +358,7 @@ TEST_F(Plot, NamesTheChoicesIfAnOptionIsWrong) {
   const Outcome quantity = plot("fall.vtkhdf -o a.png --colour heat");
   EXPECT_NE(quantity.code, 0);
   EXPECT_THAT(quantity.err, HasSubstr("there is no quantity 'heat': choose material, joint, "
-                                      "speed, displacement, rotation, x"));
+                                      "bond, speed, displacement, rotation, x"));
   const Outcome time = plot("fall.vtkhdf -o a.png --time 99");
   EXPECT_EQ(time.code, 2);
   EXPECT_THAT(time.err, HasSubstr("fall.vtkhdf has times 0 to "));

@@ -1,7 +1,9 @@
 #include "dynamics/contacts/contact_arrays.hpp"
 
 #include <array>
+#include <compare>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 #include "dynamics/contacts/dashpot.hpp"
@@ -16,7 +18,7 @@ void sort_contacts(const std::vector<CornerOnEdge>& found, bool tested,
                    std::vector<PairContact>& sorted) {
   sorted.clear();
   for (const CornerOnEdge& at : found)
-    sorted.push_back({.at = at, .tested = tested, .certain = !tested});
+    sorted.push_back({{.at = at, .tested = tested, .certain = !tested}});
   std::sort(sorted.begin(), sorted.end(),
             [](const PairContact& l, const PairContact& r) {
               return as_pair(l.at) < as_pair(r.at);
@@ -31,10 +33,71 @@ void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const
     if (is_vacant(slot))
       return;
     const bool acts = batches.is(slot, &ContactStates::acts);
-    contacts.push_back({at(slot), batches.is(slot, &ContactTests::tested),
-                        batches.is(slot, &ContactTests::certain), acts,
-                        acts ? batches.at(slot, &SpringRow::normal_elastic) : 0.0,
-                        acts ? batches.at(slot, &SpringRow::shear_elastic) : 0.0});
+    contacts.push_back({{at(slot), batches.is(slot, &ContactTests::tested),
+                         batches.is(slot, &ContactTests::certain), acts,
+                         acts ? batches.at(slot, &SpringRow::normal_elastic) : 0.0,
+                         acts ? batches.at(slot, &SpringRow::shear_elastic) : 0.0}});
+    if (acts && !laws.none())
+      contacts.back().joint = joint_at(slot);
+  });
+}
+
+JointState ContactArrays::joint_of(const JointRow* rows, int slot) const {
+  const JointRow& row = rows[slot / lane_count];
+  const int k = slot % lane_count;
+  return {laws.id(batches.at(slot, &FaceRow::law)),
+          row.stiffness[k],
+          row.shear_stiffness[k],
+          row.slip[k],
+          row.path[k],
+          row.closure[k],
+          row.plastic[k],
+          row.offset[k],
+          row.bonded[k] > 0.0,
+          row.failed[k] > 0.0,
+          row.length[k]};
+}
+
+void ContactArrays::put_joint(int slot, const JointState& state) {
+  JointRow& row = batches.joints[slot / lane_count];
+  const int k = slot % lane_count;
+  row.stiffness[k] = state.stiffness;
+  row.shear_stiffness[k] = state.shear_stiffness;
+  row.slip[k] = state.slip;
+  row.path[k] = state.path;
+  row.closure[k] = state.closure;
+  row.plastic[k] = state.plastic;
+  row.offset[k] = state.offset;
+  row.bonded[k] = state.bonded ? 1.0 : 0.0;
+  row.failed[k] = state.failed ? 1.0 : 0.0;
+  row.length[k] = state.length;
+}
+
+/// Finds the laws of the contacts of pair p and the records beside them.
+void ContactArrays::find_faces(const Blocks& blocks, int p) {
+  const int batch = lane_of_pair[p] / lane_count;
+  const int k = lane_of_pair[p] % lane_count;
+  const BatchPairs& pairs = batches.pairs[batch];
+  const auto row_with = [&](int corner, int edge) {
+    for (int i = 0; i < pairs.rows; ++i) {
+      const ContactRow& row = batches.contacts[pairs.first_row + i];
+      if (row.corner[k] == corner && row.edge[k] == edge)
+        return i;
+    }
+    return -1;
+  };
+  each_slot(p, [&](int slot) {
+    FaceRow& face = batches.faces[slot / lane_count];
+    const auto [corner, edge] = at(slot);
+    const bool vacant = is_vacant(slot);
+    const int before = vacant ? 0 : blocks.previous[corner];
+    face.law[k] = vacant ? 0 : laws.law_of(blocks, corner, edge);
+    face.before[k] = before;
+    face.after[k] = vacant ? 0 : blocks.next[corner];
+    face.beside_before[k] = vacant ? -1 : row_with(edge, before);
+    face.beside_after[k] = vacant ? -1 : row_with(blocks.next[edge], corner);
+    if (!vacant)
+      batches.include_law(batch, face.law[k], laws.bit(face.law[k]));
   });
 }
 
@@ -43,7 +106,7 @@ void ContactArrays::copy_contacts(ContactsOfPairs& all) const {
   std::vector<PairContact> own;
   for (int p = 0; p < static_cast<int>(lane_of_pair.size()); ++p)
     if (contacts_of(p, own); !own.empty())
-      all.add(p, own);
+      all.add(p, own, !laws.none());
 }
 
 void ContactArrays::require_slots(const ContactsOfPairs& some, bool grown) {
@@ -67,27 +130,45 @@ void ContactArrays::reserve(int pairs) {
     for (int p = begin; p < end; ++p)
       sum += slots_of_pair[p], most = std::max(most, slots_of_pair[p]);
     all_batches += (end - begin + lane_count - 1) / lane_count;
-    all_rows += sum / lane_count + most + 1;
+    // Pairs with laws and pairs without are each in descending order of their slots.
+    all_rows += sum / lane_count + (laws.none() ? 1 : 2) * most + 1;
   });
-  batches.reserve(all_batches, all_rows);
+  batches.reserve(all_batches, all_rows, !laws.none());
 }
 
 /// Puts the pairs of a window into batches in descending order of their slots, so that
-/// few slots stay vacant.
-void ContactArrays::make_window(const PairIndex& index, int begin, int end) {
-  std::array<std::pair<int, int>, pairs_of_window> order;  // (-slots, pair)
+/// few slots stay vacant. Pairs with laws of joints come first, so that few batches
+/// have pairs of both kinds.
+void ContactArrays::make_window(const Blocks& blocks, const PairIndex& index, int begin,
+                                int end) {
+  struct Place {
+    bool without_laws;
+    int slots, pair;
+    auto operator<=>(const Place& other) const {
+      return std::tuple(without_laws, -slots, pair) <=>
+             std::tuple(other.without_laws, -other.slots, other.pair);
+    }
+  };
+  std::array<Place, pairs_of_window> order;
   int count = 0;
   for (int p = begin; p < end; ++p) {
     lane_of_pair[p] = -1;
     if (slots_of_pair[p] > 0)
-      order[count++] = {-slots_of_pair[p], p};
+      order[count++] = {!laws.may_act(blocks, index.pairs[p].low, index.pairs[p].high),
+                        slots_of_pair[p], p};
   }
   std::sort(order.begin(), order.begin() + count);
   for (int i = 0; i < count; ++i) {
-    const int k = i % lane_count, p = order[i].second;
-    if (k == 0)
-      batches.add_batch(-order[i].first);
+    const int k = i % lane_count, p = order[i].pair;
+    if (k == 0) {
+      int rows = 0;
+      for (int j = i; j < std::min(count, i + lane_count); ++j)
+        rows = std::max(rows, order[j].slots);
+      batches.add_batch(rows);
+    }
     const int batch = batches.batches() - 1;
+    if (!order[i].without_laws)
+      batches.expect_laws(batch);
     batches.pairs[batch].low[k] = index.pairs[p].low;
     batches.pairs[batch].high[k] = index.pairs[p].high;
     lane_of_pair[p] = batch * lane_count + k;
@@ -101,6 +182,8 @@ void ContactArrays::make(const Blocks& blocks, const Settings& settings,
                          const PairIndex& index, const ContactsOfPairs& kept,
                          const ContactsOfPairs& grown) {
   const int pairs = index.size();
+  laws.make(settings, blocks);
+  batches.laws = laws.columns();
   lane_of_pair.resize(static_cast<std::size_t>(pairs));
   require_slots(kept, false);
   require_slots(grown, true);
@@ -108,7 +191,8 @@ void ContactArrays::make(const Blocks& blocks, const Settings& settings,
   reserve(pairs);
   pair_of_lane.clear();
   first_batch.assign(1, 0);
-  each_window(pairs, [&](int begin, int end) { make_window(index, begin, end); });
+  each_window(pairs,
+              [&](int begin, int end) { make_window(blocks, index, begin, end); });
   for (int batch = 0; batch < batches.batches(); ++batch) {
     BatchPairs& two = batches.pairs[batch];
     for (int k = 0; k < lane_count && two.low[k] != two.high[k]; ++k)
@@ -143,8 +227,11 @@ void ContactArrays::fill_slots(const Blocks& blocks, const PairIndex& index,
   int i = some.first[k];
   each_slot(p, [&](int slot) {
     if (i < some.first[k + 1])
-      fill_slot(blocks, index.pairs[p].low, slot, some.all[i++]);
+      fill_slot(blocks, index.pairs[p].low, slot,
+                some.at(static_cast<std::size_t>(i++)));
   });
+  if (has_laws(p))
+    find_faces(blocks, p);
 }
 
 void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
@@ -163,6 +250,34 @@ void ContactArrays::fill_slot(const Blocks& blocks, int low, int slot,
   batches.set(slot, &ContactStates::starts, false);
   batches.springs[row].normal_elastic[k] = contact.normal;
   batches.springs[row].shear_elastic[k] = contact.shear;
+  if (!laws.none())
+    put_joint(slot, contact.joint);
+}
+
+/// Adds the held contacts of `before` to `now`, in order. Leaves out contacts whose
+/// corner is bonded to another edge of the block. Returns whether any contact is held.
+bool ContactArrays::keep_held(std::vector<PairContact>& now,
+                              const std::vector<PairContact>& before) const {
+  const auto is_held = [](const PairContact& contact) { return contact.is_held(); };
+  if (std::none_of(before.begin(), before.end(), is_held))
+    return false;
+  std::erase_if(now, [&](const PairContact& found) {
+    return std::any_of(before.begin(), before.end(), [&](const PairContact& old) {
+      return old.acted && old.joint.bonded && old.at.corner == found.at.corner &&
+             old.at.edge != found.at.edge;
+    });
+  });
+  for (const PairContact& old : before) {
+    if (!old.is_held())
+      continue;
+    const auto place = std::lower_bound(now.begin(), now.end(), old,
+                                        [](const PairContact& l, const PairContact& r) {
+                                          return as_pair(l.at) < as_pair(r.at);
+                                        });
+    if (place == now.end() || place->at != old.at)
+      now.insert(place, PairContact{{.at = old.at}});
+  }
+  return true;
 }
 
 void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
@@ -170,7 +285,12 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
                            ContactChanges& changes) {
   std::vector<PairContact>& now = changes.now;
   sort_contacts(found, tested, now);
-  bool same = true;
+  bool held = false;
+  if (has_laws(p)) {
+    contacts_of(p, changes.before);
+    held = keep_held(now, changes.before);
+  }
+  bool same = !held;
   std::size_t slots = 0;
   each_slot(p, [&](int slot) {
     same = same && (slots < now.size() ? at(slot) == now[slots].at : is_vacant(slot));
@@ -192,12 +312,14 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
     while (next != now.end() && as_pair(next->at) < as_pair(old.at))
       ++next;
     if (next != now.end() && next->at == old.at)
-      next->acted = old.acted, next->normal = old.normal, next->shear = old.shear;
+      next->acted = old.acted, next->normal = old.normal, next->shear = old.shear,
+      next->joint = old.joint;
     else if (old.normal > 0.0)
-      changes.released.push_back({p, old.at, old.normal, old.shear});
+      changes.released.push_back({p, old.at, old.normal, old.shear, old.joint.stiffness,
+                                  old.joint.shear_stiffness});
   }
   if (!fits) {
-    changes.grown.add(p, now);
+    changes.grown.add(p, now, !laws.none());
     return;
   }
   each_slot(p, [&](int slot) {
@@ -205,6 +327,8 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
               k < now.size() ? now[k] : PairContact{});
     ++k;
   });
+  if (has_laws(p))
+    find_faces(blocks, p);
 }
 
 }  // namespace blocks::dynamics

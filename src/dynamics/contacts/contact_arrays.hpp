@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dynamics/contacts/contact_batches.hpp"
+#include "dynamics/contacts/law_table.hpp"
 #include "dynamics/contacts/pair_contacts.hpp"
 #include "dynamics/search/pair_index.hpp"
 #include "dynamics/support/groups.hpp"
@@ -19,6 +20,7 @@ inline constexpr int pairs_of_window = 256;
 
 struct ContactArrays {
   ContactBatches batches;
+  LawTable laws;
   std::vector<int> lane_of_pair;   ///< -1: the pair has had no contacts
   std::vector<int> pair_of_lane;   ///< -1: the lane is idle
   std::vector<int> slots_of_pair;  ///< slots that the pair needs; its lane has as many
@@ -35,9 +37,11 @@ struct ContactArrays {
             const ContactsOfPairs& kept, const ContactsOfPairs& grown);
   /// Assigns these contacts to pair p. If `tested`, a contact acts only if its corner
   /// is inside its edge and between the ends. Otherwise all of them act. Contacts that
-  /// the pair had before keep their springs. Loaded springs of its other former
-  /// contacts are added to changes.released. If the pair has too few slots, its
-  /// contacts are added to changes.grown instead of the slots.
+  /// the pair had before keep their springs. Held contacts (PairContact::is_held) are
+  /// kept too, and a corner that is bonded to a block acts on no other edge of it.
+  /// Loaded springs of its other former contacts are added to changes.released. If the
+  /// pair has too few slots, its contacts are added to changes.grown instead of the
+  /// slots.
   void assign(const Blocks& blocks, const PairIndex& index, int p,
               const std::vector<CornerOnEdge>& found, bool tested,
               ContactChanges& changes);
@@ -61,18 +65,32 @@ struct ContactArrays {
   CornerOnEdge at(int slot) const {
     return {batches.at(slot, &ContactRow::corner), batches.at(slot, &ContactRow::edge)};
   }
+  /// Returns the state of the law of a slot at the start of the step.
+  JointState joint_at(int slot) const { return joint_of(batches.joints, slot); }
+  /// The same at the end of the step.
+  JointState advanced_joint_at(int slot) const {
+    return joint_of(batches.advanced_joints, slot);
+  }
   /// Returns whether the slot has no contact. Such a slot has equal corner and edge,
   /// which no contact has.
   bool is_vacant(int slot) const { return at(slot).corner == at(slot).edge; }
 
  private:
+  JointState joint_of(const JointRow* rows, int slot) const;
   void contacts_of(int p, std::vector<PairContact>& contacts) const;
+  bool keep_held(std::vector<PairContact>& now,
+                 const std::vector<PairContact>& before) const;
+  void put_joint(int slot, const JointState& state);
+  void find_faces(const Blocks& blocks, int p);
   void fill_slot(const Blocks& blocks, int low, int slot, const PairContact& contact);
   void fill_slots(const Blocks& blocks, const PairIndex& index,
                   const ContactsOfPairs& some, std::size_t k);
   void require_slots(const ContactsOfPairs& some, bool grown);
   void reserve(int pairs);
-  void make_window(const PairIndex& index, int begin, int end);
+  void make_window(const Blocks& blocks, const PairIndex& index, int begin, int end);
+  bool has_laws(int p) const {
+    return lane_of_pair[p] >= 0 && batches.pairs[lane_of_pair[p] / lane_count].has_laws;
+  }
   void find_lanes_of_blocks(const PairIndex& index, int NearPair::*side, Groups& lanes);
 };
 

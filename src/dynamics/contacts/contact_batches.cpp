@@ -8,7 +8,7 @@
 
 namespace blocks::dynamics {
 
-void ContactBatches::reserve(int batches, int rows) {
+void ContactBatches::reserve(int batches, int rows, bool with_laws) {
   const auto make = []<class Part>(int count, std::unique_ptr<Part[]>& own,
                                    Part*& part) {
     own.reset();  // release the old memory before the new one is allocated
@@ -32,6 +32,13 @@ void ContactBatches::reserve(int batches, int rows) {
     make(rows, own_readings_, readings);
     room_for_rows_ = rows;
   }
+  with_laws_ = with_laws;
+  if (with_laws && rows > room_for_joints_) {
+    make(rows, own_faces_, faces);
+    make(rows, own_joints_, joints);
+    make(rows, own_advanced_joints_, advanced_joints);
+    room_for_joints_ = rows;
+  }
 }
 
 int ContactBatches::add_batch(int rows) {
@@ -44,6 +51,11 @@ int ContactBatches::add_batch(int rows) {
   std::fill_n(tests + rows_, rows, ContactTests{});
   std::fill_n(states + rows_, rows, ContactStates{});
   std::fill_n(springs + rows_, rows, SpringRow{});
+  if (with_laws_) {
+    std::fill_n(faces + rows_, rows, FaceRow{});
+    std::fill_n(joints + rows_, rows, JointRow{});
+    std::fill_n(advanced_joints + rows_, rows, JointRow{});
+  }
   rows_ += rows;
   return batches_++;
 }

@@ -14,15 +14,28 @@ class ContactBatches : public BatchArrays {
  public:
   int batches() const { return batches_; }
   int rows() const { return rows_; }
-  /// Reserves memory. The operating system provides its pages when they are first used.
-  void reserve(int batches, int rows);
+  /// Reserves memory, with the arrays for laws of joints if `with_laws`. The operating
+  /// system provides its pages when they are first used.
+  void reserve(int batches, int rows, bool with_laws);
   /// Removes all batches.
   void clear() { batches_ = rows_ = 0; }
   /// Adds a batch of idle lanes and vacant slots, and returns its number.
   int add_batch(int rows);
 
+  /// Marks a batch whose contacts may have laws of joints.
+  void expect_laws(int batch) { pairs[batch].has_laws = true; }
+  /// Adds the law of a contact to those of its batch.
+  void include_law(int batch, int law, LawBits bit) {
+    BatchPairs& of = pairs[batch];
+    of.only_law = of.laws == 0 || of.only_law == law ? law : -1;
+    of.laws |= bit;
+  }
+
   /// The springs at the end of this step become those at the start of the next step.
-  void advance_springs() { std::swap(springs, advanced); }
+  void advance_springs() {
+    std::swap(springs, advanced);
+    std::swap(joints, advanced_joints);
+  }
 
   /// Returns a number of one lane or slot, such as at(slot, &ContactRow::corner).
   template <class Part, class Number>
@@ -44,11 +57,14 @@ class ContactBatches : public BatchArrays {
   BatchPairs* part(BatchPairs*) const { return pairs; }
   ContactRow* part(ContactRow*) const { return contacts; }
   SpringRow* part(SpringRow*) const { return springs; }
+  FaceRow* part(FaceRow*) const { return faces; }
+  JointRow* part(JointRow*) const { return joints; }
   ContactTests* part(ContactTests*) const { return tests; }
   ContactStates* part(ContactStates*) const { return states; }
 
   int batches_ = 0, rows_ = 0;
-  int room_for_batches_ = 0, room_for_rows_ = 0;
+  int room_for_batches_ = 0, room_for_rows_ = 0, room_for_joints_ = 0;
+  bool with_laws_ = false;
   std::unique_ptr<BatchPairs[]> own_pairs_;
   std::unique_ptr<BatchMarks[]> own_marks_;
   std::unique_ptr<PairForce[]> own_forces_;
@@ -58,6 +74,8 @@ class ContactBatches : public BatchArrays {
   std::unique_ptr<ContactStates[]> own_states_;
   std::unique_ptr<SpringRow[]> own_springs_, own_advanced_;
   std::unique_ptr<ReadingRow[]> own_readings_;
+  std::unique_ptr<FaceRow[]> own_faces_;
+  std::unique_ptr<JointRow[]> own_joints_, own_advanced_joints_;
 };
 
 }  // namespace blocks::dynamics

@@ -1,11 +1,13 @@
 #include "dynamics/contacts/contact_list.hpp"
 
+#include <cstddef>
 #include <utility>
 
 namespace blocks::dynamics {
 
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
-               const PairIndex& index, ContactsOfPairs& all) {
+               const std::vector<JointState>& states, const PairIndex& index,
+               ContactsOfPairs& all) {
   all.clear();
   std::vector<PairContact> own;
   int p = 0;
@@ -13,25 +15,30 @@ void read_list(const Blocks& blocks, const std::vector<Contact>& list,
   while (next != list.end()) {
     const auto wanted = pair_of(blocks, *next);
     own.clear();
-    for (; next != list.end() && pair_of(blocks, *next) == wanted; ++next)
-      own.push_back({.at = {next->corner, next->edge},
-                     .certain = true,
-                     .acted = true,
-                     .normal = next->normal_elastic,
-                     .shear = next->shear_elastic});
+    for (; next != list.end() && pair_of(blocks, *next) == wanted; ++next) {
+      own.push_back({{.at = {next->corner, next->edge},
+                      .certain = true,
+                      .acted = true,
+                      .normal = next->normal_elastic,
+                      .shear = next->shear_elastic}});
+      if (!states.empty())
+        own.back().joint = states[static_cast<std::size_t>(next - list.begin())];
+    }
     const auto blocks_of = [&] {
       return std::pair(index.pairs[p].low, index.pairs[p].high);
     };
     while (p < index.size() && blocks_of() < wanted)
       ++p;
     if (p < index.size() && blocks_of() == wanted)
-      all.add(p, own);
+      all.add(p, own, !states.empty());
   }
 }
 
-void write_list(const ContactArrays& arrays, std::vector<Contact>& list) {
+void write_list(const ContactArrays& arrays, std::vector<Contact>& list,
+                std::vector<JointState>& states) {
   const ContactBatches& batches = arrays.batches;
   list.clear();
+  states.clear();
   for (int p = 0; p < static_cast<int>(arrays.lane_of_pair.size()); ++p)
     arrays.each_slot(p, [&](int slot) {
       if (!batches.is(slot, &ContactStates::acts))
@@ -41,6 +48,8 @@ void write_list(const ContactArrays& arrays, std::vector<Contact>& list) {
       contact.edge = arrays.at(slot).edge;
       contact.normal_elastic = batches.at(slot, &SpringRow::normal_elastic);
       contact.shear_elastic = batches.at(slot, &SpringRow::shear_elastic);
+      if (!arrays.laws.none())
+        states.push_back(arrays.joint_at(slot));
     });
 }
 

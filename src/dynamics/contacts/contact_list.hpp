@@ -8,12 +8,15 @@
 namespace blocks::dynamics {
 
 /// Reads the contacts of the list. They count as certain and as acting in the step
-/// before. Contacts of pairs that are not in the index are left out.
+/// before. Contacts of pairs that are not in the index are left out. states: those of
+/// the laws, (list) or empty.
 void read_list(const Blocks& blocks, const std::vector<Contact>& list,
-               const PairIndex& index, ContactsOfPairs& all);
+               const std::vector<JointState>& states, const PairIndex& index,
+               ContactsOfPairs& all);
 
-/// Writes the acting contacts and their springs to the list, in the order of the pairs.
-/// Forces and overlaps become 0.
-void write_list(const ContactArrays& arrays, std::vector<Contact>& list);
+/// Writes the acting contacts, their springs and the states of their laws to the lists,
+/// in the order of the pairs. Forces and overlaps become 0.
+void write_list(const ContactArrays& arrays, std::vector<Contact>& list,
+                std::vector<JointState>& states);
 
 }  // namespace blocks::dynamics

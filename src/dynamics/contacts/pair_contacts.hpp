@@ -1,14 +1,16 @@
 // The contacts of some pairs, outside the arrays that hold them in a step.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "dynamics/rules/pair_rule.hpp"
+#include "model/contacts.hpp"
 
 namespace blocks::dynamics {
 
 /// A contact of a pair, independent of its slot.
-struct PairContact {
+struct ContactRecord {
   CornerOnEdge at;
   bool tested = false;   ///< it acts if its corner is inside (19) and between the ends
   bool certain = false;  ///< it acts in any case
@@ -16,16 +18,46 @@ struct PairContact {
   double normal = 0.0, shear = 0.0;  ///< [F] springs
 };
 
+/// The same with the state of its law.
+struct PairContact : ContactRecord {
+  JointState joint = {};
+
+  /// Returns whether the contact acts without being found by the contact rule, as long
+  /// as it does not end.
+  bool is_held() const { return acted && (joint.bonded || joint.offset > 0.0); }
+};
+
 /// Pair pair[k] has the contacts from all[first[k]] to all[first[k + 1]], a half-open
 /// range.
 struct ContactsOfPairs {
   std::vector<int> pair, first = {0};
-  std::vector<PairContact> all;
-  void clear() { pair.clear(), first.assign(1, 0), all.clear(); }
-  void add(int p, const std::vector<PairContact>& contacts) {
+  std::vector<ContactRecord> all;
+  std::vector<JointState> joints;  ///< (all); empty in models without laws of joints
+
+  void clear() { pair.clear(), first.assign(1, 0), all.clear(), joints.clear(); }
+  /// Adds contacts of pair p. with_laws: the model has laws of joints.
+  void add(int p, const std::vector<PairContact>& contacts, bool with_laws) {
     pair.push_back(p);
-    all.insert(all.end(), contacts.begin(), contacts.end());
+    for (const PairContact& contact : contacts) {
+      all.push_back(contact);
+      if (with_laws)
+        joints.push_back(contact.joint);
+    }
     first.push_back(static_cast<int>(all.size()));
+  }
+  /// Adds the contacts of entry k of another list.
+  void add(const ContactsOfPairs& other, std::size_t k) {
+    const auto copy = [&](const auto& from, auto& to) {
+      if (!from.empty())
+        to.insert(to.end(), from.begin() + other.first[k],
+                  from.begin() + other.first[k + 1]);
+    };
+    pair.push_back(other.pair[k]);
+    copy(other.all, all), copy(other.joints, joints);
+    first.push_back(static_cast<int>(all.size()));
+  }
+  PairContact at(std::size_t i) const {
+    return {all[i], joints.empty() ? JointState{} : joints[i]};
   }
 };
 
@@ -35,6 +67,8 @@ struct ReleasedSpring {
   int pair;
   CornerOnEdge at;
   double normal, shear;  ///< [F] normal > 0
+  /// [F/L] of the two springs; 0 in models without laws of joints
+  double stiffness = 0.0, shear_stiffness = 0.0;
 };
 
 /// The changes that one thread makes when it assigns contacts (ContactArrays::assign).

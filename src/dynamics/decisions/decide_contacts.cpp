@@ -22,8 +22,7 @@ void join_changes(DecisionMemory& memory, std::vector<ReleasedSpring>& released)
   std::sort(order.begin(), order.end());
   for (const auto& [p, from] : order) {
     const auto& [some, k] = from;
-    memory.grown.add(p, {some->all.begin() + some->first[k],
-                         some->all.begin() + some->first[k + 1]});
+    memory.grown.add(*some, static_cast<std::size_t>(k));
   }
   for (DecisionThread& thread : memory.threads)
     thread.changes.grown.clear();

@@ -76,7 +76,7 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
     } else {
       rules.decide(blocks, parts, index, p, thread.scratch);
       arrays.assign(blocks, index, p, thread.scratch.found, false, thread.changes);
-      decisions.limits[p] = {}, decisions.next_check[p] = 0.0;
+      decisions.expire(p);
     }
   }
 }

@@ -40,6 +40,8 @@ struct Decisions {
   bool phase_is_over() const {
     return spoiled * cost_of_decision > static_cast<long>(limits.size());
   }
+  /// Discards the decision of pair p.
+  void expire(int p) { limits[p] = {}, next_check[p] = 0.0; }
   /// Begins a phase at the current positions of the blocks.
   void begin_phase(const Blocks& blocks);
   /// Keeps the decisions of the pairs [begin, end) in the phase that is about to begin.

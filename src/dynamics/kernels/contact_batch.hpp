@@ -5,27 +5,28 @@
 
 #include <cstdint>
 
-namespace blocks::dynamics {
+#include "dynamics/kernels/joint_batch.hpp"
 
-/// The number of lanes of a batch. It is one register of AVX-512, or two of AVX2.
-inline constexpr int lane_count = 8;
+namespace blocks::dynamics {
 
 /// One bit for each lane of a batch. Bit k belongs to lane k.
 using LaneBits = std::uint8_t;
-/// One number for each lane of a batch.
-template <class Number> using PerLane = Number[lane_count];
 
 /// The pairs of a batch. An idle lane has low = high.
 struct alignas(64) BatchPairs {
   PerLane<int> low, high;   ///< the two blocks, the lower number first
   PerLane<double> damping;  ///< [F T/L] C of (18), the same for all contacts of a pair
   int first_row, rows;      ///< rows with the contacts of the batch
+  bool has_laws;            ///< contacts may have laws of joints, in FaceRow
+  LawBits laws;             ///< which they are
+  int only_law;             ///< the law of all contacts of the batch; -1: several
 };
 /// What a step has found in a batch.
 struct BatchMarks {
   bool ends;      ///< a contact has ceased to act
   bool in_doubt;  ///< the kernel could not decide a sign
   bool receives;  ///< a contact has received a released spring
+  bool breaks;    ///< a contact is bonded no longer
 };
 
 /// One contact of each pair of a batch, as corner numbers of the model. A slot whose
@@ -80,6 +81,11 @@ struct BatchArrays {
   SpringRow* springs = nullptr;     ///< (rows) at the start of the step
   SpringRow* advanced = nullptr;    ///< (rows) at the end of the step
   ReadingRow* readings = nullptr;   ///< (rows) for output only
+  // Only in models with laws of joints.
+  FaceRow* faces = nullptr;             ///< (rows)
+  JointRow* joints = nullptr;           ///< (rows) at the start of the step
+  JointRow* advanced_joints = nullptr;  ///< (rows) at the end of the step
+  LawColumns laws;
 };
 
 /// The largest values of all contacts that act in a step.

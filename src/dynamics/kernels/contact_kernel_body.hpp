@@ -1,171 +1,11 @@
 // The forces of batches of contacts (kernels.hpp), in the order a. to e. of
 // docs/theory.md#the-force-in-its-order. Included once for each instruction set, in a
 // namespace of its own.
-#include "dynamics/kernels/contact_batch.hpp"
 #include "dynamics/kernels/contact_law.hpp"
-#include "dynamics/kernels/simd_lanes.hpp"
-#include "geometry/contact_constants.hpp"
+#include "dynamics/kernels/joint_kernel_body.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
-
-/// Corners and edges in each lane, with the values that decide whether a contact acts
-/// (filter::overlap and filter::between of geometry/contact_predicates.hpp).
-struct Sides {
-  Pack xc, yc, ex, ey, cx, cy, plus, minus, value, square;
-
-  BLOCKS_INLINE Sides(const ContactRow& contacts, const BlockState& blocks, int i) {
-    const Point c = gather_point<2>(blocks.corner, contacts.corner + i);
-    const Point p1 = gather_point<2>(blocks.corner, contacts.edge + i);
-    const Point p2 = gather_point<2>(blocks.corner, contacts.edge_end + i);
-    xc = c[0], yc = c[1];
-    ex = p2[0] - p1[0], ey = p2[1] - p1[1];
-    cx = xc - p1[0], cy = yc - p1[1];
-    plus = cx * ey, minus = cy * ex;
-    value = plus - minus;
-    square = ex * ex + ey * ey;
-  }
-  /// Returns how far the foot of the corner is from the nearer limit of the edge, slack
-  /// included, [L^2]. It is positive between the limits. `bound` gets the bound of its
-  /// error.
-  BLOCKS_INLINE Pack between(Pack& bound) const {
-    const Pack x = cx * ex, y = cy * ey, foot = x + y,
-               room = geometry::contact_slack * square;
-    bound = 0x1p-50 * ((absolute(x) + absolute(y)) + square) + 0x1p-1000;
-    const Pack from = foot + room, to = (square - foot) + room;
-    return from < to ? from : to;
-  }
-  BLOCKS_INLINE Pack bound() const {
-    return 0x1p-51 * (absolute(plus) + absolute(minus)) + 0x1p-1000;
-  }
-  /// Returns the lanes where 2A is exactly 0 because both products have a factor 0.
-  /// This happens between bricks that touch in their initial positions.
-  BLOCKS_INLINE Bits tie() const {
-    return (zero(cx) | zero(ey)) & (zero(cy) | zero(ex));
-  }
-};
-
-/// Loads and stores the bits of one pack, which begins with lane i.
-BLOCKS_INLINE Bits load(LaneBits bits, int i) { return bits >> i & every; }
-BLOCKS_INLINE void store(LaneBits& bits, int i, Bits part) {
-  bits = static_cast<LaneBits>((bits & ~(every << i)) | part << i);
-}
-
-/// Stores which lanes act. A lane with a sign in doubt is taken to act, and its bit
-/// in_doubt is set.
-BLOCKS_INLINE void find_acting(const ContactTests& tests, ContactStates& states,
-                               const Sides& sides, int i) {
-  const Pack bound = sides.bound();
-  const Bits tested = load(tests.tested, i), before = load(states.acts, i);
-  Bits inside = ~less(sides.value, -bound);
-  Bits open = tested & inside & ~less(bound, sides.value);
-  if (open != 0) {
-    const Bits tie = sides.tie();
-    inside &= ~tie, open &= ~tie;
-  }
-  Pack error;
-  const Pack between = sides.between(error);
-  inside &= ~less(between, -error);
-  open &= inside;
-  open |= tested & inside & ~less(error, between);
-  const Bits act = load(tests.certain, i) | (tested & inside);
-  store(states.acts, i, act);
-  store(states.starts, i, act & ~before);
-  store(states.ends, i, before & ~act);
-  store(states.in_doubt, i, open);
-}
-
-/// The two blocks of each lane: their centroids, and the motion of the low block
-/// relative to the high one.
-template <bool rigid> struct Pairs {
-  Pack low_x, low_y, high_x, high_y;  ///< centroids
-  Pack vx, vy;  ///< relative velocity at the centroid of the low block
-  /// Gradient of the relative velocity. For rigid blocks only g12 and g21 = -g12 are
-  /// set.
-  Pack g11, g12, g21, g22;
-
-  BLOCKS_INLINE Pairs(const BatchPairs& pairs, const BlockState& blocks, int i) {
-    const int *const a = pairs.low + i, *const b = pairs.high + i;
-    const Point low = gather_point<2>(blocks.centroid, a);
-    const Point high = gather_point<2>(blocks.centroid, b);
-    const Point va = gather_point<2>(blocks.velocity, a);
-    const Point vb = gather_point<2>(blocks.velocity, b);
-    const Pack spin_a = gather(blocks.spin, a), spin_b = gather(blocks.spin, b);
-    low_x = low[0], low_y = low[1], high_x = high[0], high_y = high[1];
-    const Pack x = low_x - high_x, y = low_y - high_y;
-    vx = va[0] - (vb[0] - spin_b * y), vy = va[1] - (vb[1] + spin_b * x);
-    g21 = spin_a - spin_b, g12 = -g21;
-    if constexpr (!rigid) {
-      const double* const rate = blocks.strain_rate;
-      const Point a1 = gather_point<4>(rate, a, 0), a2 = gather_point<4>(rate, a, 2);
-      const Point b1 = gather_point<4>(rate, b, 0), b2 = gather_point<4>(rate, b, 2);
-      vx -= b1[0] * x + b1[1] * y, vy -= b2[0] * x + b2[1] * y;
-      g11 = a1[0] - b1[0], g12 += a1[1] - b1[1];
-      g21 += a2[0] - b2[0], g22 = a2[1] - b2[1];
-    }
-  }
-  /// Returns the relative velocity (14) at an arm from the low block's centroid.
-  BLOCKS_INLINE Point velocity(Pack x, Pack y) const {
-    if constexpr (rigid)
-      return {vx + g12 * y, vy + g21 * x};
-    else
-      return {vx + (g11 * x + g12 * y), vy + (g21 * x + g22 * y)};
-  }
-};
-
-/// The deepest overlap and the strongest spring of each lane.
-struct Most {
-  Pack overlap = {}, spring = {};
-  BLOCKS_INLINE void include(Pack depth, Pack force) {
-    overlap = depth > overlap ? depth : overlap;
-    spring = force > spring ? force : spring;
-  }
-};
-
-/// a. The geometry of a contact: its corner, the directions of its edge, its overlap.
-struct Frame {
-  Pack x, y;  ///< the corner
-  /// Unit tangent of the edge. It is reversed if the edge belongs to the low block, so
-  /// that the computed force acts on the low block.
-  Pack tx, ty;
-  /// [L] The sign of the depth is decided exactly. A rounded depth below zero counts as
-  /// 0.
-  Pack overlap;
-};
-
-/// Computes the frame of row s. With `find`, also finds which contacts act.
-template <bool find>
-BLOCKS_INLINE Frame frame_of(const BatchArrays& batches, int s,
-                             const BlockState& blocks, int i) {
-  const Sides sides(batches.contacts[s], blocks, i);
-  if constexpr (find)
-    find_acting(batches.tests[s], batches.states[s], sides, i);
-  const Pack per_length = 1.0 / root(sides.square);
-  const Pack depth = sides.value * per_length;
-  const Pack turned =
-      where(choice_of(load(batches.tests[s].edge_is_low, i)), -per_length, per_length);
-  return {sides.xc, sides.yc, sides.ex * turned, sides.ey * turned,
-          depth > 0.0 ? depth : Pack{}};
-}
-
-/// The forces of a pair, summed row by row.
-template <bool stresses> struct Sums {
-  Pack x = {}, y = {}, moment_low = {}, moment_high = {};
-  Pack low[stresses ? 4 : 1] = {}, high[stresses ? 4 : 1] = {};
-
-  /// Adds a force on the low block. The arms begin at the two centroids.
-  BLOCKS_INLINE void add(Pack fx, Pack fy, Pack low_x, Pack low_y, Pack high_x,
-                         Pack high_y) {
-    x += fx, y += fy;
-    moment_low += low_x * fy - low_y * fx, moment_high += high_y * fx - high_x * fy;
-    if constexpr (stresses) {
-      low[0] += fx * low_x, high[0] -= fx * high_x;
-      low[1] += fx * low_y, high[1] -= fx * high_y;
-      low[2] += fy * low_x, high[2] -= fy * high_x;
-      low[3] += fy * low_y, high[3] -= fy * high_y;
-    }
-  }
-};
 
 /// Steps b. to e. for row s.
 template <bool rigid, bool readings, class Sums>
@@ -199,16 +39,7 @@ BLOCKS_INLINE void act_row(const BatchArrays& batches, int s, const Pairs<rigid>
   const Pack reached = where(acts, at.overlap);
   most.include(reached, normal_elastic);
 
-  // Step e.: the forces on the two blocks are equal and opposite and act at one point.
-  const Pack fx = where(acts, normal * nx - shear * at.tx);
-  const Pack fy = where(acts, normal * ny - shear * at.ty);
-  sums.add(fx, fy, x, y, at.x - two.high_x, at.y - two.high_y);
-  if constexpr (readings) {
-    ReadingRow& read = batches.readings[s];
-    store(read.overlap, i, reached);
-    store(read.normal_force, i, where(acts, normal));
-    store(read.shear_force, i, where(acts, shear));
-  }
+  add_forces<rigid, readings>(batches, s, two, at, acts, normal, shear, i, sums);
 }
 
 template <bool find, bool rigid, bool readings>
@@ -227,22 +58,17 @@ BLOCKS_INLINE Most act_batch(const BatchArrays& batches, int batch,
   const int end = pairs.first_row + pairs.rows;
   for (int first = pairs.first_row; first < end; first += at_once) {
     const int last = first + at_once < end ? first + at_once : end;
-    for (int s = first; s < last; ++s)
-      frames[s - first] = frame_of<find>(batches, s, blocks, i);
+    for (int s = first; s < last; ++s) {
+      const Sides sides(batches.contacts[s], blocks, i);
+      if constexpr (find)
+        find_acting(batches.tests[s], batches.states[s], sides, i);
+      frames[s - first] = frame_of(sides, batches.tests[s], i);
+    }
     for (int s = first; s < last; ++s)
       act_row<rigid, readings>(batches, s, two, frames[s - first], damping, law, i,
                                sums, most);
   }
-  PairForce* const forces = batches.forces + batch * lane_count + i;
-  store_point(&forces->fx, 4, sums.x, sums.y);
-  store_point(&forces->moment_low, 4, sums.moment_low, sums.moment_high);
-  if constexpr (stresses) {
-    PairStress* const of = batches.stresses + batch * lane_count + i;
-    for (int k = 0; k < 4; k += 2) {
-      store_point(&of->low[k], 8, sums.low[k], sums.low[k + 1]);
-      store_point(&of->high[k], 8, sums.high[k], sums.high[k + 1]);
-    }
-  }
+  store_sums(batches, batch, sums, i);
   return most;
 }
 
@@ -251,21 +77,25 @@ Extremes act_batches(const BatchArrays& batches, const BlockState& blocks,
                      const ContactLaw& law, int first, int last) {
   Most all;
   for (int batch = first; batch < last; ++batch) {
+    const BatchPairs& pairs = batches.pairs[batch];
     Most most;
     for (int i = 0; i < lane_count; i += width) {
       const Most part =
-          act_batch<find, rigid, readings>(batches, batch, blocks, law, i);
+          !pairs.has_laws
+              ? act_batch<find, rigid, readings>(batches, batch, blocks, law, i)
+              : act_joint_batch<find, rigid, readings>(batches, batch, blocks, law, i);
       most.include(part.overlap, part.spring);
     }
     if constexpr (find) {
-      const BatchPairs& pairs = batches.pairs[batch];
       LaneBits ends = 0, in_doubt = 0;
       for (int s = pairs.first_row; s < pairs.first_row + pairs.rows; ++s)
         ends |= batches.states[s].ends, in_doubt |= batches.states[s].in_doubt;
-      batches.marks[batch] = {ends != 0, in_doubt != 0, false};
+      batches.marks[batch] = {ends != 0, in_doubt != 0, false, false};
       if (in_doubt != 0)
         continue;
     }
+    if (pairs.has_laws)
+      batches.marks[batch].breaks = breaks(batches, pairs);
     all.include(most.overlap, most.spring);
   }
   Extremes extremes = {0.0, 0.0};

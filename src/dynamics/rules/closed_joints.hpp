@@ -33,7 +33,7 @@ struct JointScratch {
 
 /// Calls visit(part) for each part that may cover a side of part `own` where part
 /// `other` is. These are the parts of all blocks with which the block of `other` is
-/// paired, if one of the two is free. For `neighbours` see ClosedJoints.
+/// paired, if the two may touch. For `neighbours` see ClosedJoints.
 template <class Neighbours, class Visit>
 void each_covering_part(const Blocks& blocks, const BlockParts& parts,
                         const Neighbours& neighbours, int own, int other,
@@ -41,7 +41,7 @@ void each_covering_part(const Blocks& blocks, const BlockParts& parts,
   const int own_block = parts.block(own), other_block = parts.block(other);
   neighbours(other_block, [&](int block) {
     if (block != own_block && block != other_block &&
-        (blocks.is_free(block) || blocks.is_free(other_block)))
+        blocks.may_touch(block, other_block))
       for (int part = parts.first_part(block); part < parts.end_part(block); ++part)
         visit(part);
   });

@@ -16,7 +16,7 @@ double list_tolerance(const Model& model) {
   for (int b = 0; b < blocks.size(); ++b) {
     const double size = std::sqrt(blocks.area[b]);
     small += 1.0 / size;  // the harmonic mean: small if most blocks are small
-    // Fixed blocks have no velocity and spin.
+    // Fixed blocks that are not driven have no velocity and spin.
     speed = std::max(speed, blocks.velocity.col(b).squaredNorm());
     spin = std::max(spin, size * std::abs(blocks.spin[b]));
   }

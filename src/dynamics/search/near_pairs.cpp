@@ -90,7 +90,7 @@ void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
     const std::size_t before = pairs.size();
     grid.each(memory.lower[a], memory.upper[a], [&](int cell) {
       memory.cells.each(cell, [&](int b) {
-        if (b <= a || !meet(a, b) || !(blocks.is_free(a) || blocks.is_free(b)))
+        if (b <= a || !meet(a, b) || !blocks.may_touch(a, b))
           return;
         // Two boxes may have several cells in common. Only the first of these adds the
         // pair.

@@ -9,7 +9,7 @@
 
 namespace blocks::dynamics {
 
-/// Two blocks, low < high, at least one of them free.
+/// Two blocks, low < high, at least one of them free or driven.
 struct NearPair {
   int low = 0, high = 0;
   auto operator<=>(const NearPair& other) const = default;

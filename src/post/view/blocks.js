@@ -61,6 +61,7 @@ function draw_fine(f, visible, halves) {
     pen.strokeStyle = outline_on(shade);
     in_parts(group, half, () => pen.stroke());
   }
+  if (state.colour === "bond") draw_bonds(halves);
   if (state.forces) draw_forces(f, halves);
 }
 

@@ -3,16 +3,18 @@
 
 function colour_by(name) {
   state.colour = name;
-  if (name !== "material") state.followed = name;
+  if (quantity(name)) state.followed = name;
   show_colour_controls();
   redraw();
 }
-const colour_names = () => ["material", ...meta.quantities.map(({name}) => name)];
+/// The name of the colours of bonds, on pages that show them.
+const bond_colour = () => meta.slip_colours ? ["bond"] : [];
+const colour_names = () => ["material", ...bond_colour(), ...meta.quantities.map(({name}) => name)];
 const map_names = () => ["", ...Object.keys(meta.maps)];
 const next_in = (list, now, step) => list[(list.indexOf(now) + step + list.length) % list.length];
 const next_colour = (step) => colour_by(next_in(colour_names(), state.colour, step));
 function use_map(name) { state.map = name; show_colour_controls(); redraw(); }
-const next_map = () => state.colour !== "material" && use_map(next_in(map_names(), state.map, 1));
+const next_map = () => quantity(state.colour) && use_map(next_in(map_names(), state.map, 1));
 
 /// Shows map and range of the colours; an empty end of the range shows its automatic value.
 function show_colour_controls() {

@@ -11,7 +11,7 @@ const no_block = {block: -1, mirrored: false, side: -1};
 let hovered = no_block;
 
 /// Returns the quantity of the chart and of the cursor: that of the colours, if they show one.
-const chosen = () => quantity(state.colour === "material" ? state.followed : state.colour) ?? quantity("speed");
+const chosen = () => quantity(quantity(state.colour) ? state.colour : state.followed) ?? quantity("speed");
 
 function draw_cursor() {
   const at = cursor_at(), before = hovered.block;
@@ -59,7 +59,7 @@ function words_of({block, mirrored, side}) {
   const text = mirrored ? digits(in_mirror(q, v)) : text_of(q.name, block, f);
   return [`Block ${block + 1}${mirrored ? ", mirrored" : ""}, ${material_of(block)}`,
     `${q.label} ${value_text(text, q.unit)}`,
-    ...(side < 0 ? [] : [`side ${side + 1}: ${joint_text(joint_of(block, side))}`])];
+    ...(side < 0 ? [] : [side_text(block, side), ...about_bonds(block, side)])];
 }
 
 function tell_block(at) {

@@ -1,11 +1,13 @@
 // The sides of blocks and their joints: the side under the cursor, the picked side, and what is
-// known of them. Pages of runs without joint ids do not show sides.
+// known of them. Pages of runs without joint ids and laws of joints do not show sides.
 
 const reach = 10;  // pixels; the cursor is at a side of its block within this distance
 
 /// Returns the joint id of side i of a block; sides count from 0 here and from 1 in texts.
 const joint_of = (block, i) => meta.joints[data.joint[data.first_corner[block] + i]];
 const joint_text = (id) => id ? `joint ${id}` : "no joint";
+const has_sides = () => meta.joints !== undefined || meta.slip_colours !== undefined;
+const side_text = (block, i) => `side ${i + 1}` + (meta.joints ? `: ${joint_text(joint_of(block, i))}` : "");
 
 /// Returns the ends of a side on the canvas.
 function ends_of(block, i, half) {
@@ -16,7 +18,7 @@ function ends_of(block, i, half) {
 /// Returns the side of a block at a point of the canvas, or -1.
 function side_at(block, [px, py], half) {
   let best = -1, least = reach;
-  for (let i = 0; meta.joints && block >= 0 && i < data.corners[block]; ++i) {
+  for (let i = 0; has_sides() && block >= 0 && i < data.corners[block]; ++i) {
     const [[x0, y0], [x1, y1]] = ends_of(block, i, half), dx = x1 - x0, dy = y1 - y0;
     const part = Math.min(1, Math.max(0, ((px - x0) * dx + (py - y0) * dy) / (dx * dx + dy * dy || 1)));
     const distance = Math.hypot(x0 + part * dx - px, y0 + part * dy - py);
@@ -47,7 +49,8 @@ function draw_picked_side(f, halves) {
 /// Returns sentences about the joints of the first picked block and about its picked side.
 function about_joints(f) {
   const [block] = state.picked;
-  if (!meta.joints || block === undefined || !exists(block, f)) return [];
+  if (!has_sides() || block === undefined || !exists(block, f)) return [];
+  if (state.side < 0 && !meta.joints) return ["Click a side to see its bond."];
   if (state.side < 0) return [`Joints of block ${block + 1}: ${joints_around(block)}. Click a side to see its joint.`];
   const first = data.first_corner[block], n = data.corners[block], i = state.side;
   const [from, to] = [first + i, first + (i + 1) % n];
@@ -55,8 +58,9 @@ function about_joints(f) {
   const angle = Math.atan2(dy, dx) * 180 / Math.PI, direction = Math.round(10 * (angle < 0 ? angle + 180 : angle)) / 10 % 180;
   const length = Number(Math.hypot(dx, dy).toPrecision(4));
   const whose = state.picked.length > 1 ? ` of block ${block + 1}` : "";
-  return [`Side ${i + 1}${whose}: ${joint_text(joint_of(block, i))}, `
-    + `${value_text(digits(length), meta.length_unit)} long, at ${direction}°.`];
+  return [`Side ${i + 1}${whose}: ${meta.joints ? `${joint_text(joint_of(block, i))}, ` : ""}`
+    + `${value_text(digits(length), meta.length_unit)} long, at ${direction}°.`,
+    ...about_bonds(block, i).map((text) => `${text[0].toUpperCase()}${text.slice(1)}.`)];
 }
 /// Returns the joints of a block: "1, 2".
 function joints_around(block) {

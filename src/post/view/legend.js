@@ -21,6 +21,7 @@ function legend_parts(wide) {
   if (state.colour === "material")
     parts.push({title: "material", swatches: Object.entries(meta.materials).map(([number, shade]) =>
       ({name: material_name(number), shade}))});
+  else if (state.colour === "bond") parts.push(...bond_legend(bar, ticks));
   else {
     const q = quantity(state.colour), [low, high] = colour_range(q), [least, most] = ranges[q.name];
     const marks = [...state.picked, hovered.block].filter((b) => b >= 0 && exists(b, state.frame));
@@ -73,8 +74,9 @@ function put_part(p, part, x, y, width) {
 
 function put_swatches(p, part, x, y, width) {
   const columns = columns_of(part);
-  part.swatches.forEach(({name, shade, ring, hatched}, i) => {
+  part.swatches.forEach(({name, shade, ring, hatched, line, dashes}, i) => {
     const left = x + i % columns * width / columns, top = y + Math.floor(i / columns) * line_height;
+    if (line) return put_line_swatch(p, name, shade, dashes, left, top);
     p.fillStyle = shade ?? style("--sheet");
     p.fillRect(left, top, 14, 11);
     p.strokeStyle = ring ?? (shade ? outline_on(shade) : style("--muted")); p.lineWidth = ring ? 2.5 : 1;
@@ -88,6 +90,15 @@ function put_swatches(p, part, x, y, width) {
     p.fillStyle = style("--ink"); p.font = font(12); p.textAlign = "left"; p.textBaseline = "middle";
     p.fillText(name, left + 20, top + 6.5);
   });
+}
+
+function put_line_swatch(p, name, shade, dashes, left, top) {
+  p.save();
+  p.strokeStyle = shade; p.lineWidth = 3; p.setLineDash(dashes);
+  p.beginPath(); p.moveTo(left, top + 6); p.lineTo(left + 14, top + 6); p.stroke();
+  p.restore();
+  p.fillStyle = style("--ink"); p.font = font(12); p.textAlign = "left"; p.textBaseline = "middle";
+  p.fillText(name, left + 20, top + 6.5);
 }
 
 /// Draws a colour bar with its numbers. An end is pointed if values lie beyond it. Small triangles

@@ -11,6 +11,7 @@ async function begin() {
   $("mirror").parentElement.hidden = meta.mirror === null;
   $("first_block").max = $("second_block").max = meta.blocks;
   $("colour").add(new Option("material", "material"));
+  if (meta.slip_colours) $("colour").add(new Option("bond of joints", "bond"));
   for (const q of meta.quantities) $("colour").add(new Option(with_unit(q.label, q.unit), q.name));
   $("map").add(new Option("automatic", ""));
   for (const [name, {diverging}] of Object.entries(meta.maps))

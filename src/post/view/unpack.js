@@ -11,7 +11,7 @@ async function unpack() {
   $("data").remove();
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  const kinds = {f64: Float64Array, f32: Float32Array, u16: Uint16Array, u8: Uint8Array};
+  const kinds = {f64: Float64Array, f32: Float32Array, u32: Uint32Array, u16: Uint16Array, u8: Uint8Array};
   const size = {digits: 4, whole: 4, frames: 1};
   let at = 0;
   for (const note of meta.arrays) {

@@ -1,0 +1,68 @@
+#include "dynamics/block_energy.hpp"
+
+#include "dynamics/time_step.hpp"
+
+namespace blocks::dynamics {
+
+BlockMotion motion_of(const Blocks& blocks, int b) {
+  const auto rate = blocks.strain_rate.col(b);
+  return {blocks.velocity.col(b), blocks.spin[b], {rate[0], rate[3], rate[1]}};
+}
+
+BlockMasses masses_of(const Blocks& blocks, int b, bool rigid) {
+  BlockMasses masses{blocks.mass[b], blocks.inertia[b], {0.0, 0.0, 0.0}};
+  if (!rigid) {
+    const Vec2 l = extent(blocks, b);
+    masses.strain[0] = 0.25 * l.x() * l.x() * blocks.mass[b];
+    masses.strain[1] = 0.25 * l.y() * l.y() * blocks.mass[b];
+    // The mean mass acts on the strain rates 12 and 21.
+    masses.strain[2] = masses.strain[0] + masses.strain[1];
+  }
+  return masses;
+}
+
+BlockMotion turned_back(const BlockMotion& motion, double dt) {
+  const double h = 0.5 * motion.spin * dt, scale = 1.0 / (1.0 + h * h);
+  const double c = (1.0 - h * h) * scale, s = -2.0 * h * scale;
+  const auto& [r11, r22, r12] = motion.rate;
+  const double t11 = c * r11 - s * r12, t12 = c * r12 - s * r22;
+  const double t21 = s * r11 + c * r12, t22 = s * r12 + c * r22;
+  return {motion.velocity,
+          motion.spin,
+          {t11 * c - t12 * s, t21 * s + t22 * c, t11 * s + t12 * c}};
+}
+
+double kinetic_energy(const BlockMasses& masses, const BlockMotion& a,
+                      const BlockMotion& b) {
+  double twice =
+      masses.mass * a.velocity.dot(b.velocity) + masses.inertia * (a.spin * b.spin);
+  for (int i = 0; i < 3; ++i)
+    twice += masses.strain[i] * (a.rate[i] * b.rate[i]);
+  return 0.5 * twice;
+}
+
+double strain_energy(const Blocks& blocks, int b, const Material& material) {
+  const auto s = blocks.stress.col(b);
+  const double c11 = material.c11(), c12 = material.c12();
+  const double normal = (c11 * (s[0] * s[0] + s[3] * s[3]) - 2.0 * c12 * s[0] * s[3]) /
+                        ((c11 - c12) * (c11 + c12));
+  const double shear = s[1] * s[1] / material.shear_modulus;
+  return 0.5 * blocks.area[b] * (normal + shear);
+}
+
+double stress_work(const Blocks& blocks, int b, double dt) {
+  const auto s = blocks.stress.col(b), rate = blocks.strain_rate.col(b);
+  const double power = s[0] * rate[0] + s[3] * rate[3] + 2.0 * s[1] * rate[1];
+  return blocks.area[b] * power * dt;
+}
+
+double last_stress_work(const Blocks& blocks, int b, const Material& material,
+                        double dt) {
+  const auto rate = blocks.strain_rate.col(b);
+  const double growth = material.c11() * (rate[0] * rate[0] + rate[3] * rate[3]) +
+                        2.0 * material.c12() * rate[0] * rate[3] +
+                        4.0 * material.shear_modulus * rate[1] * rate[1];
+  return stress_work(blocks, b, dt) - 0.5 * blocks.area[b] * growth * dt * dt;
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,299 @@
+#include "dynamics/energy.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "dynamics/contact_step.hpp"
+#include "dynamics/contact_work.hpp"
+#include "dynamics/loads.hpp"
+#include "dynamics/point_velocity.hpp"
+#include "dynamics/symmetry_planes.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// Lists the contacts that act, except those between two fixed blocks, which a
+/// search leaves out.
+void list_acting(const Blocks& blocks, const ContactArrays& arrays,
+                 EnergyMemory& memory) {
+  memory.acting.clear();
+  for (int p = 0; p < static_cast<int>(arrays.lane_of_pair.size()); ++p) {
+    const int lane = arrays.lane_of_pair[p];
+    if (lane < 0)
+      continue;
+    const BatchPairs& pairs = arrays.batches.pairs[lane / lane_count];
+    const int k = lane % lane_count;
+    if (blocks.may_touch(pairs.low[k], pairs.high[k]))
+      arrays.each_slot(p, [&](int slot) {
+        if (arrays.batches.is(slot, &ContactStates::acts))
+          memory.acting.push_back({slot, lane});
+      });
+  }
+}
+
+/// Returns the energy of a spring of a plane, [F L].
+double plane_spring(const Settings& settings, double force) {
+  return force * force / (2.0 * settings.normal_stiffness);
+}
+
+double plane_springs(const Model& model) {
+  const PlaneContacts& contacts = model.plane_contacts;
+  double sum = 0.0;
+  for (int i = 0; i < contacts.size(); ++i)
+    if (contacts.active[static_cast<std::size_t>(i)] &&
+        model.blocks.is_free(model.blocks.corner_block[contacts.corner[i]]))
+      sum += plane_spring(model.settings, contacts.normal_elastic[i]);
+  return sum;
+}
+
+/// Returns the energy of the springs in the list of contacts.
+double listed_springs(const Model& model, const LawTable& laws, const WorkSplit& split,
+                      Workers& workers, EnergyMemory& memory) {
+  std::vector<int>& listed = memory.listed;
+  listed.clear();
+  for (int i = 0; i < static_cast<int>(model.contacts.size()); ++i)
+    if (const auto [low, high] = pair_of(model.blocks, model.contacts[i]);
+        model.blocks.may_touch(low, high))
+      listed.push_back(i);
+  const SpringEnergies springs(model.settings, laws);
+  return tally_all(static_cast<int>(listed.size()), memory.contact_tallies, split,
+                   workers, memory.shares,
+                   [&](int k, ContactTally& tally) {
+                     const int i = listed[k];
+                     tally.after +=
+                         springs
+                             .of(model.contacts[i], model.joint_states.empty()
+                                                        ? nullptr
+                                                        : &model.joint_states[i])
+                             .both();
+                   })
+      .after;
+}
+
+/// The kinetic and the strain energy of the present state.
+BlockTally present_energy(const Model& model, const WorkSplit& split, Workers& workers,
+                          EnergyMemory& memory) {
+  const Blocks& blocks = model.blocks;
+  const bool rigid = model.settings.rigid;
+  return tally_all(blocks.size(), memory.block_tallies, split, workers, memory.shares,
+                   [&](int b, BlockTally& tally) {
+                     if (blocks.is_free(b)) {
+                       const BlockMotion motion = motion_of(blocks, b);
+                       tally.next_kinetic +=
+                           kinetic_energy(masses_of(blocks, b, rigid), motion, motion);
+                     }
+                     if (!rigid && !blocks.is_removed(b))
+                       tally.next_strain += strain_energy(
+                           blocks, b, model.settings.materials.at(blocks.material[b]));
+                   });
+}
+
+/// Takes what cards have changed since the last step.
+void count_cards(Model& model, const LawTable& laws, const WorkSplit& split,
+                 Workers& workers, EnergyMemory& memory) {
+  EnergyAccount& account = model.energy;
+  const BlockTally blocks = present_energy(model, split, workers, memory);
+  const double elastic =
+      listed_springs(model, laws, split, workers, memory) + plane_springs(model);
+  account.add(EnergyEntry::removed, account.next_kinetic - blocks.next_kinetic);
+  account.add(EnergyEntry::removed, account.next_strain - blocks.next_strain);
+  account.add(EnergyEntry::removed, account.elastic - elastic);
+  account.kinetic -= account.next_kinetic - blocks.next_kinetic;
+  account.next_kinetic = blocks.next_kinetic;
+  account.next_strain = blocks.next_strain;
+  account.elastic = elastic;
+}
+
+/// Adds the contacts with planes. A plane has a normal spring and no friction.
+void tally_planes(const Model& model, ContactTally& tally) {
+  const double dt = model.time_step.dt;
+  const PlaneContacts& contacts = model.plane_contacts;
+  double before = 0.0, after = 0.0;
+  for (int i = 0; i < contacts.size(); ++i) {
+    const PlaneForce force = plane_force(model.blocks, contacts, i, model.settings, dt);
+    if (!force.acts)
+      continue;
+    ContactStep step{};
+    step.normal_before = contacts.normal_elastic[i];
+    step.normal = force.spring;
+    step.normal_force = force.normal;
+    step.closing = force.closing * dt;
+    step.share = 1.0;
+    step.normal_energy_before = plane_spring(model.settings, step.normal_before);
+    step.normal_energy = plane_spring(model.settings, step.normal);
+    step.normal_energy_acting = step.normal_energy;
+    before += step.normal_energy_before;
+    after += step.normal_energy;
+    tally.add(work_of(step));
+  }
+  tally.before += before;
+  tally.after += after;
+}
+
+/// Returns the work of pressures and forces at centroids.
+double work_of_loads(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  const TimeFunction& function = model.loads.function;
+  double power = 0.0;
+  for (const Pressure& pressure : model.loads.pressures) {
+    const PressureForces forces =
+        forces_of(blocks, pressure, function.factor(model.time, pressure.arrival));
+    for (int i = 0; i < 2; ++i)
+      power +=
+          forces.force[i].dot(point_velocity(blocks, pressure.block, forces.arm[i]));
+  }
+  for (const CentroidForce& load : model.loads.forces)
+    power += function.factor(model.time, load.arrival) *
+             load.force.dot(Vec2(blocks.velocity.col(load.block)));
+  return power * model.time_step.dt;
+}
+
+/// Keeps the motion of the blocks before the step. Returns the work of their stresses.
+double keep_motion(const Model& model, EnergyMemory& memory) {
+  const Blocks& blocks = model.blocks;
+  const auto n = static_cast<std::size_t>(blocks.size());
+  memory.before.resize(n);
+  memory.masses.resize(n);
+  double work = 0.0;
+  for (int b = 0; b < blocks.size(); ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    memory.before[i] = motion_of(blocks, b);
+    memory.masses[i] = masses_of(blocks, b, model.settings.rigid);
+    if (!model.settings.rigid && blocks.is_free(b))
+      work += stress_work(blocks, b, model.time_step.dt);
+  }
+  return work;
+}
+
+}  // namespace
+
+void begin_energy(Model& model) {
+  EnergyAccount& account = model.energy;
+  const std::vector<std::string>& asked = model.history.quantities;
+  const bool needed =
+      std::any_of(asked.begin(), asked.end(),
+                  [](const std::string& name) { return name.starts_with("energy:"); });
+  if (!needed || account.kept)
+    return;
+  Workers workers;
+  EnergyMemory memory;
+  LawTable laws;
+  laws.make(model.settings, model.blocks);
+  const BlockTally blocks = present_energy(model, {}, workers, memory);
+  account.kept = true;
+  account.sums.assign(energy_entries, 0.0);
+  account.errors.assign(energy_entries, 0.0);
+  account.kinetic = account.next_kinetic = blocks.next_kinetic;
+  account.strain = account.next_strain = blocks.next_strain;
+  account.elastic =
+      listed_springs(model, laws, {}, workers, memory) + plane_springs(model);
+  account.start = account.kinetic + account.strain + account.elastic;
+}
+
+void count_forces(Model& model, const ContactArrays& arrays, bool list_is_current,
+                  const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
+  EnergyAccount& account = model.energy;
+  if (list_is_current)
+    count_cards(model, arrays.laws, split, workers, memory);
+  list_acting(model.blocks, arrays, memory);
+  const ContactSteps steps(model, arrays);
+  ContactTally contacts =
+      tally_all(static_cast<int>(memory.acting.size()), memory.contact_tallies, split,
+                workers, memory.shares, [&](int i, ContactTally& tally) {
+                  const EnergyMemory::Acting& at =
+                      memory.acting[static_cast<std::size_t>(i)];
+                  const ContactStep step = steps.at(at.slot, at.lane);
+                  tally.before += step.stored_before();
+                  tally.after += step.stored();
+                  tally.add(work_of(step));
+                });
+  tally_planes(model, contacts);
+  for (int i = 0; i < energy_entries; ++i)
+    account.add(static_cast<EnergyEntry>(i),
+                contacts.entries[static_cast<std::size_t>(i)]);
+  account.add(EnergyEntry::transfer, account.elastic - contacts.before);
+  account.elastic = contacts.after;
+  account.add(EnergyEntry::loads, work_of_loads(model));
+  account.add(EnergyEntry::integration,
+              keep_motion(model, memory) - account.strain_work);
+  account.strain = account.next_strain;
+}
+
+namespace {
+
+BlockTally tally_motion(const Model& model, const WorkSplit& split, Workers& workers,
+                        EnergyMemory& memory) {
+  const Blocks& blocks = model.blocks;
+  const bool rigid = model.settings.rigid;
+  const double dt = model.time_step.dt;
+  return tally_all(
+      blocks.size(), memory.block_tallies, split, workers, memory.shares,
+      [&](int b, BlockTally& tally) {
+        const BlockMotion& before = memory.before[static_cast<std::size_t>(b)];
+        if (!rigid && !blocks.is_removed(b))
+          tally.next_strain +=
+              strain_energy(blocks, b, model.settings.materials.at(blocks.material[b]));
+        if (!blocks.is_free(b)) {
+          // A driven block moves at a constant velocity, whatever acts on it.
+          tally.drives -= dt * (blocks.force.col(b).dot(before.velocity) +
+                                blocks.moment[b] * before.spin);
+          return;
+        }
+        const BlockMasses& masses = memory.masses[static_cast<std::size_t>(b)];
+        const BlockMotion now = motion_of(blocks, b);
+        const BlockMotion after = rigid ? now : turned_back(now, dt);
+        BlockMotion change = after;
+        change.velocity -= before.velocity;
+        change.spin -= before.spin;
+        for (int i = 0; i < 3; ++i)
+          change.rate[i] -= before.rate[i];
+        tally.kinetic += kinetic_energy(masses, before, after);
+        tally.next_kinetic += kinetic_energy(masses_of(blocks, b, rigid), now, now);
+        tally.error += kinetic_energy(masses, before, change);
+        tally.gravity += dt * masses.mass * model.settings.gravity.dot(before.velocity);
+        if (!rigid)
+          tally.strain_work += last_stress_work(
+              blocks, b, model.settings.materials.at(blocks.material[b]), dt);
+      });
+}
+
+}  // namespace
+
+void count_motion(Model& model, const WorkSplit& split, Workers& workers,
+                  EnergyMemory& memory) {
+  EnergyAccount& account = model.energy;
+  const BlockTally blocks = tally_motion(model, split, workers, memory);
+  account.add(EnergyEntry::gravity, blocks.gravity);
+  account.add(EnergyEntry::drives, blocks.drives);
+  account.add(EnergyEntry::integration, blocks.error);
+  account.add(EnergyEntry::integration, account.kinetic - account.next_kinetic);
+  account.kinetic = blocks.kinetic;
+  account.next_kinetic = blocks.next_kinetic;
+  account.next_strain = blocks.next_strain;
+  account.strain_work = blocks.strain_work;
+}
+
+void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& split,
+                 Workers& workers, EnergyMemory& memory) {
+  EnergyAccount& account = model.energy;
+  const BlockTally blocks = tally_motion(model, split, workers, memory);
+  account.add(EnergyEntry::removed, account.kinetic - blocks.kinetic);
+  account.kinetic = blocks.kinetic;
+  account.next_kinetic = blocks.next_kinetic;
+  list_acting(model.blocks, arrays, memory);
+  const ContactSteps steps(model, arrays);
+  const double elastic =
+      tally_all(static_cast<int>(memory.acting.size()), memory.contact_tallies, split,
+                workers, memory.shares,
+                [&](int i, ContactTally& tally) {
+                  const EnergyMemory::Acting& at =
+                      memory.acting[static_cast<std::size_t>(i)];
+                  tally.after += steps.stored(at.slot, at.lane);
+                })
+          .after +
+      plane_springs(model);
+  account.add(EnergyEntry::removed, account.elastic - elastic);
+  account.elastic = elastic;
+}
+
+}  // namespace blocks::dynamics

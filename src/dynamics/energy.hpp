@@ -1,0 +1,52 @@
+// Keeps the energy account of a model in its steps (docs/laws.md#energy). Three calls
+// follow the stages of a step. They read the state of the step and change nothing but
+// the account. Its sums are taken in the order of contacts and blocks, so they depend
+// neither on threads nor on restarts.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/block_energy.hpp"
+#include "dynamics/contacts/contact_arrays.hpp"
+#include "dynamics/energy_tally.hpp"
+#include "dynamics/support/work_split.hpp"
+#include "dynamics/support/workers.hpp"
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// Working memory of the account.
+struct EnergyMemory {
+  struct Acting {
+    int slot, lane;
+  };
+  std::vector<Acting> acting;       ///< contacts of the step, in their order
+  std::vector<int> listed;          ///< the same in the list of the model
+  std::vector<BlockMotion> before;  ///< (n) motion before the step
+  std::vector<BlockMasses> masses;  ///< (n) before the step
+  std::vector<ContactTally> contact_tallies;
+  std::vector<BlockTally> block_tallies;
+  std::vector<int> shares;
+};
+
+/// Begins the account if HISTORY names one of its entries. Once begun, an account is
+/// kept until the end of the run.
+void begin_energy(Model& model);
+
+/// Adds what contacts, planes and loads do in this step. Call it when the contact
+/// forces are known, before planes and loads are added to the blocks. list_is_current:
+/// Model::contacts has the springs from before the step, so cards may have changed the
+/// model.
+void count_forces(Model& model, const ContactArrays& arrays, bool list_is_current,
+                  const WorkSplit& split, Workers& workers, EnergyMemory& memory);
+
+/// Adds what the motion of the step has done. Call it before blocks that have left the
+/// domain are fixed.
+void count_motion(Model& model, const WorkSplit& split, Workers& workers,
+                  EnergyMemory& memory);
+
+/// Takes the energy of blocks that were fixed at the end of the step.
+void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& split,
+                 Workers& workers, EnergyMemory& memory);
+
+}  // namespace blocks::dynamics

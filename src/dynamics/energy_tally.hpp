@@ -1,0 +1,56 @@
+// Sums of energies over contacts and blocks, which do not depend on the threads.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "dynamics/contact_work.hpp"
+#include "dynamics/support/work_split.hpp"
+#include "dynamics/support/workers.hpp"
+#include "model/energy.hpp"
+
+namespace blocks::dynamics {
+
+/// Sums of energies over some contacts.
+struct ContactTally {
+  std::array<double, energy_entries> entries{};
+  double before = 0.0, after = 0.0;  ///< elastic energy before and after the step
+
+  void add(const ContactWork& work);
+  void include(const ContactTally& other);
+};
+/// Sums of energies over some blocks.
+struct BlockTally {
+  double gravity = 0.0, drives = 0.0;
+  double kinetic = 0.0;       ///< of the velocities before and after the step
+  double next_kinetic = 0.0;  ///< of the velocities after the step
+  /// The error of the step: half the velocities after the step times their change, less
+  /// the energy of the change.
+  double error = 0.0;
+  double next_strain = 0.0, strain_work = 0.0;
+
+  void include(const BlockTally& other);
+};
+
+/// Adds up visit(i) for all items. Items are added in chunks of a fixed size, and
+/// chunks in their order, so the sum does not depend on the threads.
+template <class Tally, class Visit>
+Tally tally_all(int count, std::vector<Tally>& tallies, const WorkSplit& split,
+                Workers& workers, std::vector<int>& shares, const Visit& visit) {
+  constexpr int chunk = 64, chunks_per_thread = 16;
+  const int chunks = (count + chunk - 1) / chunk;
+  tallies.assign(static_cast<std::size_t>(chunks), {});
+  split.split_evenly(chunks, chunks_per_thread, shares);
+  workers.each(shares, [&](int, int begin, int end) {
+    for (int k = begin; k < end; ++k)
+      for (int i = k * chunk; i < std::min(count, (k + 1) * chunk); ++i)
+        visit(i, tallies[static_cast<std::size_t>(k)]);
+  });
+  Tally sum;
+  for (const Tally& tally : tallies)
+    sum.include(tally);
+  return sum;
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,47 @@
+// The data of contacts with the laws of joints, in the layout of the kernels
+// (contact_batch.hpp). Only models with a JOINT card have these arrays.
+#pragma once
+
+#include "dynamics/kernels/joint_contact.hpp"
+
+namespace blocks::dynamics {
+
+/// The number of lanes of a batch. It is one register of AVX-512, or two of AVX2.
+inline constexpr int lane_count = 8;
+/// One number for each lane of a batch.
+template <class Number> using PerLane = Number[lane_count];
+
+/// The law and the faces of the contacts of a row. The side before a corner and the
+/// side after it may each form a face with the edge. The record beside a contact is the
+/// contact at the same end of the face: the end of the edge that acts on this side.
+struct alignas(64) FaceRow {
+  /// row, counted in the batch, of the record beside the contact; -1: none. Numbers of
+  /// rows are compared as doubles.
+  PerLane<double> beside_before, beside_after;
+  PerLane<int> law;            ///< column of LawColumns
+  PerLane<int> before, after;  ///< corners of the block next to the corner
+};
+
+/// What laws remember of the contacts of a row (JointState of the model).
+struct alignas(64) JointRow {
+  PerLane<double> stiffness, shear_stiffness;  ///< [F/L]
+  PerLane<double> slip, path;                  ///< [L]
+  PerLane<double> closure, plastic;            ///< [L]
+  PerLane<double> offset;                      ///< [L]
+  PerLane<double> bonded, failed;              ///< 1 or 0
+  PerLane<double> length;                      ///< [L] of this step, for output
+};
+
+/// Which laws occur in a batch, one bit for each LawKind. 0: STIFF and FRICTN only.
+using LawBits = unsigned;
+inline constexpr LawBits coulomb_bit = 1, walton_bit = 2, barton_bit = 4;
+
+/// The values of all laws, law by law. Law 0 is that of STIFF and FRICTN.
+struct LawColumns {
+  LawValues<const double*> values = {};
+  /// [F/L^3] per length of the contact; 0: STIFF
+  const double *normal_stiffness = nullptr, *shear_stiffness = nullptr;
+  const double* bit = nullptr;  ///< bit of the law's kind, as a number
+};
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,42 @@
+// The quantities of one contact with the law of a joint, as its law sees them
+// (docs/laws.md). A Number is a number of one contact, or of all lanes of a vector.
+#pragma once
+
+namespace blocks::dynamics {
+
+/// The values of JointLaw of one contact. [F] force, [L] length.
+template <class Number> struct LawValues {
+  Number friction, cohesion, tension;  ///< coefficient, [F/L^2]
+  Number residual_friction, residual_cohesion, residual_tension;
+  Number dilation, dilation_limit;  ///< tangent, [L]
+  /// Walton: K2 / K1 = 1 / e^2
+  Number unloading_ratio;
+  /// Barton: JRC, JCS [F/L^2], phi_r in radians (at most 70 degrees), upeak [L]
+  Number roughness, wall_strength, residual_angle, peak_slip;
+  /// Bandis: vm [L]; vm (1 - sqrt(kni / knmax)) [L], where the tangent reaches knmax
+  Number largest_closure, linear_from;
+};
+
+/// How the two blocks move at a contact in this step.
+template <class Number> struct ContactMotion {
+  Number closing,
+      sliding;      ///< [L/T] inwards; along the edge, from its start to its end
+  Number overlap;   ///< [L] >= 0
+  Number damping;   ///< [F T/L] C of (18)
+  Number starting;  ///< 1 in the first step of the contact or after a transfer, else 0
+  Number length;    ///< [L] L, the part of the faces that the contact stands for
+};
+
+/// The state of a contact, advanced by its law. See JointState. For Barton `plastic` is
+/// the opening by dilation.
+template <class Number> struct ContactState {
+  Number normal, shear;  ///< [F] FN, FS of the springs
+  Number stiffness, shear_stiffness;
+  Number slip, path, closure, plastic, offset;
+  Number bonded, failed;  ///< 1 or 0
+};
+
+/// The forces of a contact in this step, dashpots included, [F].
+template <class Number> struct ContactForce { Number normal, shear; };
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,126 @@
+// What the laws of joints have in common: when a contact closes for the first time,
+// the strength of Mohr and Coulomb with its loss, and the shear spring
+// (docs/laws.md#mohr-coulomb). A Number is a number of one contact, or of all lanes of
+// a vector, so the functions have no branches.
+#pragma once
+
+#include "dynamics/kernels/joint_contact.hpp"
+
+namespace blocks::dynamics {
+
+template <class Number>
+[[gnu::always_inline]] inline Number magnitude(const Number& x) {
+  return x < 0.0 ? -x : x;
+}
+/// Returns x, or 0 if x < 0. The result is never -0.
+template <class Number> [[gnu::always_inline]] inline Number positive(const Number& x) {
+  return x > 0.0 ? x : Number{};
+}
+
+/// The closing of a contact in a step.
+template <class Number> struct Closing {
+  Number advance;  ///< [L] closing dt
+  Number share;    ///< q: the part of the step in which the contact acts, 0 to 1
+  Number room;     ///< [L] overlap + offset
+  Number begins;   ///< 1 if the first step's rules apply, else 0
+};
+
+/// In its first step a contact has closed by its overlap, not by a whole step. A bonded
+/// contact acts from the start of its first step. may_start: false if `starting` is
+/// known to be 0.
+template <bool may_start, class Number>
+[[gnu::always_inline]] inline Closing<Number>
+closing_of(double dt, const ContactMotion<Number>& motion,
+           const ContactState<Number>& state) {
+  const Number none = Number{}, whole = none + 1.0;
+  Closing<Number> of = {motion.closing * dt, whole, motion.overlap + state.offset,
+                        none};
+  if constexpr (may_start) {
+    of.begins = state.bonded > 0.0 ? none : motion.starting;
+    const Number part = of.room / of.advance;
+    const Number first_share = of.advance > of.room ? part : whole;
+    of.share = of.begins > 0.0 ? first_share : whole;
+  }
+  return of;
+}
+
+/// The shear spring at the end of a step.
+template <class Number> struct Shear {
+  Number spring;  ///< [F] FS, |FS| <= limit
+  Number force;   ///< [F] with the dashpot, unless the contact slides
+  Number slip;    ///< [L] slip in this step, with its sign
+};
+
+/// Limits the shear spring `trial` to `limit` >= 0, and slides by the rest.
+template <class Number>
+[[gnu::always_inline]] inline Shear<Number>
+limit_shear(const Number& trial, const Number& limit, const Number& dashpot,
+            const Number& stiffness) {
+  const Number below = trial < limit ? trial : limit;
+  const Number held = below > -limit ? below : -limit;
+  const Number with_dashpot = held + dashpot;
+  const Number less = with_dashpot < limit ? with_dashpot : limit;
+  const Number clamped = less > -limit ? less : -limit;
+  const Number slip = (trial - held) / stiffness;
+  return {held, held == trial ? clamped : held, stiffness > 0.0 ? slip : Number{}};
+}
+
+/// Limits the tension of a failed contact to the residual strength. A contact without
+/// one loses its bond.
+template <class Number>
+[[gnu::always_inline]] inline void release(const LawValues<Number>& law,
+                                           const Number& length,
+                                           ContactState<Number>& state) {
+  const Number none = Number{}, most = -(law.residual_tension * length);
+  const Number held = state.normal > most ? state.normal : most;
+  const Number bonded = law.residual_tension > 0.0 ? state.bonded : none;
+  state.normal = state.failed > 0.0 ? held : state.normal;
+  state.bonded = state.failed > 0.0 ? bonded : state.bonded;
+  state.normal = state.bonded > 0.0 ? state.normal : positive(state.normal);
+}
+
+/// Applies the strengths of Mohr and Coulomb to the advanced normal spring
+/// `state.normal`, and advances the shear spring. The strength in tension is tested
+/// first. A contact that fails gets its residual values in the same step.
+template <class Number>
+[[gnu::always_inline]] inline void
+apply_strength(const LawValues<Number>& law, double dt, const Number& share,
+               const ContactMotion<Number>& motion, ContactState<Number>& state,
+               ContactForce<Number>& force) {
+  const Number whole = Number{} + 1.0;
+  const Number tension = state.failed > 0.0 ? law.residual_tension : law.tension;
+  const Number least = -(tension * motion.length);
+  state.failed = state.normal < least ? whole : state.failed;
+
+  const Number trial =
+      state.shear + share * state.shear_stiffness * motion.sliding * dt;
+  const Number dashpot = motion.damping * motion.sliding;
+  const auto limited = [&](Shear<Number> & shear) __attribute__((always_inline)) {
+    release(law, motion.length, state);
+    const Number damped = state.normal + motion.damping * motion.closing;
+    force.normal = state.bonded > 0.0 ? damped : positive(damped);
+    const Number cohesion = state.failed > 0.0 ? law.residual_cohesion : law.cohesion;
+    const Number friction = state.failed > 0.0 ? law.residual_friction : law.friction;
+    const Number limit =
+        positive(Number(cohesion * motion.length + friction * force.normal));
+    shear = limit_shear(trial, limit, dashpot, state.shear_stiffness);
+    state.failed = shear.spring == trial ? state.failed : whole;
+  };
+  // The second time has residual values where shear failed, and is the same elsewhere.
+  Shear<Number> shear;
+  limited(shear);
+  limited(shear);
+  state.shear = shear.spring;
+  force.shear = shear.force;
+  state.slip = state.slip + shear.slip;
+  state.path = state.path + magnitude(shear.slip);
+}
+
+/// Returns the energy of a shear spring, [F L].
+template <class Number>
+[[gnu::always_inline]] inline Number shear_energy(const ContactState<Number>& state) {
+  const Number energy = state.shear * state.shear / (2.0 * state.shear_stiffness);
+  return state.shear_stiffness > 0.0 ? energy : Number{};
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,66 @@
+#include "dynamics/spring_energy.hpp"
+
+#include <cstddef>
+
+#include "dynamics/kernels/barton_law.hpp"
+#include "dynamics/kernels/coulomb_law.hpp"
+#include "dynamics/kernels/walton_law.hpp"
+
+namespace blocks::dynamics {
+
+namespace {
+
+double half_inverse(double stiffness) {
+  return stiffness > 0.0 ? 0.5 / stiffness : 0.0;
+}
+
+}  // namespace
+
+SpringEnergies::SpringEnergies(const Settings& settings, const LawTable& laws)
+    : settings_(settings), laws_(laws),
+      half_compliance_(half_inverse(settings.normal_stiffness)),
+      half_shear_compliance_(half_inverse(settings.shear_stiffness)) {}
+
+LawValues<double> SpringEnergies::values_of(int law) const {
+  const LawValues<const double*>& all = laws_.columns().values;
+  const auto i = static_cast<std::size_t>(law);
+  return {all.friction[i],          all.cohesion[i],          all.tension[i],
+          all.residual_friction[i], all.residual_cohesion[i], all.residual_tension[i],
+          all.dilation[i],          all.dilation_limit[i],    all.unloading_ratio[i],
+          all.roughness[i],         all.wall_strength[i],     all.residual_angle[i],
+          all.peak_slip[i],         all.largest_closure[i],   all.linear_from[i]};
+}
+
+SpringEnergy SpringEnergies::of(int law, ContactState<double> state,
+                                double length) const {
+  if (law == 0)
+    return {state.normal * state.normal * half_compliance_,
+            state.shear * state.shear * half_shear_compliance_};
+  if (!(state.stiffness > 0.0)) {
+    state.stiffness = settings_.normal_stiffness;
+    state.shear_stiffness = settings_.shear_stiffness;
+  }
+  const double shear = shear_energy(state);
+  state.shear = 0.0;
+  switch (bit_of(law)) {
+  case walton_bit:
+    return {walton_energy(values_of(law), state), shear};
+  case barton_bit:
+    return {barton_energy(values_of(law), length, state), shear};
+  default:
+    return {coulomb_energy(state), shear};
+  }
+}
+
+SpringEnergy SpringEnergies::of(const Contact& contact, const JointState* state) const {
+  ContactState<double> springs{};
+  springs.normal = contact.normal_elastic;
+  springs.shear = contact.shear_elastic;
+  if (state == nullptr)
+    return of(0, springs, 0.0);
+  springs.stiffness = state->stiffness;
+  springs.shear_stiffness = state->shear_stiffness;
+  return of(laws_.number_of(state->law), springs, state->length);
+}
+
+}  // namespace blocks::dynamics

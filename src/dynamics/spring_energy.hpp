@@ -1,0 +1,37 @@
+// The energy that the springs of a contact store, by its law (docs/laws.md#energy).
+#pragma once
+
+#include "dynamics/contacts/law_table.hpp"
+#include "dynamics/kernels/joint_contact.hpp"
+#include "model/model.hpp"
+
+namespace blocks::dynamics {
+
+/// Energies of the springs of a contact, [F L].
+struct SpringEnergy {
+  double normal = 0.0, shear = 0.0;
+  double both() const { return normal + shear; }
+};
+
+/// Refers to the settings and the table.
+class SpringEnergies {
+ public:
+  SpringEnergies(const Settings& settings, const LawTable& laws);
+  /// Returns the energies of a contact. law: number in the table; length: L, [L]. Law
+  /// 0, and contacts that have no stiffness yet, have that of STIFF.
+  SpringEnergy of(int law, ContactState<double> state, double length) const;
+  /// Returns the energies of a contact of the list. state: null without laws.
+  SpringEnergy of(const Contact& contact, const JointState* state) const;
+
+  /// Returns the values of a law of a joint, not 0.
+  LawValues<double> values_of(int law) const;
+  /// Returns the bit of the kind of a law.
+  LawBits bit_of(int law) const { return law == 0 ? coulomb_bit : laws_.bit(law); }
+
+ private:
+  const Settings& settings_;
+  const LawTable& laws_;
+  double half_compliance_, half_shear_compliance_;  ///< [L/F] of STIFF; 0: no spring
+};
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,67 @@
+#include "post/view_bonds.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "quantities/bond.hpp"
+
+namespace blocks::post {
+namespace {
+
+/// Rounds to 12 binary digits, of which a page shows three decimal ones; the zeros that
+/// follow take little space.
+float rounded(double value) {
+  constexpr std::uint32_t dropped = 0xfff, half = 0x800;
+  const auto exact = static_cast<float>(value);
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(exact) + half) & ~dropped);
+}
+
+}  // namespace
+
+void ViewBonds::add_frame(const FrameContacts& contacts,
+                          const std::vector<int>& first_corner) {
+  const FrameContacts::Laws& laws = contacts.laws;
+  const auto corner_of = [&](int block, int corner) {
+    const auto b = static_cast<std::size_t>(block) - 1;
+    const bool exists = block >= 1 && b + 1 < first_corner.size() && corner >= 1 &&
+                        corner <= first_corner[b + 1] - first_corner[b];
+    return exists ? first_corner[b] + corner - 1 : -1;
+  };
+  std::uint32_t count = 0;
+  for (int i = 0; i < contacts.size() && !laws.empty(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (laws.law[k] == 0)
+      continue;
+    const int corner = corner_of(contacts.corner_block[k], contacts.corner[k]),
+              edge = corner_of(contacts.edge_block[k], contacts.edge[k]);
+    if (corner < 0 || edge < 0)
+      continue;
+    ++count;
+    corner_.push_back(static_cast<std::uint32_t>(corner));
+    edge_.push_back(static_cast<std::uint32_t>(edge));
+    bond_.push_back(static_cast<unsigned char>(
+        quantities::bond_of(laws.bonded[k] != 0, laws.failed[k] != 0)));
+    slip_.push_back(rounded(laws.slip[i]));
+    dilation_.push_back(rounded(laws.dilation[i]));
+    normal_.push_back(rounded(contacts.normal_force[i]));
+    shear_.push_back(rounded(contacts.shear_force[i]));
+    length_.push_back(rounded(laws.length[i]));
+    largest_slip_ = std::max(largest_slip_, std::abs(laws.slip[i]));
+  }
+  counts_.push_back(count);
+}
+
+void ViewBonds::store(ViewStore& store) const {
+  store.add("bond_counts", "u32", counts_);
+  store.add("bond_corner", "u32", corner_);
+  store.add("bond_edge", "u32", edge_);
+  store.add("bond_slip", "f32", slip_);
+  store.add("bond_dilation", "f32", dilation_);
+  store.add("bond_normal", "f32", normal_);
+  store.add("bond_shear", "f32", shear_);
+  store.add("bond_length", "f32", length_);
+  store.add("bond_state", "u8", bond_);
+}
+
+}  // namespace blocks::post
