@@ -50,6 +50,7 @@ def solve(name, program, write):
         case = Case(HERE / name, program, Path(scratch), HERE / name if write else None)
         try:
             load(name).check(case)
+            case.check_energy()
             assert case.rows, f"{name} checks nothing"
         except RunFailed as fault:
             return {"problem": name, "rows": None, "fault": str(fault),

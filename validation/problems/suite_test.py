@@ -104,6 +104,12 @@ def test_turned_deck():
     assert np.allclose(line("SETVELM, 1, 2, 3, 4"), [1, -3, 2, 4])
     assert np.allclose(line("LAYER, -3, 1, 0, 0, 0, 1, 3, 1, 3, 0"), [-3, 1, 10, 20, 9, 20, 9, 23, 10, 23])
     assert np.allclose(line("SPLANE, 0, 0, 1, 2"), [10, 20, 8, 21])
+    assert np.allclose(line("DRIVE, 1, 2, 3, 4"), [1, -3, 2, 4])
+    assert turned(text + "JSET, 1, 5, , 1", 90, (10, 20)).splitlines()[6] == \
+        "JSET, 1, 95, , 1, , , , , , 10, 20"
+    outline = turned(text + "OUTLINE, 3, 2\n0, 0, 1\n0, 1, 0\nCUT, .1", 90, (10, 20)).splitlines()
+    assert outline[6] == "OUTLINE, 3, 2" and outline[9] == "CUT, .1", outline
+    assert np.allclose([float(v) for v in outline[7].split(",")], [10, 9, 10]), outline
     for card in ("READ9, mine.msh", "LAYER, -3, 1, 0, 0, 0, 1,\n3, 1, 3, 0", "WIND, 1, 0"):
         try:
             turned(text + card, 90)

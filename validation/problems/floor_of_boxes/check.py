@@ -4,6 +4,7 @@ import numpy as np
 from suite.chart import Chart
 from suite.deck import turned, with_lines
 from suite.numbers import order, slope
+from suite.winkler import sinking
 
 LENGTH = "long"
 MU, G, SPEED = 0.4, 10.0, 10.0
@@ -23,13 +24,23 @@ def scene(text, stiffness, way, beside=0.0):
         "SETVEL, 1, 0, 10, 0, 0", f"SETVEL, 1, 0, {10 * way}, 0, 0")
 
 
-def losses(case, stiffness, beside, fraction=0.02):
+def with_law(text, stiffness):
+    """Returns the deck with a law that has this stiffness K at each end of a face of 1 m."""
+    per_area = 2 * stiffness
+    law = f"JOINT, 1, {MU}, , , , , , , , {per_area:g}, {per_area:g}\nJPAIR, 1, 1, 1\n"
+    assert "FRICTN, 0.4\n" in text
+    return text.replace("FRICTN, 0.4\n", "FRICTN, 0.4\n" + law)
+
+
+def losses(case, stiffness, beside, fraction=0.02, law=False):
     """Returns the speed that the box has lost 0.02 s after its start, beyond mu g t, in frames
-    turned by six angles and in both directions [m/s]."""
+    turned by six angles and in both directions [m/s]. law: contacts have a law with kn."""
     frames = [(7 + 60.37 * k, way) for k in range(6) for way in (1, -1)]
     decks = [turned(with_lines(scene(case.text("free.deck"), stiffness, way, beside), PLOTS="PLOTS, 0.02",
                                FRACTION=f"FRACTION, {fraction}").replace("MOTION, 1\nSTOP", "MOTION, 0.1\nSTOP"),
                     angle) for angle, way in frames]
+    if law:
+        decks = [with_law(deck, stiffness) for deck in decks]
     lost = []
     for run, (angle, way) in zip(case.run_all([("free.deck", (), deck) for deck in decks]), frames):
         at = np.searchsorted(run.times, 1.0195)
@@ -52,6 +63,45 @@ def starts(case):
     case.equal("begun flush, K 1e+08: order in FRACTION of the largest loss", 1, order(fractions, largest),
                0.1, f"{', '.join(f'{v:.3f}' for v in largest)} m/s at FRACTION 0.01, 0.005, 0.0025: what "
                "one step does goes with dt")
+
+
+def laws(case, chart):
+    """Adds rows for contacts with a law that has a stiffness per area."""
+    hops, decelerations, fixed = {}, [], None
+    runs = case.run_all([(deck + ".deck", (), with_law(turned(scene(case.text(deck + ".deck"),
+                                                                    stiffness, way), angle), stiffness))
+                         for deck, angle, stiffness, way in SCENES])
+    for run, (deck, angle, stiffness, way) in zip(runs, SCENES):
+        moving = run.times > 1.001
+        x, v = run.of("Centroid", 1)[moving, :2], run.of("Velocity", 1)[moving, :2]
+        right = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+        height = x @ np.array([-right[1], right[0]]) / (2000 * G / (2 * stiffness))
+        hops.setdefault((deck, stiffness), []).append(np.ptp(height))
+        decelerations.append(-slope(run.times[moving], v @ right * way))
+        if fixed is None:
+            fixed = x[:, 0] - 0.5, height[0] - height
+        if angle == 0 and way > 0:
+            chart.ours((x - x[0]) @ right, height - height[0],
+                       f"{deck} boxes, K {stiffness:g}, kn", line=True)
+    for (deck, stiffness), some in hops.items():
+        case.at_most(f"law with kn = 2 K, {deck} boxes, K {stiffness:g}: it rises or falls by, of its "
+                     "overlap W / (2 K), largest of all", 1 if deck == "fixed" else 2, max(some),
+                     "as without the law")
+    case.measured("law with kn = 2 K: largest error of the deceleration", max(
+        abs(a / (MU * G) - 1) for a in decelerations) * 100, "of all runs; it sinks meanwhile", "%")
+    ways, sinks = fixed
+    rule, length = (sinking(MU, ways, 2e-3, follows) for follows in (False, True))
+    case.equal("law with kn = 2 K, fixed boxes, K 1e+07: it sinks by, of W / (2 K); expected by a "
+               "quasi-static model of the rule", rule[-1] - rule[0], sinks[-1] - sinks[0], 0.2,
+               "the model neglects inertia and dashpots, and takes one step for all runs")
+    case.measured("the same model if FN follows the length of its contact", float(np.ptp(length)),
+                  "FN = kn L times the overlap: lengths add up to 1 m on any joint, so nothing sinks")
+    for stiffness in (1e8, 1e9):
+        lost = losses(case, stiffness, 0.0, law=True)
+        case.at_most(f"law with kn = 2 K, free boxes, K {stiffness:g}, begun flush with a joint, six "
+                     "frames and both ways: runs that lose 0.05 m/s or more at the start", 0,
+                     int((lost >= 0.05).sum()), f"largest {abs(lost).max():.4f} m/s; the dashpot goes "
+                     "with sqrt(kn L), so it is weak where a face begins")
 
 
 def check(case):
@@ -86,6 +136,9 @@ def check(case):
                      "box and floor give by up to W / (2 K) more when one box carries all than when "
                      "two do; twice that if suddenly")
     starts(case)
+    with_kn = Chart("Its height less that at the start, of W / (2 K), law with kn = 2 K", "way, m", "height")
+    laws(case, with_kn)
     chart.expected([1, 2], [SPEED, SPEED - MU * G], "v0 - mu g t")
     case.chart(chart)
     case.chart(heights)
+    case.chart(with_kn)

@@ -3,6 +3,7 @@
 import itertools
 import math
 import os
+import re
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
@@ -58,6 +59,7 @@ class Case:
         self.folder, self.source = folder, folder.parents[2]
         self.program, self.scratch, self.figures = program, scratch, figures
         self.rows, self.charts, self.runs = [], [], 0
+        self.energy_errors = []  # of each run, of the energy at play
         self._count = itertools.count(1)
 
     def text(self, deck):
@@ -69,7 +71,7 @@ class Case:
         """Runs a deck, or the text in its place, on one thread with options of `blocks run`."""
         stem = self.scratch / f"{Path(deck).stem}_{next(self._count)}"
         path = stem.with_name(stem.name + ".deck")
-        path.write_text(self.text(deck) if text is None else text)
+        path.write_text(with_account(self.text(deck) if text is None else text))
         log = stem.with_name(stem.name + ".log")
         with log.open("w") as sink:
             child = subprocess.Popen([self.program, "run", "-q", "-j", "1", path, "-o", stem,
@@ -80,7 +82,11 @@ class Case:
         if child.returncode != 0:
             raise RunFailed(f"{path.name}: exit code {child.returncode}\n{log.read_text()}")
         self.runs += 1
-        return Results(stem, usage.ru_utime + usage.ru_stime)
+        results = Results(stem, usage.ru_utime + usage.ru_stime)
+        energy = results.summary.get("energy", {})
+        if energy.get("at_play", 0) > 0:
+            self.energy_errors.append(abs(energy["residual"]) / energy["at_play"])
+        return results
 
     def run_all(self, decks):
         """Runs many decks, two at a time, each (deck, options, text or None). Returns the results
@@ -122,6 +128,12 @@ class Case:
         value = ours if isinstance(ours, str) else number(ours, unit)
         self.rows.append(Row(quantity, "", value, "", "", because, None))
 
+    def check_energy(self):
+        """Adds a row: the energy account of every run closes."""
+        if self.energy_errors:
+            self.at_most("energy account: largest error of the sum in all runs, of the energy at "
+                         "play", 1e-9, max(self.energy_errors), "round-off")
+
     def chart(self, chart):
         """Adds a figure: figure.svg, figure2.svg ... Writes it if there is a folder for figures."""
         name = "figure.svg" if not self.charts else f"figure{len(self.charts) + 1}.svg"
@@ -139,6 +151,16 @@ class Case:
                             "--units", "m,kg,s", *map(str, options)], check=True,
                            cwd=self.scratch, capture_output=True, text=True)
             shutil.copy(self.scratch / name, self.figures / name)
+
+
+def with_account(deck):
+    """Returns a deck that keeps an energy account, which does not change its motion."""
+    lines = deck.splitlines()
+    if any(line.upper().startswith("HISTORY") for line in lines):
+        return deck
+    first = next((i for i, line in enumerate(lines)
+                  if re.match(r"(MOTION|CYCLE)\s*(,|$)", line, re.I)), len(lines))
+    return "\n".join([*lines[:first], "HISTORY, 1E9, energy:residual", *lines[first:], ""])
 
 
 def percent(share):

@@ -27,14 +27,14 @@ def with_lines(text, **lines):
 # Cards that are the same in every frame.
 FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "BOXES", "FUNCTION",
              "FIX", "FRICTN", "DAMPING", "MERGE", "ORIENT", "PRESSBC", "OUTPUT", "PLOTS", "DUMP",
-             "MOTION", "CYCLE", "STOP"}
+             "MOTION", "CYCLE", "STOP", "UNITS", "JOINT", "JPAIR", "BOND", "WALTON", "BARTON", "CUT"}
 
 
 def turned(text, degrees, shift=(0.0, 0.0)):
     """Returns the deck in a frame turned anticlockwise and then shifted. It turns the corners of
-    CREATE and LAYER, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY and SPLANE, and enlarges the
-    domain. Raises ValueError for a card that it cannot turn (READ9, RESTART) or that continues on
-    the next line."""
+    CREATE, OUTLINE and LAYER, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE, DRIVE and JSET,
+    and enlarges the domain. Raises ValueError for a card that it cannot turn (READ9, RESTART) or
+    that continues on the next line."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
 
     def turn(x, y, by=(0.0, 0.0)):
@@ -56,7 +56,8 @@ def turned(text, degrees, shift=(0.0, 0.0)):
 
     # Field of the first pair, number of pairs, and whether they are points.
     pairs = {"CLOOP": (2, 1, False), "GRAVITY": (1, 1, False), "SETVEL": (3, 1, False),
-             "SETVELM": (2, 1, False), "FORCE": (2, 1, False), "SPLANE": (1, 2, True), "LAYER": (3, 4, True)}
+             "SETVELM": (2, 1, False), "FORCE": (2, 1, False), "DRIVE": (2, 1, False),
+             "SPLANE": (1, 2, True), "LAYER": (3, 4, True)}
     lines, out, limits = text.splitlines(), [], []
     at = 0
     while at < len(lines):
@@ -64,14 +65,20 @@ def turned(text, degrees, shift=(0.0, 0.0)):
         card = words(line)
         name = card[0].upper()
         at += 1
-        if name == "CREATE":
+        if name in ("CREATE", "OUTLINE"):
             xs, ys = ([float(word) for word in words(lines[at + k])] for k in (0, 1))
             if not len(xs) == len(ys) == int(card[1]):
-                raise ValueError(f"CREATE continues on a third line: {line}")
+                raise ValueError(f"{name} continues on a third line: {line}")
             at += 2
             points = [turn(x, y, shift) for x, y in zip(xs, ys)]
             fixed = len(card) > 3 and card[3] not in ("", "0")
-            out.append(polygon(points, fixed, int(card[2])).rstrip())
+            made = polygon(points, fixed, int(card[2])).rstrip().splitlines()
+            out += made if name == "CREATE" else [line, *made[1:]]
+        elif name == "JSET":
+            card += [""] * (12 - len(card))
+            card[2] = f"{real(card, 2) + degrees:.15g}"
+            card[10:12] = (f"{v:.15g}" for v in turn(real(card, 10), real(card, 11), shift))
+            out.append(", ".join(card))
         elif name in pairs:
             first, count, points = pairs[name]
             if points and len(card) < first + 2 * count:

@@ -54,6 +54,14 @@ class Results:
         return {name: group[name][start:start + count] for name in group
                 if name not in ("Counts", "Offsets")}
 
+    def all_contacts(self):
+        """Returns the acting contacts of all frames as a dictionary of columns, with the frame of
+        each row as "Frame"."""
+        group = self._file["BLOCKS/contacts"]
+        counts = group["Counts"][:]
+        columns = {name: group[name][:] for name in group if name not in ("Counts", "Offsets")}
+        return {**columns, "Frame": np.repeat(np.arange(len(counts)), counts)}
+
     def overlap(self, corner_block, edge_block, frame=-1):
         """Returns the overlaps [L] of the corners of one block in another, by corner."""
         found = self.contacts(frame)
