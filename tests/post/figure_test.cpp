@@ -155,7 +155,7 @@ TEST(ColourMap, OfZeroIsLightInGreyAndInViridisReversed) {
 // A block that has not moved is not the darkest one.
 TEST(ColourMap, IsLightAtZeroIfZeroIsOrdinary) {
   Frame frame;
-  frame.number = {1};
+  frame.number = {1}, frame.fixed = {0};
   frame.centroid = frame.velocity = Eigen::Matrix2Xd::Zero(2, 1);
   frame.mass = frame.inertia = frame.area = Eigen::VectorXd::Ones(1);
   frame.spin = Eigen::VectorXd::Zero(1);
