@@ -4,7 +4,6 @@ import numpy as np
 from suite.chart import Chart
 from suite.deck import turned, with_lines
 from suite.numbers import order, slope
-from suite.winkler import sinking
 
 LENGTH = "long"
 MU, G, SPEED = 0.4, 10.0, 10.0
@@ -67,7 +66,7 @@ def starts(case):
 
 def laws(case, chart):
     """Adds rows for contacts with a law that has a stiffness per area."""
-    hops, decelerations, fixed = {}, [], None
+    hops, decelerations = {}, []
     runs = case.run_all([(deck + ".deck", (), with_law(turned(scene(case.text(deck + ".deck"),
                                                                     stiffness, way), angle), stiffness))
                          for deck, angle, stiffness, way in SCENES])
@@ -78,8 +77,6 @@ def laws(case, chart):
         height = x @ np.array([-right[1], right[0]]) / (2000 * G / (2 * stiffness))
         hops.setdefault((deck, stiffness), []).append(np.ptp(height))
         decelerations.append(-slope(run.times[moving], v @ right * way))
-        if fixed is None:
-            fixed = x[:, 0] - 0.5, height[0] - height
         if angle == 0 and way > 0:
             chart.ours((x - x[0]) @ right, height - height[0],
                        f"{deck} boxes, K {stiffness:g}, kn", line=True)
@@ -89,13 +86,6 @@ def laws(case, chart):
                      "as without the law")
     case.measured("law with kn = 2 K: largest error of the deceleration", max(
         abs(a / (MU * G) - 1) for a in decelerations) * 100, "of all runs; it sinks meanwhile", "%")
-    ways, sinks = fixed
-    rule, length = (sinking(MU, ways, 2e-3, follows) for follows in (False, True))
-    case.equal("law with kn = 2 K, fixed boxes, K 1e+07: it sinks by, of W / (2 K); expected by a "
-               "quasi-static model of the rule", rule[-1] - rule[0], sinks[-1] - sinks[0], 0.2,
-               "the model neglects inertia and dashpots, and takes one step for all runs")
-    case.measured("the same model if FN follows the length of its contact", float(np.ptp(length)),
-                  "FN = kn L times the overlap: lengths add up to 1 m on any joint, so nothing sinks")
     for stiffness in (1e8, 1e9):
         lost = losses(case, stiffness, 0.0, law=True)
         case.at_most(f"law with kn = 2 K, free boxes, K {stiffness:g}, begun flush with a joint, six "
