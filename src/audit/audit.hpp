@@ -68,6 +68,8 @@ struct HeldContact {
   int corner = 0, edge = 0;
   bool bonded = false;
   double offset = 0.0;  ///< [L] added to its overlap
+  bool failed =
+      false;  ///< weakened, if bonded: it ends where its corner leaves the edge
 };
 
 /// Returns the contacts of a model that the laws of joints hold. The list of contacts

@@ -14,7 +14,7 @@ std::vector<HeldContact> held_contacts(const Model& model) {
     const JointState& state = model.joint_states[i];
     if (state.bonded || state.offset > 0.0)
       held.push_back({model.contacts[i].corner, model.contacts[i].edge, state.bonded,
-                      state.offset});
+                      state.offset, state.failed});
   }
   return held;
 }
@@ -57,7 +57,11 @@ std::vector<CornerEdge> HeldContacts::expected(const BlockPair& pair,
   for (const CornerEdge& key : found->second)
     if (held_.at(key).bonded) {
       bonded.insert(key.first);
-      all.insert(key);
+      // A weakened contact ends where its corner leaves the edge.
+      const int open = held_.at(key).failed ? holds_open(key, HUGE_VAL, rule) : 1;
+      if (open > 0 ||
+          (open < 0 && std::binary_search(acting.begin(), acting.end(), key)))
+        all.insert(key);
     }
   for (const CornerEdge& key : by_rule)
     if (!bonded.contains(key.first))

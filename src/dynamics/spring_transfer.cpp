@@ -198,7 +198,7 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
       successor = choose(i);
     if (successor.slot < 0)
       continue;
-    // Added springs are not limited by the overlap, as springs of new contacts are.
+    // Added springs of contacts that act already are not limited by the overlap.
     if (successor.adds())
       put_stiffness(batches, successor);
     else

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <vector>
@@ -25,18 +26,20 @@ double largest_stiffness(const JointLaw& law, const Settings& settings, double e
 /// Finds the largest stiffness of any contact of a block, [F/L].
 class ContactStiffness {
  public:
-  explicit ContactStiffness(const Settings& settings)
-      : settings_(settings),
-        constant_(std::max(settings.normal_stiffness, settings.shear_stiffness)) {
+  explicit ContactStiffness(const Model& model)
+      : settings_(model.settings),
+        constant_(std::max(settings_.normal_stiffness, settings_.shear_stiffness)) {
+    const Settings& settings = model.settings;
+    find_present(model);
     for (const auto& [materials, id] : settings.joint_of_materials)
       for (const int material : {materials.first, materials.second})
         of_material_[material].push_back(&settings.joint_laws.at(id));
   }
 
   double of(const Blocks& blocks, int b) const {
-    double largest = constant_;
     if (settings_.joint_laws.empty())
-      return largest;
+      return constant_;
+    double largest = std::max(constant_, present_[static_cast<std::size_t>(b)]);
     const auto of_pairs = of_material_.find(blocks.material[b]);
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
       const double edge =
@@ -55,8 +58,30 @@ class ContactStiffness {
   }
 
  private:
+  /// Finds the stiffnesses of the contacts that act. They stay when a card replaces
+  /// their law by a softer one.
+  void find_present(const Model& model) {
+    present_.assign(static_cast<std::size_t>(model.blocks.size()), 0.0);
+    for (std::size_t i = 0; i < model.joint_states.size(); ++i) {
+      const JointState& state = model.joint_states[i];
+      const auto law = settings_.joint_laws.find(state.law);
+      double largest = state.stiffness;
+      if (law != settings_.joint_laws.end() && law->second.kind == LawKind::walton)
+        largest /= law->second.restitution * law->second.restitution;
+      if (law != settings_.joint_laws.end() && law->second.kind == LawKind::barton)
+        largest *= law->second.largest_stiffness / law->second.initial_stiffness;
+      largest = std::max(largest, state.shear_stiffness);
+      const auto [low, high] = pair_of(model.blocks, model.contacts[i]);
+      for (const int b : {low, high}) {
+        double& of = present_[static_cast<std::size_t>(b)];
+        of = std::max(of, largest);
+      }
+    }
+  }
+
   const Settings& settings_;
-  double constant_;  ///< of STIFF
+  double constant_;              ///< of STIFF
+  std::vector<double> present_;  ///< (blocks) of the contacts that act
   std::map<int, std::vector<const JointLaw*>> of_material_;
 };
 
@@ -96,7 +121,7 @@ double safe_fraction(double damping, int contacts) {
 TimeStep choose_time_step(const Model& model) {
   const Settings& settings = model.settings;
   const Blocks& blocks = model.blocks;
-  const ContactStiffness stiffness(settings);
+  const ContactStiffness stiffness(model);
 
   TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size(), false};
   for (int b = 0; b < blocks.size(); ++b) {

@@ -138,6 +138,45 @@ TEST(JointLaws, RestartInTheMiddleHasTheSameBits) {
   }
 }
 
+// A weakened contact has residual tension, but only where there is an edge.
+TEST(JointLaws, WeakenedContactEndsBeyondItsEdge) {
+  for (const Frame& frame : frames) {
+    Scene scene(frame);
+    JointLaw law;
+    law.friction = law.residual_friction = 0.05;
+    law.cohesion = law.residual_cohesion = 1e5;
+    law.tension = law.residual_tension = 1.0;
+    law.normal_stiffness = law.shear_stiffness = 1e9;
+    use_law(scene, law);
+    scene.box(0, -1, 2, 1, true);
+    const int block = scene.box(0.5, 0, 1, 1);
+    dynamics::bond_faces(scene.model, 0, 1e-6);
+    scene.velocity(block, 20, 0);
+    scene.gravity(0, -10);
+    scene.run(0.4);
+    EXPECT_LT(scene.centroid(block).y(), 0.2) << "it has slid off the table and falls";
+  }
+}
+
+// A softer law does not soften contacts that act, so the time step must not grow.
+TEST(JointLaws, TimeStepKnowsTheStiffnessesThatContactsKeep) {
+  Scene scene;
+  JointLaw law = cohesive();
+  use_law(scene, law);
+  scene.box(0, -1, 2, 1, true);
+  scene.box(0, 0, 2, 1);
+  dynamics::bond_faces(scene.model, 0, 1e-6);
+  scene.gravity(0, -10);
+  scene.steps(10);
+  const double dt = scene.dt();
+  law.normal_stiffness = law.shear_stiffness = 1e7;
+  use_law(scene, law);
+  scene.model.time_step.blocks = 0;
+  scene.prepare();
+  // They have half of the bound of a whole edge: two contacts at each end.
+  EXPECT_NEAR(scene.dt() / dt, std::sqrt(2.0), 1e-12);
+}
+
 TEST(JointLaws, ThreadsDoNotChangeResults) {
   Scene one = heap(true, 1), three = heap(true, 3);
   for (Scene* scene : {&one, &three}) {

@@ -10,8 +10,8 @@ namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
 
 /// Finds which lanes of row s act. In addition to the contacts of the contact rule,
-/// these are bonded ones, and those that acted in the step before and whose offset is
-/// larger than their gap.
+/// these are intact ones, and those that acted in the step before, are between the ends
+/// of their edge, and are still bonded or have an offset larger than their gap.
 BLOCKS_INLINE void find_acting_or_held(const BatchArrays& batches, int s,
                                        const Sides& sides, int i) {
   ContactStates& states = batches.states[s];
@@ -19,13 +19,17 @@ BLOCKS_INLINE void find_acting_or_held(const BatchArrays& batches, int s,
   const Bits before = load(states.acts, i);
   find_acting(batches.tests[s], states, sides, i);
   const Pack offset = load(joints.offset, i);
+  const Bits bonded = less(Pack{}, load(joints.bonded, i));
+  const Bits failed = less(Pack{}, load(joints.failed, i));
   Bits holds = less(Pack{}, offset);
-  if (holds != 0) {
+  Bits weakened = bonded & failed;
+  if ((holds | weakened) != 0) {
     Pack error;
-    holds &= less(-offset * root(sides.square), sides.value) &
-             less(Pack{}, sides.between(error));
+    const Bits between = less(Pack{}, sides.between(error));
+    holds &= less(-offset * root(sides.square), sides.value) & between;
+    weakened &= between;
   }
-  const Bits held = before & (less(Pack{}, load(joints.bonded, i)) | holds);
+  const Bits held = before & ((bonded & ~failed) | weakened | holds);
   const Bits act = load(states.acts, i) | held;
   store(states.acts, i, act);
   store(states.starts, i, act & ~before);
