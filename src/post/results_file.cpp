@@ -1,0 +1,188 @@
+#include "post/results_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <utility>
+
+namespace blocks::post {
+
+namespace {
+
+Eigen::Matrix2Xd in_plane(const std::vector<double>& rows) {
+  using Rows = Eigen::Map<const Eigen::Matrix3Xd>;
+  return Rows(rows.data(), 3, static_cast<Eigen::Index>(rows.size() / 3)).topRows(2);
+}
+
+Eigen::VectorXd vector(const std::vector<double>& rows) {
+  return Eigen::Map<const Eigen::VectorXd>(rows.data(),
+                                           static_cast<Eigen::Index>(rows.size()));
+}
+
+Eigen::Matrix4Xd tensors(const std::vector<double>& rows) {
+  return Eigen::Map<const Eigen::Matrix4Xd>(rows.data(), 4,
+                                            static_cast<Eigen::Index>(rows.size() / 4));
+}
+
+/// A removed block has no values, so that figures, histories and ranges skip it.
+void hide_removed(Frame& frame) {
+  for (int b = 0; b < frame.size(); ++b) {
+    if (!frame.is_removed(b))
+      continue;
+    for (auto* plane : {&frame.centroid, &frame.velocity, &frame.force})
+      plane->col(b).setConstant(std::nan(""));
+    for (auto* values : {&frame.angle, &frame.spin, &frame.moment, &frame.area,
+                         &frame.mass, &frame.inertia})
+      (*values)[b] = std::nan("");
+    for (auto* tensor : {&frame.stress, &frame.applied, &frame.strain_rate})
+      tensor->col(b).setConstant(std::nan(""));
+  }
+}
+
+}  // namespace
+
+std::vector<int> ResultsReader::File::read_joints(hsize_t i, hsize_t points) const {
+  if (!output::hdf5::exists(vtk.get(), "PointData") ||
+      !output::hdf5::exists(vtk.get(), "PointData/Joint"))
+    return {};
+  Column stored = Column::open(vtk.get(), "PointData/Joint");
+  if (stored.width() != 1)
+    throw Failure("Joint has the wrong shape");
+  // A run that was interrupted while it added the data left frames without an offset.
+  if (!output::hdf5::exists(steps.get(), "PointDataOffsets") ||
+      !output::hdf5::exists(steps.get(), "PointDataOffsets/Joint") ||
+      Column::open(steps.get(), "PointDataOffsets/Joint").rows() <= i)
+    return {};
+  std::vector<int> joints =
+      stored.read<int>(step_value("PointDataOffsets/Joint", i), points);
+  if (std::any_of(joints.begin(), joints.end(), [](int joint) { return joint < 0; }))
+    throw Failure("Joint is negative");
+  return joints;
+}
+
+void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
+                                        Frame& frame) const {
+  const hsize_t points = count("NumberOfPoints", part);
+  const hsize_t ids = count("NumberOfConnectivityIds", part);
+  Column stored = Column::open(vtk.get(), "Points");
+  if (stored.width() != 3)
+    throw Failure("Points has the wrong shape");
+  const Eigen::Matrix2Xd corners =
+      in_plane(stored.read<double>(step_value("PointOffsets", i), points));
+  const auto starts =
+      rows<std::int64_t>("Offsets", step_value("CellOffsets", i) + part, n + 1);
+  const auto connectivity =
+      rows<std::int64_t>("Connectivity", step_value("ConnectivityIdOffsets", i), ids);
+
+  const std::vector<int> joints = read_joints(i, points);
+  if (!joints.empty())
+    frame.joints.resize(n);
+  frame.outlines.resize(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    const std::int64_t from = starts[b], to = starts[b + 1];
+    if (from < 0 || to < from || to > static_cast<std::int64_t>(ids))
+      throw Failure("Offsets are out of range");
+    for (std::int64_t k = from; k < to; ++k) {
+      const std::int64_t point = connectivity[static_cast<std::size_t>(k)];
+      if (point < 0 || point >= corners.cols())
+        throw Failure("Connectivity is out of range");
+      frame.outlines[b].emplace_back(corners.col(point));
+      if (!joints.empty())
+        frame.joints[b].push_back(joints[static_cast<std::size_t>(point)]);
+    }
+  }
+}
+
+Frame ResultsReader::File::read(hsize_t i) const {
+  const hsize_t part = step_value("PartOffsets", i);
+  const hsize_t n = count("NumberOfCells", part);
+  Frame frame;
+  frame.time = times[i];
+  frame.step = field<std::int64_t>("Step", i);
+  frame.kinetic_energy = field<double>("KineticEnergy", i);
+  frame.number = cells<int>("BlockNumber", i, n, 1);
+  frame.material = cells<int>("Material", i, n, 1);
+  frame.fixed = cells<int>("Fixed", i, n, 1);
+  frame.centroid = in_plane(cells<double>("Centroid", i, n, 3));
+  frame.velocity = in_plane(cells<double>("Velocity", i, n, 3));
+  frame.angle = vector(cells<double>("Angle", i, n, 1));
+  frame.spin = vector(cells<double>("Spin", i, n, 1));
+  frame.force = in_plane(cells<double>("Force", i, n, 3));
+  frame.moment = vector(cells<double>("Moment", i, n, 1));
+  frame.area = vector(cells<double>("Area", i, n, 1));
+  frame.mass = vector(cells<double>("Mass", i, n, 1));
+  frame.inertia = vector(cells<double>("Inertia", i, n, 1));
+  frame.stress = tensors(cells<double>("Stress", i, n, 4));
+  frame.applied = tensors(cells<double>("AppliedStress", i, n, 4));
+  frame.strain_rate = tensors(cells<double>("StrainRate", i, n, 4));
+  read_outlines(i, part, n, frame);
+  hide_removed(frame);
+  return frame;
+}
+
+FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
+  const auto place = [&](const char* name) {
+    const auto value = contact<std::int64_t>(name, i, 1, 1).front();
+    if (value < 0)
+      throw Failure(std::string("contacts/") + name + " is negative");
+    return static_cast<hsize_t>(value);
+  };
+  const hsize_t from = place("Offsets"), m = place("Counts");
+  FrameContacts rows;
+  rows.corner_block = contact<int>("CornerBlock", from, m, 1);
+  rows.corner = contact<int>("Corner", from, m, 1);
+  rows.edge_block = contact<int>("EdgeBlock", from, m, 1);
+  rows.edge = contact<int>("Edge", from, m, 1);
+  rows.point = in_plane(contact<double>("Point", from, m, 3));
+  rows.normal = in_plane(contact<double>("Normal", from, m, 3));
+  rows.normal_force = vector(contact<double>("NormalForce", from, m, 1));
+  rows.shear_force = vector(contact<double>("ShearForce", from, m, 1));
+  rows.overlap = vector(contact<double>("Overlap", from, m, 1));
+  if (output::hdf5::exists(own.get(), last_law_column))
+    rows.laws = read_laws(from, m);
+  return rows;
+}
+
+FrameContacts::Laws ResultsReader::File::read_laws(hsize_t from, hsize_t m) const {
+  FrameContacts::Laws laws;
+  laws.law = law<int>("Law", from, m);
+  laws.bonded = law<int>("Bonded", from, m);
+  laws.failed = law<int>("Failed", from, m);
+  laws.slip = vector(law<double>("Slip", from, m));
+  laws.dilation = vector(law<double>("Dilation", from, m));
+  laws.plastic_closure = vector(law<double>("PlasticClosure", from, m));
+  laws.length = vector(law<double>("Length", from, m));
+  return laws;
+}
+
+std::vector<RecordedHistory> ResultsReader::File::read_recorded() const {
+  std::vector<RecordedHistory> sections;
+  const bool any = output::hdf5::exists(own.get(), "history");
+  for (int number = 1; any; ++number) {
+    const std::string place = "history/" + std::to_string(number);
+    if (!output::hdf5::exists(own.get(), place))
+      break;
+    const Handle group = output::hdf5::open_group(own.get(), place);
+    RecordedHistory section;
+    section.interval = output::hdf5::read_real_attribute(group.get(), "interval");
+    std::istringstream lines(output::hdf5::read_text(group.get(), "quantities"));
+    for (std::string name; std::getline(lines, name);)
+      section.quantities.push_back(name);
+    const auto rows = output::hdf5::read_attribute(group.get(), "rows");
+    Column time = Column::open(group.get(), "time"),
+           values = Column::open(group.get(), "values");
+    if (rows < 0 || time.width() != 1 || values.width() != section.quantities.size())
+      throw Failure(place + " has the wrong shape");
+    const auto count = static_cast<hsize_t>(rows);
+    section.time = time.read<double>(0, count);
+    const std::vector<double> stored = values.read<double>(0, count);
+    section.values = Eigen::Map<const Eigen::MatrixXd>(
+        stored.data(), static_cast<Eigen::Index>(values.width()), rows);
+    if (count > 0)
+      sections.push_back(std::move(section));
+  }
+  return sections;
+}
+
+}  // namespace blocks::post

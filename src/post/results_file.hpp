@@ -1,0 +1,108 @@
+// An open results file: its groups and columns, and how frames are read from them. Only
+// results_reader.cpp and results_file.cpp use it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/file_tools.hpp"
+#include "output/hdf5_handle.hpp"
+#include "output/results.hpp"
+#include "output/results_mark.hpp"
+#include "output/results_names.hpp"
+#include "post/frame_units.hpp"
+#include "post/results_reader.hpp"
+
+namespace blocks::post {
+
+using output::hdf5::Column;
+using output::hdf5::Failure;
+using output::hdf5::Handle;
+
+/// The column of the states of laws that a run makes last.
+inline constexpr const char* last_law_column = "contacts/Length";
+
+/// The file and what has been read when it was opened.
+struct ResultsReader::File {
+  std::string path;
+  output::ChangeWatch watch;
+  std::optional<std::uint64_t> opened_at;  ///< number of changes when it was opened
+  Handle file, vtk, steps, own;
+  std::vector<double> times;
+  std::string title;
+  output::ResultsNames names;
+  std::optional<Units> units;
+  UnitScale scale;  ///< from the units of the deck to `units`
+  bool compression_positive = false;
+
+  explicit File(const std::string& name) : path(name), watch(name) {}
+
+  /// Throws Failure.
+  void open();
+  /// Returns the result of `action`, which reads the file. If the file has changed
+  /// meanwhile, opens it again and repeats, for at most `patience`. Throws Failure.
+  template <class Action> auto soundly(Action&& action) -> decltype(action());
+
+  hsize_t step_value(const std::string& name, hsize_t row) const {
+    const auto value = Column::open(steps.get(), name).at<std::int64_t>(row);
+    if (value < 0)
+      throw Failure("Steps/" + name + " is negative");
+    return static_cast<hsize_t>(value);
+  }
+  hsize_t count(const std::string& name, hsize_t row) const {
+    const auto value = Column::open(vtk.get(), name).at<std::int64_t>(row);
+    if (value < 0)
+      throw Failure(name + " is negative");
+    return static_cast<hsize_t>(value);
+  }
+  template <class T>
+  std::vector<T> rows(const char* name, hsize_t row, hsize_t n) const {
+    return Column::open(vtk.get(), name).read<T>(row, n);
+  }
+  /// Returns cell data of a frame, `width` values for each block.
+  template <class T>
+  std::vector<T> cells(const std::string& name, hsize_t frame, hsize_t n,
+                       hsize_t width) const {
+    Column column = Column::open(vtk.get(), "CellData/" + name);
+    if (column.width() != width)
+      throw Failure(name + " has the wrong shape");
+    return column.read<T>(step_value("CellDataOffsets/" + name, frame), n);
+  }
+  template <class T> T field(const std::string& name, hsize_t frame) const {
+    return Column::open(vtk.get(), "FieldData/" + name)
+        .at<T>(step_value("FieldDataOffsets/" + name, frame));
+  }
+  template <class T>
+  std::vector<T> contact(const char* name, hsize_t from, hsize_t n,
+                         hsize_t width) const {
+    Column column = Column::open(own.get(), std::string("contacts/") + name);
+    if (column.width() != width)
+      throw Failure(std::string("contacts/") + name + " has the wrong shape");
+    return column.read<T>(from, n);
+  }
+  /// Returns a column of the states of laws. Rows that it lacks belong to frames
+  /// before the first JOINT card and are 0.
+  template <class T>
+  std::vector<T> law(const char* name, hsize_t from, hsize_t n) const {
+    Column column = Column::open(own.get(), std::string("contacts/") + name);
+    if (column.width() != 1)
+      throw Failure(std::string("contacts/") + name + " has the wrong shape");
+    const hsize_t rows = column.rows(), there = rows > from ? rows - from : 0;
+    std::vector<T> values = column.read<T>(std::min(from, rows), std::min(n, there));
+    values.resize(n, T(0));
+    return values;
+  }
+  /// Throws FileError, with the range of frames, unless frame i exists.
+  void require(long i) const;
+  Frame read(hsize_t i) const;
+  FrameContacts read_contacts(hsize_t i) const;
+  FrameContacts::Laws read_laws(hsize_t from, hsize_t m) const;
+  std::vector<RecordedHistory> read_recorded() const;
+  /// Returns the joint ids of all points of a frame; empty if the file has none.
+  std::vector<int> read_joints(hsize_t i, hsize_t points) const;
+  void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
+};
+
+}  // namespace blocks::post
