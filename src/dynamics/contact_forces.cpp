@@ -59,7 +59,7 @@ void release_springs(const ContactArrays& arrays, int batch,
   });
 }
 
-/// Collects the pairs of a batch of which a bond broke.
+/// Collects the pairs of a batch that have lost a bond in this step.
 void find_broken(const ContactArrays& arrays, int batch, std::vector<int>& broken) {
   const ContactBatches& batches = arrays.batches;
   const BatchPairs& pairs = batches.pairs[batch];

@@ -23,7 +23,7 @@ struct ForceMemory {
   SpringTransfer transfer;
   std::vector<int> receivers;  ///< batches that have received springs
   std::vector<int> shares;     ///< splits the receivers among the threads
-  /// Pairs of which a bond broke in this step. Their contacts have to be decided again.
+  /// Pairs that have lost a bond in this step. Their contacts must be decided again.
   std::vector<int> broken;
 };
 

@@ -9,7 +9,7 @@
 namespace blocks::post {
 namespace {
 
-/// Rounds to 12 binary digits, of which a page shows three decimal ones; the zeros that
+/// Rounds to 12 binary digits. A page shows three decimal digits, and the zeros that
 /// follow take little space.
 float rounded(double value) {
   constexpr std::uint32_t dropped = 0xfff, half = 0x800;

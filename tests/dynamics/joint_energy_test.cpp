@@ -5,6 +5,7 @@
 
 #include "dynamics/bond.hpp"
 #include "model/drives.hpp"
+#include "scenes/joint_law.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {
@@ -13,20 +14,14 @@ namespace {
 using scenes::Frame;
 using scenes::Scene;
 
-const Frame frames[] = {{}, {0.7, {3, -2}}, {-2.2, {1000, 500}}};
+using scenes::cohesive;
 
-JointLaw cohesive() {
-  JointLaw law;
-  law.friction = law.residual_friction = 0.5;
-  law.cohesion = 2e5, law.tension = 1e5;
-  law.normal_stiffness = law.shear_stiffness = 1e9;
-  return law;
-}
+const auto& frames = scenes::three_frames;
 
-void use_law(Scene& scene, const JointLaw& law) {
+/// Uses the law, and keeps an energy account.
+void use_with_account(Scene& scene, const JointLaw& law) {
   scene.model.history.quantities = {"energy:residual"};
-  scene.model.settings.joint_laws[7] = law;
-  scene.model.settings.joint_of_materials[{1, 1}] = 7;
+  scenes::use_law(scene, law);
 }
 
 void expect_closed(const Model& model) {
@@ -46,7 +41,7 @@ Scene pressed(const Frame& frame, const JointLaw& law, double pressure, bool rig
   scene.model.settings.rigid = rigid;
   scene.model.settings.normal_stiffness = scene.model.settings.shear_stiffness = 1e9;
   scene.model.settings.damping = 0.3;
-  use_law(scene, law);
+  use_with_account(scene, law);
   scene.box(-4, -1, 8, 1, true);
   const int b = scene.box(-0.5, 0, 1, 1);
   scene.model.loads.function = {{0, 0.02, 1}, {0, 1, 1}};
@@ -89,7 +84,7 @@ TEST(JointEnergy, OfAnImpactGoesToHysteresis) {
     JointLaw law;
     law.kind = LawKind::walton;
     law.restitution = 0.5;
-    use_law(scene, law);
+    use_with_account(scene, law);
     scene.model.settings.fraction = 0.005;
     scene.box(-5, -1, 10, 1, true);
     const int b = scene.box(0, 0.001, 1, 1);
@@ -180,7 +175,7 @@ Scene heap(LawKind kind, bool rigid, int threads) {
     law.dilation = 0.2, law.dilation_limit = 0.003;
   else
     law.tension = 0.0, law.restitution = 0.6;
-  use_law(scene, law);
+  use_with_account(scene, law);
   dynamics::bond_faces(scene.model, 7, 0.06);
   return scene;
 }

@@ -1,4 +1,4 @@
-// The energy that the laws of joints keep, take and give back.
+// Elastic energy and losses of the laws of joints.
 #include <gtest/gtest.h>
 
 #include <algorithm>

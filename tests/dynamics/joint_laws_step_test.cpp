@@ -9,6 +9,7 @@
 #include "dynamics/kernels/kernels.hpp"
 #include "dynamics/step.hpp"
 #include "model/drives.hpp"
+#include "scenes/joint_law.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {
@@ -17,20 +18,10 @@ namespace {
 using scenes::Frame;
 using scenes::Scene;
 
-const Frame frames[] = {{}, {0.7, {3, -2}}, {-2.2, {1000, 500}}};
+using scenes::cohesive;
+using scenes::use_law;
 
-JointLaw cohesive() {
-  JointLaw law;
-  law.friction = law.residual_friction = 0.5;
-  law.cohesion = 2e5, law.tension = 1e5;
-  law.normal_stiffness = law.shear_stiffness = 1e9;
-  return law;
-}
-
-void use_law(Scene& scene, const JointLaw& law) {
-  scene.model.settings.joint_laws[7] = law;
-  scene.model.settings.joint_of_materials[{1, 1}] = 7;
-}
+const auto& frames = scenes::three_frames;
 
 /// Returns the sum of the lengths of the contacts of two blocks.
 double common_length(const Model& model, int a, int b) {

@@ -20,7 +20,7 @@ using ::testing::Not;
 
 const RunIdentity identity = {"two.deck", "START\n", "Two blocks", "1.0.0", 1982};
 
-/// Two contacts, of which the first one has a law, and one with a plane.
+/// A contact with a law, one without, and one with a plane.
 Model with_states() {
   Model model = samples::two_blocks();
   model.contacts.push_back({7, 1, 0.25, 0.0, 0.25, 0.0, 0.03125});

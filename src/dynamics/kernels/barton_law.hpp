@@ -127,7 +127,7 @@ template <bool may_start = true, class Number>
   state.offset = state.offset + rise;
 }
 
-/// Returns the energy that the springs would give back, [F L] >= 0.
+/// Returns the elastic energy of the springs, [F L] >= 0.
 template <class Number>
 [[gnu::always_inline]] inline Number barton_energy(const LawValues<Number>& law,
                                                    const Number& length,

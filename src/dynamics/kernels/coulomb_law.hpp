@@ -42,7 +42,7 @@ apply_coulomb(const LawValues<Number>& law, double dt,
   state.offset = state.offset + rise;
 }
 
-/// Returns the energy that the springs would give back, [F L] >= 0.
+/// Returns the elastic energy of the springs, [F L] >= 0.
 template <class Number>
 [[gnu::always_inline]] inline Number coulomb_energy(const ContactState<Number>& state) {
   return state.normal * state.normal / (2.0 * state.stiffness) + shear_energy(state);

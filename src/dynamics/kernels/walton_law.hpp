@@ -46,7 +46,7 @@ template <bool may_start = true, class Number>
   apply_strength(law, dt, closing.share, motion, state, force);
 }
 
-/// Returns the energy that the springs would give back, [F L] >= 0.
+/// Returns the elastic energy of the springs, [F L] >= 0.
 template <class Number>
 [[gnu::always_inline]] inline Number walton_energy(const LawValues<Number>& law,
                                                    const ContactState<Number>& state) {
