@@ -19,51 +19,13 @@
 #include "post/quantity.hpp"
 #include "post/view_bonds.hpp"
 #include "post/view_numbers.hpp"
+#include "post/view_quantities.hpp"
 #include "post/view_store.hpp"
 
 namespace blocks::post {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// The quantities that the page shows, in this order.
-constexpr std::array shown = {"displacement",
-                              "dx",
-                              "dy",
-                              "speed",
-                              "vx",
-                              "vy",
-                              "x",
-                              "y",
-                              "rotation",
-                              "spin",
-                              "fx",
-                              "fy",
-                              "moment",
-                              "s11",
-                              "s22",
-                              "s12",
-                              "p1",
-                              "p2",
-                              "kinetic_energy",
-                              "overlap",
-                              "contacts"};
-
-/// Predictions of a quantity from others. The page computes them with the same
-/// operations in the same order, so only errors of rounding to six digits must be
-/// stored.
-struct Formula {
-  const char *quantity, *name;
-  std::array<const char*, 3> of;
-};
-constexpr std::array formulas = {
-    Formula{"x", "moved_x", {"dx", nullptr, nullptr}},
-    Formula{"y", "moved_y", {"dy", nullptr, nullptr}},
-    Formula{"displacement", "length", {"dx", "dy", nullptr}},
-    Formula{"speed", "length", {"vx", "vy", nullptr}},
-    Formula{"p1", "principal_1", {"s11", "s22", "s12"}},
-    Formula{"p2", "principal_2", {"s11", "s22", "s12"}},
-    Formula{"kinetic_energy", "energy", {"vx", "vy", "spin"}}};
 
 /// The first arms of a block. They give the map to its current arms, which is R(turn)
 /// for a rigid block.
@@ -119,7 +81,7 @@ class Packer {
   }
 
   ViewData pack() {
-    columns_.assign(shown.size(), DigitColumn{blocks_, {}, {}});
+    columns_.assign(view_quantities.size(), DigitColumn{blocks_, {}, {}});
     const Frame first = results_.frame(0);
     for (const long i : chosen_)
       take(results_.frame(i), first, results_.contacts(i));
@@ -169,8 +131,9 @@ class Packer {
     counts_.push_back(now.size());
     present_.push_back(now.count_present());
     energy_.push_back(now.kinetic_energy);
-    for (std::size_t k = 0; k < shown.size(); ++k) {
-      const Eigen::VectorXd values = quantity(shown[k], now, first, contacts).values;
+    for (std::size_t k = 0; k < view_quantities.size(); ++k) {
+      const Eigen::VectorXd values =
+          quantity(view_quantities[k], now, first, contacts).values;
       for (std::size_t b = 0; b < blocks_; ++b)
         columns_[k].add(static_cast<int>(b) < now.size()
                             ? values[static_cast<Eigen::Index>(b)]
@@ -221,19 +184,20 @@ class Packer {
                       const std::vector<float>& mass,
                       const std::vector<float>& inertia) const {
     const auto shown_by = [&](const std::string& name) -> const std::vector<float>& {
-      const auto* found = std::find(shown.begin(), shown.end(), name);
-      return columns_[static_cast<std::size_t>(found - shown.begin())].shown;
+      const auto* found =
+          std::find(view_quantities.begin(), view_quantities.end(), name);
+      return columns_[static_cast<std::size_t>(found - view_quantities.begin())].shown;
     };
     const auto formula_of = [](const std::string& name) {
-      return std::find_if(formulas.begin(), formulas.end(),
-                          [&](const Formula& one) { return one.quantity == name; });
+      return std::find_if(view_formulas.begin(), view_formulas.end(),
+                          [&](const ViewFormula& one) { return one.quantity == name; });
     };
-    for (std::size_t k = 0; k < shown.size(); ++k)
-      if (formula_of(shown[k]) == formulas.end())
-        store.add_digits(shown[k], columns_[k]);
-    for (std::size_t k = 0; k < shown.size(); ++k) {
-      const auto* formula = formula_of(shown[k]);
-      if (formula == formulas.end())
+    for (std::size_t k = 0; k < view_quantities.size(); ++k)
+      if (formula_of(view_quantities[k]) == view_formulas.end())
+        store.add_digits(view_quantities[k], columns_[k]);
+    for (std::size_t k = 0; k < view_quantities.size(); ++k) {
+      const auto* formula = formula_of(view_quantities[k]);
+      if (formula == view_formulas.end())
         continue;
       std::array<const float*, 3> by{};
       for (std::size_t j = 0; j < 3; ++j)
@@ -253,7 +217,7 @@ class Packer {
         const double half = 0.5 * (a - b), radius = std::sqrt(half * half + c * c);
         return 0.5 * (a + b) + (name == "principal_1" ? radius : -radius);
       };
-      store.add_digits(shown[k], columns_[k], name, guess);
+      store.add_digits(view_quantities[k], columns_[k], name, guess);
     }
   }
 
@@ -401,7 +365,7 @@ class Packer {
                    const std::vector<int>& joints) const {
     const std::optional<Units>& units = results_.units();
     Json quantities = Json::array();
-    for (const char* name : shown) {
+    for (const char* name : view_quantities) {
       const Quantity kind = quantity(name, last_, last_);
       quantities.push_back({{"name", name},
                             {"label", kind.label},

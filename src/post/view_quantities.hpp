@@ -1,0 +1,47 @@
+// The quantities of the page of `blocks view`, and which of them it computes itself.
+#pragma once
+
+#include <array>
+
+namespace blocks::post {
+
+/// The quantities that the page shows, in this order.
+inline constexpr std::array view_quantities = {"displacement",
+                                               "dx",
+                                               "dy",
+                                               "speed",
+                                               "vx",
+                                               "vy",
+                                               "x",
+                                               "y",
+                                               "rotation",
+                                               "spin",
+                                               "fx",
+                                               "fy",
+                                               "moment",
+                                               "s11",
+                                               "s22",
+                                               "s12",
+                                               "p1",
+                                               "p2",
+                                               "kinetic_energy",
+                                               "overlap",
+                                               "contacts"};
+
+/// Predictions of a quantity from others. The page computes them with the same
+/// operations in the same order, so only errors of rounding to six digits must be
+/// stored.
+struct ViewFormula {
+  const char *quantity, *name;
+  std::array<const char*, 3> of;
+};
+inline constexpr std::array view_formulas = {
+    ViewFormula{"x", "moved_x", {"dx", nullptr, nullptr}},
+    ViewFormula{"y", "moved_y", {"dy", nullptr, nullptr}},
+    ViewFormula{"displacement", "length", {"dx", "dy", nullptr}},
+    ViewFormula{"speed", "length", {"vx", "vy", nullptr}},
+    ViewFormula{"p1", "principal_1", {"s11", "s22", "s12"}},
+    ViewFormula{"p2", "principal_2", {"s11", "s22", "s12"}},
+    ViewFormula{"kinetic_energy", "energy", {"vx", "vy", "spin"}}};
+
+}  // namespace blocks::post
