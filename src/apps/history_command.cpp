@@ -186,7 +186,8 @@ Answer histories(const HistoryOptions& options, const std::optional<Units>& unit
       lines.push_back({with_unit(series.quantity, unit), series.label,
                        legend_of(series.label, names[r]),
                        against ? history.series.front().values : history.time,
-                       series.values});
+                       series.values,
+                       quantities::is_of_equilibrium(series.curve.quantity)});
     }
     const auto& x = table.columns[against ? 1 : 0];
     answer.chart.x_label = with_unit(x.label, x.unit);

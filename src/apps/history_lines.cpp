@@ -24,14 +24,14 @@ std::string joined(const post::RunParts& run, bool with_folder) {
 }
 
 /// Returns the panel with this axis label, and adds it if there is none.
-post::ChartPanel& panel(std::vector<post::ChartPanel>& panels,
-                        const std::string& y_label) {
+post::ChartPanel& panel(std::vector<post::ChartPanel>& panels, const RunLine& line) {
   const auto found =
-      std::find_if(panels.begin(), panels.end(),
-                   [&](const post::ChartPanel& p) { return p.y_label == y_label; });
+      std::find_if(panels.begin(), panels.end(), [&](const post::ChartPanel& p) {
+        return p.y_label == line.y_label;
+      });
   if (found != panels.end())
     return *found;
-  panels.push_back({y_label, {}});
+  panels.push_back({line.y_label, {}, line.logarithmic});
   return panels.back();
 }
 
@@ -81,9 +81,9 @@ std::vector<post::ChartPanel> panels_of(const std::vector<RunLine>& lines, bool 
     const std::size_t i = drawn[key]++;
     const bool is_band = bands && all.size() > most_single_runs;
     if (!is_band)
-      panel(panels, line.y_label).lines.push_back(all[i]);
+      panel(panels, line).lines.push_back(all[i]);
     else if (i == 0)
-      panel(panels, line.y_label).lines.push_back(band(all, line.what));
+      panel(panels, line).lines.push_back(band(all, line.what));
   }
   return panels;
 }

@@ -19,6 +19,7 @@ struct RunLine {
   std::string what;     ///< the same for all runs: "speed of block 9"
   std::string legend;   ///< of this run alone
   std::vector<double> x, y;
+  bool logarithmic = false;  ///< as in ChartPanel
 };
 
 /// Returns the names of the runs in legends: "crater (seed 3)". The name is that of the

@@ -198,7 +198,7 @@ const std::map<std::string_view, Builder>& builders() {
       {"SPLANE", [](F f, V, D d) -> Maybe { return splane(f, d); }},
       {"GRAVITY",
        [](F f, V, D) -> Maybe {
-         return Gravity{f[0].as_real(), f[1].as_real()};
+         return Gravity{f[0].as_real(), f[1].as_real(), f[2].as_real()};
        }},
       {"FIX", [](F f, V, D) -> Maybe { return Fix{f[0].as_int()}; }},
       {"REMOVE",
@@ -249,12 +249,31 @@ const std::map<std::string_view, Builder>& builders() {
        [](F f, V, D) -> Maybe {
          return Drive{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real()};
        }},
+      {"LOCDAMP", [](F f, V, D) -> Maybe { return Locdamp{f[0].as_real()}; }},
+      {"KINDAMP", [](F f, V, D) -> Maybe { return Kindamp{f[0].as_int()}; }},
+      {"INSITU",
+       [](F f, V, D) -> Maybe {
+         return Insitu{f[0].as_real(), f[1].as_real(), f[2].as_real(),
+                       f[3].as_real(), f[4].as_real(), f[5].as_real()};
+       }},
+      {"SERVO",
+       [](F f, V, D) -> Maybe {
+         return Servo{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real()};
+       }},
+      {"QUIET",
+       [](F f, V, D) -> Maybe {
+         return Quiet{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real()};
+       }},
       {"DUMP", [](F, V, D) -> Maybe { return Dump{}; }},
       {"OUTPUT", [](F f, V v, D) -> Maybe { return output(f, v); }},
       {"PLOTS", [](F f, V v, D) -> Maybe { return plots(f, v); }},
       {"HISTORY", [](F f, V v, D) -> Maybe { return history(f, v); }},
       {"MOTION", [](F f, V, D) -> Maybe { return Motion{f[0].as_real()}; }},
       {"CYCLE", [](F f, V, D) -> Maybe { return Cycle{f[0].as_int()}; }},
+      {"SOLVE",
+       [](F f, V, D) -> Maybe {
+         return Solve{f[0].as_real(), f[1].as_int()};
+       }},
       {"STOP", [](F, V, D) -> Maybe { return Stop{}; }},
   };
   return table;

@@ -127,6 +127,7 @@ struct Splane {
 };
 struct Gravity {
   Real gravx, gravy;
+  Real tramp;  ///< not in the report
 };
 struct Fix {
   Int nblok;
@@ -195,6 +196,24 @@ struct Drive {
   Int nb;
   Real vx, vy, tdot;
 };
+// Rest and waves (docs/rest.md, docs/waves.md); not in the report
+struct Locdamp {
+  Real alpha;
+};
+struct Kindamp {
+  Int on;
+};
+struct Insitu {
+  Real sxx, syy, sxy, dxx, dyy, dxy;
+};
+struct Servo {
+  Int nb, nside;
+  Real s, vmax;
+};
+struct Quiet {
+  Int nb, nside;
+  Real cp, cs;  ///< `given` is false if the elastic constants give them
+};
 struct Dump {};
 struct Output {
   Real dtout;
@@ -214,6 +233,16 @@ struct Motion {
 struct Cycle {
   Int ncycle;
 };
+struct Solve {  // not in the report
+  Real ratio;
+  Int nmax;
+
+  /// Steps between two tests of the ratio. Each test reads the model, which takes
+  /// longer than a step; a longer interval makes more steps than needed.
+  static constexpr long test_interval = 10;
+  /// The least nmax: equilibrium needs two successive tests.
+  static constexpr long fewest_steps = 2 * test_interval;
+};
 struct Stop {};
 
 using Card =
@@ -221,7 +250,8 @@ using Card =
                  Rigid, Seed, Units, End, Restart, Create, Read9, Layer, Cut, Orient,
                  Merge, Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn,
                  SetVel, SetVelM, Damping, Joint, Walton, Barton, Jpair, Bond, Drive,
-                 Dump, Output, Plots, History, Motion, Cycle, Stop>;
+                 Locdamp, Kindamp, Insitu, Servo, Quiet, Dump, Output, Plots, History,
+                 Motion, Cycle, Solve, Stop>;
 
 struct Command {
   SourceLocation where;  ///< the keyword
@@ -229,10 +259,11 @@ struct Command {
   Card card;
 };
 
-/// Whether the card is MOTION or CYCLE.
+/// Whether the card is MOTION, CYCLE or SOLVE.
 inline bool passes_time(const Command& command) {
   return std::holds_alternative<Motion>(command.card) ||
-         std::holds_alternative<Cycle>(command.card);
+         std::holds_alternative<Cycle>(command.card) ||
+         std::holds_alternative<Solve>(command.card);
 }
 
 /// A card with a fault. It is not among the commands.

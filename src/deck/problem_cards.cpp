@@ -2,6 +2,7 @@
 
 #include "deck/joint_cards.hpp"
 #include "deck/law_cards.hpp"
+#include "deck/rest_cards.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::deck {
@@ -155,7 +156,12 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                    .section = "A.2.8",
                    .summary = "acceleration due to gravity",
                    .fields = {{"gravx", real, "0", any, "[L/T^2]", "in x"},
-                              {"gravy", real, "0", any, "[L/T^2]", "in y"}},
+                              {"gravy", real, "0", any, "[L/T^2]", "in y"},
+                              {"tramp", real, "0", not_negative, "[T]",
+                               "time in which gravity changes to these values"}},
+                   .notes = "The acceleration changes linearly in the time tramp after "
+                            "the card, from the one before it. If tramp is 0, it "
+                            "changes at once.",
                    .example = "GRAVITY, 0., -9.8"});
   cards.push_back({.name = "FIX",
                    .section = "A.2.9",
@@ -355,6 +361,8 @@ std::vector<CardSpec> problem_cards() {
     cards.push_back(std::move(card));
   add_load_cards(cards);
   for (CardSpec& card : law_cards())
+    cards.push_back(std::move(card));
+  for (CardSpec& card : rest_cards())
     cards.push_back(std::move(card));
   add_run_cards(cards);
   return cards;

@@ -7,6 +7,7 @@
 #include "dynamics/contact_work.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/point_velocity.hpp"
+#include "dynamics/quiet_sides.hpp"
 #include "dynamics/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
@@ -154,6 +155,7 @@ double keep_motion(const Model& model, EnergyMemory& memory) {
   const auto n = static_cast<std::size_t>(blocks.size());
   memory.before.resize(n);
   memory.masses.resize(n);
+  memory.damped.assign(n, 0.0);
   double work = 0.0;
   for (int b = 0; b < blocks.size(); ++b) {
     const auto i = static_cast<std::size_t>(b);
@@ -214,6 +216,11 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   account.add(EnergyEntry::transfer, account.elastic - contacts.before);
   account.elastic = contacts.after;
   account.add(EnergyEntry::loads, work_of_loads(model));
+  if (!model.loads.quiet_sides.empty()) {
+    const QuietPower power = power_of_quiet_sides(model);
+    account.add(EnergyEntry::loads, power.constant * model.time_step.dt);
+    account.add(EnergyEntry::quiet, -power.dashpots * model.time_step.dt);
+  }
   account.add(EnergyEntry::integration,
               keep_motion(model, memory) - account.strain_work);
   account.strain = account.next_strain;
@@ -221,8 +228,10 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
 
 namespace {
 
-BlockTally tally_motion(const Model& model, const WorkSplit& split, Workers& workers,
-                        EnergyMemory& memory) {
+/// Compares the motion before and after the step. If the step has stopped the blocks,
+/// it took the kinetic energy that they had at the positions of the forces.
+BlockTally tally_motion(const Model& model, const Vec2& gravity, const WorkSplit& split,
+                        Workers& workers, EnergyMemory& memory) {
   const Blocks& blocks = model.blocks;
   const bool rigid = model.settings.rigid;
   const double dt = model.time_step.dt;
@@ -234,7 +243,7 @@ BlockTally tally_motion(const Model& model, const WorkSplit& split, Workers& wor
           tally.next_strain +=
               strain_energy(blocks, b, model.settings.materials.at(blocks.material[b]));
         if (!blocks.is_free(b)) {
-          // A driven block moves at a constant velocity, whatever acts on it.
+          // No force changes the velocity of a driven block.
           tally.drives -= dt * (blocks.force.col(b).dot(before.velocity) +
                                 blocks.moment[b] * before.spin);
           return;
@@ -247,10 +256,17 @@ BlockTally tally_motion(const Model& model, const WorkSplit& split, Workers& wor
         change.spin -= before.spin;
         for (int i = 0; i < 3; ++i)
           change.rate[i] -= before.rate[i];
-        tally.kinetic += kinetic_energy(masses, before, after);
+        const double both = kinetic_energy(masses, before, after);
+        if (memory.stopped) {
+          tally.artificial += kinetic_energy(masses, before, before) + both;
+          tally.error += both;
+        } else {
+          tally.kinetic += both;
+          tally.error += kinetic_energy(masses, before, change);
+        }
         tally.next_kinetic += kinetic_energy(masses_of(blocks, b, rigid), now, now);
-        tally.error += kinetic_energy(masses, before, change);
-        tally.gravity += dt * masses.mass * model.settings.gravity.dot(before.velocity);
+        tally.artificial += memory.damped[static_cast<std::size_t>(b)];
+        tally.gravity += dt * masses.mass * gravity.dot(before.velocity);
         if (!rigid)
           tally.strain_work += last_stress_work(
               blocks, b, model.settings.materials.at(blocks.material[b]), dt);
@@ -259,12 +275,14 @@ BlockTally tally_motion(const Model& model, const WorkSplit& split, Workers& wor
 
 }  // namespace
 
-void count_motion(Model& model, const WorkSplit& split, Workers& workers,
-                  EnergyMemory& memory) {
+void count_motion(Model& model, const Vec2& gravity, bool stopped,
+                  const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
-  const BlockTally blocks = tally_motion(model, split, workers, memory);
+  memory.stopped = stopped;
+  const BlockTally blocks = tally_motion(model, gravity, split, workers, memory);
   account.add(EnergyEntry::gravity, blocks.gravity);
   account.add(EnergyEntry::drives, blocks.drives);
+  account.add(EnergyEntry::artificial, blocks.artificial);
   account.add(EnergyEntry::integration, blocks.error);
   account.add(EnergyEntry::integration, account.kinetic - account.next_kinetic);
   account.kinetic = blocks.kinetic;
@@ -276,7 +294,7 @@ void count_motion(Model& model, const WorkSplit& split, Workers& workers,
 void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& split,
                  Workers& workers, EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
-  const BlockTally blocks = tally_motion(model, split, workers, memory);
+  const BlockTally blocks = tally_motion(model, {0, 0}, split, workers, memory);
   account.add(EnergyEntry::removed, account.kinetic - blocks.kinetic);
   account.kinetic = blocks.kinetic;
   account.next_kinetic = blocks.next_kinetic;

@@ -24,6 +24,8 @@ struct EnergyMemory {
   std::vector<int> listed;          ///< the same in the list of the model
   std::vector<BlockMotion> before;  ///< (n) motion before the step
   std::vector<BlockMasses> masses;  ///< (n) before the step
+  std::vector<double> damped;       ///< [F L] (n) taken by local damping in the step
+  bool stopped = false;             ///< the step has stopped the blocks (KINDAMP)
   std::vector<ContactTally> contact_tallies;
   std::vector<BlockTally> block_tallies;
   std::vector<int> shares;
@@ -41,9 +43,10 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
                   const WorkSplit& split, Workers& workers, EnergyMemory& memory);
 
 /// Adds what the motion of the step has done. Call it before blocks that have left the
-/// domain are fixed.
-void count_motion(Model& model, const WorkSplit& split, Workers& workers,
-                  EnergyMemory& memory);
+/// domain are fixed. gravity: [L/T^2] at the start of the step; stopped: the step has
+/// stopped the blocks before it moved them (KINDAMP).
+void count_motion(Model& model, const Vec2& gravity, bool stopped,
+                  const WorkSplit& split, Workers& workers, EnergyMemory& memory);
 
 /// Takes the energy of blocks that were fixed at the end of the step.
 void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& split,

@@ -26,6 +26,7 @@ void ContactTally::include(const ContactTally& other) {
 void BlockTally::include(const BlockTally& other) {
   gravity += other.gravity;
   drives += other.drives;
+  artificial += other.artificial;
   kinetic += other.kinetic;
   next_kinetic += other.next_kinetic;
   error += other.error;

@@ -22,7 +22,7 @@ struct ContactTally {
 };
 /// Sums of energies over some blocks.
 struct BlockTally {
-  double gravity = 0.0, drives = 0.0;
+  double gravity = 0.0, drives = 0.0, artificial = 0.0;
   double kinetic = 0.0;       ///< of the velocities before and after the step
   double next_kinetic = 0.0;  ///< of the velocities after the step
   /// The error of the step: half the velocities after the step times their change, less

@@ -1,6 +1,7 @@
 #include "dynamics/loads.hpp"
 
 #include "dynamics/applied_force.hpp"
+#include "dynamics/quiet_sides.hpp"
 #include "dynamics/symmetry_planes.hpp"
 
 namespace blocks::dynamics {
@@ -38,6 +39,8 @@ Extremes add_loads(Model& model) {
   for (const CentroidForce& load : loads.forces)
     blocks.force.col(load.block) +=
         loads.function.factor(model.time, load.arrival) * load.force;
+  if (!loads.quiet_sides.empty())
+    add_quiet_sides(blocks, loads.quiet_sides);
   return at_planes;
 }
 

@@ -1,5 +1,5 @@
-// External forces: symmetry planes, pressures on sides and forces at centroids (SPLANE,
-// PRESS, FORCE). This is the fourth call of a step.
+// External forces: symmetry planes, pressures on sides, forces at centroids and quiet
+// sides (SPLANE, PRESS, FORCE, QUIET). This is the fourth call of a step.
 #pragma once
 
 #include "dynamics/kernels/contact_batch.hpp"
@@ -7,8 +7,8 @@
 
 namespace blocks::dynamics {
 
-/// Returns whether corners are listed near a symmetry plane, or the model has pressures
-/// or forces at centroids.
+/// Returns whether corners are listed near a symmetry plane, or the model has
+/// pressures, forces at centroids or quiet sides.
 bool has_loads(const Model& model);
 
 /// The two forces of a pressure, which act at the ends of its side.

@@ -110,6 +110,16 @@ void sum_contacts(Blocks& blocks, const ContactArrays& contacts, BlockRange rang
   sum(blocks, contacts, range, loaded);
 }
 
+void damp_unbalanced(Blocks& blocks, BlockRange range, const Settings& settings,
+                     const StepMotion& step, const Kernels& by) {
+  const LocalDamping damping = {.alpha_dt = settings.local_damping * step.dt,
+                                .gravity_x = step.gravity.x(),
+                                .gravity_y = step.gravity.y(),
+                                .work = step.damped};
+  by.damp_unbalanced(columns_of(blocks), damping, settings.rigid, range.begin,
+                     range.end);
+}
+
 void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
                        const Kernels& by) {
   by.update_velocities(columns_of(blocks), range.begin, range.end, gravity.x(),
@@ -160,19 +170,22 @@ Displacement move_driven(Blocks& blocks, const std::vector<Drive>& drives,
   return all;
 }
 
-Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
-                         bool loaded, const ContactArrays& contacts,
+Displacement move_blocks(Blocks& blocks, const Settings& settings,
+                         const StepMotion& step, const ContactArrays& contacts,
                          const std::vector<Drive>& drives, MotionBounds& bounds,
                          const std::vector<int>& shares, Workers& workers,
                          std::vector<Displacement>& threads) {
   // Data that one stage has read are still in the cache when the next stage needs them.
   constexpr int blocks_at_once = 64;
+  const double dt = step.dt;
   threads.assign(threads.size(), {});
   workers.each(shares, [&](int thread, int begin, int end) {
     for (; begin < end; begin += blocks_at_once) {
       const BlockRange range{begin, std::min(end, begin + blocks_at_once)};
-      sum_contacts(blocks, contacts, range, loaded, settings.rigid);
-      update_velocities(blocks, range, settings.gravity, dt);
+      sum_contacts(blocks, contacts, range, step.loaded, settings.rigid);
+      if (settings.local_damping > 0.0)
+        damp_unbalanced(blocks, range, settings, step);
+      update_velocities(blocks, range, step.gravity, dt);
       if (!settings.rigid)
         update_strain(blocks, range, settings, dt);
       threads[thread].include(move_corners(blocks, range, bounds, settings, dt));

@@ -33,13 +33,24 @@ struct Displacement {
   void include(const Displacement& others);
 };
 
+/// What a step does to all blocks alike.
+struct StepMotion {
+  double dt = 0.0;        ///< [T]
+  Vec2 gravity = {0, 0};  ///< [L/T^2] acceleration at the start of the step
+  /// Whether blocks.force, moment and applied hold the loads.
+  bool loaded = false;
+  /// [F L] (n) receives the energy that local damping takes from each block; null if
+  /// nobody needs it.
+  double* damped = nullptr;
+};
+
 /// Sums the forces of contacts for each block, in the order of the pairs, and moves all
-/// blocks by one step. If `loaded`, blocks.force, moment and applied hold the loads,
-/// and the contacts are added. Otherwise they are overwritten. Reads forces of pairs
+/// blocks by one step. If `loaded`, the contacts are added to the loads; otherwise
+/// blocks.force, moment and applied are overwritten. Reads forces of pairs
 /// and settings; writes blocks and bounds. shares: WorkSplit::blocks; threads: working
 /// memory, one for each thread.
-Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
-                         bool loaded, const ContactArrays& contacts,
+Displacement move_blocks(Blocks& blocks, const Settings& settings,
+                         const StepMotion& step, const ContactArrays& contacts,
                          const std::vector<Drive>& drives, MotionBounds& bounds,
                          const std::vector<int>& shares, Workers& workers,
                          std::vector<Displacement>& threads);
@@ -50,6 +61,12 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings, double dt,
 /// the applied stress, which is the sum of f_i x_j divided by the area.
 void sum_contacts(Blocks& blocks, const ContactArrays& contacts, BlockRange range,
                   bool loaded, bool rigid);
+
+/// Damps the unbalanced forces of free blocks by the factor Settings::local_damping
+/// (docs/rest.md#local-damping). Reads force, moment, applied stress and gravity;
+/// changes velocities, spins and strain rates. Call it before update_velocities.
+void damp_unbalanced(Blocks& blocks, BlockRange range, const Settings& settings,
+                     const StepMotion& step, const Kernels& by = kernels());
 
 /// (1), (2): updates velocities and spins of free blocks from force, moment and
 /// gravity.

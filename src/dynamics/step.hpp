@@ -8,8 +8,10 @@
 #include "dynamics/decisions/decide_contacts.hpp"
 #include "dynamics/domain.hpp"
 #include "dynamics/energy.hpp"
+#include "dynamics/kinetic_damping.hpp"
 #include "dynamics/loads.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/servo.hpp"
 #include "dynamics/update_pairs.hpp"
 #include "dynamics/workspace.hpp"
 #include "model/model.hpp"
@@ -91,18 +93,25 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
   timer.next(Profile::motion);
   const bool loaded = has_loads(model);
   const Extremes at_planes = loaded ? add_loads(model) : Extremes{};
+  if (!model.servos.empty())
+    control_servos(model, work.contacts);
 
   // 5. Motion. Reads forces; writes velocities, strain, stress, corners, motion bounds.
   work.contacts.batches.advance_springs();
-  const Displacement moved =
-      move_blocks(blocks, settings, dt, loaded, work.contacts, model.drives,
-                  work.decisions.bounds, work.split.blocks, *work.workers, work.moved);
+  const Vec2 gravity = settings.gravity_at(model.time);
+  const bool stopped = settings.kinetic_damping &&
+                       stop_at_peak(model, work.split, *work.workers,
+                                    work.energy.block_tallies, work.energy.shares);
+  double* const damped = model.energy.kept ? work.energy.damped.data() : nullptr;
+  const Displacement moved = move_blocks(
+      blocks, settings, {dt, gravity, loaded, damped}, work.contacts, model.drives,
+      work.decisions.bounds, work.split.blocks, *work.workers, work.moved);
   if (settings.rigid && reads)
     blocks.applied.array().rowwise() /= blocks.area.transpose().array();
   model.time = time_after_step(model);
   ++model.steps;
   if (model.energy.kept)
-    count_motion(model, work.split, *work.workers, work.energy);
+    count_motion(model, gravity, stopped, work.split, *work.workers, work.energy);
 
   // 6. Blocks outside the domain, next search. Reads corners; writes fixities, search.
   update_domain(model, moved.left_domain, moved.largest);

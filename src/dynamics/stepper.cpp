@@ -49,6 +49,7 @@ void Stepper::bring_in() {
                     inside_.contacts, inside_.joint_states);
   inside_.loads = inwards_.renumbered(model_.loads);
   inside_.drives = inwards_.renumbered(model_.drives);
+  inside_.servos = inwards_.renumbered(model_.servos);
   inside_.settings = model_.settings;
   inside_.time_step = model_.time_step;
   inside_.search = model_.search;
@@ -56,6 +57,7 @@ void Stepper::bring_in() {
   inside_.time = model_.time, inside_.time_origin = model_.time_origin;
   inside_.worst_overlap = model_.worst_overlap;
   inside_.energy = model_.energy;
+  inside_.kinetic_energy = model_.kinetic_energy;
   work_.springs.list_changed();
   inside_current_ = true;
 }
@@ -73,9 +75,13 @@ void Stepper::bring_out_time() {
   model_.steps = inside_.steps;
   model_.time = inside_.time;
   model_.worst_overlap = inside_.worst_overlap;
-  if (inside_.drives.size() != model_.drives.size())  // a driven block left the domain
+  // Servos change the velocities of drives. A driven block may have left the domain.
+  if (!model_.servos.empty() || inside_.drives.size() != model_.drives.size()) {
     model_.drives = outwards_.renumbered(inside_.drives);
+    model_.servos = outwards_.renumbered(inside_.servos);
+  }
   model_.energy = inside_.energy;
+  model_.kinetic_energy = inside_.kinetic_energy;
   // All new exits have the same time, so they are sorted by block.
   const auto told = static_cast<std::ptrdiff_t>(model_.exits.size());
   for (const DomainExit& exit : inside_.exits)

@@ -112,8 +112,8 @@ double least_width(const Blocks& blocks, int b) {
   return least;
 }
 
-double safe_fraction(double damping, int contacts) {
-  const double n = contacts;
+double safe_fraction(double damping, double local_damping, int contacts) {
+  const double n = contacts * (1.0 + local_damping);
   return (std::sqrt(1.0 + 3.0 * n * damping * damping) - damping * std::sqrt(3.0 * n)) /
          std::sqrt(6.0 * n);
 }

@@ -13,8 +13,10 @@ namespace blocks::dynamics {
 TimeStep choose_time_step(const Model& model);
 
 /// Returns the largest fraction of (4) at which a block with `contacts` contacts is
-/// stable under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n).
-double safe_fraction(double damping, int contacts = 8);
+/// stable under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). Local
+/// damping alpha multiplies the force on a block that moves away from rest by 1 +
+/// alpha. This multiplies n by 1 + alpha.
+double safe_fraction(double damping, double local_damping = 0.0, int contacts = 8);
 
 /// Returns the extents of the current corners of block b along x and y, l_1 and l_2 of
 /// (11), [L].

@@ -3,6 +3,8 @@
 #include <mutex>
 #include <set>
 
+#include "model/equilibrium.hpp"
+
 namespace blocks::library {
 namespace {
 
@@ -41,6 +43,8 @@ FileClaim::~FileClaim() {
 }
 
 void ResultsInUse::write(const Model& model, long changes) {
+  if (is_damped_to_rest(model.settings) || !model.solves.empty())
+    writer_.include_unbalanced();
   writer_.write(model, changes != written_changes_);
   written_changes_ = changes;
 }

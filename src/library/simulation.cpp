@@ -14,8 +14,10 @@
 #include "dynamics/stepper.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "library/results_in_use.hpp"
+#include "model/equilibrium.hpp"
 #include "output/checkpoint.hpp"
 #include "run/builder.hpp"
+#include "run/convergence.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
 #include "run/motion_watch.hpp"
@@ -65,6 +67,8 @@ struct Simulation::State {
   /// Executes all cards. Throws DeckError with all their errors.
   void act(const deck::Deck& deck, deck::Diagnostics& said);
   void step(long count);
+  /// Makes the steps of a SOLVE card, as a run does.
+  void solve(const deck::Solve& card, int line);
   /// Throws UnsoundRun if an earlier step was unsound.
   void must_be_sound() const;
   /// The index of a block, from its number.
@@ -83,6 +87,8 @@ struct Simulation::State {
  private:
   run::MotionWatch watch_;
   void prepare(Model& on);
+  /// Makes one step. Throws UnsoundRun if it was unsound.
+  void advance(bool read, double half_depth);
   void keep_warnings(const deck::Diagnostics& said);
   void obey(Model& on, const deck::Deck& deck, deck::Diagnostics& said, bool moving);
 };
@@ -124,7 +130,8 @@ void Simulation::State::prepare(Model& on) {
 }
 
 /// Executes the cards on a model and throws DeckError after the last card if there were
-/// errors. If `moving` is false, MOTION and CYCLE are checked, but no time passes.
+/// errors. If `moving` is false, MOTION, CYCLE and SOLVE are checked, but no time
+/// passes.
 void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostics& said,
                              bool moving) {
   const auto stop_at_faults = [&] {
@@ -141,7 +148,7 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
       output::CheckpointInfo from;
       on = output::read_checkpoint(run::beside(folder, card->file.value), from);
       overlaps = from.progress.overlaps;
-      watch_ = run::MotionWatch(on, from.progress.fast_told);
+      watch_ = run::MotionWatch(on, from.progress.fast_told, from.progress.flight_told);
     }
   const int judged = on.blocks.size();
   run::Builder builder(on, said, deck.commands,
@@ -165,8 +172,10 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
     prepare(on);
     if (const auto* motion = std::get_if<deck::Motion>(&command.card))
       step(run::steps_for(motion->dt.value, on.time_step.dt));
+    else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
+      step(cycle->ncycle.value);
     else
-      step(std::get<deck::Cycle>(command.card).ncycle.value);
+      solve(std::get<deck::Solve>(command.card), command.where.line);
   }
   if (in_place && !said.has_errors() && on.blocks.size() > judged &&
       on.blocks.count_present() > 0)
@@ -176,20 +185,39 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
     overlaps = certificate->overlaps;
 }
 
+void Simulation::State::advance(bool read, double half_depth) {
+  const dynamics::StepResult moved =
+      stepper.advance(read, model.settings.normal_stiffness * half_depth);
+  for (std::string& told : watch_.after(model, moved))
+    warnings.push_back(std::move(told));
+  if (watch_.is_flight_due(model))
+    if (std::string told = watch_.flight(stepper.up_to_date()); !told.empty())
+      warnings.push_back(std::move(told));
+  if (!run::may_be_unsound(model.settings, moved, half_depth))
+    return;
+  unsound = run::unsound(stepper.up_to_date(), moved, half_depth);
+  if (!unsound.empty())
+    throw UnsoundRun(unsound);
+}
+
 void Simulation::State::step(long count) {
   const double half_depth = run::half_depth(model.blocks);
-  for (long i = 1; i <= count; ++i) {
-    const dynamics::StepResult moved =
-        stepper.advance(i == count, model.settings.normal_stiffness * half_depth);
-    for (std::string& told : watch_.after(model, moved))
-      warnings.push_back(std::move(told));
-    if (!run::may_be_unsound(model.settings, moved, half_depth))
-      continue;
-    unsound = run::unsound(stepper.up_to_date(), moved, half_depth);
-    if (!unsound.empty())
-      throw UnsoundRun(unsound);
-  }
+  for (long i = 1; i <= count; ++i)
+    advance(i == count, half_depth);
   stepper.up_to_date();
+}
+
+void Simulation::State::solve(const deck::Solve& card, int line) {
+  const double half_depth = run::half_depth(model.blocks);
+  run::Convergence convergence(card);
+  while (!convergence.is_finished()) {
+    const bool tested = convergence.is_due();
+    advance(tested, half_depth);
+    convergence.after_step(tested ? stepper.up_to_date() : model);
+  }
+  model.solves.push_back(convergence.record(model, line));
+  if (const SolveRecord& solve = model.solves.back(); !solve.converged)
+    warnings.push_back(run::solve_warning(solve, model.settings));
 }
 
 void Simulation::State::must_be_sound() const {
@@ -324,6 +352,9 @@ Eigen::Vector2d Simulation::contact_force(int block) const {
 
 double Simulation::kinetic_energy() const {
   return totals(state_->model).kinetic_energy;
+}
+double Simulation::unbalanced_ratio() const {
+  return blocks::unbalanced_ratio(state_->model);
 }
 double Simulation::worst_overlap() const { return state_->model.worst_overlap; }
 

@@ -16,8 +16,18 @@ void drive_block(Model& model, const Drive& drive) {
   model.drives.insert(next, drive);
 }
 
+void start_servo(Model& model, const Servo& servo) {
+  drive_block(model, {servo.block});
+  const auto next =
+      std::find_if(model.servos.begin(), model.servos.end(),
+                   [&](const Servo& other) { return other.block > servo.block; });
+  model.servos.insert(next, servo);
+}
+
 void end_drive(Model& model, int block) {
-  std::erase_if(model.drives, [&](const Drive& drive) { return drive.block == block; });
+  const auto is_of = [&](const auto& item) { return item.block == block; };
+  std::erase_if(model.drives, is_of);
+  std::erase_if(model.servos, is_of);
   if (model.blocks.is_driven(block))
     model.blocks.fixity[block] = Fixity::by_user;
 }

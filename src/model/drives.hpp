@@ -1,5 +1,6 @@
 // Driven blocks: fixed blocks that move at a given velocity (DRIVE,
-// docs/laws.md#driven-blocks).
+// docs/laws.md#driven-blocks), or at one that follows from the stress on a side (SERVO,
+// docs/rest.md#servos).
 #pragma once
 
 #include "model/model.hpp"
@@ -11,7 +12,12 @@ namespace blocks {
 /// touches fixed blocks.
 void drive_block(Model& model, const Drive& drive);
 
-/// Ends the drive of a block if it has one. Its velocity and spin stay as they are.
+/// Makes a fixed or driven block move as `servo` tells. It stands still until the next
+/// step. A servo or drive that the block had is replaced.
+void start_servo(Model& model, const Servo& servo);
+
+/// Ends the drive of a block if it has one, and its servo. Its velocity and spin stay
+/// as they are.
 void end_drive(Model& model, int block);
 
 }  // namespace blocks

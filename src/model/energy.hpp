@@ -10,7 +10,7 @@ namespace blocks {
 /// blocks, the others take it.
 enum class EnergyEntry : int {
   gravity,   ///< work of gravity
-  loads,     ///< work of PRESSBC and FORCE
+  loads,     ///< work of PRESSBC, FORCE and the constant forces of QUIET
   drives,    ///< work of the cards DRIVE
   dilation,  ///< work of the dilation of joints against their normal force
   friction,
@@ -22,9 +22,11 @@ enum class EnergyEntry : int {
   /// kinetic energy and springs of blocks that were fixed or removed, or that left the
   /// domain; negative if cards have added energy
   removed,
+  artificial,   ///< taken by LOCDAMP and KINDAMP
+  quiet,        ///< carried off through the dashpots of QUIET
   integration,  ///< error of the integration in time, which vanishes with the time step
 };
-inline constexpr int energy_entries = 11;
+inline constexpr int energy_entries = 13;
 inline constexpr int first_taken_entry = static_cast<int>(EnergyEntry::friction);
 
 /// The account. Energies are in [F L]. Those of the state belong to the positions at

@@ -89,10 +89,20 @@ std::string law_report(const Model& model) {
     text += fmt::format("all other contacts: FRICTN {:g}, STIFF {:g}, {:g}\n",
                         model.settings.friction, model.settings.normal_stiffness,
                         model.settings.shear_stiffness);
+  for (const Servo& servo : model.servos)
+    text += fmt::format(
+        "block {} is driven by a servo: normal stress {:g} on side {}, speed up to "
+        "{:g}\n",
+        servo.block + 1, servo.target, servo.side + 1, servo.most);
+  const auto has_servo = [&](int block) {
+    return std::any_of(model.servos.begin(), model.servos.end(),
+                       [&](const Servo& servo) { return servo.block == block; });
+  };
   for (const Drive& drive : model.drives)
-    text += fmt::format("block {} is driven: velocity ({:g}, {:g}), spin {:g}\n",
-                        drive.block + 1, drive.velocity.x(), drive.velocity.y(),
-                        drive.spin);
+    if (!has_servo(drive.block))
+      text += fmt::format("block {} is driven: velocity ({:g}, {:g}), spin {:g}\n",
+                          drive.block + 1, drive.velocity.x(), drive.velocity.y(),
+                          drive.spin);
   return text;
 }
 

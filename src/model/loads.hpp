@@ -41,12 +41,31 @@ struct Drive {
   double spin = 0.0;                 ///< rad/T, anticlockwise
 };
 
+/// SERVO: a driven block whose velocity follows from the stress on one of its sides.
+struct Servo {
+  int block = 0, side = 0;  ///< from 0
+  double target = 0.0;      ///< [F/L^2] normal stress, tension positive
+  double most = 0.0;        ///< [L/T] largest speed > 0
+};
+
+/// QUIET: dashpots and constant forces at the two corners of a side of a free block.
+struct QuietSide {
+  int block = 0, side = 0;    ///< from 0
+  double cp = 0.0, cs = 0.0;  ///< [L/T] wave speeds
+  /// [F] the reaction that held the side when it became quiet, at the corner where the
+  /// side begins and at the next one
+  geometry::Vec2 first = {0, 0}, second = {0, 0};
+};
+
 struct Loads {
   TimeFunction function;
   std::vector<Pressure> pressures;
   std::vector<CentroidForce> forces;
+  std::vector<QuietSide> quiet_sides;
 
-  bool none() const { return pressures.empty() && forces.empty(); }
+  bool none() const {
+    return pressures.empty() && forces.empty() && quiet_sides.empty();
+  }
 };
 
 }  // namespace blocks

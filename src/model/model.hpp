@@ -93,6 +93,19 @@ struct JointLengthRecord {
   double pruned = 0.0;
 };
 
+/// Result of one SOLVE card.
+struct SolveRecord {
+  int line = 0;          ///< line of the card in its deck, from 1
+  double wanted = 0.0;   ///< ratio of the card
+  double reached = 0.0;  ///< the ratio after the last step (equilibrium.hpp)
+  long steps = 0;        ///< steps made
+  double time = 0.0;     ///< [T] at the end
+  bool converged = false;
+  /// [F] largest unbalanced force at the end, and its block; -1: all are balanced
+  double largest = 0.0;
+  int block = -1;
+};
+
 /// The state of a run.
 struct Model {
   Settings settings;
@@ -105,6 +118,7 @@ struct Model {
   PlaneContacts plane_contacts;
   Loads loads;
   std::vector<Drive> drives;  ///< ascending in block
+  std::vector<Servo> servos;  ///< ascending in block; each has a drive
   TimeStep time_step;
   SearchState search;
   OutputClock output, plots;
@@ -127,6 +141,10 @@ struct Model {
   bool started = false;        ///< a MOTION or CYCLE has run, so FRACTION is fixed
   double worst_overlap = 0.0;  ///< [L] largest of any active contact so far
   EnergyAccount energy;
+  std::vector<SolveRecord> solves;
+  /// [F L] kinetic energy before the last step; 0 if that stopped the blocks; only with
+  /// KINDAMP
+  double kinetic_energy = 0.0;
 };
 
 /// Sums over the model, in [F L], [M L/T], [M L^2/T] and [L].

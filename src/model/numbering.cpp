@@ -108,6 +108,8 @@ Loads Numbering::renumbered(Loads loads) const {
     pressure.block = blocks_.new_of[pressure.block];
   for (CentroidForce& force : loads.forces)
     force.block = blocks_.new_of[force.block];
+  for (QuietSide& quiet : loads.quiet_sides)
+    quiet.block = blocks_.new_of[quiet.block];
   return loads;
 }
 
@@ -117,6 +119,14 @@ std::vector<Drive> Numbering::renumbered(std::vector<Drive> drives) const {
   std::sort(drives.begin(), drives.end(),
             [](const Drive& l, const Drive& r) { return l.block < r.block; });
   return drives;
+}
+
+std::vector<Servo> Numbering::renumbered(std::vector<Servo> servos) const {
+  for (Servo& servo : servos)
+    servo.block = blocks_.new_of[servo.block];
+  std::sort(servos.begin(), servos.end(),
+            [](const Servo& l, const Servo& r) { return l.block < r.block; });
+  return servos;
 }
 
 void Numbering::renumber(const Blocks& from, Blocks& to) const {

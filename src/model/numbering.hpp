@@ -55,6 +55,8 @@ class Numbering {
   Loads renumbered(Loads loads) const;
   /// Returns the drives with new block numbers, in ascending order.
   std::vector<Drive> renumbered(std::vector<Drive> drives) const;
+  /// Returns the servos with new block numbers, in ascending order.
+  std::vector<Servo> renumbered(std::vector<Servo> servos) const;
 
  private:
   NewNumbers blocks_, corners_;

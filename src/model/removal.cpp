@@ -52,6 +52,7 @@ void remove_loads(Model& model) {
   };
   std::erase_if(model.loads.pressures, is_removed);
   std::erase_if(model.loads.forces, is_removed);
+  std::erase_if(model.loads.quiet_sides, is_removed);
 }
 
 }  // namespace

@@ -34,6 +34,14 @@ struct Units {
   bool operator==(const Units&) const = default;
 };
 
+/// GRAVITY with a ramp: the acceleration changes linearly in time from `from` to
+/// Settings::gravity.
+struct GravityRamp {
+  geometry::Vec2 from = {0, 0};  ///< [L/T^2] acceleration at `begin`
+  double begin = 0.0;            ///< [T]
+  double duration = 0.0;         ///< [T] 0: no ramp
+};
+
 /// A symmetry plane through a and b; the blocks are on its left
 /// (docs/theory.md#symmetry-planes).
 struct Plane {
@@ -54,8 +62,13 @@ struct Settings {
   double fraction = 0.0;            ///< TFRAC of the critical time step (4)
   double damping = 0.0;             ///< BETA, fraction of critical damping (18)
   double friction = 0.0;            ///< FRIC
-  geometry::Vec2 gravity = {0, 0};  ///< [L/T^2]
-  bool rigid = false;               ///< IRIGID
+  geometry::Vec2 gravity = {0, 0};  ///< [L/T^2] at the end of the ramp
+  GravityRamp gravity_ramp;
+  double local_damping = 0.0;    ///< LOCDAMP: alpha, 0 <= alpha < 1
+  bool kinetic_damping = false;  ///< KINDAMP
+  /// INSITU has acted: contacts without the law of a joint keep a JointState too.
+  bool in_situ = false;
+  bool rigid = false;  ///< IRIGID
   std::map<int, Material> materials;
   std::map<int, JointLaw> joint_laws;  ///< JOINT, WALTON, BARTON by joint id
   /// JPAIR: joint id of two materials, the lower number first
@@ -66,6 +79,9 @@ struct Settings {
   geometry::Decimal angle_min, angle_max;        ///< degrees (ORIENT)
   std::optional<geometry::Decimal> merge_ratio;  ///< MERGE
   int layers_made = 0;
+
+  /// Returns the acceleration due to gravity at a time, [L/T^2].
+  geometry::Vec2 gravity_at(double time) const;
 };
 
 /// HISTORY card: the quantities recorded at multiples of an interval.

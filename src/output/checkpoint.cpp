@@ -117,16 +117,18 @@ void visit(M& model, Info& info, Archive& ar) {
   ar("run/listing_bytes", listing_bytes);
   ar("run/version", version);
   {
-    auto& [card, steps_left, frames, samples, bytes, tabled_step, half_depth, fast_told,
-           finished, warnings, overlaps] = progress;
+    auto& [card, steps_left, below_ratio, frames, samples, bytes, tabled_step,
+           half_depth, fast_told, flight_told, finished, warnings, overlaps] = progress;
     ar("run/progress/card", card);
     ar("run/progress/steps_left", steps_left);
+    ar("run/progress/below_ratio", below_ratio);
     ar("run/progress/frames", frames);
     ar("run/progress/samples", samples);
     ar("run/progress/listing_bytes", bytes);
     ar("run/progress/tabled_step", tabled_step);
     ar("run/progress/half_depth", half_depth);
     ar("run/progress/fast_told", fast_told);
+    ar("run/progress/flight_told", flight_told);
     ar("run/progress/finished", finished);
     ar("run/progress/warnings", warnings);
     ar.records("run/progress/overlaps", overlaps, [](auto& column, auto& overlap) {

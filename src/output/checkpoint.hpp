@@ -15,13 +15,16 @@ namespace blocks::output {
 /// exclude what the end of the run adds to results and listing.
 struct Progress {
   long card = 0;        ///< index of the next command
-  long steps_left = 0;  ///< if > 0, a MOTION or CYCLE is partly done
+  long steps_left = 0;  ///< if > 0, a MOTION, CYCLE or SOLVE is partly done
+  /// The last test of a SOLVE that is partly done found at most its ratio.
+  bool below_ratio = false;
   long frames = 0;
   long samples = 0;  ///< samples of histories in the results
   long listing_bytes = 0;
   long tabled_step = -1;                              ///< step of the last OUTPUT table
   double half_depth = 0.0;                            ///< [L] see run/soundness.hpp
   bool fast_told = false;                             ///< a fast corner was reported
+  bool flight_told = false;                           ///< a flight was reported
   bool finished = false;                              ///< the deck was completed
   std::string warnings = {};                          ///< warnings so far, one per line
   std::vector<geometry::BlockOverlap> overlaps = {};  ///< reported so far
@@ -41,7 +44,7 @@ struct CheckpointInfo {
 };
 
 /// The version of the file format that is written and read.
-inline constexpr int checkpoint_format = 13;
+inline constexpr int checkpoint_format = 14;
 
 /// Writes a temporary file beside `path`, syncs it and renames it. Throws FileError.
 void write_checkpoint(const std::string& path, const Model& model,

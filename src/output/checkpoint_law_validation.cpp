@@ -130,6 +130,21 @@ void expect_drives(const Model& model) {
       reject_checkpoint(
           fmt::format("block {} has not the velocity of its drive", drive.block + 1));
   }
+  for (std::size_t i = 0; i < model.servos.size(); ++i) {
+    const Servo& servo = model.servos[i];
+    expect_index("servos/block", servo.block, b.size());
+    expect_index("servos/side", servo.side, b.corners_of(servo.block));
+    expect("servos/target", servo.target, finite);
+    expect("servos/most", servo.most, positive);
+    if (i > 0 && model.servos[i - 1].block >= servo.block)
+      reject_checkpoint(fmt::format("servo {} is out of order", i + 1));
+    const auto is_its_drive = [&](const Drive& drive) {
+      return drive.block == servo.block;
+    };
+    if (std::none_of(model.drives.begin(), model.drives.end(), is_its_drive))
+      reject_checkpoint(
+          fmt::format("servos names block {}, which has no drive", servo.block + 1));
+  }
 }
 
 }  // namespace blocks::output

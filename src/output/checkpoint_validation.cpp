@@ -39,6 +39,10 @@ void expect_settings(const Settings& s) {
   expect("settings/damping", s.damping, not_negative);
   expect("settings/friction", s.friction, not_negative);
   expect("settings/gravity", s.gravity);
+  expect("settings/gravity_ramp/from", s.gravity_ramp.from);
+  expect("settings/gravity_ramp/begin", s.gravity_ramp.begin, not_negative);
+  expect("settings/gravity_ramp/duration", s.gravity_ramp.duration, not_negative);
+  expect("settings/local_damping", s.local_damping, {0.0, 1.0, "a number from 0 to 1"});
   expect("settings/layers_made", s.layers_made, not_negative);
   for (const auto& [number, material] : s.materials) {
     expect("settings/materials/number", number, positive);
@@ -214,6 +218,14 @@ void expect_loads(const Loads& loads, const Blocks& b) {
     expect("loads/forces", force.force);
     expect("loads/forces/arrival", force.arrival, finite);
   }
+  for (const QuietSide& quiet : loads.quiet_sides) {
+    expect_index("loads/quiet_sides/block", quiet.block, b.size());
+    expect_index("loads/quiet_sides/side", quiet.side, b.corners_of(quiet.block));
+    for (const double speed : {quiet.cp, quiet.cs})
+      expect("loads/quiet_sides", speed, positive);
+    for (const Vec2& force : {quiet.first, quiet.second})
+      expect("loads/quiet_sides", force);
+  }
   if (loads.function.empty() && !(loads.pressures.empty() && loads.forces.empty()))
     reject_checkpoint("loads without a function of time");
 }
@@ -294,6 +306,13 @@ void expect_records(const Model& model) {
     if (cut.blocks > model.blocks.size() - cut.first_block)
       reject_checkpoint("cuts names blocks that do not exist");
   }
+  for (const SolveRecord& solve : model.solves) {
+    for (const double value :
+         {static_cast<double>(solve.line), solve.wanted, solve.reached,
+          static_cast<double>(solve.steps), solve.time, solve.largest})
+      expect("solves", value, not_negative);
+    expect_index("solves/block", solve.block + 1, model.blocks.size() + 1);
+  }
   for (const JointLengthRecord& length : model.joint_lengths)
     for (const double value :
          {static_cast<double>(length.cut), static_cast<double>(length.joint),
@@ -315,6 +334,7 @@ void expect_history(const HistoryRequest& history) {
 
 void expect_time(const Model& model) {
   expect("steps", static_cast<double>(model.steps), count_from_0);
+  expect("kinetic_energy", model.kinetic_energy, not_negative);
   expect("step_origin", static_cast<double>(model.step_origin), count_from_0);
   if (model.step_origin > model.steps)
     reject_checkpoint("step_origin is greater than steps");

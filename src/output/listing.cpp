@@ -110,6 +110,15 @@ void Listing::closing(const Model& model) {
   line("blocks that left the domain", fmt::format("{}", model.exits.size()));
   for (const DomainExit& exit : model.exits)
     out_ << fmt::format("    block {} at time {:.9g}\n", exit.block + 1, exit.time);
+  if (!model.solves.empty()) {
+    out_ << heading("SOLVE (ratio of the unbalanced forces)") << over_whole("line")
+         << over_number("wanted") << over_number("reached") << over_whole("steps")
+         << over_number("time") << "    converged\n";
+    for (const SolveRecord& solve : model.solves)
+      out_ << whole(solve.line) << number(solve.wanted) << number(solve.reached)
+           << whole(solve.steps) << number(solve.time) << "    "
+           << (solve.converged ? "yes" : "no") << "\n";
+  }
   if (model.energy.kept) {
     out_ << heading("ENERGY");
     for (const quantities::EnergyQuantity& one : quantities::energy_quantities())

@@ -23,6 +23,22 @@ std::string setting(const char* what, const char* name, int value) {
   return setting(what, name, static_cast<long>(value));
 }
 
+/// The ramp of gravity, and damping that only statics needs; empty without them.
+std::string damping_echo(const Settings& s) {
+  std::string text;
+  const GravityRamp& ramp = s.gravity_ramp;
+  if (ramp.duration > 0.0)
+    text += setting("ramp of gravity, begin", "TBEGIN", ramp.begin) +
+            setting("ramp of gravity, duration", "TRAMP", ramp.duration) +
+            setting("gravity before it in x", "GRAVX0", ramp.from.x()) +
+            setting("gravity before it in y", "GRAVY0", ramp.from.y());
+  if (s.local_damping > 0.0)
+    text += setting("local damping", "ALPHA", s.local_damping);
+  if (s.kinetic_damping)
+    text += setting("kinetic damping", "KINDAMP", std::string("on"));
+  return text;
+}
+
 std::string settings_echo(const Model& model) {
   const Settings& s = model.settings;
   const TimeStep& step = model.time_step;
@@ -41,7 +57,7 @@ std::string settings_echo(const Model& model) {
       setting("coefficient of friction", "FRIC", s.friction) +
       setting("fraction of critical damping", "BETA", s.damping) +
       setting("gravity in x", "GRAVX", s.gravity.x()) +
-      setting("gravity in y", "GRAVY", s.gravity.y()) +
+      setting("gravity in y", "GRAVY", s.gravity.y()) + damping_echo(s) +
       setting("blocks", "IRIGID", std::string(s.rigid ? "rigid" : "deformable")) +
       setting("random seed", "ISEED", fmt::format("{}", s.seed)) +
       setting("least angle of sides, degrees", "ANGM", s.angle_min.value()) +
@@ -113,6 +129,16 @@ std::string loads_echo(const Model& model) {
     for (const CentroidForce& load : loads.forces)
       text += whole(load.block + 1) + number(load.force.x()) + number(load.force.y()) +
               number(load.arrival) + "\n";
+  }
+  if (!loads.quiet_sides.empty()) {
+    text += heading("QUIET SIDES, FORCES AT THEIR CORNERS") + over_whole("block") +
+            over_whole("side") + over_number("CP") + over_number("CS") +
+            over_number("FX1") + over_number("FY1") + over_number("FX2") +
+            over_number("FY2") + "\n";
+    for (const QuietSide& quiet : loads.quiet_sides)
+      text += whole(quiet.block + 1) + whole(quiet.side + 1) + number(quiet.cp) +
+              number(quiet.cs) + number(quiet.first.x()) + number(quiet.first.y()) +
+              number(quiet.second.x()) + number(quiet.second.y()) + "\n";
   }
   if (!model.settings.planes.empty()) {
     text += heading("SYMMETRY PLANES") + over_whole("plane") + over_number("X1") +

@@ -54,8 +54,9 @@ void visit_laws(L& laws, P& pairs, Archive& ar) {
 template <class S, class Archive> void visit_settings(S& settings, Archive& ar) {
   auto& [title, units, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
          contact_tolerance, normal_stiffness, shear_stiffness, fraction, damping,
-         friction, gravity, rigid, materials, joint_laws, joint_of_materials, planes,
-         seed, angle_min, angle_max, merge_ratio, layers_made] = settings;
+         friction, gravity, gravity_ramp, local_damping, kinetic_damping, in_situ,
+         rigid, materials, joint_laws, joint_of_materials, planes, seed, angle_min,
+         angle_max, merge_ratio, layers_made] = settings;
   ar("settings/title", title);
   {
     auto& [length, mass, time] = units;
@@ -76,6 +77,15 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
   ar("settings/damping", damping);
   ar("settings/friction", friction);
   ar("settings/gravity", gravity);
+  {
+    auto& [from, begin, duration] = gravity_ramp;
+    ar("settings/gravity_ramp/from", from);
+    ar("settings/gravity_ramp/begin", begin);
+    ar("settings/gravity_ramp/duration", duration);
+  }
+  ar("settings/local_damping", local_damping);
+  ar("settings/kinetic_damping", kinetic_damping);
+  ar("settings/in_situ", in_situ);
   ar("settings/rigid", rigid);
   ar.materials("settings/materials", materials,
                [](auto& column, auto& number, auto& material) {
@@ -175,7 +185,7 @@ template <class C, class Archive> void visit_plane_contacts(C& contacts, Archive
 }
 
 template <class L, class Archive> void visit_loads(L& loads, Archive& ar) {
-  auto& [function, pressures, forces] = loads;
+  auto& [function, pressures, forces, quiet_sides] = loads;
   auto& [t, p] = function;
   ar("loads/function/t", t);
   ar("loads/function/p", p);
@@ -193,6 +203,17 @@ template <class L, class Archive> void visit_loads(L& loads, Archive& ar) {
     column("fx", force.x());
     column("fy", force.y());
     column("arrival", arrival);
+  });
+  ar.records("loads/quiet_sides", quiet_sides, [](auto& column, auto& quiet) {
+    auto& [block, side, cp, cs, first, second] = quiet;
+    column("block", block);
+    column("side", side);
+    column("cp", cp);
+    column("cs", cs);
+    column("first_x", first.x());
+    column("first_y", first.y());
+    column("second_x", second.x());
+    column("second_y", second.y());
   });
 }
 
@@ -221,9 +242,10 @@ template <class E, class Archive> void visit_energy(E& energy, Archive& ar) {
 
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts, loads,
-         drives, time_step, search, output, plots, plot_times, history, output_blocks,
-         order, exits, merges, layers, cuts, joint_lengths, steps, time, time_origin,
-         step_origin, started, worst_overlap, energy] = model;
+         drives, servos, time_step, search, output, plots, plot_times, history,
+         output_blocks, order, exits, merges, layers, cuts, joint_lengths, steps, time,
+         time_origin, step_origin, started, worst_overlap, energy, solves,
+         kinetic_energy] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -237,6 +259,13 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("vx", velocity.x());
     column("vy", velocity.y());
     column("spin", spin);
+  });
+  ar.records("servos", servos, [](auto& column, auto& servo) {
+    auto& [block, side, target, most] = servo;
+    column("block", block);
+    column("side", side);
+    column("target", target);
+    column("most", most);
   });
   {
     auto& [dt, block, block_count, elastic] = time_step;
@@ -335,6 +364,18 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   ar("started", started);
   ar("worst_overlap", worst_overlap);
   visit_energy(energy, ar);
+  ar.records("solves", solves, [](auto& column, auto& solve) {
+    auto& [line, wanted, reached, step_count, end, converged, largest, at] = solve;
+    column("line", line);
+    column("wanted", wanted);
+    column("reached", reached);
+    column("steps", step_count);
+    column("time", end);
+    column("converged", converged);
+    column("largest", largest);
+    column("block", at);
+  });
+  ar("kinetic_energy", kinetic_energy);
 }
 
 }  // namespace blocks::output

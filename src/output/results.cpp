@@ -30,6 +30,7 @@ struct ResultsWriter::File {
   hdf5::Handle file;
   ResultsGroups groups;
   long frames = 0;
+  bool unbalanced = false;  ///< the frames have unbalanced forces
   std::int64_t last_step = -1;
 
   std::unique_ptr<ResultsFrames> data;  ///< null until the first frame
@@ -105,7 +106,7 @@ void ResultsWriter::File::discard() {
 void ResultsWriter::File::append(const Model& model) {
   mark.begin();
   if (!data) {
-    data = ResultsFrames::create(groups, model);
+    data = ResultsFrames::create(groups, model, unbalanced);
     write_names(groups.own.get(), model.settings);
   }
   data->put(frames, model);
@@ -217,6 +218,8 @@ ResultsWriter::~ResultsWriter() {
 }
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
+
+void ResultsWriter::include_unbalanced() { file_->unbalanced = true; }
 
 void ResultsWriter::write(const Model& model, bool changed) {
   if (!changed && file_->frames > 0 && file_->last_step == model.steps)

@@ -61,6 +61,9 @@ class ResultsWriter {
   /// results file.
   static std::optional<RunIdentity> identity_of(const std::string& path);
 
+  /// Demands the unbalanced forces of blocks in all frames. Has no effect on a file
+  /// that has frames.
+  void include_unbalanced();
   /// Appends the state. If the last frame already has this step, does nothing unless
   /// the state has `changed` since.
   void write(const Model& model, bool changed = false);

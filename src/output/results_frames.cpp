@@ -1,6 +1,11 @@
 #include "output/results_frames.hpp"
 
+#include <fmt/format.h>
+
+#include <iterator>
 #include <utility>
+
+#include "model/equilibrium.hpp"
 
 namespace blocks::output {
 namespace {
@@ -26,6 +31,9 @@ constexpr CellField frame_fields[] = {{"Time", false, 0},
                                       {"KineticEnergy", false, 0},
                                       {"Contacts", true, 0},
                                       {"WorstOverlap", false, 0}};
+// Only in the results of decks that ask for equilibrium.
+constexpr CellField unbalanced_force = {"UnbalancedForce", false, 0};
+constexpr CellField unbalanced_share = {"UnbalancedRatio", false, 0};
 
 /// VTK requires three components, so z = 0.
 auto in_space(const Eigen::Matrix2Xd& plane) {
@@ -61,7 +69,7 @@ ResultsCells::ResultsCells(const Blocks& blocks) {
 
 template <class Make>
 ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t blocks,
-                             hsize_t corners)
+                             hsize_t corners, bool unbalanced)
     : joints_(to.vtk.get(), to.steps.get()) {
   const hid_t whole = H5T_NATIVE_INT64, real = H5T_NATIVE_DOUBLE;
   const hsize_t per_block = chunk_rows(blocks), per_corner = chunk_rows(corners);
@@ -80,7 +88,11 @@ ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t block
                                {&cell_offsets_, "CellOffsets"},
                                {&id_offsets_, "ConnectivityIdOffsets"}})
     *column = make(to.steps, name, whole, 0, frames_per_chunk);
-  for (const CellField& field : cell_fields) {
+  std::vector<CellField> of_cells(std::begin(cell_fields), std::end(cell_fields));
+  std::vector<CellField> of_frames(std::begin(frame_fields), std::end(frame_fields));
+  if (unbalanced)
+    of_cells.push_back(unbalanced_force), of_frames.push_back(unbalanced_share);
+  for (const CellField& field : of_cells) {
     const std::string name = field.name;
     const hid_t type = field.whole ? H5T_NATIVE_INT : real;
     cells_.insert_or_assign(name, FrameColumn(make(to.vtk, "CellData/" + name, type,
@@ -88,7 +100,7 @@ ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t block
                                               make(to.steps, "CellDataOffsets/" + name,
                                                    whole, 0, frames_per_chunk)));
   }
-  for (const CellField& field : frame_fields) {
+  for (const CellField& field : of_frames) {
     const std::string name = field.name;
     const hid_t type = field.whole ? whole : real;
     frame_data_[name] = make(to.vtk, "FieldData/" + name, type, 0, frames_per_chunk);
@@ -105,14 +117,15 @@ ResultsFrames::ResultsFrames(const ResultsGroups& to, Make&& make, hsize_t block
 }
 
 std::unique_ptr<ResultsFrames> ResultsFrames::create(const ResultsGroups& groups,
-                                                     const Model& model) {
+                                                     const Model& model,
+                                                     bool unbalanced) {
   const auto make = [](const hdf5::Handle& group, const std::string& name, hid_t type,
                        hsize_t width, hsize_t chunk) {
     return Column(group.get(), name, type, width, chunk);
   };
   std::unique_ptr<ResultsFrames> frames(
       new ResultsFrames(groups, make, static_cast<hsize_t>(model.blocks.size()),
-                        static_cast<hsize_t>(model.blocks.corners())));
+                        static_cast<hsize_t>(model.blocks.corners()), unbalanced));
   hdf5::check(H5Lcreate_hard(groups.vtk.get(), "FieldData/Step", groups.own.get(),
                              "steps", H5P_DEFAULT, H5P_DEFAULT));
   return frames;
@@ -126,7 +139,10 @@ std::unique_ptr<ResultsFrames> ResultsFrames::open(const ResultsGroups& groups) 
       throw hdf5::Failure(name + " has the wrong shape");
     return column;
   };
-  std::unique_ptr<ResultsFrames> frames(new ResultsFrames(groups, open, 0, 0));
+  std::unique_ptr<ResultsFrames> frames(new ResultsFrames(
+      groups, open, 0, 0,
+      hdf5::exists(groups.vtk.get(),
+                   fmt::format("CellData/{}", unbalanced_force.name))));
   frames->joints_.open();
   frames->contacts_->open();
   return frames;
@@ -244,11 +260,24 @@ void ResultsFrames::put_frame_data(long number, const Model& model) {
   frame_data_.at("KineticEnergy").put(frame, &sums.kinetic_energy, 1);
   frame_data_.at("Contacts").put(frame, &active, 1);
   frame_data_.at("WorstOverlap").put(frame, &sums.worst_overlap, 1);
+  put_unbalanced(number, model);
   const std::int64_t offset = number, size[2] = {1, 1};  // components, tuples
   for (auto& [name, column] : frame_offsets_)
     column.put(frame, &offset, 1);
   for (auto& [name, column] : frame_sizes_)
     column.put(frame, size, 1);
+}
+
+void ResultsFrames::put_unbalanced(long frame, const Model& model) {
+  const auto column = cells_.find(unbalanced_force.name);
+  if (column == cells_.end())
+    return;
+  Eigen::VectorXd forces;
+  unbalanced_forces(model, forces);
+  column->second.put(frame, static_cast<hsize_t>(forces.size()),
+                     as_stored(forces.data()));
+  const double ratio = unbalanced_ratio(model);
+  frame_data_.at(unbalanced_share.name).put(static_cast<hsize_t>(frame), &ratio, 1);
 }
 
 void ResultsFrames::put(long number, const Model& model) {

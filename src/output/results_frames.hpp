@@ -33,9 +33,10 @@ struct ResultsCells {
 
 class ResultsFrames {
  public:
-  /// Creates the datasets, with chunks for a model of this size.
+  /// Creates the datasets, with chunks for a model of this size. `unbalanced` adds the
+  /// unbalanced forces and their ratio.
   static std::unique_ptr<ResultsFrames> create(const ResultsGroups& groups,
-                                               const Model& model);
+                                               const Model& model, bool unbalanced);
   /// Opens the datasets of a file that has frames. Throws hdf5::Failure if one is
   /// missing or has the wrong shape.
   static std::unique_ptr<ResultsFrames> open(const ResultsGroups& groups);
@@ -53,11 +54,12 @@ class ResultsFrames {
   /// opens one.
   template <class Make>
   ResultsFrames(const ResultsGroups& groups, Make&& make, hsize_t blocks,
-                hsize_t corners);
+                hsize_t corners, bool unbalanced);
   bool has_topology(const ResultsCells& now);
   void put_topology(const Blocks& blocks);
   void put_cells(long frame, const Blocks& blocks);
   void put_frame_data(long frame, const Model& model);
+  void put_unbalanced(long frame, const Model& model);
 
   hdf5::Column points_, connectivity_, offsets_, types_;
   hdf5::Column number_of_points_, number_of_cells_, number_of_ids_;

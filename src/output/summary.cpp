@@ -29,6 +29,26 @@ Json fastest_block(const Blocks& blocks) {
   return fastest < 0 ? Json() : Json{{"block", fastest + 1}, {"speed", speed}};
 }
 
+/// The servos: target and stress of their sides, and their speed along the normal. The
+/// stress is that of all forces on the block.
+Json servos(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  Json list = Json::array();
+  for (const Servo& servo : model.servos) {
+    const int corner = blocks.first_corner[servo.block] + servo.side;
+    const Vec2 side =
+        blocks.corner.col(blocks.next[corner]) - blocks.corner.col(corner);
+    const Vec2 outward = Vec2(-side.y(), side.x()) / side.norm();
+    list.push_back(
+        {{"block", servo.block + 1},
+         {"side", servo.side + 1},
+         {"target", servo.target},
+         {"stress", outward.dot(blocks.force.col(servo.block)) / side.norm()},
+         {"speed", outward.dot(blocks.velocity.col(servo.block))}});
+  }
+  return list;
+}
+
 Json layers(const Model& model) {
   Json list = Json::array();
   for (const LayerRecord& layer : model.layers)
@@ -163,6 +183,27 @@ Json exits(const Model& model) {
   return list;
 }
 
+Json solves(const Model& model) {
+  Json list = Json::array();
+  for (const SolveRecord& solve : model.solves)
+    list.push_back(
+        {{"line", solve.line},
+         {"ratio", solve.wanted},
+         {"reached", solve.reached},
+         {"converged", solve.converged},
+         {"steps", solve.steps},
+         {"time", solve.time},
+         {"largest_unbalanced", solve.block < 0 ? Json()
+                                                : Json{{"block", solve.block + 1},
+                                                       {"force", solve.largest}}}});
+  return list;
+}
+
+bool all_converged(const std::vector<SolveRecord>& solves) {
+  return std::all_of(solves.begin(), solves.end(),
+                     [](const SolveRecord& solve) { return solve.converged; });
+}
+
 }  // namespace
 
 std::string state_hash(const Model& model) {
@@ -216,6 +257,10 @@ void write_summary(const std::string& path, const Model& model,
       {"state_hash", state_hash(model)},
       {"wall_seconds", report.wall_seconds}};
 
+  if (report.solved || !model.solves.empty()) {
+    json["converged"] = report.solved.value_or(true) && all_converged(model.solves);
+    json["solves"] = solves(model);
+  }
   if (model.energy.kept)
     for (const quantities::EnergyQuantity& one : quantities::energy_quantities())
       json["energy"][one.name] = one.value(model.energy);
@@ -224,6 +269,8 @@ void write_summary(const std::string& path, const Model& model,
                               {"bonded", sums.bonded},
                               {"failed", sums.failed},
                               {"broken", sums.broken}};
+  if (!model.servos.empty())
+    json["servos"] = servos(model);
   if (!model.cuts.empty())
     json["cuts"] = cuts_json(model.cuts, model.joint_lengths);
   if (const int present = model.blocks.count_present(); present < model.blocks.size())

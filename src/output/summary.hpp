@@ -21,6 +21,8 @@ struct RunReport {
   long frames = 0;
   SharedCertificate certificate = {};
   std::optional<AuditTotals> audit = {};  ///< empty if not requested
+  /// Whether all SOLVE cards of the deck have been carried out; empty if it has none.
+  std::optional<bool> solved = {};
 };
 
 /// FNV-1a over the bits of all positions and velocities. Identical runs have identical

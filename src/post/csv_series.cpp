@@ -11,10 +11,21 @@
 namespace blocks::post {
 namespace {
 
-std::string block_rows(const Frame& now, const Frame& first) {
+/// Returns the quantities that the frames have.
+std::vector<QuantityKind> columns_of(const ResultsReader& results) {
+  std::vector<QuantityKind> kinds = quantities::quantity_kinds();
+  if (!results.has_unbalanced())
+    std::erase_if(kinds, [](const QuantityKind& kind) {
+      return quantities::is_of_equilibrium(kind.name);
+    });
+  return kinds;
+}
+
+std::string block_rows(const std::vector<QuantityKind>& kinds, const Frame& now,
+                       const Frame& first) {
   std::vector<Eigen::VectorXd> columns;
-  columns.reserve(quantities::quantity_kinds().size());
-  for (const QuantityKind& kind : quantities::quantity_kinds())
+  columns.reserve(kinds.size());
+  for (const QuantityKind& kind : kinds)
     columns.push_back(values_of(kind, now, first));
   std::string text;
   auto out = std::back_inserter(text);
@@ -71,7 +82,8 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
   SeriesFiles files{{path, name + "_contacts.csv"}};
   WholeFile blocks(files.names[0]), contacts(files.names[1]);
   std::string head = "time,step,block,material,fixed";
-  for (const QuantityKind& kind : quantities::quantity_kinds())
+  const std::vector<QuantityKind> kinds = columns_of(results);
+  for (const QuantityKind& kind : kinds)
     head += "," + kind.name;
   blocks << head + "\n";
   contacts << "time,step,corner_block,corner,edge_block,edge,x,y,nx,ny,fx,fy,"
@@ -82,7 +94,7 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
   for (const long i : frames) {
     const Frame now = results.frame(i);
     const FrameContacts acting = results.contacts(i);
-    blocks << block_rows(now, first);
+    blocks << block_rows(kinds, now, first);
     contacts << contact_rows(now, acting);
     files.blocks += now.count_present();
     files.contacts += acting.size();

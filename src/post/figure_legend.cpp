@@ -77,13 +77,14 @@ class Legend {
     if (!by_material(options_)) {
       const Quantity shown =
           quantity(options_.colour, picture_.now, picture_.first, picture_.contacts);
-      bar(shown.label, shown.dimension, scales_.low, scales_.high, each,
+      bar(shown.label, shown.dimension, scales_.colours, each,
           [map = map_of(options_, shown.zero)](double s) { return map.at(s); });
     }
     if (scales_.slip > 0.0)
-      bar("slip", {1, 0, 0, "m", ""}, 0.0, scales_.slip, each, slip_colour);
+      bar("slip", {1, 0, 0, "m", ""}, {0.0, scales_.slip}, each, slip_colour);
     if (with_forces(scales_, options_))
-      bar("contact force", {0, 1, -2, "N/m", ""}, 0.0, scales_.force, each, intensity);
+      bar("contact force", {0, 1, -2, "N/m", ""}, {0.0, scales_.force}, each,
+          intensity);
     marks();
   }
 
@@ -216,22 +217,23 @@ class Legend {
     y_ += 42;
   }
 
-  void bar(const std::string& label, const Dimension& dimension, double low,
-           double high, double room, const std::function<Colour(double)>& colour) {
+  void bar(const std::string& label, const Dimension& dimension,
+           const ValueRange& range, double room,
+           const std::function<Colour(double)>& colour) {
     if (place_.below) {
-      bar_along(label, dimension, low, high, colour);
+      bar_along(label, dimension, range, colour);
       return;
     }
     const double width = 22, end = y_ + room;
     const TickLabels marked =
-        label_ticks(low, high, std::max(3, static_cast<int>((room - 70) / 50)));
+        range.ticks(std::max(3, static_cast<int>((room - 70) / 50)));
     y_ += pen_.paragraph(marked.titled(with_unit(label, dimension, options_)), place_.x,
                          y_, 14, ink, this->room());
     const double top = y_ + 10, height = end - 24 - top;
     fill_bar(cairo_pattern_create_linear(0, top + height, 0, top),
              {place_.x, top, width, height}, colour);
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
-      const double y = top + height * (high - marked.ticks[i]) / (high - low);
+      const double y = top + height * (1.0 - range.place(marked.ticks[i]));
       cairo_move_to(cairo_, place_.x + width, y);
       cairo_rel_line_to(cairo_, 5, 0);
       pen_.stroke(0.8, ink);
@@ -242,18 +244,17 @@ class Legend {
   }
 
   /// Draws a bar from left to right with its label above it and numbers below it.
-  void bar_along(const std::string& label, const Dimension& dimension, double low,
-                 double high, const std::function<Colour(double)>& colour) {
+  void bar_along(const std::string& label, const Dimension& dimension,
+                 const ValueRange& range, const std::function<Colour(double)>& colour) {
     constexpr double thick = 11, margin = 6;
     const double left = place_.x + margin, width = room() - 2 * margin, top = y_ + 20;
-    const TickLabels marked =
-        label_ticks(low, high, std::max(3, static_cast<int>(width / 70)));
+    const TickLabels marked = range.ticks(std::max(3, static_cast<int>(width / 70)));
     pen_.text(marked.titled(with_unit(label, dimension, options_)), left, y_ + 8, 14,
               ink, 0, 0.5, width);
     fill_bar(cairo_pattern_create_linear(left, 0, left + width, 0),
              {left, top, width, thick}, colour);
     for (std::size_t i = 0; i < marked.ticks.size(); ++i) {
-      const double x = left + width * (marked.ticks[i] - low) / (high - low);
+      const double x = left + width * range.place(marked.ticks[i]);
       cairo_move_to(cairo_, x, top + thick);
       cairo_rel_line_to(cairo_, 0, 4);
       pen_.stroke(0.8, ink);

@@ -8,6 +8,7 @@
 
 #include "post/counted.hpp"
 #include "post/figure_legend.hpp"
+#include "post/quantity.hpp"
 #include "post/scene_drawing.hpp"
 
 namespace blocks::post {
@@ -20,6 +21,21 @@ constexpr Dimension length{1, 0, 0, "m", ""};
 
 std::size_t present(const Frame& frame) {
   return static_cast<std::size_t>(frame.count_present());
+}
+
+/// Returns the ratio of the unbalanced forces and the block with the largest one, if
+/// the figure shows them.
+std::string equilibrium_text(const Frame& now, const FigureOptions& options) {
+  const QuantityKind* kind = quantities::find_quantity(options.colour);
+  if (kind == nullptr || !quantities::is_of_equilibrium(kind->name))
+    return "";
+  double most = 0.0;
+  int block = 0;
+  for (int b = 0; b < now.unbalanced.size(); ++b)
+    if (now.unbalanced[b] > most)  // false for removed blocks, which have no value
+      most = now.unbalanced[b], block = now.number[static_cast<std::size_t>(b)];
+  std::string text = fmt::format("    ratio {:.2g}", now.unbalanced_ratio);
+  return block > 0 ? text + fmt::format(", largest in block {}", block) : text;
 }
 
 FigureMargins margins_of(const PageSize& page, bool titled) {
@@ -118,8 +134,9 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
     pen.text(at, here.left, here.top - 9, 15, muted, 0, 1);
   else
     pen.text(options_.subtitle.empty()
-                 ? fmt::format("{}    step {}    {}", at, picture.now.step,
-                               counted(present(picture.now), "block"))
+                 ? fmt::format("{}    step {}    {}{}", at, picture.now.step,
+                               counted(present(picture.now), "block"),
+                               equilibrium_text(picture.now, options_))
                  : options_.subtitle,
              margins_.left, margins_.subtitle, options_.page.printed ? 12.5 : 15, muted,
              0, 1, options_.page.width - margins_.left - 14);

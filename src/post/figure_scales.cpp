@@ -76,6 +76,7 @@ void ScaleSurvey::include(const Picture& picture) {
   if (options_.shows_quantity()) {
     const Quantity shown =
         quantity(options_.colour, picture.now, picture.first, picture.contacts);
+    logarithmic_ = shown.logarithmic;
     centred_ = map_of(options_, shown.zero).diverging;
     const auto include_values = [&](const Eigen::VectorXd& values) {
       for (const double value : values)
@@ -105,6 +106,30 @@ void ScaleSurvey::include(const Picture& picture) {
         {picture.now.area.data(), picture.now.area.data() + picture.now.area.size()}));
 }
 
+ValueRange ScaleSurvey::colours() const {
+  ValueRange range;
+  if (options_.range) {
+    range = {(*options_.range)[0], (*options_.range)[1]};
+    if (!(range.low < range.high))
+      throw std::runtime_error("the range of the colours needs low < high");
+    range.logarithmic = logarithmic_ && range.low > 0.0;
+  } else if (logarithmic_ && most_ > 0.0) {
+    // Small values would otherwise share one colour with those of fixed blocks, 0.
+    constexpr int decades = 4;  // with more, neighbouring decades look the same
+    range = ValueRange::of_decades(0.0, most_, decades);
+  } else if (least_ <= most_) {
+    range.low =
+        centred_ ? -std::max(std::abs(least_), std::abs(most_)) : std::min(0.0, least_);
+    range.high = centred_ ? -range.low : most_;
+    if (!(range.high > range.low)) {  // all values are equal
+      range.high = range.low + 1.0;
+      if (centred_)
+        range.low = -1.0, range.high = 1.0;
+    }
+  }
+  return range;
+}
+
 FigureScales ScaleSurvey::scales() const {
   FigureScales result;
   if (options_.zoom) {
@@ -131,21 +156,7 @@ FigureScales ScaleSurvey::scales() const {
     throw std::runtime_error(
         "every stress is 0: RIGID blocks have no stress, and other blocks have none "
         "before they deform; choose another quantity or time");
-  if (options_.range) {
-    result.low = (*options_.range)[0];
-    result.high = (*options_.range)[1];
-    if (!(result.low < result.high))
-      throw std::runtime_error("the range of the colours needs low < high");
-  } else if (least_ <= most_) {
-    result.low =
-        centred_ ? -std::max(std::abs(least_), std::abs(most_)) : std::min(0.0, least_);
-    result.high = centred_ ? -result.low : most_;
-    if (!(result.high > result.low)) {  // all values are equal
-      result.high = result.low + 1.0;
-      if (centred_)
-        result.low = -1.0, result.high = 1.0;
-    }
-  }
+  result.colours = colours();
   result.force = usual(forces_);
   result.arrow = usual(arrows_);
   result.block_size = block_size_;

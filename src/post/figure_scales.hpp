@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "post/figure.hpp"
+#include "post/value_range.hpp"
 #include "quantities/bond.hpp"
 
 namespace blocks::post {
@@ -21,7 +22,7 @@ struct Picture {
 
 struct FigureScales {
   Eigen::Vector4d view{0, 1, 0, 1};  ///< xmin, xmax, ymin, ymax [L]
-  double low = 0.0, high = 1.0;      ///< of the colours
+  ValueRange colours;
   double force =
       0.0;  ///< [F] drawn at full width: the median of the largest of each picture
   double arrow =
@@ -45,10 +46,12 @@ class ScaleSurvey {
 
  private:
   void include_corners(const Frame& frame);
+  ValueRange colours() const;
 
   const FigureOptions& options_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Constant(1e300), high_ = -low_;
   double least_ = 1e300, most_ = -1e300;
+  bool logarithmic_ = false;
   bool centred_ = false;                 ///< the colours are centred on 0
   std::vector<double> forces_, arrows_;  ///< the largest of each picture
   double block_size_ = 1.0;

@@ -20,6 +20,7 @@ void convert(Frame& frame, const UnitScale& scale) {
   frame.spin *= scale.of({0, 0, -1});
   frame.strain_rate *= scale.of({0, 0, -1});
   frame.force *= scale.of({0, 1, -2});
+  frame.unbalanced *= scale.of({0, 1, -2});
   frame.moment *= scale.of({1, 1, -2});
   frame.kinetic_energy *= scale.of({1, 1, -2});
   frame.area *= scale.of({2, 0, 0});

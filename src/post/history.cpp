@@ -135,6 +135,8 @@ void require_places(const Question& question) {
           fmt::format("{} has no joints with a law, so there is no {}\n  hint: the "
                       "cards JOINT and JPAIR give joints a law",
                       results.path(), curve.name()));
+    if (quantities::is_of_equilibrium(curve.quantity) && !results.has_unbalanced())
+      throw std::runtime_error(results.path() + ": " + no_unbalanced_text());
     if (curve.last > last.size())
       throw std::runtime_error(fmt::format("{} has blocks 1 to {}, no block {}",
                                            results.path(), last.size(), curve.last));
@@ -171,8 +173,9 @@ void add_frames(const Question& question, History& history) {
       std::vector<quantities::ContactState> contacts;
       if (values_of.has_contacts())
         contacts = states_of(results.contacts(i));
-      values_of.evaluate({now.time, now.step, states_of(now), contacts},
-                         states_of(first), values);
+      values_of.evaluate(
+          {now.time, now.step, states_of(now), contacts, nullptr, now.unbalanced_ratio},
+          states_of(first), values);
       history.time.push_back(t);
       for (std::size_t k = 0; k < values.size(); ++k)
         history.series[k].values.push_back(values[k]);

@@ -15,6 +15,7 @@
 #include "post/colour_map.hpp"
 #include "post/page_file.hpp"
 #include "post/pen.hpp"
+#include "post/value_range.hpp"
 
 namespace blocks::post {
 namespace {
@@ -106,19 +107,17 @@ class ChartDrawing : ChartLayout {
   }
 
   /// Returns the ticks of the y axis.
-  TickLabels ticks_of(const ChartPanel& one, const Range& y) const {
+  TickLabels ticks_of(const ChartPanel& one, const ValueRange& y) const {
     int count = std::clamp(static_cast<int>(panel / 42), 3, 6);
     if (has_bars(one))  // bars count, so the ticks are whole numbers
       count = std::clamp(static_cast<int>(y.high), 1, count);
-    return label_ticks(y.low, y.high, count);
+    return y.ticks(count);
   }
 
   void draw_panel(const ChartPanel& one, double top, bool last) {
-    const Range y = range_of(one);
+    const ValueRange y = range_of(one);
     const double bottom = top + panel, end = page - right;
-    const auto page_y = [&](double value) {
-      return bottom - (value - y.low) / (y.high - y.low) * panel;
-    };
+    const auto page_y = [&](double value) { return bottom - y.place(value) * panel; };
     cairo_rectangle(cairo_, left, top, end - left, panel);
     pen_.colour({1, 1, 1});
     cairo_fill(cairo_);
@@ -176,22 +175,27 @@ class ChartDrawing : ChartLayout {
   }
 
   /// Returns the values that a panel shows. Bars begin at 0.
-  static Range range_of(const ChartPanel& one) {
-    Range y;
+  static ValueRange range_of(const ChartPanel& one) {
+    Range y, positive;
     const bool bars = has_bars(one);
     for (const ChartLine& line : one.lines) {
       if (line.form == Form::mark)
         continue;
       for (const auto* values : {&line.y, &line.low, &line.high})
-        for (const double value : *values)
+        for (const double value : *values) {
           y.include(value);
+          positive.include(value > 0.0 ? value : std::nan(""));
+        }
     }
+    constexpr int most_decades = 16;  // doubles resolve no more
+    if (one.logarithmic && !positive.empty())
+      return ValueRange::of_decades(positive.low, positive.high, most_decades);
     if (bars)
       y.include(0.0);
     if (y.empty())
       return {0, 1};
     const Range wide = y.widened(0.06);
-    return bars && y.low == 0.0 ? Range{0.0, wide.high} : wide;
+    return {bars && y.low == 0.0 ? 0.0 : wide.low, wide.high};
   }
 
   void style(std::size_t i) {

@@ -29,6 +29,9 @@ struct ChartLine {
 struct ChartPanel {
   std::string y_label;  ///< with the unit
   std::vector<ChartLine> lines;
+  /// The y axis is logarithmic if a curve has positive values. Other values are at its
+  /// low end. Not for bars.
+  bool logarithmic = false;
 };
 
 struct Chart {

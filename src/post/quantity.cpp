@@ -26,7 +26,8 @@ BlockStates states_of(const Frame& f) {
           f.strain_rate,
           f.material,
           nullptr,
-          &f.fixed};
+          &f.fixed,
+          f.unbalanced.size() > 0 ? &f.unbalanced : nullptr};
 }
 
 std::vector<ContactState> states_of(const FrameContacts& contacts) {
@@ -48,8 +49,15 @@ std::vector<ContactState> states_of(const FrameContacts& contacts) {
   return states;
 }
 
+std::string no_unbalanced_text() {
+  return "the results have no unbalanced forces\n  hint: a run writes them if its deck "
+         "has SOLVE, LOCDAMP or KINDAMP, or a HISTORY of unbalanced";
+}
+
 Eigen::VectorXd values_of(const QuantityKind& kind, const Frame& now,
                           const Frame& first) {
+  if (quantities::is_of_equilibrium(kind.name) && now.unbalanced.size() == 0)
+    throw std::runtime_error(no_unbalanced_text());
   const BlockStates states = states_of(now), before = states_of(first);
   Eigen::VectorXd values(now.centroid.cols());
   for (int b = 0; b < values.size(); ++b)
@@ -61,7 +69,7 @@ namespace {
 
 Zero zero_of(const QuantityKind& kind) {
   static const std::set<std::string> magnitudes = {"speed", "displacement",
-                                                   "kinetic_energy"};
+                                                   "unbalanced", "kinetic_energy"};
   return kind.is_signed                   ? Zero::middle
          : magnitudes.contains(kind.name) ? Zero::lowest
                                           : Zero::none;
@@ -99,7 +107,8 @@ Quantity quantity(const std::string& name, const Frame& now, const Frame& first,
                   const FrameContacts& contacts) {
   if (const QuantityKind* kind = find_quantity(name))
     return {kind->label + sign_convention(*kind, now.compression_positive),
-            kind->dimension, values_of(*kind, now, first), zero_of(*kind)};
+            kind->dimension, values_of(*kind, now, first), zero_of(*kind),
+            quantities::is_of_equilibrium(kind->name)};
   if (const quantities::OtherKind* kind = find_other(name); kind && kind->contact) {
     Eigen::VectorXd values(now.size());
     kind->of_contacts(states_of(contacts),

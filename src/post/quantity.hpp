@@ -21,6 +21,7 @@ struct Quantity {
   Dimension dimension;
   Eigen::VectorXd values;  ///< (n)
   Zero zero = Zero::none;
+  bool logarithmic = false;  ///< figures show it by its logarithm
 };
 
 /// The blocks of a frame, as quantities read them. Valid as long as the frame exists.
@@ -29,7 +30,12 @@ quantities::BlockStates states_of(const Frame& frame);
 /// The contacts of a frame, as quantities read them.
 std::vector<quantities::ContactState> states_of(const FrameContacts& contacts);
 
+/// Returns the message that a file has no unbalanced forces, with a hint.
+std::string no_unbalanced_text();
+
 /// Returns the values of all blocks, (n). `first` is the first frame of the file.
+/// Throws std::runtime_error if the frame has no unbalanced forces and they are asked
+/// for.
 Eigen::VectorXd values_of(const QuantityKind& kind, const Frame& now,
                           const Frame& first);
 

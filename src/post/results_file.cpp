@@ -35,6 +35,8 @@ void hide_removed(Frame& frame) {
     for (auto* values : {&frame.angle, &frame.spin, &frame.moment, &frame.area,
                          &frame.mass, &frame.inertia})
       (*values)[b] = std::nan("");
+    if (frame.unbalanced.size() > 0)
+      frame.unbalanced[b] = std::nan("");
     for (auto* tensor : {&frame.stress, &frame.applied, &frame.strain_rate})
       tensor->col(b).setConstant(std::nan(""));
   }
@@ -116,6 +118,10 @@ Frame ResultsReader::File::read(hsize_t i) const {
   frame.stress = tensors(cells<double>("Stress", i, n, 4));
   frame.applied = tensors(cells<double>("AppliedStress", i, n, 4));
   frame.strain_rate = tensors(cells<double>("StrainRate", i, n, 4));
+  if (output::hdf5::exists(vtk.get(), unbalanced_column)) {
+    frame.unbalanced = vector(cells<double>("UnbalancedForce", i, n, 1));
+    frame.unbalanced_ratio = field<double>("UnbalancedRatio", i);
+  }
   read_outlines(i, part, n, frame);
   hide_removed(frame);
   return frame;

@@ -24,6 +24,9 @@ using output::hdf5::Handle;
 /// The column of the states of laws that a run makes last.
 inline constexpr const char* last_law_column = "contacts/Length";
 
+/// The column of unbalanced forces.
+inline constexpr const char* unbalanced_column = "CellData/UnbalancedForce";
+
 /// The file and what has been read when it was opened.
 struct ResultsReader::File {
   std::string path;

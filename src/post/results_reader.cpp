@@ -209,6 +209,13 @@ bool ResultsReader::has_laws() const {
   });
 }
 
+bool ResultsReader::has_unbalanced() const {
+  return output::with_file_errors("read", file_->path, [&] {
+    return file_->soundly(
+        [&] { return output::hdf5::exists(file_->vtk.get(), unbalanced_column); });
+  });
+}
+
 std::vector<RecordedHistory> ResultsReader::recorded() const {
   std::vector<RecordedHistory> sections =
       output::with_file_errors("read", file_->path, [&] {

@@ -2,6 +2,7 @@
 // and the run.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,6 +31,8 @@ struct Frame {
   Eigen::VectorXd angle, spin, moment, area, mass, inertia;
   Eigen::Matrix4Xd stress, applied, strain_rate;  ///< rows 11, 12, 21, 22
   bool compression_positive = false;              ///< sign of stress and applied
+  Eigen::VectorXd unbalanced;  ///< [F] empty if the file has no unbalanced forces
+  double unbalanced_ratio = std::numeric_limits<double>::quiet_NaN();  ///< or NaN
   int size() const { return static_cast<int>(number.size()); }
   bool is_removed(int b) const { return fixed[static_cast<std::size_t>(b)] == 3; }
   /// Returns the number of blocks that are not removed.
@@ -96,6 +99,8 @@ class ResultsReader {
   FrameContacts contacts(long i) const;
   /// Whether the contacts of some frame have the laws of joints.
   bool has_laws() const;
+  /// Whether the frames have unbalanced forces (docs/rest.md#the-ratio).
+  bool has_unbalanced() const;
   /// Reads the histories that the run recorded, in the order of time; those without
   /// samples are left out.
   std::vector<RecordedHistory> recorded() const;

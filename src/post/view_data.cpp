@@ -75,13 +75,16 @@ class Packer {
     last_ = results.frame(results.frames() - 1);
     blocks_ = static_cast<std::size_t>(last_.size());
     last_outlines_ = results.last_outlines(results.frames() - 1);
+    for (const char* name : view_quantities)
+      if (!quantities::is_of_equilibrium(name) || results.has_unbalanced())
+        names_.push_back(name);
     first_corner_.push_back(0);
     for (const auto& outline : last_outlines_)
       first_corner_.push_back(first_corner_.back() + static_cast<int>(outline.size()));
   }
 
   ViewData pack() {
-    columns_.assign(view_quantities.size(), DigitColumn{blocks_, {}, {}});
+    columns_.assign(names_.size(), DigitColumn{blocks_, {}, {}});
     const Frame first = results_.frame(0);
     for (const long i : chosen_)
       take(results_.frame(i), first, results_.contacts(i));
@@ -131,9 +134,8 @@ class Packer {
     counts_.push_back(now.size());
     present_.push_back(now.count_present());
     energy_.push_back(now.kinetic_energy);
-    for (std::size_t k = 0; k < view_quantities.size(); ++k) {
-      const Eigen::VectorXd values =
-          quantity(view_quantities[k], now, first, contacts).values;
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      const Eigen::VectorXd values = quantity(names_[k], now, first, contacts).values;
       for (std::size_t b = 0; b < blocks_; ++b)
         columns_[k].add(static_cast<int>(b) < now.size()
                             ? values[static_cast<Eigen::Index>(b)]
@@ -184,19 +186,18 @@ class Packer {
                       const std::vector<float>& mass,
                       const std::vector<float>& inertia) const {
     const auto shown_by = [&](const std::string& name) -> const std::vector<float>& {
-      const auto* found =
-          std::find(view_quantities.begin(), view_quantities.end(), name);
-      return columns_[static_cast<std::size_t>(found - view_quantities.begin())].shown;
+      const auto found = std::find(names_.begin(), names_.end(), name);
+      return columns_[static_cast<std::size_t>(found - names_.begin())].shown;
     };
     const auto formula_of = [](const std::string& name) {
       return std::find_if(view_formulas.begin(), view_formulas.end(),
                           [&](const ViewFormula& one) { return one.quantity == name; });
     };
-    for (std::size_t k = 0; k < view_quantities.size(); ++k)
-      if (formula_of(view_quantities[k]) == view_formulas.end())
-        store.add_digits(view_quantities[k], columns_[k]);
-    for (std::size_t k = 0; k < view_quantities.size(); ++k) {
-      const auto* formula = formula_of(view_quantities[k]);
+    for (std::size_t k = 0; k < names_.size(); ++k)
+      if (formula_of(names_[k]) == view_formulas.end())
+        store.add_digits(names_[k], columns_[k]);
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      const auto* formula = formula_of(names_[k]);
       if (formula == view_formulas.end())
         continue;
       std::array<const float*, 3> by{};
@@ -217,7 +218,7 @@ class Packer {
         const double half = 0.5 * (a - b), radius = std::sqrt(half * half + c * c);
         return 0.5 * (a + b) + (name == "principal_1" ? radius : -radius);
       };
-      store.add_digits(view_quantities[k], columns_[k], name, guess);
+      store.add_digits(names_[k], columns_[k], name, guess);
     }
   }
 
@@ -365,7 +366,7 @@ class Packer {
                    const std::vector<int>& joints) const {
     const std::optional<Units>& units = results_.units();
     Json quantities = Json::array();
-    for (const char* name : view_quantities) {
+    for (const std::string& name : names_) {
       const Quantity kind = quantity(name, last_, last_);
       quantities.push_back({{"name", name},
                             {"label", kind.label},
@@ -424,6 +425,7 @@ class Packer {
   std::vector<std::vector<Eigen::Vector2d>> last_outlines_;
   std::size_t blocks_ = 0;
   std::vector<int> first_corner_;
+  std::vector<std::string> names_;  ///< of the quantities
   std::vector<DigitColumn> columns_;
   std::vector<int> strain_;  ///< in steps
   std::vector<unsigned char> fixed_;

@@ -5,28 +5,14 @@
 
 namespace blocks::post {
 
-/// The quantities that the page shows, in this order.
-inline constexpr std::array view_quantities = {"displacement",
-                                               "dx",
-                                               "dy",
-                                               "speed",
-                                               "vx",
-                                               "vy",
-                                               "x",
-                                               "y",
-                                               "rotation",
-                                               "spin",
-                                               "fx",
-                                               "fy",
-                                               "moment",
-                                               "s11",
-                                               "s22",
-                                               "s12",
-                                               "p1",
-                                               "p2",
-                                               "kinetic_energy",
-                                               "overlap",
-                                               "contacts"};
+/// The quantities that the page shows, in this order. It shows the unbalanced forces
+/// only if the results have them.
+inline constexpr std::array view_quantities = {
+    "displacement", "dx",      "dy",     "speed",      "vx",
+    "vy",           "x",       "y",      "rotation",   "spin",
+    "fx",           "fy",      "moment", "s11",        "s22",
+    "s12",          "p1",      "p2",     "unbalanced", "kinetic_energy",
+    "overlap",      "contacts"};
 
 /// Predictions of a quantity from others. The page computes them with the same
 /// operations in the same order, so only errors of rounding to six digits must be

@@ -64,6 +64,12 @@ bool CurveValues::has_displacements() const {
   });
 }
 
+bool CurveValues::has_unbalanced() const {
+  return std::any_of(curves_.begin(), curves_.end(), [](const Reader& reader) {
+    return is_of_equilibrium(reader.curve.quantity);
+  });
+}
+
 void CurveValues::evaluate(const State& now, const Positions& first,
                            std::span<double> values) {
   for (std::size_t i = 0; i < curves_.size(); ++i)

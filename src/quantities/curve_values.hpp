@@ -30,6 +30,8 @@ class CurveValues {
   /// Whether a value depends on the contacts of the state, or on the first positions.
   bool has_contacts() const;
   bool has_displacements() const;
+  /// Whether a value depends on the unbalanced forces of the state.
+  bool has_unbalanced() const;
 
   /// Sets values[i] to that of curve i: NaN if its blocks do not exist yet or were
   /// removed. Removed blocks do not count in statistics. Sums are taken in the order of

@@ -28,6 +28,8 @@ const std::vector<EnergyQuantity>& energy_quantities() {
       {"hysteresis", "energy taken by hysteresis", of<hysteresis>},
       {"transfer", "energy lost in transfers of springs", of<transfer>},
       {"removed", "energy removed", of<removed>},
+      {"artificial", "energy taken by artificial damping", of<artificial>},
+      {"quiet", "energy through quiet sides", of<quiet>},
       {"integration", "error of the integration", of<integration>},
       {"residual", "residual of the energies",
        [](const EnergyAccount& a) { return a.residual(); }},

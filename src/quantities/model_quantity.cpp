@@ -136,6 +136,12 @@ std::map<std::string, OtherKind> all_other_kinds() {
         How::sum,
         {},
         [](const State& now) { return static_cast<double>(now.blocks.present()); }}},
+      {ratio_name,
+       {"ratio of the unbalanced forces",
+        pure,
+        How::sum,
+        {},
+        [](const State& now) { return now.unbalanced_ratio; }}},
       {"time",
        {"time", duration, How::sum, {}, [](const State& now) { return now.time; }}}};
   // The account is on request only; see energy.hpp.

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace blocks::quantities {
@@ -114,6 +115,11 @@ const std::vector<QuantityKind>& quantity_kinds() {
       {"e11", "", "strain rate 11", rate, is_signed, each, rate_row(0)},
       {"e12", "", "strain rate 12", rate, is_signed, each, rate_row(1)},
       {"e22", "", "strain rate 22", rate, is_signed, each, rate_row(3)},
+      {"unbalanced", "", "unbalanced force", force, magnitude, additive,
+       of_now([](const B& now, int b) {
+         return now.unbalanced == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                          : (*now.unbalanced)[b];
+       })},
       {"kinetic_energy", "", "kinetic energy", energy, magnitude, additive,
        of_now(kinetic_energy)},
       {"momentum_x", "", "momentum x", momentum, is_signed, additive,
@@ -153,6 +159,10 @@ std::string quantity_names() {
   for (const QuantityKind& kind : quantity_kinds())
     names += (names.empty() ? "" : ", ") + kind.name;
   return names;
+}
+
+bool is_of_equilibrium(const std::string& name) {
+  return name == "unbalanced" || name == ratio_name;
 }
 
 bool is_stress(const QuantityKind& kind) {

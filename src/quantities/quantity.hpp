@@ -33,6 +33,13 @@ const QuantityKind* find_quantity(const std::string& name);
 /// Lists the names: "speed, displacement, ...".
 std::string quantity_names();
 
+/// The quantity of the model that tells how far it is from equilibrium.
+inline constexpr const char* ratio_name = "unbalanced_ratio";
+
+/// True for the unbalanced force of a block and for their ratio, which results have
+/// only if the deck asks for equilibrium (docs/rest.md#the-ratio). Takes a name.
+bool is_of_equilibrium(const std::string& name);
+
 /// True for the stresses that the material law gives, and the applied ones.
 bool is_stress(const QuantityKind& kind);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct BlockStates : Positions {
   /// Fixities of a model, or their numbers in a frame; the other pointer is null.
   const std::vector<Fixity>* fixity = nullptr;
   const std::vector<int>* fixed = nullptr;
+  /// [F] (n) unbalanced forces (model/equilibrium.hpp); null if they are not known.
+  const Eigen::VectorXd* unbalanced = nullptr;
 
   int size() const { return static_cast<int>(material.size()); }
   bool is_removed(int b) const;
@@ -68,6 +71,8 @@ struct State {
   BlockStates blocks;
   std::span<const ContactState> contacts;
   const EnergyAccount* energy = nullptr;  ///< null for a frame, which has no account
+  /// Ratio of the unbalanced forces; NaN if it is not known.
+  double unbalanced_ratio = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The blocks of a model. Valid as long as they exist and their number is the same.

@@ -197,6 +197,8 @@ struct Builder::Visitor {
     self.planes_.push_back(command);
   }
   void operator()(const deck::Gravity& card) {
+    settings.gravity_ramp = {settings.gravity_at(model.time), model.time,
+                             card.tramp.value};
     settings.gravity = {card.gravx.value, card.gravy.value};
   }
   void operator()(const deck::Fix& card) {
@@ -272,6 +274,17 @@ struct Builder::Visitor {
   void operator()(const deck::Jpair& card) { self.pair_materials(command, card); }
   void operator()(const deck::Bond& card) { self.bond(command, card); }
   void operator()(const deck::Drive& card) { self.drive(command, card); }
+  void operator()(const deck::Locdamp& card) {
+    settings.local_damping = card.alpha.value;
+    self.fraction_by_ = command;
+  }
+  void operator()(const deck::Kindamp& card) {
+    settings.kinetic_damping = card.on.value != 0;
+    model.kinetic_energy = 0.0;
+  }
+  void operator()(const deck::Insitu& card) { self.load_in_situ(command, card); }
+  void operator()(const deck::Servo& card) { self.servo(command, card); }
+  void operator()(const deck::Quiet& card) { self.make_quiet(command, card); }
   void operator()(const deck::Output& card) {
     model.output_blocks.clear();
     constexpr long most = std::numeric_limits<int>::max();
@@ -306,6 +319,10 @@ struct Builder::Visitor {
   void operator()(const deck::Dump&) {}
   void operator()(const deck::Motion&) { pass_time(); }
   void operator()(const deck::Cycle&) { pass_time(); }
+  void operator()(const deck::Solve&) {
+    self.check_damping(command);
+    pass_time();
+  }
   void pass_time() {
     ++self.stretch_;
     self.in_place_ = self.options_.moves;
@@ -326,7 +343,8 @@ void Builder::apply(const Command& command) {
 void Builder::begin_to_move(SharedCertificate certificate) {
   certificate_ = std::move(certificate);
   planes_.clear();
-  fraction_told_ = dynamics::safe_fraction(model_.settings.damping);
+  fraction_told_ =
+      dynamics::safe_fraction(model_.settings.damping, model_.settings.local_damping);
   checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 

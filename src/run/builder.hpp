@@ -141,6 +141,8 @@ class Builder {
   void pair_materials(const deck::Command& command, const deck::Jpair& card);
   void bond(const deck::Command& command, const deck::Bond& card);
   void drive(const deck::Command& command, const deck::Drive& card);
+  /// Returns the block of a DRIVE or SERVO card, from 0; -1 after an error or a warning.
+  int block_to_drive(const deck::Command& command, const deck::Int& number);
   /// Whether a MOTION or CYCLE lies before the present card.
   bool has_moved() const { return stretch_ > 0 || model_.steps > 0; }
   /// Returns the law of this joint id. Reports an error and returns null if no JOINT
@@ -151,6 +153,17 @@ class Builder {
   /// Demands a new time step if one of the laws has a stiffness of its own.
   void law_changed(const JointLaw& before, const JointLaw& after);
 
+  // Rest and waves, in builder_rest.cpp and builder_quiet.cpp
+  void load_in_situ(const deck::Command& command, const deck::Insitu& card);
+  void servo(const deck::Command& command, const deck::Servo& card);
+  void make_quiet(const deck::Command& command, const deck::Quiet& card);
+  /// Puts the wave speeds of the card or of the block's material into `quiet`. Returns
+  /// false if they cannot be known.
+  bool find_speeds(const deck::Command& command, const deck::Quiet& card,
+                   QuietSide& quiet);
+  /// Warns if the dashpots of the block's quiet sides are too strong for the time step.
+  void warn_of_dashpots(const deck::Command& command, int b);
+
   void check_planes();
   void check_room(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
@@ -158,6 +171,8 @@ class Builder {
   void warn_of_overlap(const geometry::BlockOverlap& pair, const deck::Command& motion,
                        std::string hint);
   void check_fraction(const deck::Command& command);
+  /// Warns at a SOLVE card if nothing damps the motion.
+  void check_damping(const deck::Command& solve);
   void check_steps(const deck::Command& command);
   void check_history_blocks(const deck::Command& command);
   void check_history_interval(const deck::Command& motion);
@@ -192,7 +207,7 @@ class Builder {
   int checked_blocks_;          ///< blocks checked before an earlier motion
   int moved_blocks_;            ///< blocks that have moved
   double fraction_told_ = 0.0;  ///< safe FRACTION in the last warning
-  std::optional<deck::Command> fraction_by_;       ///< last FRACTION or DAMPING card
+  std::optional<deck::Command> fraction_by_;       ///< last FRACTION, DAMPING or LOCDAMP card
   std::optional<deck::Command> output_;            ///< OUTPUT card not checked yet
   std::vector<deck::Command> histories_;           ///< HISTORY cards not checked yet
   std::optional<deck::SourceLocation> tolerance_;  ///< place of ctol on the BOXES card

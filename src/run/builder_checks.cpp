@@ -9,6 +9,7 @@
 #include "dynamics/time_step.hpp"
 #include "geometry/contact_predicates.hpp"
 #include "model/counted.hpp"
+#include "model/equilibrium.hpp"
 #include "run/contact_room.hpp"
 #include "run/history_card.hpp"
 
@@ -160,18 +161,31 @@ void Builder::check_history_interval(const Command& motion) {
 
 void Builder::check_fraction(const Command& command) {
   const Settings& settings = model_.settings;
-  const double safe = dynamics::safe_fraction(settings.damping);
+  const double safe = dynamics::safe_fraction(settings.damping, settings.local_damping);
   const Command& to_blame = fraction_by_ ? *fraction_by_ : command;
   if (settings.fraction > safe && safe != fraction_told_)
     diagnostics_.warning(
         to_blame.where, to_blame.name,
         fmt::format(
-            "FRACTION {:g} with DAMPING {:g} may never let packed blocks come to rest",
-            settings.fraction, settings.damping),
+            "FRACTION {:g} with DAMPING {:g}{} may never let packed blocks come "
+            "to rest",
+            settings.fraction, settings.damping,
+            settings.local_damping > 0.0
+                ? fmt::format(" and LOCDAMP {:g}", settings.local_damping)
+                : ""),
         fmt::format("for 8 contacts per block the largest safe FRACTION is {:.2g} "
                     "(docs/departures.md, time step)",
                     safe));
   fraction_told_ = safe;
+}
+
+void Builder::check_damping(const Command& solve) {
+  const Settings& settings = model_.settings;
+  if (settings.damping > 0.0 || is_damped_to_rest(settings))
+    return;
+  diagnostics_.warning(solve.where, solve.name,
+                       "nothing damps the motion, so the blocks may never come to rest",
+                       "put LOCDAMP, KINDAMP or DAMPING before it (docs/rest.md)");
 }
 
 void Builder::check_steps(const Command& command) {

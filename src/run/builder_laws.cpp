@@ -251,37 +251,42 @@ void Builder::bond(const Command& command, const deck::Bond& card) {
         place_hint(command));
 }
 
-void Builder::drive(const Command& command, const deck::Drive& card) {
-  const int b = block_to_change(command, card.nb);
+int Builder::block_to_drive(const Command& command, const deck::Int& number) {
+  const int b = block_to_change(command, number);
   if (b < 0)
-    return;
+    return b;
   const Blocks& blocks = model_.blocks;
   const Settings& settings = model_.settings;
   if (blocks.fixity[b] == Fixity::left_domain) {
     diagnostics_.warning(
-        card.nb.where, command.name,
+        number.where, command.name,
         fmt::format("block {} is outside the domain and stays there", b + 1),
         "widen the domain: XLIMITS, YLIMITS");
-    return;
+    return -1;
   }
   if (blocks.is_free(b)) {
     diagnostics_.error(
-        card.nb.where, command.name, fmt::format("block {} is not fixed", b + 1),
+        number.where, command.name, fmt::format("block {} is not fixed", b + 1),
         fmt::format("only fixed blocks can be driven: put FIX, {} before "
-                    "this card, or use SETVEL for a free block",
-                    b + 1));
-    return;
+                    "this card, or use {} for a free block",
+                    b + 1, command.name == "SERVO" ? "PRESSBC" : "SETVEL"));
+    return -1;
   }
   const bool has_domain = (settings.lower.array() < settings.upper.array()).all();
   if (has_domain && !dynamics::is_inside_domain(blocks, b, settings)) {
-    diagnostics_.error(card.nb.where, command.name,
+    diagnostics_.error(number.where, command.name,
                        fmt::format("block {} has a corner outside the domain, where no "
                                    "block moves",
                                    b + 1),
                        "widen the domain: XLIMITS, YLIMITS");
-    return;
+    return -1;
   }
-  drive_block(model_, {b, {card.vx.value, card.vy.value}, card.tdot.value});
+  return b;
+}
+
+void Builder::drive(const Command& command, const deck::Drive& card) {
+  if (const int b = block_to_drive(command, card.nb); b >= 0)
+    drive_block(model_, {b, {card.vx.value, card.vy.value}, card.tdot.value});
 }
 
 }  // namespace blocks::run

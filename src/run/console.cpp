@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "run/progress_line.hpp"
+#include "model/equilibrium.hpp"
 
 namespace blocks::run {
 namespace {
@@ -39,13 +39,15 @@ void Console::row(const Model& model) {
   last_step_ = model.steps;
   clear_progress();
   if (!header_shown_)
-    say(stdout, "{:>10} {:>12} {:>12} {:>14} {:>14} {:>9} {:>9}\n", "step", "time",
-        "dt", "kinetic energy", "worst overlap", "contacts", "searches");
+    say(stdout, "{:>10} {:>12} {:>12} {:>14} {:>14} {:>9} {:>9}{}\n", "step", "time",
+        "dt", "kinetic energy", "worst overlap", "contacts", "searches",
+        ratio_shown_ ? fmt::format(" {:>9}", "ratio") : "");
   header_shown_ = true;
   const ModelTotals sum = totals(model);
-  say(stdout, "{:>10} {:>12.6g} {:>12.5g} {:>14.6g} {:>14.6g} {:>9} {:>9}\n",
+  say(stdout, "{:>10} {:>12.6g} {:>12.5g} {:>14.6g} {:>14.6g} {:>9} {:>9}{}\n",
       model.steps, model.time, model.time_step.dt, sum.kinetic_energy,
-      sum.worst_overlap, sum.active_contacts, model.search.updates);
+      sum.worst_overlap, sum.active_contacts, model.search.updates,
+      ratio_shown_ ? fmt::format(" {:>9.2e}", unbalanced_ratio(model)) : "");
   std::fflush(stdout);
 }
 
@@ -67,10 +69,12 @@ bool Console::progress_due() const {
          Clock::now() - drawn_ >= (terminal_ ? between_drawings : between_log_lines_);
 }
 
-void Console::progress(const Model& model, double share) {
+void Console::progress(const Model& model, double share, double ratio) {
   drawn_ = Clock::now();
-  const RunProgress run{share, std::chrono::duration<double>(drawn_ - start_).count(),
-                        model.steps, model.time, totals(model)};
+  const RunProgress run{
+      share,         std::chrono::duration<double>(drawn_ - start_).count(),
+      model.steps,   model.time,
+      totals(model), ratio};
   if (terminal_) {
     // A line that fills the last column would be wrapped by some terminals.
     say(stderr, "\r\033[K{}", progress_line(run, terminal_width() - 1));

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "model/model.hpp"
+#include "run/progress_line.hpp"
 
 namespace blocks::run {
 
@@ -19,20 +20,24 @@ class Console {
           std::chrono::seconds between_log_lines = std::chrono::minutes(1));
 
   void row(const Model& model);
+  /// Adds the ratio of the unbalanced forces to the rows. Call it before the first one.
+  void show_ratio() { ratio_shown_ = true; }
   void warn(const std::string& message);
   void note(const std::string& message);  ///< suppressed by `quiet`
   /// Whether the progress line is due. A terminal gets it at most ten times a second.
   bool progress_due() const;
   /// Draws the progress line, which fits the present width of the terminal. `share` is
-  /// the completed share of the whole run, 0 to 1.
-  void progress(const Model& model, double share);
+  /// the completed share of the whole run, 0 to 1. `ratio` is that of the unbalanced
+  /// forces during SOLVE.
+  void progress(const Model& model, double share, double ratio = no_ratio);
+  static constexpr double no_ratio = RunProgress::no_ratio;
   void clear_progress();
 
  private:
   using Clock = std::chrono::steady_clock;
   bool table_, quiet_, terminal_;
   Clock::duration between_log_lines_;
-  bool header_shown_ = false, line_shown_ = false;
+  bool ratio_shown_ = false, header_shown_ = false, line_shown_ = false;
   long last_step_ = -1;
   Clock::time_point start_ = Clock::now(), drawn_ = Clock::now();
 };

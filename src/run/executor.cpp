@@ -44,7 +44,7 @@ void Executor::resume(const output::Progress& progress) {
   progress_ = progress;
   begun_ = progress.steps_left > 0;
   half_depth_ = progress.half_depth;
-  watch_ = MotionWatch(model_, progress.fast_told);
+  watch_ = MotionWatch(model_, progress.fast_told, progress.flight_told);
   echoed_ = started_moving_ = true;
   std::istringstream lines(progress.warnings);
   for (std::string line; std::getline(lines, line);)
@@ -61,6 +61,7 @@ output::Progress Executor::progress() const {
   output::Progress now = progress_;
   now.half_depth = half_depth_;
   now.fast_told = watch_.fast_told();
+  now.flight_told = watch_.flight_told();
   now.warnings.clear();
   for (const std::string& warning : warnings_)
     now.warnings += warning + '\n';
@@ -82,6 +83,43 @@ long Executor::steps_to_end() const {
 Outcome Executor::cycle(long steps) {
   start();
   return advance(left_of(steps));
+}
+
+Outcome Executor::solve(const deck::Solve& card, int line) {
+  start();
+  const long left = left_of(card.nmax.value);
+  solving_.emplace(card, card.nmax.value - left, begun_ && progress_.below_ratio);
+  solve_line_ = line;
+  const Outcome outcome = advance(left);
+  solving_.reset();
+  return outcome;
+}
+
+bool Executor::ends_card(long left) const {
+  return left == 0 || (solving_ && solving_->is_finished());
+}
+
+void Executor::end_card() {
+  ++progress_.card;
+  progress_.steps_left = 0;
+  progress_.below_ratio = false;
+  begun_ = false;
+  if (!solving_)
+    return;
+  const Model& model = stepper_.up_to_date();
+  const SolveRecord solve = solving_->record(model, solve_line_);
+  model_.solves.push_back(solve);
+  if (!solve.converged)
+    return warn(solve_warning(solve, model_.settings));
+  files_.message(solve_line(solve));
+  console_.note(solve_line(solve));
+}
+
+double Executor::share_after(long made, long last) const {
+  const double of_card = solving_
+                             ? solving_->share()
+                             : static_cast<double>(made) / static_cast<double>(last);
+  return share_from_ + (share_to_ - share_from_) * of_card;
 }
 
 void Executor::echo() {
@@ -162,7 +200,8 @@ Outcome Executor::march(long steps) {
     if (audited)
       audit_.before(stepper_.up_to_date());
     const bool sampled = sample_due();
-    const bool read = audited || row || moment || sampled || output_due();
+    const bool tested = solving_ && solving_->is_due();
+    const bool read = audited || row || moment || sampled || tested || output_due();
     const double limit = model_.settings.normal_stiffness * half_depth_;
     const dynamics::StepResult moved = stepper_.advance(read, limit);
     if (may_be_unsound(model_.settings, moved, half_depth_)) {
@@ -179,25 +218,29 @@ Outcome Executor::march(long steps) {
       recorder_.record(stepper_.up_to_date());
     if (read)
       output_if_due();
-    if (row)
+    if (solving_) {
+      const dynamics::Profile::Timer timer(work_.profile, dynamics::Profile::output);
+      solving_->after_step(tested ? stepper_.up_to_date() : model_);
+      progress_.below_ratio = solving_->below();
+    }
+    const bool ends = ends_card(steps - i);
+    if (row || ends || (tested && solving_->has_new_decade()))
       console_.row(stepper_.up_to_date());
     ++steps_made_;
     progress_.steps_left = steps - i;
-    if (i == steps) {
-      ++progress_.card;
-      begun_ = false;
-    }
+    if (ends)
+      end_card();
     if (moment || (read && interrupt_requested())) {
       if (console_.progress_due())
-        console_.progress(stepper_.up_to_date(),
-                          share_from_ + (share_to_ - share_from_) *
-                                            static_cast<double>(i) /
-                                            static_cast<double>(last));
+        console_.progress(stepper_.up_to_date(), share_after(i, last),
+                          solving_ ? solving_->ratio() : Console::no_ratio);
       if (const Outcome outcome = pressed_for_time(); outcome != Outcome::finished) {
         tell_what_remains();
         return outcome;
       }
     }
+    if (ends)
+      return Outcome::finished;
   }
   if (last == steps)
     return Outcome::finished;
@@ -256,6 +299,10 @@ void Executor::output_if_due() {
 void Executor::watch(const dynamics::StepResult& moved) {
   for (const std::string& message : watch_.after(model_, moved))
     warn(message);
+  if (watch_.is_flight_due(model_))
+    if (const std::string message = watch_.flight(stepper_.up_to_date());
+        !message.empty())
+      warn(message);
 }
 
 /// Reports what the audit of the last step found. Returns false if a decision was wrong

@@ -1,4 +1,5 @@
-// Executes MOTION and CYCLE and writes output when it is due (CYCLE of Appendix B).
+// Executes MOTION, CYCLE and SOLVE and writes output when it is due (CYCLE of Appendix
+// B).
 #pragma once
 
 #include <chrono>
@@ -8,6 +9,7 @@
 #include "dynamics/stepper.hpp"
 #include "run/audit_watch.hpp"
 #include "run/console.hpp"
+#include "run/convergence.hpp"
 #include "run/history_recorder.hpp"
 #include "run/motion_watch.hpp"
 #include "run/run.hpp"
@@ -39,6 +41,9 @@ class Executor {
   /// If the card was begun before a restart, only its remaining steps are made.
   Outcome motion(double interval);
   Outcome cycle(long steps);
+  /// Makes the steps of a SOLVE card until the forces are balanced, and records how it
+  /// ended in Model::solves. `line` is that of the card.
+  Outcome solve(const deck::Solve& card, int line);
   /// Steps that remain to the time of --until; without it, the largest number.
   long steps_to_end() const;
 
@@ -79,6 +84,11 @@ class Executor {
   void tell_what_remains() const;
   Outcome advance(long steps);
   Outcome march(long steps);
+  /// Whether the card ends with the last step, which has `left` steps after it.
+  bool ends_card(long left) const;
+  void end_card();
+  /// The completed share of the whole run after `made` of `last` steps of the card.
+  double share_after(long made, long last) const;
   /// The remaining steps of a card that was begun before a restart; otherwise `all`.
   long left_of(long all) const { return begun_ ? progress_.steps_left : all; }
   /// Whether output is due after the next step.
@@ -111,7 +121,9 @@ class Executor {
   MotionWatch watch_;
   HistoryRecorder recorder_;
   output::Progress progress_;
-  bool begun_ = false;  ///< the next card was begun before a restart
+  bool begun_ = false;                  ///< the next card was begun before a restart
+  std::optional<Convergence> solving_;  ///< of the SOLVE card whose steps are made
+  int solve_line_ = 0;
   bool echoed_ = false, started_moving_ = false;
   double share_from_ = 0.0, share_to_ = 1.0;
   double half_depth_ = 0.0;  ///< [L] half the least depth of a convex block

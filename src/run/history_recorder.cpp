@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/equilibrium.hpp"
 #include "run/history_card.hpp"
 
 namespace blocks::run {
@@ -72,11 +73,18 @@ void HistoryRecorder::read(const Model& model, std::vector<double>& values) {
   contacts_.clear();
   if (values_of_.has_contacts())
     quantities::list_contacts(model, contacts_);
-  const quantities::BlockStates blocks = quantities::states_of(model.blocks);
+  quantities::BlockStates blocks = quantities::states_of(model.blocks);
+  double ratio = std::numeric_limits<double>::quiet_NaN();
+  if (values_of_.has_unbalanced()) {
+    unbalanced_forces(model, unbalanced_);
+    blocks.unbalanced = &unbalanced_;
+    ratio = unbalanced_ratio(model);
+  }
   const quantities::Positions first{first_.centroid,
                                     quantities::Corners(first_.outlines)};
-  values_of_.evaluate({model.time, model.steps, blocks, contacts_, &model.energy},
-                      first, values);
+  values_of_.evaluate(
+      {model.time, model.steps, blocks, contacts_, &model.energy, ratio}, first,
+      values);
 }
 
 }  // namespace blocks::run

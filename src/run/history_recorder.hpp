@@ -40,7 +40,8 @@ class HistoryRecorder {
   quantities::Multiples multiples_{1.0};
   output::FirstPositions first_;
   std::vector<quantities::ContactState> contacts_;
-  long next_ = 0;  ///< index of the next multiple
+  Eigen::VectorXd unbalanced_;  ///< [F] (blocks) in the state that is read
+  long next_ = 0;               ///< index of the next multiple
   /// [T] samples are due from this time on; infinite if there is no HISTORY card.
   double due_ = std::numeric_limits<double>::infinity();
   double time_before_ = 0.0;  ///< [T] of the state recorded last

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <variant>
 
+#include "quantities/quantity.hpp"
 #include "run/cut_progress.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
@@ -36,6 +37,30 @@ bool Job::passes_time_from(std::size_t command) const {
     if (deck::passes_time(deck.commands[i]))
       return true;
   return false;
+}
+
+bool Job::asks_for_equilibrium() const {
+  return std::any_of(
+      deck.commands.begin(), deck.commands.end(), [](const deck::Command& command) {
+        const auto* history = std::get_if<deck::History>(&command.card);
+        return std::holds_alternative<deck::Solve>(command.card) ||
+               std::holds_alternative<deck::Locdamp>(command.card) ||
+               std::holds_alternative<deck::Kindamp>(command.card) ||
+               (history != nullptr &&
+                std::any_of(history->quantities.begin(), history->quantities.end(),
+                            [](const deck::Word& word) {
+                              return quantities::is_of_equilibrium(
+                                  word.value.substr(0, word.value.find(':')));
+                            }));
+      });
+}
+
+std::optional<bool> Job::solved_before(std::size_t command) const {
+  std::optional<bool> solved;
+  for (std::size_t i = 0; i < deck.commands.size(); ++i)
+    if (std::holds_alternative<deck::Solve>(deck.commands[i].card))
+      solved = i < command;
+  return solved;
 }
 
 bool Job::was_extended() const {
@@ -110,8 +135,10 @@ bool Job::is_in_deck() const {
     return false;
   const deck::Command& command = deck.commands[first_command()];
   const auto* cycle = std::get_if<deck::Cycle>(&command.card);
+  const auto* solve = std::get_if<deck::Solve>(&command.card);
   return deck::passes_time(command) &&
-         (cycle == nullptr || from.progress.steps_left <= cycle->ncycle.value);
+         (cycle == nullptr || from.progress.steps_left <= cycle->ncycle.value) &&
+         (solve == nullptr || from.progress.steps_left <= solve->nmax.value);
 }
 
 Model Job::load() {

@@ -47,6 +47,11 @@ struct Job {
   }
   /// Whether the deck itself has a MOTION or CYCLE at this index or later.
   bool passes_time_from(std::size_t command) const;
+  /// Whether the deck has SOLVE, LOCDAMP or KINDAMP, or a history of unbalanced forces.
+  /// Its results then have them (docs/rest.md#the-ratio).
+  bool asks_for_equilibrium() const;
+  /// Whether all SOLVE cards of the deck are before this index; empty if it has none.
+  std::optional<bool> solved_before(std::size_t command) const;
   /// Number of commands that the deck itself has.
   std::size_t own_commands() const {
     return deck.commands.size() - (options.until ? 1 : 0);

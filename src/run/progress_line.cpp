@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace blocks::run {
@@ -38,8 +39,10 @@ std::string progress_line(const RunProgress& run, int width) {
       {fmt::format(" t {:.4g}", run.time), 1},
       {fmt::format(" Ek {:.3g}", run.totals.kinetic_energy), 4},
       {fmt::format(" contacts {}", run.totals.active_contacts), 3}};
+  if (!std::isnan(run.ratio))
+    parts.insert(parts.begin(), {fmt::format(" ratio {:.1e}", run.ratio), 0});
   if (const std::string left = remaining(run); !left.empty())
-    parts.push_back({' ' + left, 0});
+    parts.push_back({' ' + left, -1});
   const auto room = [&] {  // for the bar
     int used = brackets;
     for (const Part& part : parts)
@@ -60,9 +63,12 @@ std::string progress_line(const RunProgress& run, int width) {
 
 std::string log_line(const RunProgress& run) {
   const std::string left = remaining(run);
-  return fmt::format("progress {:.0f} %: step {}, t {:.4g}, Ek {:.3g}, contacts {}{}",
-                     100.0 * run.share, run.steps, run.time, run.totals.kinetic_energy,
-                     run.totals.active_contacts, left.empty() ? "" : ", " + left);
+  const std::string ratio =
+      std::isnan(run.ratio) ? "" : fmt::format("ratio {:.1e}, ", run.ratio);
+  return fmt::format("progress {:.0f} %: {}step {}, t {:.4g}, Ek {:.3g}, contacts {}{}",
+                     100.0 * run.share, ratio, run.steps, run.time,
+                     run.totals.kinetic_energy, run.totals.active_contacts,
+                     left.empty() ? "" : ", " + left);
 }
 
 }  // namespace blocks::run

@@ -12,6 +12,7 @@
 
 #include "dynamics/support/memory_pages.hpp"
 #include "model/counted.hpp"
+#include "model/equilibrium.hpp"
 #include "output/file_tools.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
@@ -91,8 +92,9 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
                    deck::passes_time))
     job.diagnostics.warning(
         job.deck.commands.back().where, job.deck.commands.back().name,
-        "the deck has no MOTION or CYCLE, so a run makes no step",
-        "MOTION, dt passes a time, and CYCLE, ncycle makes a number of steps");
+        "the deck has no MOTION, CYCLE or SOLVE, so a run makes no step",
+        "MOTION, dt passes a time, CYCLE, ncycle makes a number of steps, and SOLVE "
+        "makes steps until the forces are balanced");
   notes = builder.take_notes();
   if (!has_moved)
     start = std::move(model);
@@ -173,6 +175,10 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
           : RunFiles(job.name, identity);
   if (!files.put_aside().empty())
     console.warn(files.put_aside());
+  if (job.asks_for_equilibrium() || is_damped_to_rest(model.settings))
+    files.results().include_unbalanced();
+  if (job.solved_before(0))
+    console.show_ratio();
   Executor executor(model, files, console, job.options);
   if (job.resumes) {
     builder.go_on(job.deck.commands, job.first_command(), job.from.progress.overlaps);
@@ -232,6 +238,8 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       outcome = executor.motion(card->dt.value);
     else if (const auto* cycle = std::get_if<deck::Cycle>(&command.card))
       outcome = executor.cycle(cycle->ncycle.value);
+    else if (const auto* solve = std::get_if<deck::Solve>(&command.card))
+      outcome = executor.solve(*solve, command.where.line);
     else if (std::holds_alternative<deck::Dump>(command.card))
       executor.dump();
     else if (std::holds_alternative<deck::Stop>(command.card))
@@ -262,6 +270,7 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   progress.finished = outcome == Outcome::finished;
   if (progress.finished)  // with the card of --until, if there is one
     progress.card = static_cast<long>(job.deck.commands.size());
+  report.solved = job.solved_before(static_cast<std::size_t>(progress.card));
   {
     const Profile::Timer timer(executor.profile(), Profile::output);
     if (outcome == Outcome::unsound)

@@ -157,6 +157,13 @@ def direct_shear(results, _):
     yield r"\| measured \| # mm", 1e3 * (height.max() - height[0])
 
 
+def biaxial(results, _):
+    slides = results.times > 1
+    yield r"mean from 1 s to 5 s \| # MN", results.of("Force", 4)[slides, 1].mean() / 1e6
+    yield r"largest error \| # kN", np.abs(results.of("Force", 3)[slides, 0] - 2e6).max() / 1e3
+    yield r"\| measured \| # mm/s", 1e3 * rate(results.times[slides], results.of("Centroid", 3)[slides, 0])
+
+
 def cohesive_slope(results, _):
     yield r"cohesion of # MPa", 1.0
     assert results.blocks > 10
@@ -164,6 +171,13 @@ def cohesive_slope(results, _):
 
 def overhang(results, _):
     yield r"cut into # blocks", results.blocks - 2
+
+
+def quiet_column(results, _):
+    energy = results.summary["energy"]
+    yield r"layers reaches # m/s", results.of("Velocity", 36)[:, 0].max()
+    yield r"# J are left", energy["kinetic"] + energy["elastic"] + energy["strain"]
+    yield r"left of the # J", energy["loads"]
 
 
 # Long runs. What the pages of these decks say is checked without them.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/drives.hpp"
 #include "sanitized.hpp"
 #include "scenes/scene.hpp"
 
@@ -62,6 +63,27 @@ TEST(Step, AllocatesNothingBetweenSearches) {
     EXPECT_GT(totals(scene.model).active_contacts, 20);
     EXPECT_LT(searches, 200);
     EXPECT_GT(allocations, 0);  // The replaced malloc counts.
+  }
+}
+
+TEST(Step, AllocatesNothingUnderAServo) {
+  for (const bool with_law : {false, true}) {
+    scenes::Scene scene;
+    if (with_law) {
+      scene.model.settings.joint_laws[1] = {.friction = 0.3, .residual_friction = 0.3};
+      scene.model.settings.joint_of_materials[{1, 1}] = 1;
+    }
+    scene.box(-2, -1, 4, 1, true);
+    scene.box(-1, 0, 2, 1);
+    scene.box(-1, 1, 2, 1, true);
+    start_servo(scene.model, {2, 3, -1e4, 1.0});
+    scene.steps(100);
+    for (int i = 0; i < 500; ++i) {
+      const long before = allocations, updates = scene.model.search.updates;
+      scene.step();
+      ASSERT_TRUE(allocations == before || scene.model.search.updates != updates);
+    }
+    EXPECT_LT(scene.model.search.updates, 5);
   }
 }
 

@@ -203,6 +203,19 @@ TEST(Simulation, RefusesToContinueAnUnsoundRun) {
   thrown.write_frame(folder / "last.vtkhdf");
 }
 
+TEST(Simulation, SolvesInTheStepsOfARun) {
+  const TemporaryFolder folder;
+  const std::string deck = stack + "CYCLE, 33\nSOLVE, 1.E-4\n";
+  run_text(folder, "a", deck);
+  Simulation solved(deck);
+  EXPECT_EQ(solved.steps(), summary(folder, "a")["steps"]);
+  EXPECT_EQ(solved.unbalanced_ratio(), summary(folder, "a")["solves"][0]["reached"]);
+  EXPECT_THAT(solved.warnings(), ::testing::IsEmpty());
+  solved.cards("SOLVE, 1.E-14, 20\n");
+  ASSERT_EQ(solved.warnings().size(), 1U);
+  EXPECT_THAT(solved.warnings()[0], HasSubstr("SOLVE in line 1 has not converged"));
+}
+
 TEST(Simulation, RefusesAWrongNumberOfThreads) {
   EXPECT_THROW(Simulation(stack, 0), std::invalid_argument);
   EXPECT_THROW(Simulation(stack, 100000), std::invalid_argument);

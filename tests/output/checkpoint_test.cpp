@@ -99,25 +99,28 @@ Model filled_model() {
   return model;
 }
 
-const CheckpointInfo info = {.deck_file = "crater.deck",
-                             .deck_text = "START\n",
-                             .overrides = "MOTION.dt=1\n",
-                             .results = "crater.vtkhdf",
-                             .results_run = "0a1b2c3d",
-                             .results_frames = 12,
-                             .listing_bytes = 4096,
-                             .version = "1.0.0",
-                             .progress = {7,
-                                          31,
-                                          11,
-                                          77,
-                                          4000,
-                                          250,
-                                          0.25,
-                                          true,
-                                          true,
-                                          "one\ntwo\n",
-                                          {{0, 1, 0.125, {0.25, 0.5}, 0.75}}}};
+const CheckpointInfo info = {
+    .deck_file = "crater.deck",
+    .deck_text = "START\n",
+    .overrides = "MOTION.dt=1\n",
+    .results = "crater.vtkhdf",
+    .results_run = "0a1b2c3d",
+    .results_frames = 12,
+    .listing_bytes = 4096,
+    .version = "1.0.0",
+    .progress = {.card = 7,
+                 .steps_left = 31,
+                 .below_ratio = true,
+                 .frames = 11,
+                 .samples = 77,
+                 .listing_bytes = 4000,
+                 .tabled_step = 250,
+                 .half_depth = 0.25,
+                 .fast_told = true,
+                 .flight_told = true,
+                 .finished = true,
+                 .warnings = "one\ntwo\n",
+                 .overlaps = {{0, 1, 0.125, {0.25, 0.5}, 0.75}}}};
 
 /// Writes the fields of a model, reads them and requires the same values.
 void expect_kept(const Model& model) {
@@ -171,12 +174,14 @@ TEST(Checkpoint, KeepsModelAndRun) {
   EXPECT_EQ(read.version, info.version);
   EXPECT_EQ(read.progress.card, info.progress.card);
   EXPECT_EQ(read.progress.steps_left, info.progress.steps_left);
+  EXPECT_EQ(read.progress.below_ratio, info.progress.below_ratio);
   EXPECT_EQ(read.progress.frames, info.progress.frames);
   EXPECT_EQ(read.progress.samples, info.progress.samples);
   EXPECT_EQ(read.progress.listing_bytes, info.progress.listing_bytes);
   EXPECT_EQ(read.progress.tabled_step, info.progress.tabled_step);
   EXPECT_EQ(read.progress.half_depth, info.progress.half_depth);
   EXPECT_EQ(read.progress.fast_told, info.progress.fast_told);
+  EXPECT_EQ(read.progress.flight_told, info.progress.flight_told);
   EXPECT_EQ(read.progress.finished, info.progress.finished);
   EXPECT_EQ(read.progress.warnings, info.progress.warnings);
   ASSERT_EQ(read.progress.overlaps.size(), 1U);

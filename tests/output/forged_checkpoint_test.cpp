@@ -28,10 +28,15 @@ using ::testing::Not;
 Model full_model() {
   Model model = samples::two_blocks();
   model.contacts.push_back({7, 1});
+  model.settings.gravity_ramp = {{1, 2}, 0.0, 4.0};
+  model.settings.local_damping = 0.5;
+  model.settings.kinetic_damping = true;
+  model.kinetic_energy = 2.0;
   model.settings.merge_ratio = *geometry::Decimal::parse("0.2");
   model.loads.function = {{0, 1}, {1, 0}};
   model.loads.pressures = {{1, 2, 5, 6, 0.5}};
   model.loads.forces = {{1, {3, 4}, 0.25}};
+  model.loads.quiet_sides = {{1, 2, 30, 20, {1, 2}, {3, 4}}};
   model.output = {0.5, 1.0};
   model.plots = {0.25, 0.75};
   model.plot_times = {0.125, 0.5};
@@ -41,6 +46,7 @@ Model full_model() {
   model.exits = {{0, 0.004}};
   model.merges = {{1, 2, 3, 0.125, 0.2}};
   model.layers = {{1, 0, 2, 2, 1, 6, 0, 0, 0}};
+  model.solves = {{12, 1e-5, 2e-5, 100, 0.5, false, 3.0, 1}};
   samples::add_laws(model);
   model.energy.kept = true;
   model.energy.sums.assign(energy_entries, 0.25);
@@ -261,6 +267,12 @@ TEST(ForgedCheckpoint, IsRefusedWithTheImpossibleValue) {
             "block 1 has not the velocity of its drive");
   EXPECT_EQ(message([](Model& m, auto&) { m.drives.push_back(m.drives[0]); }),
             "drive 2 is out of order");
+  EXPECT_EQ(message([](Model& m, auto&) { m.servos[0].block = 1; }),
+            "servos names block 2, which has no drive");
+  EXPECT_EQ(message([](Model& m, auto&) { m.servos[0].most = 0; }),
+            "servos/most is 0, expected a number above 0");
+  EXPECT_EQ(message([](Model& m, auto&) { m.servos.push_back(m.servos[0]); }),
+            "servo 2 is out of order");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.next[3] = 1; }),
             "corner 4 of block 1 is out of order");
   EXPECT_EQ(message([](Model& m, auto&) { m.blocks.material[0] = 9; }),

@@ -88,6 +88,7 @@ inline void add_laws(Model& model) {
   model.contacts[0].normal_elastic = model.contacts[0].normal_force = -0.5;
   model.contacts[0].overlap = -0.0625;
   model.drives = {{0, {0.375, -0.625}, 0.875}};
+  model.servos = {{0, 2, -4.5, 1.25}};
   model.blocks.fixity[0] = Fixity::driven;
   model.blocks.velocity.col(0) = model.drives[0].velocity;
   model.blocks.spin[0] = model.drives[0].spin;

@@ -56,6 +56,35 @@ TEST(Summary, HasTheValuesOfTheRun) {
   EXPECT_EQ(summary["state_hash"], state_hash(model));
 }
 
+TEST(Summary, TellsWhetherAllSolveCardsHaveConverged) {
+  const TemporaryFolder folder;
+  Model model = samples::two_blocks();
+  const auto written = [&](std::optional<bool> solved) {
+    RunReport done = report();
+    done.solved = solved;
+    write_summary(folder / "a.summary.json", model, done);
+    return json::parse(samples::contents(folder / "a.summary.json"));
+  };
+  EXPECT_FALSE(written({}).contains("converged"));
+  EXPECT_EQ(written(false)["converged"], false);  // stopped before its end
+  model.solves = {{12, 1e-5, 8e-6, 100, 0.5, true, 0.0, -1}};
+  EXPECT_EQ(written(true)["converged"], true);
+  EXPECT_EQ(written(false)["converged"], false);
+  EXPECT_EQ(written({})["converged"], true);  // a deck that continues this run
+  model.solves.push_back({14, 1e-5, 2e-5, 200, 1.5, false, 3.0, 1});
+  const json summary = written(true);
+  EXPECT_EQ(summary["converged"], false);
+  EXPECT_EQ(summary["solves"][0]["largest_unbalanced"], nullptr);
+  EXPECT_EQ(summary["solves"][1],
+            json({{"line", 14},
+                  {"ratio", 1e-5},
+                  {"reached", 2e-5},
+                  {"converged", false},
+                  {"steps", 200},
+                  {"time", 1.5},
+                  {"largest_unbalanced", {{"block", 2}, {"force", 3.0}}}}));
+}
+
 TEST(Summary, HasTheEnergyAccountIfItIsKept) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();

@@ -16,9 +16,10 @@ using ::testing::HasSubstr;
 class ExportTimes : public ::testing::Test {
  protected:
   void SetUp() override {
-    run_text(folder_, "fall",
-             preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
-                 "GRAVITY, 1, -10\nPLOTS, 0.01\nCYCLE, 100\n");
+    run_text(
+        folder_, "fall",
+        preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
+            "GRAVITY, 1, -10\nPLOTS, 0.01\nHISTORY, 0.01, unbalanced:2\nCYCLE, 100\n");
   }
   Outcome run(const std::string& arguments) const {
     return blocks("export fall.vtkhdf " + arguments, folder_.path());

@@ -19,9 +19,9 @@ using ::testing::HasSubstr;
 
 /// A deck of two blocks in cm, g, ms. One block falls onto the other, which is fixed.
 std::string deck(const std::string& units) {
-  std::string text = preliminary() + rectangle(-5, -1, 5, 0, true) +
-                     rectangle(0, 0.001, 1, 1) +
-                     "GRAVITY, 1, -10\nPLOTS, 0.01\nCYCLE, 100\n";
+  std::string text =
+      preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0.001, 1, 1) +
+      "GRAVITY, 1, -10\nPLOTS, 0.01\nHISTORY, 0.01, unbalanced:2\nCYCLE, 100\n";
   const auto end = text.find("\nEND\n") + 1;
   text.insert(end, units);
   const auto material = text.find("MATERIAL, 1");

@@ -132,7 +132,7 @@ TEST_F(CheckWarnings, BlameFrictionGivenInDegrees) {
 TEST_F(CheckWarnings, TellOfADeckWithoutMotion) {
   EXPECT_THAT(
       warnings_of(rectangle(0, 0, 1, 1) + "STOP\n"),
-      HasSubstr("warning: STOP: the deck has no MOTION or CYCLE, so a run makes "
+      HasSubstr("warning: STOP: the deck has no MOTION, CYCLE or SOLVE, so a run makes "
                 "no step\n"));
 }
 

@@ -118,6 +118,22 @@ TEST(Resumed, DeckWithCardsBetweenMotionsHasTheSameBits) {
   expect_resumable(folder / "between.deck", "--seed 5 --set STIFF.stifn=1.E8", 5);
 }
 
+// Gravity is still rising at the stops. A block flies, so the run warns.
+TEST(Resumed, DeckWithDampingInARampOfGravityHasTheSameBits) {
+  const std::string bricks = rectangle(-5, -1, 5, 0, true) + rectangle(-3, 0, -2, 1) +
+                             rectangle(-2.5, 1, -1.5, 2) + rectangle(1, 3, 2, 4);
+  const TemporaryFolder folder;
+  for (const std::string kind : {"RIGID\n", ""}) {
+    folder.write("ramp.deck", preliminary(kind) + bricks +
+                                  "GRAVITY, 0, -10, 0.7\nLOCDAMP, .5\n"
+                                  "HISTORY, 0.01, energy:artificial, energy:residual\n"
+                                  "PLOTS, 0.1\nMOTION, 0.6\nKINDAMP\nMOTION, 0.05\n");
+    expect_resumable(folder / "ramp.deck", "", 4);
+    const Outcome run = blocks("run ramp.deck", folder.path());
+    EXPECT_THAT(run.err, HasSubstr("block 4 flies at time"));
+  }
+}
+
 // The second card asks for other quantities, the third one for those of the first.
 TEST(Resumed, DeckWithHistoriesHasTheSameBits) {
   std::string deck = layers_and_loads;

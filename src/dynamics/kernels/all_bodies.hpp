@@ -2,6 +2,7 @@
 // defines two macros: BLOCKS_INSTRUCTION_SET, which is also the namespace, and
 // BLOCKS_LANES_AT_ONCE, the number of doubles in a register.
 #include "dynamics/kernels/contact_kernel_body.hpp"
+#include "dynamics/kernels/damping_kernel_body.hpp"
 #include "dynamics/kernels/face_kernel_body.hpp"
 #include "dynamics/kernels/kernels.hpp"
 #include "dynamics/kernels/motion_kernel_body.hpp"
@@ -16,6 +17,7 @@ constinit const Kernels kernels = {BLOCKS_NAME_OF(BLOCKS_INSTRUCTION_SET),
                                    test_and_compute_forces,
                                    compute_forces,
                                    find_faces,
+                                   damp_unbalanced,
                                    update_velocities,
                                    update_strain,
                                    move};

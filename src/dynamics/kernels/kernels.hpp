@@ -30,6 +30,10 @@ struct Kernels {
   /// Finds which faces act, for eight pairs of convex parts (face_kernel.hpp).
   void (*find_faces)(const PartPairs&, const BlockState&, FacingAnswers&);
 
+  /// Local damping: subtracts from velocities, spins and strain rates. It has to
+  /// precede the updates below.
+  void (*damp_unbalanced)(const BlockColumns&, const LocalDamping&, bool rigid,
+                          int begin, int end);
   /// (1), (2): updates velocities and spins.
   void (*update_velocities)(const BlockColumns&, int begin, int end, double gravity_x,
                             double gravity_y, double dt);

@@ -22,6 +22,12 @@ struct Moduli {
   const double *c11, *c12;
   const double* twice_shear;  ///< 2 G
 };
+/// What local damping needs to know of a step (docs/rest.md#local-damping).
+struct LocalDamping {
+  double alpha_dt;              ///< [T] alpha times the time step
+  double gravity_x, gravity_y;  ///< [L/T^2]
+  double* work;  ///< [F L] (n) receives the energy taken from each block, or null
+};
 /// The domain, [L].
 struct Rectangle {
   double lower_x, lower_y, upper_x, upper_y;

@@ -1,29 +1,12 @@
 // The motion of blocks (kernels.hpp). Included once for each instruction set, in a
 // namespace of its own.
 #include "dynamics/kernels/corner_motion_body.hpp"
+#include "dynamics/kernels/free_lanes_body.hpp"
 #include "dynamics/kernels/motion_kernel.hpp"
 #include "dynamics/kernels/simd.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
-
-/// Returns the lanes that have a free block.
-template <class Lanes>
-BLOCKS_INLINE Mask free_lanes(const BlockColumns& blocks, int b, Lanes lanes) {
-  return __builtin_convertvector(load_ints(blocks.fixity + b, lanes) == 0, Mask);
-}
-
-/// Returns `changed` for free blocks and `kept` for the others.
-BLOCKS_INLINE Points select(Mask free, const Points& changed, const Points& kept) {
-  return {low_turns(free, free, EachLane()) ? changed.part[0] : kept.part[0],
-          high_turns(free, free, EachLane()) ? changed.part[1] : kept.part[1]};
-}
-BLOCKS_INLINE Tensor select(Mask free, const Tensor& changed, const Tensor& kept) {
-  Tensor all;
-  for (int i = 0; i < 4; ++i)
-    all[i] = free ? changed[i] : kept[i];
-  return all;
-}
 
 /// The Cayley rotation, h = spin dt / 2 (docs/theory.md#corners). It is orthogonal to
 /// round-off and needs no trigonometric functions.

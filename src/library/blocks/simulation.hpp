@@ -63,14 +63,15 @@ struct ContactForce {
 /// throw std::out_of_range if there is no such block.
 class Simulation {
  public:
-  /// Executes the cards of a deck in order: START to END, then blocks and loads. MOTION
-  /// and CYCLE advance the time. The number of threads is 1 to 1024 and does not affect
-  /// the results. File names on cards are relative to the current directory.
+  /// Executes the cards of a deck in order: START to END, then blocks and loads.
+  /// MOTION, CYCLE and SOLVE advance the time. The number of threads is 1 to 1024 and
+  /// does not affect the results. File names on cards are relative to the current
+  /// directory.
   ///
   /// Throws DeckError for errors in the cards, and std::runtime_error if a file (READ9,
   /// RESTART) cannot be read. Throws std::invalid_argument if `threads` is out of range
   /// or BLOCKS_SIMD names an instruction set that the machine lacks. Throws UnsoundRun
-  /// from a MOTION or CYCLE card.
+  /// from one of these cards.
   explicit Simulation(const std::string& deck, int threads = 1);
 
   /// Like the constructor, but reads the deck from a file. File names on its cards are
@@ -83,13 +84,13 @@ class Simulation {
 
   /// Executes further problem cards, one per line: "SETVEL, 3, 0, 1.5\nFRICTN, 0.4". If
   /// they contain errors, it throws DeckError and leaves the model unchanged, unless a
-  /// MOTION or CYCLE among them has already advanced the time.
+  /// MOTION, CYCLE or SOLVE among them has already advanced the time.
   void cards(const std::string& text);
 
   /// All warnings so far, in printed form. Cards give warnings such as overlapping
   /// blocks or a large FRACTION. Steps give a warning for each block that left the
   /// domain, where it is then fixed. They also warn once that a corner moved by more
-  /// than ctol in one step.
+  /// than ctol in one step. A SOLVE card that has not converged gives a warning.
   const std::vector<std::string>& warnings() const;
 
   /// Makes `count` steps of time_step(). Throws UnsoundRun, std::logic_error if there
@@ -123,6 +124,9 @@ class Simulation {
 
   double kinetic_energy() const;  ///< [F L]
   double worst_overlap() const;   ///< [L] largest overlap of any contact so far
+  /// The ratio of the unbalanced forces in the last step: 0 in equilibrium, 1 if all
+  /// blocks fall freely. It means nothing before the first step.
+  double unbalanced_ratio() const;
 
   /// Sets the velocity [L/T] and spin [rad/T] of a free block. Forces change them from
   /// the next step on. To apply a force F for one step, set the velocity to velocity()

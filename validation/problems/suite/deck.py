@@ -27,14 +27,15 @@ def with_lines(text, **lines):
 # Cards that are the same in every frame.
 FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "BOXES", "FUNCTION",
              "FIX", "FRICTN", "DAMPING", "MERGE", "ORIENT", "PRESSBC", "OUTPUT", "PLOTS", "DUMP",
-             "MOTION", "CYCLE", "STOP", "UNITS", "JOINT", "JPAIR", "BOND", "WALTON", "BARTON", "CUT"}
+             "MOTION", "CYCLE", "STOP", "UNITS", "JOINT", "JPAIR", "BOND", "WALTON", "BARTON", "CUT",
+             "LOCDAMP", "KINDAMP", "SOLVE", "SERVO", "QUIET"}
 
 
 def turned(text, degrees, shift=(0.0, 0.0)):
     """Returns the deck in a frame turned anticlockwise and then shifted. It turns the corners of
-    CREATE, OUTLINE and LAYER, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE, DRIVE and JSET,
-    and enlarges the domain. Raises ValueError for a card that it cannot turn (READ9, RESTART) or
-    that continues on the next line."""
+    CREATE, OUTLINE and LAYER, and CLOOP, SETVEL, SETVELM, FORCE, GRAVITY, SPLANE, DRIVE, JSET
+    and INSITU, and enlarges the domain. Raises ValueError for a card that it cannot turn (READ9,
+    RESTART, INSITU with a gradient) or that continues on the next line."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
 
     def turn(x, y, by=(0.0, 0.0)):
@@ -79,6 +80,14 @@ def turned(text, degrees, shift=(0.0, 0.0)):
             card[2] = f"{real(card, 2) + degrees:.15g}"
             card[10:12] = (f"{v:.15g}" for v in turn(real(card, 10), real(card, 11), shift))
             out.append(", ".join(card))
+        elif name == "INSITU":
+            if any(real(card, k) for k in range(4, 7)):
+                raise ValueError(f"a gradient cannot be turned: {line}")
+            xx, yy, xy = (real(card, k) for k in (1, 2, 3))
+            mean, half, shear = (xx + yy) / 2, (xx - yy) / 2, xy
+            c2, s2 = c * c - s * s, 2 * s * c
+            half, shear = c2 * half - s2 * shear, s2 * half + c2 * shear
+            out.append(f"INSITU, {mean + half:.15g}, {mean - half:.15g}, {shear:.15g}")
         elif name in pairs:
             first, count, points = pairs[name]
             if points and len(card) < first + 2 * count:

@@ -1,0 +1,96 @@
+#include "deck/rest_cards.hpp"
+
+#include <limits>
+
+#include "deck/commands.hpp"
+
+namespace blocks::deck {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{};
+constexpr Range positive{0, infinity, true, false, false};
+constexpr Range from_one{1, infinity, false, false, false};
+constexpr Range off_or_on{0, 1, false, false, false};
+constexpr Range below_one{0, 1, false, true, false};
+constexpr Range ratio{0, 1, true, true, false};
+constexpr Range two_tests{Solve::fewest_steps, infinity, false, false, false};
+
+}  // namespace
+
+std::vector<CardSpec> rest_cards() {
+  using enum Kind;
+  return {
+      {.name = "LOCDAMP",
+       .section = "ours",
+       .summary = "local damping, for statics",
+       .fields = {{"alpha", real, ".8", below_one, "[-]",
+                   "part of the unbalanced force that opposes the motion; 0: none"}},
+       .notes = "A block is slowed down by alpha times its unbalanced force, gravity "
+                "included; its spin and its strain rates likewise. A block in free "
+                "flight falls at (1 - alpha) times gravity.",
+       .example = "LOCDAMP, .8"},
+      {.name = "KINDAMP",
+       .section = "ours",
+       .summary = "kinetic damping, for statics",
+       .fields = {{"on", integer, "1", off_or_on, "[-]", "1: on, 0: off"}},
+       .notes = "All free blocks are stopped whenever the kinetic energy of the model "
+                "has passed a peak.",
+       .example = "KINDAMP, 0"},
+      {.name = "INSITU",
+       .section = "ours",
+       .summary = "stress in the ground at the start",
+       .fields = {{"sxx", real, "0", any, "[F/L^2]",
+                   "stress at y = 0, tension positive"},
+                  {"syy", real, "0", any, "[F/L^2]",
+                   "stress at y = 0, tension positive"},
+                  {"sxy", real, "0", any, "[F/L^2]", "shear stress at y = 0"},
+                  {"dxx", real, "0", any, "[F/L^3]", "gradient of sxx in y"},
+                  {"dyy", real, "0", any, "[F/L^3]", "gradient of syy in y"},
+                  {"dxy", real, "0", any, "[F/L^3]", "gradient of sxy in y"}},
+       .notes = "Loads the flush faces of all blocks at its place in the deck, and "
+                "gives deformable blocks the stress at their centroids.",
+       .example = "INSITU, -1.D4, -2.D4"},
+      {.name = "SERVO",
+       .section = "ours",
+       .summary = "drive a fixed block so that its side holds a normal stress",
+       .fields = {{"nb", integer, {}, from_one, "[-]", "number of a fixed block"},
+                  {"nside", integer, {}, from_one, "[-]", "number of its side"},
+                  {"s", real, {}, any, "[F/L^2]", "normal stress, tension positive"},
+                  {"vmax", real, {}, positive, "[L/T]", "largest speed"}},
+       .notes =
+           "The block moves along the normal of the side. The stress is the force "
+           "of the springs of all contacts of the block in that direction, divided "
+           "by the length of the side. DRIVE, FIX, REMOVE and FREE end the servo.",
+       .example = "SERVO, 1, 2, -1.D5, .01"},
+      {.name = "QUIET",
+       .section = "ours",
+       .summary = "let waves leave through a side",
+       .fields = {{"nb", integer, {}, from_one, "[-]", "block number"},
+                  {"nside", integer, {}, from_one, "[-]", "number of its side"},
+                  {"cp", real, "", positive, "[L/T]",
+                   "speed of compression waves; blank: from the elastic constants"},
+                  {"cs", real, "", positive, "[L/T]",
+                   "speed of shear waves; blank: from the elastic constants"}},
+       .notes =
+           "Dashpots at the two corners of the side carry off the energy of waves. "
+           "A fixed block is freed; the reaction that held it stays as a constant "
+           "force on the side. With RIGID, cp must be given; a blank cs is then "
+           "half of cp.",
+       .example = "QUIET, 1, 4, 3000., 1500."},
+      {.name = "SOLVE",
+       .section = "ours",
+       .summary = "run until the forces are balanced",
+       .fields = {{"ratio", real, "1.D-5", ratio, "[-]",
+                   "sum of the unbalanced forces over that of all forces"},
+                  {"nmax", integer, "100000", two_tests, "[-]", "most time steps"}},
+       .notes =
+           "The ratio is tested every 10 steps. The card ends when two successive "
+           "tests find at most the one given. If nmax steps do not reach it, there "
+           "is a warning, and the deck continues. Needs damping: DAMPING, LOCDAMP "
+           "or KINDAMP.",
+       .example = "SOLVE, 1.D-5, 20000"},
+  };
+}
+
+}  // namespace blocks::deck

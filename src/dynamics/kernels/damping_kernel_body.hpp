@@ -1,0 +1,82 @@
+// Local damping of blocks (kernels.hpp, docs/rest.md#local-damping). Included once for
+// each instruction set, in a namespace of its own.
+#include "dynamics/kernels/corner_motion_body.hpp"
+#include "dynamics/kernels/free_lanes_body.hpp"
+#include "dynamics/kernels/motion_kernel.hpp"
+#include "dynamics/kernels/simd.hpp"
+
+namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
+namespace {
+
+/// Returns the Frobenius norm of a symmetric tensor.
+BLOCKS_INLINE Pack norm(Pack t11, Pack t12, Pack t22) {
+  return root((t11 * t11 + t22 * t22) + 2.0 * (t12 * t12));
+}
+
+/// Damps the strain rates of a pack of blocks. Returns the work of the damping, [F L].
+template <class Lanes>
+BLOCKS_INLINE Pack damp_strain(const BlockColumns& blocks, const LocalDamping& damping,
+                               Mask free, int b, Lanes lanes) {
+  const Pack area = load(blocks.area + b, lanes);
+  const Point l = extents(blocks, b, lanes);
+  const Pack mass_per_area = 0.25 * load(blocks.mass + b, lanes) / area;
+  const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
+  const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
+  const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
+  const Tensor rate = load_rows<4>(blocks.strain_rate, b, lanes);
+  const Pack force =
+      norm(applied[0] - stress[0], 0.5 * (applied[1] + applied[2]) - stress[1],
+           applied[3] - stress[3]);
+  const Pack speed = norm(rate[0], rate[1], rate[3]);
+  const Mask moves = free & (speed > 0.0);
+  const Pack scale = damping.alpha_dt * force / speed;
+  const Pack shear = rate[1] - scale * rate[1] / (0.5 * (m11 + m22));
+  const Tensor slower = {rate[0] - scale * rate[0] / m11, shear, shear,
+                         rate[3] - scale * rate[3] / m22};
+  store_rows(blocks.strain_rate, b, lanes, select(moves, slower, rate));
+  return moves ? damping.alpha_dt * area * force * speed : Pack{};
+}
+
+/// Damps the velocities and spins of a pack of blocks. Returns the work of the damping,
+/// [F L].
+template <class Lanes>
+BLOCKS_INLINE Pack damp_velocities(const BlockColumns& blocks,
+                                   const LocalDamping& damping, Mask free, int b,
+                                   Lanes lanes) {
+  const Pack mass = load(blocks.mass + b, lanes);
+  const Points force = load_columns<2>(blocks.force, b, lanes);
+  const Points velocity = load_columns<2>(blocks.velocity, b, lanes);
+  const Pack acceleration = root(squared_norm(
+      force / twice(mass) + everywhere(damping.gravity_x, damping.gravity_y)));
+  const Pack speed = root(squared_norm(velocity));
+  const Mask moves = free & (speed > 0.0);
+  const Points loss = twice(damping.alpha_dt * acceleration / speed);
+  const Points slower = {velocity.part[0] - loss.part[0] * velocity.part[0],
+                         velocity.part[1] - loss.part[1] * velocity.part[1]};
+  store_columns(blocks.velocity, b, lanes, select(moves, slower, velocity));
+
+  const Pack moment = absolute(load(blocks.moment + b, lanes));
+  const Pack spin = load(blocks.spin + b, lanes);
+  const Pack slows = damping.alpha_dt * (moment / load(blocks.inertia + b, lanes));
+  const Mask turns = free & (spin != 0.0);
+  store(blocks.spin + b, lanes, turns ? spin - (spin > 0.0 ? slows : -slows) : spin);
+  const Pack work = moves ? damping.alpha_dt * mass * acceleration * speed : Pack{};
+  return work + (turns ? damping.alpha_dt * moment * absolute(spin) : Pack{});
+}
+
+}  // namespace
+
+void damp_unbalanced(const BlockColumns& blocks, const LocalDamping& damping,
+                     bool rigid, int first, int last) {
+  each_pack(
+      first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
+        const Mask free = free_lanes(blocks, b, lanes);
+        Pack work = damp_velocities(blocks, damping, free, b, lanes);
+        if (!rigid)
+          work += damp_strain(blocks, damping, free, b, lanes);
+        if (damping.work != nullptr)
+          store(damping.work + b, lanes, work);
+      });
+}
+
+}  // namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET

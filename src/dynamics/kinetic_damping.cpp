@@ -1,0 +1,33 @@
+#include "dynamics/kinetic_damping.hpp"
+
+#include "dynamics/block_energy.hpp"
+
+namespace blocks::dynamics {
+
+bool stop_at_peak(Model& model, const WorkSplit& split, Workers& workers,
+                  std::vector<BlockTally>& tallies, std::vector<int>& shares) {
+  Blocks& blocks = model.blocks;
+  const bool rigid = model.settings.rigid;
+  const double energy = tally_all(blocks.size(), tallies, split, workers, shares,
+                                  [&](int b, BlockTally& tally) {
+                                    if (!blocks.is_free(b))
+                                      return;
+                                    const BlockMotion motion = motion_of(blocks, b);
+                                    tally.kinetic += kinetic_energy(
+                                        masses_of(blocks, b, rigid), motion, motion);
+                                  })
+                            .kinetic;
+  const bool has_peaked = energy < model.kinetic_energy;
+  model.kinetic_energy = has_peaked ? 0.0 : energy;
+  if (!has_peaked)
+    return false;
+  for (int b = 0; b < blocks.size(); ++b)
+    if (blocks.is_free(b)) {
+      blocks.velocity.col(b).setZero();
+      blocks.spin[b] = 0.0;
+      blocks.strain_rate.col(b).setZero();
+    }
+  return true;
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,158 @@
+#include "dynamics/quiet_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "dynamics/applied_force.hpp"
+#include "dynamics/block_energy.hpp"
+#include "dynamics/point_velocity.hpp"
+#include "model/removal.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Numbers of the corner where a side begins and of the next one.
+struct SideEnds {
+  int first, second;
+};
+SideEnds ends_of(const Blocks& blocks, const QuietSide& quiet) {
+  const int c = blocks.first_corner[quiet.block] + quiet.side;
+  return {c, blocks.next[c]};
+}
+
+/// The coefficients of the dashpots at each corner of a side, [F T/L]: the force is
+/// -(normal p p^T + along a a^T) v with the vector a along the side and p at right
+/// angles to it, both of the length of the side.
+struct Dashpots {
+  Vec2 a, p;
+  double normal, along;
+};
+Dashpots dashpots_of(const Blocks& blocks, const QuietSide& quiet) {
+  const auto [c1, c2] = ends_of(blocks, quiet);
+  const Vec2 a = blocks.corner.col(c2) - blocks.corner.col(c1);
+  const double density = blocks.mass[quiet.block] / blocks.area[quiet.block];
+  const double half = 0.5 * density / std::sqrt(a.squaredNorm());
+  return {a, Vec2(-a.y(), a.x()), half * quiet.cp, half * quiet.cs};
+}
+
+/// Divides the force and the moment about the centroid between the ends of a side, as a
+/// traction that is linear along the side.
+void hold(const Blocks& blocks, QuietSide& quiet, const Vec2& force, double moment) {
+  const auto [c1, c2] = ends_of(blocks, quiet);
+  const Vec2 arm1 = blocks.present_arm(c1), arm2 = blocks.present_arm(c2);
+  const Vec2 along = arm2 - arm1, normal(-along.y(), along.x());
+  const double couple = moment - cross(0.5 * (arm1 + arm2), force);
+  const Vec2 more = couple / along.squaredNorm() * normal;
+  quiet.first += 0.5 * force - more;
+  quiet.second += 0.5 * force + more;
+}
+
+}  // namespace
+
+QuietForces forces_of(const Blocks& blocks, const QuietSide& quiet) {
+  const auto [c1, c2] = ends_of(blocks, quiet);
+  const Dashpots by = dashpots_of(blocks, quiet);
+  QuietForces forces;
+  forces.arm[0] = blocks.present_arm(c1), forces.arm[1] = blocks.present_arm(c2);
+  for (int i = 0; i < 2; ++i) {
+    const Vec2 v = point_velocity(blocks, quiet.block, forces.arm[i]);
+    forces.velocity[i] = v;
+    forces.force[i] =
+        -(by.normal * by.p.dot(v)) * by.p - (by.along * by.a.dot(v)) * by.a;
+  }
+  return forces;
+}
+
+void add_quiet_sides(Blocks& blocks, const std::vector<QuietSide>& sides) {
+  for (const QuietSide& quiet : sides) {
+    const QuietForces forces = forces_of(blocks, quiet);
+    add_force(blocks, quiet.block, forces.arm[0], quiet.first + forces.force[0]);
+    add_force(blocks, quiet.block, forces.arm[1], quiet.second + forces.force[1]);
+  }
+}
+
+QuietPower power_of_quiet_sides(const Model& model) {
+  QuietPower power;
+  for (const QuietSide& quiet : model.loads.quiet_sides) {
+    const QuietForces forces = forces_of(model.blocks, quiet);
+    power.constant += quiet.first.dot(forces.velocity[0]);
+    power.constant += quiet.second.dot(forces.velocity[1]);
+    for (int i = 0; i < 2; ++i)
+      power.dashpots += forces.force[i].dot(forces.velocity[i]);
+  }
+  return power;
+}
+
+double decay_rate(const Blocks& blocks, bool rigid, int b,
+                  const std::vector<QuietSide>& sides) {
+  // Motions are v1, v2, spin and the strain rates 11, 22, 12, scaled by the roots of
+  // their masses. The dashpots are a symmetric matrix on them.
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  const BlockMasses masses = masses_of(blocks, b, rigid);
+  Vector6 scale;
+  scale << masses.mass, masses.mass, masses.inertia, masses.strain[0], masses.strain[1],
+      masses.strain[2];
+  for (int i = 0; i < 6; ++i)
+    scale[i] = scale[i] > 0.0 ? 1.0 / std::sqrt(scale[i]) : 0.0;
+  Matrix6 matrix = Matrix6::Zero();
+  for (const QuietSide& quiet : sides) {
+    if (quiet.block != b)
+      continue;
+    const Dashpots by = dashpots_of(blocks, quiet);
+    const auto [c1, c2] = ends_of(blocks, quiet);
+    for (const int corner : {c1, c2}) {
+      const Vec2 arm = blocks.present_arm(corner);
+      const double x = arm.x(), y = arm.y();
+      Eigen::Matrix<double, 2, 6> motion;
+      motion << 1, 0, -y, x, 0, y, 0, 1, x, 0, y, x;
+      const Eigen::Matrix<double, 2, 6> scaled = motion * scale.asDiagonal();
+      const Vector6 normal = scaled.transpose() * by.p;
+      const Vector6 along = scaled.transpose() * by.a;
+      matrix += by.normal * normal * normal.transpose();
+      matrix += by.along * along * along.transpose();
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Matrix6> solved(matrix, Eigen::EigenvaluesOnly);
+  return solved.eigenvalues().maxCoeff();
+}
+
+Vec2 make_quiet(Model& model, const QuietSide& quiet) {
+  Blocks& blocks = model.blocks;
+  const int b = quiet.block;
+  std::vector<QuietSide>& sides = model.loads.quiet_sides;
+  const auto same =
+      std::find_if(sides.begin(), sides.end(), [&](const QuietSide& other) {
+        return other.block == b && other.side == quiet.side;
+      });
+  QuietSide& side = same == sides.end() ? sides.emplace_back(quiet) : *same;
+  side.cp = quiet.cp, side.cs = quiet.cs;
+  if (blocks.is_free(b))
+    return {0, 0};
+  free_blocks(model, {b});
+  const Vec2 weight = blocks.mass[b] * model.settings.gravity_at(model.time);
+  const Vec2 held = Vec2::Zero() - Vec2(blocks.force.col(b)) - weight;
+  const QuietSide before = side;
+  hold(blocks, side, held, -blocks.moment[b]);
+  if (!model.settings.rigid) {
+    // The next step finds these sums (9) again.
+    Eigen::Vector4d applied = blocks.applied.col(b) * blocks.area[b];
+    const auto [c1, c2] = ends_of(blocks, side);
+    const auto include = [&](const Vec2& arm, const Vec2& f) {
+      applied += Eigen::Vector4d(f.x() * arm.x(), f.x() * arm.y(), f.y() * arm.x(),
+                                 f.y() * arm.y());
+    };
+    include(blocks.present_arm(c1), side.first - before.first);
+    include(blocks.present_arm(c2), side.second - before.second);
+    applied /= blocks.area[b];
+    const double shear = 0.5 * (applied[1] + applied[2]);
+    blocks.stress.col(b) = Eigen::Vector4d(applied[0], shear, shear, applied[3]);
+  }
+  return held;
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,82 @@
+#include "model/equilibrium.hpp"
+
+#include <cmath>
+
+namespace blocks {
+double time_of_forces(const Model& model) {
+  return model.steps > 0 ? model.time - model.time_step.dt : model.time;
+}
+
+namespace {
+
+/// Returns the norm of the forces of the loads, [F].
+double sum_of_loads(const Model& model, double time) {
+  const Loads& loads = model.loads;
+  const Blocks& blocks = model.blocks;
+  double sum = 0.0;
+  for (const Pressure& pressure : loads.pressures) {
+    const int c = blocks.first_corner[pressure.block] + pressure.side;
+    const double length =
+        (blocks.corner.col(blocks.next[c]) - blocks.corner.col(c)).norm();
+    sum += std::abs(loads.function.factor(time, pressure.arrival)) * length *
+           (std::abs(pressure.p1) + std::abs(pressure.p2)) / 2.0;
+  }
+  for (const CentroidForce& load : loads.forces)
+    sum += std::abs(loads.function.factor(time, load.arrival)) * load.force.norm();
+  for (const QuietSide& quiet : loads.quiet_sides)
+    sum += quiet.first.norm() + quiet.second.norm();
+  return sum;
+}
+
+double unbalanced_force(const Model& model, int b, const Vec2& gravity) {
+  const Blocks& blocks = model.blocks;
+  if (!blocks.is_free(b))
+    return 0.0;
+  const double gyration = std::sqrt(blocks.inertia[b] / blocks.mass[b]);
+  double sum = (blocks.force.col(b) + blocks.mass[b] * gravity).norm() +
+               std::abs(blocks.moment[b]) / gyration;
+  if (!model.settings.rigid) {
+    const auto stress = blocks.stress.col(b), applied = blocks.applied.col(b);
+    const double shear = 0.5 * (applied[1] + applied[2]) - stress[1];
+    const double xx = applied[0] - stress[0], yy = applied[3] - stress[3];
+    sum +=
+        blocks.area[b] * std::sqrt(xx * xx + 2.0 * shear * shear + yy * yy) / gyration;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double unbalanced_force(const Model& model, int b) {
+  return unbalanced_force(model, b, model.settings.gravity_at(time_of_forces(model)));
+}
+
+void unbalanced_forces(const Model& model, Eigen::VectorXd& forces) {
+  const Vec2 gravity = model.settings.gravity_at(time_of_forces(model));
+  forces.resize(model.blocks.size());
+  for (int b = 0; b < model.blocks.size(); ++b)
+    forces[b] = unbalanced_force(model, b, gravity);
+}
+
+bool is_damped_to_rest(const Settings& settings) {
+  return settings.local_damping > 0.0 || settings.kinetic_damping;
+}
+
+double unbalanced_ratio(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  const double time = time_of_forces(model);
+  const Vec2 gravity = model.settings.gravity_at(time);
+  double unbalanced = 0.0, all = sum_of_loads(model, time);
+  for (int b = 0; b < blocks.size(); ++b) {
+    unbalanced += unbalanced_force(model, b, gravity);
+    if (blocks.is_free(b))
+      all += blocks.mass[b] * gravity.norm();
+  }
+  for (const Contact& contact : model.contacts)
+    all += Vec2(contact.normal_force, contact.shear_force).norm();
+  for (int i = 0; i < model.plane_contacts.size(); ++i)
+    all += std::abs(model.plane_contacts.normal_force[i]);
+  return all > 0.0 ? unbalanced / all : 0.0;
+}
+
+}  // namespace blocks

@@ -1,0 +1,59 @@
+// Decides when the steps of a SOLVE card have reached equilibrium (docs/rest.md#solve).
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "deck/commands.hpp"
+#include "model/model.hpp"
+
+namespace blocks::run {
+
+/// Follows the unbalanced ratio (model/equilibrium.hpp) during one SOLVE card. The
+/// ratio is tested after every Solve::test_interval-th step of the card and after its
+/// last one. The forces are balanced when two successive tests find at most the ratio
+/// of the card, because a block that swings passes its position of rest.
+class Convergence {
+ public:
+  /// For a card of which `made` steps were made before a restart. `was_below` is
+  /// below() at that moment.
+  explicit Convergence(const deck::Solve& card, long made = 0, bool was_below = false);
+
+  /// Whether the model must be read after the next step, because it will be tested.
+  bool is_due() const;
+  /// Counts a step. If a test was due, the model must be up to date.
+  void after_step(const Model& model);
+
+  bool is_balanced() const { return balanced_; }
+  /// Whether the card needs no more steps: balanced, or all steps made.
+  bool is_finished() const { return balanced_ || made_ >= most_; }
+  /// Whether the last test found at most the ratio of the card.
+  bool below() const { return below_; }
+  /// The ratio found by the last test, [-]; NaN if none was made.
+  double ratio() const { return ratio_; }
+  /// Whether the last test has found the ratio in a lower decade than all tests before
+  /// it.
+  bool has_new_decade() const { return new_decade_; }
+  /// Estimates the completed share of the card, 0 to 1, from the logarithm of the
+  /// ratio. It never decreases.
+  double share() const { return share_; }
+  /// The result of the card, once it is finished. `line` is that of the card.
+  SolveRecord record(const Model& model, int line) const;
+
+ private:
+  double wanted_;
+  long most_, made_;
+  bool below_, balanced_ = false, new_decade_ = false;
+  double ratio_ = std::numeric_limits<double>::quiet_NaN();
+  double first_ratio_ = 0.0;                                 ///< of the first test
+  double decade_ = std::numeric_limits<double>::infinity();  ///< floor(log10(ratio))
+  double share_ = 0.0;
+};
+
+/// Tells the result of a SOLVE card in one line, for the console.
+std::string solve_line(const SolveRecord& solve);
+/// The warning if the card has not converged: the ratio, the block with the largest
+/// unbalanced force, and what may help.
+std::string solve_warning(const SolveRecord& solve, const Settings& settings);
+
+}  // namespace blocks::run
