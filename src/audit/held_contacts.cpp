@@ -45,6 +45,12 @@ int HeldContacts::holds_open(const CornerEdge& contact, double offset,
   return std::abs(least) <= tolerance ? -1 : least > 0.0 ? 1 : 0;
 }
 
+std::array<CornerEdge, 2> HeldContacts::at_same_end(const CornerEdge& contact) const {
+  const auto [corner, edge] = contact;
+  return {CornerEdge(edge, blocks_.previous[corner]),
+          CornerEdge(blocks_.next[edge], corner)};
+}
+
 std::vector<CornerEdge> HeldContacts::expected(const BlockPair& pair,
                                                const std::vector<CornerEdge>& by_rule,
                                                const std::vector<CornerEdge>& acting,
@@ -73,6 +79,10 @@ std::vector<CornerEdge> HeldContacts::expected(const BlockPair& pair,
     const bool acts = std::binary_search(acting.begin(), acting.end(), key);
     if (open > 0 || (open < 0 && acts))
       all.insert(key);
+    if (open <= 0)
+      for (const CornerEdge& beside : at_same_end(key))
+        if (std::binary_search(acting.begin(), acting.end(), beside))
+          all.insert(beside);
   }
   return {all.begin(), all.end()};
 }

@@ -2,6 +2,7 @@
 // (docs/laws.md#results).
 #pragma once
 
+#include <array>
 #include <map>
 #include <utility>
 #include <vector>
@@ -30,7 +31,8 @@ class HeldContacts {
 
   /// Returns the contacts that must act between two blocks, in ascending order, given
   /// those of the rule and those that acted. Whether dilation still holds a contact is
-  /// decided in doubles with a tolerance; within it, the contact may act or not.
+  /// decided in doubles with a tolerance; within it, the contact may act or not. A
+  /// contact at the same end of a face may act after one that has just ended.
   std::vector<CornerEdge> expected(const BlockPair& pair,
                                    const std::vector<CornerEdge>& by_rule,
                                    const std::vector<CornerEdge>& acting,
@@ -41,6 +43,9 @@ class HeldContacts {
   /// tolerance.
   int holds_open(const CornerEdge& contact, double offset,
                  const ExactPairRule& rule) const;
+
+  /// Returns the contacts that may be at the same end of a face.
+  std::array<CornerEdge, 2> at_same_end(const CornerEdge& contact) const;
 
   const Blocks& blocks_;
   std::map<CornerEdge, HeldContact> held_;

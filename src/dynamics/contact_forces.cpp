@@ -55,6 +55,7 @@ void release_springs(const ContactArrays& arrays, int batch,
     if (!arrays.laws.none()) {
       released.back().stiffness = batches.at(slot, &JointRow::stiffness);
       released.back().shear_stiffness = batches.at(slot, &JointRow::shear_stiffness);
+      released.back().offset = batches.at(slot, &JointRow::offset);
     }
   });
 }
@@ -106,8 +107,8 @@ Extremes find_contact_forces(const Blocks& blocks, const Settings& settings, dou
   }
   if (!transfers_springs)
     released.clear();
-  transfer_springs(blocks, arrays, settings.normal_stiffness, split, workers,
-                   memory.transfer, memory.receivers);
+  transfer_springs(blocks, arrays, settings, split, workers, memory.transfer,
+                   memory.receivers);
   constexpr int batches_per_thread = 128;
   split.split_evenly(static_cast<int>(memory.receivers.size()), batches_per_thread,
                      memory.shares);

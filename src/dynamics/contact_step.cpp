@@ -16,8 +16,9 @@ int ContactSteps::law(int slot, int lane) const {
 }
 
 double ContactSteps::length(const JointRow* joints, int slot, int lane) const {
-  return law(slot, lane) != 0 ? joints[slot / lane_count].length[slot % lane_count]
-                              : 0.0;
+  return !is_stateless(law(slot, lane))
+             ? joints[slot / lane_count].length[slot % lane_count]
+             : 0.0;
 }
 
 ContactState<double> ContactSteps::state(const SpringRow* springs,
@@ -27,7 +28,7 @@ ContactState<double> ContactSteps::state(const SpringRow* springs,
   ContactState<double> state{};
   state.normal = springs[row].normal_elastic[k];
   state.shear = springs[row].shear_elastic[k];
-  if (law(slot, lane) == 0) {
+  if (is_stateless(law(slot, lane))) {
     state.stiffness = settings_.normal_stiffness;
     state.shear_stiffness = settings_.shear_stiffness;
     state.failed = 1.0;
@@ -79,7 +80,7 @@ ContactMotion<double> ContactSteps::motion(int slot, int lane) const {
 ContactForce<double> ContactSteps::force_of(int law, const ContactMotion<double>& moves,
                                             ContactState<double> state) const {
   ContactForce<double> force{};
-  if (law == 0) {
+  if (is_stateless(law)) {
     const ContactLaw usual{settings_.normal_stiffness, settings_.shear_stiffness,
                            settings_.friction, dt_};
     if (moves.starting > 0.0)
@@ -115,7 +116,7 @@ ContactStep ContactSteps::at(int slot, int lane) const {
     before.failed = 1.0;
   before.stiffness = after.stiffness, before.shear_stiffness = after.shear_stiffness;
   ContactMotion<double> moves = motion(slot, lane);
-  if (number != 0) {
+  if (!is_stateless(number)) {
     moves.length = length(batches.advanced_joints, slot, lane);
     moves.damping *= std::sqrt(after.stiffness / settings_.normal_stiffness);
   }

@@ -30,6 +30,8 @@ class ContactSteps {
                              int lane) const;
   /// Returns the number of the law; 0 for STIFF and FRICTN.
   int law(int slot, int lane) const;
+  /// Returns whether contacts of this law have no state.
+  bool is_stateless(int law) const { return law == 0 && !arrays_.laws.in_situ(); }
   double length(const JointRow* joints, int slot, int lane) const;
 
   const Blocks& blocks_;

@@ -33,7 +33,7 @@ LawValues<double> SpringEnergies::values_of(int law) const {
 
 SpringEnergy SpringEnergies::of(int law, ContactState<double> state,
                                 double length) const {
-  if (law == 0)
+  if (law == 0 && !laws_.in_situ())
     return {state.normal * state.normal * half_compliance_,
             state.shear * state.shear * half_shear_compliance_};
   if (!(state.stiffness > 0.0)) {

@@ -34,20 +34,63 @@ Spring joined(const Spring& own, const Spring& other, double limit) {
 class Choice {
  public:
   Choice(const Blocks& blocks, const ContactArrays& arrays,
-         const ReleasedSpring& released, double stiffness)
-      : blocks_(blocks), arrays_(arrays), released_(released), stiffness_(stiffness),
+         const ReleasedSpring& released, const Settings& settings)
+      : blocks_(blocks), arrays_(arrays), released_(released), settings_(settings),
         block_(blocks.corner_block[released.at.corner]),
         along_(along(released.at.edge)),
-        adds_(!arrays.laws.none() &&
-              arrays.laws.has_stiffness(
-                  arrays.laws.law_of(blocks, released.at.corner, released.at.edge))) {}
+        has_stiffness_(!arrays.laws.none() &&
+                       arrays.laws.has_stiffness(arrays.laws.law_of(
+                           blocks, released.at.corner, released.at.edge))),
+        is_held_(arrays.laws.in_situ() && released.offset > 0.0),
+        adds_(has_stiffness_ || is_held_) {}
 
   Successor best() {
+    // A held spring keeps its direction if any contact can take it so.
+    if (is_held_)
+      find_beside();
+    if (is_held_ && best_.slot < 0)
+      find(geometry::successor_cosine);
+    if (best_.slot < 0)
+      find(0.0);
+    return best_;
+  }
+
+ private:
+  /// Finds the contact at the same end of the face, which may not act yet. Its corner
+  /// is the end of the edge that the released corner has left. Other released contacts
+  /// have opened.
+  void find_beside() {
+    // A corner that has just left counts as such in spite of rounding.
+    constexpr double most_of = 1.0 - 0x1p-20;
+    if (is_between(released_.at, most_of * geometry::contact_slack))
+      return;
+    const auto [corner, edge] = released_.at;
+    const CornerOnEdge before{edge, blocks_.previous[corner]},
+        after{blocks_.next[edge], corner};
+    const int own = arrays_.lane_of_pair[released_.pair];
+    if (own >= 0)
+      each_row(own, [&](int row, const ContactRow& contacts, int k) {
+        const CornerOnEdge place{contacts.corner[k], contacts.edge[k]};
+        if ((place == before || place == after) &&
+            is_between(place, geometry::contact_slack))
+          consider(row, own, geometry::successor_cosine);
+      });
+  }
+  /// Returns whether the foot of a corner is between the ends of an edge. slack: part
+  /// of the length of the edge.
+  bool is_between(const CornerOnEdge& place, double slack) const {
+    const Vec2 start = at(place.edge), side = at(blocks_.next[place.edge]) - start;
+    const double part = (at(place.corner) - start).dot(side) / side.squaredNorm();
+    return part >= -slack && part <= 1.0 + slack;
+  }
+  /// Finds the best candidate. The cosine of the angle between the edge of the released
+  /// contact and that of another contact of the same corner must be above `least`.
+  void find(double least) {
     // Few contacts have the same corner, so this is tested first.
     arrays_.each_lane_of(block_, [&](unsigned lane, bool) {
       each_row(static_cast<int>(lane), [&](int row, const ContactRow& contacts, int k) {
         if (contacts.corner[k] == released_.at.corner && acts(row, k))
-          consider(row, static_cast<int>(lane), 0.0);
+          consider(row, static_cast<int>(lane), least);
       });
     });
     const int own = arrays_.lane_of_pair[released_.pair];
@@ -56,10 +99,7 @@ class Choice {
         if (acts(row, k))
           consider(row, own, geometry::successor_cosine);
       });
-    return best_;
   }
-
- private:
   template <class Visit> void each_row(int lane, const Visit& visit) const {
     const BatchPairs& batch = arrays_.batches.pairs[lane / lane_count];
     for (int row = batch.first_row; row < batch.first_row + batch.rows; ++row)
@@ -73,9 +113,13 @@ class Choice {
   Vec2 along(int edge) const {
     return (at(blocks_.next[edge]) - at(edge)).normalized();
   }
-  bool adds(int row, int k) const {
+  bool has_stiffness(int row, int k) const {
     return !arrays_.laws.none() &&
            arrays_.laws.has_stiffness(arrays_.batches.faces[row].law[k]);
+  }
+  /// Returns the depth of a corner below an edge, [L]; negative: a gap.
+  double depth(const CornerOnEdge& place) const {
+    return geometry::cross(at(place.corner) - at(place.edge), along(place.edge));
   }
   /// Adds the released springs to those of a contact.
   Successor added(int row, int lane_of_pair, double cosine) const {
@@ -85,31 +129,42 @@ class Choice {
     const JointRow& joints = batches.joints[row];
     const int edge = batches.contacts[row].edge[lane],
               law = batches.faces[row].law[lane];
-    // The time step is chosen for these stiffnesses.
+    // The time step is chosen for these stiffnesses. With STIFF an end of a face has
+    // two contacts at most.
     const double half = 0.5 * (at(blocks_.next[edge]) - at(edge)).norm();
     const LawColumns& laws = batches.laws;
+    const auto limit = [&](const double* per_length, double usual) {
+      return has_stiffness_ ? half * per_length[static_cast<std::size_t>(law)]
+                            : 2.0 * usual;
+    };
     const Spring normal =
         joined({springs.normal_elastic[lane], joints.stiffness[lane]},
                {cosine * released_.normal, released_.stiffness},
-               half * laws.normal_stiffness[static_cast<std::size_t>(law)]);
+               limit(laws.normal_stiffness, settings_.normal_stiffness));
     const Spring shear =
         joined({springs.shear_elastic[lane], joints.shear_stiffness[lane]},
                {cosine * released_.shear, released_.shear_stiffness},
-               half * laws.shear_stiffness[static_cast<std::size_t>(law)]);
+               limit(laws.shear_stiffness, settings_.shear_stiffness));
+    const CornerOnEdge place{batches.contacts[row].corner[lane], edge};
+    const double offset = is_held_
+                              ? std::max(joints.offset[lane],
+                                         normal.force / normal.stiffness - depth(place))
+                              : 0.0;
     return {row * lane_count + lane,
             lane_of_pair / lane_count,
             springs.normal_elastic[lane],
             normal.force,
             shear.force,
             normal.stiffness,
-            shear.stiffness};
+            shear.stiffness,
+            offset};
   }
   /// Makes a contact the best candidate if its normal spring gains more than that of
   /// the best one so far. The cosine of the angle between the two edges has to be above
   /// `least_cosine`. If the candidate's corner belongs to the other block, its edge
   /// runs in the opposite direction, so the sign of the cosine is changed.
   void consider(int row, int lane_of_pair, double least_cosine) {
-    if (adds_ != adds(row, lane_of_pair % lane_count))
+    if (has_stiffness_ != has_stiffness(row, lane_of_pair % lane_count))
       return;
     const int lane = lane_of_pair % lane_count;
     const ContactRow& contacts = arrays_.batches.contacts[row];
@@ -129,10 +184,12 @@ class Choice {
       return;
     }
     const double received = cosine * released_.normal;
-    const double overlap =
-        std::max(0.0, geometry::cross(at(corner) - at(contacts.edge[lane]), edge));
-    const double both =
-        std::min(std::sqrt(received * received + own * own), stiffness_ * overlap);
+    const double offset =
+        arrays_.laws.in_situ() ? arrays_.batches.joints[row].offset[lane] : 0.0;
+    const double overlap = std::max(
+        0.0, geometry::cross(at(corner) - at(contacts.edge[lane]), edge) + offset);
+    const double both = std::min(std::sqrt(received * received + own * own),
+                                 settings_.normal_stiffness * overlap);
     if (both - own > gain_) {
       gain_ = both - own;
       best_ = {.slot = row * lane_count + lane,
@@ -146,10 +203,12 @@ class Choice {
   const Blocks& blocks_;
   const ContactArrays& arrays_;
   const ReleasedSpring& released_;
-  double stiffness_;
+  const Settings& settings_;
   int block_;  ///< block of the released spring's corner
   Vec2 along_;
-  bool adds_;  ///< the springs are added to those of the successor
+  bool has_stiffness_;  ///< the law of the released contact has its own stiffness
+  bool is_held_;        ///< an offset held the released contact, after INSITU
+  bool adds_;           ///< the springs are added to those of the successor
   double nearest_ = std::numeric_limits<double>::infinity();  ///< [L]
   Successor best_;
   double gain_ = 0.0;
@@ -163,13 +222,16 @@ void put_stiffness(ContactBatches& batches, const Successor& successor) {
     batches.at(successor.slot, &JointRow::failed) = 1.0;
   stiffness = successor.stiffness;
   batches.at(successor.slot, &JointRow::shear_stiffness) = successor.shear_stiffness;
+  if (successor.offset > 0.0)
+    batches.at(successor.slot, &JointRow::offset) = successor.offset;
 }
 
 }  // namespace
 
 void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
-                      double normal_stiffness, const WorkSplit& split, Workers& workers,
-                      SpringTransfer& transfer, std::vector<int>& receivers) {
+                      const Settings& settings, const WorkSplit& split,
+                      Workers& workers, SpringTransfer& transfer,
+                      std::vector<int>& receivers) {
   ContactBatches& batches = arrays.batches;
   std::vector<ReleasedSpring>& released = transfer.released;
   const int count = static_cast<int>(released.size());
@@ -182,7 +244,7 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
               return order(l) < order(r);
             });
   const auto choose = [&](int i) {
-    return Choice(blocks, arrays, released[i], normal_stiffness).best();
+    return Choice(blocks, arrays, released[i], settings).best();
   };
   transfer.successors.resize(released.size());
   constexpr int springs_per_thread = 256;
@@ -203,6 +265,10 @@ void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
       put_stiffness(batches, successor);
     else
       batches.set(successor.slot, &ContactStates::starts, true);
+    if (!batches.is(successor.slot, &ContactStates::acts)) {
+      batches.set(successor.slot, &ContactStates::acts, true);
+      batches.set(successor.slot, &ContactStates::starts, true);
+    }
     batches.at(successor.slot, &SpringRow::normal_elastic) = successor.normal;
     if (double& shear = batches.at(successor.slot, &SpringRow::shear_elastic);
         shear == 0.0 || successor.adds())

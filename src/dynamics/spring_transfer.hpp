@@ -19,6 +19,9 @@ struct Successor {
   /// [F/L] its stiffnesses after the transfer, if the released springs are added to its
   /// own; otherwise 0
   double stiffness = 0.0, shear_stiffness = 0.0;
+  /// [L] its offset after the transfer, only if the released contact was held by an
+  /// offset after INSITU; otherwise 0
+  double offset = 0.0;
 
   bool adds() const { return stiffness > 0.0; }
 };
@@ -36,14 +39,15 @@ struct SpringTransfer {
 /// (geometry::successor_cosine). It takes the shear spring only if it has none. If both
 /// contacts have laws with a stiffness of their own, the candidate nearest to the
 /// released corner takes the springs: forces and stiffnesses are added to its own
-/// (docs/laws.md#length). All
+/// (docs/laws.md#length). After INSITU, springs held by an offset are added in any
+/// case, and the successor is held too (docs/rest.md#stress-in-the-ground). All
 /// released springs choose a successor at the same time. They are then passed on in the
 /// order of pair, corner and edge, whatever their order in the list. If the chosen
 /// contact has received another spring in the meantime, the choice is repeated. Each
-/// batch that has received springs is listed once in `receivers`. normal_stiffness:
-/// [F/L].
+/// batch that has received springs is listed once in `receivers`.
 void transfer_springs(const Blocks& blocks, ContactArrays& arrays,
-                      double normal_stiffness, const WorkSplit& split, Workers& workers,
-                      SpringTransfer& transfer, std::vector<int>& receivers);
+                      const Settings& settings, const WorkSplit& split,
+                      Workers& workers, SpringTransfer& transfer,
+                      std::vector<int>& receivers);
 
 }  // namespace blocks::dynamics

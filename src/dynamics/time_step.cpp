@@ -64,6 +64,8 @@ class ContactStiffness {
     present_.assign(static_cast<std::size_t>(model.blocks.size()), 0.0);
     for (std::size_t i = 0; i < model.joint_states.size(); ++i) {
       const JointState& state = model.joint_states[i];
+      if (state.law == 0)
+        continue;
       const auto law = settings_.joint_laws.find(state.law);
       double largest = state.stiffness;
       if (law != settings_.joint_laws.end() && law->second.kind == LawKind::walton)

@@ -25,7 +25,7 @@ struct Contact {
 };
 
 /// What the law of a joint remembers of a contact, in addition to its springs
-/// (docs/laws.md). If `law` is 0, its other values have no effect.
+/// (docs/laws.md). If `law` is 0, its other values have an effect only after INSITU.
 struct JointState {
   int law = 0;  ///< joint id whose law acts; 0: STIFF and FRICTN
   /// [F/L] stiffnesses of the contact, frozen while the length does not grow

@@ -111,7 +111,7 @@ struct Model {
   Settings settings;
   Blocks blocks;
   std::vector<Contact> contacts;  ///< active contacts, ascending in sort_key
-  /// (contacts) states of their laws; empty if the deck has no JOINT card
+  /// (contacts) states of their laws; empty if the deck has no JOINT or INSITU card
   std::vector<JointState> joint_states;
   /// Number of contacts that BOND has bonded, without bonds that REMOVE took away.
   long bonds_made = 0;

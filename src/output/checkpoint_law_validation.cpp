@@ -89,7 +89,7 @@ void expect_joint_states(const Model& model) {
                                   model.bonds_made, bonds));
   if (states.empty())
     return;
-  if (model.settings.joint_laws.empty())
+  if (model.settings.joint_laws.empty() && !model.settings.in_situ)
     reject_checkpoint("joint_states without settings/joint_laws");
   if (states.size() != model.contacts.size())
     reject_checkpoint(fmt::format("joint_states has {} rows, expected {}",

@@ -170,8 +170,8 @@ void expect_contacts(const Model& model) {
     if (i > 0 && !(sort_key(b, contacts[i - 1]) < sort_key(b, contact)))
       reject_checkpoint(fmt::format("contact {} is out of order", i + 1));
     // Bonded contacts have tension and gaps; dilation pushes contacts apart.
-    const bool has_law =
-        i < model.joint_states.size() && model.joint_states[i].law != 0;
+    const bool has_law = i < model.joint_states.size() &&
+                         (model.joint_states[i].law != 0 || model.settings.in_situ);
     const Range& pressure = has_law ? finite : not_negative;
     for (const auto& [name, value, range] :
          {std::tuple{"normal_elastic", contact.normal_elastic, &pressure},

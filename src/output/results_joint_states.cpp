@@ -16,14 +16,15 @@ constexpr hsize_t states_at_once = 65536;
 std::string path_of(const char* name) { return std::string("contacts/") + name; }
 
 /// Writes value(state) of contacts first_contact, first_contact + 1, ... in rows `row`
-/// to `row + count`; contacts without a law have 0.
+/// to `row + count`; contacts without a law have 0, unless INSITU has acted.
 template <class T, class Value>
 void put_values(Column& column, hsize_t row, hsize_t count, const Model& model,
                 std::size_t first_contact, Value&& value) {
   std::vector<T> values(count, T(0));
   const std::vector<JointState>& states = model.joint_states;
   for (hsize_t i = 0; i < count && first_contact + i < states.size(); ++i)
-    if (const JointState& state = states[first_contact + i]; state.law != 0)
+    if (const JointState& state = states[first_contact + i];
+        state.law != 0 || model.settings.in_situ)
       values[i] = static_cast<T>(value(state));
   column.put(row, values.data(), count);
 }

@@ -265,6 +265,8 @@ int Builder::block_to_drive(const Command& command, const deck::Int& number) {
     return -1;
   }
   if (blocks.is_free(b)) {
+    if (unread_.has("FIX"))
+      return -1;  // A FIX card with a fault may have named it.
     diagnostics_.error(
         number.where, command.name, fmt::format("block {} is not fixed", b + 1),
         fmt::format("only fixed blocks can be driven: put FIX, {} before "

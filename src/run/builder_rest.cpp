@@ -3,13 +3,76 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "dynamics/in_situ.hpp"
+#include "geometry/contact_predicates.hpp"
+#include "model/counted.hpp"
 #include "model/drives.hpp"
+#include "model/equilibrium.hpp"
 
 namespace blocks::run {
 
 using deck::Command;
 
-void Builder::load_in_situ(const Command&, const deck::Insitu&) {}
+namespace {
+
+/// Returns whether a free block has two corners on a symmetry plane.
+bool has_side_on_plane(const Model& model, double tolerance) {
+  const Blocks& blocks = model.blocks;
+  for (const Plane& plane : model.settings.planes) {
+    const geometry::Vec2 along = (plane.b - plane.a).normalized();
+    const auto is_on_plane = [&](int corner) {
+      const geometry::Vec2 from = blocks.corner.col(corner) - plane.a;
+      return std::abs(geometry::cross(along, from)) <= tolerance;
+    };
+    for (int c = 0; c < blocks.corners(); ++c)
+      if (blocks.is_free(blocks.corner_block[c]) && is_on_plane(c) &&
+          is_on_plane(blocks.next[c]))
+        return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
+  if (!in_place_)
+    return;
+  constexpr double part_of_ctol = 0.01;
+  const double tolerance = part_of_ctol * model_.settings.contact_tolerance;
+  const dynamics::InSituReport report =
+      dynamics::load_faces(model_,
+                           {card.sxx.value, card.syy.value, card.sxy.value,
+                            card.dxx.value, card.dyy.value, card.dxy.value},
+                           tolerance);
+  notes_.push_back(fmt::format(
+      "INSITU in line {} at time {:g}: {} loaded, unbalanced force ratio {:.2g}",
+      command.where.line, model_.time, counted(report.faces, "face"),
+      unbalanced_ratio(model_)));
+  if (diagnostics_.has_errors())
+    return;
+  const auto warn = [&](const std::string& message, const std::string& hint) {
+    diagnostics_.warning(command.where, command.name, message, hint);
+  };
+  if (report.faces == 0)
+    warn(fmt::format("no faces are flush within {:g}, so nothing is loaded", tolerance),
+         "INSITU loads faces whose gap or overlap is at most a hundredth of ctol");
+  if (report.open > 0)
+    warn(fmt::format("{} without tensile strength would be in tension: no force there",
+                     counted(report.open, "contact")),
+         "the blocks move until the forces balance; BOND gives joints strength");
+  if (report.weak > 0)
+    warn(fmt::format("{} cannot carry the stress and will slip or fail; the worst is "
+                     "at ({:g}, {:g}) with a shear force of {:g} and a normal force "
+                     "of {:g}",
+                     counted(report.weak, "contact"), report.weakest.x(),
+                     report.weakest.y(), std::abs(report.shear), report.normal),
+         "raise the friction, or lower sxy or the difference of sxx and syy");
+  if (has_side_on_plane(model_, tolerance))
+    warn("sides on a symmetry plane are not loaded",
+         "put fixed blocks there instead of SPLANE, or PRESSBC on these sides");
+}
 
 void Builder::servo(const Command& command, const deck::Servo& card) {
   const int b = block_to_drive(command, card.nb);

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "dynamics/contacts/beside_contacts.hpp"
 #include "dynamics/contacts/dashpot.hpp"
 
 namespace blocks::dynamics {
@@ -289,8 +290,10 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
   if (has_laws(p)) {
     contacts_of(p, changes.before);
     held = keep_held(now, changes.before);
+    if (laws.in_situ())
+      add_beside(blocks, now, changes.before);
   }
-  bool same = !held;
+  bool same = !held || laws.in_situ();
   std::size_t slots = 0;
   each_slot(p, [&](int slot) {
     same = same && (slots < now.size() ? at(slot) == now[slots].at : is_vacant(slot));
@@ -300,8 +303,8 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
   std::size_t k = 0;
   if (same && fits) {
     each_slot(p, [&](int slot) {
-      batches.set(slot, &ContactTests::tested, tested && k < now.size());
-      batches.set(slot, &ContactTests::certain, !tested && k < now.size());
+      batches.set(slot, &ContactTests::tested, k < now.size() && now[k].tested);
+      batches.set(slot, &ContactTests::certain, k < now.size() && now[k].certain);
       ++k;
     });
     return;
@@ -316,7 +319,7 @@ void ContactArrays::assign(const Blocks& blocks, const PairIndex& index, int p,
       next->joint = old.joint;
     else if (old.normal > 0.0)
       changes.released.push_back({p, old.at, old.normal, old.shear, old.joint.stiffness,
-                                  old.joint.shear_stiffness});
+                                  old.joint.shear_stiffness, old.joint.offset});
   }
   if (!fits) {
     changes.grown.add(p, now, !laws.none());

@@ -39,6 +39,7 @@ struct ContactArrays {
   /// is inside its edge and between the ends. Otherwise all of them act. Contacts that
   /// the pair had before keep their springs. Held contacts (PairContact::is_held) are
   /// kept too, and a corner that is bonded to a block acts on no other edge of it.
+  /// After INSITU the contacts at the same ends of faces get slots too.
   /// Loaded springs of its other former contacts are added to changes.released. If the
   /// pair has too few slots, its contacts are added to changes.grown instead of the
   /// slots.

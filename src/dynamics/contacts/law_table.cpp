@@ -35,16 +35,17 @@ double linear_from(const JointLaw& law) {
 }  // namespace
 
 bool LawTable::is_of(const Settings& settings) const {
-  if (settings.joint_laws.empty())
+  if (settings.joint_laws.empty() && !settings.in_situ)
     return none();
-  return friction_ == settings.friction && laws_ == settings.joint_laws &&
-         of_materials_ == settings.joint_of_materials;
+  return in_situ_ == settings.in_situ && friction_ == settings.friction &&
+         laws_ == settings.joint_laws && of_materials_ == settings.joint_of_materials;
 }
 
 void LawTable::make(const Settings& settings, const Blocks& blocks) {
   laws_ = settings.joint_laws;
   of_materials_ = settings.joint_of_materials;
   friction_ = settings.friction;
+  in_situ_ = settings.in_situ;
   ids_.assign(1, 0);
   for (const auto& [id, law] : laws_)
     ids_.push_back(id);
@@ -103,7 +104,7 @@ int LawTable::number_of(int id) const {
 }
 
 int LawTable::law_of(const Blocks& blocks, int corner, int edge) const {
-  if (none())
+  if (laws_.empty())
     return 0;
   const int id = blocks.joint[edge];
   if (id != 0 &&
@@ -117,6 +118,8 @@ int LawTable::law_of(const Blocks& blocks, int corner, int edge) const {
 }
 
 bool LawTable::may_act(const Blocks& blocks, int low, int high) const {
+  if (in_situ_)
+    return true;
   if (none())
     return false;
   if (block_has_[low] != 0 && block_has_[high] != 0)

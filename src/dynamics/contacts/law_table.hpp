@@ -12,11 +12,14 @@
 namespace blocks::dynamics {
 
 /// Laws are numbered in the order of their joint ids, from 1. Law 0 is that of STIFF
-/// and FRICTN.
+/// and FRICTN. After INSITU every contact has a state, also those of law 0.
 class LawTable {
  public:
-  /// Returns whether the model has no laws of joints.
-  bool none() const { return ids_.size() <= 1; }
+  /// Returns whether no contact has a state (JointState): the model has no laws of
+  /// joints and no INSITU card.
+  bool none() const { return ids_.size() <= 1 && !in_situ_; }
+  /// Returns whether an INSITU card has acted. Contacts of law 0 have offsets then.
+  bool in_situ() const { return in_situ_; }
   /// Returns whether the table was made from these settings.
   bool is_of(const Settings& settings) const;
   /// Makes the table.
@@ -24,7 +27,8 @@ class LawTable {
 
   /// Returns the number of the law of a contact between a corner and an edge.
   int law_of(const Blocks& blocks, int corner, int edge) const;
-  /// Returns whether contacts of two blocks may have a law other than 0.
+  /// Returns whether contacts of two blocks may have a state: a law other than 0, or
+  /// any law after INSITU.
   bool may_act(const Blocks& blocks, int low, int high) const;
   /// Returns the joint id of a law; 0 for law 0.
   int id(int law) const { return ids_[static_cast<std::size_t>(law)]; }
@@ -43,6 +47,7 @@ class LawTable {
   std::map<int, JointLaw> laws_;
   std::map<std::pair<int, int>, int> of_materials_;
   double friction_ = 0.0;
+  bool in_situ_ = false;
   std::vector<int> ids_;         ///< (laws) 0 first
   std::vector<char> block_has_;  ///< (blocks) an edge has an id with a law
   std::vector<double> numbers_;  ///< the columns one after the other

@@ -69,6 +69,7 @@ struct ReleasedSpring {
   double normal, shear;  ///< [F] normal > 0
   /// [F/L] of the two springs; 0 in models without laws of joints
   double stiffness = 0.0, shear_stiffness = 0.0;
+  double offset = 0.0;  ///< [L] of the contact; 0 in models without laws of joints
 };
 
 /// The changes that one thread makes when it assigns contacts (ContactArrays::assign).

@@ -1,0 +1,40 @@
+#include "dynamics/contacts/beside_contacts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace blocks::dynamics {
+
+void add_beside(const Blocks& blocks, std::vector<PairContact>& contacts,
+                std::vector<PairContact>& given) {
+  constexpr double square_of_cosine = 0.95 * 0.95;
+  const auto faces = [&](const Vec2& side, const Vec2& edge) {
+    const double along = side.dot(edge);
+    return along > 0.0 &&
+           along * along >= square_of_cosine * side.squaredNorm() * edge.squaredNorm();
+  };
+  const auto add = [&](const CornerOnEdge& at) {
+    const auto place = std::lower_bound(
+        contacts.begin(), contacts.end(), at,
+        [](const PairContact& l, const CornerOnEdge& r) {
+          return std::pair(l.at.corner, l.at.edge) < std::pair(r.corner, r.edge);
+        });
+    if (place == contacts.end() || place->at != at)
+      contacts.insert(place, PairContact{{.at = at}});
+  };
+  given = contacts;
+  for (const PairContact& contact : given) {
+    const auto [corner, edge] = contact.at;
+    const int edge_end = blocks.next[edge], before = blocks.previous[corner];
+    const auto from_to = [&](int from, int to) -> Vec2 {
+      return blocks.corner.col(to) - blocks.corner.col(from);
+    };
+    const Vec2 along = from_to(edge, edge_end);
+    if (faces(from_to(corner, before), along))
+      add({edge, before});
+    if (faces(from_to(blocks.next[corner], corner), along))
+      add({edge_end, corner});
+  }
+}
+
+}  // namespace blocks::dynamics

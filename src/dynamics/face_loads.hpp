@@ -1,0 +1,59 @@
+// The forces that a stress field puts on the faces of two blocks.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "dynamics/faces.hpp"
+
+namespace blocks::dynamics {
+
+/// A stress that is linear in y, [F/L^2], tension positive.
+struct StressField {
+  double xx = 0.0, yy = 0.0, xy = 0.0;                    ///< [F/L^2] at y = 0
+  double per_y_xx = 0.0, per_y_yy = 0.0, per_y_xy = 0.0;  ///< [F/L^3] gradients
+
+  /// Returns the tensor at a height, [F/L^2].
+  Eigen::Matrix2d at(double y) const;
+};
+
+/// Two corners at an end of a face are one point if they are closer than this part of
+/// the side. It exceeds the rounding of coordinates up to a million block sizes. With
+/// a larger value the moment of a face becomes wrong by this part.
+inline constexpr double same_point = 1e-9;
+
+/// The forces of a contact: those of all faces that it belongs to.
+struct FaceLoad {
+  CornerOnEdge at;
+  double normal = 0.0, shear = 0.0;  ///< [F]
+};
+
+/// Unit vectors along an edge and outwards.
+struct EdgeFrame {
+  Vec2 along, outwards;
+  EdgeFrame(const Blocks& blocks, int edge);
+};
+
+/// The forces on the faces of two blocks, contact by contact. Refers to the blocks and
+/// the field.
+class PairLoads {
+ public:
+  PairLoads(const Blocks& blocks, const StressField& field)
+      : blocks_(blocks), field_(field) {}
+
+  void clear() { all_.clear(); }
+  const std::vector<FaceLoad>& all() const { return all_; }
+
+  /// Adds a flush face. A traction that is linear along it has the force and the moment
+  /// of L (2 p1 + p2) / 6 at one end and L (p1 + 2 p2) / 6 at the other.
+  void add(const Face& face);
+
+ private:
+  void add(const CornerOnEdge& at, const Eigen::Matrix2d& force);
+
+  const Blocks& blocks_;
+  const StressField& field_;
+  std::vector<FaceLoad> all_;
+};
+
+}  // namespace blocks::dynamics

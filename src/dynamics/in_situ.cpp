@@ -1,0 +1,249 @@
+#include "dynamics/in_situ.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "dynamics/applied_force.hpp"
+#include "dynamics/contact_table.hpp"
+#include "dynamics/faces.hpp"
+#include "dynamics/kernels/barton_law.hpp"
+#include "dynamics/kernels/coulomb_law.hpp"
+#include "dynamics/kernels/walton_law.hpp"
+#include "dynamics/loads.hpp"
+#include "dynamics/search/near_pairs.hpp"
+#include "dynamics/spring_energy.hpp"
+
+namespace blocks::dynamics {
+namespace {
+
+/// Returns the length of joint that a contact stands for in its first step, [L], as
+/// `length_of` of the kernel computes it. acts(at) tells which contacts act.
+template <class Acts>
+double length_of(const Blocks& blocks, const CornerOnEdge& at, const Acts& acts) {
+  constexpr double square_of_cosine = 0.95 * 0.95;
+  const auto corner = [&](int c) { return Vec2(blocks.corner.col(c)); };
+  const int before = blocks.previous[at.corner], after = blocks.next[at.corner];
+  const int edge_end = blocks.next[at.edge];
+  const Vec2 edge = corner(edge_end) - corner(at.edge);
+  const double square = edge.squaredNorm();
+  const double place = (corner(at.corner) - corner(at.edge)).dot(edge);
+  const auto common = [&](const Vec2& side, double low, double high) {
+    const double along = side.dot(edge);
+    const bool faces =
+        along > 0.0 && along * along >= square_of_cosine * side.squaredNorm() * square;
+    return faces ? std::max(0.0, std::min(high, square) - std::max(low, 0.0)) : 0.0;
+  };
+  const Vec2 from = corner(before) - corner(at.corner);
+  const Vec2 to = corner(at.corner) - corner(after);
+  const double reach_from = from.dot(edge), reach_to = to.dot(edge);
+  const double share_before = acts({at.edge, before}) ? 0.5 : 1.0;
+  const double share_after = acts({edge_end, at.corner}) ? 0.5 : 1.0;
+  const double both = common(from, place, place + reach_from) * share_before +
+                      common(to, place - reach_to, place) * share_after;
+  return 0.5 * both / std::sqrt(square);
+}
+
+/// Loads contacts one by one.
+class Loading {
+ public:
+  Loading(Model& model, const LawTable& laws)
+      : model_(model), laws_(laws), table_(model), energies_(model.settings, laws) {}
+
+  void load(const std::vector<FaceLoad>& loads) {
+    for (const FaceLoad& load : loads)
+      put(load, loads);
+  }
+  InSituReport finish(int faces) {
+    table_.finish();
+    report_.faces = faces;
+    return report_;
+  }
+
+ private:
+  /// Returns whether the contact can carry tension.
+  bool is_bonded(const FaceLoad& load) {
+    const ContactEntry* const listed = table_.find(load.at);
+    return listed != nullptr && listed->second.bonded &&
+           laws_.bit(laws_.law_of(model_.blocks, load.at.corner, load.at.edge)) ==
+               coulomb_bit;
+  }
+  bool carries(const FaceLoad& load) { return load.normal > 0.0 || is_bonded(load); }
+
+  void put(const FaceLoad& load, const std::vector<FaceLoad>& loads) {
+    if (!carries(load)) {
+      report_.open += load.normal < 0.0;
+      if (ContactEntry* const listed = table_.find(load.at))
+        unload(*listed);
+      return;
+    }
+    const double length = length_of(model_.blocks, load.at, [&](CornerOnEdge at) {
+      return std::any_of(loads.begin(), loads.end(), [&](const FaceLoad& one) {
+        return one.at == at && carries(one);
+      });
+    });
+    ContactEntry& entry = table_.find_or_add(load.at);
+    ++report_.contacts;
+    const int law = laws_.law_of(model_.blocks, load.at.corner, load.at.edge);
+    set(entry, load, law, length);
+    test(entry, law);
+  }
+
+  static void unload(ContactEntry& entry) {
+    auto& [contact, state] = entry;
+    contact.normal_elastic = contact.normal_force = 0.0;
+    contact.shear_elastic = contact.shear_force = 0.0;
+    state.offset = state.closure = state.plastic = 0.0;
+  }
+
+  /// Returns the stiffness that the contact has in the first step, [F/L].
+  static double stiffness_of(double old, double per_length, double length,
+                             double usual) {
+    const double wanted = per_length * length;
+    const double kept = old > 0.0 ? old : wanted > 0.0 ? wanted : usual;
+    return std::max(wanted, kept);
+  }
+
+  void set(ContactEntry& entry, const FaceLoad& load, int law, double length) {
+    auto& [contact, state] = entry;
+    const Settings& settings = model_.settings;
+    const LawColumns& columns = laws_.columns();
+    const auto i = static_cast<std::size_t>(law);
+    const double depth = depth_below(model_.blocks, load.at);
+    contact.normal_elastic = contact.normal_force = load.normal;
+    contact.shear_elastic = contact.shear_force = load.shear;
+    contact.overlap = std::max(0.0, depth);
+    if (!state.bonded)
+      state.failed = true;
+    state.law = laws_.id(law);
+    state.length = length;
+    state.stiffness = stiffness_of(state.stiffness, columns.normal_stiffness[i], length,
+                                   settings.normal_stiffness);
+    state.shear_stiffness =
+        stiffness_of(state.shear_stiffness, columns.shear_stiffness[i], length,
+                     settings.shear_stiffness);
+    double compression = load.normal / state.stiffness;
+    if (laws_.bit(law) == walton_bit) {
+      // On the line of first loading, a little beyond it so that FN is kept exactly.
+      constexpr double beyond = 1.0 + 0x1p-50;
+      state.closure = compression * beyond;
+      state.plastic =
+          state.closure - compression / energies_.values_of(law).unloading_ratio;
+    } else if (laws_.bit(law) == barton_bit) {
+      const BandisClosure<double> bandis(energies_.values_of(law), length,
+                                         state.stiffness);
+      state.closure = compression = bandis.closure(load.normal);
+      state.plastic = 0.0;
+    }
+    state.offset = std::max(0.0, compression - depth);
+  }
+
+  /// Makes a step without motion, and reports a contact whose spring does not stay.
+  void test(const ContactEntry& entry, int law) {
+    const auto& [contact, state] = entry;
+    ContactMotion<double> still{};
+    still.overlap = contact.overlap, still.length = state.length;
+    ContactState<double> now = {contact.normal_elastic,
+                                contact.shear_elastic,
+                                state.stiffness,
+                                state.shear_stiffness,
+                                state.slip,
+                                state.path,
+                                state.closure,
+                                state.plastic,
+                                state.offset,
+                                state.bonded ? 1.0 : 0.0,
+                                state.failed ? 1.0 : 0.0};
+    ContactForce<double> force{};
+    const LawValues<double> values = energies_.values_of(law);
+    constexpr double any_step = 1.0;
+    switch (laws_.bit(law)) {
+    case walton_bit:
+      apply_walton<false>(values, any_step, still, now, force);
+      break;
+    case barton_bit:
+      apply_barton<false>(values, any_step, still, now, force);
+      break;
+    default:
+      apply_coulomb<false>(values, any_step, still, now, force);
+    }
+    const double normal = contact.normal_elastic, shear = contact.shear_elastic;
+    if (now.normal == normal && now.shear == shear)
+      return;
+    const double lost = std::hypot(normal - now.normal, shear - now.shear);
+    if (report_.weak++ > 0 && lost <= most_lost_)
+      return;
+    most_lost_ = lost;
+    report_.weakest = model_.blocks.corner.col(contact.corner);
+    report_.normal = normal, report_.shear = shear;
+  }
+
+  Model& model_;
+  const LawTable& laws_;
+  ContactTable table_;
+  SpringEnergies energies_;
+  InSituReport report_;
+  double most_lost_ = 0.0;  ///< [F] of the weakest contact
+};
+
+void set_stresses(Blocks& blocks, const StressField& field) {
+  for (int b = 0; b < blocks.size(); ++b)
+    if (!blocks.is_removed(b)) {
+      const Eigen::Matrix2d stress = field.at(blocks.centroid(1, b));
+      blocks.stress.col(b) << stress(0, 0), stress(0, 1), stress(1, 0), stress(1, 1);
+    }
+}
+
+/// Sets the forces of all blocks to those of loads and listed contacts, as the next
+/// step finds them.
+void set_forces(Model& model) {
+  Blocks& blocks = model.blocks;
+  if (model.settings.rigid)
+    blocks.applied.setZero();
+  add_loads(model);
+  for (const Contact& contact : model.contacts) {
+    const EdgeFrame edge(blocks, contact.edge);
+    const Vec2 force =
+        contact.normal_force * edge.outwards - contact.shear_force * edge.along;
+    const Vec2 place = blocks.corner.col(contact.corner);
+    const int ours = blocks.corner_block[contact.corner],
+              other = blocks.corner_block[contact.edge];
+    add_force(blocks, ours, place - blocks.centroid.col(ours), force);
+    add_force(blocks, other, place - blocks.centroid.col(other), -force);
+  }
+  for (int b = 0; b < blocks.size(); ++b)
+    blocks.applied.col(b) /= blocks.area[b];
+}
+
+}  // namespace
+
+InSituReport load_faces(Model& model, const StressField& field, double tolerance) {
+  model.settings.in_situ = true;
+  Blocks& blocks = model.blocks;
+  if (!model.settings.rigid)
+    set_stresses(blocks, field);
+  LawTable laws;
+  laws.make(model.settings, blocks);
+  NearSearch memory;
+  std::vector<NearPair> pairs;
+  find_near_pairs(blocks, tolerance, memory, pairs);
+  Loading loading(model, laws);
+  PairLoads loads(blocks, field);
+  int faces = 0;
+  for (const NearPair& pair : pairs) {
+    loads.clear();
+    each_face(blocks, pair.low, pair.high, [&](const Face& face) {
+      if (face.is_flush(tolerance, same_point * face.length_of_side()))
+        loads.add(face), ++faces;
+    });
+    loading.load(loads.all());
+  }
+  const InSituReport report = loading.finish(faces);
+  // Plane contacts have no forces before the first step, and are left alone later.
+  if (model.plane_contacts.size() == 0)
+    set_forces(model);
+  return report;
+}
+
+}  // namespace blocks::dynamics
