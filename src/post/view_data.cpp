@@ -75,9 +75,7 @@ class Packer {
     last_ = results.frame(results.frames() - 1);
     blocks_ = static_cast<std::size_t>(last_.size());
     last_outlines_ = results.last_outlines(results.frames() - 1);
-    for (const char* name : view_quantities)
-      if (!quantities::is_of_equilibrium(name) || results.has_unbalanced())
-        names_.push_back(name);
+    names_ = names_of_quantities(results.has_unbalanced());
     first_corner_.push_back(0);
     for (const auto& outline : last_outlines_)
       first_corner_.push_back(first_corner_.back() + static_cast<int>(outline.size()));

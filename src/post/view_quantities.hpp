@@ -2,6 +2,10 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
+
+#include "quantities/quantity.hpp"
 
 namespace blocks::post {
 
@@ -13,6 +17,15 @@ inline constexpr std::array view_quantities = {
     "fx",           "fy",      "moment", "s11",        "s22",
     "s12",          "p1",      "p2",     "unbalanced", "kinetic_energy",
     "overlap",      "contacts"};
+
+/// Returns the names of those that results with or without unbalanced forces have.
+inline std::vector<std::string> names_of_quantities(bool unbalanced) {
+  std::vector<std::string> names;
+  for (const char* name : view_quantities)
+    if (unbalanced || !quantities::is_of_equilibrium(name))
+      names.emplace_back(name);
+  return names;
+}
 
 /// Predictions of a quantity from others. The page computes them with the same
 /// operations in the same order, so only errors of rounding to six digits must be

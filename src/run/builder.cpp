@@ -211,33 +211,8 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Remove& card) { self.remove(command, card.blocks); }
   void operator()(const deck::Free& card) { self.free(command, card.blocks); }
-  void operator()(const deck::PressBc& card) {
-    const int b = block_to_change(card.nblok);
-    if (!has_function() || b < 0 || self.most_missing(command.where.line) > 0)
-      return;
-    if (card.nside.value < 1 || card.nside.value > blocks.corners_of(b)) {
-      error(card.nside.where, fmt::format("there is no side {}", card.nside.value),
-            fmt::format("block {} has sides 1 to {}", b + 1, blocks.corners_of(b)));
-      return;
-    }
-    model.loads.pressures.push_back({b, static_cast<int>(card.nside.value) - 1,
-                                     card.p1.value, card.p2.value, card.tarriv.value});
-  }
-  void operator()(const deck::Force& card) {
-    const int b = block_to_change(card.nblok);
-    if (has_function() && b >= 0)
-      model.loads.forces.push_back(
-          {b, {card.fx.value, card.fy.value}, card.tarriv.value});
-  }
-  bool has_function() {
-    if (model.loads.function.empty() && !self.unread_.has("FUNCTION") &&
-        !self.unread_.has("RESTART"))
-      error(command.where,
-            "no FUNCTION card was given, so the load has no time history",
-            "add FUNCTION, ntimep among the preliminary cards, followed by ntimep "
-            "lines t, p");
-    return !model.loads.function.empty();
-  }
+  void operator()(const deck::PressBc& card) { self.press(command, card); }
+  void operator()(const deck::Force& card) { self.push(command, card); }
   void operator()(const deck::Frictn& card) {
     constexpr double greatest = 5.0;  // tan 79 degrees
     if (card.fric.value > greatest)

@@ -141,7 +141,8 @@ class Builder {
   void pair_materials(const deck::Command& command, const deck::Jpair& card);
   void bond(const deck::Command& command, const deck::Bond& card);
   void drive(const deck::Command& command, const deck::Drive& card);
-  /// Returns the block of a DRIVE or SERVO card, from 0; -1 after an error or a warning.
+  /// Returns the block of a DRIVE or SERVO card, from 0; -1 after an error or a
+  /// warning.
   int block_to_drive(const deck::Command& command, const deck::Int& number);
   /// Whether a MOTION or CYCLE lies before the present card.
   bool has_moved() const { return stretch_ > 0 || model_.steps > 0; }
@@ -152,6 +153,18 @@ class Builder {
   JointLaw* law_to_extend(const deck::Command& command, const deck::Int& id);
   /// Demands a new time step if one of the laws has a stiffness of its own.
   void law_changed(const JointLaw& before, const JointLaw& after);
+
+  // Loads, in builder_loads.cpp
+  void press(const deck::Command& command, const deck::PressBc& card);
+  void push(const deck::Command& command, const deck::Force& card);
+  /// Returns whether there is a FUNCTION card. Reports an error if not.
+  bool has_function(const deck::Command& command);
+  /// Returns the side of block b with this number, from 0. Returns -1 after an error,
+  /// or if cards above have failed, so that b may be another block.
+  int side(const deck::Command& command, int b, const deck::Int& number);
+  /// Returns whether block b is inside the domain, where blocks move. Otherwise reports
+  /// an error, or a warning if the block has left it.
+  bool can_move(const deck::Command& command, int b, const deck::Int& number);
 
   // Rest and waves, in builder_rest.cpp and builder_quiet.cpp
   void load_in_situ(const deck::Command& command, const deck::Insitu& card);
@@ -207,9 +220,10 @@ class Builder {
   int checked_blocks_;          ///< blocks checked before an earlier motion
   int moved_blocks_;            ///< blocks that have moved
   double fraction_told_ = 0.0;  ///< safe FRACTION in the last warning
-  std::optional<deck::Command> fraction_by_;       ///< last FRACTION, DAMPING or LOCDAMP card
-  std::optional<deck::Command> output_;            ///< OUTPUT card not checked yet
-  std::vector<deck::Command> histories_;           ///< HISTORY cards not checked yet
+  std::optional<deck::Command>
+      fraction_by_;                       ///< last FRACTION, DAMPING or LOCDAMP card
+  std::optional<deck::Command> output_;   ///< OUTPUT card not checked yet
+  std::vector<deck::Command> histories_;  ///< HISTORY cards not checked yet
   std::optional<deck::SourceLocation> tolerance_;  ///< place of ctol on the BOXES card
   std::optional<deck::SourceLocation> stiffness_;  ///< place of the STIFF card
   SharedCertificate certificate_;

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "dynamics/bond.hpp"
-#include "dynamics/domain.hpp"
 #include "geometry/angle.hpp"
 #include "model/counted.hpp"
 #include "model/drives.hpp"
@@ -255,35 +254,15 @@ int Builder::block_to_drive(const Command& command, const deck::Int& number) {
   const int b = block_to_change(command, number);
   if (b < 0)
     return b;
-  const Blocks& blocks = model_.blocks;
-  const Settings& settings = model_.settings;
-  if (blocks.fixity[b] == Fixity::left_domain) {
-    diagnostics_.warning(
-        number.where, command.name,
-        fmt::format("block {} is outside the domain and stays there", b + 1),
-        "widen the domain: XLIMITS, YLIMITS");
-    return -1;
-  }
-  if (blocks.is_free(b)) {
-    if (unread_.has("FIX"))
-      return -1;  // A FIX card with a fault may have named it.
+  if (!model_.blocks.is_free(b))
+    return can_move(command, b, number) ? b : -1;
+  if (!unread_.has("FIX"))  // A FIX card with a fault may have named the block.
     diagnostics_.error(
         number.where, command.name, fmt::format("block {} is not fixed", b + 1),
         fmt::format("only fixed blocks can be driven: put FIX, {} before "
                     "this card, or use {} for a free block",
                     b + 1, command.name == "SERVO" ? "PRESSBC" : "SETVEL"));
-    return -1;
-  }
-  const bool has_domain = (settings.lower.array() < settings.upper.array()).all();
-  if (has_domain && !dynamics::is_inside_domain(blocks, b, settings)) {
-    diagnostics_.error(number.where, command.name,
-                       fmt::format("block {} has a corner outside the domain, where no "
-                                   "block moves",
-                                   b + 1),
-                       "widen the domain: XLIMITS, YLIMITS");
-    return -1;
-  }
-  return b;
+  return -1;
 }
 
 void Builder::drive(const Command& command, const deck::Drive& card) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "dynamics/domain.hpp"
 #include "dynamics/quiet_sides.hpp"
 #include "dynamics/time_step.hpp"
 
@@ -43,34 +42,14 @@ bool Builder::find_speeds(const Command& command, const deck::Quiet& card,
 
 void Builder::make_quiet(const Command& command, const deck::Quiet& card) {
   const int b = block_to_change(command, card.nb);
-  if (b < 0 || most_missing(command.where.line) > 0)
+  if (b < 0)
     return;
   const Blocks& blocks = model_.blocks;
   const Settings& settings = model_.settings;
-  if (card.nside.value > blocks.corners_of(b)) {
-    diagnostics_.error(
-        card.nside.where, command.name,
-        fmt::format("there is no side {}", card.nside.value),
-        fmt::format("block {} has sides 1 to {}", b + 1, blocks.corners_of(b)));
+  const int its = side(command, b, card.nside);
+  if (its < 0 || !can_move(command, b, card.nb))
     return;
-  }
-  if (blocks.fixity[b] == Fixity::left_domain) {
-    diagnostics_.warning(
-        card.nb.where, command.name,
-        fmt::format("block {} is outside the domain and stays there", b + 1),
-        "widen the domain: XLIMITS, YLIMITS");
-    return;
-  }
-  const bool has_domain = (settings.lower.array() < settings.upper.array()).all();
-  if (has_domain && !dynamics::is_inside_domain(blocks, b, settings)) {
-    diagnostics_.error(card.nb.where, command.name,
-                       fmt::format("block {} has a corner outside the domain, where no "
-                                   "block moves",
-                                   b + 1),
-                       "widen the domain: XLIMITS, YLIMITS");
-    return;
-  }
-  QuietSide quiet{.block = b, .side = static_cast<int>(card.nside.value) - 1};
+  QuietSide quiet{.block = b, .side = its};
   if (!find_speeds(command, card, quiet))
     return;
   const bool was_free = blocks.is_free(b);

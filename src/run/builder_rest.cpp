@@ -76,17 +76,10 @@ void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
 
 void Builder::servo(const Command& command, const deck::Servo& card) {
   const int b = block_to_drive(command, card.nb);
-  if (b < 0 || most_missing(command.where.line) > 0)
+  if (b < 0)
     return;
-  const int sides = model_.blocks.corners_of(b);
-  if (card.nside.value > sides) {
-    diagnostics_.error(card.nside.where, command.name,
-                       fmt::format("there is no side {}", card.nside.value),
-                       fmt::format("block {} has sides 1 to {}", b + 1, sides));
-    return;
-  }
-  start_servo(model_, {b, static_cast<int>(card.nside.value) - 1, card.s.value,
-                       card.vmax.value});
+  if (const int its = side(command, b, card.nside); its >= 0)
+    start_servo(model_, {b, its, card.s.value, card.vmax.value});
 }
 
 }  // namespace blocks::run

@@ -20,6 +20,7 @@ SOURCE, PROGRAM = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 sys.path.insert(0, str(SOURCE / "validation/problems"))
 
 from suite.numbers import first_time, slope as rate  # noqa: E402
+from suite import trough  # noqa: E402
 from suite.results import Results  # noqa: E402
 
 NUMBER = r"(-?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?)"
@@ -136,7 +137,7 @@ def opening(results, folder):
 
 def every_card(results, _):
     yield r"\n# steps", results.summary["steps"]
-    yield r"steps to t = # s", results.summary["time"]
+    yield r"steps to\st\s=\s# s", results.summary["time"]
 
 
 def crater(results, _):
@@ -149,6 +150,20 @@ def crater(results, _):
 def subsidence(results, _):
     yield r"# blocks\.", results.blocks
     yield r"\(# steps", math.ceil(6 / results.dt - 1e-9)
+
+
+def subsidence_solve(results, _):
+    yield r"takes # steps", results.summary["steps"]
+    yield r"steps to\st\s=\s# s", results.summary["time"]
+    x, s = trough.surface(results, 49.9)
+    yield r"trough is # m deep", s.max() - np.median(s[x > 70])
+
+
+def circular_opening(results, _):
+    yield r"There are # blocks", results.blocks
+    yield r"rest after # steps", results.summary["steps"]
+    crown = results.of("Centroid", 329)[:, 1]
+    yield r"has sunk by # *\nmm", 1e3 * (crown[0] - crown[-1])
 
 
 def direct_shear(results, _):

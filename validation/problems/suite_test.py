@@ -17,8 +17,10 @@ sys.path.insert(0, str(HERE))
 import problems  # noqa: E402
 from suite import report, trough  # noqa: E402
 from suite.case import Case  # noqa: E402
-from suite.deck import turned, with_lines  # noqa: E402
+from suite.deck import mirrored, turned, with_lines  # noqa: E402
 from suite.numbers import bisect, first_time, order  # noqa: E402
+from suite.rings import Rings  # noqa: E402
+from suite.spring_statics import Contact, Statics, section  # noqa: E402
 
 
 def test_verdicts():
@@ -119,6 +121,47 @@ def test_turned_deck():
             raise AssertionError(f"{card} was taken as it stands")
 
 
+def test_mirrored_deck():
+    text = "XLIMITS, -1, 3\nYLIMITS, -1, 2\nCREATE, 3, 1, 1\n0, 0, 1\n0, 1, 0\nGRAVITY, 1, -10, 2\n"
+    lines = mirrored(text).splitlines()
+    assert lines[0] == "XLIMITS, -3, 1" and lines[2] == "CREATE, 3, 1, 1", lines
+    assert np.allclose([float(v) for v in lines[3].split(",")], [0, -1, 0]), lines
+    assert np.allclose([float(v) for v in lines[4].split(",")], [0, 0, 1]), lines
+    assert lines[5] == "GRAVITY, -1, -10, 2", lines
+    try:
+        mirrored(text + "SETVEL, 1, 0, 1, 0")
+    except ValueError as fault:
+        assert "SETVEL" in str(fault), fault
+    else:
+        raise AssertionError("SETVEL was taken as it stands")
+
+
+def test_spring_statics():
+    """A beam of two blocks with a joint at x = 1, fixed at x = 0, under its weight of 4."""
+    statics = Statics([[(0, 0), (0, 1), (1, 1), (1, 0)], [(1, 0), (1, 1), (3, 1), (3, 0)]])
+    statics.add_weight((0, -1), 1)
+    for x, left, right in ((0, -1, 0), (1, 0, 1)):
+        for y in (0, 1):  # The edge of the block at the left runs downwards.
+            statics.add_contact(Contact(np.array([x, y]), (0, -1), right, left, (1e3, 1e3)))
+    forces, moved = statics.solve()
+    assert np.allclose(forces[:, 0], [4.5, -4.5, 2, -2]), forces
+    assert np.allclose(forces[:, 1], [1.5, 1.5, 1, 1]), forces
+    # The outer block turns by (4.5 + 2) 2 / 1000, and its centroid sinks with both joints.
+    assert np.allclose(moved[1, 2], -(9 + 4) / 1000), moved
+    assert np.allclose(statics.displacement(moved, 1, (1, 0))[1], moved[0, 1] - 0.0045 - 0.001), moved
+
+
+def test_rings():
+    """Far outer rings give Kirsch's closure, and blocks on springs come close to the continuum."""
+    far = Rings(16, 2.0, 2e5, 1e10)
+    assert math.isclose(far.closure(1e6, (1e10, 4e9), 2.0), 2.25e-10 * 1e6 * 2, rel_tol=1e-6)
+    assert math.isclose(far.closure(1e6, None, 2.0), 1e-10 * 1e6 * 2, rel_tol=1e-6)
+    near = Rings(16, 2.0, 6.0, 1e10)
+    centre = section(near.outline(*near.radii[:2], 0))[1]
+    inwards = -near.statics([[-1e6, 0], [0, -1e6]], (1e10, 4e9))[0] @ centre / np.hypot(*centre)
+    assert math.isclose(inwards, near.closure(1e6, (1e10, 4e9), np.hypot(*centre)), rel_tol=0.06)
+
+
 def test_reach():
     x = np.array([0.0, 2.7, 5.4, 8.1, 12.0])
     s = 10.0 - x
@@ -140,5 +183,5 @@ def test_fits():
 
 
 for test in (test_verdicts, test_whose_rows, test_known_misses, test_wrong_answers_are_misses,
-             test_turned_deck, test_reach, test_fits):
+             test_turned_deck, test_mirrored_deck, test_spring_statics, test_rings, test_reach, test_fits):
     test()

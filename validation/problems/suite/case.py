@@ -82,7 +82,7 @@ class Case:
         if child.returncode != 0:
             raise RunFailed(f"{path.name}: exit code {child.returncode}\n{log.read_text()}")
         self.runs += 1
-        results = Results(stem, usage.ru_utime + usage.ru_stime)
+        results = Results(stem, usage.ru_utime + usage.ru_stime, log.read_text())
         energy = results.summary.get("energy", {})
         if energy.get("at_play", 0) > 0:
             self.energy_errors.append(abs(energy["residual"]) / energy["at_play"])
@@ -159,7 +159,7 @@ def with_account(deck):
     if any(line.upper().startswith("HISTORY") for line in lines):
         return deck
     first = next((i for i, line in enumerate(lines)
-                  if re.match(r"(MOTION|CYCLE)\s*(,|$)", line, re.I)), len(lines))
+                  if re.match(r"(MOTION|CYCLE|SOLVE)\s*(,|$)", line, re.I)), len(lines))
     return "\n".join([*lines[:first], "HISTORY, 1E9, energy:residual", *lines[first:], ""])
 
 

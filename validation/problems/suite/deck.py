@@ -1,4 +1,4 @@
-"""Makes decks from decks: replaces cards, or turns and shifts the whole scene."""
+"""Makes decks from decks: replaces cards, or turns, shifts or mirrors the whole scene."""
 
 import math
 import re
@@ -28,7 +28,7 @@ def with_lines(text, **lines):
 FRAMELESS = {"START", "STIFF", "RIGID", "FRACTION", "MATERIAL", "SEED", "END", "BOXES", "FUNCTION",
              "FIX", "FRICTN", "DAMPING", "MERGE", "ORIENT", "PRESSBC", "OUTPUT", "PLOTS", "DUMP",
              "MOTION", "CYCLE", "STOP", "UNITS", "JOINT", "JPAIR", "BOND", "WALTON", "BARTON", "CUT",
-             "LOCDAMP", "KINDAMP", "SOLVE", "SERVO", "QUIET", "VORONOI"}
+             "LOCDAMP", "KINDAMP", "SOLVE", "SERVO", "QUIET", "VORONOI", "HISTORY"}
 
 
 def turned(text, degrees, shift=(0.0, 0.0)):
@@ -106,4 +106,36 @@ def turned(text, degrees, shift=(0.0, 0.0)):
     reach = math.hypot(max(map(abs, limits[:2])), max(map(abs, limits[2:])))
     for name, middle in (("XLIMITS", shift[0]), ("YLIMITS", shift[1])):
         out[out.index(name)] = f"{name}, {middle - reach:.15g}, {middle + reach:.15g}"
+    return "\n".join(out) + "\n"
+
+
+def mirrored(text):
+    """Returns the deck with left and right exchanged, x to -x. It mirrors the corners of CREATE,
+    whose first corner stays the first one, GRAVITY and FORCE. Raises ValueError for other cards
+    that it cannot mirror."""
+    lines, out, at = text.splitlines(), [], 0
+    while at < len(lines):
+        line = lines[at]
+        card = [word.strip() for word in re.split(r"[$!]", line)[0].split(",")]
+        name = card[0].upper()
+        at += 1
+        if name == "CREATE":
+            xs, ys = ([float(word) for word in lines[at + k].split(",")] for k in (0, 1))
+            at += 2
+            points = [(-x, y) for x, y in zip(xs, ys)]
+            fixed = len(card) > 3 and card[3] not in ("", "0")
+            out += polygon([points[0], *points[:0:-1]], fixed, int(card[2])).splitlines()
+        elif name in ("GRAVITY", "FORCE"):
+            field = 1 if name == "GRAVITY" else 2
+            card[field] = f"{-float(card[field]):.15g}"
+            out.append(", ".join(card))
+        elif name == "XLIMITS":
+            out.append(f"XLIMITS, {-float(card[2]):.15g}, {-float(card[1]):.15g}")
+        elif name in FRAMELESS or name == "YLIMITS" or not name or re.match(r"[-+.\d]", name):
+            out.append(line)
+            if name == "START":  # The next line is the title.
+                out.append(lines[at])
+                at += 1
+        else:
+            raise ValueError(f"no mirror image is known for {name}: {line}")
     return "\n".join(out) + "\n"

@@ -9,7 +9,8 @@ import numpy as np
 class Results:
     """One finished run."""
 
-    def __init__(self, stem, processor_seconds):
+    def __init__(self, stem, processor_seconds, log=""):
+        self.log = log  # what the run has printed
         self.processor_seconds = processor_seconds  # of the whole run, including files
         self.path = stem.with_name(stem.name + ".vtkhdf")
         self.summary = json.loads(stem.with_name(stem.name + ".summary.json").read_text())
@@ -36,6 +37,11 @@ class Results:
             values = self._vtk["CellData/" + field][:]
             self._data[field] = np.array([values[s:s + self.blocks] for s in starts])
         return self._data[field]
+
+    @property
+    def corner_offsets(self):
+        """Returns where the corners of each block begin in the first frame, with the end."""
+        return self._vtk["Offsets"][:self.blocks + 1]
 
     def of(self, field, block):
         """Returns a quantity of one block over the frames."""
