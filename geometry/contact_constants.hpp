@@ -32,4 +32,8 @@ inline constexpr double covered_share = 0.5;
 /// between the two faces of a pair, and bricks fall through.
 inline constexpr double successor_cosine = 0.95;
 
+/// Two sides form a face, whose length a contact stands for, if their directions are
+/// opposite within the angle of this cosine (18 degrees).
+inline constexpr double face_cosine = 0.95;
+
 }  // namespace blocks::geometry

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""The figure of docs/rest.md: rest.py writes rest-flight.svg beside itself.
+"""The figures of docs/rest.md: rest.py writes rest-flight.svg and rest-corners.svg beside itself.
 
-The paths are those of dv/dt = g - alpha |g| v / |v|, which validation/problems/free_fall compares
+The paths of rest-flight.svg are those of dv/dt = g - alpha |g| v / |v|, which validation/problems/free_fall compares
 with the program.
 """
 
 import math
 
-from picture import INK, Picture
+from picture import ACTS, INK, OTHER, Picture
 
 G = 10.0  # m/s2
 START = (6.0, 8.0)  # m/s
@@ -66,5 +66,40 @@ def flight():
     return p
 
 
+def corners():
+    """The contacts at the ends of a face before and after a shift along it."""
+    p = Picture(720, 282)
+    top, face, low, width = 62, 132, 202, 200
+    for x, shift, title in ((70, 0, "corners meet"), (430, 34, "upper block shifted to the right")):
+        p.text(x + (width + shift) / 2, 28, title, size=14)
+        p.block([(x, face), (x + width, face), (x + width, low), (x, low)], OTHER)
+        p.block([(x + shift, top), (x + width + shift, top), (x + width + shift, face), (x + shift, face)])
+        p.text(x + shift + width / 2, top + 38, "upper block")
+        p.text(x + width / 2, face + 42, "lower block")
+        if shift:
+            for corner in (x + shift, x + width):
+                p.dot(corner, face)
+            for corner in (x, x + width + shift):
+                p.parts.append(f'<circle cx="{corner}" cy="{face}" r="4.5" fill="white" stroke="{INK}"/>')
+            p.text(x + shift + 9, face - 10, "F, 2k", ACTS, "start", 13)
+            p.text(x + width - 9, face + 20, "F, 2k", ACTS, "end", 13)
+        else:
+            for corner in (x, x + width):
+                p.dot(corner, face - 5)
+                p.dot(corner, face + 5)
+            for corner, anchor in ((x - 10, "end"), (x + width + 10, "start")):
+                p.text(corner, face - 6, "F/2, k", ACTS, anchor, 13)
+                p.text(corner, face + 14, "F/2, k", ACTS, anchor, 13)
+    p.dot(70, 237)
+    p.text(84, 241, "corner that acts on the side of the other block: its normal force, its stiffness",
+           anchor="start", size=12.5)
+    p.parts.append(f'<circle cx="70" cy="261" r="4.5" fill="white" stroke="{INK}"/>')
+    p.text(84, 265, "corner beyond the end of the side: its contact has passed its spring on",
+           anchor="start", size=12.5)
+    p.save("rest-corners.svg")
+    return p
+
+
 if __name__ == "__main__":
     flight()
+    corners()

@@ -52,7 +52,8 @@ CardSpec joint() {
           "that "
           "has failed has the residual values. Only contacts that BOND has bonded are "
           "intact. ten is lowered to coh / fric, the apex of the strength. The card "
-          "acts at its place in the deck. After a MOTION or CYCLE, another JOINT card "
+          "acts at its place in the deck. After a MOTION, CYCLE or SOLVE, another "
+          "JOINT card "
           "with this id replaces the values, except those of WALTON and BARTON.",
       .example = "JOINT, 4, .7, 2.D5, 5.D4, .6, , , 5., .01",
       .continue_below = 11};
@@ -89,7 +90,8 @@ CardSpec barton() {
             "[F/L^3]",
             "largest normal stiffness, >= kni: the closure is linear beyond it"}},
       .notes = "Of its JOINT card only ks acts, or kn if ks is blank; fric, coh, ten "
-               "and dil are 0. Must come before the first MOTION or CYCLE. For a joint "
+               "and dil are 0. Must come before the first MOTION, CYCLE or SOLVE. For "
+               "a joint "
                "of length L metres, upeak is about L/500 (JRC/L)^0.33 metres.",
       .example = "JOINT, 8, , , , , , , , , , 1.D9\n"
                  "BARTON, 8, 10., 1.D8, 30., .004, 1.D9, .0005, 1.D10",
@@ -126,7 +128,8 @@ std::vector<CardSpec> law_cards() {
                   {"id", integer, {}, law_id, "[-]", "joint id of a JOINT card above"}},
        .notes = "Does not act where two sides with the same joint id and a JOINT card "
                 "of that id meet. The card acts at its place in the deck, for blocks "
-                "that are made later too. After a MOTION or CYCLE, another JPAIR card "
+                "that are made later too. After a MOTION, CYCLE or SOLVE, another "
+                "JPAIR card "
                 "may replace the id; ids of WALTON and BARTON stay.",
        .example = "JPAIR, 1, 1, 4"},
       {.name = "BOND",

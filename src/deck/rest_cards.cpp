@@ -29,11 +29,11 @@ std::vector<CardSpec> rest_cards() {
        .notes = "A block is slowed down by alpha times its unbalanced force, gravity "
                 "included; its spin and its strain rates likewise. A block in free "
                 "flight falls at (1 - alpha) times gravity.",
-       .example = "LOCDAMP, .8"},
+       .example = "LOCDAMP, .2"},
       {.name = "KINDAMP",
        .section = "ours",
        .summary = "kinetic damping, for statics",
-       .fields = {{"on", integer, "1", off_or_on, "[-]", "1: on, 0: off"}},
+       .fields = {{"on", integer, "1", off_or_on, "[-]", "0 ends kinetic damping"}},
        .notes = "All free blocks are stopped whenever the kinetic energy of the model "
                 "has passed a peak.",
        .example = "KINDAMP, 0"},
@@ -77,13 +77,14 @@ std::vector<CardSpec> rest_cards() {
            "A fixed block is freed; the reaction that held it stays as a constant "
            "force on the side. With RIGID, cp must be given; a blank cs is then "
            "half of cp.",
-       .example = "QUIET, 1, 4, 3000., 1500."},
+       .example = "QUIET, 3, 4, 200., 100."},
       {.name = "SOLVE",
        .section = "ours",
        .summary = "run until the forces are balanced",
        .fields = {{"ratio", real, "1.D-5", ratio, "[-]",
                    "sum of the unbalanced forces over that of all forces"},
-                  {"nmax", integer, "100000", two_tests, "[-]", "most time steps"}},
+                  {"nmax", integer, "100000", two_tests, "[-]",
+                   "largest number of time steps"}},
        .notes =
            "The ratio is tested every 10 steps. The card ends when two successive "
            "tests find at most the one given. If nmax steps do not reach it, there "

@@ -19,10 +19,12 @@ class ContactTable {
  public:
   explicit ContactTable(Model& model);
 
-  /// Returns a contact that the model lists; null if it does not.
+  /// Returns a contact that the model lists; null if it does not. It does not find
+  /// contacts that find_or_add has added.
   ContactEntry* find(const CornerOnEdge& at);
   /// Returns a contact. Adds it, without springs, if the model does not list it. A
-  /// contact may be added only once. The next call invalidates the reference.
+  /// second call for an added contact would add it again, so it is not allowed. The
+  /// next call invalidates the reference.
   ContactEntry& find_or_add(const CornerOnEdge& at);
   /// Writes all contacts to the model, sorted.
   void finish();

@@ -258,8 +258,9 @@ BlockTally tally_motion(const Model& model, const Vec2& gravity, const WorkSplit
           change.rate[i] -= before.rate[i];
         const double both = kinetic_energy(masses, before, after);
         if (memory.stopped) {
-          tally.artificial += kinetic_energy(masses, before, before) + both;
-          tally.error += both;
+          // Half a step of the forces has made `after`.
+          tally.artificial += kinetic_energy(masses, before, before) + 2.0 * both;
+          tally.error += 2.0 * both;
         } else {
           tally.kinetic += both;
           tally.error += kinetic_energy(masses, before, change);

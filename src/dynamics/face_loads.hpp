@@ -17,9 +17,9 @@ struct StressField {
   Eigen::Matrix2d at(double y) const;
 };
 
-/// Two corners at an end of a face are one point if they are closer than this part of
-/// the side. It exceeds the rounding of coordinates up to a million block sizes. With
-/// a larger value the moment of a face becomes wrong by this part.
+/// Two corners at an end of a face are one point if their distance is less than this
+/// fraction of the side. It exceeds the rounding of coordinates up to a million block
+/// sizes. A larger value makes the moment of a face wrong by up to that fraction.
 inline constexpr double same_point = 1e-9;
 
 /// The forces of a contact: those of all faces that it belongs to.
@@ -44,8 +44,9 @@ class PairLoads {
   void clear() { all_.clear(); }
   const std::vector<FaceLoad>& all() const { return all_; }
 
-  /// Adds a flush face. A traction that is linear along it has the force and the moment
-  /// of L (2 p1 + p2) / 6 at one end and L (p1 + 2 p2) / 6 at the other.
+  /// Adds the forces of a flush face of length L. The traction is linear along it, from
+  /// p1 at one end to p2 at the other. Two forces replace it: L (2 p1 + p2) / 6 at the
+  /// first end and L (p1 + 2 p2) / 6 at the second. Their sum and moment are the same.
   void add(const Face& face);
 
  private:

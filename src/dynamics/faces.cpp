@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/contact_constants.hpp"
 #include "geometry/contact_predicates.hpp"
 
 namespace blocks::dynamics {
@@ -23,8 +24,8 @@ Face::Face(const Blocks& blocks, int e, int f)
 
 bool Face::is_flush(double tolerance, double least) const {
   const Vec2 other = at(blocks_.next[f_]) - at(f_);
-  return along_.dot(other) <= -0.95 * other.norm() && high() - low() > least &&
-         end(true, slack(tolerance)).gap <= tolerance &&
+  return along_.dot(other) <= -geometry::face_cosine * other.norm() &&
+         high() - low() > least && end(true, slack(tolerance)).gap <= tolerance &&
          end(false, slack(tolerance)).gap <= tolerance;
 }
 

@@ -22,13 +22,15 @@ class Face {
  public:
   Face(const Blocks& blocks, int e, int f);
 
-  /// Returns whether the two sides face each other, overlap in projection by more than
-  /// `least` [L], and are at most `tolerance` [L] apart at both ends.
+  /// Returns whether the two sides are flush: they face each other (within 18 degrees)
+  /// and are at most `tolerance` [L] apart at both ends of their common part. That part
+  /// must be longer than `least` [L].
   bool is_flush(double tolerance, double least) const;
-  /// Returns the slack of BOND along the face, [L].
+  /// Returns the distance along the face within which two corners share an end, [L].
+  /// is_flush() and BOND use it. INSITU loads ends with `same_point` (face_loads.hpp).
   double slack(double tolerance) const;
-  /// Returns the end at the end of e, or at its start. It has both corners if they are
-  /// at most `slack` [L] apart along the face.
+  /// Returns the end of the face that is nearer to the end of e, or to its start. It
+  /// has two contacts if its two corners are at most `slack` [L] apart along the face.
   FaceEnd end(bool at_end_of_e, double slack) const;
   double length_of_side() const { return length_; }  ///< [L] of e
   /// Returns the length of the common part of the two sides, [L].

@@ -14,6 +14,7 @@
 #include "dynamics/loads.hpp"
 #include "dynamics/search/near_pairs.hpp"
 #include "dynamics/spring_energy.hpp"
+#include "geometry/contact_constants.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 /// `length_of` of the kernel computes it. acts(at) tells which contacts act.
 template <class Acts>
 double length_of(const Blocks& blocks, const CornerOnEdge& at, const Acts& acts) {
-  constexpr double square_of_cosine = 0.95 * 0.95;
+  constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
   const auto corner = [&](int c) { return Vec2(blocks.corner.col(c)); };
   const int before = blocks.previous[at.corner], after = blocks.next[at.corner];
   const int edge_end = blocks.next[at.edge];
@@ -219,6 +220,7 @@ void set_forces(Model& model) {
 }  // namespace
 
 InSituReport load_faces(Model& model, const StressField& field, double tolerance) {
+  const bool had_states = model.settings.in_situ || !model.settings.joint_laws.empty();
   model.settings.in_situ = true;
   Blocks& blocks = model.blocks;
   if (!model.settings.rigid)
@@ -240,6 +242,10 @@ InSituReport load_faces(Model& model, const StressField& field, double tolerance
     loading.load(loads.all());
   }
   const InSituReport report = loading.finish(faces);
+  if (report.contacts == 0 && !had_states) {
+    model.settings.in_situ = false;
+    model.joint_states.clear();
+  }
   // Plane contacts have no forces before the first step, and are left alone later.
   if (model.plane_contacts.size() == 0)
     set_forces(model);

@@ -17,8 +17,8 @@ bool stop_at_peak(Model& model, const WorkSplit& split, Workers& workers,
                                         masses_of(blocks, b, rigid), motion, motion);
                                   })
                             .kinetic;
-  const bool has_peaked = energy < model.kinetic_energy;
-  model.kinetic_energy = has_peaked ? 0.0 : energy;
+  const bool has_peaked = energy < model.last_kinetic_energy;
+  model.last_kinetic_energy = has_peaked ? 0.0 : energy;
   if (!has_peaked)
     return false;
   for (int b = 0; b < blocks.size(); ++b)

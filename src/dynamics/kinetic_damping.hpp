@@ -10,9 +10,11 @@
 namespace blocks::dynamics {
 
 /// Sets the velocities, spins and strain rates of all free blocks to 0 if their kinetic
-/// energy is less than before the last step. Call it in a step before blocks move: the
-/// springs have followed the motion, so nothing of it is lost. Updates
-/// Model::kinetic_energy. Returns whether the blocks were stopped. tallies, shares:
+/// energy is less than before the last step. Call it in a step when the springs have
+/// followed the last motion, before the blocks move. If it returns true, the blocks are
+/// at rest at their present positions. Then forces must change the velocities for half
+/// a step only (StepMotion::kick): with a whole one, fast modes would gain energy at
+/// each stop. Updates Model::last_kinetic_energy. tallies, shares:
 /// working memory.
 bool stop_at_peak(Model& model, const WorkSplit& split, Workers& workers,
                   std::vector<BlockTally>& tallies, std::vector<int>& shares);

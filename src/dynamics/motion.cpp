@@ -120,17 +120,17 @@ void damp_unbalanced(Blocks& blocks, BlockRange range, const Settings& settings,
                      range.end);
 }
 
-void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
-                       const Kernels& by) {
+void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
+                       double kick, const Kernels& by) {
   by.update_velocities(columns_of(blocks), range.begin, range.end, gravity.x(),
-                       gravity.y(), dt);
+                       gravity.y(), kick);
 }
 
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double dt, const Kernels& by) {
+                   double kick, double dt, const Kernels& by) {
   each_part(range, [&](int first, int last) {
     const ModuliOfBlocks moduli(blocks, first, last, settings);
-    by.update_strain(columns_of(blocks), moduli.columns(), first, last, dt);
+    by.update_strain(columns_of(blocks), moduli.columns(), first, last, kick, dt);
   });
 }
 
@@ -185,9 +185,9 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings,
       sum_contacts(blocks, contacts, range, step.loaded, settings.rigid);
       if (settings.local_damping > 0.0)
         damp_unbalanced(blocks, range, settings, step);
-      update_velocities(blocks, range, step.gravity, dt);
+      update_velocities(blocks, range, step.gravity, step.kick);
       if (!settings.rigid)
-        update_strain(blocks, range, settings, dt);
+        update_strain(blocks, range, settings, step.kick, dt);
       threads[thread].include(move_corners(blocks, range, bounds, settings, dt));
     }
   });

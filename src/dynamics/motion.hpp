@@ -35,7 +35,10 @@ struct Displacement {
 
 /// What a step does to all blocks alike.
 struct StepMotion {
-  double dt = 0.0;        ///< [T]
+  double dt = 0.0;  ///< [T]
+  /// [T] the time in which forces change velocities and strain rates: dt, or half of it
+  /// if the blocks start from rest at their present positions
+  double kick = 0.0;
   Vec2 gravity = {0, 0};  ///< [L/T^2] acceleration at the start of the step
   /// Whether blocks.force, moment and applied hold the loads.
   bool loaded = false;
@@ -69,16 +72,16 @@ void damp_unbalanced(Blocks& blocks, BlockRange range, const Settings& settings,
                      const StepMotion& step, const Kernels& by = kernels());
 
 /// (1), (2): updates velocities and spins of free blocks from force, moment and
-/// gravity.
-void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity, double dt,
-                       const Kernels& by = kernels());
+/// gravity. kick: StepMotion::kick.
+void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
+                       double kick, const Kernels& by = kernels());
 
 /// (10): updates the strain rates of free blocks. They are driven by the symmetric part
 /// of applied minus internal stress, divided by the effective mass l_j^2 M / (4 A).
 /// (12): then updates the internal stress of free blocks by plane strain elasticity.
-/// Deformable runs only.
+/// Deformable runs only. kick: StepMotion::kick.
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
-                   double dt, const Kernels& by = kernels());
+                   double kick, double dt, const Kernels& by = kernels());
 
 /// (3), (13)-(15): updates centroids, angles, deformation gradients and corners. The
 /// gradient becomes R (I + strain rate dt) gradient, where R is the Cayley rotation of

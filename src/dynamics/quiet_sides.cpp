@@ -13,8 +13,6 @@
 namespace blocks::dynamics {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Numbers of the corner where a side begins and of the next one.
 struct SideEnds {
   int first, second;
@@ -24,9 +22,9 @@ SideEnds ends_of(const Blocks& blocks, const QuietSide& quiet) {
   return {c, blocks.next[c]};
 }
 
-/// The coefficients of the dashpots at each corner of a side, [F T/L]: the force is
-/// -(normal p p^T + along a a^T) v with the vector a along the side and p at right
-/// angles to it, both of the length of the side.
+/// The dashpots at each corner of a side. Their force is
+/// -(normal p p^T + along a a^T) v. The vector a runs along the side, and p is at right
+/// angles to it. Both are as long as the side, so the coefficients are in [F T/L^3].
 struct Dashpots {
   Vec2 a, p;
   double normal, along;
@@ -45,7 +43,7 @@ void hold(const Blocks& blocks, QuietSide& quiet, const Vec2& force, double mome
   const auto [c1, c2] = ends_of(blocks, quiet);
   const Vec2 arm1 = blocks.present_arm(c1), arm2 = blocks.present_arm(c2);
   const Vec2 along = arm2 - arm1, normal(-along.y(), along.x());
-  const double couple = moment - cross(0.5 * (arm1 + arm2), force);
+  const double couple = moment - geometry::cross(0.5 * (arm1 + arm2), force);
   const Vec2 more = couple / along.squaredNorm() * normal;
   quiet.first += 0.5 * force - more;
   quiet.second += 0.5 * force + more;

@@ -28,13 +28,13 @@ QuietPower power_of_quiet_sides(const Model& model);
 
 /// Returns the largest rate at which dashpots slow down a motion of a free block,
 /// [1/T]. A step of 2 over that rate is unstable, with or without other forces.
-/// `sides` are quiet sides of the block b; others are left out.
+/// `sides` may have quiet sides of any blocks; only those of block b count.
 double decay_rate(const Blocks& blocks, bool rigid, int b,
                   const std::vector<QuietSide>& sides);
 
 /// Makes a side quiet. If it is quiet already, its wave speeds are replaced, and its
 /// constant forces stay. A fixed or driven block becomes free. The force and moment
-/// that held it are added to the constant forces of the side, and a deformable block
+/// that held it are added to the constant forces of the side. A deformable block also
 /// gets the stress that is in equilibrium with the forces on it. Forces and stresses
 /// are those of the last step. Returns the force that held the block, [F], and 0 for a
 /// free block. The block must be inside the domain and not removed.

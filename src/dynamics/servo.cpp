@@ -93,8 +93,8 @@ ServoContacts read_servo_contacts(const Model& model, const ContactArrays& conta
     const EdgeDirection edge(blocks, batches, slot, along);
     const SpringRow& springs = batches.advanced[slot / lane_count];
     const int k = slot % lane_count;
-    // The block with the corner is pushed along the outward normal of the edge, and
-    // against the direction of the edge if it slides in this direction.
+    // The normal spring pushes the block of the corner along the outward normal of the
+    // edge. A positive shear spring pushes it against the direction of the edge.
     const double on_corner =
         springs.normal_elastic[k] * edge.cosine - springs.shear_elastic[k] * edge.sine;
     const int corner = batches.at(slot, &ContactRow::corner);

@@ -1,6 +1,6 @@
 // SERVO: chooses the velocities of driven blocks so that their sides hold a normal
-// stress (docs/rest.md#servos). This happens between the third and the fifth call of a
-// step.
+// stress (docs/rest.md#servos). A step does this after add_loads and before move_blocks
+// (docs/architecture.md#one-step).
 #pragma once
 
 #include "dynamics/contacts/contact_arrays.hpp"
@@ -14,11 +14,12 @@ namespace blocks::dynamics {
 /// sign, and dashpots may make it grow (docs/rest.md#servos).
 inline constexpr double servo_gain = 0.5;
 
-/// What the springs of the contacts of a servo's block show in a step.
+/// Stress and stiffness of the contacts of a servo's block, from their springs.
 struct ServoContacts {
   double stress = 0.0;  ///< [F/L^2] normal stress on the side, tension positive
-  /// [F/L] by how much the force on the block decreases if it moves along the outward
-  /// normal of the side, per distance, or more; 0: no contact resists
+  /// [F/L] of all contacts against a motion of the block along the outward normal of
+  /// the side. It may be larger than the change of the force per distance, never
+  /// smaller; otherwise the servo would go too far. It is 0 without contacts.
   double stiffness = 0.0;
 };
 

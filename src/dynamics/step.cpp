@@ -15,6 +15,8 @@ void prepare(Model& model) {
     model.time_step = choose_time_step(model);
     model.order = order_if_worthwhile(model.blocks);
   }
+  // Cards may have freed, fixed or pushed blocks, which is no peak of the energy.
+  model.last_kinetic_energy = 0.0;
   begin_energy(model);
   model.started = true;
 }

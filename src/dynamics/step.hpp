@@ -104,8 +104,9 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
                                     work.energy.block_tallies, work.energy.shares);
   double* const damped = model.energy.kept ? work.energy.damped.data() : nullptr;
   const Displacement moved = move_blocks(
-      blocks, settings, {dt, gravity, loaded, damped}, work.contacts, model.drives,
-      work.decisions.bounds, work.split.blocks, *work.workers, work.moved);
+      blocks, settings, {dt, stopped ? 0.5 * dt : dt, gravity, loaded, damped},
+      work.contacts, model.drives, work.decisions.bounds, work.split.blocks,
+      *work.workers, work.moved);
   if (settings.rigid && reads)
     blocks.applied.array().rowwise() /= blocks.area.transpose().array();
   model.time = time_after_step(model);

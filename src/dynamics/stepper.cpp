@@ -57,7 +57,7 @@ void Stepper::bring_in() {
   inside_.time = model_.time, inside_.time_origin = model_.time_origin;
   inside_.worst_overlap = model_.worst_overlap;
   inside_.energy = model_.energy;
-  inside_.kinetic_energy = model_.kinetic_energy;
+  inside_.last_kinetic_energy = model_.last_kinetic_energy;
   work_.springs.list_changed();
   inside_current_ = true;
 }
@@ -81,7 +81,7 @@ void Stepper::bring_out_time() {
     model_.servos = outwards_.renumbered(inside_.servos);
   }
   model_.energy = inside_.energy;
-  model_.kinetic_energy = inside_.kinetic_energy;
+  model_.last_kinetic_energy = inside_.last_kinetic_energy;
   // All new exits have the same time, so they are sorted by block.
   const auto told = static_cast<std::ptrdiff_t>(model_.exits.size());
   for (const DomainExit& exit : inside_.exits)

@@ -1,6 +1,10 @@
 #include "model/equilibrium.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "model/drives.hpp"
 
 namespace blocks {
 double time_of_forces(const Model& model) {
@@ -23,6 +27,8 @@ double sum_of_loads(const Model& model, double time) {
   }
   for (const CentroidForce& load : loads.forces)
     sum += std::abs(loads.function.factor(time, load.arrival)) * load.force.norm();
+  for (const Servo& servo : model.servos)
+    sum += std::abs(servo.target) * side_of(blocks, servo).length;
   for (const QuietSide& quiet : loads.quiet_sides)
     sum += quiet.first.norm() + quiet.second.norm();
   return sum;
@@ -30,6 +36,10 @@ double sum_of_loads(const Model& model, double time) {
 
 double unbalanced_force(const Model& model, int b, const Vec2& gravity) {
   const Blocks& blocks = model.blocks;
+  for (const Servo& servo : model.servos)
+    if (servo.block == b)
+      return std::abs(stress_on(model, servo) - servo.target) *
+             side_of(blocks, servo).length;
   if (!blocks.is_free(b))
     return 0.0;
   const double gyration = std::sqrt(blocks.inertia[b] / blocks.mass[b]);
@@ -77,6 +87,23 @@ double unbalanced_ratio(const Model& model) {
   for (int i = 0; i < model.plane_contacts.size(); ++i)
     all += std::abs(model.plane_contacts.normal_force[i]);
   return all > 0.0 ? unbalanced / all : 0.0;
+}
+
+bool loads_will_change(const Model& model) {
+  const GravityRamp& ramp = model.settings.gravity_ramp;
+  if (ramp.duration > 0.0 && model.time < ramp.begin + ramp.duration)
+    return true;
+  const TimeFunction& function = model.loads.function;
+  double last_change = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < function.t.size(); ++i)
+    if (function.p[i] != function.p[i - 1])
+      last_change = function.t[i];
+  const auto is_coming = [&](const auto& load) {
+    return model.time < load.arrival + std::max(0.0, last_change);
+  };
+  return std::any_of(model.loads.pressures.begin(), model.loads.pressures.end(),
+                     is_coming) ||
+         std::any_of(model.loads.forces.begin(), model.loads.forces.end(), is_coming);
 }
 
 }  // namespace blocks

@@ -135,16 +135,16 @@ struct Model {
   std::vector<CutRecord> cuts;
   std::vector<JointLengthRecord> joint_lengths;  ///< ascending in cut and joint
   long steps = 0;                                ///< MCYCLE, number of steps done
-  double time = 0.0;           ///< [T] TIME = time_origin + (steps - step_origin) dt
-  double time_origin = 0.0;    ///< [T] time at which the present dt was set
-  long step_origin = 0;        ///< value of `steps` at that time
-  bool started = false;        ///< a MOTION or CYCLE has run, so FRACTION is fixed
+  double time = 0.0;         ///< [T] TIME = time_origin + (steps - step_origin) dt
+  double time_origin = 0.0;  ///< [T] time at which the present dt was set
+  long step_origin = 0;      ///< value of `steps` at that time
+  bool started = false;      ///< a MOTION, CYCLE or SOLVE has run, so FRACTION is fixed
   double worst_overlap = 0.0;  ///< [L] largest of any active contact so far
   EnergyAccount energy;
   std::vector<SolveRecord> solves;
   /// [F L] kinetic energy before the last step; 0 if that stopped the blocks; only with
   /// KINDAMP
-  double kinetic_energy = 0.0;
+  double last_kinetic_energy = 0.0;
 };
 
 /// Sums over the model, in [F L], [M L/T], [M L^2/T] and [L].

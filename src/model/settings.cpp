@@ -1,5 +1,7 @@
 #include "model/settings.hpp"
 
+#include <algorithm>
+
 namespace blocks {
 
 using geometry::Vec2;
@@ -17,10 +19,11 @@ double Material::c12() const {
 }
 
 Vec2 Settings::gravity_at(double time) const {
-  const double left = gravity_ramp.begin + gravity_ramp.duration - time;
-  if (!(left > 0.0))
+  const auto& [from, begin, duration] = gravity_ramp;
+  const double left = begin + duration - time;
+  if (!(duration > 0.0) || !(left > 0.0))
     return gravity;
-  return gravity - (left / gravity_ramp.duration) * (gravity - gravity_ramp.from);
+  return gravity - std::min(1.0, left / duration) * (gravity - from);
 }
 
 }  // namespace blocks

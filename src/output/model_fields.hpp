@@ -245,7 +245,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
          drives, servos, time_step, search, output, plots, plot_times, history,
          output_blocks, order, exits, merges, layers, cuts, joint_lengths, steps, time,
          time_origin, step_origin, started, worst_overlap, energy, solves,
-         kinetic_energy] = model;
+         last_kinetic_energy] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -375,7 +375,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("largest", largest);
     column("block", at);
   });
-  ar("kinetic_energy", kinetic_energy);
+  ar("last_kinetic_energy", last_kinetic_energy);
 }
 
 }  // namespace blocks::output

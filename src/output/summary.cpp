@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "model/drives.hpp"
 #include "output/cuts_json.hpp"
 #include "output/file_tools.hpp"
 #include "quantities/energy.hpp"
@@ -29,22 +30,16 @@ Json fastest_block(const Blocks& blocks) {
   return fastest < 0 ? Json() : Json{{"block", fastest + 1}, {"speed", speed}};
 }
 
-/// The servos: target and stress of their sides, and their speed along the normal. The
-/// stress is that of all forces on the block.
+/// The servos: target and stress of their sides, and their speed along the normal.
 Json servos(const Model& model) {
-  const Blocks& blocks = model.blocks;
   Json list = Json::array();
   for (const Servo& servo : model.servos) {
-    const int corner = blocks.first_corner[servo.block] + servo.side;
-    const Vec2 side =
-        blocks.corner.col(blocks.next[corner]) - blocks.corner.col(corner);
-    const Vec2 outward = Vec2(-side.y(), side.x()) / side.norm();
-    list.push_back(
-        {{"block", servo.block + 1},
-         {"side", servo.side + 1},
-         {"target", servo.target},
-         {"stress", outward.dot(blocks.force.col(servo.block)) / side.norm()},
-         {"speed", outward.dot(blocks.velocity.col(servo.block))}});
+    const Vec2 outwards = side_of(model.blocks, servo).outwards;
+    list.push_back({{"block", servo.block + 1},
+                    {"side", servo.side + 1},
+                    {"target", servo.target},
+                    {"stress", stress_on(model, servo)},
+                    {"speed", outwards.dot(model.blocks.velocity.col(servo.block))}});
   }
   return list;
 }

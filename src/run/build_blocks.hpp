@@ -18,8 +18,8 @@ namespace blocks::run {
 class BlockBuilder {
  public:
   /// `corners` holds the shared corners of this section of the deck, up to the next
-  /// MOTION or CYCLE. `unread` are the cards that could not be read, which may define
-  /// materials. Limits of START are not checked if it is missing.
+  /// MOTION, CYCLE or SOLVE. `unread` are the cards that could not be read, which may
+  /// define materials. Limits of START are not checked if it is missing.
   BlockBuilder(Model& model, deck::Diagnostics& diagnostics,
                const deck::Command& command, const geometry::SharedCorners& corners,
                const UnreadCards& unread)

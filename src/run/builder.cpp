@@ -255,7 +255,7 @@ struct Builder::Visitor {
   }
   void operator()(const deck::Kindamp& card) {
     settings.kinetic_damping = card.on.value != 0;
-    model.kinetic_energy = 0.0;
+    model.last_kinetic_energy = 0.0;
   }
   void operator()(const deck::Insitu& card) { self.load_in_situ(command, card); }
   void operator()(const deck::Servo& card) { self.servo(command, card); }

@@ -56,8 +56,8 @@ class Builder {
 
   /// Checks what must hold before MOTION and CYCLE. There must be blocks; no symmetry
   /// plane may have all blocks behind it; the time step must allow the motion.
-  /// Overlapping blocks cause a warning. `in_place` means that no MOTION or CYCLE lies
-  /// between, so the blocks are where they will be at that moment.
+  /// Overlapping blocks cause a warning. `in_place` means that no MOTION, CYCLE or
+  /// SOLVE lies between, so the blocks are where they will be at that moment.
   void check_before_motion(const deck::Command& command, bool in_place);
 
   /// Warns of blocks made since the last call that lie outside the domain, because the
@@ -66,8 +66,9 @@ class Builder {
   /// this.
   void check_physics(const deck::Command& motion);
 
-  /// Replaces check_before_motion() before the first MOTION or CYCLE if another builder
-  /// has checked the same cards. `certificate` is the certificate of that builder.
+  /// Replaces check_before_motion() before the first MOTION, CYCLE or SOLVE if another
+  /// builder has checked the same cards. `certificate` is the certificate of that
+  /// builder.
   void begin_to_move(SharedCertificate certificate);
 
   /// Continues a resumed run at cards[next]. The cards before it made the model.
@@ -144,7 +145,7 @@ class Builder {
   /// Returns the block of a DRIVE or SERVO card, from 0; -1 after an error or a
   /// warning.
   int block_to_drive(const deck::Command& command, const deck::Int& number);
-  /// Whether a MOTION or CYCLE lies before the present card.
+  /// Whether a MOTION, CYCLE or SOLVE lies before the present card.
   bool has_moved() const { return stretch_ > 0 || model_.steps > 0; }
   /// Returns the law of this joint id. Reports an error and returns null if no JOINT
   /// card defines it.

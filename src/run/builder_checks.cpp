@@ -163,7 +163,7 @@ void Builder::check_fraction(const Command& command) {
   const Settings& settings = model_.settings;
   const double safe = dynamics::safe_fraction(settings.damping, settings.local_damping);
   const Command& to_blame = fraction_by_ ? *fraction_by_ : command;
-  if (settings.fraction > safe && safe != fraction_told_)
+  if (settings.fraction > safe && (fraction_told_ == 0.0 || safe < fraction_told_))
     diagnostics_.warning(
         to_blame.where, to_blame.name,
         fmt::format(

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* after_motion_hint =
     "the kind of a law cannot change once blocks have moved: put the card before the "
-    "first MOTION or CYCLE";
+    "first MOTION, CYCLE or SOLVE";
 
 const char* name_of(LawKind kind) {
   return kind == LawKind::walton ? "WALTON" : "BARTON";
@@ -64,7 +64,7 @@ void Builder::define_joint(const Command& command, const deck::Joint& card) {
     diagnostics_.error(card.id.where, command.name,
                        fmt::format("joint id {} is defined twice", id),
                        fmt::format("the first JOINT card is on line {}; only after a "
-                                   "MOTION or CYCLE may another one replace it",
+                                   "MOTION, CYCLE or SOLVE may another one replace it",
                                    met->second.line));
     return;
   }
@@ -76,7 +76,8 @@ void Builder::define_joint(const Command& command, const deck::Joint& card) {
         card.id.where, command.name,
         fmt::format("joint id {} has a {} card, so its values cannot change", id,
                     name_of(before.kind)),
-        "after a MOTION or CYCLE, JOINT changes only joints without WALTON or BARTON");
+        "after a MOTION, CYCLE or SOLVE, JOINT changes only joints without WALTON or "
+        "BARTON");
     return;
   }
   JointLaw& law = laws[id] = {};
@@ -104,7 +105,7 @@ JointLaw* Builder::law_to_extend(const Command& command, const deck::Int& id) {
     return nullptr;
   };
   if (has_moved())
-    return refuse(command.where, "must come before the first MOTION or CYCLE",
+    return refuse(command.where, "must come before the first MOTION, CYCLE or SOLVE",
                   after_motion_hint);
   if (found->kind != LawKind::coulomb)
     return refuse(id.where,
@@ -177,7 +178,7 @@ void Builder::pair_materials(const Command& command, const deck::Jpair& card) {
                        fmt::format("materials {} and {} have a joint id already",
                                    card.mat1.value, card.mat2.value),
                        fmt::format("the first JPAIR card is on line {}; only after a "
-                                   "MOTION or CYCLE may another one replace it",
+                                   "MOTION, CYCLE or SOLVE may another one replace it",
                                    met->second.line));
     return;
   }

@@ -7,6 +7,7 @@
 
 #include "dynamics/quiet_sides.hpp"
 #include "dynamics/time_step.hpp"
+#include "model/equilibrium.hpp"
 
 namespace blocks::run {
 
@@ -61,6 +62,15 @@ void Builder::make_quiet(const Command& command, const deck::Quiet& card) {
                     "is held",
                     b + 1),
         "bring the model to rest on the fixed block first: SOLVE or MOTION");
+  const bool moves =
+      !was_free && (!blocks.velocity.col(b).isZero(0.0) || blocks.spin[b] != 0.0);
+  if (moves || (!was_free && loads_will_change(model_)))
+    diagnostics_.warning(
+        command.where, command.name,
+        fmt::format("block {} is freed while {}", b + 1,
+                    moves ? "it moves" : "gravity or a load still changes"),
+        "the force that holds it from now on is that of this moment: bring the model "
+        "to rest first");
   const Vec2 held = dynamics::make_quiet(model_, quiet);
   warn_of_dashpots(command, b);
   if (!in_place_)  // The time and the reaction are those of the run.
@@ -85,7 +95,7 @@ void Builder::warn_of_dashpots(const Command& command, int b) {
                         : dynamics::choose_time_step(model_).dt;
   const double rate = dynamics::decay_rate(model_.blocks, model_.settings.rigid, b,
                                            model_.loads.quiet_sides);
-  if (!(rate * dt > most))
+  if (rate * dt <= most)
     return;
   diagnostics_.warning(
       command.where, command.name,

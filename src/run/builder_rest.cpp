@@ -46,10 +46,13 @@ void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
                            {card.sxx.value, card.syy.value, card.sxy.value,
                             card.dxx.value, card.dyy.value, card.dxy.value},
                            tolerance);
+  // Forces at symmetry planes are not known before the next step.
+  const bool has_ratio = model_.plane_contacts.size() == 0;
+  const double ratio = has_ratio ? unbalanced_ratio(model_) : 0.0;
   notes_.push_back(fmt::format(
-      "INSITU in line {} at time {:g}: {} loaded, unbalanced force ratio {:.2g}",
-      command.where.line, model_.time, counted(report.faces, "face"),
-      unbalanced_ratio(model_)));
+      "INSITU in line {} at time {:g}: {} loaded{}", command.where.line, model_.time,
+      counted(report.faces, "face"),
+      has_ratio ? fmt::format(", unbalanced force ratio {:.2g}", ratio) : ""));
   if (diagnostics_.has_errors())
     return;
   const auto warn = [&](const std::string& message, const std::string& hint) {
@@ -57,7 +60,14 @@ void Builder::load_in_situ(const Command& command, const deck::Insitu& card) {
   };
   if (report.faces == 0)
     warn(fmt::format("no faces are flush within {:g}, so nothing is loaded", tolerance),
-         "INSITU loads faces whose gap or overlap is at most a hundredth of ctol");
+         "put INSITU after the cards that make blocks; it loads faces whose gap or "
+         "overlap is at most a hundredth of ctol");
+  constexpr double balanced = 1e-3;
+  if (ratio > balanced && report.faces > 0 && report.open == 0)
+    warn(fmt::format("the stress is not in equilibrium: unbalanced force ratio {:.2g}",
+                     ratio),
+         "dyy is the density times the size of gravity, dxy is 0, and fixed blocks or "
+         "PRESSBC must carry the stress at all outer sides");
   if (report.open > 0)
     warn(fmt::format("{} without tensile strength would be in tension: no force there",
                      counted(report.open, "contact")),

@@ -12,11 +12,12 @@ namespace blocks::run {
 /// Follows the unbalanced ratio (model/equilibrium.hpp) during one SOLVE card. The
 /// ratio is tested after every Solve::test_interval-th step of the card and after its
 /// last one. The forces are balanced when two successive tests find at most the ratio
-/// of the card, because a block that swings passes its position of rest.
+/// of the card, because a block that swings passes its position of rest. While gravity
+/// or a load still changes, they are not.
 class Convergence {
  public:
-  /// For a card of which `made` steps were made before a restart. `was_below` is
-  /// below() at that moment.
+  /// Starts a card. If a restart continues it, `made` is the number of its steps before
+  /// the restart, and `was_below` the value of below() at that moment.
   explicit Convergence(const deck::Solve& card, long made = 0, bool was_below = false);
 
   /// Whether the model must be read after the next step, because it will be tested.
@@ -50,10 +51,10 @@ class Convergence {
   double share_ = 0.0;
 };
 
-/// Tells the result of a SOLVE card in one line, for the console.
+/// Returns the line that the console shows as the result of a SOLVE card.
 std::string solve_line(const SolveRecord& solve);
-/// The warning if the card has not converged: the ratio, the block with the largest
-/// unbalanced force, and what may help.
+/// Returns the warning about a card that has not converged. It has the ratio, the block
+/// with the largest unbalanced force, and what may help.
 std::string solve_warning(const SolveRecord& solve, const Settings& settings);
 
 }  // namespace blocks::run

@@ -9,8 +9,8 @@
 namespace blocks::run {
 
 /// Returns the corners shared by the LAYER and CREATE cards of each section of the
-/// deck. A section ends at a MOTION or CYCLE card or at the end of the deck. Blocks of
-/// earlier sections have moved, so they share no corners.
+/// deck. A section ends at a MOTION, CYCLE or SOLVE card or at the end of the deck.
+/// Blocks of earlier sections have moved, so they share no corners.
 std::vector<geometry::SharedCorners>
 shared_corners(const std::vector<deck::Command>& cards);
 

@@ -379,7 +379,7 @@ void Executor::tell_profile() {
 void Executor::tell_what_remains() const {
   const bool is_reached = steps_to_end() == 0;
   console_.note(fmt::format(
-      "{} of this card remain{}; to continue: {}",
+      "{}{} of this card remain{}; to continue: {}", solving_ ? "at most " : "",
       counted(progress_.steps_left, "step"), progress_.steps_left == 1 ? "s" : "",
       continuation_command(options_, files_.checkpoint_path(), !is_reached)));
 }

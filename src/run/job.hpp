@@ -45,7 +45,7 @@ struct Job {
   bool is_extension(std::size_t command) const {
     return options.until && command == end;
   }
-  /// Whether the deck itself has a MOTION or CYCLE at this index or later.
+  /// Whether the deck itself has a MOTION, CYCLE or SOLVE at this index or later.
   bool passes_time_from(std::size_t command) const;
   /// Whether the deck has SOLVE, LOCDAMP or KINDAMP, or a history of unbalanced forces.
   /// Its results then have them (docs/rest.md#the-ratio).

@@ -52,8 +52,8 @@ Model load_to_check(Job& job) {
 }
 
 /// Executes every card without making steps. `start` receives the model at the first
-/// MOTION or CYCLE, or at the end if there is none. `notes` receives the notes on what
-/// cards did. Returns false if there were errors.
+/// MOTION, CYCLE or SOLVE, or at the end if there is none. `notes` receives the notes
+/// on what cards did. Returns false if there were errors.
 bool check(Job& job, Model& start, std::vector<std::string>& notes) {
   Model model;
   if (job.loads())
@@ -99,9 +99,10 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
   if (!has_moved)
     start = std::move(model);
   else if (const int later = model.blocks.size() - start.blocks.size(); later > 0)
-    notes.push_back(fmt::format("blocks made after the first MOTION or CYCLE: {}; the "
-                                "run checks them for overlaps",
-                                later));
+    notes.push_back(
+        fmt::format("blocks made after the first MOTION, CYCLE or SOLVE: {}; the "
+                    "run checks them for overlaps",
+                    later));
   job.certificate = builder.certificate();
   return !job.diagnostics.has_errors();
 }
@@ -129,8 +130,8 @@ bool tell_new(const deck::Diagnostics& said, std::size_t before, Executor& execu
   return sound;
 }
 
-/// Checks a later MOTION or CYCLE at the present positions of the blocks, or the blocks
-/// made after the last one. Returns false if there were errors.
+/// Checks a later MOTION, CYCLE or SOLVE at the present positions of the blocks, or the
+/// blocks made after the last one. Returns false if there were errors.
 bool sound_in_place(Builder& builder, deck::Diagnostics& said,
                     const deck::Command& command, Executor& executor, RunFiles& files) {
   const std::size_t before = said.all().size();

@@ -44,15 +44,15 @@ struct RunOptions {
   bool verbose = false;
   bool json = false;  ///< print the summary instead of the table
   /// Receives the blocks and their certificate when a new run begins: the model at the
-  /// first MOTION or CYCLE, or at the end of a deck without them. Not called by a run
-  /// that continues.
+  /// first MOTION, CYCLE or SOLVE, or at the end of a deck without them. Not called by
+  /// a run that continues.
   std::function<void(const Model&, const SharedCertificate&)> at_start;
 };
 
 /// Parses and checks the whole deck, then runs it. Returns an ExitCode.
 int run_deck(const RunOptions& options);
 
-/// The model at the first MOTION or CYCLE of a deck, or at its end without them.
+/// The model at the first MOTION, CYCLE or SOLVE of a deck, or at its end without them.
 struct CheckedDeck {
   ExitCode code = done;  ///< unless `done`, the members below are not valid
   std::string file;      ///< name of the deck in messages

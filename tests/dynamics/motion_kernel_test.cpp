@@ -320,7 +320,7 @@ Displacement step_by(const Kernels& by, Scene& scene, double dt) {
   damp_unbalanced(blocks, scene.range, scene.settings, step, by);
   update_velocities(blocks, scene.range, scene.settings.gravity, dt, by);
   if (!scene.settings.rigid) {
-    update_strain(blocks, scene.range, scene.settings, dt, by);
+    update_strain(blocks, scene.range, scene.settings, dt, dt, by);
   }
   return move_corners(blocks, scene.range, scene.bounds, scene.settings, dt, by);
 }

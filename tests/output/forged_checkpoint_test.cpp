@@ -31,7 +31,7 @@ Model full_model() {
   model.settings.gravity_ramp = {{1, 2}, 0.0, 4.0};
   model.settings.local_damping = 0.5;
   model.settings.kinetic_damping = true;
-  model.kinetic_energy = 2.0;
+  model.last_kinetic_energy = 2.0;
   model.settings.merge_ratio = *geometry::Decimal::parse("0.2");
   model.loads.function = {{0, 1}, {1, 0}};
   model.loads.pressures = {{1, 2, 5, 6, 0.5}};

@@ -109,7 +109,7 @@ TEST(WholeFile, IsRefusedWithAShortMessageIfItHasALongLine) {
   for (std::size_t i = 0; i < 400000; ++i)
     commas += "1,";
   expect_refused(with("0, -10", "0, -10, " + commas),
-                 "a.deck:15:18: error: GRAVITY: one value too many");
+                 "a.deck:15:20: error: GRAVITY: one value too many");
 }
 
 // These are as many as fit into a line.

@@ -24,8 +24,12 @@ TEST_P(ShippedDeck, PassesCheck) {
 // The results have the states at the start and at the end for any PLOTS card.
 TEST_P(ShippedDeck, RunsSoundlyAndWritesItsFiles) {
   const TemporaryFolder folder;
+  const std::string deck = slurp(GetParam());
+  const bool moves = has_card(deck, "MOTION");
   const Outcome run =
-      blocks("run " + quoted() + " --set MOTION.dt=0.002 --audit=20", folder.path());
+      blocks("run " + quoted() + (moves ? " --set MOTION.dt=0.002 " : " ") +
+                 fewer_solves(deck) + "--audit=20",
+             folder.path());
   ASSERT_EQ(run.code, 0) << run.err;
   for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
     EXPECT_TRUE(folder.holds(name() + ending)) << ending;
@@ -40,7 +44,9 @@ TEST_P(ShippedDeck, RunsSoundlyAndWritesItsFiles) {
   EXPECT_EQ(results.frames(), json["frames"].get<long>());
   EXPECT_EQ(results.frame(0).outlines.size(), json["blocks"].get<std::size_t>());
   // MOTION makes ceil(dt / TDEL - 1e-9) steps, so that round-off adds no step.
-  EXPECT_GE(json["time"].get<double>(), 0.002 * (1 - 1e-9));
+  if (moves) {
+    EXPECT_GE(json["time"].get<double>(), 0.002 * (1 - 1e-9));
+  }
   EXPECT_EQ(json["status"], "done");
   EXPECT_GE(json["audit"]["moments"].get<long>(), 1);
   EXPECT_EQ(json["audit"]["faults"], nlohmann::json::array());

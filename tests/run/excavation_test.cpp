@@ -99,8 +99,9 @@ TEST_F(Excavation, CheckDescribesTheStateAtTheFirstMotion) {
 TEST_F(Excavation, CheckCountsLaterBlocksApart) {
   const Outcome told = check("MOTION, 0.1\n" + rectangle(3, 0, 4, 1) + "MOTION, 0.1\n");
   EXPECT_THAT(told.out, HasSubstr("4 blocks (1 fixed), 16 corners, area 11\n"));
-  EXPECT_THAT(told.out, HasSubstr("blocks made after the first MOTION or CYCLE: 1; the "
-                                  "run checks them for overlaps\n"));
+  EXPECT_THAT(told.out,
+              HasSubstr("blocks made after the first MOTION, CYCLE or SOLVE: 1; the "
+                        "run checks them for overlaps\n"));
 }
 
 // Before the motion the check does not know where blocks will be.

@@ -29,7 +29,7 @@ std::string fall(const std::string& cards) {
   return preliminary() + rectangle(0, 0, 1, 1) + "GRAVITY, 0, -10\n" + cards;
 }
 
-/// Returns the deck with the card before its first MOTION or CYCLE.
+/// Returns the deck with the card before its first MOTION, CYCLE or SOLVE.
 std::string with_card(std::string deck, const std::string& card) {
   const std::size_t at = std::min(deck.find("MOTION"), deck.find("CYCLE"));
   return deck.insert(at, card);

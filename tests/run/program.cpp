@@ -93,6 +93,31 @@ std::vector<fs::path> decks_below(const std::string& folder) {
   return found;
 }
 
+namespace {
+
+int count_cards(const std::string& deck, const std::string& name) {
+  std::istringstream lines(deck);
+  int count = 0;
+  for (std::string line; std::getline(lines, line);)
+    count += line.substr(0, line.find_first_of(", \r")) == name;
+  return count;
+}
+
+}  // namespace
+
+bool has_card(const std::string& deck, const std::string& name) {
+  return count_cards(deck, name) > 0;
+}
+
+std::string fewer_solves(const std::string& deck) {
+  const int count = count_cards(deck, "SOLVE");
+  std::string options;
+  for (int i = 1; i <= count; ++i)
+    options += count == 1 ? " --set SOLVE.nmax=40 "
+                          : " --set 'SOLVE[" + std::to_string(i) + "].nmax=40' ";
+  return options;
+}
+
 std::string preliminary(const std::string& more) {
   return "START, 100, 6\nA SMALL PROBLEM\nXLIMITS, -10, 10\nYLIMITS, -10, 10\n"
          "BOXES, 10, 10, 0.1\nSTIFF, 1.E7, 1.E7\nFRACTION, 0.02\n"

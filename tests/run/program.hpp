@@ -58,6 +58,10 @@ Outcome run_text(const TemporaryFolder& folder, const std::string& name,
 
 /// Returns all decks in a folder and its subfolders, sorted.
 std::vector<fs::path> decks_below(const std::string& folder);
+/// Whether some line of a deck begins with this keyword.
+bool has_card(const std::string& deck, const std::string& name);
+/// Returns the options that limit each SOLVE card of a deck to 40 steps.
+std::string fewer_solves(const std::string& deck);
 
 /// Returns the preliminary cards of a small rigid problem with the domain -10..10 and
 /// materials 1 and 2. The time step of a unit square of material 1 is 0.0004.

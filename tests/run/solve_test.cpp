@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "model/equilibrium.hpp"
 #include "run/convergence.hpp"
 #include "run/program.hpp"
 #include "run/progress_line.hpp"
@@ -56,6 +57,63 @@ TEST(Convergence, NeedsTwoSuccessiveTests) {
   ten_steps(convergence, 1e-4);
   EXPECT_TRUE(convergence.is_finished());
   EXPECT_EQ(convergence.record(with_ratio(1e-4), 3).steps, 50);
+}
+
+// The last step is tested too, but too soon after the test before it.
+TEST(Convergence, NeedsTenStepsBetweenItsTests) {
+  Convergence convergence(card(1e-3, 21));
+  ten_steps(convergence, 0.5);
+  ten_steps(convergence, 1e-4);
+  convergence.after_step(with_ratio(1e-4));
+  EXPECT_TRUE(convergence.is_finished());
+  EXPECT_FALSE(convergence.is_balanced());
+}
+
+TEST(Convergence, WaitsForTheEndOfARampAndOfLoads) {
+  Model model = with_ratio(0.0);
+  model.settings.gravity_ramp = {{0, 0}, 1.0, 2.0};
+  model.time = 2.9;
+  EXPECT_TRUE(loads_will_change(model));
+  model.time = 3.0;
+  EXPECT_FALSE(loads_will_change(model));
+  model.loads.function = {{0, 1, 2}, {0, 1, 1}};
+  model.loads.forces = {{0, {1, 0}, 2.5}};
+  EXPECT_TRUE(loads_will_change(model)) << "f changes until 3.5";
+  model.time = 3.5;
+  EXPECT_FALSE(loads_will_change(model));
+
+  model.loads = {};
+  model.settings.gravity_ramp = {{0, -1}, 3.0, 1.0};
+  Convergence convergence(card(1e-3, 1000));
+  for (int i = 0; i < 30; ++i)
+    convergence.after_step(model);
+  EXPECT_FALSE(convergence.is_balanced());
+}
+
+// By rounding, the time of the last step may be before the card.
+TEST(GravityRamp, HasAValueAtEveryTime) {
+  Settings settings;
+  settings.gravity = {0, -10};
+  settings.gravity_ramp = {{0, -2}, 1.0, 0.0};
+  EXPECT_EQ(settings.gravity_at(0.999), Vec2(0, -10));
+  settings.gravity_ramp.duration = 4.0;
+  EXPECT_EQ(settings.gravity_at(0.999), Vec2(0, -2));
+  EXPECT_EQ(settings.gravity_at(3.0), Vec2(0, -6));
+  EXPECT_EQ(settings.gravity_at(5.0), Vec2(0, -10));
+}
+
+TEST(Solve, IsNotBalancedWhileAServoHoldsTooLittle) {
+  const TemporaryFolder folder;
+  // The platen, block 3, is half a unit above the brick and moves too slowly.
+  folder.write("far.deck",
+               preliminary() + rectangle(-5, -1, 5, 0, true) + rectangle(0, 0, 1, 1) +
+                   rectangle(0, 1.5, 1, 2, true) +
+                   "LOCDAMP\nSERVO, 3, 4, -1.E5, .001\nSOLVE, 1.E-3, 100\n");
+  const Outcome run = blocks("run far.deck", folder.path());
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("has not converged"));
+  EXPECT_THAT(run.err, HasSubstr("is that of block 3"));
+  EXPECT_EQ(summary(folder, "far")["converged"], false);
 }
 
 TEST(Convergence, RemembersTheTestBeforeARestart) {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/contact_constants.hpp"
+
 namespace blocks::dynamics {
 
 void add_beside(const Blocks& blocks, std::vector<PairContact>& contacts,
                 std::vector<PairContact>& given) {
-  constexpr double square_of_cosine = 0.95 * 0.95;
+  constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
   const auto faces = [&](const Vec2& side, const Vec2& edge) {
     const double along = side.dot(edge);
     return along > 0.0 &&

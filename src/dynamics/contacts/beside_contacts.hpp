@@ -1,5 +1,5 @@
-// The contacts at the same ends of faces as other ones, which can take over their
-// springs after INSITU (docs/rest.md#stress-in-the-ground).
+// Second contacts at the ends of faces. After INSITU they can take over the springs of
+// the first ones (docs/rest.md#stress-in-the-ground).
 #pragma once
 
 #include <vector>
@@ -9,9 +9,14 @@
 
 namespace blocks::dynamics {
 
-/// Adds to the contacts of a pair, which are in ascending order of corner and edge, the
-/// contacts at the same ends of their faces. The added ones do not act by themselves.
-/// `given`: working memory.
+/// Adds second contacts at the ends of faces to the contacts of a pair. A face is a
+/// pair of sides of two blocks within 18 degrees of antiparallel (cosine of at least
+/// 0.95). Two contacts are possible at each end of it: a corner of either block on the
+/// side of the other. Let a given contact have corner c and edge e, and let s be a side
+/// that begins or ends at c. If e and s are a face, the contact at the same end is
+/// added: that of a corner of e on s. Added contacts do not act before they receive
+/// springs. `contacts` are in ascending order of corner and edge. `given`: working
+/// memory.
 void add_beside(const Blocks& blocks, std::vector<PairContact>& contacts,
                 std::vector<PairContact>& given);
 

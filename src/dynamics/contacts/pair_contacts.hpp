@@ -32,10 +32,11 @@ struct PairContact : ContactRecord {
 struct ContactsOfPairs {
   std::vector<int> pair, first = {0};
   std::vector<ContactRecord> all;
-  std::vector<JointState> joints;  ///< (all); empty in models without laws of joints
+  std::vector<JointState> joints;  ///< (all); empty if laws are LawTable::none
 
   void clear() { pair.clear(), first.assign(1, 0), all.clear(), joints.clear(); }
-  /// Adds contacts of pair p. with_laws: the model has laws of joints.
+  /// Adds contacts of pair p. with_laws: contacts have a JointState (LawTable::none is
+  /// false).
   void add(int p, const std::vector<PairContact>& contacts, bool with_laws) {
     pair.push_back(p);
     for (const PairContact& contact : contacts) {
@@ -67,9 +68,9 @@ struct ReleasedSpring {
   int pair;
   CornerOnEdge at;
   double normal, shear;  ///< [F] normal > 0
-  /// [F/L] of the two springs; 0 in models without laws of joints
+  /// [F/L] of the two springs; 0 if contacts have no JointState (LawTable::none)
   double stiffness = 0.0, shear_stiffness = 0.0;
-  double offset = 0.0;  ///< [L] of the contact; 0 in models without laws of joints
+  double offset = 0.0;  ///< [L] of the contact; 0 if contacts have no JointState
 };
 
 /// The changes that one thread makes when it assigns contacts (ContactArrays::assign).

@@ -13,7 +13,9 @@ BLOCKS_INLINE Pack norm(Pack t11, Pack t12, Pack t22) {
   return root((t11 * t11 + t22 * t22) + 2.0 * (t12 * t12));
 }
 
-/// Damps the strain rates of a pack of blocks. Returns the work of the damping, [F L].
+/// Damps the strain rates of a pack of blocks. m11 and m22 are the effective masses
+/// M_jj of docs/theory.md#strain-rates-and-stress. damping.alpha_dt is alpha times the
+/// time step, [T]. Returns the work of the damping, [F L].
 template <class Lanes>
 BLOCKS_INLINE Pack damp_strain(const BlockColumns& blocks, const LocalDamping& damping,
                                Mask free, int b, Lanes lanes) {
@@ -37,8 +39,8 @@ BLOCKS_INLINE Pack damp_strain(const BlockColumns& blocks, const LocalDamping& d
   return moves ? damping.alpha_dt * area * force * speed : Pack{};
 }
 
-/// Damps the velocities and spins of a pack of blocks. Returns the work of the damping,
-/// [F L].
+/// Damps the velocities and spins of a pack of blocks. damping.alpha_dt is alpha times
+/// the time step, [T]. Returns the work of the damping, [F L].
 template <class Lanes>
 BLOCKS_INLINE Pack damp_velocities(const BlockColumns& blocks,
                                    const LocalDamping& damping, Mask free, int b,

@@ -56,7 +56,7 @@ BLOCKS_INLINE Pack share_of_end(const BatchArrays& batches, const BatchPairs& pa
 BLOCKS_INLINE Pack length_of(const BatchArrays& batches, const BatchPairs& pairs, int s,
                              const Sides& sides, Pack per_length,
                              const BlockState& blocks, int i) {
-  constexpr double square_of_cosine = 0.95 * 0.95;
+  constexpr double square_of_cosine = geometry::face_cosine * geometry::face_cosine;
   const FaceRow& faces = batches.faces[s];
   const Point before = gather_point<2>(blocks.corner, faces.before + i);
   const Point after = gather_point<2>(blocks.corner, faces.after + i);

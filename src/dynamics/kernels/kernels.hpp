@@ -34,13 +34,13 @@ struct Kernels {
   /// precede the updates below.
   void (*damp_unbalanced)(const BlockColumns&, const LocalDamping&, bool rigid,
                           int begin, int end);
-  /// (1), (2): updates velocities and spins.
+  /// (1), (2): updates velocities and spins. kick: StepMotion::kick.
   void (*update_velocities)(const BlockColumns&, int begin, int end, double gravity_x,
-                            double gravity_y, double dt);
+                            double gravity_y, double kick);
   /// (10), (12): updates strain rates and stresses. The moduli begin with those of
   /// block `begin`.
   void (*update_strain)(const BlockColumns&, const Moduli&, int begin, int end,
-                        double dt);
+                        double kick, double dt);
   /// (3), (13)-(15): moves at most max_at_once blocks. longest_arm:
   /// MotionBounds::longest.
   Moved (*move)(const BlockColumns&, const double* longest_arm, const Rectangle& domain,

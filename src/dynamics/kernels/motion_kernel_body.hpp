@@ -178,7 +178,7 @@ Moved move_range(const BlockColumns blocks, const double* longest_arm,
 }  // namespace
 
 void update_velocities(const BlockColumns& blocks, int first, int last,
-                       double gravity_x, double gravity_y, double dt) {
+                       double gravity_x, double gravity_y, double kick) {
   const Points gravity = everywhere(gravity_x, gravity_y);
   each_pack(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
@@ -186,17 +186,18 @@ void update_velocities(const BlockColumns& blocks, int first, int last,
         const Points mass = twice(load(blocks.mass + b, lanes));
         const Points force = load_columns<2>(blocks.force, b, lanes);
         const Points velocity = load_columns<2>(blocks.velocity, b, lanes);
-        store_columns(blocks.velocity, b, lanes,
-                      select(free, velocity + dt * (force / mass + gravity), velocity));
+        store_columns(
+            blocks.velocity, b, lanes,
+            select(free, velocity + kick * (force / mass + gravity), velocity));
         const Pack moment = load(blocks.moment + b, lanes);
         const Pack spin = load(blocks.spin + b, lanes);
-        const Pack faster = spin + dt * (moment / load(blocks.inertia + b, lanes));
+        const Pack faster = spin + kick * (moment / load(blocks.inertia + b, lanes));
         store(blocks.spin + b, lanes, free ? faster : spin);
       });
 }
 
 void update_strain(const BlockColumns& blocks, const Moduli& moduli, int first,
-                   int last, double dt) {
+                   int last, double kick, double dt) {
   each_pack(
       first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
         const Mask free = free_lanes(blocks, b, lanes);
@@ -209,9 +210,9 @@ void update_strain(const BlockColumns& blocks, const Moduli& moduli, int first,
         const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
         const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
         const Pack shear = 0.5 * (applied[1] + applied[2]) - stress[1];
-        const Pack rate12 = before[1] + dt * shear / (0.5 * (m11 + m22));
-        const Tensor rate = {before[0] + dt * (applied[0] - stress[0]) / m11, rate12,
-                             rate12, before[3] + dt * (applied[3] - stress[3]) / m22};
+        const Pack rate12 = before[1] + kick * shear / (0.5 * (m11 + m22));
+        const Tensor rate = {before[0] + kick * (applied[0] - stress[0]) / m11, rate12,
+                             rate12, before[3] + kick * (applied[3] - stress[3]) / m22};
         store_rows(blocks.strain_rate, b, lanes, select(free, rate, before));
         // (12)
         const Pack c11 = load(moduli.c11 + (b - first), lanes);
