@@ -256,7 +256,7 @@ def parser():
     command.add_argument("words", metavar="WORD", nargs="*",
                          help="run only the rows that contain one of these words")
     command = add("bits", bits, "the same bits from every compiler and thread count",
-                  "Runs sixteen decks with builds of g++ and clang++ at -O0, -O2 and -O3, with 1 to 8 "
+                  "Runs nineteen decks with builds of g++ and clang++ at -O0, -O2 and -O3, with 1 to 8 "
                   "threads and every instruction set. Writes validation/reliability/SAME_BITS.md.")
     command.add_argument("--quick", action="store_true",
                          help="two builds, a quarter of the steps, one and two threads; writes "
