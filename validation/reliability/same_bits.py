@@ -41,7 +41,7 @@ DECKS = {
     "decks/overhang/overhang.deck": 300,
     "decks/biaxial/biaxial.deck": 1000,
     "decks/circular_opening/circular_opening.deck": 300,
-    "decks/quiet_column/quiet_column.deck": 500,
+    "decks/quiet_column/quiet_column.deck": 48000,
     "validation/problems/longwall/longwall.deck": 100,
     "validation/rest/wall.deck": 150,
 }
