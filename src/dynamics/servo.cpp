@@ -57,9 +57,9 @@ class ServoStiffness {
   /// Returns the stiffness of a contact in the direction of the normal, [F/L].
   double of(int slot, int lane, const EdgeDirection& edge) const {
     const bool has_laws = batches_.pairs[lane / lane_count].has_laws;
-    const int law = has_laws ? batches_.at(slot, &FaceRow::law) : 0;
     double normal = settings_.normal_stiffness, shear = settings_.shear_stiffness;
-    if (law != 0) {
+    if (has_laws) {  // Contacts of STIFF may be stiffer too, after INSITU.
+      const int law = batches_.at(slot, &FaceRow::law);
       const int row = slot / lane_count, k = slot % lane_count;
       const JointRow& joint = batches_.advanced_joints[row];
       normal = joint.stiffness[k], shear = joint.shear_stiffness[k];

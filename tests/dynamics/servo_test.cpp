@@ -79,6 +79,31 @@ TEST(Servo, ReducesItsErrorGeometricallyOnAFixedBlock) {
       }
 }
 
+// After INSITU a contact of STIFF that has taken over another one is twice as stiff.
+TEST(Servo, CountsTheStiffnessesThatContactsKeepAfterInsitu) {
+  Scene scene = plate({}, true);
+  touch(scene);
+  Model& model = scene.model;
+  model.settings.in_situ = true;
+  model.joint_states.resize(model.contacts.size());
+  for (JointState& state : model.joint_states) {
+    state.stiffness = state.shear_stiffness = 2.0 * model.settings.normal_stiffness;
+    state.failed = true;
+  }
+  dynamics::Workspace work;
+  dynamics::Stepper stepper(model, work);
+  model.servos[0].target = -2e5;
+  stepper.advance(true);
+  double error = springs(scene) + 2e5;
+  ASSERT_GT(error, 1e4);
+  for (int i = 0; i < 8; ++i) {
+    stepper.advance(true);
+    const double next = springs(scene) + 2e5;
+    EXPECT_NEAR(next / error, 1.0 - dynamics::servo_gain, 1e-6);
+    error = next;
+  }
+}
+
 // The wedge is pressed into a groove with friction at its sides, so shear springs carry
 // a part of the load.
 TEST(Servo, CountsTheSpringsOfInclinedContacts) {
