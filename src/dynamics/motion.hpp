@@ -42,8 +42,8 @@ struct StepMotion {
   Vec2 gravity = {0, 0};  ///< [L/T^2] acceleration at the start of the step
   /// Whether blocks.force, moment and applied hold the loads.
   bool loaded = false;
-  /// [F L] (n) receives the energy that local damping takes from each block; null if
-  /// nobody needs it.
+  /// [F L] (n) receives the energy that local damping takes from each block; null
+  /// without an energy account.
   double* damped = nullptr;
 };
 

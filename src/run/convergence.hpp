@@ -17,7 +17,7 @@ namespace blocks::run {
 class Convergence {
  public:
   /// Starts a card. If a restart continues it, `made` is the number of its steps before
-  /// the restart, and `was_below` the value of below() at that moment.
+  /// the restart, and `was_below` the value of is_below() at that moment.
   explicit Convergence(const deck::Solve& card, long made = 0, bool was_below = false);
 
   /// Whether the model must be read after the next step, because it will be tested.
@@ -29,7 +29,7 @@ class Convergence {
   /// Whether the card needs no more steps: balanced, or all steps made.
   bool is_finished() const { return balanced_ || made_ >= most_; }
   /// Whether the last test found at most the ratio of the card.
-  bool below() const { return below_; }
+  bool is_below() const { return below_; }
   /// The ratio found by the last test, [-]; NaN if none was made.
   double ratio() const { return ratio_; }
   /// Whether the last test has found the ratio in a lower decade than all tests before

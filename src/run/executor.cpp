@@ -221,7 +221,7 @@ Outcome Executor::march(long steps) {
     if (solving_) {
       const dynamics::Profile::Timer timer(work_.profile, dynamics::Profile::output);
       solving_->after_step(tested ? stepper_.up_to_date() : model_);
-      progress_.below_ratio = solving_->below();
+      progress_.below_ratio = solving_->is_below();
     }
     const bool ends = ends_card(steps - i);
     if (row || ends || (tested && solving_->has_new_decade()))

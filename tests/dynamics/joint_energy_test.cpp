@@ -154,19 +154,8 @@ TEST(JointEnergy, OfDrivesIsTakenByFriction) {
 }
 
 /// A bonded heap that falls and breaks.
-Scene heap(LawKind kind, bool rigid, int threads) {
-  Scene scene({0.3, {10, 20}}, threads);
-  scene.model.settings.rigid = rigid;
-  scene.model.settings.damping = 0.2;
-  scene.box(-2, -1, 24, 1, true);
-  scene.box(-2, 0, 1, 8, true);
-  for (int row = 0; row < 6; ++row)
-    for (int i = 0; i < 15; ++i) {
-      const double lean = 0.05 * ((7 * i + 3 * row) % 5 - 2);
-      const double x = i + 0.3 * (row % 2), y = 1.01 * row;
-      scene.add({{x, y}, {x + lean, y + 1}, {x + 0.98 + lean, y + 1}, {x + 0.98, y}});
-    }
-  scene.gravity(0.5, -10);
+Scene bonded_heap(LawKind kind, bool rigid, int threads) {
+  Scene scene = scenes::heap(rigid, threads);
   JointLaw law = cohesive();
   law.kind = kind;
   law.normal_stiffness = law.shear_stiffness = 2e7;
@@ -183,14 +172,14 @@ Scene heap(LawKind kind, bool rigid, int threads) {
 TEST(JointEnergy, OfABrokenHeapHasTheSameBitsWithAnyThreadsAndAfterARestart) {
   for (const LawKind kind : {LawKind::coulomb, LawKind::walton})
     for (const bool rigid : {true, false}) {
-      Scene one = heap(kind, rigid, 1), two = heap(kind, rigid, 2);
+      Scene one = bonded_heap(kind, rigid, 1), two = bonded_heap(kind, rigid, 2);
       one.steps(1000), two.steps(1000);
       expect_closed(one.model);
       EXPECT_GT(of(one, EnergyEntry::friction), 0.0);
       EXPECT_GT(of(one, EnergyEntry::breaking), 0.0);
       EXPECT_EQ(one.model.energy.sums, two.model.energy.sums);
 
-      Scene first = heap(kind, rigid, 1);
+      Scene first = bonded_heap(kind, rigid, 1);
       first.steps(500);
       Model again = first.model;
       dynamics::Workspace work(1);

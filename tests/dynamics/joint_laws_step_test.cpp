@@ -19,6 +19,7 @@ using scenes::Frame;
 using scenes::Scene;
 
 using scenes::cohesive;
+using scenes::heap;
 using scenes::use_law;
 
 const auto& frames = scenes::three_frames;
@@ -30,23 +31,6 @@ double common_length(const Model& model, int a, int b) {
     if (pair_of(model.blocks, model.contacts[i]) == std::minmax({a, b}))
       sum += model.joint_states[i].length;
   return sum;
-}
-
-/// Returns a heap of leaning bricks between a floor and a wall, which falls and slides.
-Scene heap(bool rigid, int threads = 1) {
-  Scene scene({0.3, {10, 20}}, threads);
-  scene.model.settings.rigid = rigid;
-  scene.model.settings.damping = 0.2;
-  scene.box(-2, -1, 24, 1, true);
-  scene.box(-2, 0, 1, 8, true);
-  for (int row = 0; row < 6; ++row)
-    for (int i = 0; i < 15; ++i) {
-      const double lean = 0.05 * ((7 * i + 3 * row) % 5 - 2);
-      const double x = i + 0.3 * (row % 2), y = 1.01 * row;
-      scene.add({{x, y}, {x + lean, y + 1}, {x + 0.98 + lean, y + 1}, {x + 0.98, y}});
-    }
-  scene.gravity(0.5, -10);
-  return scene;
 }
 
 TEST(JointLaws, FrictionAloneHasTheBitsOfFrictn) {

@@ -36,7 +36,7 @@ Model with_ratio(double ratio) {
   return model;
 }
 
-/// Makes ten steps, of which the last one is tested.
+/// Makes ten steps. Only the last one is tested.
 void ten_steps(Convergence& convergence, double ratio) {
   const Model model = with_ratio(ratio);
   for (int i = 1; i <= 10; ++i) {
@@ -119,7 +119,7 @@ TEST(Solve, IsNotBalancedWhileAServoHoldsTooLittle) {
 TEST(Convergence, RemembersTheTestBeforeARestart) {
   Convergence before(card(1e-3, 1000));
   ten_steps(before, 1e-4);
-  Convergence after(card(1e-3, 1000), 10, before.below());
+  Convergence after(card(1e-3, 1000), 10, before.is_below());
   ten_steps(after, 1e-4);
   EXPECT_TRUE(after.is_balanced());
 }
