@@ -23,6 +23,7 @@ usage() {
                        cells        cells of random joints against exact answers
                        law-figures  the laws of joints as curves
                        cuts         random networks of joints, cut and judged
+                       splits       random blocks, each cut in two and judged
                        seeds        random layers of many seeds
                        predicates   the contact predicates against MPFR
                        study        the scenes of contact detection

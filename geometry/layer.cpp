@@ -9,15 +9,16 @@
 #include "geometry/exact/merge.hpp"
 #include "geometry/exact/numbers.hpp"
 #include "geometry/exact/quad.hpp"
+#include "geometry/exact/rounded_line.hpp"
 
 namespace blocks::geometry {
 namespace {
 
 using exact::Fraction;
-using exact::Integer;
 using exact::Point;
 using exact::Quad;
 using exact::Rational;
+using exact::RoundedLine;
 using exact::Side;
 using exact::Vector;
 
@@ -173,68 +174,6 @@ std::vector<Side> random_sides(const LayerRequest& request, const Quad& quad,
   layer.ruled = oriented->ruled;
   return std::move(oriented->sides);
 }
-
-// One coordinate of points on a line, rounded once for each point.
-class Coordinate {
- public:
-  /// side: direction in which coordinates are rounded, as in rounded_towards.
-  Coordinate(const Rational& from, const Rational& to, int side)
-      : unit_(exact::common_denominator({from, to})), from_(exact::times(from, unit_)),
-        length_(exact::times(to, unit_) - from_), side_(side) {}
-  double at(const Fraction& s) const {
-    return exact::rounded_place(from_, length_, unit_, s, side_);
-  }
-
- private:
-  Integer unit_, from_, length_;
-  int side_;
-};
-
-// Points on a line that has the layer on its left. The two ends are the given doubles.
-// Points on an axis-parallel line are rounded to the nearest doubles, which other
-// layers and blocks share. Between the ends of a slanted line each coordinate is
-// rounded towards the layer. So no vertex is behind the line through the rounded ends
-// or behind the line of the decimals. Layers that share the whole line therefore never
-// overlap.
-class RoundedLine {
- public:
-  RoundedLine(const Point& from, const Point& to, const Vec2& start, const Vec2& end)
-      : start_(start), end_(end) {
-    const int rises = CGAL::sign(to.y() - from.y()),
-              runs = CGAL::sign(to.x() - from.x());
-    const bool slanted = rises != 0 && runs != 0;
-    x_side_ = slanted ? -rises : 0;
-    y_side_ = slanted ? runs : 0;
-    add(from, to);
-    const Point first(start_.x(), start_.y()), last(end_.x(), end_.y());
-    if (slanted && (first != from || last != to))
-      add(first, last);
-  }
-  Vec2 at(const Fraction& s) const {
-    if (s.num == 0)
-      return start_;
-    if (s.num == s.den)
-      return end_;
-    Vec2 place(x_[0].at(s), y_[0].at(s));
-    if (x_.size() > 1)
-      place = {inner(place.x(), x_[1].at(s), x_side_),
-               inner(place.y(), y_[1].at(s), y_side_)};
-    return place;
-  }
-
- private:
-  void add(const Point& from, const Point& to) {
-    x_.emplace_back(from.x(), to.x(), x_side_);
-    y_.emplace_back(from.y(), to.y(), y_side_);
-  }
-  static double inner(double a, double b, int side) {
-    return side < 0 ? std::min(a, b) : std::max(a, b);
-  }
-
-  Vec2 start_, end_;
-  int x_side_, y_side_;
-  std::vector<Coordinate> x_, y_;  ///< of the exact line and of the rounded one
-};
 
 // Builds the mesh of a layer. Its vertices are the bottom ends of the sides from the
 // left, then their top ends.

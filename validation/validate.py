@@ -91,6 +91,12 @@ def cuts(arguments):
                *report_option(arguments.count, arguments.full, "geometry/CUTS"))
 
 
+def splits(arguments):
+    build("ci", "splits")
+    return run(CI / "validation/geometry/splits", "--blocks", arguments.count,
+               *report_option(arguments.count, arguments.full, "geometry/SPLITS"))
+
+
 def seeds(arguments):
     build("release", "blocks")
     program, folder = RELEASE / "src/blocks", BUILD / "seeds.sweep"
@@ -239,6 +245,9 @@ def parser():
     add("cuts", cuts, "random networks of joints, cut and judged",
         "Writes validation/geometry/CUTS.md. Takes ten minutes on two cores. Exit code 4: a "
         "certified result is wrong, or a refusal has no place.", (100_000, "random networks"))
+    add("splits", splits, "random blocks, each cut in two and judged",
+        "Writes validation/geometry/SPLITS.md. Takes two minutes. Exit code 4: a result is wrong.",
+        (100_000, "random blocks"))
     add("seeds", seeds, "random layers of 100 blocks with sides of several angles",
         "A sweep in build/seeds.sweep. Writes its report to validation/geometry/SEEDS.csv. Takes "
         "half a minute.", (1000, "seeds for each range of angles"))
@@ -256,7 +265,7 @@ def parser():
     command.add_argument("words", metavar="WORD", nargs="*",
                          help="run only the rows that contain one of these words")
     command = add("bits", bits, "the same bits from every compiler and thread count",
-                  "Runs nineteen decks with builds of g++ and clang++ at -O0, -O2 and -O3, with 1 to 8 "
+                  "Runs twenty decks with builds of g++ and clang++ at -O0, -O2 and -O3, with 1 to 8 "
                   "threads and every instruction set. Writes validation/reliability/SAME_BITS.md.")
     command.add_argument("--quick", action="store_true",
                          help="two builds, a quarter of the steps, one and two threads; writes "

@@ -15,7 +15,7 @@ using exact::Rational;
 // Rounds points on a side of the outline. On a slanted side each coordinate is rounded
 // towards the domain, so that neither the exact line nor the line of the rounded
 // corners is crossed. Layers on the other side of the line do the same (see RoundedLine
-// in layer.cpp).
+// in exact/rounded_line.hpp).
 Vec2 round_on_side(const Point& p, const Point& from, const Point& to,
                    const Vec2& start, const Vec2& end) {
   // The corners may have been chosen together with other outlines, so that an
