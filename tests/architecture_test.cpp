@@ -65,6 +65,7 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "deck",
                                             "dynamics",
                                             "dynamics/contacts",
+                                            "dynamics/cracks",
                                             "dynamics/decisions",
                                             "dynamics/kernels",
                                             "dynamics/rules",
@@ -151,6 +152,10 @@ TEST(Architecture, FoldersOfTheStepIncludeOnlyAllowedFolders) {
       {"search", {"search", "support"}},
       {"contacts", {"contacts", "kernels", "rules", "search", "support"}},
       {"decisions", {"decisions", "contacts", "kernels", "rules", "search", "support"}},
+      // Cracks are made between steps.
+      {"cracks",
+       {"cracks", "block_energy.hpp", "energy.hpp", "step.hpp", "time_step.hpp",
+        "workspace.hpp"}},
   };
   int headers = 0;
   const std::string step = "dynamics/";

@@ -8,6 +8,7 @@
 #include "deck/card_table.hpp"
 #include "manual_command.hpp"
 #include "option_text.hpp"
+#include "quantities/energy.hpp"
 #include "quantities/model_quantity.hpp"
 #include "quantities/quantity.hpp"
 #include "study/scene.hpp"
@@ -44,6 +45,16 @@ template <class Names> std::string joined(const Names& names) {
   return all;
 }
 
+/// Returns the names of the quantities of the model and of contacts. Entries of the
+/// energy account are left out: bash divides words at their colons.
+std::string quantities_of_model() {
+  std::string all;
+  for (const auto& [name, kind] : quantities::other_kinds())
+    if (!name.starts_with(quantities::energy_prefix))
+      all += (all.empty() ? "" : " ") + name;
+  return all;
+}
+
 /// Returns the bash command that completes the value of an option.
 std::string completion_of(const CLI::Option& option) {
   static const std::map<std::string, std::string> known = {
@@ -59,7 +70,8 @@ std::string completion_of(const CLI::Option& option) {
       {"--figure", "_blocks_files"},
       {"--run-table", "_blocks_files"},
       {"--profile-quantity", "_blocks_words " + blanks(quantities::quantity_names())},
-      {"--quantity", "_blocks_words " + blanks(quantities::quantity_names())}};
+      {"--quantity", "_blocks_words " + blanks(quantities::quantity_names()) + " " +
+                         quantities_of_model()}};
   if (const auto names = choices(option); !names.empty())
     return "_blocks_words " + joined(names);
   if (value_name(option) == "DECK")
@@ -77,6 +89,7 @@ std::string operands_of(const LeafCommand& command) {
       {"check", "_blocks_files deck"},
       {"plot", "_blocks_files vtkhdf"},
       {"history", "_blocks_files vtkhdf"},
+      {"cracks", "_blocks_files vtkhdf"},
       {"view", "_blocks_files vtkhdf"},
       {"why", "_blocks_files vtkhdf h5"},
       {"export", "_blocks_files deck vtkhdf"},

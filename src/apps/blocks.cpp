@@ -17,6 +17,7 @@
 #include "bundled_fonts.hpp"
 #include "cards_command.hpp"
 #include "check_command.hpp"
+#include "cracks_command.hpp"
 #include "dynamics/kernels/kernels.hpp"
 #include "export_command.hpp"
 #include "geometry/numeric_environment.hpp"
@@ -173,6 +174,10 @@ int dispatch(int argc, char** argv) {
       app.add_subcommand("history", "plot quantities against time or position");
   blocks::apps::add_history_options(*in_time, history_options);
 
+  blocks::apps::CracksOptions cracks_options;
+  auto* record = app.add_subcommand("cracks", "list the blocks that have split");
+  blocks::apps::add_cracks_options(*record, cracks_options);
+
   blocks::apps::ViewOptions view_options;
   auto* page =
       app.add_subcommand("view", "write a page that plays a run in the browser");
@@ -244,6 +249,8 @@ int dispatch(int argc, char** argv) {
     return blocks::apps::cards(cards_options);
   if (*in_time)
     return blocks::apps::history(history_options);
+  if (*record)
+    return blocks::apps::cracks(cracks_options);
   if (*page)
     return blocks::apps::view(view_options);
   if (*statistics)

@@ -27,18 +27,27 @@ const std::map<std::string, CommandPage>& command_pages() {
       {"plot",
        {"blocks plot stack.vtkhdf --forces -o stack.png", run_stack,
         "Draws the blocks, coloured by material, joint or a quantity, with contact "
-        "forces or arrows. It draws one time, several times on one sheet (-t 0,1,2), or "
-        "a movie (-o stack.mp4). With --joints, it draws a rose of joint directions and "
+        "forces or arrows. It draws one time, several times on one sheet (-t 0,1,2), "
+        "or "
+        "a movie (-o stack.mp4). With --joints, it draws a rose of joint directions "
+        "and "
         "histograms of the blocks."}},
       {"history",
        {"blocks history stack.vtkhdf -q y:4,speed:max -o stack.png", run_stack,
         "Writes quantities of blocks, corners and the model over time as a table, CSV, "
         "JSON or a figure. Several runs share one figure. With --profile, it writes "
         "quantities across the model at given times, such as a subsidence trough."}},
+      {"cracks",
+       {"blocks cracks stack.vtkhdf", run_stack,
+        "Lists the blocks that have split under a CRACK card: when, why, in which "
+        "direction, and into which pieces. With -o, it writes all values as CSV or "
+        "JSON, or draws a rose of the directions. Their number in time is the quantity "
+        "cracks of blocks history."}},
       {"view",
        {"blocks view stack.vtkhdf -o stack.html", run_stack,
         "Writes one page for the browser, which needs no server and no network. It "
-        "plays the run, shows numbers and histories of one or two blocks and the joints "
+        "plays the run, shows numbers and histories of one or two blocks and the "
+        "joints "
         "of their sides, and saves pictures and CSV. The key ? lists its keys."}},
       {"report",
        {"blocks report stacks -q displacement:max",

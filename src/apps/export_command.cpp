@@ -18,6 +18,7 @@
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
 #include "post/counted.hpp"
+#include "post/crack_tracker.hpp"
 #include "post/quantity.hpp"
 #include "post/results_nearby.hpp"
 #include "post/results_reader.hpp"
@@ -83,9 +84,10 @@ Scene scene_of(const Model& model) {
 }
 
 Scene scene_of(const post::ResultsReader& results, const std::optional<double>& time) {
-  const post::Frame frame =
-      results.frame(time ? results.at(*time) : results.frames() - 1);
-  const post::Frame first = results.frame(0);
+  const long shown_frame = time ? results.at(*time) : results.frames() - 1;
+  const post::Frame frame = results.frame(shown_frame);
+  post::ResultsTracker tracker(results);
+  const post::Frame& first = tracker.at(shown_frame, frame).first;
   const auto name_of = [&names = results.material_names()](int material) {
     const auto name = names.find(material);
     return name == names.end() ? std::string() : name->second;
@@ -106,6 +108,10 @@ Scene scene_of(const post::ResultsReader& results, const std::optional<double>& 
                             frame.outlines[b],
                             frame.joints.empty() ? std::vector<int>() : frame.joints[b],
                             {}});
+  if (!tracker.cracks().empty() && !frame.parent.empty())
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      scene.blocks[k].results.emplace_back(
+          "parent", frame.parent[static_cast<std::size_t>(shown[k])]);
   for (const char* name :
        {"speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2"}) {
     const Eigen::VectorXd values = post::quantity(name, frame, first).values;
@@ -205,7 +211,8 @@ void add_export_options(CLI::App& command, ExportOptions& options) {
   command.add_option(
       "-t,--time", options.time,
       "for results: time of the frame (default: the last; for .pvd and .csv: all)");
-  command.add_option("--seed", options.input.seed, "for a deck: seed of random layers and joints");
+  command.add_option("--seed", options.input.seed,
+                     "for a deck: seed of random layers and joints");
   command.add_option("--tape9", options.input.tape9,
                      "for a deck: mesh file for a READ9 card that names none");
   command.add_flag("-q,--quiet", options.input.quiet, "print errors and warnings only");

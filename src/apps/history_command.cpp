@@ -14,6 +14,7 @@
 #include "history_lines.hpp"
 #include "output/check_outputs.hpp"
 #include "output/results.hpp"
+#include "post/crack_tracker.hpp"
 #include "post/history.hpp"
 #include "post/line_chart.hpp"
 #include "post/number_table.hpp"
@@ -248,11 +249,12 @@ Answer profiles(const HistoryOptions& options, const std::optional<Units>& units
       table.columns[1].values.push_back(place.block);
     }
     for (const auto& [now, asked] : frames_at(run, options.times)) {
+      const post::Frame before = post::cracked_blocks(run.parts(), now).first;
       for (const post::QuantityKind* kind : kinds) {
         const std::string unit = post::unit_text(kind->dimension, units);
         const std::string at = fmt::format("{:.4g}", now.time);
         table.columns.push_back({kind->name + "@" + at, kind->label + " at time " + at,
-                                 unit, post::profile_values(places, *kind, now, first),
+                                 unit, post::profile_values(places, *kind, now, before),
                                  sign_of(kind->name, options.compression_positive)});
         lines.push_back({with_unit(kind->label + post::sign_convention(
                                                      *kind, now.compression_positive),

@@ -139,8 +139,10 @@ void check_combinations(const PlotOptions& options) {
   const bool by_material = !options.figure.shows_quantity();
   for (const double end : options.range)
     refuse(!std::isfinite(end), "--range needs two finite numbers, low,high");
-  refuse(!options.range.empty() && by_material,
-         "--range is for --colour QUANTITY; materials, joints and bonds have no range");
+  refuse(
+      !options.range.empty() && by_material,
+      "--range is for --colour QUANTITY; materials, families, joints and bonds have no "
+      "range");
   const post::QuantityKind* kind = quantities::find_quantity(options.figure.colour);
   refuse(options.compression_positive &&
              (!kind || post::sign_convention(*kind, true).empty()),
@@ -150,7 +152,8 @@ void check_combinations(const PlotOptions& options) {
          "those of joints and bonds are fixed");
   if (!options.figure.colour_map.empty())
     post::colour_map(options.figure.colour_map);  // throws for an unknown name
-  refuse(!options.materials.empty() && !by_material,
+  refuse(!options.materials.empty() &&
+             (!by_material || options.figure.shows_families()),
          "--materials is for --colour material, joint or bond");
 }
 
@@ -194,7 +197,7 @@ void take(const PlotOptions& options, post::FigureOptions& figure) {
     figure.mirror = true;
     figure.mirror_x = *options.mirror;
   }
-  for (const char* name : {"material", "joint", "bond"})
+  for (const char* name : {"material", "family", "joint", "bond"})
     if (deck::capitals(figure.colour) == deck::capitals(name))
       figure.colour = name;
   figure.page = options.size.empty() ? post::PageSize::on_screen(options.width)
@@ -243,7 +246,8 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
   command
       .add_option(
           "--colour,--color", figure.colour,
-          "material, joint (the sides of blocks by joint id), bond (the faces "
+          "material, family (pieces by the block from which they come), joint (the "
+          "sides of blocks by joint id), bond (the faces "
           "with the law of a joint: bonded, or failed and how far they slipped), " +
               quantities::block_quantity_names())
       ->capture_default_str();
@@ -265,6 +269,9 @@ void add_plot_options(CLI::App& command, PlotOptions& options) {
                    "draw contact forces: one line for each pair of touching blocks, "
                    "wider for larger forces (with several times, full width is the "
                    "median of their largest forces)");
+  command.add_flag("--cracks,!--no-cracks", figure.cracks,
+                   "draw the faces of cracks where they are now (default: if there are "
+                   "any; --no-cracks: never)");
   command
       .add_option("--arrows", figure.arrows,
                   fmt::format("draw an arrow on each block: {}",

@@ -28,21 +28,42 @@ std::string head_of(const std::string& path) {
   return head;
 }
 
+/// Returns for each of n blocks the number of cracks after which it has its present
+/// corners, with the first `count` cracks of the results.
+std::vector<long> last_cracks(const post::ResultsReader& results, std::size_t n,
+                              long count) {
+  std::vector<long> last(n, 0);
+  const std::vector<post::Crack> cracks = results.cracks();
+  for (long i = 0; i < std::min(count, static_cast<long>(cracks.size())); ++i)
+    for (const int block : {cracks[static_cast<std::size_t>(i)].parent,
+                            cracks[static_cast<std::size_t>(i)].child})
+      if (block <= static_cast<int>(n))
+        last[static_cast<std::size_t>(block) - 1] = i + 1;
+  return last;
+}
+
 /// Restores whether blocks are convex, and their convex parts, from the first frame of
-/// each block. In later frames, rounding may move three corners off a common line.
-void restore_shapes(const post::ResultsReader& results, Blocks& blocks) {
-  std::vector<char> convex;
+/// each block, or the first one after its last crack. In later frames, rounding may
+/// move three corners off a common line. shown: the frame of the blocks.
+void restore_shapes(const post::ResultsReader& results, const post::Frame& shown,
+                    Blocks& blocks) {
+  const std::size_t n = blocks.convex.size();
+  const std::vector<long> since = last_cracks(results, n, shown.cracks);
+  std::vector<char> known(n, 0);
+  std::size_t missing = n;
   blocks.cuts.clear();
-  for (long i = 0; static_cast<int>(convex.size()) < blocks.size(); ++i) {
+  for (long i = 0; missing > 0 && i < results.frames(); ++i) {
     const post::Frame frame = results.frame(i);
-    for (std::size_t b = convex.size();
-         b < std::min(frame.outlines.size(), blocks.convex.size()); ++b) {
-      convex.push_back(geometry::check_outline(frame.outlines[b]).convex);
-      if (!convex.back())
+    for (std::size_t b = 0; b < std::min(frame.outlines.size(), n); ++b) {
+      if (known[b] != 0 || frame.cracks < since[b])
+        continue;
+      known[b] = 1;
+      --missing;
+      blocks.convex[b] = geometry::check_outline(frame.outlines[b]).convex ? 1 : 0;
+      if (blocks.convex[b] == 0)
         blocks.cut(static_cast<int>(b), frame.outlines[b]);
     }
   }
-  blocks.convex = convex;
 }
 
 /// Any outline, for a block that was removed before the first frame.
@@ -87,7 +108,7 @@ WhyScene from_results(const std::string& path, const std::optional<double>& time
       blocks.corner.col(blocks.first_corner[b] + k) = frame.outlines[b][k];
     blocks.centroid.col(b) = frame.centroid.col(b);
   }
-  restore_shapes(results, blocks);
+  restore_shapes(results, frame, blocks);
 
   const post::FrameContacts stored = results.contacts(scene.frame);
   for (int i = 0; i < stored.size(); ++i)

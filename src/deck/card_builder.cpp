@@ -264,6 +264,15 @@ const std::map<std::string_view, Builder>& builders() {
        [](F f, V, D) -> Maybe {
          return Quiet{f[0].as_int(), f[1].as_int(), f[2].as_real(), f[3].as_real()};
        }},
+      {"CRACK",
+       [](F f, V, D) -> Maybe {
+         return Crack{f[0].as_int(), f[1].as_real(), f[2].as_real(), f[3].as_real(),
+                      f[4].as_int()};
+       }},
+      {"MDAMP",
+       [](F f, V, D) -> Maybe {
+         return Mdamp{f[0].as_int(), f[1].as_real()};
+       }},
       {"DUMP", [](F, V, D) -> Maybe { return Dump{}; }},
       {"OUTPUT", [](F f, V v, D) -> Maybe { return output(f, v); }},
       {"PLOTS", [](F f, V v, D) -> Maybe { return plots(f, v); }},

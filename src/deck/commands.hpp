@@ -214,6 +214,17 @@ struct Quiet {
   Int nb, nside;
   Real cp, cs;  ///< `given` is false if the elastic constants give them
 };
+// Blocks that split (docs/cracks.md); CRACK is lost from the report
+struct Crack {
+  Int mat;
+  Real ten, amin;
+  Real tenp;  ///< `given` is false without the rule of point loads
+  Int id;
+};
+struct Mdamp {
+  Int mat;
+  Real z;
+};
 struct Dump {};
 struct Output {
   Real dtout;
@@ -250,8 +261,8 @@ using Card =
                  Rigid, Seed, Units, End, Restart, Create, Read9, Layer, Cut, Orient,
                  Merge, Splane, Gravity, Fix, Remove, Free, PressBc, Force, Frictn,
                  SetVel, SetVelM, Damping, Joint, Walton, Barton, Jpair, Bond, Drive,
-                 Locdamp, Kindamp, Insitu, Servo, Quiet, Dump, Output, Plots, History,
-                 Motion, Cycle, Solve, Stop>;
+                 Locdamp, Kindamp, Insitu, Servo, Quiet, Crack, Mdamp, Dump, Output,
+                 Plots, History, Motion, Cycle, Solve, Stop>;
 
 struct Command {
   SourceLocation where;  ///< the keyword

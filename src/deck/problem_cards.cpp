@@ -1,5 +1,6 @@
 #include "deck/problem_cards.hpp"
 
+#include "deck/crack_cards.hpp"
 #include "deck/joint_cards.hpp"
 #include "deck/law_cards.hpp"
 #include "deck/rest_cards.hpp"
@@ -363,6 +364,8 @@ std::vector<CardSpec> problem_cards() {
   for (CardSpec& card : law_cards())
     cards.push_back(std::move(card));
   for (CardSpec& card : rest_cards())
+    cards.push_back(std::move(card));
+  for (CardSpec& card : crack_cards())
     cards.push_back(std::move(card));
   add_run_cards(cards);
   return cards;

@@ -89,16 +89,16 @@ BlockTally present_energy(const Model& model, const WorkSplit& split, Workers& w
                    });
 }
 
-/// Takes what cards have changed since the last step.
-void count_cards(Model& model, const LawTable& laws, const WorkSplit& split,
-                 Workers& workers, EnergyMemory& memory) {
+/// Takes what has changed since the last step by other causes than steps.
+void count_changes(Model& model, EnergyEntry entry, const LawTable& laws,
+                   const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
   const BlockTally blocks = present_energy(model, split, workers, memory);
   const double elastic =
       listed_springs(model, laws, split, workers, memory) + plane_springs(model);
-  account.add(EnergyEntry::removed, account.next_kinetic - blocks.next_kinetic);
-  account.add(EnergyEntry::removed, account.next_strain - blocks.next_strain);
-  account.add(EnergyEntry::removed, account.elastic - elastic);
+  account.add(entry, account.next_kinetic - blocks.next_kinetic);
+  account.add(entry, account.next_strain - blocks.next_strain);
+  account.add(entry, account.elastic - elastic);
   account.kinetic -= account.next_kinetic - blocks.next_kinetic;
   account.next_kinetic = blocks.next_kinetic;
   account.next_strain = blocks.next_strain;
@@ -196,7 +196,7 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
                   const WorkSplit& split, Workers& workers, EnergyMemory& memory) {
   EnergyAccount& account = model.energy;
   if (list_is_current)
-    count_cards(model, arrays.laws, split, workers, memory);
+    count_changes(model, EnergyEntry::removed, arrays.laws, split, workers, memory);
   list_acting(model.blocks, arrays, memory);
   const ContactSteps steps(model, arrays);
   ContactTally contacts =
@@ -224,6 +224,15 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
   account.add(EnergyEntry::integration,
               keep_motion(model, memory) - account.strain_work);
   account.strain = account.next_strain;
+}
+
+void count_cracks(Model& model, const WorkSplit& split, Workers& workers,
+                  EnergyMemory& memory) {
+  LawTable laws;
+  laws.make(model.settings, model.blocks);
+  const double before = model.energy.next_strain;
+  count_changes(model, EnergyEntry::cracks, laws, split, workers, memory);
+  model.energy.strain -= before - model.energy.next_strain;
 }
 
 namespace {

@@ -24,8 +24,8 @@ struct EnergyMemory {
   std::vector<int> listed;          ///< the same in the list of the model
   std::vector<BlockMotion> before;  ///< (n) motion before the step
   std::vector<BlockMasses> masses;  ///< (n) before the step
-  std::vector<double> damped;       ///< [F L] (n) taken by local damping in the step
-  bool stopped = false;             ///< the step has stopped the blocks (KINDAMP)
+  std::vector<double> damped;  ///< [F L] (n) taken by LOCDAMP and MDAMP in the step
+  bool stopped = false;        ///< the step has stopped the blocks (KINDAMP)
   std::vector<ContactTally> contact_tallies;
   std::vector<BlockTally> block_tallies;
   std::vector<int> shares;
@@ -47,6 +47,11 @@ void count_forces(Model& model, const ContactArrays& arrays, bool list_is_curren
 /// stopped the blocks before it moved them (KINDAMP).
 void count_motion(Model& model, const Vec2& gravity, bool stopped,
                   const WorkSplit& split, Workers& workers, EnergyMemory& memory);
+
+/// Takes what cracks have released. Call it after blocks have split, with the list of
+/// contacts up to date.
+void count_cracks(Model& model, const WorkSplit& split, Workers& workers,
+                  EnergyMemory& memory);
 
 /// Takes the energy of blocks that were fixed at the end of the step.
 void count_fixed(Model& model, const ContactArrays& arrays, const WorkSplit& split,

@@ -59,6 +59,26 @@ struct ModuliOfBlocks {
   Moduli columns() const { return {c11, c12, twice_shear}; }
 };
 
+/// The factors 2 z sqrt(C11) of each block of a piece (VibrationDamping::factor). Those
+/// of fixed blocks are not used.
+struct VibrationFactors {
+  double factor[max_at_once];
+
+  VibrationFactors(const Blocks& blocks, int first, int last,
+                   const Settings& settings) {
+    int material = 0;
+    double now = 0.0;
+    for (int b = first; b < last; ++b) {
+      if (blocks.is_free(b) && blocks.material[b] != material) {
+        material = blocks.material[b];
+        const Material& m = settings.materials.at(material);
+        now = 2.0 * m.damping * std::sqrt(m.c11());
+      }
+      factor[b - first] = now;
+    }
+  }
+};
+
 }  // namespace
 
 void Displacement::include(const Displacement& others) {
@@ -134,6 +154,26 @@ void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
   });
 }
 
+bool damps_vibration(const Settings& settings) {
+  return std::any_of(settings.materials.begin(), settings.materials.end(),
+                     [](const auto& of) { return of.second.damping > 0.0; });
+}
+
+void update_damped_strain(Blocks& blocks, BlockRange range, const Settings& settings,
+                          const StepMotion& step, const double* rates,
+                          const Kernels& by) {
+  each_part(range, [&](int first, int last) {
+    const ModuliOfBlocks moduli(blocks, first, last, settings);
+    const VibrationFactors factors(blocks, first, last, settings);
+    const VibrationDamping damping = {.factor = factors.factor,
+                                      .rates = rates + std::ptrdiff_t{4} *
+                                                           (first - range.begin),
+                                      .work = step.damped};
+    by.update_damped_strain(columns_of(blocks), moduli.columns(), damping, first, last,
+                            step.kick, step.dt);
+  });
+}
+
 Displacement move_corners(Blocks& blocks, BlockRange range, const MotionBounds& bounds,
                           const Settings& settings, double dt, const Kernels& by) {
   const BlockColumns columns = columns_of(blocks);
@@ -178,15 +218,22 @@ Displacement move_blocks(Blocks& blocks, const Settings& settings,
   // Data that one stage has read are still in the cache when the next stage needs them.
   constexpr int blocks_at_once = 64;
   const double dt = step.dt;
+  const bool vibration = !settings.rigid && damps_vibration(settings);
   threads.assign(threads.size(), {});
   workers.each(shares, [&](int thread, int begin, int end) {
+    Eigen::Matrix<double, 4, blocks_at_once> rates;  // before the step
     for (; begin < end; begin += blocks_at_once) {
       const BlockRange range{begin, std::min(end, begin + blocks_at_once)};
       sum_contacts(blocks, contacts, range, step.loaded, settings.rigid);
+      if (vibration)
+        rates.leftCols(range.end - range.begin) =
+            blocks.strain_rate.middleCols(range.begin, range.end - range.begin);
       if (settings.local_damping > 0.0)
         damp_unbalanced(blocks, range, settings, step);
       update_velocities(blocks, range, step.gravity, step.kick);
-      if (!settings.rigid)
+      if (vibration)
+        update_damped_strain(blocks, range, settings, step, rates.data());
+      else if (!settings.rigid)
         update_strain(blocks, range, settings, step.kick, dt);
       threads[thread].include(move_corners(blocks, range, bounds, settings, dt));
     }

@@ -42,8 +42,8 @@ struct StepMotion {
   Vec2 gravity = {0, 0};  ///< [L/T^2] acceleration at the start of the step
   /// Whether blocks.force, moment and applied hold the loads.
   bool loaded = false;
-  /// [F L] (n) receives the energy that local damping takes from each block; null
-  /// without an energy account.
+  /// [F L] (n) receives the energy that LOCDAMP and MDAMP take from each block; it is 0
+  /// before the step. Null without an energy account.
   double* damped = nullptr;
 };
 
@@ -82,6 +82,17 @@ void update_velocities(Blocks& blocks, BlockRange range, const Vec2& gravity,
 /// Deformable runs only. kick: StepMotion::kick.
 void update_strain(Blocks& blocks, BlockRange range, const Settings& settings,
                    double kick, double dt, const Kernels& by = kernels());
+
+/// Returns whether the vibration of blocks of some material is damped (MDAMP).
+bool damps_vibration(const Settings& settings);
+
+/// The same as update_strain, with the damping of the materials. rates: 1/T (4, range)
+/// strain rates of the range before the step, which damp_unbalanced may have changed.
+/// The energy that damping takes is added to step.damped
+/// (docs/cracks.md#damping-of-vibration).
+void update_damped_strain(Blocks& blocks, BlockRange range, const Settings& settings,
+                          const StepMotion& step, const double* rates,
+                          const Kernels& by = kernels());
 
 /// (3), (13)-(15): updates centroids, angles, deformation gradients and corners. The
 /// gradient becomes R (I + strain rate dt) gradient, where R is the Cayley rotation of

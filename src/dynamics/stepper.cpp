@@ -1,10 +1,26 @@
 #include "dynamics/stepper.hpp"
 
 #include <algorithm>
+#include <iterator>
+
+#include "dynamics/cracks/cracking.hpp"
 
 namespace blocks::dynamics {
+namespace {
+
+/// Adds the new pieces of the last cracks to the blocks of OUTPUT, if it names the
+/// blocks that have split.
+void print_pieces(Model& model, int cracks) {
+  std::vector<int>& printed = model.output_blocks;
+  for (auto crack = model.cracks.end() - cracks; crack != model.cracks.end(); ++crack)
+    if (std::find(printed.begin(), printed.end(), crack->parent) != printed.end())
+      printed.push_back(crack->child);
+}
+
+}  // namespace
 
 StepResult Stepper::advance(bool readings, double alarm) {
+  readings = readings || needs_contact_forces(model_.settings);
   if (model_.order.empty())
     return dynamics::advance(model_, work_, readings, alarm);
   if (!inside_current_)
@@ -15,6 +31,43 @@ StepResult Stepper::advance(bool readings, double alarm) {
   outside_current_ = false;
   bring_out_time();
   return moved;
+}
+
+int Stepper::crack() {
+  if (!may_crack(model_.settings))
+    return 0;
+  if (model_.order.empty()) {
+    const int cracks = crack_blocks(model_, work_, {});
+    print_pieces(model_, cracks);
+    return cracks;
+  }
+  const int cracks = crack_blocks(inside_, work_, model_.order);
+  model_.crack_refusals = inside_.crack_refusals;
+  if (cracks > 0)
+    adopt_pieces();
+  print_pieces(model_, cracks);
+  return cracks;
+}
+
+void Stepper::adopt_pieces() {
+  // New blocks have the same numbers inside and outside.
+  for (int b = static_cast<int>(model_.order.size()); b < inside_.blocks.size(); ++b)
+    model_.order.push_back(b);
+  NewNumbers numbers{model_.order, std::vector<int>(model_.order.size())};
+  for (int b = 0; b < numbers.size(); ++b)
+    numbers
+        .new_of[static_cast<std::size_t>(model_.order[static_cast<std::size_t>(b)])] =
+        b;
+  outwards_ = Numbering(inside_.blocks, numbers.new_of);
+  inwards_ = outwards_.reverse();
+  model_.cracks.insert(model_.cracks.end(), inside_.cracks.begin(),
+                       inside_.cracks.end());
+  inside_.cracks.clear();
+  model_.loads = outwards_.renumbered(inside_.loads);
+  model_.time_step = inside_.time_step;
+  model_.search = inside_.search;
+  model_.energy = inside_.energy;
+  bring_out();
 }
 
 const Model& Stepper::up_to_date() {
@@ -51,6 +104,7 @@ void Stepper::bring_in() {
   inside_.drives = inwards_.renumbered(model_.drives);
   inside_.servos = inwards_.renumbered(model_.servos);
   inside_.settings = model_.settings;
+  inside_.crack_refusals = model_.crack_refusals;
   inside_.time_step = model_.time_step;
   inside_.search = model_.search;
   inside_.steps = model_.steps, inside_.step_origin = model_.step_origin;

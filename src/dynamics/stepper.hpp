@@ -28,6 +28,10 @@ class Stepper {
   /// worst overlap and exits are updated. The rest is out of date until up_to_date().
   StepResult advance(bool readings,
                      double alarm = std::numeric_limits<double>::infinity());
+  /// Splits the blocks whose strength the last step has reached
+  /// (dynamics::crack_blocks). Returns the number of cracks; if there are any, the
+  /// model is up to date.
+  int crack();
   /// Brings the model up to the last step and returns it.
   const Model& up_to_date();
   /// Returns the near pairs of blocks that the last step used, low < high, in the
@@ -39,6 +43,8 @@ class Stepper {
   void bring_in();
   /// Copies blocks and contacts of inside_ back to model_.
   void bring_out();
+  /// Gives blocks that have split inside their places in the order, and renumbers.
+  void adopt_pieces();
   /// Copies time, steps, search, worst overlap and exits back to model_.
   void bring_out_time();
 

@@ -40,24 +40,32 @@ class ContactStiffness {
     if (settings_.joint_laws.empty())
       return constant_;
     double largest = std::max(constant_, present_[static_cast<std::size_t>(b)]);
-    const auto of_pairs = of_material_.find(blocks.material[b]);
     for (int c = blocks.first_corner[b]; c < blocks.first_corner[b + 1]; ++c) {
       const double edge =
           (blocks.corner.col(blocks.next[c]) - blocks.corner.col(c)).norm();
-      const auto include = [&](const JointLaw& law) {
-        largest = std::max(largest, largest_stiffness(law, settings_, edge));
-      };
-      if (const auto own = settings_.joint_laws.find(blocks.joint[c]);
-          own != settings_.joint_laws.end())
-        include(own->second);
-      if (of_pairs != of_material_.end())
-        for (const JointLaw* law : of_pairs->second)
-          include(*law);
+      include(blocks.joint[c], blocks.material[b], edge, largest);
     }
+    if (const auto rule = settings_.crack_rules.find(blocks.material[b]);
+        rule != settings_.crack_rules.end())
+      include(rule->second.joint, blocks.material[b], extent(blocks, b).norm(),
+              largest);  // no chord is longer
     return largest;
   }
 
  private:
+  /// Includes the laws of an edge with this joint id and of this material.
+  void include(int joint, int material, double edge, double& largest) const {
+    const auto add = [&](const JointLaw& law) {
+      largest = std::max(largest, largest_stiffness(law, settings_, edge));
+    };
+    if (const auto own = settings_.joint_laws.find(joint);
+        own != settings_.joint_laws.end())
+      add(own->second);
+    if (const auto of_pairs = of_material_.find(material);
+        of_pairs != of_material_.end())
+      for (const JointLaw* law : of_pairs->second)
+        add(*law);
+  }
   /// Finds the stiffnesses of the contacts that act. They stay when a card replaces
   /// their law by a softer one.
   void find_present(const Model& model) {
@@ -96,19 +104,24 @@ Vec2 extent(const Blocks& blocks, int b) {
 }
 
 double least_width(const Blocks& blocks, int b) {
-  const auto corners =
-      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
+  return least_width(
+      blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b)),
+      blocks.centroid.col(b), blocks.convex[b]);
+}
+
+double least_width(const Eigen::Ref<const Eigen::Matrix2Xd>& corners,
+                   const Vec2& inside, bool convex) {
   const int n = static_cast<int>(corners.cols());
   // The least width is at right angles to a side of the convex hull, which joins two
   // corners.
-  const int reach = blocks.convex[b] ? 1 : n - 1;
+  const int reach = convex ? 1 : n - 1;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i)
     for (int k = 1; k <= reach; ++k) {
       const Vec2 along = (corners.col((i + k) % n) - corners.col(i)).normalized();
       const Vec2 normal(-along.y(), along.x());
       const Eigen::RowVectorXd across =
-          normal.transpose() * (corners.colwise() - blocks.centroid.col(b));
+          normal.transpose() * (corners.colwise() - inside);
       least = std::min(least, across.maxCoeff() - across.minCoeff());
     }
   return least;
@@ -120,19 +133,42 @@ double safe_fraction(double damping, double local_damping, int contacts) {
          std::sqrt(6.0 * n);
 }
 
+double least_width_of_pieces(double least_area) { return 0.5 * std::sqrt(least_area); }
+
+namespace {
+
+/// The least area of a piece of block b; infinite if the block does not split.
+double least_piece(const Settings& settings, const Blocks& blocks, int b) {
+  const auto rule = settings.crack_rules.find(blocks.material[b]);
+  return rule == settings.crack_rules.end() ? std::numeric_limits<double>::infinity()
+                                            : rule->second.least_area;
+}
+
+/// The mass of block b or, if it may split, of its smallest piece. The strain of a
+/// piece when it split off does not count.
+double least_mass(const Settings& settings, const Blocks& blocks, int b) {
+  const double least = least_piece(settings, blocks, b);
+  return blocks.area[b] >= least
+             ? settings.materials.at(blocks.material[b]).density * least
+             : blocks.mass[b];
+}
+
+}  // namespace
+
 TimeStep choose_time_step(const Model& model) {
   const Settings& settings = model.settings;
   const Blocks& blocks = model.blocks;
   const ContactStiffness stiffness(model);
 
-  TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size(), false};
+  TimeStep best{std::numeric_limits<double>::infinity(), -1, blocks.size()};
   for (int b = 0; b < blocks.size(); ++b) {
     if (blocks.is_removed(b))
       continue;
+    const double mass = least_mass(settings, blocks, b);
     const double dt =
-        settings.fraction * 2.0 * std::sqrt(blocks.mass[b] / stiffness.of(blocks, b));
+        settings.fraction * 2.0 * std::sqrt(mass / stiffness.of(blocks, b));
     if (dt < best.dt)
-      best = {dt, b, blocks.size(), false};
+      best = {dt, b, blocks.size(), false, mass < blocks.mass[b]};
   }
   if (settings.rigid)
     return best;
@@ -140,10 +176,17 @@ TimeStep choose_time_step(const Model& model) {
     if (!blocks.is_free(b))
       continue;
     const Material& material = settings.materials.at(blocks.material[b]);
-    const double dt =
-        0.5 * least_width(blocks, b) * std::sqrt(material.density / material.c11());
+    const double whole = least_width(blocks, b);
+    const double piece = least_width_of_pieces(least_piece(settings, blocks, b));
+    const double z = material.damping;
+    // The normal strains are stable while C dt^2 + 2 d dt <= 4 M, d = 2 z sqrt(C11 M),
+    // where C is at most 2 C11. This factor keeps the left side below 2 M for all z;
+    // the rest is for contacts.
+    const double damped = std::sqrt(1.0 + z * z) - z;
+    const double dt = 0.5 * damped * std::min(whole, piece) *
+                      std::sqrt(material.density / material.c11());
     if (dt < best.dt)
-      best = {dt, b, blocks.size(), true};
+      best = {dt, b, blocks.size(), true, piece < whole};
   }
   return best;
 }

@@ -9,8 +9,14 @@ namespace blocks::dynamics {
 /// block that limits it. The stiffness in (4) is the largest that STIFF and the laws of
 /// joints give a contact of the block (docs/laws.md#length). In deformable runs the
 /// step is at most half the smallest l sqrt(rho / C11) over the free blocks; l is the
-/// least width in any direction.
+/// least width in any direction. MDAMP multiplies that by sqrt(1 + z^2) - z.
+/// If the blocks of a material may split, their pieces count: masses of the least area,
+/// and least_width_of_pieces(). So no crack changes the time step.
 TimeStep choose_time_step(const Model& model);
+
+/// Returns the least width of the pieces of a deformable block, half the square root of
+/// the least area, [L]. Thinner pieces are refused (docs/cracks.md#the-time-step).
+double least_width_of_pieces(double least_area);
 
 /// Returns the largest fraction of (4) at which a block with `contacts` contacts is
 /// stable under DAMPING `damping`: (sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). Local
@@ -25,5 +31,9 @@ Vec2 extent(const Blocks& blocks, int b);
 /// Returns the least distance of two parallel lines that have all current corners of
 /// block b between them, [L].
 double least_width(const Blocks& blocks, int b);
+/// The same for any outline, (2, n). Rounding is least if `inside` is a point in its
+/// middle.
+double least_width(const Eigen::Ref<const Eigen::Matrix2Xd>& corners,
+                   const Vec2& inside, bool convex);
 
 }  // namespace blocks::dynamics

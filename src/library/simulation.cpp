@@ -11,6 +11,7 @@
 
 #include "deck/parser.hpp"
 #include "dynamics/contacts/contact_batches.hpp"
+#include "dynamics/cracks/cracking.hpp"
 #include "dynamics/stepper.hpp"
 #include "geometry/numeric_environment.hpp"
 #include "library/results_in_use.hpp"
@@ -18,6 +19,7 @@
 #include "output/checkpoint.hpp"
 #include "run/builder.hpp"
 #include "run/convergence.hpp"
+#include "run/crack_watch.hpp"
 #include "run/deck_file.hpp"
 #include "run/executor.hpp"
 #include "run/motion_watch.hpp"
@@ -86,9 +88,11 @@ struct Simulation::State {
 
  private:
   run::MotionWatch watch_;
+  run::CrackWatch crack_watch_;
+  double half_depth_ = 0.0;  ///< [L] half the least depth of a convex block
   void prepare(Model& on);
   /// Makes one step. Throws UnsoundRun if it was unsound.
-  void advance(bool read, double half_depth);
+  void advance(bool read);
   void keep_warnings(const deck::Diagnostics& said);
   void obey(Model& on, const deck::Deck& deck, deck::Diagnostics& said, bool moving);
 };
@@ -149,6 +153,7 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
       on = output::read_checkpoint(run::beside(folder, card->file.value), from);
       overlaps = from.progress.overlaps;
       watch_ = run::MotionWatch(on, from.progress.fast_told, from.progress.flight_told);
+      crack_watch_ = run::CrackWatch(on);
     }
   const int judged = on.blocks.size();
   run::Builder builder(on, said, deck.commands,
@@ -185,34 +190,40 @@ void Simulation::State::obey(Model& on, const deck::Deck& deck, deck::Diagnostic
     overlaps = certificate->overlaps;
 }
 
-void Simulation::State::advance(bool read, double half_depth) {
+void Simulation::State::advance(bool read) {
   const dynamics::StepResult moved =
-      stepper.advance(read, model.settings.normal_stiffness * half_depth);
+      stepper.advance(read, model.settings.normal_stiffness * half_depth_);
   for (std::string& told : watch_.after(model, moved))
     warnings.push_back(std::move(told));
   if (watch_.is_flight_due(model))
     if (std::string told = watch_.flight(stepper.up_to_date()); !told.empty())
       warnings.push_back(std::move(told));
-  if (!run::may_be_unsound(model.settings, moved, half_depth))
+  if (run::may_be_unsound(model.settings, moved, half_depth_)) {
+    unsound = run::unsound(stepper.up_to_date(), moved, half_depth_);
+    if (!unsound.empty())
+      throw UnsoundRun(unsound);
+  }
+  if (!dynamics::may_crack(model.settings))
     return;
-  unsound = run::unsound(stepper.up_to_date(), moved, half_depth);
-  if (!unsound.empty())
-    throw UnsoundRun(unsound);
+  if (stepper.crack() > 0)
+    half_depth_ = run::half_depth(model.blocks);
+  for (std::string& told : crack_watch_.after(model).warnings)
+    warnings.push_back(std::move(told));
 }
 
 void Simulation::State::step(long count) {
-  const double half_depth = run::half_depth(model.blocks);
+  half_depth_ = run::half_depth(model.blocks);
   for (long i = 1; i <= count; ++i)
-    advance(i == count, half_depth);
+    advance(i == count);
   stepper.up_to_date();
 }
 
 void Simulation::State::solve(const deck::Solve& card, int line) {
-  const double half_depth = run::half_depth(model.blocks);
+  half_depth_ = run::half_depth(model.blocks);
   run::Convergence convergence(card);
   while (!convergence.is_finished()) {
     const bool tested = convergence.is_due();
-    advance(tested, half_depth);
+    advance(tested);
     convergence.after_step(tested ? stepper.up_to_date() : model);
   }
   model.solves.push_back(convergence.record(model, line));

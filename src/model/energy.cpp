@@ -29,7 +29,7 @@ double EnergyAccount::residual() const {
 }
 
 double EnergyAccount::at_play() const {
-  double all = std::abs(start) + std::abs(kinetic) + elastic + strain;
+  double all = std::abs(start) + std::abs(kinetic) + elastic + std::abs(strain);
   for (int i = 0; i < energy_entries; ++i)
     all += std::abs(of(static_cast<EnergyEntry>(i)));
   return 0.5 * all;

@@ -22,11 +22,12 @@ enum class EnergyEntry : int {
   /// kinetic energy and springs of blocks that were fixed or removed, or that left the
   /// domain; negative if cards have added energy
   removed,
-  artificial,   ///< taken by LOCDAMP and KINDAMP
+  artificial,   ///< taken by LOCDAMP, KINDAMP and MDAMP
   quiet,        ///< carried off through the dashpots of QUIET
+  cracks,       ///< strain and kinetic energy released when blocks split
   integration,  ///< error of the integration in time, which vanishes with the time step
 };
-inline constexpr int energy_entries = 13;
+inline constexpr int energy_entries = 14;
 inline constexpr int first_taken_entry = static_cast<int>(EnergyEntry::friction);
 
 /// The account. Energies are in [F L]. Those of the state belong to the positions at

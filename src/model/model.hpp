@@ -7,6 +7,7 @@
 
 #include "model/blocks.hpp"
 #include "model/contacts.hpp"
+#include "model/cracks.hpp"
 #include "model/energy.hpp"
 #include "model/loads.hpp"
 #include "model/settings.hpp"
@@ -19,6 +20,7 @@ struct TimeStep {
   int block = -1;        ///< block that determines it
   int blocks = 0;        ///< number of blocks when it was chosen; 0: to be chosen again
   bool elastic = false;  ///< deformability is the limit, not (4)
+  bool pieces = false;   ///< of the pieces into which CRACK may split the block
 };
 
 /// State of the search for potential contacts.
@@ -142,6 +144,8 @@ struct Model {
   double worst_overlap = 0.0;  ///< [L] largest of any active contact so far
   EnergyAccount energy;
   std::vector<SolveRecord> solves;
+  std::vector<CrackRecord> cracks;           ///< in the order in which blocks split
+  std::vector<RefusedCrack> crack_refusals;  ///< ascending in block and reason
   /// [F L] kinetic energy before the last step; 0 if that stopped the blocks; only with
   /// KINDAMP
   double last_kinetic_energy = 0.0;

@@ -20,9 +20,18 @@ struct Material {
   double shear_modulus = 0.0;   ///< [F/L^2] G; G > E/3 for nu < 0.5
   double density = 0.0;         ///< [M/L^3] > 0
   std::string name = {};        ///< shown instead of the number; may be empty
+  double damping = 0.0;         ///< MDAMP: z, fraction of critical damping, 0 to 1
 
   double c11() const;  ///< [F/L^2] plane strain stiffness (12)
   double c12() const;  ///< [F/L^2] plane strain coupling (12)
+};
+
+/// CRACK card: when the blocks of a material split (docs/cracks.md#when-blocks-split).
+struct CrackRule {
+  double strength = 0.0;        ///< [F/L^2] ten > 0, of the largest principal stress
+  double least_area = 0.0;      ///< [L^2] amin > 0, of a piece
+  double point_strength = 0.0;  ///< [F/L^2] tenp under point loads; 0: no such cracks
+  int joint = 0;                ///< joint id of the new faces
 };
 
 /// UNITS card: the names of the units in which all values are given. All are empty if
@@ -73,6 +82,7 @@ struct Settings {
   std::map<int, JointLaw> joint_laws;  ///< JOINT, WALTON, BARTON by joint id
   /// JPAIR: joint id of two materials, the lower number first
   std::map<std::pair<int, int>, int> joint_of_materials;
+  std::map<int, CrackRule> crack_rules;  ///< CRACK by material number
   std::vector<Plane> planes;
   std::uint64_t seed = 1982;  ///< ISEED
   // values of the last ORIENT and MERGE cards

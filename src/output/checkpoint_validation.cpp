@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "output/checkpoint_crack_validation.hpp"
 #include "output/checkpoint_expectations.hpp"
 #include "output/checkpoint_law_validation.hpp"
 #include "quantities/curve.hpp"
@@ -50,6 +51,8 @@ void expect_settings(const Settings& s) {
     expect("settings/materials/density", material.density, positive);
     expect("settings/materials/youngs_modulus", material.youngs_modulus, not_negative);
     expect("settings/materials/shear_modulus", material.shear_modulus, not_negative);
+    expect("settings/materials/damping", material.damping,
+           {0.0, 1.0, "a number from 0 to 1"});
   }
   expect_laws(s);
   for (const Plane& plane : s.planes) {
@@ -376,10 +379,10 @@ void expect_energy(const EnergyAccount& energy) {
   expect_all("energy/errors", energy.errors, entries, finite);
   for (const auto& [name, value] : {std::pair{"start", energy.start},
                                     {"kinetic", energy.kinetic},
+                                    {"strain", energy.strain},
                                     {"strain_work", energy.strain_work}})
     expect(std::string("energy/") + name, value, finite);
   for (const auto& [name, value] : {std::pair{"elastic", energy.elastic},
-                                    {"strain", energy.strain},
                                     {"next_kinetic", energy.next_kinetic},
                                     {"next_strain", energy.next_strain}})
     expect(std::string("energy/") + name, value, not_negative);
@@ -421,6 +424,7 @@ void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_plane_contacts(model.plane_contacts, model);
   expect_loads(model.loads, model.blocks);
   expect_records(model);
+  expect_cracks(model);
   expect_time(model);
   expect_order(model);
   expect_energy(model.energy);

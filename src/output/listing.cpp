@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "model/counted.hpp"
 #include "output/file_tools.hpp"
 #include "output/listing_text.hpp"
 #include "quantities/energy.hpp"
@@ -108,6 +109,15 @@ void Listing::closing(const Model& model) {
   line("worst overlap", real(sums.worst_overlap));
   line("largest speed", real(sums.fastest));
   line("blocks that left the domain", fmt::format("{}", model.exits.size()));
+  if (!model.settings.crack_rules.empty() || !model.cracks.empty()) {
+    line("cracks", fmt::format("{}", model.cracks.size()));
+    for (int i = 0; i < crack_refusals; ++i) {
+      const auto why = static_cast<CrackRefusal>(i);
+      if (const std::size_t refused = count_refused(model.crack_refusals, why))
+        out_ << fmt::format("    {} did not split at first: {}\n",
+                            counted(refused, "block"), describe(why));
+    }
+  }
   for (const DomainExit& exit : model.exits)
     out_ << fmt::format("    block {} at time {:.9g}\n", exit.block + 1, exit.time);
   if (!model.solves.empty()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/crack_report.hpp"
 #include "model/cut_report.hpp"
 #include "model/law_report.hpp"
 
@@ -77,7 +78,7 @@ std::string settings_echo(const Model& model) {
                     s.units.length + ", " + s.units.mass + ", " + s.units.time);
   if (step.block >= 0)
     text += fmt::format("  the time step is set by block {} ({})\n", step.block + 1,
-                        step.elastic ? "its elasticity" : "contact");
+                        limit_in_words(step, "elasticity"));
   return text;
 }
 
@@ -104,6 +105,11 @@ std::string materials_echo(const Settings& settings) {
 std::string laws_echo(const Model& model) {
   const std::string text = law_report(model);
   return text.empty() ? text : heading("LAWS OF JOINTS, DRIVEN BLOCKS") + text;
+}
+
+std::string cracks_echo(const Settings& settings) {
+  const std::string text = crack_report(settings);
+  return text.empty() ? text : heading("CRACKS, DAMPING OF VIBRATION") + text;
 }
 
 std::string loads_echo(const Model& model) {
@@ -213,8 +219,8 @@ std::string blocks_echo(const Blocks& blocks) {
 
 void Listing::input_echo(const Model& model) {
   out_ << heading("INPUT") << settings_echo(model) << materials_echo(model.settings)
-       << laws_echo(model) << loads_echo(model) << layers_echo(model)
-       << cuts_echo(model) << blocks_echo(model.blocks);
+       << laws_echo(model) << cracks_echo(model.settings) << loads_echo(model)
+       << layers_echo(model) << cuts_echo(model) << blocks_echo(model.blocks);
   flush();
 }
 

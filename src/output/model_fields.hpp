@@ -55,8 +55,8 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
   auto& [title, units, max_blocks, max_corners, lower, upper, boxes_x, boxes_y,
          contact_tolerance, normal_stiffness, shear_stiffness, fraction, damping,
          friction, gravity, gravity_ramp, local_damping, kinetic_damping, in_situ,
-         rigid, materials, joint_laws, joint_of_materials, planes, seed, angle_min,
-         angle_max, merge_ratio, layers_made] = settings;
+         rigid, materials, joint_laws, joint_of_materials, crack_rules, planes, seed,
+         angle_min, angle_max, merge_ratio, layers_made] = settings;
   ar("settings/title", title);
   {
     auto& [length, mass, time] = units;
@@ -89,12 +89,22 @@ template <class S, class Archive> void visit_settings(S& settings, Archive& ar) 
   ar("settings/rigid", rigid);
   ar.materials("settings/materials", materials,
                [](auto& column, auto& number, auto& material) {
-                 auto& [e, g, rho, name] = material;
+                 auto& [e, g, rho, name, z] = material;
                  column("number", number);
                  column("youngs_modulus", e);
                  column("shear_modulus", g);
                  column("density", rho);
                  column("name", name);
+                 column("damping", z);
+               });
+  ar.materials("settings/crack_rules", crack_rules,
+               [](auto& column, auto& number, auto& rule) {
+                 auto& [strength, least_area, point_strength, joint] = rule;
+                 column("number", number);
+                 column("strength", strength);
+                 column("least_area", least_area);
+                 column("point_strength", point_strength);
+                 column("joint", joint);
                });
   visit_laws(joint_laws, joint_of_materials, ar);
   ar.records("settings/planes", planes, [](auto& column, auto& plane) {
@@ -240,12 +250,43 @@ template <class E, class Archive> void visit_energy(E& energy, Archive& ar) {
   ar("energy/errors", errors);
 }
 
+template <class C, class R, class Archive>
+void visit_cracks(C& cracks, R& refusals, Archive& ar) {
+  ar.records("cracks", cracks, [](auto& column, auto& crack) {
+    auto& [step, time, parent, child, cause, stress, from, to, moved, parent_area,
+           child_area, kinetic_before, kinetic_after, strain_before, strain_after] =
+        crack;
+    column("step", step);
+    column("time", time);
+    column("parent", parent);
+    column("child", child);
+    column("cause", cause);
+    column("stress", stress);
+    column("from_x", from.x());
+    column("from_y", from.y());
+    column("to_x", to.x());
+    column("to_y", to.y());
+    column("moved", moved);
+    column("parent_area", parent_area);
+    column("child_area", child_area);
+    column("kinetic_before", kinetic_before);
+    column("kinetic_after", kinetic_after);
+    column("strain_before", strain_before);
+    column("strain_after", strain_after);
+  });
+  ar.records("crack_refusals", refusals, [](auto& column, auto& refused) {
+    auto& [block, why] = refused;
+    column("block", block);
+    column("why", why);
+  });
+}
+
 template <class M, class Archive> void visit_model(M& model, Archive& ar) {
   auto& [settings, blocks, contacts, joint_states, bonds_made, plane_contacts, loads,
          drives, servos, time_step, search, output, plots, plot_times, history,
          output_blocks, order, exits, merges, layers, cuts, joint_lengths, steps, time,
-         time_origin, step_origin, started, worst_overlap, energy, solves,
-         last_kinetic_energy] = model;
+         time_origin, step_origin, started, worst_overlap, energy, solves, cracks,
+         crack_refusals, last_kinetic_energy] = model;
   visit_settings(settings, ar);
   visit_blocks(blocks, ar);
   visit_contacts(contacts, ar);
@@ -268,11 +309,12 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("most", most);
   });
   {
-    auto& [dt, block, block_count, elastic] = time_step;
+    auto& [dt, block, block_count, elastic, pieces] = time_step;
     ar("time_step/dt", dt);
     ar("time_step/block", block);
     ar("time_step/blocks", block_count);
     ar("time_step/elastic", elastic);
+    ar("time_step/pieces", pieces);
   }
   {
     auto& [current, left, updates] = search;
@@ -375,6 +417,7 @@ template <class M, class Archive> void visit_model(M& model, Archive& ar) {
     column("largest", largest);
     column("block", at);
   });
+  visit_cracks(cracks, crack_refusals, ar);
   ar("last_kinetic_energy", last_kinetic_energy);
 }
 

@@ -11,6 +11,7 @@
 #include "output/results.hpp"
 #include "output/results_columns.hpp"
 #include "output/results_contacts.hpp"
+#include "output/results_cracks.hpp"
 #include "output/results_joints.hpp"
 
 namespace blocks::output {
@@ -67,6 +68,7 @@ class ResultsFrames {
       id_offsets_;
   std::map<std::string, FrameColumn> cells_;
   JointColumn joints_;
+  CrackColumns cracks_;
   std::map<std::string, hdf5::Column> frame_data_, frame_offsets_, frame_sizes_;
   std::unique_ptr<ContactColumns> contacts_;
 

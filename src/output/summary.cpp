@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "model/crack_report.hpp"
 #include "model/drives.hpp"
 #include "output/cuts_json.hpp"
 #include "output/file_tools.hpp"
@@ -171,6 +172,55 @@ Json merges(const Model& model) {
   return list;
 }
 
+/// The cracks in the order in which blocks split.
+Json cracks(const Model& model) {
+  Json list = Json::array();
+  for (const CrackRecord& crack : model.cracks)
+    list.push_back({{"step", crack.step},
+                    {"time", crack.time},
+                    {"parent", crack.parent + 1},
+                    {"child", crack.child + 1},
+                    {"cause", describe(crack.cause)},
+                    {"stress", crack.stress},
+                    {"angle", crack.angle()},
+                    {"from", vector(crack.from)},
+                    {"to", vector(crack.to)},
+                    {"moved", crack.moved},
+                    {"areas", {crack.parent_area, crack.child_area}},
+                    {"kinetic", {crack.kinetic_before, crack.kinetic_after}},
+                    {"strain", {crack.strain_before, crack.strain_after}},
+                    {"released", crack.released()}});
+  return list;
+}
+
+/// The numbers of cracks by cause.
+Json crack_counts(const Model& model) {
+  const auto by = [&](CrackCause cause) {
+    return std::count_if(
+        model.cracks.begin(), model.cracks.end(),
+        [&](const CrackRecord& crack) { return crack.cause == cause; });
+  };
+  return {{"all", model.cracks.size()},
+          {"stress", by(CrackCause::stress)},
+          {"point loads", by(CrackCause::point_loads)}};
+}
+
+/// The numbers, from 1, of the blocks that reached their strength but did not split, by
+/// reason.
+Json refused_cracks(const Model& model) {
+  Json by_reason = Json::object();
+  for (int i = 0; i < crack_refusals; ++i) {
+    const auto why = static_cast<CrackRefusal>(i);
+    if (count_refused(model.crack_refusals, why) == 0)
+      continue;
+    Json& blocks = by_reason[describe(why)] = Json::array();
+    for (const RefusedCrack& refused : model.crack_refusals)
+      if (refused.why == why)
+        blocks.push_back(refused.block + 1);
+  }
+  return by_reason;
+}
+
 Json exits(const Model& model) {
   Json list = Json::array();
   for (const DomainExit& exit : model.exits)
@@ -264,6 +314,13 @@ void write_summary(const std::string& path, const Model& model,
                               {"bonded", sums.bonded},
                               {"failed", sums.failed},
                               {"broken", sums.broken}};
+  if (model.time_step.pieces)
+    json["dt"]["pieces"] = true;
+  if (!model.settings.crack_rules.empty() || !model.cracks.empty()) {
+    json["crack_counts"] = crack_counts(model);
+    json["cracks"] = cracks(model);
+    json["refused_cracks"] = refused_cracks(model);
+  }
   if (!model.servos.empty())
     json["servos"] = servos(model);
   if (!model.cuts.empty())

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "post/crack_tracker.hpp"
 #include "post/quantity.hpp"
 #include "post/time_series.hpp"
 #include "post/whole_file.hpp"
@@ -22,7 +23,7 @@ std::vector<QuantityKind> columns_of(const ResultsReader& results) {
 }
 
 std::string block_rows(const std::vector<QuantityKind>& kinds, const Frame& now,
-                       const Frame& first) {
+                       const Frame& first, bool with_parents) {
   std::vector<Eigen::VectorXd> columns;
   columns.reserve(kinds.size());
   for (const QuantityKind& kind : kinds)
@@ -35,6 +36,8 @@ std::string block_rows(const std::vector<QuantityKind>& kinds, const Frame& now,
     const auto k = static_cast<std::size_t>(b);
     fmt::format_to(out, "{},{},{},{},{}", now.time, now.step, now.number[k],
                    now.material[k], now.fixed[k]);
+    if (with_parents)
+      fmt::format_to(out, ",{}", now.parent.empty() ? 0 : now.parent[k]);
     for (const Eigen::VectorXd& values : columns)
       fmt::format_to(out, ",{}", values[b] + 0.0);
     text += '\n';
@@ -81,7 +84,9 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
   const std::string name = std::filesystem::path(path).replace_extension().string();
   SeriesFiles files{{path, name + "_contacts.csv"}};
   WholeFile blocks(files.names[0]), contacts(files.names[1]);
+  const bool with_parents = !results.cracks().empty();
   std::string head = "time,step,block,material,fixed";
+  head += with_parents ? ",parent" : "";
   const std::vector<QuantityKind> kinds = columns_of(results);
   for (const QuantityKind& kind : kinds)
     head += "," + kind.name;
@@ -90,11 +95,11 @@ SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
               "normal_force,shear_force,overlap"
            << (results.has_laws() ? ",joint,bond,slip,dilation,plastic_closure,length\n"
                                   : "\n");
-  const Frame first = results.frame(0);
+  ResultsTracker tracker(results);
   for (const long i : frames) {
     const Frame now = results.frame(i);
     const FrameContacts acting = results.contacts(i);
-    blocks << block_rows(kinds, now, first);
+    blocks << block_rows(kinds, now, tracker.at(i, now).first, with_parents);
     contacts << contact_rows(now, acting);
     files.blocks += now.count_present();
     files.contacts += acting.size();

@@ -13,20 +13,23 @@ class Sheet {
   Sheet(const ResultsReader& results, const std::vector<long>& frames,
         const FigureOptions& options)
       : results_(results), frames_(frames), options_(options),
-        scales_(survey_scales(results, frames, options)), first_(results.frame(0)),
+        scales_(survey_scales(results, frames, options)),
         page_(frames.size(), results.title(), scales_, options) {}
 
   double height() const { return page_.height(); }
 
   void draw(cairo_t* cairo) const {
+    ResultsTracker tracker(results_);
     Pen pen(cairo, options_.page);
     page_.begin(pen);
     for (std::size_t k = 0; k < frames_.size(); ++k) {
-      const Frame now = results_.frame(frames_[k]);
+      const Frame now = frame_for(options_, results_, frames_[k]);
       const FrameContacts contacts = contacts_for(options_, results_, frames_[k]);
-      page_.picture(pen, k, {now, first_, contacts});
+      const CrackedBlocks& cracked = tracker.at(frames_[k], now);
+      const Picture picture{now, cracked.first, contacts, &tracker.first(), &cracked};
+      page_.picture(pen, k, picture);
       if (k + 1 == frames_.size())
-        page_.end(pen, {now, first_, contacts});
+        page_.end(pen, picture);
     }
   }
 
@@ -35,7 +38,6 @@ class Sheet {
   const std::vector<long>& frames_;
   const FigureOptions& options_;
   const FigureScales scales_;
-  const Frame first_;
   const FigurePage page_;
 };
 

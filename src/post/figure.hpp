@@ -17,8 +17,9 @@ namespace blocks::post {
 
 struct FigureOptions {
   PageSize page;
-  /// "material", "joint" (the sides of blocks by joint id), "bond" (the faces of blocks
-  /// by the state of their bond), or a name of quantity.hpp
+  /// "material", "family" (pieces by the block from which they come), "joint" (the
+  /// sides of blocks by joint id), "bond" (the faces of blocks by the state of their
+  /// bond), or a name of quantity.hpp
   std::string colour = "material";
   std::string colour_map;  ///< a name of colour_map.hpp; empty: automatic
   std::optional<Eigen::Vector2d>
@@ -28,6 +29,7 @@ struct FigureOptions {
   bool corners = false;                 ///< corner numbers
   bool original = false;       ///< draw the outlines of the first frame underneath
   bool forces = false;         ///< draw the network of contact forces
+  bool cracks = true;          ///< draw the faces of cracks, if there are any
   std::string arrows;          ///< velocity, displacement or force; empty: none
   bool mirror = false;         ///< also draw the other half, mirrored about mirror_x
   double mirror_x = 0.0;       ///< [L]
@@ -41,12 +43,16 @@ struct FigureOptions {
   std::map<int, Colour> material_colours;     ///< replace the default colours
   std::map<int, std::string> material_names;  ///< shown instead of the numbers
 
+  bool shows_families() const { return colour == "family"; }
   bool shows_joints() const { return colour == "joint"; }
-  /// True if the colours of blocks are those of a quantity, not of their materials.
   bool shows_bonds() const { return colour == "bond"; }
   /// True if the sides of blocks have colours, and blocks those of their materials.
   bool shows_sides() const { return shows_joints() || shows_bonds(); }
-  bool shows_quantity() const { return colour != "material" && !shows_sides(); }
+  bool shows_cracks() const { return cracks && !shows_sides(); }
+  /// True if the colours of blocks are those of a quantity, not of their materials.
+  bool shows_quantity() const {
+    return colour != "material" && !shows_sides() && !shows_families();
+  }
 };
 
 /// Draws frames to a PNG, SVG or PDF file, depending on the extension. Several frames

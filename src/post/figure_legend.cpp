@@ -9,6 +9,7 @@
 
 #include "post/axes.hpp"
 #include "post/bond_sides.hpp"
+#include "post/crack_faces.hpp"
 #include "post/joint_style.hpp"
 #include "post/quantity.hpp"
 #include "post/scene_drawing.hpp"
@@ -66,6 +67,8 @@ class Legend {
     bonds();
     if (by_material(options_))
       materials();
+    if (scales_.cracks)
+      line_swatch(crack_colour, 2.6, "crack");
     if (scales_.fixed)
       swatch({0.9, 0.9, 0.9}, true, "fixed");
     end_cells();
@@ -158,6 +161,8 @@ class Legend {
   }
 
   std::string material_text(int material) const {
+    if (options_.shows_families())
+      return material == 0 ? "whole blocks" : fmt::format("from block {}", material);
     const auto name = options_.material_names.find(material);
     return name == options_.material_names.end() ? fmt::format("material {}", material)
                                                  : name->second;
@@ -174,8 +179,9 @@ class Legend {
     const std::size_t columns = columns_of(place_.below ? room() : 0.0);
     const double top = y_, across = room() / static_cast<double>(columns);
     const bool all = present.size() <= most_materials;
-    pen_.text(all ? "materials"
-                  : fmt::format("{} of {} materials", most_materials, present.size()),
+    const char* const name = options_.shows_families() ? "from blocks" : "materials";
+    pen_.text(all ? name
+                  : fmt::format("{} of {} {}", most_materials, present.size(), name),
               place_.x, y_ + 6, 14, ink, 0, 0.5, room());
     std::size_t i = 0;
     for (const int material : present) {
@@ -311,7 +317,8 @@ double legend_height(const FigureScales& scales, const FigureOptions& options) {
   constexpr double arrow = 62, mark = 42;
   return (by_material(options) ? materials_height(scales.materials.size()) : 0) +
          static_cast<double>(joint_entries(scales)) * line + (scales.fixed ? line : 0) +
-         (options.arrows.empty() ? 0 : arrow) + bars(scales, options) * least_bar +
+         (scales.cracks ? line : 0) + (options.arrows.empty() ? 0 : arrow) +
+         bars(scales, options) * least_bar +
          mark * static_cast<double>(options.mark_names.size());
 }
 
@@ -319,7 +326,8 @@ double legend_height_below(const FigureScales& scales, const FigureOptions& opti
                            double width) {
   const std::size_t materials = by_material(options) ? scales.materials.size() : 0;
   const std::size_t cells = (materials <= few_materials ? materials : 0) +
-                            (scales.fixed ? 1 : 0) + joint_entries(scales);
+                            (scales.fixed ? 1 : 0) + (scales.cracks ? 1 : 0) +
+                            joint_entries(scales);
   const double in_row = std::max(1.0, std::floor(width / cell));
   return (materials > few_materials ? many_materials_height(materials, width) : 0) +
          std::ceil(static_cast<double>(cells) / in_row) * cell_line +

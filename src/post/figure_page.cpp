@@ -38,6 +38,13 @@ std::string equilibrium_text(const Frame& now, const FigureOptions& options) {
   return block > 0 ? text + fmt::format(", largest in block {}", block) : text;
 }
 
+/// Returns the number of cracks, unless there are none.
+std::string cracks_text(const Frame& now) {
+  return now.cracks > 0
+             ? "    " + counted(static_cast<std::size_t>(now.cracks), "crack")
+             : "";
+}
+
 FigureMargins margins_of(const PageSize& page, bool titled) {
   FigureMargins found;
   if (page.printed)
@@ -134,8 +141,9 @@ void FigurePage::picture(Pen& pen, std::size_t i, const Picture& picture) const 
     pen.text(at, here.left, here.top - 9, 15, muted, 0, 1);
   else
     pen.text(options_.subtitle.empty()
-                 ? fmt::format("{}    step {}    {}{}", at, picture.now.step,
+                 ? fmt::format("{}    step {}    {}{}{}", at, picture.now.step,
                                counted(present(picture.now), "block"),
+                               cracks_text(picture.now),
                                equilibrium_text(picture.now, options_))
                  : options_.subtitle,
              margins_.left, margins_.subtitle, options_.page.printed ? 12.5 : 15, muted,

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "post/bond_sides.hpp"
+#include "post/families.hpp"
 #include "post/force_network.hpp"
 #include "post/joint_faces.hpp"
 #include "post/joint_style.hpp"
@@ -56,7 +57,7 @@ void ScaleSurvey::include_corners(const Frame& frame) {
 void ScaleSurvey::include(const Picture& picture) {
   const Frame& now = picture.now;
   // If all blocks are removed, the picture shows the empty place where they were.
-  include_corners(now.count_present() > 0 ? now : picture.first);
+  include_corners(now.count_present() > 0 ? now : picture.original_frame());
   block_counts_.insert(now.count_present());
   for (int b = 0; b < now.size(); ++b) {
     if (now.is_removed(b))
@@ -65,7 +66,9 @@ void ScaleSurvey::include(const Picture& picture) {
     fixed_ = fixed_ || now.fixed[static_cast<std::size_t>(b)] != 0;
   }
   if (options_.original)
-    include_corners(picture.first);
+    include_corners(picture.original_frame());
+  cracks_ = cracks_ ||
+            (options_.shows_cracks() && picture.cracked != nullptr && now.cracks > 0);
   if (options_.shows_joints())
     joints_.merge(joints_of(now));
   if (options_.shows_bonds())
@@ -151,6 +154,9 @@ FigureScales ScaleSurvey::scales() const {
     throw std::runtime_error(no_joints_text());
   if (options_.shows_bonds() && bonds_.empty())
     throw std::runtime_error(no_laws_text());
+  if (options_.shows_families() && materials_ == std::set<int>{0})
+    throw std::runtime_error("no block has split at the times drawn\n  hint: blocks "
+                             "split if their material has a CRACK card");
   if (const QuantityKind* kind = quantities::find_quantity(options_.colour);
       kind && is_internal_stress(*kind) && least_ == 0.0 && most_ == 0.0)
     throw std::runtime_error(
@@ -165,8 +171,17 @@ FigureScales ScaleSurvey::scales() const {
   result.bonds = bonds_;
   result.slip = slip_;
   result.fixed = fixed_;
+  result.cracks = cracks_;
   result.block_counts = block_counts_;
   return result;
+}
+
+Frame frame_for(const FigureOptions& options, const ResultsReader& results,
+                long frame) {
+  Frame read = results.frame(frame);
+  if (options.shows_families())
+    read.material = families_of(read);
+  return read;
 }
 
 FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,
@@ -192,12 +207,13 @@ FigureScales survey_scales(const ResultsReader& results,
                            const FigureOptions& options) {
   if (frames.empty())
     throw std::runtime_error("there is no time to draw");
-  const Frame first = results.frame(0);
+  ResultsTracker tracker(results);
   ScaleSurvey survey(options);
   for (const long i : frames) {
-    const Frame now = results.frame(i);
+    const Frame now = frame_for(options, results, i);
     const FrameContacts contacts = contacts_for(options, results, i);
-    survey.include({now, first, contacts});
+    const CrackedBlocks& cracked = tracker.at(i, now);
+    survey.include({now, cracked.first, contacts, &tracker.first(), &cracked});
   }
   return survey.scales();
 }

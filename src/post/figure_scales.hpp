@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "post/crack_tracker.hpp"
 #include "post/figure.hpp"
 #include "post/value_range.hpp"
 #include "quantities/bond.hpp"
@@ -16,8 +17,14 @@ namespace blocks::post {
 /// The model at one time.
 struct Picture {
   const Frame& now;
-  const Frame& first;
+  const Frame& first;  ///< where the blocks of `now` were (CrackedBlocks::first)
   const FrameContacts& contacts;
+  const Frame* original = nullptr;         ///< the first frame as it was; null: `first`
+  const CrackedBlocks* cracked = nullptr;  ///< null: cracks are not known
+
+  const Frame& original_frame() const {
+    return original != nullptr ? *original : first;
+  }
 };
 
 struct FigureScales {
@@ -33,6 +40,7 @@ struct FigureScales {
   std::set<quantities::Bond> bonds;  ///< of the contacts, if the figure shows bonds
   double slip = 0.0;                 ///< [L] the largest, if the figure shows bonds
   bool fixed = false;                ///< true if some block is fixed
+  bool cracks = false;               ///< true if some picture shows faces of cracks
   std::set<int> block_counts;        ///< numbers of blocks of the pictures
 };
 
@@ -58,7 +66,7 @@ class ScaleSurvey {
   std::set<int> materials_, joints_, block_counts_;
   std::set<quantities::Bond> bonds_;
   double slip_ = 0.0;
-  bool fixed_ = false;
+  bool fixed_ = false, cracks_ = false;
 };
 
 /// Returns the scales of these frames, reading one at a time. Throws std::runtime_error
@@ -72,6 +80,10 @@ ColourMap map_of(const FigureOptions& options, Zero zero);
 
 /// Returns the materials of all blocks.
 std::set<int> materials_of(const ResultsReader& results);
+
+/// Reads a frame. In figures of families, the materials of its blocks are their
+/// families (families.hpp).
+Frame frame_for(const FigureOptions& options, const ResultsReader& results, long frame);
 
 /// Returns the contacts of a frame; reads them only if the figure shows them.
 FrameContacts contacts_for(const FigureOptions& options, const ResultsReader& results,

@@ -44,6 +44,25 @@ void convert(FrameContacts& contacts, const UnitScale& scale) {
     *lengths *= scale.length;
 }
 
+void convert(std::vector<Crack>& cracks, const UnitScale& scale) {
+  if (scale.is_one())
+    return;
+  const double stress = scale.of({-1, 1, -2}), area = scale.of({2, 0, 0}),
+               energy = scale.of({1, 1, -2});
+  for (Crack& crack : cracks) {
+    crack.time *= scale.time;
+    crack.stress *= stress;
+    crack.from *= scale.length;
+    crack.to *= scale.length;
+    crack.moved *= scale.length;
+    crack.parent_area *= area;
+    crack.child_area *= area;
+    for (double* value : {&crack.kinetic_before, &crack.kinetic_after,
+                          &crack.strain_before, &crack.strain_after})
+      *value *= energy;
+  }
+}
+
 void convert(RecordedHistory& recorded, const UnitScale& scale) {
   if (scale.is_one())
     return;

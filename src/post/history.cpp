@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "post/crack_tracker.hpp"
 #include "post/material_list.hpp"
 #include "post/quantity.hpp"
 #include "quantities/energy.hpp"
@@ -91,8 +92,11 @@ struct Question {
 
   /// Whether part i has this time, and not the next part.
   bool has_time(std::size_t i, double t) const {
-    return t >= range.from && t <= range.to &&
-           (i + 1 == parts.size() || t < parts[i + 1]->times().front());
+    return t >= range.from && t <= range.to && is_of_part(i, t);
+  }
+  /// Whether the next part does not have this time.
+  bool is_of_part(std::size_t i, double t) const {
+    return i + 1 == parts.size() || t < parts[i + 1]->times().front();
   }
   /// The name of a curve with the number of its material.
   std::string key(Curve curve) const {
@@ -118,6 +122,21 @@ last_outlines(const std::vector<const ResultsReader*>& parts) {
         outlines[b] = earlier[b];
   }
   return outlines;
+}
+
+/// Whether a block that has split had this corner in some frame.
+bool had_corner(const Question& question, const Curve& curve) {
+  const auto b = static_cast<std::size_t>(curve.first) - 1;
+  if (question.parts.back()->cracks().empty())
+    return false;
+  for (const ResultsReader* part : question.parts)
+    for (long i = 0; i < part->frames(); ++i) {
+      const Frame frame = part->frame(i);
+      if (b < frame.outlines.size() &&
+          static_cast<std::size_t>(curve.corner) <= frame.outlines[b].size())
+        return true;
+    }
+  return false;
 }
 
 void require_places(const Question& question) {
@@ -151,7 +170,8 @@ void require_places(const Question& question) {
       outlines = last_outlines(question.parts);
     const std::size_t corners =
         outlines[static_cast<std::size_t>(curve.first) - 1].size();
-    if (static_cast<std::size_t>(curve.corner) > corners)
+    if (static_cast<std::size_t>(curve.corner) > corners &&
+        !had_corner(question, curve))
       throw std::runtime_error(
           fmt::format("{}: block {} has corners 1 to {}, no corner {}", results.path(),
                       curve.first, corners, curve.corner));
@@ -160,25 +180,36 @@ void require_places(const Question& question) {
 
 void add_frames(const Question& question, History& history) {
   require_places(question);
-  const Frame first = question.parts.front()->frame(0);
+  Frame before = question.parts.front()->frame(0);
+  CrackTracker tracker(before, question.parts.back()->cracks());
   quantities::CurveValues values_of(question.curves, question.materials);
   std::vector<double> values(values_of.size());
   for (std::size_t part = 0; part < question.parts.size(); ++part) {
     const ResultsReader& results = *question.parts[part];
     for (long i = 0; i < results.frames(); ++i) {
       const double t = results.times()[static_cast<std::size_t>(i)];
-      if (!question.has_time(part, t))
+      if (!question.is_of_part(part, t))
+        break;
+      // Earlier frames are needed to follow the pieces of blocks that split.
+      const bool shown = t >= question.range.from && t <= question.range.to;
+      if (!shown && (tracker.cracks().empty() || t > question.range.to))
         continue;
-      const Frame now = results.frame(i);
+      Frame now = results.frame(i);
+      tracker.advance(before, now);
+      if (!shown) {
+        before = std::move(now);
+        continue;
+      }
       std::vector<quantities::ContactState> contacts;
       if (values_of.has_contacts())
         contacts = states_of(results.contacts(i));
-      values_of.evaluate(
-          {now.time, now.step, states_of(now), contacts, nullptr, now.unbalanced_ratio},
-          states_of(first), values);
+      values_of.evaluate({now.time, now.step, states_of(now), contacts, nullptr,
+                          now.unbalanced_ratio, static_cast<std::size_t>(now.cracks)},
+                         states_of(tracker.blocks().first), values);
       history.time.push_back(t);
       for (std::size_t k = 0; k < values.size(); ++k)
         history.series[k].values.push_back(values[k]);
+      before = std::move(now);
     }
   }
 }
@@ -223,9 +254,13 @@ class Recorded {
       if (sign_of(curve, question_.compression_positive) == 0.0)
         return curve.name() + " was recorded with tension positive";
     }
-    if (parts_.size() > 1 &&
-        quantities::CurveValues(question_.curves).has_displacements())
-      return "recorded displacements of each part begin at its own first frame";
+    if (quantities::CurveValues(question_.curves).has_displacements()) {
+      if (parts_.size() > 1)
+        return "recorded displacements of each part begin at its own first frame";
+      // Frames have no energies.
+      if (!question_.parts.back()->cracks().empty() && !has_energies())
+        return "recorded displacements end where a block splits";
+    }
     std::vector<std::vector<Rows>> rows;
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       rows.push_back(rows_of(parts_[part]));
@@ -245,6 +280,13 @@ class Recorded {
     const RecordedHistory* section;
     std::vector<Eigen::Index> of_curves;
   };
+
+  bool has_energies() const {
+    return std::any_of(question_.curves.begin(), question_.curves.end(),
+                       [](const Curve& curve) {
+                         return curve.quantity.starts_with(quantities::energy_prefix);
+                       });
+  }
 
   bool has(const Curve& curve) const { return keys_.contains(question_.key(curve)); }
 

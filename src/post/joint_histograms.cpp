@@ -124,7 +124,8 @@ class HistogramDrawing {
       pen_.stroke(0.8, bar_grid);
       pen_.text(marked.labels[i], place_.left - 8, y, 13, ink, 1, 0.5);
     }
-    pen_.text(marked.titled("blocks"), place_.left, place_.top - 8, 13, ink, 0, 1);
+    pen_.text(marked.titled(histogram_.counted), place_.left, place_.top - 8, 13, ink,
+              0, 1);
   }
 
   void bars() {

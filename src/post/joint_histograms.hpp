@@ -10,10 +10,11 @@ namespace blocks::post {
 
 /// A histogram on a logarithmic axis, or of whole numbers.
 struct Histogram {
-  std::string label;           ///< of the axis, with the unit
-  std::vector<double> values;  ///< > 0; not empty
-  bool whole = false;          ///< whole numbers, with one bar for each
-  std::string note;            ///< written above the histogram: "median 3.2 m²"
+  std::string label;               ///< of the axis, with the unit
+  std::vector<double> values;      ///< > 0; not empty
+  bool whole = false;              ///< whole numbers, with one bar for each
+  std::string note;                ///< written above the histogram: "median 3.2 m²"
+  std::string counted = "blocks";  ///< of what there are so many
 };
 
 /// The plot of a histogram on the page [units], and the space for its numbers.

@@ -196,7 +196,8 @@ double rose_legend_height(const JointStatistics& joints) {
 }
 
 void draw_rose_legend(Pen& pen, double x, double top, double width,
-                      const JointStatistics& joints) {
+                      const JointStatistics& joints,
+                      const std::function<std::string(int)>& name_of) {
   constexpr double indent = 30;
   double y = top;
   std::size_t listed = 0;
@@ -209,8 +210,7 @@ void draw_rose_legend(Pen& pen, double x, double top, double width,
     cairo_rectangle(pen.cairo(), x, y, 20, 15);
     pen.colour(joint_colour(id));
     cairo_fill(pen.cairo());
-    pen.text(fmt::format("joint {}", id), x + indent, y + 7.5, letter, ink, 0, 0.5,
-             width - indent);
+    pen.text(name_of(id), x + indent, y + 7.5, letter, ink, 0, 0.5, width - indent);
     pen.text(fmt::format("{}, {} of the length", direction_text(one),
                          percent_text(one.share)),
              x + indent, y + 25, small_letter, muted, 0, 0.5, width - indent);

@@ -1,5 +1,8 @@
-// The rose diagram of joint directions and its legend.
+// The rose diagram of directions, of joints or cracks, and its legend.
 #pragma once
+
+#include <functional>
+#include <string>
 
 #include "post/joint_statistics.hpp"
 #include "post/pen.hpp"
@@ -21,8 +24,10 @@ void draw_rose(Pen& pen, const RosePlace& place, const JointStatistics& joints);
 /// Returns the height of the legend.
 double rose_legend_height(const JointStatistics& joints);
 
-/// Draws colour, share, mean direction and deviation of each joint.
+/// Draws colour, name, share, mean direction and deviation of each joint. name_of(id)
+/// is "joint 3" or "cracks by stress".
 void draw_rose_legend(Pen& pen, double x, double top, double width,
-                      const JointStatistics& joints);
+                      const JointStatistics& joints,
+                      const std::function<std::string(int)>& name_of);
 
 }  // namespace blocks::post

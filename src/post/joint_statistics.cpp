@@ -21,13 +21,8 @@ constexpr double wide_sector = 10.0, fine_sector = 5.0;
 /// mean direction says nothing.
 constexpr double least_resultant = 0.4;
 
-struct Side {
-  int joint = 0;
-  double direction = 0.0, length = 0.0;  ///< [degrees], 0 to 180; [L]
-};
-
-std::vector<Side> sides_on_joints(const Frame& frame) {
-  std::vector<Side> found;
+std::vector<DirectedLength> sides_on_joints(const Frame& frame) {
+  std::vector<DirectedLength> found;
   for (std::size_t b = 0; b < frame.joints.size(); ++b) {
     const auto& outline = frame.outlines[b];
     for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -58,25 +53,21 @@ void measure_blocks(const Frame& frame, JointStatistics& result) {
 
 }  // namespace
 
-JointStatistics joint_statistics(const Frame& frame) {
-  const std::vector<Side> sides = sides_on_joints(frame);
+JointStatistics direction_statistics(const std::vector<DirectedLength>& lengths) {
   double total = 0.0;
-  for (const Side& side : sides)
-    total += side.length;
-  if (!(total > 0.0))
-    throw std::runtime_error(no_joints_text());
-
+  for (const DirectedLength& one : lengths)
+    total += one.length;
   JointStatistics result;
-  result.sector = sides.size() < many_sides ? wide_sector : fine_sector;
+  result.sector = lengths.size() < many_sides ? wide_sector : fine_sector;
   const auto sectors = static_cast<std::size_t>(std::lround(half_turn / result.sector));
   std::map<int, std::complex<double>> sums;  // of doubled angles, because they are axes
-  for (const Side& side : sides) {
-    JointDirections& one = result.joints[side.joint];
+  for (const DirectedLength& side : lengths) {
+    JointDirections& one = result.joints[side.group];
     one.sectors.resize(sectors);
     const long nearest = std::lround(side.direction / result.sector);
     one.sectors[static_cast<std::size_t>(nearest) % sectors] += side.length / total;
     one.share += side.length / total;
-    sums[side.joint] +=
+    sums[side.group] +=
         side.length / total * std::polar(1.0, 2.0 * side.direction * degree);
   }
   for (auto& [id, one] : result.joints) {
@@ -86,6 +77,15 @@ JointStatistics joint_statistics(const Frame& frame) {
     if (resultant >= least_resultant)
       one.deviation = 0.5 * std::sqrt(2.0 * std::abs(std::log(resultant))) / degree;
   }
+  return result;
+}
+
+JointStatistics joint_statistics(const Frame& frame) {
+  const std::vector<DirectedLength> sides = sides_on_joints(frame);
+  if (std::none_of(sides.begin(), sides.end(),
+                   [](const DirectedLength& side) { return side.length > 0.0; }))
+    throw std::runtime_error(no_joints_text());
+  JointStatistics result = direction_statistics(sides);
   measure_blocks(frame, result);
   if (result.area.empty())
     throw std::runtime_error("no block at a joint has an area at the time drawn");

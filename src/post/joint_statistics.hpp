@@ -30,6 +30,16 @@ struct JointStatistics {
   std::vector<double> sides;   ///< number of sides of each block
 };
 
+/// A side or a crack: a group to which it belongs, direction and length.
+struct DirectedLength {
+  int group = 0;
+  double direction = 0.0, length = 0.0;  ///< degrees, 0 to 180; [L]
+};
+
+/// Returns the directions of all groups, weighted by length; all other members are
+/// empty. The sum of the lengths is positive.
+JointStatistics direction_statistics(const std::vector<DirectedLength>& lengths);
+
 /// Throws std::runtime_error if no side has a joint id, or no block has an area.
 JointStatistics joint_statistics(const Frame& frame);
 

@@ -162,17 +162,19 @@ void draw_movie(const std::string& path, const ResultsReader& results,
   // removes an incomplete movie on every error
   const std::unique_ptr<const char, void (*)(const char*)> draft_goes(
       draft.c_str(), [](const char* name) { std::remove(name); });
-  const Frame first = results.frame(0);
+  ResultsTracker tracker(results);
   bool well = true;
   for (const long i : frames) {
-    const Frame now = results.frame(i);
+    const Frame now = frame_for(options, results, i);
     const FrameContacts contacts = contacts_for(options, results, i);
+    const CrackedBlocks& cracked = tracker.at(i, now);
     {
       const Context cairo(cairo_create(surface.get()), cairo_destroy);
       Pen pen(cairo.get(), options.page);
       page.begin(pen);
-      page.picture(pen, 0, {now, first, contacts});
-      page.end(pen, {now, first, contacts});
+      const Picture picture{now, cracked.first, contacts, &tracker.first(), &cracked};
+      page.picture(pen, 0, picture);
+      page.end(pen, picture);
     }
     cairo_surface_flush(surface.get());
     const unsigned char* rows = cairo_image_surface_get_data(surface.get());

@@ -67,6 +67,30 @@ std::string table_text(const NumberTable& table) {
   return text;
 }
 
+std::string narrow_table_text(const NumberTable& table) {
+  const auto entry = [](const NumberColumn& column, std::size_t i) {
+    return column.words.empty() ? fmt::format("{:g}", column.values[i] + 0.0)
+                                : column.words[i];
+  };
+  std::string names, units;
+  std::vector<std::size_t> widths;
+  for (const NumberColumn& column : table.columns) {
+    std::size_t width = std::max(places(column.name), places(column.unit));
+    for (std::size_t i = 0; i < rows(table); ++i)
+      width = std::max(width, places(entry(column, i)));
+    widths.push_back(width + (widths.empty() ? 0 : 2));
+    names += right(column.name, widths.back());
+    units += right(column.unit, widths.back());
+  }
+  std::string text = names + '\n' + units + '\n';
+  for (std::size_t i = 0; i < rows(table); ++i) {
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      text += right(entry(table.columns[c], i), widths[c]);
+    text += '\n';
+  }
+  return text;
+}
+
 std::string csv_text(const std::vector<NumberTable>& runs) {
   const bool several = runs.size() > 1;
   std::string text = several ? "run," : "";
@@ -78,9 +102,12 @@ std::string csv_text(const std::vector<NumberTable>& runs) {
       if (several)
         text += quoted(run.file) + ',';
       for (std::size_t c = 0; c < run.columns.size(); ++c) {
-        const double value = run.columns[c].values[i];
-        text +=
-            (c ? "," : "") + (std::isnan(value) ? "" : fmt::format("{}", value + 0.0));
+        const NumberColumn& column = run.columns[c];
+        text += c ? "," : "";
+        if (!column.words.empty())
+          text += quoted(column.words[i]);
+        else if (!std::isnan(column.values[i]))
+          text += fmt::format("{}", column.values[i] + 0.0);
       }
       text += '\n';
     }
@@ -97,7 +124,10 @@ std::string json_text(const std::vector<NumberTable>& runs) {
           {"name", column.name}, {"label", column.label}, {"unit", column.unit}};
       if (!column.sign.empty())
         one["sign"] = column.sign;
-      one["values"] = column.values;  // values that are not finite become null
+      if (column.words.empty())
+        one["values"] = column.values;  // values that are not finite become null
+      else
+        one["values"] = column.words;
       columns.push_back(std::move(one));
     }
     list.push_back({{"file", run.file}, {"title", run.title}, {"columns", columns}});

@@ -7,11 +7,12 @@
 namespace blocks::post {
 
 struct NumberColumn {
-  std::string name;            ///< "speed:9"
-  std::string label;           ///< "speed of block 9"
-  std::string unit;            ///< "m/s", or empty
-  std::vector<double> values;  ///< (rows); NaN: no value
-  std::string sign = {};       ///< of a stress: "tension positive"
+  std::string name;                     ///< "speed:9"
+  std::string label;                    ///< "speed of block 9"
+  std::string unit;                     ///< "m/s", or empty
+  std::vector<double> values;           ///< (rows); NaN: no value
+  std::string sign = {};                ///< of a stress: "tension positive"
+  std::vector<std::string> words = {};  ///< (rows) instead of values
 };
 
 /// The columns of one run; all have the same length.
@@ -23,6 +24,9 @@ struct NumberTable {
 /// Returns title, signs, names, units, and each number with eight digits; "-" if there
 /// is no value.
 std::string table_text(const NumberTable& table);
+
+/// Returns names, units, and each number with six digits, in columns as wide as needed.
+std::string narrow_table_text(const NumberTable& table);
 
 /// Returns CSV with one header line, in which stresses have their sign: "s22:9 (tension
 /// positive)". Numbers are written so that they can be read back

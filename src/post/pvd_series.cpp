@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "output/results.hpp"
+#include "post/crack_tracker.hpp"
 #include "post/quantity.hpp"
 #include "post/time_series.hpp"
 #include "post/vtu_file.hpp"
@@ -21,7 +22,8 @@ std::vector<double> tensors(const Eigen::Matrix4Xd& values) {
   return {values.data(), values.data() + values.size()};
 }
 
-VtuGrid block_grid(const Frame& now, const Frame& first) {
+VtuGrid block_grid(const Frame& now, const CrackedBlocks& cracked) {
+  const Frame& first = cracked.first;
   VtuGrid grid;
   Eigen::Index corners = 0;
   for (const auto& outline : now.outlines) {
@@ -53,6 +55,8 @@ VtuGrid block_grid(const Frame& now, const Frame& first) {
                     {"Stress", 4, tensors(now.stress)},
                     {"AppliedStress", 4, tensors(now.applied)},
                     {"StrainRate", 4, tensors(now.strain_rate)}};
+  if (!now.parent.empty())
+    grid.cell_data.push_back({"Parent", 1, now.parent});
   return grid;
 }
 
@@ -152,7 +156,7 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
 
   SeriesFiles files{{path, name + "_contacts.pvd"}};
   Collection blocks, contacts;
-  const Frame first = results.frame(0);
+  ResultsTracker tracker(results);
   const auto digits = std::to_string(frames.size()).size();
   const auto put = [&](VtuGrid grid, const Frame& now, const char* kind, std::size_t k,
                        Collection& collection) {
@@ -165,7 +169,7 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const Frame now = results.frame(frames[k]);
     const FrameContacts acting = results.contacts(frames[k]);
-    put(block_grid(now, first), now, "blocks", k, blocks);
+    put(block_grid(now, tracker.at(frames[k], now)), now, "blocks", k, blocks);
     put(contact_grid(acting), now, "contacts", k, contacts);
     files.blocks += now.size();
     files.contacts += acting.size();

@@ -118,6 +118,8 @@ Frame ResultsReader::File::read(hsize_t i) const {
   frame.stress = tensors(cells<double>("Stress", i, n, 4));
   frame.applied = tensors(cells<double>("AppliedStress", i, n, 4));
   frame.strain_rate = tensors(cells<double>("StrainRate", i, n, 4));
+  frame.cracks = static_cast<long>(count_cracks(i));
+  frame.parent = parents(i, n);
   if (output::hdf5::exists(vtk.get(), unbalanced_column)) {
     frame.unbalanced = vector(cells<double>("UnbalancedForce", i, n, 1));
     frame.unbalanced_ratio = field<double>("UnbalancedRatio", i);

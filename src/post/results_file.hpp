@@ -1,5 +1,5 @@
 // An open results file: its groups and columns, and how frames are read from them. Only
-// results_reader.cpp and results_file.cpp use it.
+// results_reader.cpp, results_file.cpp and results_cracks.cpp use it.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,9 @@ inline constexpr const char* last_law_column = "contacts/Length";
 
 /// The column of unbalanced forces.
 inline constexpr const char* unbalanced_column = "CellData/UnbalancedForce";
+
+/// The column of the number of cracks of each frame.
+inline constexpr const char* crack_counts = "cracks/counts";
 
 /// The file and what has been read when it was opened.
 struct ResultsReader::File {
@@ -103,6 +106,11 @@ struct ResultsReader::File {
   FrameContacts read_contacts(hsize_t i) const;
   FrameContacts::Laws read_laws(hsize_t from, hsize_t m) const;
   std::vector<RecordedHistory> read_recorded() const;
+  /// Returns the number of cracks up to frame i.
+  hsize_t count_cracks(hsize_t i) const;
+  std::vector<Crack> read_cracks() const;
+  /// Returns Frame::parent of frame i with n blocks.
+  std::vector<int> parents(hsize_t i, hsize_t n) const;
   /// Returns the joint ids of all points of a frame; empty if the file has none.
   std::vector<int> read_joints(hsize_t i, hsize_t points) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;

@@ -216,6 +216,14 @@ bool ResultsReader::has_unbalanced() const {
   });
 }
 
+std::vector<Crack> ResultsReader::cracks() const {
+  std::vector<Crack> cracks = output::with_file_errors("read", file_->path, [&] {
+    return file_->soundly([&] { return file_->read_cracks(); });
+  });
+  convert(cracks, file_->scale);
+  return cracks;
+}
+
 std::vector<RecordedHistory> ResultsReader::recorded() const {
   std::vector<RecordedHistory> sections =
       output::with_file_errors("read", file_->path, [&] {

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "post/results_cracks.hpp"
 #include "post/units.hpp"
 
 namespace blocks::post {
@@ -26,6 +27,9 @@ struct Frame {
   /// file has none, so all are 0.
   std::vector<std::vector<int>> joints;
   std::vector<int> number, material;
+  /// The block from which each block split off, 0: none; empty if the file has none.
+  std::vector<int> parent;
+  long cracks = 0;         ///< number of cracks so far
   std::vector<int> fixed;  ///< 0: free, 1: fixed, 2: left the domain, 3: removed
   Eigen::Matrix2Xd centroid, velocity, force;
   Eigen::VectorXd angle, spin, moment, area, mass, inertia;
@@ -101,6 +105,9 @@ class ResultsReader {
   bool has_laws() const;
   /// Whether the frames have unbalanced forces (docs/rest.md#the-ratio).
   bool has_unbalanced() const;
+  /// Reads all cracks up to the last frame, in the order in which blocks split; none if
+  /// the deck has no CRACK card. The first Frame::cracks of them belong to a frame.
+  std::vector<Crack> cracks() const;
   /// Reads the histories that the run recorded, in the order of time; those without
   /// samples are left out.
   std::vector<RecordedHistory> recorded() const;

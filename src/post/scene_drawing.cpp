@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "post/bond_sides.hpp"
+#include "post/crack_faces.hpp"
+#include "post/families.hpp"
 #include "post/force_network.hpp"
 #include "post/joint_sides.hpp"
 #include "post/quantity.hpp"
@@ -48,6 +50,9 @@ class SceneDrawing {
       if (options_.shows_bonds())
         draw_bond_sides(pen_, axes_, picture_, scales_,
                         mirrored ? std::optional(options_.mirror_x) : std::nullopt);
+      if (options_.shows_cracks() && picture_.cracked != nullptr)
+        draw_crack_faces(pen_, axes_, now_, *picture_.cracked, scales_,
+                         mirrored ? std::optional(options_.mirror_x) : std::nullopt);
       if (options_.forces)
         forces();
       if (!options_.arrows.empty())
@@ -117,7 +122,7 @@ class SceneDrawing {
 
   void original() {
     pen_.dashes({4, 3});
-    for (const Outline& outline : picture_.first.outlines)
+    for (const Outline& outline : picture_.original_frame().outlines)
       if (in_view(outline)) {
         path(outline);
         pen_.stroke(0.7, faint);
@@ -332,7 +337,8 @@ double arrow_length(const Axes& axes, const FigureScales& scales) {
 
 Colour colour_of_material(int material, const FigureOptions& options) {
   const auto chosen = options.material_colours.find(material);
-  const Colour own = chosen == options.material_colours.end()
+  const Colour own = options.shows_families() && material == 0 ? whole_colour
+                     : chosen == options.material_colours.end()
                          ? material_colour(material)
                          : chosen->second;
   const bool below_lines = options.forces || options.shows_sides();

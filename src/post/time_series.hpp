@@ -24,8 +24,9 @@ SeriesFiles write_pvd(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames);
 
 /// Writes NAME.csv, with a row for each block and time, and NAME_contacts.csv, with a
-/// row for each acting contact and time. Numbers are written so that they can be read
-/// back exactly. Throws output::FileError.
+/// row for each acting contact and time. Blocks have a column `parent` if some block
+/// has split: the block from which each one split off, 0: none. Numbers are written so
+/// that they can be read back exactly. Throws output::FileError.
 SeriesFiles write_csv(const std::string& path, const ResultsReader& results,
                       const std::vector<long>& frames);
 

@@ -19,22 +19,16 @@ float rounded(double value) {
 
 }  // namespace
 
-void ViewBonds::add_frame(const FrameContacts& contacts,
-                          const std::vector<int>& first_corner) {
+void ViewBonds::add_frame(const FrameContacts& contacts, const ViewShapes& shapes) {
   const FrameContacts::Laws& laws = contacts.laws;
-  const auto corner_of = [&](int block, int corner) {
-    const auto b = static_cast<std::size_t>(block) - 1;
-    const bool exists = block >= 1 && b + 1 < first_corner.size() && corner >= 1 &&
-                        corner <= first_corner[b + 1] - first_corner[b];
-    return exists ? first_corner[b] + corner - 1 : -1;
-  };
   std::uint32_t count = 0;
   for (int i = 0; i < contacts.size() && !laws.empty(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (laws.law[k] == 0)
       continue;
-    const int corner = corner_of(contacts.corner_block[k], contacts.corner[k]),
-              edge = corner_of(contacts.edge_block[k], contacts.edge[k]);
+    const int corner =
+                  shapes.corner_index(contacts.corner_block[k], contacts.corner[k]),
+              edge = shapes.corner_index(contacts.edge_block[k], contacts.edge[k]);
     if (corner < 0 || edge < 0)
       continue;
     ++count;

@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "post/results_reader.hpp"
+#include "post/view_shapes.hpp"
 #include "post/view_store.hpp"
 
 namespace blocks::post {
 
-/// Collects the contacts of all frames of a page. Corners are indices over all blocks.
+/// Collects the contacts of all frames of a page. Corners are indices over all shapes.
 class ViewBonds {
  public:
-  /// Adds the contacts of the next frame. first_corner: (blocks + 1). Contacts with
-  /// planes and those without a law are left out.
-  void add_frame(const FrameContacts& contacts, const std::vector<int>& first_corner);
+  /// Adds the contacts of the last frame of the shapes. Contacts with planes and those
+  /// without a law are left out.
+  void add_frame(const FrameContacts& contacts, const ViewShapes& shapes);
 
   /// Whether some contact of some frame has a law.
   bool any() const { return !corner_.empty(); }

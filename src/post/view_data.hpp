@@ -18,10 +18,10 @@ struct ViewData {
 
 /// Returns every `every`-th frame and the last. A number is stored as the float nearest
 /// to its six leading decimal digits. So the page shows the same six digits as the
-/// file. Contact forces are for drawing only: the direction is within 1.5 degrees and
-/// the size within 3 %. `mirror` is the x [L] of the symmetry plane of a half model;
-/// the page can then show the other half. Throws std::runtime_error if an outline
-/// changes by more than translation, rotation and uniform strain.
+/// file. Contact forces are for drawing only (view_forces.hpp). `mirror` is the x [L]
+/// of the symmetry plane of a half model; the page can then show the other half. Throws
+/// std::runtime_error if an outline changes by more than translation, rotation and
+/// uniform strain, unless the block has split.
 ViewData view_data(const ResultsReader& results, long every,
                    const std::optional<double>& mirror = {});
 

@@ -1,6 +1,7 @@
 #include "quantities/curve_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace blocks::quantities {
@@ -8,6 +9,10 @@ namespace {
 
 using Of = Curve::Of;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+bool is_displacement(const std::string& name) {
+  return name == "displacement" || name == "dx" || name == "dy";
+}
 
 /// Returns the position, displacement or velocity of one corner, both from 0.
 double of_corner(const std::string& name, int block, int corner, const BlockStates& now,
@@ -18,9 +23,10 @@ double of_corner(const std::string& name, int block, int corner, const BlockStat
                         arm = at - now.centroid.col(block);
   if (name == "x" || name == "y")
     return name == "x" ? at.x() : at.y();
-  if (name == "dx" || name == "dy" || name == "displacement") {
+  if (is_displacement(name)) {
+    const bool is_later = block >= first.centroid.cols();
     if (corner >= first.corners.count(block))
-      return 0.0;
+      return is_later ? 0.0 : none;
     const Eigen::Vector2d d = at - first.corners.at(block, corner);
     return name == "dx" ? d.x() : name == "dy" ? d.y() : d.norm();
   }
@@ -59,8 +65,7 @@ bool CurveValues::has_contacts() const {
 
 bool CurveValues::has_displacements() const {
   return std::any_of(curves_.begin(), curves_.end(), [](const Reader& reader) {
-    const std::string& name = reader.curve.quantity;
-    return name == "displacement" || name == "dx" || name == "dy";
+    return is_displacement(reader.curve.quantity);
   });
 }
 
@@ -154,8 +159,11 @@ double CurveValues::value(const Reader& reader, const State& now,
     const bool other_material =
         !curve.material.empty() &&
         now.blocks.material[static_cast<std::size_t>(b)] != reader.material;
-    if (!other_material && !now.blocks.is_removed(b))
-      scratch_.push_back(of_block(b));
+    if (other_material || now.blocks.is_removed(b))
+      continue;
+    const double value = of_block(b);
+    if (!(is_displacement(curve.quantity) && std::isnan(value)))
+      scratch_.push_back(value);
   }
   if (curve.of == Of::model)
     return scratch_.empty() ? 0.0 : reduce({Statistic::How::sum}, scratch_);

@@ -34,8 +34,8 @@ class CurveValues {
   bool has_unbalanced() const;
 
   /// Sets values[i] to that of curve i: NaN if its blocks do not exist yet or were
-  /// removed. Removed blocks do not count in statistics. Sums are taken in the order of
-  /// the blocks.
+  /// removed, or for displacements of blocks without a first position. Such blocks do
+  /// not count in statistics. Sums are taken in the order of the blocks.
   void evaluate(const State& now, const Positions& first, std::span<double> values);
 
  private:

@@ -30,6 +30,7 @@ const std::vector<EnergyQuantity>& energy_quantities() {
       {"removed", "energy removed", of<removed>},
       {"artificial", "energy taken by artificial damping", of<artificial>},
       {"quiet", "energy through quiet sides", of<quiet>},
+      {"cracks", "energy released by cracks", of<cracks>},
       {"integration", "error of the integration", of<integration>},
       {"residual", "residual of the energies",
        [](const EnergyAccount& a) { return a.residual(); }},

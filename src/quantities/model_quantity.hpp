@@ -40,8 +40,8 @@ struct OtherKind {
 };
 
 /// All of them by name: contacts, normal_force, overlap, shear_force; bonded, failed,
-/// slip, dilation, joint_length, normal_stress, shear_stress; blocks, step, time,
-/// unbalanced_ratio;
+/// slip, dilation, joint_length, normal_stress, shear_stress; blocks, cracks, step,
+/// time, unbalanced_ratio;
 /// energy:kinetic and the other entries of the energy account.
 const std::map<std::string, OtherKind>& other_kinds();
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -30,7 +31,7 @@ class Corners {
 
 /// Where n blocks are. Refers to their columns.
 struct Positions {
-  const Eigen::Matrix2Xd& centroid;  ///< [L] (2, n)
+  const Eigen::Matrix2Xd& centroid;  ///< [L] (2, n); NaN: not known
   Corners corners;
 };
 
@@ -73,6 +74,7 @@ struct State {
   const EnergyAccount* energy = nullptr;  ///< null for a frame, which has no account
   /// Ratio of the unbalanced forces; NaN if it is not known.
   double unbalanced_ratio = std::numeric_limits<double>::quiet_NaN();
+  std::size_t cracks = 0;  ///< number of cracks so far
 };
 
 /// The blocks of a model. Valid as long as they exist and their number is the same.

@@ -13,6 +13,14 @@ constexpr int most_drawn_blocks = 5000;
 
 post::PageSize whole_width() { return post::PageSize::in_print("240mm"); }
 
+/// Returns the number of blocks, or how it grows: "12 to 15 blocks".
+std::string blocks_text(const post::ResultsReader& results) {
+  const int first = results.frame(0).size(),
+            last = results.frame(results.frames() - 1).size();
+  return first == last ? fmt::format("{} blocks", first)
+                       : fmt::format("{} to {} blocks", first, last);
+}
+
 std::string picture(const Ensemble& ensemble, const RunRow& row,
                     post::FigureOptions options, bool with_first) {
   post::ResultsReader results(ensemble.results_of(row));
@@ -25,8 +33,8 @@ std::string picture(const Ensemble& ensemble, const RunRow& row,
   options.material_names = results.material_names();
   options.title = "";
   if (with_first)
-    options.subtitle = fmt::format("{} blocks", results.frame(0).size());
-  if (results.frame(0).size() <= most_drawn_blocks)
+    options.subtitle = blocks_text(results);
+  if (results.frame(last).size() <= most_drawn_blocks)
     return post::figure_svg(results, frames, options);
   return fmt::format("<img alt=\"the blocks\" src=\"data:image/png;base64,{}\">",
                      base64(post::figure_png(results, frames, options)));

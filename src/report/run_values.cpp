@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "post/crack_tracker.hpp"
 #include "post/history.hpp"
 #include "post/quantity.hpp"
 #include "post/units.hpp"
@@ -202,8 +203,8 @@ RunValues RunReader::read(const std::vector<Measure>& measures,
 
 ProfileValues RunReader::read_profile(const ProfileQuestion& question) const {
   const post::QuantityKind* kind = quantities::find_quantity(question.quantity);
-  const post::Frame first = results_.frame(0);
-  auto places = post::profile_places(first, question.line);
+  post::ResultsTracker tracker(results_);
+  auto places = post::profile_places(tracker.first(), question.line);
   if (question.mirror)
     places = post::both_halves(places, *question.mirror);
   const long i = question.time ? results_.at(*question.time) : results_.frames() - 1;
@@ -211,7 +212,7 @@ ProfileValues RunReader::read_profile(const ProfileQuestion& question) const {
   ProfileValues profile;
   for (const post::ProfilePlace& place : places)
     profile.position.push_back(place.position);
-  profile.value = post::profile_values(places, *kind, now, first);
+  profile.value = post::profile_values(places, *kind, now, tracker.at(i, now).first);
   return profile;
 }
 

@@ -46,7 +46,7 @@ Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
       unread_(options_.unread), corners_(shared_corners(cards)),
       makers_(model.blocks.size()), domain_blocks_(model.blocks.size()),
-      checked_blocks_(model.blocks.size()),
+      known_blocks_(model.blocks.size()), checked_blocks_(model.blocks.size()),
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
@@ -260,6 +260,8 @@ struct Builder::Visitor {
   void operator()(const deck::Insitu& card) { self.load_in_situ(command, card); }
   void operator()(const deck::Servo& card) { self.servo(command, card); }
   void operator()(const deck::Quiet& card) { self.make_quiet(command, card); }
+  void operator()(const deck::Crack& card) { self.let_crack(command, card); }
+  void operator()(const deck::Mdamp& card) { self.damp_material(command, card); }
   void operator()(const deck::Output& card) {
     model.output_blocks.clear();
     constexpr long most = std::numeric_limits<int>::max();
@@ -301,6 +303,8 @@ struct Builder::Visitor {
   void pass_time() {
     ++self.stretch_;
     self.in_place_ = self.options_.moves;
+    if (!self.in_place_ && !settings.crack_rules.empty() && !self.sure_blocks_)
+      self.sure_blocks_ = blocks.size();
   }
   void operator()(const deck::Stop&) {}
 
@@ -308,19 +312,24 @@ struct Builder::Visitor {
 };
 
 void Builder::apply(const Command& command) {
+  take_in_pieces();
   const int before = model_.blocks.size();
   std::visit(Visitor{*this, command}, command.card);
   if (model_.blocks.size() == before)
     failed_blocks_ += most_blocks(command);
   makers_.record(command, model_.blocks.size());
+  known_blocks_ = model_.blocks.size();
+  if (deck::passes_time(command))
+    motion_ = command;
 }
 
 void Builder::begin_to_move(SharedCertificate certificate) {
   certificate_ = std::move(certificate);
   planes_.clear();
+  crack_cards_.clear();
   fraction_told_ =
       dynamics::safe_fraction(model_.settings.damping, model_.settings.local_damping);
-  checked_blocks_ = moved_blocks_ = model_.blocks.size();
+  known_blocks_ = checked_blocks_ = moved_blocks_ = model_.blocks.size();
 }
 
 void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
@@ -336,6 +345,10 @@ void Builder::go_on(const std::vector<Command>& cards, std::size_t next,
 }
 
 int Builder::block(const Command& command, const deck::Int& number) {
+  if (is_unsure(number.value)) {
+    error_unsure(command, number);
+    return -1;
+  }
   if (number.value >= 1 && number.value <= model_.blocks.size())
     return static_cast<int>(number.value) - 1;
   error_no_block(command, number);
@@ -421,23 +434,6 @@ void Builder::error_no_material(const Command& command, deck::SourceLocation whe
 
 long Builder::most_missing(int line) const {
   return failed_blocks_ + unread_.most_blocks_above(line);
-}
-
-void Builder::error_no_block(const Command& command, const deck::Int& number) {
-  const int count = model_.blocks.size();
-  // OUTPUT and HISTORY may name the blocks of later cards.
-  const bool anywhere = std::holds_alternative<deck::Output>(command.card) ||
-                        std::holds_alternative<deck::History>(command.card);
-  const long most = count + most_missing(anywhere ? std::numeric_limits<int>::max()
-                                                  : command.where.line);
-  if (number.value > count && number.value <= most)
-    return;
-  diagnostics_.error(
-      number.where, command.name, fmt::format("there is no block {}", number.value),
-      most == 0      ? "no block has been created so far"
-      : most > count ? fmt::format("at most {} exist here", counted(most, "block"))
-      : count == 1   ? std::string("only block 1 exists here")
-                     : fmt::format("blocks 1 to {} exist here", count));
 }
 
 }  // namespace blocks::run

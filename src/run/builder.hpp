@@ -94,9 +94,18 @@ class Builder {
 
  private:
   struct Visitor;
+  /// Takes in the blocks that have split off since the last card. They are not checked
+  /// as blocks that a card has made.
+  void take_in_pieces();
   /// How many blocks are missing at most above this line, because their cards failed.
   long most_missing(int line) const;
   void error_no_block(const deck::Command& command, const deck::Int& number);
+  /// Whether a block with this number, from 1, may be a piece when the deck runs, and
+  /// not the block that a card makes.
+  bool is_unsure(long number) const {
+    return sure_blocks_ && number > *sure_blocks_ && number <= model_.blocks.size();
+  }
+  void error_unsure(const deck::Command& command, const deck::Int& number);
   /// Returns the index of the block with this number, counted from 0. Reports an error
   /// and returns -1 if there is none.
   int block(const deck::Command& command, const deck::Int& number);
@@ -178,6 +187,12 @@ class Builder {
   /// Warns if the dashpots of the block's quiet sides are too strong for the time step.
   void warn_of_dashpots(const deck::Command& command, int b);
 
+  // Cracks, in builder_cracks.cpp
+  void let_crack(const deck::Command& command, const deck::Crack& card);
+  void damp_material(const deck::Command& command, const deck::Mdamp& card);
+  /// Warns of CRACK cards by which no block can split, once for each card.
+  void check_cracks();
+
   void check_planes();
   void check_room(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
@@ -209,7 +224,9 @@ class Builder {
     int line = 0;
     std::size_t stretch = 0;
   };
-  std::map<int, GivenAt> joints_;                 ///< JOINT cards by id
+  std::vector<std::pair<deck::SourceLocation, int>>
+      crack_cards_;                ///< CRACK cards not checked yet, and their materials
+  std::map<int, GivenAt> joints_;  ///< JOINT cards by id
   std::map<std::pair<int, int>, GivenAt> pairs_;  ///< JPAIR cards by materials
   std::vector<std::string> notes_;
   std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
@@ -218,9 +235,14 @@ class Builder {
   DomainCards domain_cards_;
   int domain_blocks_;  ///< blocks compared with the domain
   bool stiffness_told_ = false, tolerance_told_ = false;
-  int checked_blocks_;          ///< blocks checked before an earlier motion
-  int moved_blocks_;            ///< blocks that have moved
-  double fraction_told_ = 0.0;  ///< safe FRACTION in the last warning
+  /// The number of blocks before the first motion in which blocks may split; empty if
+  /// there is none, or if steps are made. Later blocks have unknown numbers.
+  std::optional<int> sure_blocks_;
+  int known_blocks_;                     ///< blocks after the last card
+  std::optional<deck::Command> motion_;  ///< the last MOTION, CYCLE or SOLVE card
+  int checked_blocks_;                   ///< blocks checked before an earlier motion
+  int moved_blocks_;                     ///< blocks that have moved
+  double fraction_told_ = 0.0;           ///< safe FRACTION in the last warning
   std::optional<deck::Command>
       fraction_by_;                       ///< last FRACTION, DAMPING or LOCDAMP card
   std::optional<deck::Command> output_;   ///< OUTPUT card not checked yet

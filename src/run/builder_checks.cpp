@@ -58,6 +58,7 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
                          "all free blocks are removed, so nothing will move",
                          "FREE frees fixed blocks");
   check_planes();
+  check_cracks();
   check_overlaps(command);
   check_room(command);
   const bool is_new_step = model_.time_step.blocks != blocks.size();
@@ -66,8 +67,8 @@ void Builder::check_before_motion(const Command& command, bool in_place) {
     if (chosen.elastic)
       diagnostics_.warning(
           command.where, command.name,
-          fmt::format("the time step is cut to {:.4g} by the stiffness of block {}",
-                      chosen.dt, chosen.block + 1),
+          fmt::format("the time step is cut to {:.4g} by the stiffness of {}block {}",
+                      chosen.dt, chosen.pieces ? "a piece of " : "", chosen.block + 1),
           "deformable blocks need dt < l sqrt(rho / C11); half of that is taken");
   }
   checked_blocks_ = moved_blocks_ = blocks.size();
@@ -96,13 +97,32 @@ void Builder::check_without_motion(const Command& last) {
   check_overlaps(last);
 }
 
+void Builder::error_no_block(const Command& command, const deck::Int& number) {
+  const int count = model_.blocks.size();
+  // OUTPUT and HISTORY may name the blocks of later cards.
+  const bool anywhere = std::holds_alternative<deck::Output>(command.card) ||
+                        std::holds_alternative<deck::History>(command.card);
+  const long most = count + most_missing(anywhere ? std::numeric_limits<int>::max()
+                                                  : command.where.line);
+  if (number.value > count && number.value <= most)
+    return;
+  diagnostics_.error(
+      number.where, command.name, fmt::format("there is no block {}", number.value),
+      most == 0      ? "no block has been created so far"
+      : most > count ? fmt::format("at most {} exist here", counted(most, "block"))
+      : count == 1   ? std::string("only block 1 exists here")
+                     : fmt::format("blocks 1 to {} exist here", count));
+}
+
 void Builder::check_output_blocks() {
   for (const Command& command : std::exchange(histories_, {}))
     check_history_blocks(command);
   if (!output_)
     return;
   for (const deck::Int& number : std::get<deck::Output>(output_->card).blocks)
-    if (number.value < 1 || number.value > model_.blocks.size())
+    if (is_unsure(number.value))
+      error_unsure(*output_, number);
+    else if (number.value < 1 || number.value > model_.blocks.size())
       error_no_block(*output_, number);
   output_.reset();
 }
@@ -123,6 +143,8 @@ void Builder::check_history_blocks(const Command& command) {
       diagnostics_.error(where, command.name,
                          fmt::format("no JOINT card above has the id {}", curve.joint),
                          "name a joint that has a law");
+    } else if (is_unsure(curve.last)) {
+      error_unsure(command, {curve.last, where, true});
     } else if (curve.last > blocks.size()) {
       error_no_block(command, {curve.last, where, true});
     } else if (curve.corner > 0 && curve.corner > blocks.corners_of(curve.first - 1)) {

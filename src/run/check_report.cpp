@@ -4,6 +4,7 @@
 
 #include "dynamics/time_step.hpp"
 #include "model/counted.hpp"
+#include "model/crack_report.hpp"
 #include "model/cut_report.hpp"
 #include "model/law_report.hpp"
 
@@ -41,12 +42,13 @@ std::string check_report(const std::string& file, const Model& model,
   for (const CutRecord& cut : model.cuts)
     text += cut_report(cut, model.joint_lengths);
   text += law_report(model);
+  text += crack_report(model.settings);
   if (certificate)
     text += verdict(*certificate) + "\n" + joints_line(*certificate) + "\n";
   if (present > 0) {
     const TimeStep step = dynamics::choose_time_step(model);
     text += fmt::format("time step {:.6g}, set by block {} ({})\n", step.dt,
-                        step.block + 1, step.elastic ? "its stiffness" : "contact");
+                        step.block + 1, limit_in_words(step));
   }
   return text;
 }

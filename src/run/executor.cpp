@@ -8,7 +8,9 @@
 #include <sstream>
 #include <thread>
 
+#include "dynamics/cracks/cracking.hpp"
 #include "model/counted.hpp"
+#include "model/crack_report.hpp"
 #include "model/law_report.hpp"
 #include "run/continuation_hint.hpp"
 #include "run/interrupt.hpp"
@@ -45,6 +47,7 @@ void Executor::resume(const output::Progress& progress) {
   begun_ = progress.steps_left > 0;
   half_depth_ = progress.half_depth;
   watch_ = MotionWatch(model_, progress.fast_told, progress.flight_told);
+  crack_watch_ = CrackWatch(model_);
   echoed_ = started_moving_ = true;
   std::istringstream lines(progress.warnings);
   for (std::string line; std::getline(lines, line);)
@@ -132,6 +135,8 @@ void Executor::finish() {
   echo();
   if (!model_.settings.joint_laws.empty())
     console_.note(bonds_line(model_));
+  if (dynamics::may_crack(model_.settings))
+    console_.note(cracks_line(model_));
   if (audit_.totals().every > 0)
     console_.note(audit_.closing());
 }
@@ -150,12 +155,12 @@ void Executor::start() {
   const double old_dt = model_.time_step.dt;
   dynamics::prepare(model_);
   if (!started_moving_) {
+    crack_watch_ = CrackWatch(model_);
     echo();
-    console_.note(fmt::format("dt {:.6g} set by block {} ({}), {}, seed {}",
-                              model_.time_step.dt, model_.time_step.block + 1,
-                              model_.time_step.elastic ? "its stiffness" : "contact",
-                              counted(model_.blocks.count_present(), "block"),
-                              model_.settings.seed));
+    console_.note(fmt::format(
+        "dt {:.6g} set by block {} ({}), {}, seed {}", model_.time_step.dt,
+        model_.time_step.block + 1, limit_in_words(model_.time_step),
+        counted(model_.blocks.count_present(), "block"), model_.settings.seed));
     const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
     files_.frame(model_);
     files_.table(model_);
@@ -163,7 +168,7 @@ void Executor::start() {
   if (started_moving_ && model_.time_step.dt != old_dt)
     console_.note(fmt::format("dt {:.6g} from now on, set by block {} ({})",
                               model_.time_step.dt, model_.time_step.block + 1,
-                              model_.time_step.elastic ? "its stiffness" : "contact"));
+                              limit_in_words(model_.time_step)));
   if (!in_order && !model_.order.empty())
     console_.note(
         "blocks are renumbered internally for memory locality; output is unaffected");
@@ -214,6 +219,8 @@ Outcome Executor::march(long steps) {
     if (audited && !passes_audit())
       return Outcome::unsound;
     watch(moved);
+    if (dynamics::may_crack(model_.settings))
+      crack();
     if (sampled)
       recorder_.record(stepper_.up_to_date());
     if (read)
@@ -303,6 +310,16 @@ void Executor::watch(const dynamics::StepResult& moved) {
     if (const std::string message = watch_.flight(stepper_.up_to_date());
         !message.empty())
       warn(message);
+}
+
+void Executor::crack() {
+  if (stepper_.crack() > 0)
+    half_depth_ = half_depth(model_.blocks);
+  const CrackNews news = crack_watch_.after(model_);
+  for (const std::string& line : news.cracks)
+    files_.message(line);
+  for (const std::string& line : news.warnings)
+    warn(line);
 }
 
 /// Reports what the audit of the last step found. Returns false if a decision was wrong

@@ -10,6 +10,7 @@
 #include "run/audit_watch.hpp"
 #include "run/console.hpp"
 #include "run/convergence.hpp"
+#include "run/crack_watch.hpp"
 #include "run/history_recorder.hpp"
 #include "run/motion_watch.hpp"
 #include "run/run.hpp"
@@ -97,6 +98,8 @@ class Executor {
   bool sample_due() const;
   void output_if_due();
   void watch(const dynamics::StepResult& moved);
+  /// Splits the blocks whose strength the step has reached, and tells about them.
+  void crack();
   void warn(const std::string& message);
   Outcome pressed_for_time();
   bool keeps_good_states() const;
@@ -119,6 +122,7 @@ class Executor {
   AuditWatch audit_;
   std::vector<std::string> warnings_;
   MotionWatch watch_;
+  CrackWatch crack_watch_;
   HistoryRecorder recorder_;
   output::Progress progress_;
   bool begun_ = false;                  ///< the next card was begun before a restart

@@ -32,6 +32,7 @@ void HistoryRecorder::begin(const Model& model) {
       values->resize(curves.size());
     if (values_of_.has_displacements())
       first_ = results_->first_positions();
+    first_blocks_ = static_cast<int>(first_.outlines.size());
     multiples_ = quantities::Multiples(request_.interval);
     const std::optional<double> last = results_->begin_history(request_);
     const long first = multiples_.first_from(model.time);
@@ -69,10 +70,31 @@ void HistoryRecorder::set_next(long next) {
   due_ = multiples_.at(next) - multiples_.slack();
 }
 
+/// The material of pieces was in the block that has split, but where is not in the
+/// checkpoint. So they have no first position. Other blocks that were made later have
+/// the present one, and so no displacement.
+void HistoryRecorder::follow_blocks(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  first_.centroid.conservativeResize(2, blocks.size());
+  first_.outlines.resize(static_cast<std::size_t>(blocks.size()));
+  for (int b = first_blocks_; b < blocks.size(); ++b) {
+    first_.centroid.col(b) = blocks.centroid.col(b);
+    first_.outlines[static_cast<std::size_t>(b)] = blocks.outline(b);
+  }
+  for (const CrackRecord& crack : model.cracks)
+    if (crack.child >= first_blocks_)
+      for (const int b : {crack.parent, crack.child}) {
+        first_.centroid.col(b).setConstant(std::numeric_limits<double>::quiet_NaN());
+        first_.outlines[static_cast<std::size_t>(b)].clear();
+      }
+}
+
 void HistoryRecorder::read(const Model& model, std::vector<double>& values) {
   contacts_.clear();
   if (values_of_.has_contacts())
     quantities::list_contacts(model, contacts_);
+  if (values_of_.has_displacements() && !model.cracks.empty())
+    follow_blocks(model);
   quantities::BlockStates blocks = quantities::states_of(model.blocks);
   double ratio = std::numeric_limits<double>::quiet_NaN();
   if (values_of_.has_unbalanced()) {
@@ -82,9 +104,9 @@ void HistoryRecorder::read(const Model& model, std::vector<double>& values) {
   }
   const quantities::Positions first{first_.centroid,
                                     quantities::Corners(first_.outlines)};
-  values_of_.evaluate(
-      {model.time, model.steps, blocks, contacts_, &model.energy, ratio}, first,
-      values);
+  values_of_.evaluate({model.time, model.steps, blocks, contacts_, &model.energy, ratio,
+                       model.cracks.size()},
+                      first, values);
 }
 
 }  // namespace blocks::run

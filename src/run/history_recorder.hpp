@@ -30,6 +30,8 @@ class HistoryRecorder {
 
  private:
   void read(const Model& model, std::vector<double>& values);
+  /// Makes the first positions those of the blocks of the model.
+  void follow_blocks(const Model& model);
   void take_samples(double time);
   void set_next(long next);
 
@@ -39,6 +41,7 @@ class HistoryRecorder {
   quantities::CurveValues values_of_{{}};
   quantities::Multiples multiples_{1.0};
   output::FirstPositions first_;
+  int first_blocks_ = 0;  ///< blocks of the first frame
   std::vector<quantities::ContactState> contacts_;
   Eigen::VectorXd unbalanced_;  ///< [F] (blocks) in the state that is read
   long next_ = 0;               ///< index of the next multiple

@@ -237,6 +237,19 @@ def check_results(source, program):
             with_laws = {name.strip("`") for name, _ in names("| dataset of `BLOCKS`, with laws |")}
             more = {f"contacts/{name}" for name in file["BLOCKS/contacts"]} - found.keys()
             faults += [f"datasets with laws differ: {name}" for name in sorted(with_laws ^ more)]
+        Path(folder, "cracks.deck").write_text(
+            deck.replace("\nMOTION", "\nCRACK, 1, 1.E12, 0.01\nMOTION", 1).replace("MOTION, 2", "MOTION, 0.01"))
+        subprocess.run([program, "run", "cracks.deck"], cwd=folder, check=True, capture_output=True)
+        with h5py.File(Path(folder, "cracks.vtkhdf")) as file:
+            listed = dict((name.strip("`"), shape) for name, shape in names("| dataset of `BLOCKS`, with cracks |"))
+            shapes = {f"cracks/{name}": item.shape for name, item in file["BLOCKS/cracks"].items()}
+            faults += [f"datasets with cracks differ: {name}" for name in sorted(listed.keys() ^ shapes.keys())]
+            frames = file["VTKHDF/Steps"].attrs["NSteps"]
+            for name in listed.keys() & shapes.keys():
+                if shapes[name] != {"(n)": (0,), "(n, 3)": (0, 3), "(s)": (frames,)}[listed[name]]:
+                    faults.append(f"{name}: {listed[name]} on the page, {shapes[name]} in the file")
+            if "Parent" not in file["VTKHDF/CellData"]:
+                faults.append("no Parent with cracks")
         laws_summary = json.loads(Path(folder, "laws.summary.json").read_text())
         if set(laws_summary["joint_contacts"]) != set(re.findall(r"`(\w+)`", page.split("there is also `joint_contacts`")[1])[:4]):
             faults.append("joint_contacts of the summary differs from the page")

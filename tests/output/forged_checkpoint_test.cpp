@@ -47,6 +47,11 @@ Model full_model() {
   model.merges = {{1, 2, 3, 0.125, 0.2}};
   model.layers = {{1, 0, 2, 2, 1, 6, 0, 0, 0}};
   model.solves = {{12, 1e-5, 2e-5, 100, 0.5, false, 3.0, 1}};
+  model.settings.crack_rules[3] = {1e6, 0.25, 5e5, 7};
+  model.settings.materials[3].damping = 0.125;
+  model.cracks = {samples::crack_of_block_2()};
+  model.cracks[0].parent = 0, model.cracks[0].child = 1;
+  model.crack_refusals = {{0, CrackRefusal::small}, {1, CrackRefusal::full}};
   samples::add_laws(model);
   model.energy.kept = true;
   model.energy.sums.assign(energy_entries, 0.25);

@@ -94,6 +94,20 @@ inline void add_laws(Model& model) {
   model.blocks.spin[0] = model.drives[0].spin;
 }
 
+/// Returns the record of a crack of block 2, whose other piece is block 3.
+inline CrackRecord crack_of_block_2() {
+  CrackRecord crack;
+  crack.step = 6, crack.time = 0.00625;
+  crack.parent = 1, crack.child = 2;
+  crack.stress = 1.25e6;
+  crack.from = {-1.5, 4.5}, crack.to = {1.5, 0.5};
+  crack.moved = 0.0078125;
+  crack.parent_area = 5.0, crack.child_area = 3.0;
+  crack.kinetic_before = 8.0, crack.kinetic_after = 6.5;
+  crack.strain_before = 20.0, crack.strain_after = 2.25;
+  return crack;
+}
+
 /// A new temporary folder. The destructor removes it.
 class TemporaryFolder {
  public:

@@ -43,7 +43,7 @@ def show(page, program, results, path, *options):
 def history(program, results, curves):
     done = subprocess.run([program, "history", results, "--csv", "-q", ",".join(curves)], capture_output=True, text=True,
                           check=True)
-    return [{name.split(" (")[0]: float(value) for name, value in row.items()}  # "s11:4 (tension positive)"
+    return [{name.split(" (")[0]: float(value or "nan") for name, value in row.items()}  # "s11:4 (tension positive)"
             for row in csv.DictReader(io.StringIO(done.stdout))]
 
 

@@ -357,8 +357,9 @@ TEST_F(Plot, NamesTheChoicesIfAnOptionIsWrong) {
   EXPECT_THAT(ending.err, HasSubstr(".mp4 or .gif (a movie), found 'a.bmp'"));
   const Outcome quantity = plot("fall.vtkhdf -o a.png --colour heat");
   EXPECT_NE(quantity.code, 0);
-  EXPECT_THAT(quantity.err, HasSubstr("there is no quantity 'heat': choose material, joint, "
-                                      "bond, speed, displacement, rotation, x"));
+  EXPECT_THAT(quantity.err,
+              HasSubstr("there is no quantity 'heat': choose material, family, "
+                        "joint, bond, speed, displacement, rotation, x"));
   const Outcome time = plot("fall.vtkhdf -o a.png --time 99");
   EXPECT_EQ(time.code, 2);
   EXPECT_THAT(time.err, HasSubstr("fall.vtkhdf has times 0 to "));

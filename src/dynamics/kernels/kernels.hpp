@@ -41,6 +41,11 @@ struct Kernels {
   /// block `begin`.
   void (*update_strain)(const BlockColumns&, const Moduli&, int begin, int end,
                         double kick, double dt);
+  /// The same with damping of vibration, whose factors and rates begin with those of
+  /// block `begin`.
+  void (*update_damped_strain)(const BlockColumns&, const Moduli&,
+                               const VibrationDamping&, int begin, int end, double kick,
+                               double dt);
   /// (3), (13)-(15): moves at most max_at_once blocks. longest_arm:
   /// MotionBounds::longest.
   Moved (*move)(const BlockColumns&, const double* longest_arm, const Rectangle& domain,

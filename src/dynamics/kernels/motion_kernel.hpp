@@ -28,6 +28,14 @@ struct LocalDamping {
   double gravity_x, gravity_y;  ///< [L/T^2]
   double* work;  ///< [F L] (n) receives the energy taken from each block, or null
 };
+/// What the damping of vibration needs to know of a step
+/// (docs/cracks.md#damping-of-vibration).
+struct VibrationDamping {
+  /// [(F/L^2)^1/2] 2 z sqrt(C11) of successive blocks; 0: no damping
+  const double* factor;
+  const double* rates;  ///< 1/T (4, n) strain rates of the same blocks before the step
+  double* work;  ///< [F L] (n) the energy taken from each block is added to it; or null
+};
 /// The domain, [L].
 struct Rectangle {
   double lower_x, lower_y, upper_x, upper_y;

@@ -175,6 +175,65 @@ Moved move_range(const BlockColumns blocks, const double* longest_arm,
   return moved.all();
 }
 
+/// Damps the stresses that drive the normal strain rates of (10), [F/L^2]: D_jj -= 2 z
+/// sqrt(C11 M_jj) eps_dot_jj (docs/cracks.md#damping-of-vibration). Blocks without
+/// damping keep their bits, because 0 times a rate may be -0 or NaN.
+template <class Lanes>
+BLOCKS_INLINE void damp_vibration(const BlockColumns& blocks,
+                                  const VibrationDamping& damping, Mask free, int first,
+                                  int b, Lanes lanes, double kick, Pack m11, Pack m22,
+                                  Pack& driving11, Pack& driving22) {
+  const Pack factor = load(damping.factor + (b - first), lanes);
+  const Mask damps = free & (factor > 0.0);
+  const Tensor rate = load_rows<4>(damping.rates, b - first, lanes);
+  const Pack slows11 = factor * root(m11) * rate[0];
+  const Pack slows22 = factor * root(m22) * rate[3];
+  driving11 = damps ? driving11 - slows11 : driving11;
+  driving22 = damps ? driving22 - slows22 : driving22;
+  if (damping.work == nullptr)
+    return;
+  const Pack work =
+      kick * load(blocks.area + b, lanes) * (slows11 * rate[0] + slows22 * rate[3]);
+  const Pack before = load(damping.work + b, lanes);
+  store(damping.work + b, lanes, damps ? before + work : before);
+}
+
+/// (10), (12) for the blocks [first, last). damping is null if no block is damped.
+template <bool damped>
+BLOCKS_INLINE void update_range(const BlockColumns& blocks, const Moduli& moduli,
+                                const VibrationDamping* damping, int first, int last,
+                                double kick, double dt) {
+  each_pack(
+      first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
+        const Mask free = free_lanes(blocks, b, lanes);
+        // (10)
+        const Point l = extents(blocks, b, lanes);
+        const Pack mass_per_area =
+            0.25 * load(blocks.mass + b, lanes) / load(blocks.area + b, lanes);
+        const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
+        const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
+        const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
+        const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
+        Pack driving11 = applied[0] - stress[0], driving22 = applied[3] - stress[3];
+        if constexpr (damped)
+          damp_vibration(blocks, *damping, free, first, b, lanes, kick, m11, m22,
+                         driving11, driving22);
+        const Pack shear = 0.5 * (applied[1] + applied[2]) - stress[1];
+        const Pack rate12 = before[1] + kick * shear / (0.5 * (m11 + m22));
+        const Tensor rate = {before[0] + kick * driving11 / m11, rate12, rate12,
+                             before[3] + kick * driving22 / m22};
+        store_rows(blocks.strain_rate, b, lanes, select(free, rate, before));
+        // (12)
+        const Pack c11 = load(moduli.c11 + (b - first), lanes);
+        const Pack c12 = load(moduli.c12 + (b - first), lanes);
+        const Pack twice_shear = load(moduli.twice_shear + (b - first), lanes);
+        const Pack s12 = stress[1] + dt * twice_shear * rate[1];
+        const Tensor after = {stress[0] + dt * (c11 * rate[0] + c12 * rate[3]), s12,
+                              s12, stress[3] + dt * (c12 * rate[0] + c11 * rate[3])};
+        store_rows(blocks.stress, b, lanes, select(free, after, stress));
+      });
+}
+
 }  // namespace
 
 void update_velocities(const BlockColumns& blocks, int first, int last,
@@ -198,31 +257,13 @@ void update_velocities(const BlockColumns& blocks, int first, int last,
 
 void update_strain(const BlockColumns& blocks, const Moduli& moduli, int first,
                    int last, double kick, double dt) {
-  each_pack(
-      first, last, [&](int b, auto lanes) __attribute__((always_inline)) {
-        const Mask free = free_lanes(blocks, b, lanes);
-        // (10)
-        const Point l = extents(blocks, b, lanes);
-        const Pack mass_per_area =
-            0.25 * load(blocks.mass + b, lanes) / load(blocks.area + b, lanes);
-        const Pack m11 = l[0] * l[0] * mass_per_area, m22 = l[1] * l[1] * mass_per_area;
-        const Tensor applied = load_rows<4>(blocks.applied, b, lanes);
-        const Tensor stress = load_rows<4>(blocks.stress, b, lanes);
-        const Tensor before = load_rows<4>(blocks.strain_rate, b, lanes);
-        const Pack shear = 0.5 * (applied[1] + applied[2]) - stress[1];
-        const Pack rate12 = before[1] + kick * shear / (0.5 * (m11 + m22));
-        const Tensor rate = {before[0] + kick * (applied[0] - stress[0]) / m11, rate12,
-                             rate12, before[3] + kick * (applied[3] - stress[3]) / m22};
-        store_rows(blocks.strain_rate, b, lanes, select(free, rate, before));
-        // (12)
-        const Pack c11 = load(moduli.c11 + (b - first), lanes);
-        const Pack c12 = load(moduli.c12 + (b - first), lanes);
-        const Pack twice_shear = load(moduli.twice_shear + (b - first), lanes);
-        const Pack s12 = stress[1] + dt * twice_shear * rate[1];
-        const Tensor after = {stress[0] + dt * (c11 * rate[0] + c12 * rate[3]), s12,
-                              s12, stress[3] + dt * (c12 * rate[0] + c11 * rate[3])};
-        store_rows(blocks.stress, b, lanes, select(free, after, stress));
-      });
+  update_range<false>(blocks, moduli, nullptr, first, last, kick, dt);
+}
+
+void update_damped_strain(const BlockColumns& blocks, const Moduli& moduli,
+                          const VibrationDamping& damping, int first, int last,
+                          double kick, double dt) {
+  update_range<true>(blocks, moduli, &damping, first, last, kick, dt);
 }
 
 Moved move(const BlockColumns& blocks, const double* longest_arm,

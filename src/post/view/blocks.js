@@ -3,8 +3,8 @@
 
 let pen = model.getContext("2d");  // a picture to save has another pen for a moment (save.js)
 
-function trace(b, from) {
-  const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
+function trace(b, from, f = state.frame) {
+  const shape = shape_of(b, f), first = 2 * data.first_corner[shape], end = 2 * data.first_corner[shape + 1];
   const {x, y, scale} = state.view;
   const u = model.clientWidth / 2 - x * scale, v = model.clientHeight / 2 + y * scale;
   pen.moveTo(u + from[first] * scale, v - from[first + 1] * scale);
@@ -14,10 +14,10 @@ function trace(b, from) {
 }
 
 /// Paints blocks in groups, because one path of many blocks is much slower than many short paths.
-function in_parts(blocks, from, paint, most = 32) {
+function in_parts(blocks, from, paint, f = state.frame, most = 32) {
   for (let i = 0; i < blocks.length; i += most) {
     pen.beginPath();
-    for (const b of blocks.slice(i, i + most)) trace(b, from);
+    for (const b of blocks.slice(i, i + most)) trace(b, from, f);
     paint();
   }
 }
@@ -36,7 +36,7 @@ function visible_blocks() {
   const half_w = model.clientWidth / 2 / scale, half_h = model.clientHeight / 2 / scale;
   for (let b = 0; b < meta.counts[f]; ++b) {
     if (removed(b, f)) continue;
-    const [cx, cy] = centre(b, f), r = 1.3 * data.size[b];
+    const [cx, cy] = centre(b, f), r = 1.3 * data.size[shape_of(b, f)];
     const near = Math.abs(cx - x) < half_w + r || (state.mirror && Math.abs(2 * meta.mirror - cx - x) < half_w + r);
     if (near && Math.abs(cy - y) < half_h + r) visible.push(b);
   }
@@ -62,6 +62,7 @@ function draw_fine(f, visible, halves) {
     in_parts(group, half, () => pen.stroke());
   }
   if (state.colour === "bond") draw_bonds(halves);
+  if (state.cracks) draw_cracks(f, visible, halves);
   if (state.forces) draw_forces(f, halves);
 }
 
@@ -126,7 +127,7 @@ function draw_original() {
   const paint = (colour, width, dashes) => {
     pen.strokeStyle = colour; pen.lineWidth = width * Math.max(0.4, edge_width());
     pen.setLineDash(dashes);
-    for (const half of both_halves(first_corners)) in_parts(all, half, () => pen.stroke());
+    for (const half of both_halves(first_corners)) in_parts(all, half, () => pen.stroke(), 0);
   };
   pen.save();
   paint("rgba(255, 255, 255, .55)", 2, []);
@@ -137,7 +138,7 @@ function draw_original() {
 function draw_labels(f, visible) {
   pen.textAlign = "center"; pen.textBaseline = "middle"; pen.lineJoin = "round";
   for (const b of visible) {
-    const room = data.size[b] * state.view.scale;
+    const room = data.size[shape_of(b, f)] * state.view.scale;
     if (room < 12) continue;
     pen.font = `${Math.min(13, Math.max(8, 0.45 * room))}px system-ui, sans-serif`;
     const [px, py] = to_screen(...centre(b, f));

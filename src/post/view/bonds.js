@@ -20,8 +20,8 @@ function bonds_of(f) {
   return [first_bond[f], first_bond[f + 1]];
 }
 
-const block_of = (corner) => {  // the block of a corner, by bisection
-  let low = 0, high = meta.blocks - 1;
+const owner_of = (corner) => {  // the shape of a corner, by bisection
+  let low = 0, high = data.corners.length - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
     if (data.first_corner[middle] <= corner) low = middle; else high = middle - 1;
@@ -29,7 +29,7 @@ const block_of = (corner) => {  // the block of a corner, by bisection
   return low;
 };
 const corner_beside = (corner, step) => {
-  const b = block_of(corner), first = data.first_corner[b], n = data.corners[b];
+  const s = owner_of(corner), first = data.first_corner[s], n = data.corners[s];
   return first + (corner - first + step + n) % n;
 };
 
@@ -80,7 +80,7 @@ function draw_bonds(halves) {
 /// stresses, the mean slip and dilation; nothing without contacts.
 function about_bonds(block, side) {
   if (!meta.slip_colours) return [];
-  const first = data.first_corner[block] + side;
+  const first = data.first_corner[shape_of(block, state.frame)] + side;
   const contacts = new Set(face_parts().filter(({own, edge}) => own === first || edge === first).map(({i}) => i));
   if (!contacts.size) return [];
   const sum = (values) => [...contacts].reduce((total, i) => total + values[i], 0);

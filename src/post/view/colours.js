@@ -23,6 +23,7 @@ function colour_range(q) {
 /// Returns a function that gives the colour of a block of that half in that frame.
 function shades_at(f, half) {
   if (state.colour === "material") return (b) => meta.materials[meta.material[b]];
+  if (state.colour === "family") return (b) => meta.family_colours[family_of(b, f)];
   if (state.colour === "bond") return (b) => mixed(meta.materials[meta.material[b]], 1, 0.3);
   const q = quantity(state.colour), {colours} = colour_map(q), [low, high] = colour_range(q);
   const last = colours.length - 1, seen = half === corners ? (v) => v : (v) => in_mirror(q, v);

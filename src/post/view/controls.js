@@ -9,7 +9,7 @@ function colour_by(name) {
 }
 /// The name of the colours of bonds, on pages that show them.
 const bond_colour = () => meta.slip_colours ? ["bond"] : [];
-const colour_names = () => ["material", ...bond_colour(), ...meta.quantities.map(({name}) => name)];
+const colour_names = () => ["material", ...(has_cracks() ? ["family"] : []), ...bond_colour(), ...meta.quantities.map(({name}) => name)];
 const map_names = () => ["", ...Object.keys(meta.maps)];
 const next_in = (list, now, step) => list[(list.indexOf(now) + step + list.length) % list.length];
 const next_colour = (step) => colour_by(next_in(colour_names(), state.colour, step));
@@ -61,7 +61,7 @@ $("colour").onchange = (event) => colour_by(event.target.value);
 $("map").onchange = (event) => use_map(event.target.value);
 for (const id of ["low", "high"]) $(id).onchange = type_range;
 $("automatic").onclick = automatic;
-for (const name of ["reversed", "original", "forces", "labels", "mirror"])
+for (const name of ["reversed", "original", "forces", "cracks", "labels", "mirror"])
   $(name).onchange = (event) => turn(name, event.target.checked);
 $("fit").onclick = fit;
 $("theme").onclick = other_theme;

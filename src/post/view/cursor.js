@@ -59,6 +59,7 @@ function words_of({block, mirrored, side}) {
   const text = mirrored ? digits(in_mirror(q, v)) : text_of(q.name, block, f);
   return [`Block ${block + 1}${mirrored ? ", mirrored" : ""}, ${material_of(block)}`,
     `${q.label} ${value_text(text, q.unit)}`,
+    ...cracks_of(block, f),
     ...(side < 0 ? [] : [side_text(block, side), ...about_bonds(block, side)])];
 }
 

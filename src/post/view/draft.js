@@ -38,6 +38,7 @@ function draw_draft(f, visible, halves) {
   if (state.forces) put_forces(force_lines(f, halves));
   pen.putImageData(picture, 0, 0);
   for (const half of halves) hatch_fixed(f, visible, half);
+  if (state.cracks) draw_cracks(f, visible, halves);
 }
 
 /// Draws contact forces: lines of one pixel with a rim of one pixel on both sides.
@@ -65,7 +66,8 @@ function put_line(x0, y0, x1, y1, colour) {
 /// Sets the pixels whose middle is inside, so that neighbours leave no gap. The leftmost pixel of
 /// each row and the lowest row get the colour of the edge.
 function put_block(b, corners, ground, edge) {
-  const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1], {w, h, scale, u, v} = sheet;
+  const shape = shape_of(b, state.frame), first = 2 * data.first_corner[shape], end = 2 * data.first_corner[shape + 1];
+  const {w, h, scale, u, v} = sheet;
   let low = Infinity, high = -Infinity;
   for (let i = first; i < end; i += 2) {
     const y = v - corners[i + 1] * scale;

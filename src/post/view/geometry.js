@@ -4,7 +4,7 @@ const model = $("model");
 let corners = new Float64Array(0);  // of the current frame, in model lengths
 
 function centre(b, f) {
-  const x = data.origin[2 * b], y = data.origin[2 * b + 1];
+  const s = shape_of(b, f), x = data.origin[2 * s], y = data.origin[2 * s + 1];
   return x === x ? [x + value("dx", b, f), y + value("dy", b, f)]
                  : [value("x", b, f), value("y", b, f)];  // the block was made after the first frame
 }
@@ -12,8 +12,8 @@ function centre(b, f) {
 /// Corners of removed blocks are NaN, so the canvas draws nothing and nothing is inside them.
 function place_corners(f, into) {
   for (let b = 0; b < meta.counts[f]; ++b) {
-    const [x, y] = centre(b, f);
-    const turn = (value("rotation", b, f) - data.angle[b]) * Math.PI / 180;
+    const [x, y] = centre(b, f), shape = shape_of(b, f);
+    const turn = (value("rotation", b, f) - data.angle[shape]) * Math.PI / 180;
     const cos = Math.cos(turn), sin = Math.sin(turn);
     let a = cos, c = sin, d = -sin, e = cos;  // columns (a, c), (d, e)
     if (data.strain) {
@@ -22,7 +22,7 @@ function place_corners(f, into) {
       const u = step * data.strain[i + 2], v = 1 + step * data.strain[i + 3];
       [a, c, d, e] = [cos * s - sin * t, sin * s + cos * t, cos * u - sin * v, sin * u + cos * v];
     }
-    for (let i = 2 * data.first_corner[b]; i < 2 * data.first_corner[b + 1]; i += 2) {
+    for (let i = 2 * data.first_corner[shape]; i < 2 * data.first_corner[shape + 1]; i += 2) {
       const u = data.arm[i], v = data.arm[i + 1];
       into[i] = x + a * u + d * v;
       into[i + 1] = y + c * u + e * v;
@@ -46,9 +46,9 @@ const to_model = (px, py) => [
 function fit() {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const f of new Set([0, state.frame])) {
-    const all = place_corners(f, new Float64Array(2 * data.first_corner[meta.blocks]));
-    for (let i = 0; i < 2 * data.first_corner[meta.counts[f]]; i += 2) {
-      if (all[i] !== all[i]) continue;  // the block is removed
+    const all = place_corners(f, new Float64Array(corners.length).fill(NaN));
+    for (let i = 0; i < all.length; i += 2) {
+      if (all[i] !== all[i]) continue;  // no block has this shape, or it is removed
       const other = state.mirror ? 2 * meta.mirror - all[i] : all[i];
       left = Math.min(left, all[i], other); right = Math.max(right, all[i], other);
       low = Math.min(low, all[i + 1]); high = Math.max(high, all[i + 1]);
@@ -76,7 +76,7 @@ function pan(right, down) {
 }
 
 let typical = 0;
-const typical_size = () => typical ||= 2 * [...data.size].sort((a, b) => a - b)[meta.blocks >> 1];
+const typical_size = () => typical ||= 2 * [...data.size].sort((a, b) => a - b)[data.size.length >> 1];
 
 /// Returns the topmost block at a point of the canvas, or -1, and whether it is the mirrored one.
 function block_at([px, py]) {
@@ -87,7 +87,8 @@ function block_at([px, py]) {
 function block_around(x, y) {
   for (let b = meta.counts[state.frame] - 1; b >= 0; --b) {
     let inside = false;
-    const first = 2 * data.first_corner[b], end = 2 * data.first_corner[b + 1];
+    const shape = shape_of(b, state.frame);
+    const first = 2 * data.first_corner[shape], end = 2 * data.first_corner[shape + 1];
     for (let i = first, j = end - 2; i < end; j = i, i += 2)
       if ((corners[i + 1] > y) !== (corners[j + 1] > y) &&
           x < corners[i] + (y - corners[i + 1]) / (corners[j + 1] - corners[i + 1]) * (corners[j] - corners[i]))

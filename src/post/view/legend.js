@@ -21,6 +21,7 @@ function legend_parts(wide) {
   if (state.colour === "material")
     parts.push({title: "material", swatches: Object.entries(meta.materials).map(([number, shade]) =>
       ({name: material_name(number), shade}))});
+  else if (state.colour === "family") parts.push(family_legend());
   else if (state.colour === "bond") parts.push(...bond_legend(bar, ticks));
   else {
     const q = quantity(state.colour), [low, high] = colour_range(q), [least, most] = ranges[q.name];
@@ -37,6 +38,8 @@ function legend_parts(wide) {
   }
   const others = state.picked.map((b, i) => ({name: `block ${b + 1}`, ring: mark_colour(i)}));
   if (data.fixed.some((is) => is === 1)) others.push({name: "fixed", hatched: true});
+  if (state.cracks && data.crack && state.colour !== "bond")
+    others.push({name: "crack", shade: meta.crack_colour, line: true, dashes: []});
   if (others.length) parts.push({swatches: others});
   return parts;
 }

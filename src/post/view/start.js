@@ -8,9 +8,12 @@ async function begin() {
   $("about").textContent = `${meta.file} · ${counted(meta.blocks, "block")} · ${counted(frames, "frame")}`;
   $("scrub").max = frames - 1;
   $("mirror").checked = state.mirror;
+  $("cracks").checked = state.cracks;
+  $("cracks").parentElement.hidden = !has_cracks();
   $("mirror").parentElement.hidden = meta.mirror === null;
   $("first_block").max = $("second_block").max = meta.blocks;
   $("colour").add(new Option("material", "material"));
+  if (has_cracks()) $("colour").add(new Option("pieces by block", "family"));
   if (meta.slip_colours) $("colour").add(new Option("bond of joints", "bond"));
   for (const q of meta.quantities) $("colour").add(new Option(with_unit(q.label, q.unit), q.name));
   $("map").add(new Option("automatic", ""));
@@ -20,7 +23,7 @@ async function begin() {
   await unpack();
   find_ranges();
   find_finest_place();
-  corners = new Float64Array(2 * data.first_corner[meta.blocks]);
+  corners = new Float64Array(2 * data.first_corner.at(-1));
   state.ready = true;
   $("message").textContent = "";
   show_colour_controls();

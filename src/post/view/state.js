@@ -15,7 +15,7 @@ const state = {
   followed: "speed",  // the quantity of the chart
   picked: [],  // at most two blocks
   side: -1,  // the picked side of the first of them, from 0; -1: none
-  original: false, forces: false, labels: false, mirror: meta.mirror !== null,
+  original: false, forces: false, cracks: meta.cracks !== undefined, labels: false, mirror: meta.mirror !== null,
   crosshair: false,  // a cursor in the middle of the view, for use with the keyboard
 };
 

@@ -23,7 +23,8 @@ function pick_next(i, step) {
 const model_rows = () => [
   {name: "kinetic_energy", label: "kinetic energy", unit: meta.energy_unit, all: meta.kinetic_energy},
   {name: "contacts", label: "acting contacts", unit: "", all: meta.contacts},
-  {name: "blocks", label: "blocks", unit: "", all: meta.present}];
+  {name: "blocks", label: "blocks", unit: "", all: meta.present},
+  ...(has_cracks() ? [{name: "cracks", label: "cracks", unit: "", all: meta.crack_counts}] : [])];
 const rows = () => state.picked.length ? meta.quantities : model_rows();
 
 /// Returns the texts of a row: one number, or two numbers and their difference.
@@ -85,12 +86,13 @@ $("numbers").addEventListener("keydown", (event) => {
 /// Returns sentences about the picked blocks.
 function about_picked() {
   const f = state.frame, {picked} = state;
-  if (!picked.length) return ["Click a block to see its numbers. Click another one with Shift to compare them."];
+  if (!picked.length)
+    return ["Click a block to see its numbers. Click another one with Shift to compare them.", ...about_cracks(f)];
   const about = picked.map((b) => removed(b, f) ? `Block ${b + 1} is removed.`
     : !exists(b, f) ? `Block ${b + 1} does not exist yet.`
-    : `Block ${b + 1}: ${material_of(b)}, ${data.corners[b]} corners`
+    : `Block ${b + 1}: ${material_of(b)}, ${corner_count(b)} corners`
       + `${data.fixed[f * meta.blocks + b] ? ", fixed" : ""}.`);
-  about.push(...about_joints(f));
+  about.push(...about_cracks(f), ...about_joints(f));
   if (picked.length < 2 || !picked.every((b) => exists(b, f))) return about;
   const [[x0, y0], [x1, y1]] = picked.map((b) => centre(b, f)), q = chosen();
   const distance = digits(Math.hypot(x1 - x0, y1 - y0), finest_place);

@@ -22,18 +22,24 @@ async function unpack() {
       : type === "frames" ? part.map((byte, i) => i < rows ? byte : part[i] ^= part[i - rows])
       : new kinds[type](part.slice().buffer);
   }
-  data.first_corner = new Uint32Array(meta.blocks + 1);
-  for (let b = 0; b < meta.blocks; ++b)
-    data.first_corner[b + 1] = data.first_corner[b] + data.corners[b];
+  const shapes = data.corners.length;  // first those of all blocks, then more for blocks that split
+  data.first_corner = new Uint32Array(shapes + 1);
+  for (let s = 0; s < shapes; ++s)
+    data.first_corner[s + 1] = data.first_corner[s] + data.corners[s];
   [data.told_x, data.told_y] = [data.x, data.y];
   data.x = places("x", "dx", 0);
   data.y = places("y", "dy", 1);
   data.forces = read_forces();
-  data.size = new Float32Array(meta.blocks);  // longest arm of each block, for picking and zoom
-  for (let b = 0; b < meta.blocks; ++b)
-    for (let c = data.first_corner[b]; c < data.first_corner[b + 1]; ++c)
-      data.size[b] = Math.max(data.size[b], Math.hypot(data.arm[2 * c], data.arm[2 * c + 1]));
+  data.size = new Float32Array(shapes);  // longest arm of each shape, for picking and zoom
+  for (let s = 0; s < shapes; ++s)
+    for (let c = data.first_corner[s]; c < data.first_corner[s + 1]; ++c)
+      data.size[s] = Math.max(data.size[s], Math.hypot(data.arm[2 * c], data.arm[2 * c + 1]));
 }
+
+/// Returns the shape of number i of a column. Each block has one shape, and another one after each
+/// crack; without cracks the shapes are the blocks.
+const shape_at = (i) => data.shape ? data.shape[i] : i % meta.blocks;
+const shape_of = (block, f) => data.shape ? data.shape[f * meta.blocks + block] : block;
 
 /// Returns the coordinates of all blocks. Six digits are too few for national coordinates. So the
 /// exact coordinate in the first frame is added to the displacement, unless the displacement is
@@ -41,7 +47,7 @@ async function unpack() {
 function places(name, way, axis) {
   const all = Float64Array.from(data[name]);
   for (let i = 0; i < all.length; ++i) {
-    const moved = data[way][i], place = data.origin[2 * (i % meta.blocks) + axis] + moved;
+    const moved = data[way][i], place = data.origin[2 * shape_at(i) + axis] + moved;
     if (place === place && Math.abs(moved) < Math.abs(all[i])) all[i] = place;
   }
   return all;
@@ -82,15 +88,15 @@ function on_top(changes, rows) {
 /// Predictions of numbers from other quantities. The program uses the same operations in the same
 /// order (view_data.cpp) and stores only the differences.
 const formulas = {
-  moved_x: (n) => (i) => data.origin[2 * (i % n)] + data.dx[i],
-  moved_y: (n) => (i) => data.origin[2 * (i % n) + 1] + data.dy[i],
+  moved_x: () => (i) => data.origin[2 * shape_at(i)] + data.dx[i],
+  moved_y: () => (i) => data.origin[2 * shape_at(i) + 1] + data.dy[i],
   length: (n, [x, y]) => (i) => Math.sqrt(x[i] * x[i] + y[i] * y[i]),
   principal: (n, sign) => (i) => {
     const a = data.s11[i], b = data.s22[i], c = data.s12[i], half = 0.5 * (a - b);
     return 0.5 * (a + b) + sign * Math.sqrt(half * half + c * c);
   },
-  energy: (n) => (i) => 0.5 * (data.mass[i % n] * (data.vx[i] * data.vx[i] + data.vy[i] * data.vy[i])
-    + data.inertia[i % n] * (data.spin[i] * data.spin[i])),
+  energy: () => (i) => 0.5 * (data.mass[shape_at(i)] * (data.vx[i] * data.vx[i] + data.vy[i] * data.vy[i])
+    + data.inertia[shape_at(i)] * (data.spin[i] * data.spin[i])),
 };
 const guess_of = ({name, guess, rows}) => ({
   length: () => formulas.length(rows, name === "speed" ? [data.vx, data.vy] : [data.dx, data.dy]),

@@ -1,0 +1,85 @@
+#include "dynamics/cracks/contact_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace blocks::dynamics {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The least force that can split a block of each material, [F].
+std::map<int, double> least_forces(const Settings& settings, double part) {
+  std::map<int, double> least;
+  for (const auto& [material, rule] : settings.crack_rules)
+    if (rule.point_strength > 0.0)
+      least[material] = 0.5 * std::numbers::pi * rule.point_strength * part *
+                        std::sqrt(rule.least_area);
+  return least;
+}
+
+Vec2 left_of(const Vec2& along) { return {-along.y(), along.x()}; }
+
+auto first_of(const std::vector<std::pair<int, PointLoad>>& loads, int b) {
+  return std::lower_bound(
+      loads.begin(), loads.end(), b,
+      [](const auto& load, int block) { return load.first < block; });
+}
+
+}  // namespace
+
+ContactLoads::ContactLoads(const Model& model, double part) {
+  const Blocks& blocks = model.blocks;
+  const std::map<int, double> least = least_forces(model.settings, part);
+  if (least.empty())
+    return;
+  int material = 0;
+  double enough = infinite;
+  const auto add = [&](int corner, const Vec2& at, const Vec2& force) {
+    const int b = blocks.corner_block[corner];
+    if (blocks.material[b] != material) {
+      material = blocks.material[b];
+      const auto found = least.find(material);
+      enough = found == least.end() ? infinite : found->second;
+    }
+    if (blocks.is_free(b) && force.squaredNorm() >= enough * enough)
+      loads_.emplace_back(b, PointLoad{at, force});
+  };
+  for (const Contact& contact : model.contacts) {
+    const Vec2 at = blocks.corner.col(contact.corner);
+    const Vec2 from = blocks.corner.col(contact.edge);
+    const Vec2 along =
+        (Vec2(blocks.corner.col(blocks.next[contact.edge])) - from).normalized();
+    const Vec2 force =
+        contact.normal_force * left_of(along) - contact.shear_force * along;
+    add(contact.corner, at, force);
+    add(contact.edge, at, -force);
+  }
+  const PlaneContacts& planes = model.plane_contacts;
+  for (int i = 0; i < planes.size(); ++i) {
+    const Plane& plane = model.settings.planes[planes.plane[i]];
+    if (planes.active[i])
+      add(planes.corner[i], blocks.corner.col(planes.corner[i]),
+          planes.normal_force[i] * left_of((plane.b - plane.a).normalized()));
+  }
+  std::stable_sort(loads_.begin(), loads_.end(),
+                   [](const auto& l, const auto& r) { return l.first < r.first; });
+}
+
+bool ContactLoads::may_crack(int b) const {
+  const auto first = first_of(loads_, b);
+  return loads_.end() - first >= 2 && first->first == b && (first + 1)->first == b;
+}
+
+std::vector<PointLoad> ContactLoads::of(int b) const {
+  std::vector<PointLoad> own;
+  for (auto load = first_of(loads_, b); load != loads_.end() && load->first == b;
+       ++load)
+    own.push_back(load->second);
+  return own;
+}
+
+}  // namespace blocks::dynamics

@@ -1,0 +1,28 @@
+// Where the rose, its legend and the histograms of a figure are on its page.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "post/joint_histograms.hpp"
+#include "post/joint_rose.hpp"
+#include "post/page_size.hpp"
+
+namespace blocks::post {
+
+/// The places on the page [units]. Histograms are side by side, or below each other on
+/// a narrow page.
+struct RoseLayout {
+  /// `legend_high` is the height of the legend. Throws std::runtime_error if the page
+  /// is too small.
+  RoseLayout(double legend_high, std::size_t histograms, const PageSize& page,
+             bool titled);
+
+  bool is_narrow = false;
+  double left = 0, title = 0, subtitle = 0, height = 0;
+  RosePlace rose{};
+  double legend_left = 0, legend_top = 0, legend_wide = 0;
+  std::vector<HistogramPlace> plots;
+};
+
+}  // namespace blocks::post

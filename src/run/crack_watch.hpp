@@ -1,0 +1,42 @@
+// Tells which blocks have split, and why others have not (docs/cracks.md#the-record).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace blocks::run {
+
+/// What has happened since the last call, one text each.
+struct CrackNews {
+  std::vector<std::string> cracks;
+  std::vector<std::string> warnings;
+};
+
+class CrackWatch {
+ public:
+  CrackWatch() = default;
+  /// For a resumed run: what the model records counts as told.
+  explicit CrackWatch(const Model& model)
+      : cracks_told_(model.cracks.size()), refusals_told_(model.crack_refusals) {}
+
+  /// Returns the new cracks, and one warning for each new reason of a refusal.
+  CrackNews after(const Model& model);
+
+ private:
+  std::size_t cracks_told_ = 0;
+  std::vector<RefusedCrack> refusals_told_;
+};
+
+/// Returns three lines on one crack, of at most 132 columns: "at time 0.00057 (step 60)
+/// block 4 split into 4 and 9 (stress 1e+06)", the cut with its areas, and the
+/// energies.
+std::string crack_line(const CrackRecord& crack);
+
+/// Returns the closing line: how many blocks have split, and how many have not, by
+/// reason.
+std::string cracks_line(const Model& model);
+
+}  // namespace blocks::run
