@@ -195,6 +195,42 @@ def quiet_column(results, _):
     yield r"left of the # J", energy["loads"]
 
 
+def beam(results, _):
+    cracks = results.summary["cracks"]
+    assert [crack["parent"] for crack in cracks[:3]] == [12, 29, 46], cracks[:3]
+    yield r"splits first, at # s", cracks[0]["time"]
+    yield r"four rows\nin # ms", 1e3 * (cracks[2]["time"] - cracks[0]["time"])
+    yield r"there are # blocks", results.blocks
+    moment = 2500 * 9.81 * (4**2 / 8 - 0.125**2 / 2 - 0.25**2 / 24)
+    stress = 12 * moment * 0.375
+    yield r"gives # kPa", 1e-3 * stress
+    yield r"expected at # s", 1.2e5 / stress
+    yield r"comes # % later", 100 * (cracks[0]["time"] * stress / 1.2e5 - 1)
+
+
+def disc(results, _):
+    stress = {crack["parent"]: crack["stress"] for crack in results.summary["cracks"]}
+    assert {crack["cause"] for crack in results.summary["cracks"]} == {"point loads"}
+    yield r"tenp / 2 \| # MN/m", math.pi / 2
+    yield r"between plates splits \| # MPa", 1e-6 * stress[5]
+    yield r"between wedges splits \| # MPa", 1e-6 * stress[6]
+
+
+def roof(results, _):
+    cracks = results.summary["cracks"]
+    yield r"There are # cracks", len(cracks)
+    yield r"the first # s after", cracks[0]["time"] - results.summary["time"] + 1.2
+    assert cracks[0]["parent"] < 52, "not in the lowest bed"
+
+
+def crater_cracks(results, _):
+    cracks = results.summary["cracks"]
+    yield r"There are # cracks", len(cracks)
+    yield r"first after # ms", 1e3 * cracks[0]["time"]
+    yield r"blocks \| 162 \| #", results.blocks
+    yield r"24,613 \| #", results.summary["steps"]
+
+
 # Long runs. What the pages of these decks say is checked without them.
 SHORT = {"subsidence": ["MOTION.dt=0.001"],
          "cohesive_slope": ["MOTION[1].dt=0.01", "MOTION[2].dt=0.01"],
