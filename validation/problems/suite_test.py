@@ -3,11 +3,13 @@
 
 import contextlib
 import io
+import json
 import math
 import sys
 import tempfile
 from pathlib import Path
 
+import h5py
 import numpy as np
 
 sys.dont_write_bytecode = True
@@ -15,10 +17,12 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import problems  # noqa: E402
-from suite import report, trough  # noqa: E402
+from suite import cracking, report, trough  # noqa: E402
 from suite.case import Case  # noqa: E402
 from suite.deck import mirrored, turned, with_lines  # noqa: E402
 from suite.numbers import bisect, first_time, order  # noqa: E402
+from suite.pressures import Pressures  # noqa: E402
+from suite.results import Results  # noqa: E402
 from suite.rings import Rings  # noqa: E402
 from suite.spring_statics import Contact, Statics, section  # noqa: E402
 
@@ -136,6 +140,53 @@ def test_mirrored_deck():
         raise AssertionError("SETVEL was taken as it stands")
 
 
+def test_frames_with_more_and_more_blocks():
+    """A square of mass 2 splits after two frames, and its piece of mass 1 moves away."""
+    square, halves = [(0, 0), (0, 1), (1, 1), (1, 0)], [(0, 0), (0, 1), (0.5, 1), (0.5, 0),
+                                                        (0.5, 0), (0.5, 1), (1, 1), (1, 0)]
+    rows = {"Mass": [2.0, 1.0, 1.0], "Spin": [0.0, 0.0, 0.0], "Inertia": [1.0, 0.5, 0.5],
+            "Velocity": [[0, 0, 0], [-1, 0, 0], [3, 0, 0]], "Fixed": [0, 0, 1],
+            "Centroid": [[0.5, 0.5, 0], [0.25, 0.5, 0], [0.75, 0.5, 0]]}
+    starts = {"Mass": [0, 0, 1], "Velocity": [0, 0, 1]}
+    with tempfile.TemporaryDirectory() as folder:
+        stem = Path(folder) / "run"
+        Path(folder, "run.summary.json").write_text(json.dumps({"blocks": 2, "cracks": []}))
+        with h5py.File(Path(folder) / "run.vtkhdf", "w") as file:
+            for name, values in {"Steps/Values": [0.0, 1.0, 2.0], "Steps/PartOffsets": [0, 0, 1],
+                                 "Steps/CellOffsets": [0, 0, 1], "NumberOfCells": [1, 2],
+                                 "Offsets": [0, 4, 0, 4, 8], "Steps/PointOffsets": [0, 0, 4],
+                                 "Points": np.pad(np.array(square + halves, float), ((0, 0), (0, 1))),
+                                 }.items():
+                file["VTKHDF/" + name] = values
+            for name, values in rows.items():
+                file["VTKHDF/CellData/" + name] = np.array(values)
+                file["VTKHDF/Steps/CellDataOffsets/" + name] = starts.get(name, [0, 0, 1])
+        run = Results(stem, 0.0)
+        assert run.counts.tolist() == [1, 1, 2] and run.exists.tolist() == [[1, 0], [1, 0], [1, 1]]
+        assert np.allclose(run.all("Mass"), [[2, np.nan], [2, np.nan], [1, 1]], equal_nan=True)
+        assert run.all("Fixed").tolist() == [[0, 0], [0, 0], [0, 1]] and run.free() == [1]
+        assert run.momentum().tolist() == [[0, 0], [0, 0], [2, 0]], run.momentum()
+        assert run.angular_momentum().tolist() == [0, 0, -1], run.angular_momentum()
+        assert run.kinetic_energy().tolist() == [0, 0, 5]
+        assert run.corner_offsets.tolist() == [0, 4]
+        assert run.outline(1, 0).tolist() == run.outline(1, 1).tolist() == [list(p) for p in square]
+        assert [run.outline(b, 2).tolist() for b in (1, 2)] == \
+            [[list(p) for p in halves[:4]], [list(p) for p in halves[4:]]]
+        assert cracking.area(run.outline(2, -1)) == 0.5
+    assert [cracking.off(*pair) for pair in ((179, 1), (1, 179), (120, 300), (31, 30))] == [-2, 2, 0, 1]
+
+
+def test_pressures():
+    """A rectangle of 4 m x 2 m is pushed at its upper half from the left, and pulled at the right."""
+    corners = np.array([(1, 1), (1, 3), (5, 3), (5, 1)], float)
+    loads = Pressures("PRESSBC, 1, 1, 0, 6, 0\nPRESSBC, 1, 3, -3, -3, 0\n", corners)
+    assert loads.area == 8 and np.allclose(loads.centroid, (3, 2))
+    assert np.allclose(loads.second_moment, 8 * (4 ** 2 + 2 ** 2) / 12)
+    # 6 N at two thirds of the height of the left side, and 6 N at the middle of the right one.
+    assert np.allclose(loads.force, (12, 0)) and np.allclose(loads.moment, -6 / 3), loads.moment
+    assert np.allclose(loads.stress, [[0, 2 / 8], [0, 0]]), loads.stress
+
+
 def test_spring_statics():
     """A beam of two blocks with a joint at x = 1, fixed at x = 0, under its weight of 4."""
     statics = Statics([[(0, 0), (0, 1), (1, 1), (1, 0)], [(1, 0), (1, 1), (3, 1), (3, 0)]])
@@ -183,5 +234,6 @@ def test_fits():
 
 
 for test in (test_verdicts, test_whose_rows, test_known_misses, test_wrong_answers_are_misses,
-             test_turned_deck, test_mirrored_deck, test_spring_statics, test_rings, test_reach, test_fits):
+             test_turned_deck, test_mirrored_deck, test_frames_with_more_and_more_blocks,
+             test_pressures, test_spring_statics, test_rings, test_reach, test_fits):
     test()

@@ -17,6 +17,8 @@ class Results:
         self._file = h5py.File(self.path)
         self._vtk = self._file["VTKHDF"]
         self.times = self._vtk["Steps/Values"][:]
+        self._parts = self._vtk["Steps/PartOffsets"][:]  # of each frame
+        self.counts = self._vtk["NumberOfCells"][:][self._parts]  # blocks in each frame
         self._data = {}
 
     @property
@@ -26,22 +28,43 @@ class Results:
 
     @property
     def blocks(self):
-        """Number of blocks."""
+        """Number of blocks at the end."""
         return self.summary["blocks"]
 
+    @property
+    def exists(self):
+        """Whether a frame has a block, shape (frames, blocks)."""
+        return np.arange(self.blocks) < self.counts[:, None]
+
+    @property
+    def cracks(self):
+        """The cracks in the order in which blocks split, as the summary has them."""
+        return self.summary["cracks"]
+
     def all(self, field):
-        """Returns a quantity of all blocks, shape (frames, blocks[, components])."""
+        """Returns a quantity of all blocks, shape (frames, blocks[, components]). Blocks that a
+        frame does not have yet are NaN there, whole numbers 0."""
         if field not in self._data:
             # Rows that do not change are stored once. Every frame has the index of its first row.
             starts = self._vtk["Steps/CellDataOffsets/" + field][:]
             values = self._vtk["CellData/" + field][:]
-            self._data[field] = np.array([values[s:s + self.blocks] for s in starts])
+            absent = np.nan if np.issubdtype(values.dtype, np.floating) else 0
+            data = np.full((len(starts), self.blocks, *values.shape[1:]), absent, values.dtype)
+            for rows, start, count in zip(data, starts, self.counts):
+                rows[:count] = values[start:start + count]
+            self._data[field] = data
         return self._data[field]
 
     @property
     def corner_offsets(self):
         """Returns where the corners of each block begin in the first frame, with the end."""
-        return self._vtk["Offsets"][:self.blocks + 1]
+        return self._offsets(0)
+
+    def _offsets(self, frame):
+        """Returns where the corners of each block begin in a frame, with the end."""
+        # A part is the outlines of some frames. It has one offset more than it has blocks.
+        first = self._vtk["Steps/CellOffsets"][frame] + self._parts[frame]
+        return self._vtk["Offsets"][first:first + self.counts[frame] + 1]
 
     def of(self, field, block):
         """Returns a quantity of one block over the frames."""
@@ -50,7 +73,7 @@ class Results:
     def outline(self, block, frame):
         """Returns the corners of a block, clockwise, shape (n, 2)."""
         start = self._vtk["Steps/PointOffsets"][frame]
-        first, last = self._vtk["Offsets"][block - 1], self._vtk["Offsets"][block]
+        first, last = self._offsets(frame)[block - 1:block + 1]
         return self._vtk["Points"][start + first:start + last, :2]
 
     def contacts(self, frame):
@@ -78,18 +101,31 @@ class Results:
         """Returns the numbers of the blocks that are free at the end."""
         return [b + 1 for b in range(self.blocks) if not self.all("Fixed")[-1][b]]
 
+    def history(self, quantity):
+        """Returns the times and values of a quantity of the last HISTORY card."""
+        groups = self._file["BLOCKS/history"]
+        group = groups[max(groups, key=int)]
+        names = group["quantities"].asstr()[()].splitlines()
+        rows = group.attrs["rows"]
+        return group["time"][:rows], group["values"][:rows, names.index(quantity)]
+
     def kinetic_energy(self):
-        """Kinetic energy of all free blocks over the frames [F L]."""
+        """Kinetic energy of all free blocks over the frames, without strain rates [F L]."""
         v, spin = self.all("Velocity"), self.all("Spin")
         mass, inertia = self.all("Mass"), self.all("Inertia")
-        return 0.5 * (mass * (v ** 2).sum(axis=2) + inertia * spin ** 2).sum(axis=1)
+        return 0.5 * self._sum(mass * (v ** 2).sum(axis=2) + inertia * spin ** 2)
 
     def momentum(self):
         """Momentum of all blocks over the frames, shape (frames, 2)."""
-        return (self.all("Mass")[:, :, None] * self.all("Velocity")).sum(axis=1)[:, :2]
+        return np.stack([self._sum(self.all("Mass") * self.all("Velocity")[:, :, k])
+                         for k in (0, 1)], axis=1)
 
     def angular_momentum(self):
         """Angular momentum of all blocks about the origin over the frames."""
         x, v = self.all("Centroid"), self.all("Velocity")
         orbit = x[:, :, 0] * v[:, :, 1] - x[:, :, 1] * v[:, :, 0]
-        return (self.all("Mass") * orbit + self.all("Inertia") * self.all("Spin")).sum(axis=1)
+        return self._sum(self.all("Mass") * orbit + self.all("Inertia") * self.all("Spin"))
+
+    def _sum(self, values):
+        """Returns the sum over the blocks that each frame has."""
+        return values.sum(axis=1, where=self.exists)
