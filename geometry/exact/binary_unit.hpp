@@ -13,7 +13,7 @@
 
 namespace blocks::geometry::exact {
 
-/// A power of two of which all doubles that it has seen are whole multiples.
+/// The power of two that measures all doubles it has seen in whole numbers.
 class BinaryUnit {
  public:
   /// Makes the unit small enough for a finite double.

@@ -25,7 +25,7 @@ class PieceMap {
   const BlockSplit* split(int block) const;
   /// Returns the piece that a block is; null if it has not split.
   const Piece* piece(int block) const;
-  /// Returns the block of which a new block was a piece.
+  /// Returns the block from which a new block split off.
   int parent(int block) const;
   int joint_of_chord(int block) const;
   /// Returns the number of piece 0 or 1 of an old block that splits.

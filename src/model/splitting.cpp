@@ -9,7 +9,7 @@
 namespace blocks {
 namespace {
 
-/// Makes the columns of the corners anew, in the order of the blocks.
+/// Replaces the columns of the corners, in the order of the blocks.
 void remake_corners(Blocks& blocks, const PieceMap& map) {
   Blocks made;
   made.arm.resize(2, map.corners());

@@ -103,8 +103,8 @@ struct FirstChord {
   int face;
 };
 
-/// Returns the crack of which each side of a piece is a face, or 0. A side is on a new
-/// chord, or on the side of the whole block that is nearest to it.
+/// Returns the crack that made each side of a piece, or 0. A side is on a new chord, or
+/// on the side of the whole block that is nearest to it.
 std::vector<int> faces_of(const Outline& piece, const CrackedBlocks& blocks, int whole,
                           const std::vector<FirstChord>& chords) {
   const Outline& old = blocks.first.outlines[static_cast<std::size_t>(whole)];

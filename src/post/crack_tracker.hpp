@@ -18,8 +18,8 @@ struct CrackedBlocks {
   /// file have NaN.
   Frame first;
   std::vector<char> later;  ///< (n) whether the block is of no block of the first frame
-  /// For each block with cracks, the crack of which each of its sides is a face: its
-  /// index in ResultsReader::cracks() plus 1, 0: none. Empty for other blocks.
+  /// For each block with cracks, the crack that made each of its sides: its index in
+  /// ResultsReader::cracks() plus 1, 0: none. Empty for other blocks.
   std::vector<std::vector<int>> faces;
   /// (n) number of frames in which the block has split or split off. If it is the same
   /// in two frames, so are the corners.

@@ -11,8 +11,8 @@ namespace blocks::post {
 /// The colour of blocks that have not split, in figures of families.
 constexpr Colour whole_colour{0.88, 0.88, 0.87};
 
-/// Returns for each block of a frame the number of the block of the deck of which it is
-/// a piece, from 1; 0 for blocks that have not split.
+/// Returns, for each piece in a frame, the number of the deck's block that it came
+/// from, from 1. Blocks that have not split have 0.
 std::vector<int> families_of(const Frame& frame);
 
 }  // namespace blocks::post

@@ -30,7 +30,7 @@ function draw_cracks(f, visible, halves) {
   pen.restore();
 }
 
-/// Returns the block of the deck of which a block is a piece, from 1; 0 while it is whole.
+/// Returns the block of the deck that a piece came from, from 1; 0 for a whole block.
 let families_known = {f: -1, of: null};
 function family_of(block, f) {
   if (families_known.f !== f) {
