@@ -72,12 +72,7 @@ void draw_cracks_figure(const std::string& path, const std::vector<Crack>& crack
       options.subtitle.empty() ? crack_period(cracks, options.units) : options.subtitle;
   write_page(path, options.page, layout.height, [&](cairo_t* cairo) {
     Pen pen(cairo, options.page);
-    pen.colour(paper);
-    cairo_paint(cairo);
-    const double room = options.page.width - 2 * layout.left;
-    pen.text(heading, layout.left, layout.title, 21, ink, 0, 1, room);
-    pen.text(subtitle, layout.left, layout.subtitle, options.page.printed ? 12.5 : 15,
-             muted, 0, 1, room);
+    draw_heading(pen, layout, options.page, heading, subtitle);
     draw_rose(pen, layout.rose, directions);
     draw_rose_legend(pen, layout.legend_left, layout.legend_top, layout.legend_wide,
                      directions, [](int group) {

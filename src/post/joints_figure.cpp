@@ -50,12 +50,7 @@ void draw_joints_figure(const std::string& path, const Frame& frame,
                         counted(joints.joints.size(), "joint id"));
   write_page(path, options.page, layout.height, [&](cairo_t* cairo) {
     Pen pen(cairo, options.page);
-    pen.colour(paper);
-    cairo_paint(cairo);
-    const double room = options.page.width - 2 * layout.left;
-    pen.text(heading, layout.left, layout.title, 21, ink, 0, 1, room);
-    pen.text(subtitle, layout.left, layout.subtitle, options.page.printed ? 12.5 : 15,
-             muted, 0, 1, room);
+    draw_heading(pen, layout, options.page, heading, subtitle);
     draw_rose(pen, layout.rose, joints);
     draw_rose_legend(pen, layout.legend_left, layout.legend_top, layout.legend_wide,
                      joints, [](int id) { return fmt::format("joint {}", id); });

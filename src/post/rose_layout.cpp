@@ -62,4 +62,14 @@ RoseLayout::RoseLayout(double legend_high, std::size_t histograms, const PageSiz
   }
 }
 
+void draw_heading(Pen& pen, const RoseLayout& layout, const PageSize& page,
+                  const std::string& heading, const std::string& subtitle) {
+  pen.colour(paper);
+  cairo_paint(pen.cairo());
+  const double room = page.width - 2 * layout.left;
+  pen.text(heading, layout.left, layout.title, 21, ink, 0, 1, room);
+  pen.text(subtitle, layout.left, layout.subtitle, page.printed ? 12.5 : 15, muted, 0,
+           1, room);
+}
+
 }  // namespace blocks::post

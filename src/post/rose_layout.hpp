@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "post/joint_histograms.hpp"
 #include "post/joint_rose.hpp"
 #include "post/page_size.hpp"
+#include "post/pen.hpp"
 
 namespace blocks::post {
 
@@ -24,5 +26,9 @@ struct RoseLayout {
   double legend_left = 0, legend_top = 0, legend_wide = 0;
   std::vector<HistogramPlace> plots;
 };
+
+/// Paints the page and writes its heading and the line below it.
+void draw_heading(Pen& pen, const RoseLayout& layout, const PageSize& page,
+                  const std::string& heading, const std::string& subtitle);
 
 }  // namespace blocks::post
