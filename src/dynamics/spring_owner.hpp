@@ -14,12 +14,18 @@ class SpringOwner {
   void arrays_changed() { owner_ = Owner::arrays; }
   /// To be called when the arrays were made from the list, or the list from the arrays.
   void both_agree() { owner_ = Owner::both; }
+  /// To be called when blocks have split and the list has followed. The arrays are then
+  /// current except for the pairs of those blocks.
+  void blocks_split() { owner_ = Owner::list_and_unsplit; }
 
-  bool arrays_are_current() const { return owner_ != Owner::list; }
+  bool arrays_are_current() const {
+    return owner_ == Owner::arrays || owner_ == Owner::both;
+  }
+  bool arrays_lack_pieces() const { return owner_ == Owner::list_and_unsplit; }
   bool list_is_current() const { return owner_ != Owner::arrays; }
 
  private:
-  enum class Owner { list, arrays, both };
+  enum class Owner { list, arrays, both, list_and_unsplit };
   Owner owner_ = Owner::list;
 };
 

@@ -50,8 +50,13 @@ struct Workspace {
         profile->exact_calls += calls;
   }
 
+  /// (n) Whether a block is a piece of a block that has split since the arrays were
+  /// made; empty: none is.
+  std::vector<char> changed_blocks;
+
   // Working memory of single calls.
   NearSearch search;
+  PairIndex last_index;  ///< that of the search before
   std::vector<NearPair> near_pairs;
   PlaneContacts plane_contacts;
   /// The column of corners for which the columns of blocks were last moved to huge

@@ -45,18 +45,14 @@ void ContactArrays::contacts_of(int p, std::vector<PairContact>& contacts) const
 
 JointState ContactArrays::joint_of(const JointRow* rows, int slot) const {
   const JointRow& row = rows[slot / lane_count];
-  const int k = slot % lane_count;
-  return {laws.id(batches.at(slot, &FaceRow::law)),
-          row.stiffness[k],
-          row.shear_stiffness[k],
-          row.slip[k],
-          row.path[k],
-          row.closure[k],
-          row.plastic[k],
-          row.offset[k],
-          row.bonded[k] > 0.0,
-          row.failed[k] > 0.0,
-          row.length[k]};
+  const int k = slot % lane_count, law = batches.at(slot, &FaceRow::law);
+  // Contacts without a law may share a batch with others, whose kernel writes to them.
+  if (law == 0 && !laws.in_situ())
+    return {};
+  return {laws.id(law),        row.stiffness[k], row.shear_stiffness[k],
+          row.slip[k],         row.path[k],      row.closure[k],
+          row.plastic[k],      row.offset[k],    row.bonded[k] > 0.0,
+          row.failed[k] > 0.0, row.length[k]};
 }
 
 void ContactArrays::put_joint(int slot, const JointState& state) {
@@ -100,6 +96,14 @@ void ContactArrays::find_faces(const Blocks& blocks, int p) {
     if (!vacant)
       batches.include_law(batch, face.law[k], laws.bit(face.law[k]));
   });
+}
+
+void ContactArrays::renumber_corners(const std::vector<int>& new_of) {
+  for (int slot = 0; slot < lane_count * batches.rows(); ++slot)
+    if (!is_vacant(slot))
+      for (const auto which : {&ContactRow::corner, &ContactRow::edge})
+        batches.at(slot, which) =
+            new_of[static_cast<std::size_t>(batches.at(slot, which))];
 }
 
 void ContactArrays::copy_contacts(ContactsOfPairs& all) const {

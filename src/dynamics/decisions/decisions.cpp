@@ -18,6 +18,25 @@ double growth_until(const PairMotion& left) {
   return std::max(0.0, std::min(0.25 * left.two, 0.125 * left.neighbours));
 }
 
+/// Returns which blocks have a neighbour that is new or has changed, (blocks).
+std::vector<char> with_new_neighbours(const Groups& now, const Groups& old,
+                                      const std::vector<char>& changed) {
+  std::vector<char> found(static_cast<std::size_t>(now.groups()), 0);
+  for (int b = 0; b < now.groups(); ++b) {
+    const bool existed = b < old.groups();
+    int k = existed ? old.first[b] : 0;
+    const int end = existed ? old.first[b + 1] : 0;
+    now.each(b, [&](int other) {
+      while (k < end && old.item[k] < other)
+        ++k;
+      const bool is_new = k == end || old.item[k] != other;
+      if (is_new || (!changed.empty() && changed[other] != 0))
+        found[b] = 1;
+    });
+  }
+  return found;
+}
+
 }  // namespace
 
 void Decisions::begin_phase(const Blocks& blocks) {
@@ -29,6 +48,29 @@ void Decisions::reset(const Blocks& blocks, int pairs) {
   begin_phase(blocks);
   limits.assign(static_cast<std::size_t>(pairs), {});
   next_check.assign(static_cast<std::size_t>(pairs), 0.0);
+}
+
+void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
+                        const std::vector<char>& changed) {
+  const std::vector<char> touched =
+      with_new_neighbours(now.neighbours, old.neighbours, changed);
+  std::vector<PairMotion> old_limits(now.pairs.size());
+  std::vector<double> old_checks(now.pairs.size(), 0.0);
+  limits.swap(old_limits);
+  next_check.swap(old_checks);
+  std::size_t k = 0;
+  for (std::size_t p = 0; p < now.pairs.size(); ++p) {
+    const auto [low, high] = now.pairs[p];
+    while (k < old.pairs.size() && old.pairs[k] < now.pairs[p])
+      ++k;
+    if (k == old.pairs.size() || !(old.pairs[k] == now.pairs[p]))
+      continue;
+    const bool needs_neighbours = old_limits[k].neighbours < infinite;
+    const bool is_piece = !changed.empty() && (changed[low] != 0 || changed[high] != 0);
+    if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
+      continue;
+    limits[p] = old_limits[k], next_check[p] = old_checks[k];
+  }
 }
 
 PairMotion Decisions::motion_of(const Blocks& blocks, const PairIndex& index, int p,

@@ -35,6 +35,11 @@ struct Decisions {
 
   /// Discards all decisions and begins a phase. pairs: the number of pairs.
   void reset(const Blocks& blocks, int pairs);
+  /// Keeps the decisions of the old list of pairs in the new one. Discards those that a
+  /// new neighbour or a piece of a block may change. changed: whether a block of the
+  /// new list is a piece of a block that has split; empty: none is.
+  void keep_in(const PairIndex& now, const PairIndex& old,
+               const std::vector<char>& changed);
   /// Returns whether the spoiled decisions of the phase cost more than a new phase. If
   /// so, call carry_over() for all pairs and then begin_phase().
   bool phase_is_over() const {

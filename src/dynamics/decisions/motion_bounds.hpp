@@ -29,6 +29,9 @@ struct MotionBounds {
   void grow(double bound) { most += bound + 0x1p-52 * most; }
   /// Takes the arms of these blocks and begins a phase.
   void start(const Blocks& blocks, bool rigid_blocks);
+  /// Takes in the pieces of blocks that have split. Their motion counts from now on.
+  /// changed: (n) whether a block is a piece.
+  void take_in(const Blocks& blocks, const std::vector<char>& changed);
   /// Begins a phase at the current positions of the blocks.
   void begin_phase(const Blocks& blocks);
 
