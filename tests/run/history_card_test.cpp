@@ -132,6 +132,22 @@ TEST(HistoryCard, WithoutQuantitiesRecordsTheUsualOnes) {
               ElementsAre("kinetic_energy", "overlap", "contacts"));
 }
 
+TEST(HistoryCard, RecordsManyQuantitiesOverARestart) {
+  std::string quantities;
+  for (const char* quantity : {"x", "y", "dx", "dy"})
+    for (const char* place : {"1", "1.1", "1.2", "1.3", "1.4"})
+      quantities += fmt::format(", {}:{}", quantity, place);
+  const TemporaryFolder folder;
+  const std::string deck = fall("HISTORY, 0.01" + quantities + "\nMOTION, 0.1\n");
+  run_text(folder, "fall", deck, "--until 0.05");
+  run_text(folder, "fall", deck, "--restart " + (folder / "fall.ckpt.h5").string());
+  const auto sections = recorded(folder, "fall");
+  ASSERT_EQ(sections.size(), 1U);
+  EXPECT_EQ(sections[0].values.rows(), 20);
+  EXPECT_EQ(sections[0].values.cols(),
+            static_cast<Eigen::Index>(sections[0].time.size()));
+}
+
 // A run that ends at a multiple has a sample there, whatever the rounding of the sum.
 TEST(HistoryCard, HasASampleAtTheEnd) {
   const TemporaryFolder folder;
