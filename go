@@ -30,6 +30,7 @@ usage() {
                        reliability  damaged files, full disks, failing memory, kills
                        bits         the same bits from every compiler and thread count
                        fuzz         libFuzzer on every reader
+                       cracks       thousands of cracks, audited
                        soak, rest   many steps of one deck
                        bench        times of scenes, against other codes
                        big          one model of up to a million blocks

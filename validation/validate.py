@@ -158,6 +158,11 @@ def fuzz_readers(arguments):
                       *limit, *arguments.targets)
 
 
+def cracks(_):
+    build("ci", "blocks")
+    return run_python("reliability/crack_heap.py", CI / "src/blocks", BUILD / "crack_heap")
+
+
 def soak(arguments):
     build("ci", "soak")
     report = report_option(arguments.count, arguments.full, "reliability/SOAK")
@@ -278,6 +283,8 @@ def parser():
     command.add_argument("--seconds", type=whole_number,
                          help="run each target for this time, print the output of libFuzzer and "
                               "leave the committed report as it is")
+    add("cracks", cracks, "a heap of blocks that split thousands of times, audited",
+        "Takes 5 minutes. Exit code 1: a decision was wrong, or there were fewer than 1,000 cracks.")
     add("soak", soak, "many steps of the 850 blocks of subsidence",
         "Exit code 4: a number is not finite, the energy rises above its start, or blocks still "
         "move at the end. Writes validation/reliability/SOAK.md.", (10_000_000, "steps"))
