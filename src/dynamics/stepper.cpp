@@ -33,18 +33,30 @@ StepResult Stepper::advance(bool readings, double alarm) {
   return moved;
 }
 
+void Stepper::take_velocities_and_loads() {
+  if (model_.order.empty() || !inside_current_)
+    return;
+  inside_.blocks.velocity =
+      model_.blocks.velocity(Eigen::all, inwards_.blocks().old_of);
+  inside_.blocks.spin = model_.blocks.spin(inwards_.blocks().old_of);
+  inside_.loads = inwards_.renumbered(model_.loads);
+}
+
 int Stepper::crack() {
   if (!may_crack(model_.settings))
     return 0;
   if (model_.order.empty()) {
-    const int cracks = crack_blocks(model_, work_, {});
+    const int cracks = crack_blocks(model_, work_, {}, before_split);
     print_pieces(model_, cracks);
     return cracks;
   }
   const int cracks = crack_blocks(inside_, work_, model_.order);
   model_.crack_refusals = inside_.crack_refusals;
-  if (cracks > 0)
+  if (cracks > 0) {
+    if (before_split)
+      before_split();
     adopt_pieces();
+  }
   print_pieces(model_, cracks);
   return cracks;
 }

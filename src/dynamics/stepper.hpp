@@ -2,6 +2,7 @@
 // the deck's numbers only.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -24,6 +25,9 @@ class Stepper {
     inside_current_ = false;
     work_.springs.list_changed();
   }
+  /// To be called after velocities, spins or loads have been changed from outside. The
+  /// model must have been up to date before the change.
+  void take_velocities_and_loads();
   /// Calls dynamics::advance. If the model has an order, only its time, steps, search,
   /// worst overlap and exits are updated. The rest is out of date until up_to_date().
   StepResult advance(bool readings,
@@ -32,8 +36,16 @@ class Stepper {
   /// (dynamics::crack_blocks). Returns the number of cracks; if there are any, the
   /// model is up to date.
   int crack();
+  /// Called before the blocks of the model are replaced by pieces; may be empty.
+  std::function<void()> before_split;
   /// Brings the model up to the last step and returns it.
   const Model& up_to_date();
+  /// Brings the blocks of the model up to the last step. Without an order they always
+  /// are, so that the list of contacts need not be written.
+  void bring_out_blocks() {
+    if (!outside_current_)
+      up_to_date();
+  }
   /// Returns the near pairs of blocks that the last step used, low < high, in the
   /// deck's numbers and in ascending order. At least one step must have been made.
   std::vector<std::pair<int, int>> listed_pairs() const;

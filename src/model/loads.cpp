@@ -6,6 +6,8 @@
 namespace blocks {
 
 double TimeFunction::factor(double time, double arrival) const {
+  if (arrival == always)
+    return 1.0;
   const double since = time - arrival;
   if (since < 0.0 || t.empty())
     return 0.0;

@@ -2,6 +2,7 @@
 // A.2.10, A.2.11).
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "geometry/vec2.hpp"
@@ -13,9 +14,13 @@ struct TimeFunction {
   std::vector<double> t;  ///< [T] increasing
   std::vector<double> p;  ///< factor
 
+  /// The arrival time of loads that act at all times and are not multiplied by the
+  /// function.
+  static constexpr double always = std::numeric_limits<double>::lowest();
+
   bool empty() const { return t.empty(); }
   /// Returns 0 before the arrival time, then the function of the time since arrival
-  /// (docs/theory.md#pressure-and-forces).
+  /// (docs/theory.md#pressure-and-forces). Returns 1 if the arrival is `always`.
   double factor(double time, double arrival) const;
 };
 
@@ -31,7 +36,9 @@ struct Pressure {
 struct CentroidForce {
   int block = 0;
   geometry::Vec2 force = {0, 0};  ///< [F] multiplied by the time function
-  double arrival = 0;             ///< [T]
+  double arrival = 0;             ///< [T], or TimeFunction::always
+
+  bool is_constant() const { return arrival == TimeFunction::always; }
 };
 
 /// DRIVE: the motion of a fixed block.

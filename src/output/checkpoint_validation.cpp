@@ -230,7 +230,11 @@ void expect_loads(const Loads& loads, const Blocks& b) {
     for (const Vec2& force : {quiet.first, quiet.second})
       expect("loads/quiet_sides", force);
   }
-  if (loads.function.empty() && !(loads.pressures.empty() && loads.forces.empty()))
+  const bool needs_function =
+      !loads.pressures.empty() ||
+      std::any_of(loads.forces.begin(), loads.forces.end(),
+                  [](const CentroidForce& force) { return !force.is_constant(); });
+  if (loads.function.empty() && needs_function)
     reject_checkpoint("loads without a function of time");
 }
 

@@ -126,6 +126,51 @@ TEST(Simulation, AcceleratesByAChangeOfVelocityInEveryStep) {
             1e-12 * expected.norm());
 }
 
+// A constant force gives x = F t (t + dt) / 2m. Without it the velocity stays.
+TEST(Simulation, AcceleratesByAForceUntilItEnds) {
+  Simulation simulation(preliminary() + rectangle(0, 0, 1, 1));
+  const Eigen::Vector2d start = simulation.centroid(1), force(300.0, -200.0);
+  simulation.set_force(1, {1.0, 1.0});
+  simulation.set_force(1, force);
+  simulation.step(100);
+  const double t = simulation.time(), dt = simulation.time_step();
+  const Eigen::Vector2d expected = 0.5 * t * (t + dt) / simulation.mass(1) * force;
+  EXPECT_LT((simulation.centroid(1) - start - expected).norm(),
+            1e-12 * expected.norm());
+  simulation.set_force(1, {0.0, 0.0});
+  const Eigen::Vector2d velocity = simulation.velocity(1);
+  simulation.step(100);
+  EXPECT_EQ(simulation.velocity(1), velocity);
+  EXPECT_THROW(simulation.set_force(1, {NAN, 0.0}), std::invalid_argument);
+  EXPECT_THROW(simulation.set_force(2, {1.0, 0.0}), std::out_of_range);
+}
+
+TEST(Simulation, TakesForcesAsTheCardDoesInAnInternalOrder) {
+  std::string with_function = wall_at_random();
+  with_function.insert(with_function.find("END\n"), "FUNCTION, 2\n0, 1\n9, 1\n");
+  Simulation by_card(with_function), driven(wall_at_random());
+  for (Simulation* one : {&by_card, &driven})
+    one->step(10, false);
+  by_card.cards("FORCE, 77, 1000, 500, 0");
+  driven.set_force(77, {1000.0, 500.0});
+  for (Simulation* one : {&by_card, &driven})
+    one->step(10);
+  EXPECT_EQ(corners(driven), corners(by_card));
+}
+
+TEST(Simulation, KnowsContactsOnlyOfStepsThatWereRead) {
+  Simulation simulation(stack);
+  EXPECT_TRUE(simulation.is_read() && simulation.contacts().empty());
+  simulation.step(200);
+  EXPECT_FALSE(simulation.contacts().empty());
+  simulation.step(1, false);
+  EXPECT_FALSE(simulation.is_read());
+  EXPECT_THROW(simulation.contacts(), std::logic_error);
+  EXPECT_THROW(simulation.contact_force(1), std::logic_error);
+  simulation.step();
+  EXPECT_FALSE(simulation.contacts().empty());
+}
+
 // The two lower corners of the block are on the plane.
 TEST(Simulation, HasContactsWithSymmetryPlanes) {
   Simulation simulation(preliminary() + rectangle(0, 0, 1, 1) +

@@ -271,7 +271,8 @@ bool needs_contact_forces(const Settings& settings) {
               [](const auto& rule) { return rule.second.point_strength > 0.0; }));
 }
 
-int crack_blocks(Model& model, Workspace& work, const std::vector<int>& numbers) {
+int crack_blocks(Model& model, Workspace& work, const std::vector<int>& numbers,
+                 const std::function<void()>& before_split) {
   if (!may_crack(model.settings))
     return 0;
   const Profile::Timer timer(work.profile, Profile::motion);
@@ -286,6 +287,8 @@ int crack_blocks(Model& model, Workspace& work, const std::vector<int>& numbers)
   if (cracking.cracks() == 0)
     return 0;
   catch_up(model, work);
+  if (before_split)
+    before_split();
   const std::vector<int> first_corners(model.blocks.first_corner.begin(),
                                        model.blocks.first_corner.end());
   work.changed_blocks = cracking.finish();

@@ -2,6 +2,7 @@
 // between two steps.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "dynamics/workspace.hpp"
@@ -22,8 +23,10 @@ bool needs_contact_forces(const Settings& settings);
 /// their numbers; new blocks get the next numbers. Records cracks and refusals in the
 /// model, and the released energy in its energy account. Call it after a step; if
 /// needs_contact_forces(), the step must have been read. numbers: (n) the number of
-/// each block in the deck; empty: its own. Returns the number of cracks; if there are
-/// any, the list of contacts is up to date.
-int crack_blocks(Model& model, Workspace& work, const std::vector<int>& numbers);
+/// each block in the deck; empty: its own. before_split: called before blocks are
+/// replaced, if there are cracks; may be empty. Returns the number of cracks; if there
+/// are any, the list of contacts is up to date.
+int crack_blocks(Model& model, Workspace& work, const std::vector<int>& numbers,
+                 const std::function<void()>& before_split = {});
 
 }  // namespace blocks::dynamics

@@ -7,15 +7,37 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace blocks {
+
+namespace library {
+class ModelAccess;
+}
+
+/// An error or a warning about cards.
+struct DeckMessage {
+  bool is_error = true;
+  std::string file;           ///< name of the deck
+  int line = 0, column = 0;   ///< from 1; line 0: the deck as a whole
+  std::string card;           ///< in capitals; empty: none
+  std::string message, hint;  ///< the hint may be empty
+  std::string printed;        ///< with the line of the deck and a caret
+};
 
 /// Thrown when cards contain errors. what() holds every message in the format of
 /// `blocks check`: file:line:col: error: CARD: message, followed by the source line, a
 /// caret and a hint.
 class DeckError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  DeckError(const std::string& what, std::vector<DeckMessage> messages)
+      : std::runtime_error(what), messages_(std::move(messages)) {}
+  /// All errors and warnings, in the order of the lines of the deck.
+  const std::vector<DeckMessage>& messages() const { return messages_; }
+
+ private:
+  std::vector<DeckMessage> messages_;
 };
 
 /// Thrown when a step made the state unusable, most often because the time step is too
@@ -54,6 +76,12 @@ struct ContactForce {
   }
 };
 
+/// What to do with the MOTION, CYCLE and SOLVE cards of a deck.
+enum class Motions {
+  made,     ///< make their steps
+  left_out  ///< execute the deck only up to the first of them
+};
+
 /// A model that the calling program advances. The same cards give bit-identical results
 /// in `blocks run`. The only files written are those requested through this class;
 /// OUTPUT, PLOTS, HISTORY and DUMP have no effect.
@@ -64,19 +92,21 @@ struct ContactForce {
 class Simulation {
  public:
   /// Executes the cards of a deck in order: START to END, then blocks and loads.
-  /// MOTION, CYCLE and SOLVE advance the time. The number of threads is 1 to 1024 and
-  /// does not affect the results. File names on cards are relative to the current
-  /// directory.
+  /// MOTION, CYCLE and SOLVE advance the time, unless they are left out. The number of
+  /// threads is 1 to 1024 and does not affect the results. File names on cards are
+  /// relative to the current directory.
   ///
   /// Throws DeckError for errors in the cards, and std::runtime_error if a file (READ9,
   /// RESTART) cannot be read. Throws std::invalid_argument if `threads` is out of range
   /// or BLOCKS_SIMD names an instruction set that the machine lacks. Throws UnsoundRun
   /// from one of these cards.
-  explicit Simulation(const std::string& deck, int threads = 1);
+  explicit Simulation(const std::string& deck, int threads = 1,
+                      Motions motions = Motions::made);
 
   /// Like the constructor, but reads the deck from a file. File names on its cards are
   /// relative to the folder of the deck.
-  static Simulation from_file(const std::string& path, int threads = 1);
+  static Simulation from_file(const std::string& path, int threads = 1,
+                              Motions motions = Motions::made);
 
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -93,9 +123,14 @@ class Simulation {
   /// than ctol in one step. A SOLVE card that has not converged gives a warning.
   const std::vector<std::string>& warnings() const;
 
-  /// Makes `count` steps of time_step(). Throws UnsoundRun, std::logic_error if there
-  /// are no blocks, and std::invalid_argument if `count` is negative.
-  void step(long count = 1);
+  /// Makes `count` steps of time_step(). The contacts of the last one are known only if
+  /// it is read, which may take as long as the step. Throws UnsoundRun,
+  /// std::logic_error if there are no blocks, and std::invalid_argument if `count` is
+  /// negative.
+  void step(long count = 1, bool read = true);
+  /// Whether the contacts of the last step are known. Before the first step there are
+  /// none.
+  bool is_read() const;
 
   long steps() const;        ///< number of steps made so far
   double time() const;       ///< [T] current time
@@ -116,10 +151,11 @@ class Simulation {
   Eigen::Matrix2d stress(int block) const;    ///< [F/L^2] internal stress (12)
 
   /// The contacts that acted in the last step, ordered by pair of blocks. Contacts with
-  /// symmetry planes come last.
+  /// symmetry planes come last. Throws std::logic_error if that step was not read.
   std::vector<ContactForce> contacts() const;
 
-  /// The sum of the contact forces on a block in the last step, [F].
+  /// The sum of the contact forces on a block in the last step, [F]. Throws
+  /// std::logic_error if that step was not read.
   Eigen::Vector2d contact_force(int block) const;
 
   double kinetic_energy() const;  ///< [F L]
@@ -129,12 +165,16 @@ class Simulation {
   double unbalanced_ratio() const;
 
   /// Sets the velocity [L/T] and spin [rad/T] of a free block. Forces change them from
-  /// the next step on. To apply a force F for one step, set the velocity to velocity()
-  /// plus time_step() / mass() * F.
+  /// the next step on.
   ///
   /// Throws std::logic_error if the block is fixed, std::invalid_argument if a value is
   /// not finite, and UnsoundRun if a step has thrown it.
   void set_velocity(int block, const Eigen::Vector2d& velocity, double spin = 0.0);
+
+  /// Sets the force [F] that acts at the centroid of a block in every step from now on,
+  /// in addition to the loads of the cards. It replaces the force that this function
+  /// has set before; 0 ends it. Throws std::invalid_argument if a value is not finite.
+  void set_force(int block, const Eigen::Vector2d& force);
 
   /// Appends the state as a frame to the results file `path` (.vtkhdf), which `blocks
   /// plot`, ParaView and h5py can read. The first call with a path creates the file and
@@ -152,6 +192,7 @@ class Simulation {
   void write_checkpoint(const std::string& path) const;
 
  private:
+  friend class library::ModelAccess;
   struct State;
   explicit Simulation(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

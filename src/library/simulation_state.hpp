@@ -1,0 +1,89 @@
+// What a Simulation holds: the model, its working memory, and the executor of cards.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "blocks/simulation.hpp"
+#include "deck/parser.hpp"
+#include "dynamics/stepper.hpp"
+#include "geometry/overlap.hpp"
+#include "library/results_in_use.hpp"
+#include "run/crack_watch.hpp"
+#include "run/motion_watch.hpp"
+
+namespace blocks {
+
+namespace library {
+
+/// Functions that are called in the course of steps and cards; they may be empty.
+struct Hooks {
+  /// After each step that was sound. What it throws ends the steps.
+  std::function<void()> after_step;
+  /// Before the columns of Model::blocks get other memory: cards add blocks, or blocks
+  /// split. Until then, pointers to them stay valid.
+  std::function<void()> before_new_blocks;
+};
+
+}  // namespace library
+
+struct Simulation::State {
+  State(std::string deck_name, std::string deck_folder, std::string deck, int threads,
+        Motions motions, library::Hooks given_hooks = {});
+
+  /// Executes all cards. Throws DeckError with all their errors.
+  void execute(const deck::Deck& deck, deck::Diagnostics& said);
+  void step(long count, bool read);
+  /// Makes the steps of a SOLVE card, as a run does.
+  void solve(const deck::Solve& card, int line);
+  /// Throws UnsoundRun if an earlier step was unsound.
+  void must_be_sound() const;
+  /// Throws std::logic_error if the contacts of the last step are not known.
+  void must_be_read() const;
+  /// The index of a block, from its number.
+  int index(int block) const;
+  /// The model after the last step.
+  Model& current() {
+    stepper.up_to_date();
+    return model;
+  }
+  /// The blocks after the last step.
+  Blocks& blocks() {
+    stepper.bring_out_blocks();
+    return model.blocks;
+  }
+  /// To be called when velocities or loads of current() have been changed.
+  void take_velocities_and_loads() {
+    stepper.take_velocities_and_loads();
+    ++changes;
+  }
+
+  library::Hooks hooks;
+  std::string name, folder, text;
+  Model model;
+  dynamics::Workspace work;
+  dynamics::Stepper stepper{model, work};
+  std::vector<geometry::BlockOverlap> overlaps;  ///< reported by the certificate
+  std::vector<std::string> warnings;
+  std::string unsound;  ///< why a step was unsound; empty if none was
+  long changes = 0;     ///< number of calls that changed the model, steps left out
+  bool contacts_known = true;  ///< those of the last step
+  std::map<std::filesystem::path, library::ResultsInUse> results;  ///< by path
+
+ private:
+  run::MotionWatch watch_;
+  run::CrackWatch crack_watch_;
+  double half_depth_ = 0.0;  ///< [L] half the least depth of a convex block
+  void prepare(Model& on);
+  /// Makes one step. Throws UnsoundRun if it was unsound.
+  void advance(bool reads);
+  void keep_warnings(const deck::Diagnostics& said);
+  /// Executes all cards on a model. If `moving` is false, no time passes.
+  void execute_on(Model& on, const deck::Deck& deck, deck::Diagnostics& said,
+                  bool moving);
+};
+
+}  // namespace blocks
