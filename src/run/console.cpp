@@ -52,6 +52,8 @@ void Console::row(const Model& model) {
 }
 
 void Console::warn(const std::string& message) {
+  if (receiver_)
+    return receiver_(message);
   clear_progress();
   say(stderr, "warning: {}\n", message);
 }

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "model/model.hpp"
 #include "run/progress_line.hpp"
@@ -23,6 +25,10 @@ class Console {
   /// Adds the ratio of the unbalanced forces to the rows. Call it before the first one.
   void show_ratio() { ratio_shown_ = true; }
   void warn(const std::string& message);
+  /// From now on, warnings are not printed, but given to this function.
+  void give_warnings_to(std::function<void(const std::string&)> warn) {
+    receiver_ = std::move(warn);
+  }
   void note(const std::string& message);  ///< suppressed by `quiet`
   /// Whether the progress line is due. A terminal gets it at most ten times a second.
   bool progress_due() const;
@@ -35,6 +41,7 @@ class Console {
 
  private:
   using Clock = std::chrono::steady_clock;
+  std::function<void(const std::string&)> receiver_;  ///< of warnings; empty: none
   bool table_, quiet_, terminal_;
   Clock::duration between_log_lines_;
   bool ratio_shown_ = false, header_shown_ = false, line_shown_ = false;

@@ -12,13 +12,19 @@
 #include "run/executor.hpp"
 
 namespace blocks::run {
+namespace {
+
+std::string folder_of(const RunOptions& options) {
+  return options.text ? std::string() : deck_folder(options.deck);
+}
+
+}  // namespace
 
 Job::Job(const RunOptions& given)
-    : options(given), text(read_deck(given.deck)),
+    : options(given), text(given.text ? *given.text : read_deck(given.deck)),
       diagnostics(given.deck == "-" ? "<standard input>" : given.deck, text),
       deck(deck::parse(given.deck, text, diagnostics, given.overrides)),
-      end(deck.commands.size()),
-      files(file_sums(deck, deck_folder(given.deck), given.tape9)),
+      end(deck.commands.size()), files(file_sums(deck, folder_of(given), given.tape9)),
       name(output_name(given.deck, given.output)) {
   auto& commands = deck.commands;
   if (!commands.empty() && std::holds_alternative<deck::Stop>(commands.back().card))
@@ -89,7 +95,7 @@ BuildOptions Job::build_options() const {
   BuildOptions built;
   built.seed = options.seed;
   built.tape9 = options.tape9;
-  built.folder = deck_folder(options.deck);
+  built.folder = folder_of(options);
   built.unread = deck.unread;
   built.overlaps = from.progress.overlaps;
   built.cut_progress = CutProgress(options.quiet);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "dynamics/support/memory_pages.hpp"
+#include "dynamics/time_step.hpp"
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 #include "output/file_tools.hpp"
@@ -311,6 +312,14 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
   return internal_error;
 }
 
+void tell(const Job& job) {
+  // fmt::print would throw if nothing reads standard error, and end the run.
+  if (job.options.tell)
+    job.options.tell(job.diagnostics);
+  else
+    std::fputs(job.diagnostics.format_all().c_str(), stderr);
+}
+
 std::vector<std::string> warnings_of(const deck::Diagnostics& diagnostics) {
   std::vector<std::string> result;
   for (const deck::Diagnostic& diagnostic : diagnostics.all())
@@ -339,8 +348,7 @@ int run_deck(const RunOptions& options) {
   std::vector<std::string> notes;
   catch_interrupts();
   const bool sound = check(job, checked, notes);
-  // fmt::print would throw if nothing reads standard error, and end the run.
-  std::fputs(job.diagnostics.format_all().c_str(), stderr);
+  tell(job);
   if (!sound)
     return job.fault;
   if (options.verbose) {
@@ -359,6 +367,7 @@ int run_deck(const RunOptions& options) {
     options.at_start(checked, job.certificate);
   checked = {};  // frees the memory before the run
   Console console(!options.json, options.quiet);
+  console.give_warnings_to(options.warn);
   return execute(job, console, warnings_of(job.diagnostics));
 }
 
@@ -367,9 +376,11 @@ CheckedDeck build_checked(const RunOptions& options) {
   CheckedDeck checked;
   checked.file = job.diagnostics.file();
   const bool sound = check(job, checked.model, checked.notes);
-  fmt::print(stderr, "{}", job.diagnostics.format_all());
+  tell(job);
   checked.code = sound ? done : job.fault;
   checked.certificate = job.certificate;
+  if (sound && checked.model.blocks.count_present() > 0)
+    checked.time_step = dynamics::choose_time_step(checked.model).dt;
   return checked;
 }
 

@@ -27,7 +27,10 @@ enum ExitCode : int {
 };
 
 struct RunOptions {
-  std::string deck;    ///< path, or "-" for standard input
+  std::string deck;  ///< path, or "-" for standard input
+  /// The deck itself. `deck` is then its name, and names of files on its cards are
+  /// relative to the current directory.
+  std::optional<std::string> text;
   std::string output;  ///< output name; if empty, the deck's stem
   std::optional<std::uint64_t> seed;
   std::optional<std::string> restart;  ///< checkpoint of a RESTART deck
@@ -47,6 +50,10 @@ struct RunOptions {
   /// first MOTION, CYCLE or SOLVE, or at the end of a deck without them. Not called by
   /// a run that continues.
   std::function<void(const Model&, const SharedCertificate&)> at_start;
+  /// Receives the messages about the deck, which are printed otherwise.
+  std::function<void(const deck::Diagnostics&)> tell;
+  /// Receives the warnings of the run, which are printed otherwise.
+  std::function<void(const std::string&)> warn;
 };
 
 /// Parses and checks the whole deck, then runs it. Returns an ExitCode.
@@ -58,6 +65,7 @@ struct CheckedDeck {
   std::string file;      ///< name of the deck in messages
   Model model;
   SharedCertificate certificate;
+  double time_step = 0.0;          ///< [T] that a run would take; 0 without blocks
   std::vector<std::string> notes;  ///< on what cards did, one per line
 };
 
