@@ -1,7 +1,8 @@
 #!/bin/sh
 # Works on a fresh machine: installs the packages that are missing, configures, builds and
-# runs. A run needs those of packages.txt, tests and validation also those of
-# packages-test.txt. ./go help lists the commands.
+# runs. A run needs those of packages.txt, the Python package also those of
+# packages-python.txt, tests and validation also those of packages-test.txt. ./go help
+# lists the commands.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 
@@ -14,7 +15,8 @@ usage() {
   build [PRESET [TARGET...]]
                        build only; without arguments build/release/src/blocks
   test [OPTIONS]       build with warnings as errors and run every test (ctest options)
-  install [PREFIX]     program, man pages and library to PREFIX (/usr/local)
+  python [ARGUMENTS]   an interpreter that has the Python package blocks
+  install [PREFIX]     program, man pages, library and Python package to PREFIX (/usr/local)
   package              program archive and Debian packages in build/release/packages
   bench [PART...]      short for ./go validate bench
   validate SUBCOMMAND  long checks and measurements; each subcommand has its own --help:
@@ -33,6 +35,7 @@ usage() {
                        cracks       thousands of cracks, audited
                        soak, rest   many steps of one deck
                        bench        times of scenes, against other codes
+                       python       times of steps from Python
                        big          one model of up to a million blocks
                        asan, tsan   every test under the sanitizers
 TEXT
@@ -78,7 +81,7 @@ build() {  # preset [target...]
   # The first build takes minutes, so its message names the log to follow.
   if [ ! -e "$here/build/$preset/.ninja_log" ]; then
     echo "building for the first time takes minutes (tail -f $log) ..." >&2
-  elif [ "$command" != run ] && [ "$command" != blocks ]; then
+  elif [ "$command" != run ] && [ "$command" != blocks ] && [ "$command" != python ]; then
     echo "building ..." >&2
   fi
   if ! { (cd "$here" && cmake --preset "$preset" && cmake --build --preset "$preset" ${1:+--target "$@"}) >"$log" 2>&1; }; then
@@ -86,6 +89,12 @@ build() {  # preset [target...]
     echo "go: error: the build failed, see $log" >&2
     exit 1
   fi
+}
+
+build_python() {  # target...
+  # shellcheck disable=SC2046
+  install_packages $(cat "$here/packages-python.txt")
+  build release "$@"
 }
 
 command=${1:-help}
@@ -98,13 +107,16 @@ case $command in
   build)
     [ $# -gt 0 ] || set -- release blocks
     build "$@" ;;
+  python)
+    build_python blocks blocks_python
+    PYTHONPATH="$here/build/release/python${PYTHONPATH:+:$PYTHONPATH}" exec /usr/bin/python3 "$@" ;;
   install)
-    build release blocks blocks_library manual package_logs
+    build_python blocks blocks_library blocks_python manual package_logs
     cmake --install "$here/build/release" --prefix "${1:-/usr/local}" ;;
   test) build ci; cd "$here" && exec ctest --preset ci "$@" ;;
   package)
     install_packages dpkg-dev file
-    build release blocks blocks_library manual package_logs archive
+    build_python blocks blocks_library blocks_python manual package_logs archive
     (cd "$here/build/release" && cpack >"$here/build/package.log" 2>&1) \
       || { cat "$here/build/package.log" >&2; exit 1; }
     ls -l "$here/build/release/packages" ;;

@@ -1,6 +1,10 @@
-# Debian packages by `./go package`: blocks (program, manual, decks) and libblocks-dev.
+# Debian packages by `./go package`: blocks (program, manual, decks), libblocks-dev and
+# python3-blocks.
 set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL program library)
+if(TARGET blocks_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_CONTACT "The BLOCKS authors <blocks@users.noreply.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -29,6 +33,18 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "blocks, cmake")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The library, for C++ programs that drive a model of blocks(1)
 step by step: one header, a static library, find_package(blocks), examples.")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-blocks)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}), \
+python3 (<< 3.${next_python}), python3-numpy, python3-h5py")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "blocks, python3-matplotlib, python3-pandas")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy, jupyter-notebook")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python package: runs, models driven step by step, results as
+NumPy arrays, figures, layers and joints with their certificate, and the exact
+predicates on arrays.")
+
 # What Debian wants to find beside each package's files.
 configure_file(changelog.Debian.in changelog.Debian @ONLY)
 foreach(log CHANGELOG.md:changelog changelog.Debian:changelog.Debian)
@@ -42,7 +58,7 @@ foreach(log CHANGELOG.md:changelog changelog.Debian:changelog.Debian)
   list(APPEND logs ${CMAKE_CURRENT_BINARY_DIR}/${log}.gz)
 endforeach()
 add_custom_target(package_logs ALL DEPENDS ${logs})
-foreach(component program:blocks library:libblocks-dev)
+foreach(component program:blocks library:libblocks-dev python:python3-blocks)
   string(REPLACE : \; component ${component})
   list(POP_FRONT component name)
   install(FILES copyright ${logs} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${component}

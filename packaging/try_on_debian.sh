@@ -1,7 +1,8 @@
 #!/bin/sh
 # The packages on a clean Debian 12: packaging/try_on_debian.sh FOLDER, as root, behind
 # ./go package. Makes a minimal system in FOLDER (debootstrap), installs blocks there by
-# apt, runs a deck, draws it and reads it; then libblocks-dev, and builds the examples.
+# apt, runs a deck, draws it and reads it; then libblocks-dev, and builds the examples; then
+# python3-blocks.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 system=${1:?FOLDER}
@@ -35,4 +36,11 @@ inside 'apt-get install -y -qq --no-install-recommends g++ cmake ninja-build \
     cmake --build build >>/packages/log 2>&1 || { cat /packages/log; exit 1; }
   build/layer | tail -n 1; build/servo | tail -n 2
   apt-get -o Dpkg::Use-Pty=0 purge -y -qq blocks >/dev/null && ! command -v blocks'
-echo "both packages are sound"
+inside 'apt-get install -y -qq --no-install-recommends python3-matplotlib /packages/blocks_*.deb \
+    /packages/python3-blocks_*.deb >/packages/log 2>&1 || { cat /packages/log; exit 1; }
+  cd /try && python3 -c "
+import blocks
+run = blocks.run(\"/usr/share/doc/blocks/decks/stack/stack.deck\", \"python\")
+run.results[-1].plot(forces=True).figure.savefig(\"python.png\")
+print(run)"'
+echo "all packages are sound"

@@ -48,9 +48,9 @@ std::vector<Include> includes() {
 /// headers outside the project.
 std::string folder_of(const std::string& target) {
   static const std::set<std::string> ours = {
-      "geometry",   "deck",    "model", "dynamics", "exchange",
-      "quantities", "output",  "post",  "run",      "study",
-      "audit",      "library", "sweep", "report",   "apps"};
+      "geometry", "deck",   "model",  "dynamics", "exchange", "quantities",
+      "output",   "post",   "run",    "study",    "audit",    "library",
+      "sweep",    "report", "python", "apps"};
   const std::string first = target.substr(0, target.find('/'));
   return target.find('/') != std::string::npos && ours.contains(first) ? first : "";
 }
@@ -79,6 +79,7 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "model",
                                             "output",
                                             "post",
+                                            "python",
                                             "quantities",
                                             "report",
                                             "run",
@@ -131,6 +132,8 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"report", {"report", "sweep", "post", "run", "quantities", "output", "deck"}},
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
+      {"python",
+       {"library", "study", "post", "run", "deck", "output", "model", "geometry"}},
   };
   for (const Include& include : includes()) {
     const std::string target = folder_of(include.target);

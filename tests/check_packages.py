@@ -41,7 +41,7 @@ def headers_of_the_program(ninja, build):
     headers, ours = set(), False
     for line in lines_of(ninja, "-C", build, "-t", "deps"):
         if line and not line.startswith(" "):
-            ours = line.startswith(("src/", "geometry/"))
+            ours = line.startswith(("src/", "geometry/")) and not line.startswith("src/python/")
         elif ours and line.startswith("    /usr/"):
             headers.add(os.path.realpath(line.strip()))
     return headers

@@ -188,6 +188,12 @@ def bench(arguments):
     return run(CI / "validation/performance/bench", *options, *arguments.parts)
 
 
+def python(arguments):
+    build("ci", "blocks", "blocks_python")
+    return run("/usr/bin/python3", HERE / "performance/python_steps.py", CI / "src/blocks", CI / "python",
+               "--rounds", arguments.rounds)
+
+
 def big(arguments):
     build("release", "blocks")
     return run_python("performance/big_model.py", RELEASE / "src/blocks",
@@ -302,6 +308,9 @@ def parser():
     command.add_argument("--rounds", type=whole_number, help="turns of each code (5; quick: 3)")
     command.add_argument("--largest", type=whole_number, metavar="K",
                          help="at most 10^K blocks (6; quick: 4)")
+    command = add("python", python, "times of steps from Python",
+                  "Steps a wall of 10,000 bricks by the program and from Python, in turns. Takes a minute.")
+    command.add_argument("--rounds", type=whole_number, default=7, help="turns of each (7)")
     command = add("big", big, "one model of up to a million blocks",
                   "Measures times, memory and files, and extrapolates them to ten times as many "
                   "blocks. Takes half an hour. Writes validation/performance/BIG_MODEL.md and "

@@ -1,0 +1,193 @@
+"""Decks built in Python: a method for each card."""
+
+from __future__ import annotations
+
+import inspect
+import keyword
+import os
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from ._blocks import card_table
+
+__all__ = ["Deck"]
+
+
+class Deck:
+    """A deck of cards.
+
+    Each card is a method with its name in small letters, whose arguments are the fields of the card. Fields
+    without a value keep their defaults. Lines that follow a card are its argument `lines`: for each line a
+    text or a sequence of numbers. Every method returns the deck, so calls can be joined.
+
+        deck = blocks.Deck()
+        deck.start(100, 4, lines=["TWO BLOCKS"])
+        deck.xlimits(-5, 5).ylimits(-1, 9)
+        ...
+        deck.create(4, 1, 1, lines=[(-5, -5, 5, 5), (-1, 0, 0, -1)])
+
+    Args:
+        text: cards with which the deck begins.
+
+    Attributes:
+        name: the name of the deck in messages.
+    """
+
+    def __init__(self, text: str = "", name: str = "deck"):
+        self.name = name
+        self._lines = text.splitlines()
+
+    @classmethod
+    def read(cls, path: str | os.PathLike) -> Deck:
+        """Reads a deck from a file. Names of files on its cards are then relative to the current folder."""
+        return cls(Path(path).read_text(encoding="utf-8", errors="replace"), os.fspath(path))
+
+    @property
+    def text(self) -> str:
+        """The deck as text, one card a line."""
+        return "".join(line + "\n" for line in self._lines)
+
+    def card(self, name: str, *fields: Any, lines: Iterable[Iterable[Any] | str] = ()) -> Deck:
+        """Adds a card by its name, and the line or lines that follow it. A field that is None stays blank."""
+        words = [_word(field) for field in fields]
+        while words and not words[-1]:
+            words.pop()
+        self._lines.append(", ".join([name.upper(), *words]))
+        for line in [lines] if isinstance(lines, str) else lines:
+            self._lines.append(line if isinstance(line, str) else ", ".join(_word(value) for value in line))
+        return self
+
+    def insert(self, before: str, cards: Deck | str) -> Deck:
+        """Inserts cards before the first card with this name.
+
+        Raises:
+            ValueError: if the deck has no such card.
+        """
+        title = next((i + 1 for i, line in enumerate(self._lines) if _first_word(line) == "START"), None)
+        for i, line in enumerate(self._lines):
+            if i != title and _first_word(line) == before.upper():
+                self._lines[i:i] = (cards.text if isinstance(cards, Deck) else cards).splitlines()
+                return self
+        raise ValueError(f"the deck has no card {before.upper()}")
+
+    def comment(self, text: str) -> Deck:
+        """Adds comment lines."""
+        self._lines += ["$ " + line for line in text.splitlines()]
+        return self
+
+    def write(self, path: str | os.PathLike) -> Path:
+        """Writes the deck to a file, and returns its path."""
+        path = Path(path)
+        path.write_text(self.text, encoding="utf-8")
+        return path
+
+    def check(self, **options: Any):
+        """Checks the deck: `blocks.check(deck, ...)`."""
+        from .assembly import check
+        return check(self, **options)
+
+    def run(self, **options: Any):
+        """Runs the deck: `blocks.run(deck, ...)`."""
+        from .running import run
+        return run(self, **options)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __len__(self) -> int:
+        return len(self._lines)
+
+    def __repr__(self) -> str:
+        return f"<Deck {self.name}: {len(self)} lines>"
+
+
+def _first_word(line: str) -> str:
+    """Returns the name of the card on a line, in capitals."""
+    return re.split(r"[\s,]", line.strip(), maxsplit=1)[0].upper()
+
+
+def _word(value: Any) -> str:
+    """Returns a field in the form of a card. Numbers keep all their digits."""
+    if hasattr(value, "item"):
+        value = value.item()  # of NumPy
+    if value is None:
+        return ""
+    if isinstance(value, bool):
+        return str(int(value))
+    if isinstance(value, float):
+        return repr(value)
+    if isinstance(value, (int, str, os.PathLike)):
+        return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
+    raise TypeError(f"a field of a card is a number, a text or None, not {value!r}")
+
+
+def _name(word: str) -> str:
+    """Returns a name that Python allows for a card or a field."""
+    name = "".join(letter if letter.isalnum() else "_" for letter in word.lower())
+    return name + "_" if keyword.iskeyword(name) else name
+
+
+def _text_of(card: Mapping[str, Any]) -> str:
+    """Returns the docstring of the method of a card."""
+    lines = [f"{card['summary']}", "", f"    {card['syntax']}"]
+    lines += [f"    {line['syntax']}" for line in card["lines"]]
+    if card["fields"] or card["lines"]:
+        lines += ["", "Args:"]
+    for field in card["fields"]:
+        facts = [field["kind"]]
+        if field["dimension"] not in ("", "[-]"):
+            facts.append(field["dimension"])
+        if field["range"]:
+            facts.append(field["range"])
+        if field["choices"]:
+            facts.append(" or ".join(field["choices"]))
+        if field["default"] is not None:
+            facts.append(f"default {field['default'] or 'blank'}")
+        lines.append(f"    {_name(field['name'])}: {field['help']} ({', '.join(facts)})")
+    for line in card["lines"]:
+        lines.append(f"    lines: {line['syntax']}: {line['help']}")
+    if card["notes"]:
+        lines += ["", card["notes"]]
+    lines += ["", "Example:", *("    " + line for line in card["example"].splitlines())]
+    return "\n".join(lines)
+
+
+def _method_of(card: Mapping[str, Any]):
+    """Returns the method of a card."""
+    kinds = inspect.Parameter
+    fields = card["fields"]
+    repeats = bool(fields) and fields[-1]["repeats"]
+    plain = fields[:-1] if repeats else fields
+    parameters = [kinds("self", kinds.POSITIONAL_OR_KEYWORD)]
+    is_optional = False
+    for field in plain:
+        # A field behind one with a default may be left out too; the check of the deck then says so.
+        is_optional = is_optional or field["default"] is not None
+        parameters.append(kinds(_name(field["name"]), kinds.POSITIONAL_OR_KEYWORD,
+                                default=None if is_optional else kinds.empty))
+    if repeats:
+        parameters.append(kinds(_name(fields[-1]["name"]), kinds.VAR_POSITIONAL))
+    if card["lines"]:
+        parameters.append(kinds("lines", kinds.KEYWORD_ONLY, default=()))
+    signature = inspect.Signature(parameters, return_annotation="Deck")
+
+    def add(*args: Any, **options: Any) -> Deck:
+        given = signature.bind(*args, **options)
+        given.apply_defaults()
+        values = dict(given.arguments)
+        deck = values.pop("self")
+        lines = values.pop("lines", ())
+        more = values.pop(_name(fields[-1]["name"])) if repeats else ()
+        return deck.card(card["name"], *values.values(), *more, lines=lines)
+
+    add.__name__ = _name(card["name"])
+    add.__qualname__ = f"Deck.{add.__name__}"
+    add.__doc__ = _text_of(card)
+    add.__signature__ = signature
+    return add
+
+
+for _card in card_table():
+    setattr(Deck, _name(_card["name"]), _method_of(_card))

@@ -1,0 +1,78 @@
+"""The blocks of a frame in the forms of other programs."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from .frames import Frame
+
+__all__ = ["geojson_text", "pyvista_mesh"]
+
+_QUANTITIES = ("speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2")
+
+
+def _area(outline: list[list[float]]) -> float:
+    """[L^2] Area of a clockwise outline, with the same bits as the program computes."""
+    x0, y0 = outline[0]
+    twice = 0.0
+    for (ax, ay), (bx, by) in zip(outline[1:-1], outline[2:]):
+        twice += (bx - x0) * (ay - y0) - (by - y0) * (ax - x0)
+    return 0.5 * twice
+
+
+def _digits(value: float) -> str:
+    """Returns the shortest decimal that reads back as the same double, or null."""
+    return repr(value).removesuffix(".0") if math.isfinite(value) else "null"
+
+
+def geojson_text(frame: Frame) -> str:
+    """Returns the GeoJSON text that `blocks export` writes. Blocks have the numbers of the cards, from 1."""
+    columns: dict[str, Any] = {}
+    if len(frame.results.cracks) > 0 and "Parent" in frame:
+        columns["parent"] = frame["Parent"].tolist()
+    for name in _QUANTITIES:
+        columns[name] = frame.quantity(name).tolist()
+    number, material, is_free = frame.number.tolist(), frame.material.tolist(), frame.is_free.tolist()
+    with_joints = bool(frame.joint.any())
+    features = []
+    for b in np.flatnonzero(~frame.is_removed):
+        outline = frame.polygons[b].tolist()
+        facts = f'"number": {number[b]}, "material": {material[b]}'
+        if name := frame.materials.get(material[b], ""):
+            facts += f', "material_name": {json.dumps(name, ensure_ascii=False)}'
+        facts += f', "fixed": {"false" if is_free[b] else "true"}, "area": {_digits(_area(outline))}'
+        if with_joints:
+            joint = frame.joint[frame.first_corner[b] : frame.first_corner[b + 1]]
+            facts += f', "joints": [{", ".join(map(str, reversed(joint.tolist())))}]'
+        for name, values in columns.items():
+            facts += f', "{name}": {_digits(values[b])}'
+        ring = ", ".join(f"[{_digits(x)}, {_digits(y)}]" for x, y in (outline[:1] + outline[::-1]))
+        features.append(
+            f'{{"type": "Feature", "properties": {{{facts}}}, '
+            f'"geometry": {{"type": "Polygon", "coordinates": [[{ring}]]}}}}'
+        )
+    head = f'{{"type": "FeatureCollection",\n"time": {_digits(frame.time)},\n"features": [\n'
+    return head + ",\n".join(features) + "\n]}\n"
+
+
+def pyvista_mesh(frame: Frame) -> Any:
+    """Returns the blocks that are not removed as a pyvista.PolyData with all cell arrays."""
+    try:
+        import pyvista
+    except ImportError:
+        raise ImportError("to_pyvista() needs pyvista: python3 -m pip install pyvista") from None
+    shown = ~frame.is_removed
+    faces, first = [], 0
+    for count in np.diff(frame.first_corner)[shown].tolist():
+        faces += [count, *range(first, first + count)]
+        first += count
+    points = np.column_stack([frame.corners, np.zeros(len(frame.corners))])
+    mesh = pyvista.PolyData(points, np.array(faces, np.int64))
+    for name in frame.names:
+        mesh.cell_data[name] = frame[name][shown]
+    return mesh

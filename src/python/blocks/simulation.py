@@ -1,0 +1,187 @@
+"""A model that the calling program advances step by step."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from . import _blocks
+from .dimensions import Units
+from .documented import attributes_of
+from .inputs import DeckLike, name_and_text, whole
+from .notebooks import html_of
+
+__all__ = ["Simulation"]
+
+
+class Simulation(_blocks.Simulation):
+    """A model that the calling program advances step by step, with the same bits as `blocks run`.
+
+    The cards of the deck are executed: START to END, then blocks and loads. MOTION, CYCLE and SOLVE advance
+    the time; with `moves=False` the deck is executed only up to the first of them. The only files written
+    are those asked for with `write_frame` and `write_checkpoint`. n blocks have m corners.
+
+    Arrays are views of the memory of the model, without a copy: they show the state after the last step.
+    Only `velocity` and `spin` can be written to. When cards add blocks or blocks split, the arrays get other
+    memory; a view taken before keeps the values that it had, and writing to it has no effect. Views also
+    outlive the simulation. One thread at a time can use a simulation.
+
+    Args:
+        deck: text, path or `Deck`. Names of files on the cards of a path are relative to its folder.
+        threads: 1 to 1024; does not change the results.
+        moves: False: execute the deck only up to its first MOTION, CYCLE or SOLVE.
+
+    Raises:
+        DeckError: if cards contain errors.
+        UnsoundRun: if one of the cards makes steps that become unsound.
+
+    Attributes:
+        time: [T].
+        steps: number of steps made.
+        time_step: [T] of the next step (4); 0 without blocks.
+        corners: (m, 2) [L] corners of all blocks, clockwise.
+        first_corner: (n + 1,) block b has the corners from first_corner[b] to first_corner[b + 1], half open.
+        corner_block: (m,) block of each corner.
+        joint: (m,) joint id of the side that begins at each corner; 0: none.
+        centroid: (n, 2) [L].
+        velocity: (n, 2) [L/T] of the centroids. May be written to, for free blocks.
+        spin: (n,) [1/T] angular velocity. May be written to, for free blocks.
+        angle: (n,) rotation since the block was made, rad.
+        gradient: (n, 2, 2) deformation gradient since the block was made.
+        stress: (n, 2, 2) [F/L^2] internal stress (12).
+        strain_rate: (n, 2, 2) [1/T] (10).
+        force: (n, 2) [F] on each block in the last step, without gravity.
+        moment: (n,) [F L] in the last step.
+        mass: (n,) [M].
+        inertia: (n,) [M L^2] about the centroid.
+        area: (n,) [L^2] when the block was made.
+        material: (n,) number of the MATERIAL card.
+        is_free: (n,) False if fixed, driven, outside the domain or removed. A copy.
+        is_removed: (n,) True for blocks that REMOVE has taken out. A copy.
+        contacts: structured array, a row for each contact that acted in the last step: `corner_block`,
+            `corner`, `edge_block` (-1: a symmetry plane), `edge` (number of its first corner, or of the
+            plane), `point` [L], `normal` (outward unit normal of the edge), `force` [F] on the block of the
+            corner, `normal_force`, `shear_force` [F] and `overlap` [L]. A copy.
+        contact_force: (n, 2) [F] sum of the contact forces on each block in the last step. A copy.
+        cracks: structured array, a row for each crack so far: `step`, `time`, `parent`, `child`, `cause`
+            (0: stress, 1: point loads), `stress` [F/L^2], `begin`, `end` [L], `parent_area`, `child_area`
+            [L^2] and `released` [F L]. A copy.
+        kinetic_energy: [F L].
+        worst_overlap: [L] largest overlap of any contact so far.
+        unbalanced_ratio: of the forces in the last step: 0 in equilibrium, 1 in free fall.
+        is_read: whether the contacts of the last step are known.
+        is_rigid: whether the blocks are rigid.
+        warnings: messages so far, in printed form.
+        title: of the deck.
+        materials: names of the materials that have one, by number.
+        units: names of the units `length`, `mass` and `time`; None if the deck names none.
+    """
+
+    def __init__(self, deck: DeckLike, threads: int = 1, moves: bool = True):
+        super().__init__(*name_and_text(deck), whole(threads, "threads", 1, 1024), moves)
+
+    def step(self, count: int = 1, read: bool | None = None, *, every: int = 0,
+             callback: Callable[[Simulation], Any] | None = None) -> None:
+        """Makes steps. Other threads of Python run meanwhile, and Ctrl-C stops after a step.
+
+        Args:
+            count: number of steps.
+            read: whether the contacts of the last step will be asked for, which may take as long as the
+                step. None: yes, if there are at least 50 steps, or if contacts have been asked for since the
+                steps before. With `callback` it is the last step before each call; None: yes before the
+                first call.
+            every: number of steps between two calls of `callback`; 0: 1 if there is a callback.
+            callback: is called with the simulation after every `every` steps. If it returns a true value,
+                no more steps are made.
+
+        Raises:
+            UnsoundRun: if a step made the state unusable.
+            ValueError: if there are no blocks, or a velocity that was written is not possible.
+        """
+        call = None if callback is None else lambda: callback(self)
+        between = whole(every, "every", 0) or (0 if callback is None else 1)
+        self._step(whole(count, "the number of steps", 0), read, between, call)
+
+    def run_until(self, time: float, read: bool | None = None, *, every: int = 0,
+                  callback: Callable[[Simulation], Any] | None = None) -> None:
+        """Makes the steps to this time [T], as MOTION does; none if it has passed. See `step`."""
+        self.step(self._steps_until(time), read, every=every, callback=callback)
+
+    def cards(self, text: DeckLike) -> None:
+        """Executes further problem cards, one a line, as text or as a `Deck`.
+
+        Raises:
+            DeckError: if they contain errors. The model is then unchanged, unless a MOTION, CYCLE or SOLVE
+                among them has advanced the time.
+        """
+        super().cards(text if isinstance(text, str) else name_and_text(text)[1])
+
+    def set_velocity(self, block: int, velocity: Any, spin: float | None = None) -> None:
+        """Sets the velocity (2,) [L/T] of a free block, and its spin [1/T] if given."""
+        super().set_velocity(block, _vector(velocity), spin)
+
+    def set_force(self, block: int, force: Any) -> None:
+        """Sets a force (2,) [F] at the centroid of a block, in every step from now on.
+
+        It acts in addition to the loads of cards and replaces the force that was set before; 0 ends it.
+
+        Raises:
+            ValueError: if the block is not free, or the force is not finite.
+        """
+        super().set_force(block, _vector(force))
+
+    def write_frame(self, path: str | os.PathLike) -> None:
+        """Appends the state to a results file (.vtkhdf). The first call makes a new file.
+
+        An existing file is renamed to `path`.bak.
+
+        Raises:
+            FileError: if the file cannot be written, or another simulation writes to it.
+        """
+        super().write_frame(os.fspath(path))
+
+    def write_checkpoint(self, path: str | os.PathLike) -> None:
+        """Writes the state for RESTART. An existing file is kept as `path`.prev."""
+        super().write_checkpoint(os.fspath(path))
+
+    @property
+    def units(self) -> Units | None:
+        """Names of the units; None if the deck names none."""
+        return Units(*self._units) if self._units else None
+
+    @property
+    def polygons(self) -> list[np.ndarray]:
+        """The outline (k, 2) of each block, [L], clockwise: views of `corners`; empty for removed blocks."""
+        outlines = np.split(self.corners, self.first_corner[1:-1]) if len(self) else []
+        return [outline[:0] if gone else outline for outline, gone in zip(outlines, self.is_removed)]
+
+    def plot(self, ax=None, **options: Any):
+        """Draws the blocks on Matplotlib axes; see `blocks.plotting.plot`."""
+        from .plotting import plot
+        return plot(self, ax, **options)
+
+    def _repr_html_(self) -> str:
+        return html_of(self)
+
+    def __repr__(self) -> str:
+        try:
+            return (f"<Simulation {self.title!r}: {len(self)} blocks, step {self.steps}, time {self.time:g}, "
+                    f"time step {self.time_step:.4g}>")
+        except RuntimeError as error:  # it is making steps
+            return f"<Simulation: {error}>"
+
+
+def _vector(value: Any) -> np.ndarray:
+    vector = np.asarray(value, dtype=float)
+    if vector.shape != (2,):
+        raise ValueError(f"expected the two components of a vector, not the shape {vector.shape}")
+    return vector
+
+
+# The properties of the compiled class get the help that the docstring above gives.
+for _name, _text in attributes_of(Simulation).items():
+    if _name in vars(_blocks.Simulation):
+        vars(_blocks.Simulation)[_name].__doc__ = _text
