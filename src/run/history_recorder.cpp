@@ -13,6 +13,12 @@ using quantities::Curve;
 
 namespace {
 
+/// Whether the quantity is a number of things, which jumps from one step to the next.
+bool is_count(const Curve& curve) {
+  return curve.of == Curve::Of::model &&
+         (curve.quantity == "cracks" || curve.quantity == "blocks");
+}
+
 bool same(const HistoryRequest& a, const HistoryRequest& b) {
   return a.interval == b.interval && a.quantities == b.quantities;
 }
@@ -25,8 +31,11 @@ void HistoryRecorder::begin(const Model& model) {
   if (!same(request_, model.history)) {
     request_ = model.history;
     std::vector<Curve> curves;
-    for (const std::string& quantity : request_.quantities)
+    is_count_.clear();
+    for (const std::string& quantity : request_.quantities) {
       curves.push_back(quantities::parse_curve(quantity));
+      is_count_.push_back(is_count(curves.back()));
+    }
     values_of_ = quantities::CurveValues(curves, material_numbers(model.settings));
     for (std::vector<double>* values : {&before_, &now_, &sample_})
       values->resize(curves.size());
@@ -60,7 +69,9 @@ void HistoryRecorder::take_samples(double time) {
     const double at = multiples_.at(next_), step = time - time_before_;
     const double part = step > 0.0 ? std::min((at - time_before_) / step, 1.0) : 1.0;
     for (std::size_t i = 0; i < sample_.size(); ++i)
-      sample_[i] = part == 1.0 ? now_[i] : std::lerp(before_[i], now_[i], part);
+      sample_[i] = part == 1.0    ? now_[i]
+                   : is_count_[i] ? before_[i]
+                                  : std::lerp(before_[i], now_[i], part);
     results_->add_sample(at, sample_);
   }
 }

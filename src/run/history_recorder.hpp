@@ -12,7 +12,8 @@
 namespace blocks::run {
 
 /// A sample belongs to a multiple of the interval. Its values are interpolated linearly
-/// between the states before and after it, so both must be read. All values are
+/// between the states before and after it, so both must be read. The numbers of blocks
+/// and of cracks are those before it. All values are
 /// computed by one thread in the order of the blocks, so they do not depend on the
 /// number of threads.
 class HistoryRecorder {
@@ -37,7 +38,7 @@ class HistoryRecorder {
 
   output::ResultsWriter* results_;
   HistoryRequest request_;
-  std::vector<quantities::Curve> curves_;
+  std::vector<bool> is_count_;  ///< (curves) such values are not interpolated
   quantities::CurveValues values_of_{{}};
   quantities::Multiples multiples_{1.0};
   output::FirstPositions first_;

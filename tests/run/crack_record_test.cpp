@@ -40,6 +40,24 @@ std::string record_of(const TemporaryFolder& folder, const std::string& name) {
   return text;
 }
 
+TEST(CrackRecord, HistoriesCountInWholeNumbers) {
+  const TemporaryFolder folder;
+  std::string deck = torn();
+  deck.replace(deck.find("HISTORY, 0.0001"), 15, "HISTORY, 0.00001");
+  run_text(folder, "torn", deck);
+  const post::ResultsReader results((folder / "torn.vtkhdf").string());
+  const auto cracks = results.cracks();
+  const auto sections = results.recorded();
+  ASSERT_EQ(sections.size(), 1U);
+  for (std::size_t k = 0; k < sections[0].time.size(); ++k) {
+    const double t = sections[0].time[k];
+    const auto until_then =
+        std::count_if(cracks.begin(), cracks.end(),
+                      [&](const auto& crack) { return crack.time <= t; });
+    EXPECT_EQ(sections[0].values(0, static_cast<Eigen::Index>(k)), until_then) << t;
+  }
+}
+
 // Stopped before the first crack, between cracks, and after the last one. The files are
 // those of the run that was not stopped.
 TEST(CrackRecord, IsTheSameAcrossARestart) {
