@@ -36,9 +36,12 @@ step by step: one header, a static library, find_package(blocks), examples.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-blocks)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}), \
-python3 (<< 3.${next_python}), python3-numpy, python3-h5py")
+if(TARGET blocks_python)
+  math(EXPR next_minor "${BLOCKS_PYTHON_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${BLOCKS_PYTHON_MAJOR}.${BLOCKS_PYTHON_MINOR}), \
+python3 (<< ${BLOCKS_PYTHON_MAJOR}.${next_minor}), python3-numpy, python3-h5py")
+endif()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "blocks, python3-matplotlib, python3-pandas")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy, jupyter-notebook")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python package: runs, models driven step by step, results as
