@@ -133,7 +133,8 @@ TEST(Architecture, FoldersIncludeOnlyAllowedFolders) {
       {"library",
        {"library", "run", "deck", "dynamics", "output", "model", "geometry"}},
       {"python",
-       {"library", "study", "post", "run", "deck", "output", "model", "geometry"}},
+       {"library", "study", "post", "run", "deck", "quantities", "output", "model",
+        "geometry"}},
   };
   for (const Include& include : includes()) {
     const std::string target = folder_of(include.target);

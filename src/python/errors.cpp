@@ -19,7 +19,7 @@ void set(const py::object& type, const py::object& error) {
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 
-/// Sets DeckError or FileError, both of which have diagnostics.
+/// Sets an exception that has diagnostics: DeckError or FileError.
 void set_with_diagnostics(const char* name, const std::string& printed,
                           const std::vector<DeckMessage>& messages) {
   const py::object type = from_errors(name);

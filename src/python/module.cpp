@@ -16,4 +16,5 @@ PYBIND11_MODULE(_blocks, module) {
   blocks::python::bind_simulation(module);
   blocks::python::bind_predicates(module);
   blocks::python::bind_study(module);
+  blocks::python::bind_values(module);
 }

@@ -93,78 +93,62 @@ An edge runs from p1 to p2 on a clockwise block, so its outward normal is on its
 Answers are exact for the doubles as they are stored (docs/predicates.md).)");
   // The first line is the signature that help() and inspect show.
   const auto text = [](const std::string& signature, const char* what) {
-    return signature + "\n--\n\n" + what + shapes;
+    return signature + "\n--\n" + what + shapes;
   };
 
+  using Three = std::array<const char*, 3>;
+  using Four = std::array<const char*, 4>;
   const auto three = [&](const char* name, auto answer, auto predicate,
                          const char* what) {
     using Answer = decltype(answer);
+    static constexpr Three names = {"c", "p1", "p2"};
     module.def(
         name,
         [predicate](const Points& c, const Points& p1, const Points& p2) {
-          return each_row<Answer, 3>({c, p1, p2}, {"c", "p1", "p2"}, predicate);
+          return each_row<Answer, 3>({c, p1, p2}, names, predicate);
         },
-        py::arg("c"), py::arg("p1"), py::arg("p2"),
+        py::arg(names[0]), py::arg(names[1]), py::arg(names[2]),
         text(name + std::string("(c, p1, p2)"), what).c_str());
   };
-  three("overlap_sign", std::int8_t{}, geometry::overlap_sign,
-        "Returns the sign of the overlap of corner c with the edge: 1 behind the edge, "
-        "0\n"
-        "exactly on its line, -1 outside (19).");
-  three("near_or_inside", bool{}, geometry::near_or_inside,
-        "Tests whether corner c is behind the edge, or in front of it by at most\n"
-        "`contact_slack` times its length.");
-  three(
-      "between", bool{}, geometry::between,
-      "Tests whether the foot of corner c is between the ends of the edge, or beyond\n"
-      "one of them by at most `contact_slack` times its length.");
-  three("well_between", bool{}, geometry::well_between,
-        "Tests whether the foot of corner c is between the ends of the edge, and at "
-        "least\n"
-        "`contact_slack` times its length away from both.");
-  module.def(
-      "within_depth",
-      [](const Points& c, const Points& centroid, const Points& p1, const Points& p2) {
-        return each_row<bool, 4>({c, centroid, p1, p2}, {"c", "centroid", "p1", "p2"},
-                                 geometry::within_depth);
-      },
-      py::arg("c"), py::arg("centroid"), py::arg("p1"), py::arg("p2"),
-      text("within_depth(c, centroid, p1, p2)",
-           "Tests whether corner c is at most as deep below the edge as the centroid "
-           "of its\n"
-           "block.")
-          .c_str());
-  module.def(
-      "faces_edge",
-      [](const Points& c, const Points& neighbour, const Points& p1, const Points& p2) {
-        return each_row<bool, 4>({c, neighbour, p1, p2}, {"c", "neighbour", "p1", "p2"},
-                                 geometry::faces_edge);
-      },
-      py::arg("c"), py::arg("neighbour"), py::arg("p1"), py::arg("p2"),
-      text("faces_edge(c, neighbour, p1, p2)",
-           "Tests equation (20) for one side of corner c, which leads to its "
-           "neighbour: the\n"
-           "side does not point below the edge by more than ten degrees.")
-          .c_str());
-  const auto edges = [&](const char* name, auto answer, auto predicate,
-                         const char* what) {
+  const auto four = [&](const char* name, const Four& names, auto answer,
+                        auto predicate, const char* what) {
     using Answer = decltype(answer);
+    std::string signature = std::string(name) + '(' + names[0];
+    for (std::size_t i = 1; i < names.size(); ++i)
+      signature += std::string(", ") + names[i];
     module.def(
         name,
-        [predicate](const Points& p1, const Points& p2, const Points& q1,
-                    const Points& q2) {
-          return each_row<Answer, 4>({p1, p2, q1, q2}, {"p1", "p2", "q1", "q2"},
-                                     predicate);
+        [predicate, names](const Points& a, const Points& b, const Points& c,
+                           const Points& d) {
+          return each_row<Answer, 4>({a, b, c, d}, names, predicate);
         },
-        py::arg("p1"), py::arg("p2"), py::arg("q1"), py::arg("q2"),
-        text(name + std::string("(p1, p2, q1, q2)"), what).c_str());
+        py::arg(names[0]), py::arg(names[1]), py::arg(names[2]), py::arg(names[3]),
+        text(signature + ')', what).c_str());
   };
-  edges("turn_sign", std::int8_t{}, geometry::turn_sign,
-        "Returns the sign of the angle from edge p to edge q: 1 anticlockwise, 0 "
-        "parallel\n"
-        "or antiparallel, -1 clockwise.");
-  edges("edges_face", bool{}, geometry::edges_face,
-        "Tests whether two edges are antiparallel within ten degrees (20).");
+  three("overlap_sign", std::int8_t{}, geometry::overlap_sign, R"(
+Returns the sign of the overlap of corner c with the edge: 1 behind the edge, 0 exactly
+on its line, -1 outside (19).)");
+  three("near_or_inside", bool{}, geometry::near_or_inside, R"(
+Tests whether corner c is behind the edge, or in front of it by at most `contact_slack`
+times its length.)");
+  three("between", bool{}, geometry::between, R"(
+Tests whether the foot of corner c is between the ends of the edge, or beyond one of
+them by at most `contact_slack` times its length.)");
+  three("well_between", bool{}, geometry::well_between, R"(
+Tests whether the foot of corner c is between the ends of the edge, and at least
+`contact_slack` times its length away from both.)");
+  four("within_depth", {"c", "centroid", "p1", "p2"}, bool{}, geometry::within_depth,
+       R"(
+Tests whether corner c is at most as deep below the edge as the centroid of its block.)");
+  four("faces_edge", {"c", "neighbour", "p1", "p2"}, bool{}, geometry::faces_edge, R"(
+Tests equation (20) for one side of corner c, which leads to its neighbour: the side does
+not point below the edge by more than ten degrees.)");
+  constexpr Four edges = {"p1", "p2", "q1", "q2"};
+  four("turn_sign", edges, std::int8_t{}, geometry::turn_sign, R"(
+Returns the sign of the angle from edge p to edge q: 1 anticlockwise, 0 parallel or
+antiparallel, -1 clockwise.)");
+  four("edges_face", edges, bool{}, geometry::edges_face, R"(
+Tests whether two edges are antiparallel within ten degrees (20).)");
   module.def(
       "compare_depths",
       [](const Points& c, const Points& p1, const Points& p2, const Points& d,
@@ -175,10 +159,9 @@ Answers are exact for the doubles as they are stored (docs/predicates.md).)");
       },
       py::arg("c"), py::arg("p1"), py::arg("p2"), py::arg("d"), py::arg("q1"),
       py::arg("q2"),
-      text("compare_depths(c, p1, p2, d, q1, q2)",
-           "Returns the sign of the overlap of c with edge p less that of d with edge "
-           "q: -1\n"
-           "if the first is smaller, 0 if they are exactly equal.")
+      text("compare_depths(c, p1, p2, d, q1, q2)", R"(
+Returns the sign of the overlap of c with edge p less that of d with edge q: -1 if the
+first is smaller, 0 if they are exactly equal.)")
           .c_str());
   module.attr("contact_slack") = geometry::contact_slack;
 }

@@ -6,6 +6,13 @@
 #include <numbers>
 
 namespace blocks::quantities {
+
+double principal(const Eigen::Vector4d& tensor, double sign) {
+  const double mean = 0.5 * (tensor[0] + tensor[3]),
+               half = 0.5 * (tensor[0] - tensor[3]);
+  return mean + sign * std::sqrt(half * half + tensor[1] * tensor[1]);
+}
+
 namespace {
 
 constexpr Dimension length{1, 0, 0, "m", ""}, area{2, 0, 0, "m²", ""},
@@ -20,13 +27,6 @@ Eigen::Vector2d moved(const BlockStates& now, const Positions& first, int b) {
   if (b >= first.centroid.cols())
     return Eigen::Vector2d::Zero();
   return now.centroid.col(b) - first.centroid.col(b);
-}
-
-/// Largest (sign 1) or smallest (-1) principal value.
-double principal(const Eigen::Vector4d& tensor, double sign) {
-  const double mean = 0.5 * (tensor[0] + tensor[3]),
-               half = 0.5 * (tensor[0] - tensor[3]);
-  return mean + sign * std::sqrt(half * half + tensor[1] * tensor[1]);
 }
 
 /// Computed exactly as in the totals of the model, to the last bit. Driven blocks have

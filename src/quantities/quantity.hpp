@@ -23,6 +23,10 @@ struct QuantityKind {
   std::function<double(const BlockStates& now, const Positions& first, int b)> value;
 };
 
+/// Returns the largest (sign 1) or the smallest (-1) principal value of a symmetric
+/// tensor with the rows 11, 12, 21, 22.
+double principal(const Eigen::Vector4d& tensor, double sign);
+
 /// All of them, the most used first.
 const std::vector<QuantityKind>& quantity_kinds();
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 namespace blocks::dynamics {
-
 namespace {
 
 /// Returns the longest arm of block b, rounded up, [L]. The factor covers the rounding

@@ -8,21 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _blocks
+
 if TYPE_CHECKING:
     from .frames import Frame
 
 __all__ = ["geojson_text", "pyvista_mesh"]
 
 _QUANTITIES = ("speed", "displacement", "rotation", "s11", "s12", "s22", "p1", "p2")
-
-
-def _area(outline: list[list[float]]) -> float:
-    """[L^2] Area of a clockwise outline, with the same bits as the program computes."""
-    x0, y0 = outline[0]
-    twice = 0.0
-    for (ax, ay), (bx, by) in zip(outline[1:-1], outline[2:]):
-        twice += (bx - x0) * (ay - y0) - (by - y0) * (ax - x0)
-    return 0.5 * twice
 
 
 def _digits(value: float) -> str:
@@ -38,6 +31,7 @@ def geojson_text(frame: Frame) -> str:
     for name in _QUANTITIES:
         columns[name] = frame.quantity(name).tolist()
     number, material, is_free = frame.number.tolist(), frame.material.tolist(), frame.is_free.tolist()
+    area = _blocks._areas(frame.corners, frame.first_corner).tolist()
     with_joints = bool(frame.joint.any())
     features = []
     for b in np.flatnonzero(~frame.is_removed):
@@ -45,7 +39,7 @@ def geojson_text(frame: Frame) -> str:
         facts = f'"number": {number[b]}, "material": {material[b]}'
         if name := frame.materials.get(material[b], ""):
             facts += f', "material_name": {json.dumps(name, ensure_ascii=False)}'
-        facts += f', "fixed": {"false" if is_free[b] else "true"}, "area": {_digits(_area(outline))}'
+        facts += f', "fixed": {"false" if is_free[b] else "true"}, "area": {_digits(area[b])}'
         if with_joints:
             joint = frame.joint[frame.first_corner[b] : frame.first_corner[b + 1]]
             facts += f', "joints": [{", ".join(map(str, reversed(joint.tolist())))}]'

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _blocks
 from . import dimensions as dim
 from .dimensions import Dimension
 
@@ -51,16 +52,6 @@ def _length(vectors: _Floats) -> _Floats:
     return np.sqrt(vectors[:, 0] * vectors[:, 0] + vectors[:, 1] * vectors[:, 1])
 
 
-def _principal(sign: float) -> Callable[[_Floats], _Floats]:
-    """Principal values of tensors (n, 2, 2), with the same bits as the program computes."""
-
-    def values(s: _Floats) -> _Floats:
-        mean, half = 0.5 * (s[:, 0, 0] + s[:, 1, 1]), 0.5 * (s[:, 0, 0] - s[:, 1, 1])
-        return mean + sign * np.sqrt(half * half + s[:, 0, 1] * s[:, 0, 1])
-
-    return values
-
-
 def _degrees(angle: _Floats) -> _Floats:
     return angle * (180.0 / math.pi)
 
@@ -82,8 +73,8 @@ QUANTITIES: dict[str, Kind] = {
     "fx": Kind("force x", dim.FORCE, "middle", "force", _entry(0)),
     "fy": Kind("force y", dim.FORCE, "middle", "force", _entry(1)),
     "moment": Kind("moment", dim.MOMENT, "middle", "moment"),
-    "p1": Kind("principal stress 1" + _TENSION, dim.STRESS, "middle", "stress", _principal(1.0)),
-    "p2": Kind("principal stress 2" + _TENSION, dim.STRESS, "middle", "stress", _principal(-1.0)),
+    "p1": Kind("principal stress 1" + _TENSION, dim.STRESS, "middle", "stress", lambda s: _blocks._principal(s, 1.0)),
+    "p2": Kind("principal stress 2" + _TENSION, dim.STRESS, "middle", "stress", lambda s: _blocks._principal(s, -1.0)),
     "unbalanced": Kind("unbalanced force", dim.FORCE, "lowest", "unbalanced"),
     "mass": Kind("mass", dim.MASS, "none", "mass"),
     "area": Kind("area", dim.AREA, "none", "area"),
