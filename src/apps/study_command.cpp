@@ -94,11 +94,12 @@ variants_meant(const std::vector<std::string>& given) {
 /// Checks that the outputs can be written before the study runs, which may take
 /// minutes.
 void check_files(const StudyOptions& options) {
-  for (const std::string& name : {options.csv, options.json, options.figure})
+  for (const std::string& name :
+       {options.csv, options.json, options.figure, options.deck})
     if (name == "-")
       throw output::FileError(
           "the table is printed anyway; give the name of a file, not '-'");
-  output::check_outputs({options.csv, options.json, options.figure});
+  output::check_outputs({options.csv, options.json, options.figure, options.deck});
   const auto ending = std::filesystem::path(options.figure).extension();
   if (!options.figure.empty() && ending != ".png" && ending != ".svg" &&
       ending != ".pdf")
@@ -340,6 +341,8 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--figure", options.figure,
                      "draw hang-ups and fall-throughs: .png, .svg or .pdf");
   command.add_option("--csv", options.csv, "write the table as CSV");
+  command.add_option("--deck", options.deck,
+                     "write the first frame of the first scene as a deck, and run it");
   command.add_option("--json", options.json,
                      "write the table as JSON, with the numbers of the frames");
 }
@@ -390,6 +393,8 @@ int study_contacts(const StudyOptions& options) {
   std::vector<study::Scene> scenes = make_scenes(names, code);
   if (code != run::done)
     return code;
+  if (!options.deck.empty())
+    write_text_file(options.deck, study::first_deck(scenes.front(), choice));
   std::vector<study::Study> studies;
   for (study::Scene& scene : scenes) {
     studies.push_back(study::run_study(std::move(scene), choice));

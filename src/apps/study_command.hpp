@@ -18,7 +18,7 @@ struct StudyOptions {
   long steps = 0;  ///< 0: the scene's own
   std::uint64_t seed = 1982;
   std::optional<double> offset, scale;
-  std::string csv, json, figure;
+  std::string csv, json, figure, deck;
   bool list = false, gate = false;
 };
 

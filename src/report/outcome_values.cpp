@@ -9,8 +9,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::set<std::string> meant_as_shares = {"hung", "fell", "could_hang", "diverged",
-                                               "certificate"};
+const std::set<std::string> meant_as_shares = {"hung",     "fell", "could_hang",
+                                               "diverged", "deep", "certificate"};
 
 /// Returns the object with the numbers of a variant, or of the layers; null if there is
 /// none.

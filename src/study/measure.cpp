@@ -72,14 +72,6 @@ bool is_checkpoint(long k, long steps, long looks) {
   return (k + 1) % ((steps + looks - 1) / looks) == 0 || k + 1 == steps;
 }
 
-std::uint64_t hash_acting(const std::vector<Contact>& contacts) {
-  std::uint64_t state = 0xCBF29CE484222325ULL;
-  for (const Contact& contact : contacts)
-    for (const int number : {contact.corner, contact.edge})
-      state = (state ^ static_cast<std::uint64_t>(number)) * 0x100000001B3ULL;
-  return state;
-}
-
 /// Measures how far blocks fall behind their expected speed.
 class Pace {
  public:
@@ -169,6 +161,14 @@ bool keeps_books(const Model& model) {
 }
 
 }  // namespace
+
+std::uint64_t hash_acting(const std::vector<Contact>& contacts) {
+  std::uint64_t state = 0xCBF29CE484222325ULL;
+  for (const Contact& contact : contacts)
+    for (const int number : {contact.corner, contact.edge})
+      state = (state ^ static_cast<std::uint64_t>(number)) * 0x100000001B3ULL;
+  return state;
+}
 
 Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,
                 long steps, Trace& trace) {

@@ -19,6 +19,10 @@ struct Outcome {
   long missed = 0;          ///< did not act, although the default rules accept them
   bool could_hang = false;  ///< a free block was expected to move
   bool hung = false, fell_through = false;
+  /// A contact acted that is far deeper than the shift that frees its block. Measured
+  /// only beside an uncut domain.
+  bool deep = false;
+  std::string why;  ///< what failed first and when; only beside an uncut domain
   /// The largest loss of a block against its expected speed, as a share of the fastest
   /// expected speed. It is NaN if the motion is unknown or nothing should move.
   double speed_lost = not_asked;
@@ -32,6 +36,9 @@ struct Outcome {
 
 /// A hash of the acting contacts of each step.
 using Trace = std::vector<std::uint64_t>;
+
+/// Returns a hash of the contacts that act, in their order.
+std::uint64_t hash_acting(const std::vector<Contact>& contacts);
 
 /// Makes `steps` steps. Fills the trace if it is empty; otherwise compares with it.
 Outcome measure(const Scene& scene, const Frame& frame, const Variant& variant,

@@ -89,6 +89,29 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   return out;
 }
 
+std::string text_of(const Reason& reason) {
+  return fmt::format("frame {} ({}), {}", reason.frame, reason.kind, reason.why);
+}
+
+/// What failed in the first frames that failed, and the counts of each kind of frame.
+std::string reasons_and_kinds(const Row& row) {
+  constexpr std::size_t most = 10;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(most, row.reasons.size()); ++i)
+    out += text_of(row.reasons[i]) + '\n';
+  if (row.reasons.size() > most)
+    out += fmt::format("... and {} more\n", row.reasons.size() - most);
+  if (row.kinds.size() < 2)
+    return out;
+  std::vector<std::vector<std::string>> table = {
+      {"kind of frame", "frames", "failed", "hung", "fell through", "too deep"}};
+  for (const KindCount& kind : row.kinds)
+    table.push_back({kind.kind, fmt::format("{}", kind.frames),
+                     fmt::format("{}", kind.failed), fmt::format("{}", kind.hung),
+                     fmt::format("{}", kind.fell), fmt::format("{}", kind.deep)});
+  return out + '\n' + aligned(table);
+}
+
 std::string number(double x) {
   return std::isfinite(x) ? fmt::format("{:.6g}", x) : "";
 }
@@ -114,24 +137,43 @@ std::string cell(long count, const Estimate& e) {
   return (std::isnan(e.value) ? std::string(",") : fmt::format(",{}", count)) + cell(e);
 }
 
+/// Adds what is measured only beside an uncut domain.
+void add_kinds(nlohmann::json& json, const Row& row) {
+  json["deep_contacts"] = as_json(row.deep_frames);
+  json["deep_in"] = row.deep_in;
+  json["reasons"] = nlohmann::json::array();
+  for (const Reason& reason : row.reasons)
+    json["reasons"].push_back(text_of(reason));
+  for (const KindCount& kind : row.kinds)
+    json["kinds"].push_back({{"kind", kind.kind},
+                             {"frames", kind.frames},
+                             {"failed", kind.failed},
+                             {"hung", kind.hung},
+                             {"fell", kind.fell},
+                             {"deep", kind.deep}});
+}
+
 nlohmann::json as_json(const Row& row) {
   if (!row.refused.empty())
     return {{"variant", row.variant->name}, {"refused", row.refused}};
-  return {{"variant", row.variant->name},
-          {"wrong_signs", as_json(row.wrong_signs)},
-          {"wrong_tangents", as_json(row.wrong_tangents)},
-          {"phantom", as_json(row.phantom)},
-          {"missed", as_json(row.missed)},
-          {"hang_ups", as_json(row.hang_ups)},
-          {"hung_in", row.hung_in},
-          {"speed_lost", as_json(row.speed_lost)},
-          {"fall_throughs", as_json(row.fall_throughs)},
-          {"fell_in", row.fell_in},
-          {"energy_error", as_json(row.energy)},
-          {"energy_error_worst", value_or_null(row.worst_energy)},
-          {"diverged", row.diverged},
-          {"divergences", as_json(row.divergences)},
-          {"median_step", as_json(row.divergence_step)}};
+  nlohmann::json json = {{"variant", row.variant->name},
+                         {"wrong_signs", as_json(row.wrong_signs)},
+                         {"wrong_tangents", as_json(row.wrong_tangents)},
+                         {"phantom", as_json(row.phantom)},
+                         {"missed", as_json(row.missed)},
+                         {"hang_ups", as_json(row.hang_ups)},
+                         {"hung_in", row.hung_in},
+                         {"speed_lost", as_json(row.speed_lost)},
+                         {"fall_throughs", as_json(row.fall_throughs)},
+                         {"fell_in", row.fell_in},
+                         {"energy_error", as_json(row.energy)},
+                         {"energy_error_worst", value_or_null(row.worst_energy)},
+                         {"diverged", row.diverged},
+                         {"divergences", as_json(row.divergences)},
+                         {"median_step", as_json(row.divergence_step)}};
+  if (!row.kinds.empty())
+    add_kinds(json, row);
+  return json;
 }
 
 }  // namespace
@@ -140,10 +182,15 @@ std::string text(const Study& study) {
   std::string out = fmt::format("{}: {}\n", study.scene, study.what);
   if (!study.refused.empty())
     return out + "not run: " + study.refused + "\n";
+  const bool has_deep =
+      std::any_of(study.rows.begin(), study.rows.end(),
+                  [](const Row& row) { return !std::isnan(row.deep_frames.value); });
   std::vector<std::vector<std::string>> table = {
       {"variant", "wrong", "phantom", "missed", "hang-ups", "speed", "fell through",
        "energy", "differs from"},
       {"", "signs %", "%", "%", "%", "lost %", "%", "error", "default at step"}};
+  if (has_deep)
+    table[0].push_back("too deep"), table[1].push_back("%");
   std::string notes;
   int frames = 0;
   for (const Row& row : study.rows) {
@@ -157,6 +204,8 @@ std::string text(const Study& study) {
          percent(row.missed), counted(row.hung, row.frames, row.hang_ups),
          percent(row.speed_lost), counted(row.fell, row.frames, row.fall_throughs),
          small(row.energy), divergence(row)});
+    if (has_deep)
+      table.back().push_back(counted(row.deep, row.frames, row.deep_frames));
     if (row.variant == &all_variants().front()) {
       if (std::isnan(row.hang_ups.value))
         notes += "hang-ups: not possible here, because nothing should move\n";
@@ -164,6 +213,8 @@ std::string text(const Study& study) {
         notes += "default is known to fail here in some frames\n";
       notes += frames_line("hung", row.hung_in, study.again);
       notes += frames_line("fell through", row.fell_in, study.again);
+      notes += frames_line("had a contact that is too deep", row.deep_in, study.again);
+      notes += reasons_and_kinds(row);
     }
   }
   if (frames > 0)
@@ -199,7 +250,8 @@ std::string csv(const std::vector<Study>& studies) {
   for (const char* name : {"speed_lost", "energy_error"})
     out += fmt::format(",{0},{0}_low,{0}_high", name);
   out += ",energy_error_worst,diverged_count,diverged,diverged_low,diverged_high,"
-         "median_step,median_step_low,median_step_high\n";
+         "median_step,median_step_low,median_step_high,deep_count,deep,deep_low,"
+         "deep_high\n";
   for (const Study& study : studies)
     for (const Row& row : study.rows) {
       out += fmt::format("{},{},{},{}", field(study.scene), row.variant->name,
@@ -209,7 +261,8 @@ std::string csv(const std::vector<Study>& studies) {
         out += cell(*e);
       out += cell(row.hung, row.hang_ups) + cell(row.fell, row.fall_throughs);
       out += cell(row.speed_lost) + cell(row.energy) + "," + number(row.worst_energy);
-      out += cell(row.diverged, row.divergences) + cell(row.divergence_step) + "\n";
+      out += cell(row.diverged, row.divergences) + cell(row.divergence_step) +
+             cell(row.deep, row.deep_frames) + "\n";
     }
   return out;
 }

@@ -54,7 +54,8 @@ constexpr std::array all_scenes = {same("figure4b", figure4b),
                                    varied("step-flush", step_flush),
                                    varied("step-slabs", step_slabs),
                                    varied("terrain", terrain),
-                                   varied("undercut", undercut)};
+                                   varied("undercut", undercut),
+                                   varied("cut", cut, may_fail)};
 
 Scene make(const Named& named, std::uint64_t seed, int number) {
   Draws draw(seed, number, 1);

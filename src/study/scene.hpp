@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,6 +22,18 @@ enum class Corners {
   chamfered,  ///< cut at 1 % of the shorter side
   rounded,    ///< three chords of an arc, tangent at 1 % of the shorter side
   skinned     ///< outline moved inwards by 0.1 % of the block's size
+};
+
+/// The same scene with its fixed domain in one piece, for a scene whose domain is cut
+/// by joints. Block 0 is the domain and block 1 the moving block.
+struct UncutScene {
+  Model model;
+  /// The same, but joints have left straight corners on the surface of the domain.
+  Model marked;
+  double gap = 0.0;  ///< [L] no two pieces are shifted against each other by more
+  /// Half the sharpest angle of a wedge or a notch, rad: of the re-entrant corners of
+  /// the domain and, if it has one, of the corners of the block.
+  double sharpest = 0.0;
 };
 
 struct Scene {
@@ -61,6 +74,11 @@ struct Scene {
   double farthest = 1e9;
   /// The default rules must pass the scene in every frame; a failure is an error.
   bool must_pass = true;
+  /// If set, the motion of the last block is compared with that beside this domain, and
+  /// `expected` is not used.
+  std::shared_ptr<const UncutScene> uncut;
+  /// Frames of the same kind are counted together, see Study. May be empty.
+  std::string kind;
   /// Returns the scene of a frame with this seed and number. Empty if the blocks are
   /// the same in every frame.
   std::function<Scene(std::uint64_t seed, int number)> vary;

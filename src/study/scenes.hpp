@@ -45,4 +45,9 @@ Scene step_notch(Draws& draw);
 Scene step_flush(Draws& draw);
 Scene step_slabs(Draws& draw);
 
+// scene_cut.cpp
+Scene cut(Draws& draw);
+/// The same with so many joints, if the domain has room for them.
+Scene cut_by(Draws& draw, int joints);
+
 }  // namespace blocks::study::scenes

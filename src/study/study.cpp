@@ -6,8 +6,12 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
+
+#include "study/beside_uncut.hpp"
+#include "study/scene_deck.hpp"
 
 namespace blocks::study {
 namespace {
@@ -54,7 +58,35 @@ FrameValues values_of(const Outcome& outcome, int frame) {
           share(outcome.missed, outcome.exact),
           outcome.speed_lost,
           outcome.energy_error,
-          outcome.diverged >= 0 ? static_cast<double>(outcome.diverged) : not_asked};
+          outcome.diverged >= 0 ? static_cast<double>(outcome.diverged) : not_asked,
+          outcome.deep,
+          {},
+          outcome.why};
+}
+
+/// Runs a variant in one frame of a scene.
+Outcome measure_scene(const Scene& scene, const Frame& frame, const Variant& variant,
+                      long steps, Trace& trace) {
+  return scene.uncut ? measure_beside_uncut(scene, frame, variant, steps, trace)
+                     : measure(scene, frame, variant, steps, trace);
+}
+
+/// Counts the frames of each kind of the scene, in the order of their names.
+std::vector<KindCount> count_kinds(const std::vector<FrameValues>& frames) {
+  std::map<std::string, KindCount> by_name;
+  for (const FrameValues& frame : frames) {
+    if (frame.kind.empty())
+      continue;
+    KindCount& count = by_name[frame.kind];
+    count.kind = frame.kind;
+    ++count.frames;
+    count.hung += frame.hung, count.fell += frame.fell, count.deep += frame.deep;
+    count.failed += frame.hung || frame.fell || frame.deep;
+  }
+  std::vector<KindCount> kinds;
+  for (const auto& [name, count] : by_name)
+    kinds.push_back(count);
+  return kinds;
 }
 
 /// The values of one quantity in the frames in which it was measured.
@@ -109,6 +141,13 @@ std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corne
 
 }  // namespace
 
+std::string first_deck(const Scene& scene, const StudyChoice& choice) {
+  Scene varied;
+  const Scene& here = scene_in_frame(scene, choice.frames.seed, choice.first, varied);
+  return deck_of_frame(here, frame_of(here, choice.frames, choice.first),
+                       choice.steps > 0 ? choice.steps : here.steps);
+}
+
 Row summarise(const Variant& variant, const std::vector<FrameValues>& frames,
               std::uint64_t seed) {
   Row row;
@@ -121,6 +160,10 @@ Row summarise(const Variant& variant, const std::vector<FrameValues>& frames,
       row.hung_in.push_back(frame.frame);
     if (frame.fell)
       row.fell_in.push_back(frame.frame);
+    if (frame.deep)
+      row.deep_in.push_back(frame.frame);
+    if (!frame.why.empty())
+      row.reasons.push_back({frame.frame, frame.kind, frame.why});
   }
   const auto mean_of = [&](double FrameValues::*value) {
     return mean(measured(frames, value), seed);
@@ -135,6 +178,10 @@ Row summarise(const Variant& variant, const std::vector<FrameValues>& frames,
     row.hang_ups = rate(row.hung, row.frames);
   row.speed_lost = mean_of(&FrameValues::speed_lost);
   row.fall_throughs = rate(row.fell, row.frames);
+  row.kinds = count_kinds(frames);
+  row.deep = static_cast<long>(row.deep_in.size());
+  if (!row.kinds.empty())
+    row.deep_frames = rate(row.deep, row.frames);
   row.energy = mean_of(&FrameValues::energy_error);
   const auto energy = measured(frames, &FrameValues::energy_error);
   if (!energy.empty())
@@ -184,13 +231,15 @@ Study run_study(Scene scene, const StudyChoice& all_chosen) {
     const Scene& here = scene_in_frame(scene, choice.frames.seed, number, varied);
     const Frame frame = frame_of(here, choice.frames, number);
     Trace trace;
-    const Outcome leading = measure(here, frame, reference, study.steps, trace);
+    const Outcome leading = measure_scene(here, frame, reference, study.steps, trace);
     for (std::size_t v = 0; v < choice.variants.size(); ++v) {
       const Variant& variant = *choice.variants[v];
-      all[v][static_cast<std::size_t>(f)] = values_of(
-          &variant == &reference ? leading
-                                 : measure(here, frame, variant, study.steps, trace),
-          number);
+      FrameValues& values = all[v][static_cast<std::size_t>(f)];
+      values = values_of(&variant == &reference
+                             ? leading
+                             : measure_scene(here, frame, variant, study.steps, trace),
+                         number);
+      values.kind = here.kind;
     }
   });
   std::size_t ran = 0;

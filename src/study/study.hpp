@@ -21,6 +21,20 @@ struct StudyChoice {
   const Variant* expected = nullptr;
 };
 
+/// What failed first in a frame.
+struct Reason {
+  int frame = 0;  ///< its number
+  std::string kind, why;
+};
+
+/// The frames of one kind of a scene, and how many of them failed.
+struct KindCount {
+  std::string kind;
+  int frames = 0;
+  long failed = 0;  ///< in any way
+  long hung = 0, fell = 0, deep = 0;
+};
+
 /// One line of the table: a variant in a scene over all frames.
 struct Row {
   const Variant* variant = nullptr;
@@ -38,7 +52,13 @@ struct Row {
   Estimate divergences;               ///< share of these frames
   Estimate divergence_step;           ///< median of the first step, over those frames
   std::vector<int> hung_in, fell_in;  ///< numbers of the frames
-  std::string refused;                ///< why the variant did not run; empty if it did
+  // Only beside an uncut domain:
+  long deep = 0;                 ///< frames in which a contact was too deep
+  Estimate deep_frames;          ///< share of these frames; NaN: not measured
+  std::vector<int> deep_in;      ///< numbers of the frames
+  std::vector<KindCount> kinds;  ///< of the scene
+  std::vector<Reason> reasons;   ///< of the frames that failed
+  std::string refused;           ///< why the variant did not run; empty if it did
 };
 
 struct Study {
@@ -60,7 +80,14 @@ struct FrameValues {
   double phantom = not_asked, missed = not_asked;              ///< likewise
   double speed_lost = not_asked, energy_error = not_asked;
   double diverged = not_asked;  ///< first step that differs; NaN: none
+  bool deep = false;            ///< a contact was too deep, see Outcome
+  std::string kind = {};        ///< of the scene, in which frames are counted together
+  std::string why = {};         ///< what failed first; may be empty
 };
+
+/// Returns the deck of the first frame of the choice, see deck_of_frame. Throws
+/// UnfitBlock.
+std::string first_deck(const Scene& scene, const StudyChoice& choice);
 
 /// Returns the line of a variant. seed: of the frames, from which the resamples of the
 /// intervals are drawn. The result depends on the order of the frames.

@@ -18,17 +18,23 @@ Json as_json(const study::Row& row) {
   const auto value = [](const study::Estimate& estimate) {
     return std::isfinite(estimate.value) ? Json(estimate.value) : Json();
   };
-  return {{"could_hang", std::isnan(row.hang_ups.value) ? 0 : 1},
-          {"hung", row.hung},
-          {"fell", row.fell},
-          {"wrong_signs", value(row.wrong_signs)},
-          {"wrong_tangents", value(row.wrong_tangents)},
-          {"phantom", value(row.phantom)},
-          {"missed", value(row.missed)},
-          {"speed_lost", value(row.speed_lost)},
-          {"energy_error", value(row.energy)},
-          {"diverged", row.diverged},
-          {"diverged_step", value(row.divergence_step)}};
+  Json json = {{"could_hang", std::isnan(row.hang_ups.value) ? 0 : 1},
+               {"hung", row.hung},
+               {"fell", row.fell},
+               {"wrong_signs", value(row.wrong_signs)},
+               {"wrong_tangents", value(row.wrong_tangents)},
+               {"phantom", value(row.phantom)},
+               {"missed", value(row.missed)},
+               {"speed_lost", value(row.speed_lost)},
+               {"energy_error", value(row.energy)},
+               {"diverged", row.diverged},
+               {"diverged_step", value(row.divergence_step)}};
+  if (row.kinds.empty())
+    return json;
+  json["deep"] = row.deep;
+  json["kind"] = row.kinds.front().kind;
+  json["why"] = row.reasons.empty() ? "" : row.reasons.front().why;
+  return json;
 }
 
 }  // namespace

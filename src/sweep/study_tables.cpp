@@ -43,7 +43,10 @@ study::FrameValues values_of(const Json& json, int frame) {
           value("missed"),
           value("speed_lost"),
           value("energy_error"),
-          value("diverged_step")};
+          value("diverged_step"),
+          json.value("deep", 0) > 0,
+          json.value("kind", ""),
+          json.value("why", "")};
 }
 
 /// Returns the outcome of a run that is done, or whose scene could not be made.
