@@ -287,7 +287,7 @@ CutAction draw_action(Draws& draw, const CutDomain& cut) {
   const bool has_notch = cut.kind == "notch" || cut.kind == "step-notch";
   CutAction action;
   action.overlap = log_between(draw, 1e-5, 1e-2);
-  action.damping = draw.between(0.1, 0.3);
+  action.damping = draw.between(0.1, 0.25);
   action.friction = draw.below(5) < 2 ? 0.0 : draw.between(0.1, 0.6);
   const int kind = draw.below(has_notch ? 8 : 4);
   if (kind >= 4) {

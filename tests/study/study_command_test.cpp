@@ -26,6 +26,18 @@ TEST(StudyCommand, WritesTableCsvAndJson) {
   EXPECT_EQ(json["studies"][0]["variants"][0]["hang_ups"]["value"], 0.0);
 }
 
+// A frame of a scene is a deck that runs.
+TEST(StudyCommand, WritesAFrameAsADeck) {
+  const TemporaryFolder folder;
+  const Outcome written = blocks("study contacts cut --first 24 --frames 1 --steps 20 "
+                                 "--variants default --deck frame.deck",
+                                 folder.path());
+  ASSERT_EQ(written.code, 0) << written.err;
+  EXPECT_THAT(slurp(folder / "frame.deck"), HasSubstr("$ The domain in one piece:"));
+  const Outcome done = blocks("run frame.deck", folder.path());
+  EXPECT_EQ(done.code, 0) << done.err;
+}
+
 TEST(StudyCommand, RunsADeck) {
   const TemporaryFolder folder;
   const Outcome done =

@@ -1,0 +1,137 @@
+// The scene `cut`: random domains, their pieces, and the motion on both.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "geometry/polygon.hpp"
+#include "study/beside_uncut.hpp"
+#include "study/cut_domain.hpp"
+#include "study/free_shift.hpp"
+#include "study/scenes.hpp"
+#include "study/study.hpp"
+
+namespace blocks::study {
+namespace {
+
+constexpr std::uint64_t seed = 1982;
+
+double area_of(const Polygon& outline) {
+  return geometry::section_properties(outline).area;
+}
+
+/// The largest number of pieces that have a corner at the same place.
+int most_at_a_point(const CutDomain& domain) {
+  std::map<std::pair<long, long>, std::set<std::size_t>> pieces_at;
+  for (std::size_t i = 0; i < domain.pieces.size(); ++i)
+    for (const Vec2& p : domain.pieces[i])
+      pieces_at[{std::lround(1e8 * p.x()), std::lround(1e8 * p.y())}].insert(i);
+  std::size_t most = 0;
+  for (const auto& [place, pieces] : pieces_at)
+    most = std::max(most, pieces.size());
+  return static_cast<int>(most);
+}
+
+// Flush pieces fill the domain, so their areas add up to its area.
+TEST(CutDomains, AreFilledBySimplePiecesOfALeastWidth) {
+  int with_three = 0, with_four = 0, several = 0;
+  for (int number = 0; number < 400; ++number) {
+    Draws draw(seed, number, 1);
+    const auto& kinds = domain_kinds();
+    const std::string& kind = kinds[static_cast<std::size_t>(number) % kinds.size()];
+    SCOPED_TRACE(kind + ' ' + std::to_string(number));
+    CutDomain domain = draw_domain(draw, kind);
+    cut_domain(draw, number / 8 % 6, domain);
+    EXPECT_LE(domain.joints, number / 8 % 6);
+    EXPECT_GE(domain.pieces.size(), static_cast<std::size_t>(domain.joints) + 1);
+    double area = 0.0;
+    for (const Polygon& piece : domain.pieces) {
+      const geometry::OutlineCheck found = geometry::check_outline(piece);
+      ASSERT_EQ(found.fault, geometry::OutlineFault::none) << describe(found);
+      EXPECT_FALSE(found.anticlockwise);
+      EXPECT_GE(narrowest_width(piece), least_width);
+      EXPECT_GE(sharpest_angle(piece), least_angle);
+      area += area_of(piece);
+    }
+    EXPECT_NEAR(area, area_of(domain.outline), 1e-12 * area);
+    several += domain.joints > 1;
+    with_three += most_at_a_point(domain) >= 3;
+    with_four += most_at_a_point(domain) >= 4;
+    const Polygon marked = marked_outline(domain);
+    EXPECT_GE(marked.size(), domain.outline.size());
+    EXPECT_NEAR(area_of(marked), area, 1e-12 * area);
+  }
+  EXPECT_GT(several, 200);
+  EXPECT_GT(with_three, 30);
+  EXPECT_GT(with_four, 10);
+}
+
+TEST(CutDomains, HaveTheSharpestCornerOfTheirNotch) {
+  for (int number = 0; number < 50; ++number) {
+    Draws draw(seed, number, 1);
+    const double half = draw_domain(draw, "notch").sharpest * 180.0 / M_PI;
+    EXPECT_GT(half, 15.0 - 1e-9);
+    EXPECT_LT(half, 80.0 + 1e-9);
+    EXPECT_DOUBLE_EQ(draw_domain(draw, "ridge").sharpest < 0.4 * M_PI, false);
+  }
+}
+
+// A box is in a floor by 0.1. The tip of a wedge is below the bottom of a notch of 45
+// degrees by 0.2, and a shift upwards frees it.
+TEST(FreeShift, IsBetweenItsBoundsAndExactForABoxAndAWedge) {
+  const Domain floor = make_domain({{-3, 0}, {3, 0}, {3, -2}, {-3, -2}});
+  const Polygon box = {{0, -0.1}, {0, 0.9}, {1, 0.9}, {1, -0.1}};
+  EXPECT_NEAR(least_shift(box, floor), 0.1, 1e-15);
+  EXPECT_NEAR(most_shift(box, floor), 0.1, 1e-15);
+  EXPECT_NEAR(free_shift(box, floor, {0, 1}), 0.1, 1e-15);
+  EXPECT_NEAR(free_shift(box, floor, {0, -1}), 2.9, 1e-15);
+  const Domain notch = make_domain({{-2, 2}, {0, 0}, {2, 2}, {2, -2}, {-2, -2}});
+  const Polygon wedge = {{0, -0.2}, {-0.4, 1}, {0.4, 1}};
+  EXPECT_NEAR(least_shift(wedge, notch), 0.2, 1e-15);
+  EXPECT_NEAR(most_shift(wedge, notch), 0.2, 1e-15);
+  const Polygon above = {{0, 0.3}, {-0.4, 1.5}, {0.4, 1.5}};
+  EXPECT_EQ(least_shift(above, notch), 0.0);
+  EXPECT_EQ(most_shift(above, notch), 0.0);
+}
+
+/// Runs the scene with so many joints and returns what was measured.
+Outcome measure_cut(int number, int joints) {
+  Draws draw(seed, number, 1);
+  const Scene scene = scenes::cut_by(draw, joints);
+  Frame frame = random_frame({seed, 1e3, {}}, number, scene.size);
+  Trace trace;
+  return measure_beside_uncut(scene, frame, all_variants().front(), scene.steps, trace);
+}
+
+// Both runs are the same if there is no joint.
+TEST(CutScene, MovesAsTheUncutDomainWithoutJoints) {
+  for (int number = 0; number < 300; ++number) {
+    const Outcome outcome = measure_cut(number, 0);
+    EXPECT_FALSE(outcome.hung) << number << ": " << outcome.why;
+  }
+}
+
+// The default rules are known to fail here. A change that cures them must lower this
+// count, and the scene must pass in the end.
+TEST(CutScene, FindsTheFailuresOfTheDefaultRules) {
+  StudyChoice choice;
+  choice.count = 150;
+  choice.variants = {find_variant("default")};
+  const Row row = run_study(make_scene("cut"), choice).rows[0];
+  EXPECT_GT(row.hung, 0);
+  EXPECT_GT(row.fell, 0);
+  EXPECT_LT(row.hung + row.fell + row.deep, 30);
+  EXPECT_EQ(row.reasons.size(),
+            std::size_t(std::count_if(row.reasons.begin(), row.reasons.end(),
+                                      [](const Reason& r) { return !r.why.empty(); })));
+  int frames = 0;
+  for (const KindCount& kind : row.kinds)
+    frames += kind.frames;
+  EXPECT_EQ(frames, choice.count);
+}
+
+}  // namespace
+}  // namespace blocks::study
