@@ -67,6 +67,7 @@ std::string completion_of(const CLI::Option& option) {
       {"--tape9", "_blocks_files"},
       {"--output", "_blocks_files"},
       {"--plot", "_blocks_files"},
+      {"--deck", "_blocks_files"},
       {"--figure", "_blocks_files"},
       {"--run-table", "_blocks_files"},
       {"--profile-quantity", "_blocks_words " + blanks(quantities::quantity_names())},

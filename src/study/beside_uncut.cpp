@@ -65,12 +65,12 @@ class Worst {
 struct Observed {
   Observed(const Model& start, const Variant& variant, const char* name)
       : run(start, variant), domain(name) {}
-  bool has_failed() const { return fall.has_failed() || phantom.has_failed(); }
+  bool has_failed() const { return fall.has_failed() || too_deep.has_failed(); }
 
   BlockRun run;
   const char* domain;            ///< "cut" or "whole", for messages
   std::vector<BlockPlace> path;  ///< the places of the block at the looks
-  Worst fall, phantom;
+  Worst fall, too_deep;
 };
 
 class Comparison {
@@ -159,8 +159,8 @@ class Comparison {
     if (depth <= slack)
       return;
     const double shift = most_shift(before, domain_);
-    if (observed.phantom.is_worse(depth, 2.0 * shift + slack))
-      observed.phantom.text = fmt::format(
+    if (observed.too_deep.is_worse(depth, 2.0 * shift + slack))
+      observed.too_deep.text = fmt::format(
           "P3: at step {} in the {} domain a contact {:.3g} deep, but a shift of "
           "{:.3g} frees the block",
           k + 1, observed.domain, in_sizes(depth), in_sizes(shift));
@@ -237,11 +237,11 @@ class Comparison {
     outcome.could_hang = true;
     outcome.hung = difference_.has_failed();
     outcome.fell_through = cut_.fall.has_failed() || whole_.fall.has_failed();
-    outcome.deep = cut_.phantom.has_failed() || whole_.phantom.has_failed();
+    outcome.deep = cut_.too_deep.has_failed() || whole_.too_deep.has_failed();
     outcome.diverged = diverged_;
     outcome.energy_error = not_asked;
     for (const Worst* worst :
-         {&difference_, &cut_.fall, &whole_.fall, &cut_.phantom, &whole_.phantom})
+         {&difference_, &cut_.fall, &whole_.fall, &cut_.too_deep, &whole_.too_deep})
       if (worst->has_failed())
         outcome.why += (outcome.why.empty() ? "" : "; ") + worst->text;
     return outcome;

@@ -173,7 +173,7 @@ Flush lie_flush(Draws& draw, const Polygon& block, const CutDomain& cut,
     goals.push_back(b);
   for (const Vec2& end : cut.ends)
     if (surface_side(cut, end) == side)
-      goals.push_back(end), goals.push_back(end);
+      goals.insert(goals.end(), 3, end);
   const double part = draw.between(0.3, 0.7);
   if (goals.empty())
     goals.push_back((1.0 - part) * a + part * b);
@@ -183,8 +183,8 @@ Flush lie_flush(Draws& draw, const Polygon& block, const CutDomain& cut,
   const Vec2 own = block[1] - block[0];
   const Polygon there = moved(block, angle_of(a - b) - angle_of(own), {0, 0});
   const Vec2 front = forwards ? there[0] : there[1];
-  const double before = draw.between(-0.2, 1.0) * reach;
-  const bool any = draw.below(5) == 0;
+  const double before = draw.between(-0.1, 0.7) * reach;
+  const bool any = draw.below(10) == 0;
   const double back = any ? draw.between(0.0, 1.0) : before;
   flush.block = lifted(moved(there, 0.0, goal - back * flush.along - front), domain,
                        flush.out, 0.0);
@@ -259,24 +259,35 @@ void press(Draws& draw, const CutDomain& cut, const Domain& domain, CutAction& a
   action.rest_overlap = action.overlap;
 }
 
+/// The farthest that a block with the speed 1 comes in a run, in overlaps.
+constexpr double reach_of_a_run = 120.0;
+
+/// A slow block has less energy than its weight on a closed joint can take, so it hangs
+/// if the joint acts.
 void slide(Draws& draw, const CutDomain& cut, const Domain& domain, CutAction& action) {
+  const double speed = log_between(draw, 0.02, 1.0);
+  const Polygon block = draw_block(draw);
   const Flush flush =
-      lie_flush(draw, draw_block(draw), cut, domain, 80.0 * action.overlap);
+      lie_flush(draw, block, cut, domain, reach_of_a_run * speed * action.overlap);
   action.block = flush.block;
-  action.velocity = flush.along;
-  action.load = turned(-flush.out, draw.between(-0.3, 0.3));
+  action.velocity = speed * flush.along;
+  // The load has a part along the face that friction takes up, more or less.
+  const double slope = action.friction + draw.between(-0.1, 0.3);
+  action.load = (slope * flush.along - flush.out).normalized();
   action.rest_overlap = log_between(draw, 0.01, 1.0) * action.overlap;
 }
 
 void roll(Draws& draw, const CutDomain& cut, const Domain& domain, CutAction& action) {
+  const double speed = log_between(draw, 0.1, 1.0);
+  const Polygon block = draw_roller(draw);
   const Flush flush =
-      lie_flush(draw, draw_roller(draw), cut, domain, 80.0 * action.overlap);
+      lie_flush(draw, block, cut, domain, reach_of_a_run * speed * action.overlap);
   action.block = flush.block;
-  const double speed = draw.between(0.3, 1.0);
   action.velocity = speed * flush.along;
   const bool forwards = geometry::cross(flush.out, flush.along) < 0.0;
   action.spin = (forwards ? -2.0 : 2.0) * speed;
-  action.load = turned(-flush.out, draw.between(-0.3, 0.3));
+  action.load = (draw.between(0.0, 0.4) * flush.along - flush.out).normalized();
+  action.friction = draw.between(0.3, 0.8);
   action.rest_overlap = log_between(draw, 0.01, 0.3) * action.overlap;
 }
 
@@ -289,22 +300,22 @@ CutAction draw_action(Draws& draw, const CutDomain& cut) {
   action.overlap = log_between(draw, 1e-5, 1e-2);
   action.damping = draw.between(0.1, 0.25);
   action.friction = draw.below(5) < 2 ? 0.0 : draw.between(0.1, 0.6);
-  const int kind = draw.below(has_notch ? 8 : 4);
-  if (kind >= 4) {
-    action.kind = "wedged";
-    wedge(draw, cut, domain, action);
-  } else if (kind == 0) {
+  const int kind = draw.below(has_notch ? 9 : 5);
+  if (kind < 1) {
     action.kind = "thrown";
     throw_at(draw, cut, domain, action);
-  } else if (kind == 1) {
+  } else if (kind < 3) {
     action.kind = "slid";
     slide(draw, cut, domain, action);
-  } else if (kind == 2) {
+  } else if (kind < 4) {
     action.kind = "rolled";
     roll(draw, cut, domain, action);
-  } else {
+  } else if (kind < 5) {
     action.kind = "pressed";
     press(draw, cut, domain, action);
+  } else {
+    action.kind = "wedged";
+    wedge(draw, cut, domain, action);
   }
   return action;
 }

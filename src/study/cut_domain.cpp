@@ -35,11 +35,6 @@ double interior_angle(const Polygon& outline, std::size_t i) {
 
 using Surface = std::vector<Vec2>;  ///< from left to right, without the two ends
 
-Surface draw_ridge(Draws& draw) {
-  const double left = draw.between(0.1, 1.5), right = draw.between(-0.05, 1.5);
-  return {{-1.5, -1.5 * left}, {0, 0}, {1.5, -1.5 * right}};
-}
-
 /// A V with its bottom at the origin.
 Surface draw_notch(Draws& draw, double low, double high) {
   const double half = draw.between(low, high);
@@ -83,7 +78,7 @@ Surface draw_surface(Draws& draw, const std::string& kind) {
   if (kind == "flat")
     return {};
   if (kind == "ridge")
-    return draw_ridge(draw);
+    return {{0, 0}};
   if (kind == "notch")
     return draw_notch(draw, 15, 80);
   const double height = draw.between(0.15, 1.2);
@@ -213,7 +208,11 @@ const std::vector<std::string>& domain_kinds() {
 CutDomain draw_domain(Draws& draw, const std::string& kind) {
   Surface inner = draw_surface(draw, kind);
   const auto slope = [&] { return draw.below(2) == 0 ? 0.0 : draw.between(-0.2, 0.2); };
-  double left = slope(), right = kind == "flat" ? left : slope();
+  double left = slope(), right = slope();
+  if (kind == "flat")
+    right = left;
+  if (kind == "ridge")
+    left = draw.between(0.1, 1.5), right = -draw.between(0.0, 1.5);
   const bool mirrored = draw.below(2) == 0;
   const Vec2 first = inner.empty() ? Vec2(0, 0) : inner.front();
   const Vec2 last = inner.empty() ? Vec2(0, 0) : inner.back();

@@ -75,7 +75,8 @@ TEST(CutDomains, HaveTheSharpestCornerOfTheirNotch) {
     const double half = draw_domain(draw, "notch").sharpest * 180.0 / M_PI;
     EXPECT_GT(half, 15.0 - 1e-9);
     EXPECT_LT(half, 80.0 + 1e-9);
-    EXPECT_DOUBLE_EQ(draw_domain(draw, "ridge").sharpest < 0.4 * M_PI, false);
+    EXPECT_DOUBLE_EQ(draw_domain(draw, "ridge").sharpest, 0.5 * M_PI);
+    EXPECT_DOUBLE_EQ(draw_domain(draw, "flat").sharpest, 0.5 * M_PI);
   }
 }
 
@@ -131,6 +132,16 @@ TEST(CutScene, FindsTheFailuresOfTheDefaultRules) {
   for (const KindCount& kind : row.kinds)
     frames += kind.frames;
   EXPECT_EQ(frames, choice.count);
+}
+
+// Without the part of the rule about joints, blocks hang at joints of a face.
+TEST(CutScene, FindsBlocksThatHangAtJoints) {
+  StudyChoice choice;
+  choice.first = 84, choice.count = 1;
+  choice.variants = {find_variant("default"), find_variant("no-joints")};
+  const Study study = run_study(make_scene("cut"), choice);
+  EXPECT_EQ(study.rows[0].hung + study.rows[0].fell, 0);
+  EXPECT_EQ(study.rows[1].hung, 1);
 }
 
 }  // namespace
