@@ -132,7 +132,12 @@ std::string refusal(const Scene& scene, const StudyChoice& choice, Corners corne
     try {
       Scene varied;
       const Scene& here = scene_in_frame(scene, choice.frames.seed, f, varied);
-      place(here.model, frame_of(here, choice.frames, f), corners);
+      const Frame frame = frame_of(here, choice.frames, f);
+      place(here.model, frame, corners);
+      if (here.uncut) {
+        place(here.uncut->model, frame, corners);
+        place(here.uncut->marked, frame, corners);
+      }
     } catch (const UnfitBlock& unfit) {
       return fmt::format("{} (frame {})", unfit.what(), f);
     }
