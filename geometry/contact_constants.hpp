@@ -26,6 +26,20 @@ inline constexpr double facing_cosine_squared = 0.969846310392954192027;
 /// corners hang up on the joints of flush blocks.
 inline constexpr double covered_share = 0.5;
 
+/// A contact is far, and does not act, if it is deeper than this factor times the
+/// diameter of the overlap region, and than this factor times the depth of the least
+/// axis, plus the slack of its side. Along the faces of the least axis, contacts are at
+/// most 1 / cos(10 degrees) = 1.0154 times as deep as it. A smaller factor might drop
+/// them. From about 10 on, corners act on far sides of rock that is cut by two joint
+/// sets.
+inline constexpr double far_factor = 1.02;
+
+/// Tangent of 10 degrees, as the double nearest to it, taken as exact. In a notch, the
+/// foot of a corner may be beyond an end of a side by its depth divided by this slope,
+/// and the notch has to rise more steeply than by this slope. A notch that rises less
+/// is a flat joint. With a larger slope, wedges sink between the blocks of a notch.
+inline constexpr double notch_slope = 0.17632698070846498;
+
 /// A released spring passes to another contact of the same pair only if the angle
 /// between the two edges has a larger cosine (18 degrees). Any value from 0 to
 /// 0.9999 gives the same result in all scenes of the study. Above 1 nothing passes

@@ -32,12 +32,13 @@ void ExactPairRule::look_for_joints(PartDecision& decision, int index) const {
   const auto depth = [&](const HidingJoint& hiding) {
     return depth_of(decision.axes[hiding.surface]);
   };
-  axis.taken_over_by =
-      std::min_element(axis.hidden_by.begin(), axis.hidden_by.end(),
-                       [&](const HidingJoint& a, const HidingJoint& b) {
-                         return compare(depth(a), depth(b)) < 0;
-                       })
-          ->surface;
+  const HidingJoint& least =
+      *std::min_element(axis.hidden_by.begin(), axis.hidden_by.end(),
+                        [&](const HidingJoint& a, const HidingJoint& b) {
+                          return compare(depth(a), depth(b)) < 0;
+                        });
+  axis.taken_over_by = least.surface;
+  axis.taken_over_at = least.joint.corner;
 }
 
 void ExactPairRule::choose(PartDecision& decision) const {
@@ -51,7 +52,9 @@ void ExactPairRule::choose(PartDecision& decision) const {
   }
   const auto entered = std::find_if(axes.begin(), axes.end(), [&](Axis& axis) {
     axis.entry_known = true;
-    axis.entry = entry(axis);
+    axis.far = is_far(axis, {depth_of(axes.front()), {}});
+    if (!axis.far)
+      axis.entry = entry(axis);
     return axis.entry != Entry::none;
   });
   if (entered == axes.end()) {
@@ -120,26 +123,51 @@ Candidate ExactPairRule::candidate_on(const PartCorner& corner,
   found.between =
       (foot << slack_.shift) >= -slack && ((l2 - foot) << slack_.shift) >= -slack;
   found.edge = !side.inner;
-  found.acts = found.inside && found.between && found.edge;
   return found;
 }
 
 /// Tests a corner on the first side that has it between its ends: a side, or one in
-/// line with it. If there is none, tests it on the side itself.
-Candidate ExactPairRule::candidate(const PartCorner& corner,
-                                   const PartSide& side) const {
+/// line with it. If there is none, tests it on the first of these sides that has it in
+/// a notch, if that is allowed, and otherwise on the side itself.
+Candidate ExactPairRule::candidate(const PartCorner& corner, const PartSide& side,
+                                   bool may_be_in_notch, const Region& region) const {
+  const auto judged = [&](Candidate found) {
+    const bool acts = found.inside && found.edge && (found.between || found.in_notch);
+    found.far = acts && is_far({area2(at(corner), found.side), length2(found.side)},
+                               region, found.side.part, corner.part);
+    found.acts = acts && !found.far;
+    return found;
+  };
   const std::vector<PartSide> sides = sides_in_line(side);
   for (const PartSide& one : sides)
     if (const Candidate found = candidate_on(corner, one); found.between)
-      return found;
+      return judged(found);
+  if (may_be_in_notch)
+    for (const PartSide& one : sides)
+      if (Candidate found = candidate_on(corner, one);
+          found.inside && found.edge && is_in_notch(corner, one)) {
+        found.in_notch = true;
+        return judged(found);
+      }
   return candidate_on(corner, side);
+}
+
+/// Returns what bounds the depth of contacts along the chosen axis. If surfaces have
+/// taken over, the corners of their joints are added.
+ExactPairRule::Region ExactPairRule::region_of(const PartDecision& decision) const {
+  Region region{depth_of(decision.axes.front()), {}};
+  if (decision.choice == Choice::surface)
+    for (std::size_t i = 0; i + 1 < decision.path.size(); ++i)
+      region.joints.push_back(decision.axes[decision.path[i]].taken_over_at);
+  return region;
 }
 
 /// Tests the corner of the chosen axis on the axis side. No other contact can act.
 void ExactPairRule::test_corner(PartDecision& decision) const {
   const Axis& axis = decision.axes[decision.chosen];
-  decision.candidates.push_back(
-      candidate({axis.corner_part, axis.corner_index}, axis.side));
+  decision.candidates.push_back(candidate({axis.corner_part, axis.corner_index},
+                                          axis.side, !axis.facing,
+                                          region_of(decision)));
 }
 
 /// Finds the candidates for contacts along the chosen axis.
@@ -149,9 +177,10 @@ void ExactPairRule::find_contacts(PartDecision& decision) const {
     return test_corner(decision);
   const PartSide& e = axis.side;
   const PartSide& f = *axis.facing;
+  const Region region = region_of(decision);
   const auto add = [&](const PartSide& ends, const PartSide& on) {
     for (const PartCorner& corner : {start_of(ends), end_of(ends)})
-      if (const Candidate found = candidate(corner, on); std::none_of(
+      if (const Candidate found = candidate(corner, on, false, region); std::none_of(
               decision.candidates.begin(), decision.candidates.end(),
               [&](const Candidate& other) {
                 return other.corner == found.corner && other.side == found.side;

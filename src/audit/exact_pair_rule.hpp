@@ -92,12 +92,14 @@ struct Axis {
   double depth = 0.0;  ///< [L]
   int depth_sign = 0;
   std::optional<PartSide> facing;
-  bool entry_known = false;  ///< `entry` has been determined
+  bool entry_known = false;  ///< `far` and `entry` have been determined
+  bool far = false;          ///< deeper than the overlap region; then it is not entered
   Entry entry = Entry::none;
   bool joints_known = false;  ///< `hidden_by` and `taken_over_by` have been determined
   std::vector<HidingJoint> hidden_by;  ///< empty if the axis is not hidden
   /// Index of the least axis of the surfaces; -1 if the axis is not hidden.
   int taken_over_by = -1;
+  int taken_over_at = -1;  ///< the corner of the joint of that surface
   bool rise_keeps_it_visible = false;
 };
 
@@ -107,7 +109,9 @@ struct Candidate {
   PartSide side;
   double depth = 0.0;  ///< [L]
   bool inside = false, between = false, edge = false;
-  bool acts = false;  ///< all three tests hold
+  bool in_notch = false;  ///< tested only if `between` is false
+  bool far = false;       ///< tested only if nothing else prevents the contact
+  bool acts = false;
 };
 
 /// How the choice of the axis ended.
@@ -184,6 +188,12 @@ class ExactPairRule {
   struct Depth {
     Whole area2, length2;
   };
+  /// What bounds the depth of contacts: the least axis, and the corners of joints that
+  /// are added to the vertices of the overlap region.
+  struct Region {
+    Depth least;
+    std::vector<int> joints;
+  };
   /// An interval on a side, in fractions of its length from its start. It is empty
   /// unless begin < end.
   struct Stretch {
@@ -235,7 +245,9 @@ class ExactPairRule {
   bool in_line(const PartSide& side, const PartSide& next) const;
   std::vector<PartSide> sides_in_line(const PartSide& side) const;
   Candidate candidate_on(const PartCorner& corner, const PartSide& side) const;
-  Candidate candidate(const PartCorner& corner, const PartSide& side) const;
+  Candidate candidate(const PartCorner& corner, const PartSide& side,
+                      bool may_be_in_notch, const Region& region) const;
+  Region region_of(const PartDecision& decision) const;
   void find_contacts(PartDecision& decision) const;
   void test_corner(PartDecision& decision) const;
   PartDecision decide_parts(int part, int other) const;
@@ -254,6 +266,13 @@ class ExactPairRule {
   Ratio gap(const PartSide& f, const PartSide& g, const Ratio& middle) const;
   bool reaches_below(const PartSide& f, int part, const PartSide& g,
                      const Ratio& stretch) const;
+
+  // These are defined in exact_overlap.cpp.
+  /// Returns whether a depth is deeper than the overlap region of two parts and than
+  /// the least axis.
+  bool is_far(const Depth& depth, const Region& region, int part, int other) const;
+  bool is_far(const Axis& axis, const Region& region) const;
+  bool is_in_notch(const PartCorner& corner, const PartSide& side) const;
 
   const Blocks& blocks_;
   std::vector<ConvexPart> parts_;

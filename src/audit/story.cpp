@@ -174,7 +174,7 @@ std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int
   if (a.depth_sign <= 0)
     text += "not deeper than zero; ";
   if (a.entry_known)
-    text += words(a.entry) + "; ";
+    text += (a.far ? "far: deeper than the overlap region" : words(a.entry)) + "; ";
   if (a.joints_known)
     text += hiding_in_words(rule, decision, a) + "; ";
   return text + result_in_words(decision, axis);
@@ -182,9 +182,11 @@ std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int
 
 std::string verdict(const Candidate& candidate) {
   if (candidate.acts)
-    return "acts";
+    return candidate.in_notch ? "its foot is beyond the end, in a notch: acts" : "acts";
   if (!candidate.inside)
     return "refused: the corner is not inside the side";
+  if (candidate.far)
+    return "refused: far, deeper than the overlap region";
   if (!candidate.between)
     return "refused: its foot is not between the ends of the side (slack 1e-6)";
   return "refused: the side is an inner side";

@@ -32,7 +32,7 @@ struct NoCrossing : dynamics::ExactPredicates {
   static constexpr bool crossing = false;
 };
 struct NoJoints : dynamics::ExactPredicates {
-  static constexpr bool covered_sides = false;
+  static constexpr bool covered_sides = false, notches = false;
 };
 struct NoFaces : dynamics::ExactPredicates {
   static constexpr bool faces = false;

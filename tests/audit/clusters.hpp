@@ -17,7 +17,7 @@ class Clusters {
  public:
   explicit Clusters(std::uint64_t seed) : random_(seed) {}
 
-  static constexpr int kinds = 11;
+  static constexpr int kinds = 12;
   /// Returns blocks of one kind, in half of the cases in a turned frame.
   std::vector<NewBlock> make(int kind) {
     outlines_.clear();
@@ -52,8 +52,11 @@ class Clusters {
     case 9:
       wedges();
       break;
-    default:
+    case 10:
       prongs();
+      break;
+    default:
+      notch();
       break;
     }
     return in_frame();
@@ -315,6 +318,29 @@ class Clusters {
                              : uniform(-0.3, 0.3) + 3.1416 * whole(2),
                    at));
     }
+  }
+
+  /// Two or three blocks, or one, form a notch, and the tip of a wedge is at its
+  /// bottom.
+  void notch() {
+    const double left = std::tan(uniform(0.1, 1.2)),
+                 right = std::tan(uniform(0.1, 1.2));
+    const double gap = small() * 0.1, step = small() * 0.1;
+    if (one_in(5)) {
+      add({{-3, -1}, {-3, 1}, {-left, 1}, {0, 0}, {right, 1}, {3, 1}, {3, -1}});
+    } else {
+      add({{-4, -1}, {-4, 1}, {-left, 1}, {0, 0}, {0, -1}});
+      add({{gap, -1}, {gap, step}, {gap + right, 1 + step}, {4, 1 + step}, {4, -1}});
+      if (one_in(3))
+        box(gap + 4 + small(), -1 + small(), 1, 2);
+    }
+    const Vec2 tip(small() * 0.5, (one_in(4) ? 1.0 : -1.0) * overlap());
+    const double wide = one_in(3) ? 1.0 : uniform(0.3, 1.1);
+    const Polygon wedge = {tip, tip + Vec2(-wide * left, 1),
+                           tip + Vec2(wide * right, 1)};
+    add(one_in(2) ? wedge : turned(wedge, uniform(-0.3, 0.3), tip));
+    if (one_in(3))
+      box(tip.x() + uniform(-1.0, 0.0), tip.y() + 1 - overlap(), 1, 0.5);
   }
 
   std::vector<NewBlock> in_frame() {

@@ -136,6 +136,57 @@ TEST(ExactPairRule, StoryExplainsWhyAClosedJointIsHidden) {
   EXPECT_EQ(lines.back(), "corner 3 of block 1 on edge 4 of block 3: 0.25 deep: acts");
 }
 
+/// Returns the lines of a story as one text.
+std::string text_of(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines)
+    text += line + "\n";
+  return text;
+}
+
+// The tip of a wedge has passed the bottom of a notch between two blocks, so its foot
+// is beyond the end of each wall.
+TEST(ExactPairRule, CornerActsOnBothWallsOfANotch) {
+  const geometry::Polygon left = {{-2, -1}, {-2, 2}, {0, 0}, {0, -1}},
+                          right = {{0, -1}, {0, 0}, {2, 2}, {2, -1}},
+                          wedge = {{0, -0.0625}, {-0.5, 1}, {0.5, 1}};
+  const Cluster cluster = cluster_of({left, right, wedge});
+  const ExactPairRule judge = cluster.judge();
+  for (const auto& [wall, contact] : {std::pair(0, std::pair(8, 1)), {1, {8, 5}}}) {
+    const PairDecision decision = judge.decide(wall, 2);
+    EXPECT_EQ(decision.contacts, ContactSet{contact});
+    EXPECT_EQ(cluster.by_program(wall, 2), decision.contacts);
+    EXPECT_NE(text_of(audit::story(judge, wall, 2, decision))
+                  .find("its foot is beyond the end, in a notch: acts"),
+              std::string::npos);
+  }
+}
+
+// At the end of a flush floor there is no notch.
+TEST(ExactPairRule, CornerBeyondAFlatEndDoesNotAct) {
+  const geometry::Polygon left = {{-2, -1}, {-2, 0}, {0, 0}, {0, -1}},
+                          right = {{0, -1}, {0, 0}, {2, 0}, {2, -1}},
+                          wedge = {{0.0625, -0.0625}, {-0.5, 1}, {0.5, 1}};
+  const Cluster cluster = cluster_of({left, right, wedge});
+  EXPECT_EQ(cluster.judge().decide(0, 2).contacts, ContactSet{});
+  EXPECT_EQ(cluster.judge().decide(1, 2).contacts, (ContactSet{{8, 5}}));
+}
+
+// A tip has passed a side that slants away from it. The far side of the block is no
+// side by which it has entered.
+TEST(ExactPairRule, SidesDeeperThanTheOverlapRegionAreFar) {
+  const geometry::Polygon block = {{2, -2}, {0, 0}, {0.5, 0}, {2.5, -2}},
+                          tip = {{-0.2, 0.5}, {0.2, 0.5}, {0.002, -0.0021}};
+  const Cluster cluster = cluster_of({block, tip});
+  const ExactPairRule judge = cluster.judge();
+  const PairDecision decision = judge.decide(0, 1);
+  EXPECT_EQ(decision.contacts, (ContactSet{{6, 1}}));
+  EXPECT_EQ(cluster.by_program(0, 1), decision.contacts);
+  EXPECT_NE(text_of(audit::story(judge, 0, 1, decision))
+                .find("far: deeper than the overlap region; does not act"),
+            std::string::npos);
+}
+
 // The corners of the L are counted from 0 at the lower left.
 TEST(ExactPairRule, FaultOfPartsThatDoNotTileTheBlockIsFound) {
   Blocks blocks;

@@ -92,6 +92,10 @@ struct Branches {
       count["face of several sides in line"] += part.candidates.size() > 5;
       for (const audit::Candidate& candidate : part.candidates) {
         count["contacts"] += candidate.acts;
+        count["far contact"] += candidate.far;
+        count["notch contact"] += candidate.acts && candidate.in_notch;
+        count["candidate inside, beyond, not in a notch"] +=
+            candidate.inside && !candidate.between && !candidate.in_notch;
         count["candidate between but not inside"] +=
             candidate.between && !candidate.inside;
         count["candidate inside but not between"] +=
@@ -130,6 +134,10 @@ struct Branches {
     }
   }
   void add_entry(const audit::Axis& axis) {
+    if (axis.far) {
+      ++count[axis.facing ? "far axis with a facing side" : "far axis"];
+      return;
+    }
     switch (axis.entry) {
     case Entry::none:
       ++count["not entered"];
@@ -184,10 +192,13 @@ const std::map<std::string, int> least_count = {
     {"covered joint at the corner", 500},
     {"covered joint at the facing side", 200},
     {"entered by crossing", 500},
-    {"entered by the foot", 2000},
+    {"entered by the foot", 1500},
     {"entered by the other end", 200},
     {"entered inside", 10000},
     {"face of several sides in line", 200},
+    {"far axis", 200},
+    {"far axis with a facing side", 200},
+    {"far contact", 50},
     {"first entered axis acts", 10000},
     {"hidden by two or more joints", 500},
     {"inner side that is not hidden", 500},
@@ -196,13 +207,14 @@ const std::map<std::string, int> least_count = {
     {"joint of an inner side at the facing side", 200},
     {"least axis touches", 2000},
     {"not entered", 5000},
+    {"notch contact", 200},
     {"pairs", 10000},
     {"second surface acts", 50},
     {"is used instead without contact, acts", 200},
     {"is used instead without contact, nothing acts", 50},
     {"is used instead without entry, acts", 200},
     {"is used instead without entry, nothing acts", 50},
-    {"is used instead, surfaces hidden, acts", 100},
+    {"is used instead, surfaces hidden, acts", 50},
     {"is used instead, surfaces hidden, nothing acts", 10},
     {"surface takes over", 2000},
     {"surfaces equally deep", 10},

@@ -1,6 +1,6 @@
 // The computation of face_kernel.hpp. Included once for each instruction set, in a
 // namespace of its own.
-#include "dynamics/kernels/face_questions_body.hpp"
+#include "dynamics/kernels/overlap_region_body.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
@@ -121,12 +121,16 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   const Pack ends_of_e = least(off_ends(f, e, margins), off_ends(f, e_after, margins));
   const Pack ends_of_f = least(off_ends(e, f, margins), off_ends(e, f_end, margins));
   const Pack not_at_ends = short_e ? ends_of_e : (short_f ? ends_of_f : Pack{} + never);
+  // Nothing along the two faces is far if they have a common part or e has the least
+  // axis.
+  const Pack are_near = most(f_is_deeper, common_part(e, f, f_end, margins));
   const Pack two_faces =
       least(least(of_angle(facing_sine - slope.sine),
                   least(steeper(e, f_before), steeper(e, f_after))),
-            least(most(entered_inside, entered_in_turn), not_at_ends));
-  const Pack one_corner = least(least(no_face(of_corner), no_face(of_previous)),
-                                least(start.all(), deeper_than_e));
+            least(least(most(entered_inside, entered_in_turn), not_at_ends), are_near));
+  const Pack one_corner = least(least(least(no_face(of_corner), no_face(of_previous)),
+                                      least(start.all(), deeper_than_e)),
+                                not_in_notch(e, f, margins));
   store(answers.faces, i,
         least(least(faces ? two_faces : one_corner, f_below.are_deepest), reach));
   store(answers.facing, i, facing_or_none);

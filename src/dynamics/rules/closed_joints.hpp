@@ -8,6 +8,7 @@
 
 #include "dynamics/rules/block_parts.hpp"
 #include "dynamics/rules/pair_shape.hpp"
+#include "dynamics/rules/part_box.hpp"
 #include "geometry/covered_side.hpp"
 #include "geometry/polygon.hpp"
 #include "model/blocks.hpp"
@@ -21,6 +22,9 @@ struct Joint {
   /// True if the surface ends in the corner and the side starts there, false if it is
   /// the other way round.
   bool surface_is_before;
+
+  /// Returns the side that starts in the corner of the joint.
+  PairSide corner() const { return surface_is_before ? side : surface; }
 };
 
 /// Working memory of ClosedJoints.
@@ -81,7 +85,7 @@ template <class Predicates, class Neighbours> class ClosedJoints {
       : blocks_(blocks), parts_(parts), neighbours_(neighbours), shape_(shape),
         predicates_(ask), scratch_(scratch) {}
 
-  /// Calls visit(surface) for each joint that hides the axis until a call returns true,
+  /// Calls visit(joint) for each joint that hides the axis until a call returns true,
   /// and returns whether one did. Joints at the corner of the axis are tested only if
   /// the axis has no facing side. With a facing side, they are joints at its ends, or
   /// their surface faces the axis side.
@@ -91,7 +95,7 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     const auto at_ends = [&](const PairSide& g) {
       for (const Joint& joint :
            {Joint{g, shape_.before(g), true}, Joint{g, shape_.after(g), false}})
-        if (find_closed(joint).closed && visit(joint.surface))
+        if (find_closed(joint).closed && visit(joint))
           return true;
       return false;
     };
@@ -101,7 +105,7 @@ template <class Predicates, class Neighbours> class ClosedJoints {
       return at_ends(*facing);
     const PairSide after = axis.corner, before = shape_.before(after);
     for (const Joint& joint : {Joint{after, before, true}, Joint{before, after, false}})
-      if (hides_corner(joint, axis.side) && visit(joint.surface))
+      if (hides_corner(joint, axis.side) && visit(joint))
         return true;
     return false;
   }
@@ -180,19 +184,6 @@ template <class Predicates, class Neighbours> class ClosedJoints {
         blocks_, parts_, neighbours_,
         {part, joint.side.index, joint.surface_is_before, other}, 0.0, 0.0, scratch_);
   }
-  struct Box {
-    Vec2 lower, upper;
-    bool meets(const Box& other) const {
-      return (lower.array() <= other.upper.array()).all() &&
-             (other.lower.array() <= upper.array()).all();
-    }
-    /// Grows the box by 1.5 times the sum of its extents. No side of a part in the box,
-    /// and no gap that counts, is longer than this.
-    Box grown() const {
-      const double by = 1.5 * (upper - lower).sum();
-      return {lower.array() - by, upper.array() + by};
-    }
-  };
   /// Collects the outlines of the own part, of the other part, and of the parts that
   /// may cover. Covering parts have bounding boxes that meet that of the other part, so
   /// the result does not depend on the length of the list. Parts too far from the own
@@ -201,9 +192,10 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     scratch_.parts.clear();
     scratch_.outlines.assign({parts_.outline(blocks_, own, scratch_.own),
                               parts_.outline(blocks_, other, scratch_.other)});
-    const Box near_own = box_of(own).grown(), of_other = box_of(other);
+    const PartBox near_own = PartBox(blocks_, parts_, own).grown(),
+                  of_other(blocks_, parts_, other);
     each_covering_part(blocks_, parts_, neighbours_, own, other, [&](int part) {
-      const Box box = box_of(part);
+      const PartBox box(blocks_, parts_, part);
       if (box.meets(of_other) && box.meets(near_own))
         scratch_.parts.push_back(part);
     });
@@ -212,14 +204,6 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     for (std::size_t k = 0; k < scratch_.parts.size(); ++k)
       scratch_.outlines.push_back(
           parts_.outline(blocks_, scratch_.parts[k], scratch_.polygons[k]));
-  }
-  Box box_of(int part) const {
-    Box box{at(parts_.corner(part, 0)), at(parts_.corner(part, 0))};
-    for (int i = 1; i < parts_.corners(part); ++i) {
-      const Vec2 corner = at(parts_.corner(part, i));
-      box = {box.lower.cwiseMin(corner), box.upper.cwiseMax(corner)};
-    }
-    return box;
   }
   Vec2 at(int corner) const { return blocks_.corner.col(corner); }
 

@@ -14,6 +14,8 @@
 #include "dynamics/rules/block_parts.hpp"
 #include "dynamics/rules/closed_joints.hpp"
 #include "dynamics/rules/entry.hpp"
+#include "dynamics/rules/notches.hpp"
+#include "dynamics/rules/overlap_region.hpp"
 #include "dynamics/rules/pair_shape.hpp"
 #include "dynamics/rules/predicates.hpp"
 #include "model/blocks.hpp"
@@ -31,6 +33,8 @@ struct CornerOnEdge {
 struct PairScratch {
   PairMemory shape;
   JointScratch joints;
+  OverlapMemory region;
+  geometry::Polygon polygon;  ///< of Notches
   std::vector<Axis> axes;
   std::vector<CornerOnEdge> found;
 
@@ -79,7 +83,8 @@ template <class Predicates, class Neighbours> class PairRule {
   PairRule(const Blocks& blocks, const BlockParts& parts, const Neighbours& neighbours,
            PairScratch& scratch)
       : blocks_(blocks), parts_(parts), scratch_(scratch),
-        joints_(blocks, parts, neighbours, shape_, predicates_, scratch.joints) {}
+        joints_(blocks, parts, neighbours, shape_, predicates_, scratch.joints),
+        notches_(blocks, parts, neighbours, shape_, region_, scratch.polygon) {}
 
   /// Returns the contacts between two blocks, without duplicates. The result is valid
   /// until the next call.
@@ -101,6 +106,7 @@ template <class Predicates, class Neighbours> class PairRule {
     if (!find_axes())
       return;  // the two parts are apart
     const Axis least = take_least();
+    region_.begin(least);
     if (shape_.depth_sign(least.side, least.corner.index) <= 0) {
       touch(least, shape_.find_facing(least));
       return;
@@ -113,15 +119,18 @@ template <class Predicates, class Neighbours> class PairRule {
     Axis axis = *entered;
     for (int looks = 0; looks < 3; ++looks) {
       const std::optional<PairSide> facing = shape_.find_facing(axis);
-      const std::optional<Axis> surface = surface_instead_of(axis, facing);
-      if (!surface || surface->side == entered->side) {
+      const std::optional<Surface> surface = surface_instead_of(axis, facing);
+      if (!surface || surface->axis.side == entered->side) {
         // If the side is an inner side, the part beside it decides.
-        if (!touch(axis, facing) && looks == 0 && !shape_.at(axis.side).is_inner)
+        const bool acts = touch(axis, facing);
+        if (!acts && looks == 0 && !shape_.at(axis.side).is_inner)
           stand_in(least);
         return;
       }
-      axis = *surface;
+      axis = surface->axis;
+      region_.extend(surface->joint);
     }
+    region_.begin(least);
     stand_in(*entered);
   }
 
@@ -155,27 +164,34 @@ template <class Predicates, class Neighbours> class PairRule {
     axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(least));
     return axis;
   }
-  /// Returns the first entered axis in the order of depth.
+  /// Returns the first entered axis in the order of depth. Far axes are not entered.
   std::optional<Axis> find_entered(const Axis& least) {
     Entry<Predicates> entry(shape_, predicates_);
     for (Axis axis = least;; axis = take_least()) {
-      if (!Predicates::entry || entry.is_entered(axis))
+      if (!region_.is_far(axis, shape_.find_facing(axis)) &&
+          (!Predicates::entry || entry.is_entered(axis)))
         return axis;
       if (scratch_.axes.empty())
         return std::nullopt;
     }
   }
+  /// The axis of a surface that takes over, and the corner of its joint.
+  struct Surface {
+    Axis axis;
+    PairSide joint;
+  };
+
   /// Returns the least axis of the surfaces of all closed joints that hide the axis. If
   /// several are equally deep, it is the surface of the joint that is visited first.
   /// Returns nothing if the axis is not hidden.
-  std::optional<Axis> surface_instead_of(const Axis& axis,
-                                         const std::optional<PairSide>& facing) {
-    std::optional<Axis> found;
+  std::optional<Surface> surface_instead_of(const Axis& axis,
+                                            const std::optional<PairSide>& facing) {
+    std::optional<Surface> found;
     if (Predicates::covered_sides)
-      joints_.any_hiding(axis, facing, [&](const PairSide& surface) {
-        const Axis one = shape_.axis_of(surface);
-        if (!found || shape_.is_less(one, *found))
-          found = one;
+      joints_.any_hiding(axis, facing, [&](const Joint& joint) {
+        const Axis one = shape_.axis_of(joint.surface);
+        if (!found || shape_.is_less(one, found->axis))
+          found = {one, joint.corner()};
         return false;  // continue with the next joint
       });
     return found;
@@ -187,35 +203,50 @@ template <class Predicates, class Neighbours> class PairRule {
     bool acts = false;
     each_along(shape_, axis, Predicates::faces ? facing : std::nullopt,
                [&](const PairSide& corner, const PairSide& side) {
-                 const PairSide below = find_side_below(corner, side);
-                 if (!shape_.at(below).is_inner &&
-                     shape_.depth_sign(below, corner.index) > 0 &&
-                     is_between(corner, below)) {
-                   add(corner, below);
-                   acts = true;
-                 }
+                 acts = try_contact(corner, side, !facing) || acts;
                });
     return acts;
   }
   /// Adds the corner of the axis as a contact on the axis side, if the corner is inside
-  /// it and between its ends.
+  /// it and between its ends or in a notch.
   void stand_in(const Axis& axis) {
-    const PairSide side = find_side_below(axis.corner, axis.side);
-    if (!shape_.at(side).is_inner && shape_.depth_sign(side, axis.corner.index) > 0 &&
-        is_between(axis.corner, side))
-      add(axis.corner, side);
+    try_contact(axis.corner, axis.side, !shape_.find_facing(axis));
   }
-  /// Returns the one of a side and the sides in line with it that has the foot of the
-  /// corner between its ends. If there is none, returns the side itself.
-  PairSide find_side_below(const PairSide& corner, const PairSide& side) {
+  /// Adds a contact if its corner is inside the side or one in line with it, is not
+  /// far and has its foot between the ends. If `may_be_in_notch`, a foot in a
+  /// notch is sufficient. Returns whether the contact acts.
+  bool try_contact(const PairSide& corner, const PairSide& side, bool may_be_in_notch) {
+    const std::optional<PairSide> found =
+        find_side_below(corner, side, may_be_in_notch);
+    if (!found || region_.is_far(*found, corner.index))
+      return false;
+    add(corner, *found);
+    return true;
+  }
+  /// Returns the one of a side and the sides in line with it that has the corner inside
+  /// and its foot between the ends. If no side has the foot between its ends, it is the
+  /// first one that has the corner in a notch at its end.
+  std::optional<PairSide> find_side_below(const PairSide& corner, const PairSide& side,
+                                          bool may_be_in_notch) {
     if (is_between(corner, side))
-      return side;
-    std::optional<PairSide> found;
+      return has_inside(corner, side) ? std::optional(side) : std::nullopt;
+    std::optional<PairSide> below, in_notch;
     shape_.each_in_line(side, [&](const PairSide& one) {
-      if (!found && is_between(corner, one))
-        found = one;
+      if (!below && is_between(corner, one))
+        below = one;
     });
-    return found.value_or(side);
+    if (below)
+      return has_inside(corner, *below) ? below : std::nullopt;
+    if (may_be_in_notch)
+      shape_.each_in_line(side, [&](const PairSide& one) {
+        if (!in_notch && has_inside(corner, one) && notches_.has(corner, one))
+          in_notch = one;
+      });
+    return in_notch;
+  }
+  /// Returns whether a side is an edge that has the corner inside.
+  bool has_inside(const PairSide& corner, const PairSide& side) {
+    return !shape_.at(side).is_inner && shape_.depth_sign(side, corner.index) > 0;
   }
   bool is_between(const PairSide& corner, const PairSide& side) {
     const Segment& e = shape_.at(side);
@@ -230,7 +261,9 @@ template <class Predicates, class Neighbours> class PairRule {
   PairScratch& scratch_;
   Predicates predicates_;
   PairShape<Predicates> shape_{scratch_.shape, predicates_};
+  OverlapRegion<Predicates> region_{shape_, scratch_.region};
   ClosedJoints<Predicates, Neighbours> joints_;
+  Notches<Predicates, Neighbours> notches_;
 };
 
 }  // namespace blocks::dynamics

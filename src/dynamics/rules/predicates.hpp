@@ -19,6 +19,8 @@ struct ExactPredicates {
                                           ///< and 4 of docs/contact-rule.md#entry
   static constexpr bool covered_sides = true;  ///< closed joints hide axes
   static constexpr bool faces = true;          ///< all four ends of two faces may act
+  static constexpr bool far_sides = true;  ///< contacts deeper than the region are far
+  static constexpr bool notches = true;    ///< corners act beyond an end in a notch
 
   /// [L] Returns the depth of c below the side p1 p2, with an error bound.
   static geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
