@@ -55,6 +55,7 @@ constexpr std::array all_scenes = {same("figure4b", figure4b),
                                    varied("step-slabs", step_slabs),
                                    varied("terrain", terrain),
                                    varied("undercut", undercut),
+                                   varied("notch", notch),
                                    varied("cut", cut, may_fail)};
 
 Scene make(const Named& named, std::uint64_t seed, int number) {

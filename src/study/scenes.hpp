@@ -40,6 +40,9 @@ Scene wall();
 Scene terrain(Draws& draw);
 Scene undercut(Draws& draw);
 
+// scenes_notches.cpp
+Scene notch(Draws& draw);
+
 // scenes_toppling.cpp
 Scene step_notch(Draws& draw);
 Scene step_flush(Draws& draw);
