@@ -47,6 +47,9 @@ class SegmentBounds {
     if (first_high < 0.0 && last_high < 0.0)
       to_high_ = -1.0;
   }
+  /// Returns a position in the part. It is certain if the lower bound of the length is
+  /// positive.
+  double middle() const { return 0.5 * (from_high_ + to_low_); }
   /// Returns bounds of the length of the part of a side with this length.
   LengthBounds length(double of_side) const {
     if (!is_known_ || !(of_side < std::numeric_limits<double>::infinity()))
@@ -129,7 +132,7 @@ template <class Predicates> class OverlapRegion {
   }
   /// Returns whether a side has a segment of positive length in the other part.
   bool has_segment(const PairSide& side) {
-    const LengthBounds length = find_segment(side);
+    const LengthBounds length = length_of(find_segment(side), side);
     if (length.low > 0.0)
       return true;
     return length.high > 0.0 &&
@@ -138,11 +141,14 @@ template <class Predicates> class OverlapRegion {
   }
 
  private:
-  LengthBounds find_segment(const PairSide& side) const {
+  SegmentBounds find_segment(const PairSide& side) const {
     const int other = 1 - side.part, next = shape_.after(side).index;
     SegmentBounds segment;
     for (int k = 0; k < shape_.corners(other); ++k)
       segment.cut(shape_.depth({other, k}, side.index), shape_.depth({other, k}, next));
+    return segment;
+  }
+  LengthBounds length_of(const SegmentBounds& segment, const PairSide& side) const {
     return segment.length(1.0 / shape_.at(side).per_length);
   }
   /// Bounds the diameter. It is at least the length of the longest segment, and at most
@@ -152,21 +158,37 @@ template <class Predicates> class OverlapRegion {
       return;
     has_bounds_ = true;
     diameter_ = {0.0, 0.0};
+    PairSide longest;
+    double middle = 0.0;
     for (const int part : {0, 1})
       for (int i = 0; i < shape_.corners(part); ++i) {
-        const LengthBounds length = find_segment({part, i});
-        diameter_.low = std::max(diameter_.low, length.low);
+        const PairSide side{part, i};
+        const SegmentBounds segment = find_segment(side);
+        const LengthBounds length = length_of(segment, side);
+        if (length.low > diameter_.low)
+          longest = side, middle = segment.middle(), diameter_.low = length.low;
         diameter_.high += 0.5 * length.high;
       }
-    if (memory_.joints.empty())
+    if (!memory_.joints.empty())
+      include_joints(longest, middle);
+  }
+  /// Bounds the diameter with the added vertices. A point of the region, at a position
+  /// on a side, is nearer to each of them than the vertex of the region farthest from
+  /// it, and nearer to every vertex of the region than the diameter.
+  void include_joints(const PairSide& side, double position) {
+    if (!(diameter_.low > 0.0)) {
+      diameter_.high = std::numeric_limits<double>::infinity();
       return;
-    // The region and the added vertices are within this distance of the first of them.
-    double farthest = 0.0;
-    for (const int part : {0, 1})
-      for (int i = 0; i < shape_.corners(part); ++i)
-        farthest = std::max(
-            farthest, (shape_.at({part, i}).start - memory_.joints.front()).norm());
-    diameter_.high = 2.0 * farthest;
+    }
+    const Segment& s = shape_.at(side);
+    const Vec2 along = s.end - s.start;
+    for (const Vec2& joint : memory_.joints) {
+      const Vec2 from = s.start - joint;
+      const double distance = (from + position * along).norm(),
+                   rounding = 1e-14 * (from.lpNorm<1>() + along.lpNorm<1>());
+      diameter_.low = std::max(diameter_.low, distance - rounding);
+      diameter_.high += distance + rounding;
+    }
   }
   geometry::Outline outline(int part) {
     if (!has_outlines_)
