@@ -84,7 +84,6 @@ TEST(Architecture, SourceFoldersAreFound) {
                                             "report",
                                             "run",
                                             "study",
-                                            "study/corner_rules",
                                             "sweep"}));
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "dynamics/step.hpp"
-#include "study/corner_rules/corner_rules.hpp"
 #include "study/near_corners.hpp"
 #include "study/signs.hpp"
 
@@ -172,10 +171,6 @@ const std::vector<Variant>& all_variants() {
           "strict", "default, but without slack: on the limit is outside"),
       other_signs<ExactSigns<Ends::inclusive>>(
           "inclusive", "default, but without slack: on the limit is inside"),
-      // another rule
-      variant<CornerRules>("corners",
-                           "the rules of runs until 2026: each corner by itself, (20), "
-                           "nearest edge, closed joints, exact"),
       // the rules of 1982
       by_report<PlainSigns<PrintedArea, Ends::inclusive>, false>(
           "report", "the report's rules in doubles, (19) as printed"),

@@ -2,12 +2,13 @@
 // Otherwise the ratio of their times would have no meaning.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "blocks_code.hpp"
 #include "dynamics/step.hpp"
 #include "linked_list.hpp"
-#include "study/corner_rules/corner_rules.hpp"
 #include "wall.hpp"
 
 namespace blocks {
@@ -17,10 +18,35 @@ double largest_difference(const Eigen::Matrix2Xd& a, const Eigen::Matrix2Xd& b) 
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// The rules of the linked lists: each corner is decided alone, and a spring ends with
-/// its contact.
-struct CornersWithoutTransfer : study::CornerRules {
-  static constexpr bool transfers_springs = false;
+/// The rules of the linked lists: each corner is decided with each near edge by (19),
+/// between and (20), and a spring ends with its contact.
+struct ReportChecks {
+  static constexpr bool keeps_decisions = false, transfers_springs = false;
+  double reach;  ///< [L] largest distance of a corner from a near edge
+
+  void decide(const Blocks& blocks, const dynamics::BlockParts&,
+              const dynamics::PairIndex& index, int p,
+              dynamics::PairScratch& scratch) const {
+    scratch.found.clear();
+    const auto [low, high] = index.pairs[p];
+    for (const auto& [own, other] : {std::pair(low, high), std::pair(high, low)})
+      for (int c = blocks.first_corner[own]; c < blocks.first_corner[own + 1]; ++c)
+        for (int e = blocks.first_corner[other]; e < blocks.first_corner[other + 1];
+             ++e)
+          if (acts(blocks, c, e))
+            scratch.found.push_back({c, e});
+  }
+
+ private:
+  bool acts(const Blocks& blocks, int corner, int edge) const {
+    const auto at = [&](int k) { return Vec2(blocks.corner.col(k)); };
+    const Vec2 c = at(corner), p1 = at(edge), p2 = at(blocks.next[edge]), e = p2 - p1;
+    const double s = std::clamp((c - p1).dot(e) / e.squaredNorm(), 0.0, 1.0);
+    return (c - p1 - s * e).norm() <= reach && geometry::overlap_sign(c, p1, p2) > 0 &&
+           geometry::between(c, p1, p2) &&
+           geometry::faces_edge(c, at(blocks.previous[corner]), p1, p2) &&
+           geometry::faces_edge(c, at(blocks.next[corner]), p1, p2);
+  }
 };
 
 // With these rules both codes have the same contacts. Only the order of sums differs.
@@ -31,7 +57,7 @@ TEST(LinkedLists, MoveTheWallAsTheProgramWithoutSpringTransfer) {
   dynamics::prepare(wall);
   const Eigen::Matrix2Xd start = wall.blocks.corner;
   for (int i = 0; i < 500; ++i)
-    dynamics::step_by(CornersWithoutTransfer(), wall, work);
+    dynamics::step_by(ReportChecks{2.0 * wall.settings.contact_tolerance}, wall, work);
   lists.run(500);
   EXPECT_GT(largest_difference(start, lists.corners()), 1e-5);
   EXPECT_EQ(lists.acting_contacts(), totals(wall).active_contacts);

@@ -213,7 +213,7 @@ def test_predicates_on_a_million_rows():
 
 
 def test_study():
-    table = blocks.study(["wedge", "tee"], ["default", "corners"], frames=2)
+    table = blocks.study(["wedge", "tee"], ["default", "report"], frames=2)
     assert len(table) == 4 and list(table["scene"]) == ["wedge"] * 2 + ["tee"] * 2
     assert (table["frames"] == 2).all() and table["hung"][0] == 0
     with pytest.raises(ValueError, match="no scene 'edge'"):

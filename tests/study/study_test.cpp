@@ -233,7 +233,7 @@ TEST(Variants, FailInTheScenesMadeForThem) {
   for (const Known& known :
        {Known{"floor", "report-exact", true}, Known{"floor", "no-joints", true},
         Known{"soft", "no-joints", true}, Known{"bow", "no-faces", true},
-        Known{"slab", "keep", true}, Known{"soft4", "corners", true}}) {
+        Known{"slab", "keep", true}}) {
     const Row row =
         run_study(make_scene(known.scene), choice_of({known.variant}, known.frames))
             .rows[0];

@@ -161,7 +161,7 @@ void compare_codes(const Plan& plan, const Scene& scene, Report& report) {
   Code lists;
   if (LinkedListCode::can_step(rigid_state)) {
     lists = replayed(scene, rigid_state, [&rigid_state] {
-      return std::make_unique<LinkedListCode>(rigid_state, Checks::report);
+      return std::make_unique<LinkedListCode>(rigid_state);
     });
     entries.push_back({lists.get(), 0});
   } else {

@@ -23,8 +23,8 @@ bool LinkedListCode::can_step(const Model& model) {
   return model.settings.rigid && model.settings.planes.empty() && model.loads.none();
 }
 
-LinkedListCode::LinkedListCode(const Model& start, Checks checks)
-    : checks_(checks), settings_(start.settings), dt_(critical_time_step(start)) {
+LinkedListCode::LinkedListCode(const Model& start)
+    : settings_(start.settings), dt_(critical_time_step(start)) {
   const blocks::Blocks& from = start.blocks;
   if (!can_step(start))
     throw std::invalid_argument("linked lists: rigid blocks without planes and loads");
@@ -38,7 +38,6 @@ LinkedListCode::LinkedListCode(const Model& start, Checks checks)
   for (int b = 0; b < from.size(); ++b) {
     blocks_.push_back({from.corners_of(b),
                        !from.is_free(b),
-                       from.convex[b] != 0,
                        none,
                        from.centroid(0, b),
                        from.centroid(1, b),

@@ -1,8 +1,8 @@
 // The code of 1982 in C++ and plain doubles. Each block has a linked list of contacts,
 // which are checked and evaluated corner by corner (report 3.1-3.3, Appendix D: BOX,
-// UPDAT, FORD, MOTION, REBOX). The time loop of the program is compared with it. With
-// the rules of the program it computes the same results (tests/performance). It shares
-// no code with src/dynamics.
+// UPDAT, FORD, MOTION, REBOX). The time loop of the program is compared with it. A step
+// of the program by the same rules computes the same results (tests/performance). It
+// shares no code with src/dynamics.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,6 @@
 
 namespace blocks::bench {
 
-/// The rules that decide whether a corner acts on an edge.
-enum class Checks {
-  report,  ///< (19), between the ends of the edge, (20)
-  program  ///< those of the program, without closed joints
-};
-
 class LinkedListCode : public Contestant {
  public:
   /// Returns true for rigid blocks without planes and loads.
@@ -26,7 +20,7 @@ class LinkedListCode : public Contestant {
 
   /// Starts from the present state of the model, including the springs of its contacts.
   /// Throws std::invalid_argument unless can_step().
-  explicit LinkedListCode(const Model& start, Checks checks = Checks::program);
+  explicit LinkedListCode(const Model& start);
 
   std::string name() const override { return "linked lists of 1982"; }
   double work_per_step() const override { return free_; }  ///< block-steps
@@ -49,7 +43,6 @@ class LinkedListCode : public Contestant {
   struct Block {
     int corners;
     bool fixed;
-    bool convex;
     int contact;                ///< address of the first contact of its edges
     double x, y, vx, vy, spin;  ///< centroid, velocity, TDOT
     double fx, fy, moment;
@@ -86,15 +79,11 @@ class LinkedListCode : public Contestant {
   bool listed(int b, int edge, int other, int k) const;
   void contact_forces();  ///< FORD
   bool touches(int b, const Contact& record) const;
-  bool touches_nearest(int b, const Contact& record) const;
-  bool inside(int b, const Corner& c) const;
   bool faces(double sine, double cosine, int other, int k) const;
-  double admissible_depth(int b, int edge, int other, int k, double limit) const;
   void act(int b, Contact& record);
   void move();  ///< MOTION
   void rebox(int address);
 
-  Checks checks_;
   Settings settings_;
   double dt_, free_ = 0.0;
   Vec2 boxes_per_length_;

@@ -1,7 +1,6 @@
 // One step of the code of 1982: FORD with its checks, MOTION and REBOX.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "linked_list.hpp"
@@ -11,7 +10,6 @@ namespace {
 
 constexpr double slack = 1e-6;  // relative to the length of an edge
 constexpr double sin_minus_10 = -0.17364817766693035;  // (20)
-constexpr double inadmissible = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -47,61 +45,10 @@ bool LinkedListCode::touches(int b, const Contact& record) const {
   const double ex = p2.x - p1.x, ey = p2.y - p1.y, wx = c.x - p1.x, wy = c.y - p1.y;
   if (!(wx * ey - wy * ex > 0.0))  // (19)
     return false;
-  if (checks_ == Checks::program)
-    return touches_nearest(b, record);
   const double length = std::sqrt(ex * ex + ey * ey);
   const double along = (wx * ex + wy * ey) / length;
   return along >= -slack * length && along <= (1.0 + slack) * length &&
          faces(ey / length, ex / length, record.block, record.corner);
-}
-
-bool LinkedListCode::touches_nearest(int b, const Contact& record) const {
-  if (blocks_[b].convex && !inside(b, corner(record.block, record.corner)))
-    return false;
-  const double depth =
-      admissible_depth(b, record.edge, record.block, record.corner, inadmissible);
-  if (depth == inadmissible)
-    return false;
-  for (int edge = 0; edge < blocks_[b].corners; ++edge)
-    if (edge != record.edge &&
-        admissible_depth(b, edge, record.block, record.corner, depth) < depth)
-      return false;
-  return true;
-}
-
-/// Is the corner behind all edges, up to the slack?
-bool LinkedListCode::inside(int b, const Corner& c) const {
-  for (int edge = 0; edge < blocks_[b].corners; ++edge) {
-    const Corner &p1 = corner(b, edge), &p2 = corner(b, after(b, edge));
-    const double ex = p2.x - p1.x, ey = p2.y - p1.y;
-    if ((c.x - p1.x) * ey - (c.y - p1.y) * ex < -slack * (ex * ex + ey * ey))
-      return false;
-  }
-  return true;
-}
-
-/// Returns the overlap of a corner with an edge. It is infinite if it is not below the
-/// limit or if the checks of 3.3 exclude it.
-double LinkedListCode::admissible_depth(int b, int edge, int other, int k,
-                                        double limit) const {
-  const Corner &c = corner(other, k), &p1 = corner(b, edge),
-               &p2 = corner(b, after(b, edge));
-  const double ex = p2.x - p1.x, ey = p2.y - p1.y;
-  const double length = std::sqrt(ex * ex + ey * ey);
-  const double cosine = ex / length, sine = ey / length;
-  const double wx = c.x - p1.x, wy = c.y - p1.y;
-  const double depth = wx * sine - wy * cosine, along = wx * cosine + wy * sine;
-  if (!(depth < limit))
-    return inadmissible;
-  // The corner must be between the ends of the edge. For a convex block, `inside` has
-  // tested all edges.
-  if (!blocks_[b].convex && (depth < -slack * length || along < -slack * length ||
-                             along > (1.0 + slack) * length))
-    return inadmissible;
-  // The corner must not be deeper than the centroid.
-  if (depth > (blocks_[b].x - p1.x) * sine - (blocks_[b].y - p1.y) * cosine)
-    return inadmissible;
-  return faces(sine, cosine, other, k) ? depth : inadmissible;
 }
 
 /// Applies (20) to both edges of the corner.
