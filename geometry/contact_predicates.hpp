@@ -36,14 +36,8 @@ namespace exact {
                                                  const Vec2& p2);
 [[gnu::cold, gnu::noinline]] bool between(const Vec2& c, const Vec2& p1,
                                           const Vec2& p2);
-[[gnu::cold, gnu::noinline]] bool within_depth(const Vec2& c, const Vec2& centroid,
-                                               const Vec2& p1, const Vec2& p2);
 [[gnu::cold, gnu::noinline]] bool faces_edge(const Vec2& c, const Vec2& neighbour,
                                              const Vec2& p1, const Vec2& p2);
-[[gnu::cold, gnu::noinline]] int compare_depth(const Vec2& c, const Vec2& p1,
-                                               const Vec2& p2, const Vec2& q1,
-                                               const Vec2& q2);
-
 [[gnu::cold, gnu::noinline]] bool well_between(const Vec2& c, const Vec2& p1,
                                                const Vec2& p2);
 [[gnu::cold, gnu::noinline]] int turn_sign(const Vec2& p1, const Vec2& p2,
@@ -116,33 +110,26 @@ struct Dot {
   double magnitude() const { return std::abs(x) + std::abs(y); }
 };
 
-template <class Point>
-inline Cross cross(const Point& c, const Point& o, const Point& p1, const Point& p2) {
+inline Cross cross(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
   return {(c.x() - o.x()) * (p2.y() - p1.y()), (c.y() - o.y()) * (p2.x() - p1.x())};
 }
 
-template <class Point>
-inline Dot dot(const Point& c, const Point& p1, const Point& p2) {
+inline Dot dot(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return {(c.x() - p1.x()) * (p2.x() - p1.x()), (c.y() - p1.y()) * (p2.y() - p1.y())};
 }
 
-template <class Point> inline double squared_length(const Point& p1, const Point& p2) {
+inline double squared_length(const Vec2& p1, const Vec2& p2) {
   const double ex = p2.x() - p1.x();
   const double ey = p2.y() - p1.y();
   return ex * ex + ey * ey;
 }
 
-// The filters, shared by the scalar predicates below and by the lanes of
-// geometry/contact_predicates_batch.hpp. A Point has x() and y().
-
-template <class Point>
-inline Estimate overlap(const Point& c, const Point& p1, const Point& p2) {
+inline Estimate overlap(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const Cross a = cross(c, p1, p1, p2);
   return {a.value(), u4 * a.magnitude() + underflow};
 }
 
-template <class Point>
-inline Estimate near_or_inside(const Point& c, const Point& p1, const Point& p2) {
+inline Estimate near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   const Cross a = cross(c, p1, p1, p2);
   const double slack = contact_slack * squared_length(p1, p2);
   return {a.value() + slack, u8 * (a.magnitude() + slack) + underflow};
@@ -150,8 +137,7 @@ inline Estimate near_or_inside(const Point& c, const Point& p1, const Point& p2)
 
 /// part: how far c may be beyond either end, as a fraction of the edge's length. A
 /// negative value means that c must be that far inside both ends.
-template <class Point>
-inline Estimate between(const Point& c, const Point& p1, const Point& p2,
+inline Estimate between(const Vec2& c, const Vec2& p1, const Vec2& p2,
                         double part = contact_slack) {
   const Dot along = dot(c, p1, p2);
   const double length2 = squared_length(p1, p2);
@@ -160,35 +146,10 @@ inline Estimate between(const Point& c, const Point& p1, const Point& p2,
           u8 * (along.magnitude() + length2) + underflow};
 }
 
-/// Positive if c is less deep than the centroid.
-template <class Point>
-inline Estimate above_centroid(const Point& c, const Point& centroid, const Point& p1,
-                               const Point& p2) {
-  const Cross a = cross(c, centroid, p1, p2);
-  return {a.minus - a.plus, u4 * a.magnitude() + underflow};
-}
-
-/// The least of the values of near_or_inside, above_centroid and both conditions of
-/// between, and a bound that is larger than any of their bounds.
-template <class Point>
-inline Estimate in_reach_of_edge(const Point& c, const Point& centroid, const Point& p1,
-                                 const Point& p2) {
-  const Dot along = dot(c, p1, p2);
-  const double length2 = squared_length(p1, p2);
-  const double slack = contact_slack * length2;
-  const Cross a = cross(c, p1, p1, p2);
-  const Cross g = cross(c, centroid, p1, p2);
-  return {least(least(a.value() + slack, -g.value()),
-                least(along.value() + slack, (length2 - along.value()) + slack)),
-          u16 * (a.magnitude() + g.magnitude() + along.magnitude() + length2) +
-              underflow};
-}
-
 /// x|x| increases with x, so signed squares compare as the sines do, and no square root
 /// is needed.
-template <class Point>
-inline Estimate faces_edge(const Point& c, const Point& neighbour, const Point& p1,
-                           const Point& p2) {
+inline Estimate faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
+                           const Vec2& p2) {
   const Cross a = cross(neighbour, c, p1, p2);
   const double sine = a.minus - a.plus;  // |e| |t| times t.n
   const double e2 = squared_length(p1, p2);
@@ -198,18 +159,15 @@ inline Estimate faces_edge(const Point& c, const Point& neighbour, const Point& 
           unless(least(e2, t2) > 0x1p-480, u16 * q)};
 }
 
-template <class Point>
-inline Estimate turn(const Point& p1, const Point& p2, const Point& q1,
-                     const Point& q2) {
+inline Estimate turn(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q2) {
   const Cross a = cross(p2, p1, q1, q2);
   return {a.value(), u4 * a.magnitude() + underflow};
 }
 
 /// Let D be the dot product of the two edges and Q the product of their squared
 /// lengths. The value is positive where D <= -cos(10 degrees) sqrt(Q).
-template <class Point>
-inline Estimate edges_face(const Point& p1, const Point& p2, const Point& q1,
-                           const Point& q2) {
+inline Estimate edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1,
+                           const Vec2& q2) {
   const double ex = p2.x() - p1.x(), ey = p2.y() - p1.y();
   const double fx = q2.x() - q1.x(), fy = q2.y() - q1.y();
   const double d = ex * fx + ey * fy;
@@ -221,7 +179,7 @@ inline Estimate edges_face(const Point& p1, const Point& p2, const Point& q1,
 
 /// Returns 1 / |p2 - p1| for `depth`, or infinity if products of such lengths leave the
 /// range of doubles.
-template <class Point> inline double per_length(const Point& p1, const Point& p2) {
+inline double per_length(const Vec2& p1, const Vec2& p2) {
   const double length2 = squared_length(p1, p2);
   return length2 > 0x1p-900 && length2 < 0x1p900
              ? 1.0 / std::sqrt(length2)
@@ -229,8 +187,7 @@ template <class Point> inline double per_length(const Point& p1, const Point& p2
 }
 
 /// The overlap d = 2A / L, [L].
-template <class Point>
-inline Estimate depth(const Point& c, const Point& p1, const Point& p2,
+inline Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
                       double per_length) {
   const Cross a = cross(c, p1, p1, p2);
   return {a.value() * per_length,
@@ -239,9 +196,8 @@ inline Estimate depth(const Point& c, const Point& p1, const Point& p2,
 
 /// Positive where the angle between p and q has a larger sine than the angle between p
 /// and r.
-template <class Point>
-inline Estimate slope_difference(const Point& p1, const Point& p2, const Point& q1,
-                                 const Point& q2, const Point& r1, const Point& r2) {
+inline Estimate slope_difference(const Vec2& p1, const Vec2& p2, const Vec2& q1,
+                                 const Vec2& q2, const Vec2& r1, const Vec2& r2) {
   const Cross a = cross(p2, p1, q1, q2);
   const Cross b = cross(p2, p1, r1, r2);
   const double q_length2 = squared_length(q1, q2);
@@ -254,9 +210,8 @@ inline Estimate slope_difference(const Point& p1, const Point& p2, const Point& 
                      underflow)};
 }
 
-template <class Point>
-inline Estimate depth_difference(const Point& c, const Point& p1, const Point& p2,
-                                 const Point& d, const Point& q1, const Point& q2) {
+inline Estimate depth_difference(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                                 const Vec2& d, const Vec2& q1, const Vec2& q2) {
   const Cross a = cross(c, p1, p1, p2);
   const Cross b = cross(d, q1, q1, q2);
   const double p_length2 = squared_length(p1, p2);
@@ -318,34 +273,6 @@ inline bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return exact::well_between(c, p1, p2);
 }
 
-/// Tests whether the overlap of c is at most the distance of the edge from its block's
-/// centroid: 2A(c) <= 2A(centroid). Only the study's variant `corners` uses this. True
-/// when both are equally deep; true for at least one of (c, g) and (g, c), g the
-/// centroid.
-inline bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1,
-                         const Vec2& p2) {
-  const filter::Estimate d = filter::above_centroid(c, centroid, p1, p2);
-  if (d.positive()) [[likely]]
-    return true;
-  if (d.negative())
-    return false;
-  return exact::within_depth(c, centroid, p1, p2);
-}
-
-/// Tests near_or_inside, between and within_depth together, for inner loops. One
-/// evaluation of their common terms decides nearly every potential contact. Guarantee:
-/// equal to near_or_inside && between && within_depth.
-inline bool in_reach_of_edge(const Vec2& c, const Vec2& centroid, const Vec2& p1,
-                             const Vec2& p2) {
-  const filter::Estimate d = filter::in_reach_of_edge(c, centroid, p1, p2);
-  if (d.positive()) [[likely]]
-    return true;
-  if (d.negative())
-    return false;
-  return near_or_inside(c, p1, p2) && between(c, p1, p2) &&
-         within_depth(c, centroid, p1, p2);
-}
-
 /// Equation (20) for one tangent t = neighbour - c of the corner: t.n >=
 /// sin(-10 deg) |t|. Equality never occurs, because sin(10 deg) is a root of an
 /// irreducible cubic. neighbour = c counts as true. Unchanged when t or e is scaled, or
@@ -358,20 +285,6 @@ inline bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
   if (d.negative())
     return false;
   return exact::faces_edge(c, neighbour, p1, p2);
-}
-
-/// Sign of (overlap of c with p1 -> p2) - (overlap of c with q1 -> q2), where both
-/// overlaps are signed: -1 when the first is smaller, 0 when they are exactly equal.
-/// Swapping the edges changes the sign. A common corner of two edges has overlap 0 with
-/// both.
-inline int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
-                         const Vec2& q2) {
-  const filter::Estimate d = filter::depth_difference(c, p1, p2, c, q1, q2);
-  if (d.positive())
-    return 1;
-  if (d.negative())
-    return -1;
-  return exact::compare_depth(c, p1, p2, q1, q2);
 }
 
 /// Sign of (p2 - p1) x (q2 - q1): +1 when edge q is rotated anticlockwise from edge p,

@@ -160,11 +160,6 @@ bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   return between_ends(c, p1, p2, -contact_slack);
 }
 
-bool within_depth(const Vec2& c, const Vec2& centroid, const Vec2& p1, const Vec2& p2) {
-  ++undecided_by_filter;
-  return cross_sign(c, centroid, p1, p2) <= 0;
-}
-
 bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1, const Vec2& p2) {
   ++undecided_by_filter;
   ++undecided_by_doubles;
@@ -193,11 +188,6 @@ int compare_slopes(const Vec2& p1, const Vec2& p2, const Vec2& q1, const Vec2& q
   const Vector p(p1, p2), q(q1, q2), r(r1, r2);
   const Number a = cross(p, q), b = cross(p, r);
   return sign(a * a * dot(r, r) - b * b * dot(q, q));
-}
-
-int compare_depth(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& q1,
-                  const Vec2& q2) {
-  return compare_depths(c, p1, p2, c, q1, q2);
 }
 
 int compare_depths(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& d,

@@ -137,9 +137,6 @@ them by at most `contact_slack` times its length.)");
   three("well_between", bool{}, geometry::well_between, R"(
 Tests whether the foot of corner c is between the ends of the edge, and at least
 `contact_slack` times its length away from both.)");
-  four("within_depth", {"c", "centroid", "p1", "p2"}, bool{}, geometry::within_depth,
-       R"(
-Tests whether corner c is at most as deep below the edge as the centroid of its block.)");
   four("faces_edge", {"c", "neighbour", "p1", "p2"}, bool{}, geometry::faces_edge, R"(
 Tests equation (20) for one side of corner c, which leads to its neighbour: the side does
 not point below the edge by more than ten degrees.)");

@@ -149,10 +149,10 @@ template <Ends ends> struct ExactSigns : dynamics::ExactPredicates {
   }
 
  private:
-  /// Tests the sign of (c - o).(p2 - p1). within_depth tests that of (c - o) x (p2 -
-  /// p1), and rotating p1 and p2 by a right angle is exact.
+  /// Tests the sign of (c - o).(p2 - p1). turn_sign has that of (c - o) x (p2 - p1),
+  /// and rotating p1 and p2 by a right angle is exact.
   static bool not_before(const Vec2& c, const Vec2& o, const Vec2& p1, const Vec2& p2) {
-    return geometry::within_depth(c, o, {-p2.y(), p2.x()}, {-p1.y(), p1.x()});
+    return geometry::turn_sign(o, c, {-p2.y(), p2.x()}, {-p1.y(), p1.x()}) <= 0;
   }
 };
 

@@ -48,9 +48,6 @@ struct Judge {
     const Rational slack = Rational(contact_slack) * length2;
     return s >= -slack && s <= length2 + slack;
   }
-  static bool within_depth(const Case& k) {
-    return cross(k.p1, k.c, k.p1, k.p2) <= cross(k.p1, k.centroid, k.p1, k.p2);
-  }
   /// Decides twice: by sin 10 degrees to 100 digits, and by the cubic of which it is a
   /// root.
   static bool faces_edge(const Case& k) {
@@ -64,7 +61,6 @@ struct Judge {
     EXPECT_EQ(by_digits, by_cubic) << "the judges disagree";
     return by_digits;
   }
-  static int compare_depth(const Case& k) { return compare_depths(k, k.c); }
   static int compare_depths(const Case& k) { return compare_depths(k, k.neighbour); }
   /// Returns the sign of the depth of c below edge p minus that of d below edge q.
   static int compare_depths(const Case& k, const Vec2& d) {
@@ -78,6 +74,10 @@ struct Judge {
     const Rational length2 = dot(k.p1, k.p2, k.p1, k.p2);
     const Rational slack = Rational(contact_slack) * length2;
     return s >= slack && s <= length2 - slack;
+  }
+  /// Returns the sign of the turn from the line through the centroid and c to edge p.
+  static int turn_from_centroid(const Case& k) {
+    return cross(k.centroid, k.c, k.p1, k.p2).sign();
   }
   /// Returns the sign of the turn from edge p to the edge from c to its neighbour.
   static int turn_sign(const Case& k) {

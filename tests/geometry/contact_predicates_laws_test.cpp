@@ -52,18 +52,10 @@ TEST(ContactPredicates, BetweenDoesNotDependOnTheSenseOfTheEdge) {
   });
 }
 
-TEST(ContactPredicates, OneOfTwoPointsIsWithinTheDepthOfTheOther) {
-  for_many_cases([](const Case& k, bool, Random&) {
-    ASSERT_TRUE(within_depth(k.c, k.centroid, k.p1, k.p2) ||
-                within_depth(k.centroid, k.c, k.p1, k.p2));
-  });
-}
-
 TEST(ContactPredicates, ComparisonsOfDepthsAreAntisymmetric) {
   for_many_cases([](const Case& k, bool, Random&) {
-    const int nearer = compare_depth(k.c, k.p1, k.p2, k.q1, k.q2);
-    ASSERT_EQ(nearer, -compare_depth(k.c, k.q1, k.q2, k.p1, k.p2));
-    ASSERT_EQ(nearer, compare_depths(k.c, k.p1, k.p2, k.c, k.q1, k.q2));
+    const int nearer = compare_depths(k.c, k.p1, k.p2, k.c, k.q1, k.q2);
+    ASSERT_EQ(nearer, -compare_depths(k.c, k.q1, k.q2, k.c, k.p1, k.p2));
     const int deeper = compare_depths(k.c, k.p1, k.p2, k.neighbour, k.q1, k.q2);
     ASSERT_EQ(deeper, -compare_depths(k.neighbour, k.q1, k.q2, k.c, k.p1, k.p2));
   });
@@ -71,8 +63,8 @@ TEST(ContactPredicates, ComparisonsOfDepthsAreAntisymmetric) {
 
 TEST(ContactPredicates, DepthsBelowTheSameEdgeOrCornerAreEqual) {
   for_many_cases([](const Case& k, bool, Random&) {
-    ASSERT_EQ(compare_depth(k.c, k.p1, k.p2, k.p1, k.p2), 0);
-    ASSERT_EQ(compare_depth(k.p2, k.p1, k.p2, k.p2, k.q2), 0);
+    ASSERT_EQ(compare_depths(k.c, k.p1, k.p2, k.c, k.p1, k.p2), 0);
+    ASSERT_EQ(compare_depths(k.p2, k.p1, k.p2, k.p2, k.p2, k.q2), 0);
   });
 }
 
@@ -119,8 +111,6 @@ TEST(ContactPredicates, DoNotDependOnScaleAndOrigin) {
     ASSERT_EQ(between(m.c, m.p1, m.p2), between(k.c, k.p1, k.p2));
     ASSERT_EQ(faces_edge(m.c, m.neighbour, m.p1, m.p2),
               faces_edge(k.c, k.neighbour, k.p1, k.p2));
-    ASSERT_EQ(compare_depth(m.c, m.p1, m.p2, m.q1, m.q2),
-              compare_depth(k.c, k.p1, k.p2, k.q1, k.q2));
     ASSERT_EQ(well_between(m.c, m.p1, m.p2), well_between(k.c, k.p1, k.p2));
     ASSERT_EQ(turn_sign(m.p1, m.p2, m.c, m.neighbour),
               turn_sign(k.p1, k.p2, k.c, k.neighbour));
@@ -142,9 +132,7 @@ TEST(ContactPredicates, UseExactArithmeticNextToTiesOnly) {
     overlap_sign(k.c, k.p1, k.p2);
     near_or_inside(k.c, k.p1, k.p2);
     between(k.c, k.p1, k.p2);
-    within_depth(k.c, k.centroid, k.p1, k.p2);
     faces_edge(k.c, k.neighbour, k.p1, k.p2);
-    compare_depth(k.c, k.p1, k.p2, k.q1, k.q2);
     compare_depths(k.c, k.p1, k.p2, k.neighbour, k.q1, k.q2);
     well_between(k.c, k.p1, k.p2);
     turn_sign(k.p1, k.p2, k.c, k.neighbour);

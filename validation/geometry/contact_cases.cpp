@@ -227,7 +227,7 @@ void overlap_near_bound(ContactCase& k, Draw& draw, bool slack) {
                          4);
   k.p1.x() = sx * way * lost(draw);
   k.p1.y() = sy * way * lost(draw);
-  k.q1 = k.c;  // The depth below edge q is zero, so compare_depth has the same sign.
+  k.q1 = k.c;  // The depth below edge q is 0, so compare_depths has the same sign.
 }
 
 /// Sets a case near the error bound of the first end of the edge. The edge is short, so
@@ -250,10 +250,9 @@ void end_near_bound(ContactCase& k, Draw& draw) {
   k.p2 = coarse + Vec2(sx * f.x2 * s, -sy * f.y2 * s);
 }
 
-/// Sets a case near the error bound of `within_depth`: the corner is as deep as the
-/// centroid, which is far away along a short edge. All other conditions of
-/// `in_reach_of_edge` hold.
-void depth_near_bound(ContactCase& k, Draw& draw) {
+/// Sets a case near the error bound of `turn`: the corner is as deep as the centroid,
+/// which is far away along a short edge.
+void turn_near_bound(ContactCase& k, Draw& draw) {
   const double s = std::ldexp(1, -draw.whole(5, 8));  // length of the edge
   const double sx = draw.coin() ? 1 : -1, sy = draw.coin() ? 1 : -1;
   const double across = draw.coin() ? 1 : -1, way = draw.coin() ? 1 : -1;
@@ -298,7 +297,7 @@ ContactCase near_the_bound(std::uint64_t number) {
       end_near_bound(k, draw);
       break;
     case 3:
-      depth_near_bound(k, draw);
+      turn_near_bound(k, draw);
       break;
     default:
       tangent_near_bound(k, draw);

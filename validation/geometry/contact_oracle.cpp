@@ -97,8 +97,8 @@ bool try_to_judge(const ContactCase& k, ContactTruth& truth) {
   truth.overlap_sign = area.sign();
   truth.near_or_inside = (area + slack).sign() >= 0;
   truth.between = (along + slack).sign() >= 0 && (length2 + slack - along).sign() >= 0;
-  truth.within_depth = (cross(Vector(k.p1, k.centroid), e) - area).sign() >= 0;
-  truth.compare_depth =
+  truth.turn_sign = cross(Vector(k.centroid, k.c), e).sign();
+  truth.compare_depths =
       (area * area.size() * other_length2 - other * other.size() * length2).sign();
   const Vector t(k.c, k.neighbour);
   const Number sine = cross(e, t), q = length2 * dot(t, t);

@@ -9,8 +9,9 @@ namespace blocks::validation {
 
 struct ContactTruth {
   int overlap_sign;
-  bool near_or_inside, between, within_depth, faces_edge;
-  int compare_depth;
+  bool near_or_inside, between, faces_edge;
+  int turn_sign;       ///< from the line from the centroid to c to edge p
+  int compare_depths;  ///< of c below edges p and q
 };
 
 /// Returns the exact answers of all predicates.

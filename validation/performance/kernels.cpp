@@ -19,7 +19,7 @@ using namespace geometry;
 /// A corner near the top of a unit square, its neighbour corners, and two edges of the
 /// square.
 struct Case {
-  Vec2 corner, before, after, centroid, p1, p2, q2;
+  Vec2 corner, before, after, p1, p2, q2;
 };
 
 constexpr int cases = 1024;
@@ -36,8 +36,8 @@ std::vector<Case> near_an_edge(double low, double high) {
   for (int i = 0; i < cases; ++i) {
     const Vec2 corner(uniform(i, 0, 0.1, 0.9), 1.0 + uniform(i, 1, low, high));
     made.push_back({corner, corner + Vec2(1.0, uniform(i, 2, -0.1, 0.1)),
-                    corner + Vec2(uniform(i, 3, -0.1, 0.1), 1.0), Vec2(0.5, 0.5),
-                    Vec2(0, 1), Vec2(1, 1), Vec2(1, 0)});
+                    corner + Vec2(uniform(i, 3, -0.1, 0.1), 1.0), Vec2(0, 1),
+                    Vec2(1, 1), Vec2(1, 0)});
   }
   return made;
 }
@@ -67,12 +67,11 @@ std::vector<std::string> register_all() {
       [](const Case& k) { return near_or_inside(k.corner, k.p1, k.p2); });
   add(names, "between", touching,
       [](const Case& k) { return between(k.corner, k.p1, k.p2); });
-  add(names, "within_depth", touching,
-      [](const Case& k) { return within_depth(k.corner, k.centroid, k.p1, k.p2); });
   add(names, "faces_edge", touching,
       [](const Case& k) { return faces_edge(k.corner, k.after, k.p1, k.p2); });
-  add(names, "compare_depth", touching,
-      [](const Case& k) { return compare_depth(k.corner, k.p1, k.p2, k.p2, k.q2); });
+  add(names, "compare_depths", touching, [](const Case& k) {
+    return compare_depths(k.corner, k.p1, k.p2, k.corner, k.p2, k.q2);
+  });
   add(names, "(19), between, (20) twice", near_an_edge(-1e-3, -1e-4),
       [](const Case& k) {
         return overlap_sign(k.corner, k.p1, k.p2) > 0 &&
