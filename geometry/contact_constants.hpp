@@ -50,4 +50,19 @@ inline constexpr double successor_cosine = 0.95;
 /// opposite within the angle of this cosine (18 degrees).
 inline constexpr double face_cosine = 0.95;
 
+// The constants of the surface rule (docs/surface-rule.md#constants).
+
+/// A contact is far if it is deeper than this factor times the region that the two parts
+/// have in common, and than this factor times every shift that frees one of them from a
+/// third part.
+inline constexpr double deepest_share = 2.0;
+
+/// A joint is closed if its gap is at most this factor times the deeper overlap there.
+inline constexpr double joint_width = 2.0;
+
+/// A third part hides an axis only if the part that is shifted out through the axis
+/// overlaps the third one by at least this share of the shift. Flush surfaces then
+/// overlap by rounding only.
+inline constexpr double remaining_share = 0.02;
+
 }  // namespace blocks::geometry

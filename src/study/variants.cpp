@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dynamics/rules/surface_rule.hpp"
 #include "dynamics/step.hpp"
 #include "study/near_corners.hpp"
 #include "study/signs.hpp"
@@ -21,6 +22,18 @@ template <class Predicates, bool transfers = true> struct PairRules {
                      const PairIndex& index, int p, PairScratch& scratch) {
     dynamics::ContactRules::decide_exactly<Predicates>(blocks, parts, index, p,
                                                        scratch);
+  }
+};
+
+/// The surface rule. Every pair is decided in every step.
+struct SurfaceRules {
+  static constexpr bool keeps_decisions = false, transfers_springs = true;
+  static void decide(const Blocks& blocks, const BlockParts& parts,
+                     const PairIndex& index, int p, PairScratch& scratch) {
+    const dynamics::Neighbours neighbours{index};
+    dynamics::SurfaceRule<dynamics::Neighbours> rule(blocks, parts, neighbours,
+                                                     scratch);
+    rule.decide(index.pairs[p].low, index.pairs[p].high);
   }
 };
 
@@ -158,6 +171,10 @@ const std::vector<Variant>& all_variants() {
           "no-faces", "default, but of two faces one corner acts, the deepest"),
       variant<PairRules<dynamics::ExactPredicates, false>>(
           "no-hand-over", "default, but springs do not pass to other contacts"),
+      // another rule
+      variant<SurfaceRules>("surface",
+                            "the least axis that is surface of all blocks together, "
+                            "exact"),
       // other arithmetic
       other_signs<PlainSigns<PrintedArea, Ends::slack>>(
           "printed", "default, but (19) as printed, in doubles and absolute "
