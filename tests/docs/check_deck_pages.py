@@ -219,8 +219,11 @@ def disc(results, _):
 def roof(results, _):
     cracks = results.summary["cracks"]
     yield r"There are # cracks", len(cracks)
-    yield r"the first # s after", cracks[0]["time"] - results.summary["time"] + 1.2
-    assert cracks[0]["parent"] < 52, "not in the lowest bed"
+    first = cracks[0]["time"]
+    yield r"the first # s after", first - results.summary["time"] + 1.2
+    assert 92 <= cracks[0]["parent"] < 132, "not in the upper bed of shale"
+    lowest = min(crack["time"] for crack in cracks if crack["parent"] < 52)
+    yield r"begin # s later", lowest - first
 
 
 def crater_cracks(results, _):

@@ -168,8 +168,9 @@ template <class Predicates, class Neighbours> class PairRule {
   std::optional<Axis> find_entered(const Axis& least) {
     Entry<Predicates> entry(shape_, predicates_);
     for (Axis axis = least;; axis = take_least()) {
-      if (!region_.is_far(axis, shape_.find_facing(axis)) &&
-          (!Predicates::entry || entry.is_entered(axis)))
+      // Entry is tested first, because it takes less time.
+      if ((!Predicates::entry || entry.is_entered(axis)) &&
+          !region_.is_far(axis, shape_.find_facing(axis)))
         return axis;
       if (scratch_.axes.empty())
         return std::nullopt;
