@@ -18,6 +18,7 @@ const std::map<std::string, std::string> value_words = {
     {"colour", "QUANTITY"},
     {"csv", "FILE"},
     {"dblock", "FILE"},
+    {"deck", "FILE"},
     {"engine", "ENGINE"},
     {"expect", "VARIANT"},
     {"figure", "FILE"},
