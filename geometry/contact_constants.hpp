@@ -30,8 +30,7 @@ inline constexpr double covered_share = 0.5;
 /// diameter of the overlap region, and than this factor times the depth of the least
 /// axis, plus the slack of its side. Along the faces of the least axis, contacts are at
 /// most 1 / cos(10 degrees) = 1.0154 times as deep as it. A smaller factor might drop
-/// them. From about 10 on, corners act on far sides of rock that is cut by two joint
-/// sets.
+/// them.
 inline constexpr double far_factor = 1.02;
 
 /// Tangent of 10 degrees, as the double nearest to it, taken as exact. In a notch, the
@@ -52,9 +51,9 @@ inline constexpr double face_cosine = 0.95;
 
 // The constants of the surface rule (docs/surface-rule.md#constants).
 
-/// A contact is far if it is deeper than this factor times the region that the two parts
-/// have in common, and than this factor times every shift that frees one of them from a
-/// third part.
+/// A contact is far if it is deeper than this factor times the region that the two
+/// parts have in common, and than this factor times every shift that frees one of them
+/// from a third part.
 inline constexpr double deepest_share = 2.0;
 
 /// A joint is closed if its gap is at most this factor times the deeper overlap there.

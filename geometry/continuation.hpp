@@ -52,11 +52,4 @@ bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outlin
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
                               Outline one, Outline other);
 
-namespace exact {
-
-/// Returns how often the calling thread has used rationals for the questions above.
-unsigned long long continuation_calls();
-
-}  // namespace exact
-
 }  // namespace blocks::geometry

@@ -20,11 +20,4 @@ bool is_near_ends(const Vec2& c, const Vec2& p1, const Vec2& p2);
 bool is_raised_foot_inside(const Vec2& c, const Vec2& p1, const Vec2& p2,
                            Outline polygon);
 
-namespace exact {
-
-/// Returns how often the calling thread has used rationals for the two questions above.
-unsigned long long notch_calls();
-
-}  // namespace exact
-
 }  // namespace blocks::geometry

@@ -30,7 +30,4 @@ namespace blocks::geometry::exact {
 /// another convex polygon, borders included.
 [[gnu::cold, gnu::noinline]] bool has_segment(Outline polygon, int side, Outline other);
 
-/// Returns how often the calling thread has used rationals for these two questions.
-unsigned long long overlap_region_calls();
-
 }  // namespace blocks::geometry::exact

@@ -23,8 +23,6 @@ using sides::least;
 using sides::most;
 using sides::Rational;
 
-thread_local unsigned long long undecided_by_intervals = 0;
-
 /// A vector, or a point as the vector from the origin of coordinates.
 template <class Number> struct Arrow {
   Number x, y;
@@ -297,13 +295,10 @@ template <class Ask> bool decide(const Ask& ask) {
   } catch (const CGAL::Uncertain_conversion_exception&) {
   } catch (const sides::Overflow&) {
   }
-  ++undecided_by_intervals;
   return ask(Rational(0));
 }
 
 }  // namespace
-
-unsigned long long exact::continuation_calls() { return undecided_by_intervals; }
 
 bool is_hidden_by(const PolygonAxis& axis, Outline third, Continues which) {
   return decide([&](auto number) {

@@ -13,8 +13,6 @@ namespace {
 
 using exact::Rational;
 
-thread_local unsigned long long undecided_by_doubles = 0;
-
 /// Part of the sum of the magnitudes of all terms that bounds their rounding errors.
 constexpr double rounding = 0x1p-44;
 /// If no difference of coordinates is larger than `largest`, what underflow loses in
@@ -106,13 +104,10 @@ int sign(const Rational& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 }  // namespace
 
-unsigned long long exact::notch_calls() { return undecided_by_doubles; }
-
 bool is_near_ends(const Vec2& c, const Vec2& p1, const Vec2& p2) {
   if (are_moderate(p1, {c, p2}))
     if (const int sure = sure_sign(reach_of<double>(c, p1, p2)))
       return sure > 0;
-  ++undecided_by_doubles;
   return reach_of<Rational>(c, p1, p2).value >= 0;
 }
 
@@ -125,7 +120,6 @@ bool is_raised_foot_inside(const Vec2& c, const Vec2& p1, const Vec2& p2,
     if (are_moderate(p1, {c, p2, start, end}))
       if (const int sure = sure_sign(area_of<double>(foot, p1, start, end)))
         return sure > 0;
-    ++undecided_by_doubles;
     return sign(area_of<Rational>(Foot<Rational>(c, p1, p2), p1, start, end).value) > 0;
   };
   for (int side = 0; side < static_cast<int>(polygon.size()); ++side)

@@ -11,8 +11,6 @@ namespace {
 
 using sides::Interval;
 
-thread_local unsigned long long asked = 0;
-
 /// A vertex of the overlap region.
 template <class Number> struct Vertex { Number x, y; };
 
@@ -121,15 +119,11 @@ bool is_far(const Vec2& c, const Vec2& p1, const Vec2& p2, const Vec2& d,
   const CornerBelow corner{c, p1, p2}, least_axis{d, q1, q2};
   if (const auto sure = find_far_by_intervals(corner, least_axis, one, other, joints))
     return *sure;
-  ++asked;
   return *find_far<Rational>(corner, least_axis, one, other, joints);
 }
 
 bool has_segment(Outline polygon, int side, Outline other) {
-  ++asked;
   return !sides::part_in<Rational>(polygon, side, other).is_empty();
 }
-
-unsigned long long overlap_region_calls() { return asked; }
 
 }  // namespace blocks::geometry::exact
