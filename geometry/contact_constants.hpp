@@ -59,6 +59,10 @@ inline constexpr double deepest_share = 2.0;
 /// A joint is closed if its gap is at most this factor times the deeper overlap there.
 inline constexpr double joint_width = 2.0;
 
+/// But no joint is wider than this part of the longest side of either part. So a part
+/// that is farther away certainly hides nothing.
+inline constexpr double widest_joint = 1.0 / 32.0;
+
 /// A third part hides an axis only if the part that is shifted out through the axis
 /// overlaps the third one by at least this share of the shift. Flush surfaces then
 /// overlap by rounding only.

@@ -193,7 +193,10 @@ template <class Number> class AxisQuestion {
   bool is_local(Outline third, Continues which) const {
     const Number depth2 = square(area_) / length2_;
     const Number shift2 = separating_shift2<Number>(moving(which), third);
-    const Number width2 = square(Number(joint_width)) * most(depth2, shift2);
+    const Number width2 =
+        least(square(Number(joint_width)) * most(depth2, shift2),
+              square(Number(widest_joint)) *
+                  least(longest_side2(axis_.own), longest_side2(axis_.other)));
     if (which == Continues::other && axis_.facing < 0)
       return is_near(corner_, third, width2);
     // The middle of what the two faces have in common, or the foot of the corner.
@@ -206,6 +209,12 @@ template <class Number> class AxisQuestion {
     const Side<Number> f(axis_.other, axis_.facing);
     const Number on_f = (high_ - at) / (high_ - low_);
     return is_beyond(f.start + on_f * f.along, f.along.left(), third, width2);
+  }
+  static Number longest_side2(Outline polygon) {
+    Number found(0);
+    for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
+      found = most(found, Side<Number>(polygon, i).length2());
+    return found;
   }
   /// Returns whether a ray meets a polygon within a distance, given by its square.
   static bool is_beyond(const Arrow<Number>& start, const Arrow<Number>& way,
@@ -286,6 +295,16 @@ template <class Number> Number diameter2(Outline one, Outline other) {
   return found;
 }
 
+/// Returns whether the depth of a corner below a side, less the slack, exceeds
+/// `deepest_share` times a length, given by its square.
+template <class Number>
+bool exceeds(const Side<Number>& side, const Vec2& corner, const Number& length2) {
+  const Number area = side.area(Arrow<Number>(corner)) -
+                      Number(contact_slack) * side.length2();
+  return area > 0 &&
+         square(area) > square(Number(deepest_share)) * length2 * side.length2();
+}
+
 /// Asks a question with intervals, and with rationals if they cannot decide.
 /// ask(number) gets a number of the type to use.
 template <class Ask> bool decide(const Ask& ask) {
@@ -329,9 +348,8 @@ bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outlin
                            Outline other) {
   return decide([&](auto number) {
     using Number = decltype(number);
-    const Side<Number> e(p1, p2);
-    const Number most2 = square(Number(deepest_share)) * diameter2<Number>(one, other);
-    return most2 > 0 && square(e.area(Arrow<Number>(c))) > most2 * e.length2();
+    const Number region2 = diameter2<Number>(one, other);
+    return region2 > 0 && exceeds(Side<Number>(p1, p2), c, region2);
   });
 }
 
@@ -339,10 +357,7 @@ bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
                               Outline one, Outline other) {
   return decide([&](auto number) {
     using Number = decltype(number);
-    const Side<Number> e(p1, p2);
-    const Number most2 =
-        square(Number(deepest_share)) * separating_shift2<Number>(one, other);
-    return square(e.area(Arrow<Number>(c))) > most2 * e.length2();
+    return exceeds(Side<Number>(p1, p2), c, separating_shift2<Number>(one, other));
   });
 }
 

@@ -84,13 +84,13 @@ template <class Neighbours> class SurfaceRule {
     if (!find_axes())
       return;  // the two parts are apart
     least_ = axes_.front();
-    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0)
-      return;  // they touch
     for (const int k : {0, 1}) {
       take_outline(k);
       thirds_[k].collect(blocks_, parts_, neighbours_, shape_.part(k),
                          shape_.part(1 - k));
     }
+    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0)
+      return touch(least_, shape_.find_facing(least_));
     for (const Axis& axis : axes_) {
       const std::optional<PairSide> facing = facing_of(axis);
       if (is_entered(axis, facing) && !is_far(axis, facing) && !is_hidden(axis, facing))
@@ -150,6 +150,8 @@ template <class Neighbours> class SurfaceRule {
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
     if (shape_.depth_sign(side, corner.index) <= 0 ||
+        !geometry::exceeds_separating_shift(c, e.start, e.end, outline_[0],
+                                            outline_[1]) ||
         !geometry::exceeds_common_region(c, e.start, e.end, outline_[0], outline_[1]))
       return false;
     for (const int k : {0, 1})
