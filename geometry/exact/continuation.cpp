@@ -47,17 +47,27 @@ template <class Number> Number dot(const Arrow<Number>& a, const Arrow<Number>& 
 
 /// A side from its first corner, as a vector.
 template <class Number> struct Side {
-  Arrow<Number> start, along;
+  Arrow<Number> start, end, along;
   Side(Outline polygon, int i)
       : Side(sides::start_of(polygon, i), sides::end_of(polygon, i)) {}
-  Side(const Vec2& p1, const Vec2& p2)
-      : start(p1), along(Arrow<Number>(p2) - Arrow<Number>(p1)) {}
+  Side(const Vec2& p1, const Vec2& p2) : start(p1), end(p2), along(end - start) {}
   /// Twice the area below the side: the depth of the point times the length.
-  Number area(const Arrow<Number>& point) const { return cross(point - start, along); }
+  /// It is exactly 0 at both ends, also with intervals.
+  Number area(const Arrow<Number>& point) const {
+    const bool is_at_end =
+        CGAL::certainly(point.x == end.x) && CGAL::certainly(point.y == end.y);
+    return is_at_end ? Number(0) : cross(point - start, along);
+  }
   Number length2() const { return dot(along, along); }
   /// The foot of a point, in lengths of the side from its start.
   Number foot(const Arrow<Number>& point) const {
     return dot(point - start, along) / length2();
+  }
+  /// The point at a foot. It is measured from the end beyond the middle, so that
+  /// intervals have no width at either end.
+  Arrow<Number> at(const Number& foot) const {
+    return CGAL::certainly(foot > Number(0.5)) ? end - (Number(1) - foot) * along
+                                               : start + foot * along;
   }
 };
 
@@ -203,12 +213,12 @@ template <class Number> class AxisQuestion {
     const Number zero(0), one(1);
     const Number at =
         (most(zero, least(one, low_)) + most(zero, least(one, high_))) / Number(2);
-    const Arrow<Number> middle = e_.start + at * e_.along;
+    const Arrow<Number> middle = e_.at(at);
     if (which == Continues::own)
       return is_beyond(middle, e_.along.left(), third, width2);
     const Side<Number> f(axis_.other, axis_.facing);
     const Number on_f = (high_ - at) / (high_ - low_);
-    return is_beyond(f.start + on_f * f.along, f.along.left(), third, width2);
+    return is_beyond(f.at(on_f), f.along.left(), third, width2);
   }
   static Number longest_side2(Outline polygon) {
     Number found(0);
@@ -219,17 +229,19 @@ template <class Number> class AxisQuestion {
   /// Returns whether a ray meets a polygon within a distance, given by its square.
   static bool is_beyond(const Arrow<Number>& start, const Arrow<Number>& way,
                         Outline polygon, const Number& distance2) {
+    const Number way2 = dot(way, way);
     Range<Number> range;
     range.raise(Number(0));
     for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
       const Side<Number> side(polygon, i);
       const Number area = side.area(start), gain = cross(way, side.along);
-      if (CGAL::certainly(area < 0) && CGAL::certainly(gain <= 0))
-        return false;
+      if (CGAL::certainly(area < 0) &&
+          (CGAL::certainly(gain <= 0) ||
+           CGAL::certainly(square(area) * way2 > square(gain) * distance2)))
+        return false;  // this much of the ray is outside the side
       range.cut(area, gain);
     }
-    return range.from() <= range.to() &&
-           square(range.from()) * dot(way, way) <= distance2;
+    return range.from() <= range.to() && square(range.from()) * way2 <= distance2;
   }
 
  public:
@@ -265,7 +277,7 @@ bool over_gap(const Vec2& c, const Vec2& p1, const Vec2& p2,
   const Number width2 = AxisQuestion<Number>(least_one).depth2();
   if (square(beyond) * e.length2() > width2)
     return false;
-  const Arrow<Number> at = e.start + foot * e.along;
+  const Arrow<Number> at = e.at(foot);
   return AxisQuestion<Number>::is_near(at, third, width2) &&
          !AxisQuestion<Number>::is_near(at, third,
                                         square(Number(contact_slack)) * e.length2());
@@ -299,8 +311,8 @@ template <class Number> Number diameter2(Outline one, Outline other) {
 /// `deepest_share` times a length, given by its square.
 template <class Number>
 bool exceeds(const Side<Number>& side, const Vec2& corner, const Number& length2) {
-  const Number area = side.area(Arrow<Number>(corner)) -
-                      Number(contact_slack) * side.length2();
+  const Number area =
+      side.area(Arrow<Number>(corner)) - Number(contact_slack) * side.length2();
   return area > 0 &&
          square(area) > square(Number(deepest_share)) * length2 * side.length2();
 }
