@@ -1,321 +1,15 @@
-// Each question is a template over the number type. It is asked with intervals first. A
-// comparison that an interval cannot decide throws, and rationals decide the question.
+// Each question is asked in doubles first, then with intervals, and with rationals if
+// an interval cannot decide.
 #include "geometry/continuation.hpp"
 
-#include <CGAL/Uncertain.h>
-#include <CGAL/number_utils.h>
-
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <type_traits>
-#include <vector>
-
-#include "geometry/contact_constants.hpp"
-#include "geometry/exact/sides.hpp"
+#include "geometry/exact/continuation_questions.hpp"
+#include "geometry/exact/quick_continuation.hpp"
 
 namespace blocks::geometry {
 namespace {
 
-using CGAL::square;
 using sides::Interval;
-using sides::least;
-using sides::most;
 using sides::Rational;
-
-/// A vector, or a point as the vector from the origin of coordinates.
-template <class Number> struct Arrow {
-  Number x, y;
-  Arrow(const Number& along_x, const Number& along_y) : x(along_x), y(along_y) {}
-  explicit Arrow(const Vec2& point) : x(point.x()), y(point.y()) {}
-  Arrow operator+(const Arrow& o) const { return {x + o.x, y + o.y}; }
-  Arrow operator-(const Arrow& o) const { return {x - o.x, y - o.y}; }
-  Arrow operator-() const { return {-x, -y}; }
-  /// The vector turned by a right angle to the left: outwards from a clockwise side.
-  Arrow left() const { return {-y, x}; }
-};
-template <class Number>
-Arrow<Number> operator*(const Number& factor, const Arrow<Number>& a) {
-  return {factor * a.x, factor * a.y};
-}
-template <class Number> Number cross(const Arrow<Number>& a, const Arrow<Number>& b) {
-  return a.x * b.y - a.y * b.x;
-}
-template <class Number> Number dot(const Arrow<Number>& a, const Arrow<Number>& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
-/// A side from its first corner, as a vector.
-template <class Number> struct Side {
-  Arrow<Number> start, end, along;
-  Side(Outline polygon, int i)
-      : Side(sides::start_of(polygon, i), sides::end_of(polygon, i)) {}
-  Side(const Vec2& p1, const Vec2& p2) : start(p1), end(p2), along(end - start) {}
-  /// Twice the area below the side: the depth of the point times the length.
-  /// It is exactly 0 at both ends, also with intervals.
-  Number area(const Arrow<Number>& point) const {
-    const bool is_at_end =
-        CGAL::certainly(point.x == end.x) && CGAL::certainly(point.y == end.y);
-    return is_at_end ? Number(0) : cross(point - start, along);
-  }
-  Number length2() const { return dot(along, along); }
-  /// The foot of a point, in lengths of the side from its start.
-  Number foot(const Arrow<Number>& point) const {
-    return dot(point - start, along) / length2();
-  }
-  /// The point at a foot. It is measured from the end beyond the middle, so that
-  /// intervals have no width at either end.
-  Arrow<Number> at(const Number& foot) const {
-    return CGAL::certainly(foot > Number(0.5)) ? end - (Number(1) - foot) * along
-                                               : start + foot * along;
-  }
-};
-
-/// Calls visit(area, side, sign) for each axis of two polygons. The area is that of the
-/// deepest corner of the one polygon below the side of the other. A shift v of the
-/// moving polygon adds sign * (v x side) to it.
-template <class Number, class Visit>
-void each_axis(Outline moving, Outline resting, const Visit& visit) {
-  const auto all = [&](Outline own, Outline other, int sign) {
-    for (int i = 0; i < static_cast<int>(own.size()); ++i) {
-      const Side<Number> side(own, i);
-      Number deepest = side.area(Arrow<Number>(other.front()));
-      for (const Vec2& corner : other.subspan(1))
-        deepest = most(deepest, side.area(Arrow<Number>(corner)));
-      visit(deepest, side, sign);
-    }
-  };
-  all(resting, moving, 1);
-  all(moving, resting, -1);
-}
-
-/// Returns the square of the shortest shift that separates two polygons, 0 if they are
-/// separate.
-template <class Number> Number separating_shift2(Outline one, Outline other) {
-  std::optional<Number> found;
-  each_axis<Number>(one, other, [&](const Number& area, const Side<Number>& side, int) {
-    const Number inside = most(Number(0), area);
-    const Number shift2 = square(inside) / side.length2();
-    found = found ? least(*found, shift2) : shift2;
-  });
-  return *found;
-}
-
-/// The numbers u for which all of several sums `value + u gain` are not negative.
-template <class Number> class Range {
- public:
-  void cut(const Number& value, const Number& gain) {
-    if (CGAL::certainly(gain > 0))
-      raise(-value / gain);
-    else if (CGAL::certainly(gain < 0))
-      lower(-value / gain);
-    else
-      cut_by_either(value, gain);
-  }
-  const Number& from() const { return *from_; }
-  const Number& to() const { return *to_; }
-  void raise(const Number& limit) { from_ = from_ ? most(*from_, limit) : limit; }
-
- private:
-  void lower(const Number& limit) { to_ = to_ ? least(*to_, limit) : limit; }
-  /// The sign of the gain is not known, as for parallel lines, or the gain is 0.
-  void cut_by_either(const Number& value, const Number& gain) {
-    if constexpr (std::is_same_v<Number, Interval>) {
-      if (!(value > 0))
-        throw CGAL::Uncertain_conversion_exception("the range may be empty");
-      const double largest = std::max(-gain.inf(), gain.sup());
-      if (largest == 0.0)
-        return;
-      const Interval far = value / largest;
-      const double infinite = std::numeric_limits<double>::infinity();
-      raise({-infinite, -far.inf()}), lower({far.inf(), infinite});
-    } else if (value < 0) {
-      raise(Number(1)), lower(Number(0));
-    }
-  }
-
-  std::optional<Number> from_, to_;
-};
-
-/// An axis, and what one third polygon means for it.
-template <class Number> class AxisQuestion {
- public:
-  explicit AxisQuestion(const PolygonAxis& axis)
-      : axis_(axis), e_(axis.own, axis.side),
-        corner_(axis.other[static_cast<std::size_t>(axis.corner)]),
-        area_(e_.area(corner_)), length2_(e_.length2()), low_(e_.foot(corner_)),
-        high_(low_) {
-    if (axis.facing < 0)
-      return;
-    const Arrow<Number> a(sides::start_of(axis.other, axis.facing)),
-        b(sides::end_of(axis.other, axis.facing));
-    high_ = e_.foot(a), low_ = e_.foot(b);  // the sides run against each other
-  }
-
-  bool is_hidden_by(Outline third, Continues which) const {
-    const std::optional<Range<Number>> slide = slide_along(third, which);
-    if (!slide || !is_local(third, which))
-      return false;
-    const Number forward = slide->to(), backward = -slide->from();
-    return forward < backward ? Number(1) - low_ - forward < forward
-                              : high_ - backward < backward;
-  }
-  bool is_in_notch_of(Outline third) const {
-    const Number before = -low_, after = low_ - Number(1);
-    const bool is_before = before > 0;
-    if (!is_before && !(after > 0))
-      return false;
-    const std::optional<Range<Number>> slide = slide_along(third, Continues::own);
-    if (!slide)
-      return false;
-    return is_before ? Number(2) * slide->to() >= before
-                     : Number(-2) * slide->from() >= after;
-  }
-
- private:
-  Outline moving(Continues which) const {
-    return which == Continues::own ? axis_.other : axis_.own;
-  }
-  /// Shifts one of the two polygons out of the other through the side of the axis. If
-  /// it then overlaps the third polygon by a share of the depth, returns how far it may
-  /// slide along the side until it leaves the third one.
-  std::optional<Range<Number>> slide_along(Outline third, Continues which) const {
-    const Number sign(which == Continues::own ? 1 : -1);
-    const Number depth = area_ / length2_;  // in lengths of the side
-    const Arrow<Number> out = (sign * depth) * e_.along.left(), way = sign * e_.along;
-    const Number enough2 = square(Number(remaining_share) * area_);
-    Range<Number> range;
-    bool overlap = true;
-    each_axis<Number>(moving(which), third,
-                      [&](const Number& area, const Side<Number>& side, int turn) {
-                        const Number now = area + Number(turn) * cross(out, side.along);
-                        // The signed square needs no sign of its own, which flush sides
-                        // leave open.
-                        overlap = overlap && now * CGAL::abs(now) * length2_ >=
-                                                 enough2 * side.length2();
-                        if (overlap)
-                          range.cut(now, Number(turn) * cross(way, side.along));
-                      });
-    return overlap ? std::optional(range) : std::nullopt;
-  }
-  /// Returns whether the third polygon is at the contact point, within the width of a
-  /// closed joint.
-  bool is_local(Outline third, Continues which) const {
-    const Number depth2 = square(area_) / length2_;
-    const Number shift2 = separating_shift2<Number>(moving(which), third);
-    const Number width2 =
-        least(square(Number(joint_width)) * most(depth2, shift2),
-              square(Number(widest_joint)) *
-                  least(longest_side2(axis_.own), longest_side2(axis_.other)));
-    if (which == Continues::other && axis_.facing < 0)
-      return is_near(corner_, third, width2);
-    // The middle of what the two faces have in common, or the foot of the corner.
-    const Number zero(0), one(1);
-    const Number at =
-        (most(zero, least(one, low_)) + most(zero, least(one, high_))) / Number(2);
-    const Arrow<Number> middle = e_.at(at);
-    if (which == Continues::own)
-      return is_beyond(middle, e_.along.left(), third, width2);
-    const Side<Number> f(axis_.other, axis_.facing);
-    const Number on_f = (high_ - at) / (high_ - low_);
-    return is_beyond(f.at(on_f), f.along.left(), third, width2);
-  }
-  static Number longest_side2(Outline polygon) {
-    Number found(0);
-    for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
-      found = most(found, Side<Number>(polygon, i).length2());
-    return found;
-  }
-  /// Returns whether a ray meets a polygon within a distance, given by its square.
-  static bool is_beyond(const Arrow<Number>& start, const Arrow<Number>& way,
-                        Outline polygon, const Number& distance2) {
-    const Number way2 = dot(way, way);
-    Range<Number> range;
-    range.raise(Number(0));
-    for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
-      const Side<Number> side(polygon, i);
-      const Number area = side.area(start), gain = cross(way, side.along);
-      if (CGAL::certainly(area < 0) &&
-          (CGAL::certainly(gain <= 0) ||
-           CGAL::certainly(square(area) * way2 > square(gain) * distance2)))
-        return false;  // this much of the ray is outside the side
-      range.cut(area, gain);
-    }
-    return range.from() <= range.to() && square(range.from()) * way2 <= distance2;
-  }
-
- public:
-  /// Returns whether a point is outside each side by at most a distance.
-  static bool is_near(const Arrow<Number>& point, Outline polygon,
-                      const Number& distance2) {
-    for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
-      const Side<Number> side(polygon, i);
-      const Number area = side.area(point);
-      if (area * CGAL::abs(area) < -distance2 * side.length2())
-        return false;
-    }
-    return true;
-  }
-  Number depth2() const { return square(most(Number(0), area_)) / length2_; }
-
- private:
-  const PolygonAxis& axis_;
-  Side<Number> e_;
-  Arrow<Number> corner_;
-  Number area_, length2_;
-  Number low_, high_;  ///< feet of the facing side's end and start, or of the corner
-};
-
-template <class Number>
-bool over_gap(const Vec2& c, const Vec2& p1, const Vec2& p2,
-              const PolygonAxis& least_one, Outline third) {
-  const Side<Number> e(p1, p2);
-  const Number foot = e.foot(Arrow<Number>(c));
-  const Number beyond = most(-foot, foot - Number(1));
-  if (!(beyond > 0))
-    return false;
-  const Number width2 = AxisQuestion<Number>(least_one).depth2();
-  if (square(beyond) * e.length2() > width2)
-    return false;
-  const Arrow<Number> at = e.at(foot);
-  return AxisQuestion<Number>::is_near(at, third, width2) &&
-         !AxisQuestion<Number>::is_near(at, third,
-                                        square(Number(contact_slack)) * e.length2());
-}
-
-/// Returns the square of the diameter of the common region of two polygons, 0 if there
-/// is none.
-template <class Number> Number diameter2(Outline one, Outline other) {
-  std::vector<Arrow<Number>> vertices;
-  const auto add = [&](Outline polygon, Outline in) {
-    for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
-      const auto segment = sides::part_in<Number>(polygon, i, in);
-      if (!(segment.from < segment.to))
-        continue;
-      const Side<Number> side(polygon, i);
-      vertices.push_back(side.start + segment.from * side.along);
-      vertices.push_back(side.start + segment.to * side.along);
-    }
-  };
-  add(one, other), add(other, one);
-  Number found(0);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    for (std::size_t k = i + 1; k < vertices.size(); ++k) {
-      const Arrow<Number> apart = vertices[k] - vertices[i];
-      found = most(found, dot(apart, apart));
-    }
-  return found;
-}
-
-/// Returns whether the depth of a corner below a side, less the slack, exceeds
-/// `deepest_share` times a length, given by its square.
-template <class Number>
-bool exceeds(const Side<Number>& side, const Vec2& corner, const Number& length2) {
-  const Number area =
-      side.area(Arrow<Number>(corner)) - Number(contact_slack) * side.length2();
-  return area > 0 &&
-         square(area) > square(Number(deepest_share)) * length2 * side.length2();
-}
 
 /// Asks a question with intervals, and with rationals if they cannot decide.
 /// ask(number) gets a number of the type to use.
@@ -332,44 +26,47 @@ template <class Ask> bool decide(const Ask& ask) {
 }  // namespace
 
 bool is_hidden_by(const PolygonAxis& axis, Outline third, Continues which) {
+  if (quick::is_free_after_shift(axis, third, which))
+    return false;
   return decide([&](auto number) {
-    return AxisQuestion<decltype(number)>(axis).is_hidden_by(third, which);
+    return continuation::AxisQuestion<decltype(number)>(axis).is_hidden_by(third,
+                                                                           which);
   });
 }
 
 bool is_in_notch_of(const PolygonAxis& axis, Outline third) {
   return decide([&](auto number) {
-    return AxisQuestion<decltype(number)>(axis).is_in_notch_of(third);
+    return continuation::AxisQuestion<decltype(number)>(axis).is_in_notch_of(third);
   });
 }
 
 bool is_over_gap_to(const Vec2& c, const Vec2& p1, const Vec2& p2,
                     const PolygonAxis& least, Outline third) {
-  return decide(
-      [&](auto number) { return over_gap<decltype(number)>(c, p1, p2, least, third); });
+  return decide([&](auto number) {
+    return continuation::over_gap<decltype(number)>(c, p1, p2, least, third);
+  });
 }
 
 bool crosses(Outline polygon, int side, Outline other) {
-  return decide([&](auto number) -> bool {
-    const auto segment = sides::part_in<decltype(number)>(polygon, side, other);
-    return segment.from < segment.to;
+  return decide([&](auto number) {
+    return continuation::crosses<decltype(number)>(polygon, side, other);
   });
 }
 
 bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outline one,
                            Outline other) {
   return decide([&](auto number) {
-    using Number = decltype(number);
-    const Number region2 = diameter2<Number>(one, other);
-    return region2 > 0 && exceeds(Side<Number>(p1, p2), c, region2);
+    return continuation::exceeds_common_region<decltype(number)>(c, p1, p2, one, other);
   });
 }
 
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
                               Outline one, Outline other) {
+  if (const auto sure = quick::exceeds_separating_shift(c, p1, p2, one, other))
+    return *sure;
   return decide([&](auto number) {
-    using Number = decltype(number);
-    return exceeds(Side<Number>(p1, p2), c, separating_shift2<Number>(one, other));
+    return continuation::exceeds_separating_shift<decltype(number)>(c, p1, p2, one,
+                                                                    other);
   });
 }
 

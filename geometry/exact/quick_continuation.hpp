@@ -1,0 +1,149 @@
+// PRIVATE to geometry/: the answers to questions of continuation.hpp that plain doubles
+// decide for certain. Values and bounds are those of the contact predicates
+// (docs/predicates.md); u = 2^-53. A length or a sum that leaves the range of doubles
+// decides nothing, because its bound is infinite or NaN, or because it is not moderate.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "geometry/contact_constants.hpp"
+#include "geometry/contact_predicates.hpp"
+#include "geometry/continuation.hpp"
+
+namespace blocks::geometry::quick {
+
+using filter::Estimate;
+
+/// More than the relative error of a few operations with moderate numbers.
+inline constexpr double more = 1.0 + 1e-14, less = 1.0 - 1e-14;
+
+/// Tells whether products of a square of a length and its root are exact but for a few
+/// u, and finite.
+inline bool is_moderate(double length2) {
+  return length2 > 0x1p-900 && length2 < 0x1p900;
+}
+
+/// A side of a polygon in plain doubles.
+struct Line {
+  const Vec2 &start, &end;
+  double length2;
+  Line(const Vec2& p1, const Vec2& p2)
+      : start(p1), end(p2), length2(filter::squared_length(p1, p2)) {}
+  /// Twice the area below the side. The bound also covers one addition.
+  Estimate area(const Vec2& corner) const {
+    const Estimate found = filter::overlap(corner, start, end);
+    return {found.value, 2.0 * found.bound};
+  }
+};
+
+/// Returns whether condition(side) is true for all sides of a polygon.
+template <class Condition> bool all_sides(Outline polygon, const Condition& condition) {
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!condition(Line(polygon[i], polygon[i + 1 < count ? i + 1 : 0])))
+      return false;
+  return true;
+}
+
+/// Returns whether all corners are less deep below a side than a limit, which is a
+/// depth times the length of the side.
+inline bool all_above(Outline corners, const Line& side, double limit) {
+  for (const Vec2& corner : corners)
+    if (const Estimate area = side.area(corner); !(area.value + area.bound < limit))
+      return false;
+  return true;
+}
+/// Returns whether a corner is at least as deep below a side as a limit.
+inline bool any_below(Outline corners, const Line& side, double limit) {
+  for (const Vec2& corner : corners)
+    if (const Estimate area = side.area(corner); area.value - area.bound >= limit)
+      return true;
+  return false;
+}
+
+/// Tells whether the depth of a corner below a side exceeds twice the shortest shift
+/// that separates two polygons, if that is certain.
+inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p1,
+                                                    const Vec2& p2, Outline one,
+                                                    Outline other) {
+  const Line e(p1, p2);
+  if (!is_moderate(e.length2))
+    return std::nullopt;
+  // The errors are those of near_or_inside: 8u of all terms, and e.area has 8u.
+  const Estimate area = e.area(c);
+  const double slack = contact_slack * e.length2, value = area.value - slack,
+               bound = area.bound + filter::u8 * slack;
+  if (value + bound <= 0.0)
+    return false;
+  // Bounds of the shift that the depth exceeds just so.
+  const double scale = deepest_share * std::sqrt(e.length2);
+  const double most = more * ((value + bound) / scale),
+               least = less * ((value - bound) / scale);
+  if (!(least > 0x1p-500))
+    return std::nullopt;
+  bool is_open = false;
+  const auto holds = [&](Outline own, Outline corners) {
+    return all_sides(own, [&](const Line& side) {
+      const double length = std::sqrt(side.length2);
+      is_open = !is_moderate(side.length2);
+      return !is_open && any_below(corners, side, more * (most * length));
+    });
+  };
+  const auto frees = [&](Outline own, Outline corners) {
+    return !all_sides(own, [&](const Line& side) {
+      return !all_above(corners, side, less * (least * std::sqrt(side.length2)));
+    });
+  };
+  if (holds(one, other) && holds(other, one))
+    return false;
+  if (!is_open && (frees(one, other) || frees(other, one)))
+    return true;
+  return std::nullopt;
+}
+
+/// Tells whether a polygon certainly does not overlap a third one after the shift
+/// through an axis, or by less than `remaining_share` of the shift. The question is the
+/// first condition of docs/surface-rule.md#hidden-axes.
+inline bool is_free_after_shift(const PolygonAxis& axis, Outline third,
+                                Continues which) {
+  const std::size_t i = static_cast<std::size_t>(axis.side);
+  const Line e(axis.own[i], axis.own[i + 1 < axis.own.size() ? i + 1 : 0]);
+  if (!is_moderate(e.length2))
+    return false;
+  const bool moves_other = which == Continues::own;
+  const Outline moving = moves_other ? axis.other : axis.own;
+  const Vec2& corner = axis.other[static_cast<std::size_t>(axis.corner)];
+  const filter::Cross area = filter::cross(corner, e.start, e.start, e.end);
+  const double size = area.magnitude() + filter::underflow;
+  // The shift in lengths of the side, and the overlap that is required.
+  const double shift = area.value() / e.length2, shift_size = size / e.length2;
+  const double depth = std::abs(area.value()) - filter::u8 * size;
+  const double share =
+      depth > 0.0 ? less * (remaining_share * (depth / std::sqrt(e.length2))) : 0.0;
+  const Vec2 along = e.end - e.start;
+  // Shifted outwards through the side, a corner gets less deep below a side of another
+  // polygon that runs along, by the shift times the dot product of the two sides. The
+  // shift has the error 9u of its terms, the dot product 4u, and two products and sums
+  // add 3u: 16u. Used: 32u.
+  const auto separates = [&](const Line& side, Outline corners, bool is_of_third) {
+    if (!is_moderate(side.length2))
+      return false;
+    const double x = along.x() * (side.end.x() - side.start.x()),
+                 y = along.y() * (side.end.y() - side.start.y());
+    const double rise = shift * (x + y),
+                 bound = 2.0 * filter::u16 * shift_size *
+                         (std::abs(x) + std::abs(y) + filter::underflow);
+    const double needed = less * (share * std::sqrt(side.length2));
+    return all_above(corners, side,
+                     (is_of_third == moves_other ? rise : -rise) + needed - bound -
+                         filter::underflow);
+  };
+  return !all_sides(third,
+                    [&](const Line& side) { return !separates(side, moving, true); }) ||
+         !all_sides(moving,
+                    [&](const Line& side) { return !separates(side, third, false); });
+}
+
+}  // namespace blocks::geometry::quick
