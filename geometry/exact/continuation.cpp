@@ -26,7 +26,8 @@ template <class Ask> bool decide(const Ask& ask) {
 }  // namespace
 
 bool is_hidden_by(const PolygonAxis& axis, Outline third, Continues which) {
-  if (quick::is_free_after_shift(axis, third, which))
+  if (quick::is_free_after_shift(axis, third, which) ||
+      quick::is_remote(axis, third, which))
     return false;
   return decide([&](auto number) {
     return continuation::AxisQuestion<decltype(number)>(axis).is_hidden_by(third,

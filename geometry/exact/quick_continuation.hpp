@@ -4,6 +4,7 @@
 // decides nothing, because its bound is infinite or NaN, or because it is not moderate.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -38,11 +39,15 @@ struct Line {
   }
 };
 
+inline Line line_of(Outline polygon, int side) {
+  const std::size_t i = static_cast<std::size_t>(side), next = i + 1;
+  return {polygon[i], polygon[next < polygon.size() ? next : 0]};
+}
+
 /// Returns whether condition(side) is true for all sides of a polygon.
 template <class Condition> bool all_sides(Outline polygon, const Condition& condition) {
-  const std::size_t count = polygon.size();
-  for (std::size_t i = 0; i < count; ++i)
-    if (!condition(Line(polygon[i], polygon[i + 1 < count ? i + 1 : 0])))
+  for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
+    if (!condition(line_of(polygon, i)))
       return false;
   return true;
 }
@@ -108,8 +113,7 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
 /// first condition of docs/surface-rule.md#hidden-axes.
 inline bool is_free_after_shift(const PolygonAxis& axis, Outline third,
                                 Continues which) {
-  const std::size_t i = static_cast<std::size_t>(axis.side);
-  const Line e(axis.own[i], axis.own[i + 1 < axis.own.size() ? i + 1 : 0]);
+  const Line e = line_of(axis.own, axis.side);
   if (!is_moderate(e.length2))
     return false;
   const bool moves_other = which == Continues::own;
@@ -144,6 +148,91 @@ inline bool is_free_after_shift(const PolygonAxis& axis, Outline third,
                     [&](const Line& side) { return !separates(side, moving, true); }) ||
          !all_sides(moving,
                     [&](const Line& side) { return !separates(side, third, false); });
+}
+
+/// Returns the square of the length of the longest side.
+inline double longest_side2(Outline polygon) {
+  double most2 = 0.0;
+  all_sides(polygon, [&](const Line& side) {
+    most2 = std::max(most2, side.length2);
+    return true;
+  });
+  return most2;
+}
+
+/// A number and the bound of its error.
+using Foot = Estimate;
+
+/// The foot of a point on a side, in lengths of the side. The dot product has the error
+/// 4u of its terms, the square of the length 4u and the quotient u: 9u. Used: 16u.
+inline Foot foot_on(const Line& side, const Vec2& point) {
+  const filter::Dot along = filter::dot(point, side.start, side.end);
+  return {along.value() / side.length2,
+          (filter::u16 * along.magnitude() + filter::underflow) / side.length2 +
+              filter::underflow};
+}
+
+/// A point and the bound of the error of each coordinate.
+struct Place {
+  Vec2 point;
+  double bound = 0.0;
+};
+
+inline Place place_on(const Line& side, const Foot& foot) {
+  const Vec2 along = side.end - side.start;
+  const double size = std::abs(along.x()) + std::abs(along.y());
+  return {side.start + foot.value * along,
+          2.0 * foot.bound * size +
+              filter::u8 * (std::abs(side.start.x()) + std::abs(side.start.y()) +
+                            std::abs(foot.value) * size) +
+              filter::underflow};
+}
+
+/// Returns the contact point of docs/surface-rule.md#hidden-axes. Its bound is not
+/// finite if there is none in the range of doubles.
+inline Place contact_point(const PolygonAxis& axis, const Line& e, Continues which) {
+  const Vec2& corner = axis.other[static_cast<std::size_t>(axis.corner)];
+  if (which == Continues::other && axis.facing < 0)
+    return {corner};
+  const auto clamped = [](const Foot& foot) {
+    return std::max(0.0, std::min(1.0, foot.value));
+  };
+  if (axis.facing < 0) {
+    const Foot foot = foot_on(e, corner);
+    return place_on(e, {clamped(foot), foot.bound});
+  }
+  const Line f = line_of(axis.other, axis.facing);
+  const Foot high = foot_on(e, f.start), low = foot_on(e, f.end);
+  const double at = 0.5 * (clamped(low) + clamped(high)),
+               bound = low.bound + high.bound + filter::u8;
+  if (which == Continues::own)
+    return place_on(e, {at, bound});
+  // The quotient of two differences.
+  const double length = high.value - low.value, on_f = (high.value - at) / length;
+  const double of_length = bound + filter::u8 * std::abs(length),
+               of_part = bound + filter::u8 * (std::abs(high.value) + 1.0);
+  return place_on(f, {on_f, 2.0 * (of_part + std::abs(on_f) * of_length) /
+                                std::max(0.0, std::abs(length) - 2.0 * of_length)});
+}
+
+/// Tells whether a third polygon is certainly farther from the contact point than the
+/// width of the widest joint: the point is so far outside one of its sides. The
+/// question is the second condition of docs/surface-rule.md#hidden-axes.
+inline bool is_remote(const PolygonAxis& axis, Outline third, Continues which) {
+  const Line e = line_of(axis.own, axis.side);
+  const double longest2 = std::min(longest_side2(axis.own), longest_side2(axis.other));
+  if (!is_moderate(e.length2) || !is_moderate(longest2))
+    return false;
+  const double width = more * (widest_joint * std::sqrt(longest2));
+  const Place place = contact_point(axis, e, which);
+  return !all_sides(third, [&](const Line& side) {
+    const Estimate area = side.area(place.point);
+    const Vec2 along = side.end - side.start;
+    const double size = std::abs(along.x()) + std::abs(along.y());
+    return !is_moderate(side.length2) ||
+           !(area.value + area.bound + 2.0 * place.bound * size <
+             -more * (width * std::sqrt(side.length2)));
+  });
 }
 
 }  // namespace blocks::geometry::quick
