@@ -49,6 +49,8 @@ bool is_over_gap_to(const Vec2& c, const Vec2& p1, const Vec2& p2,
 }
 
 bool crosses(Outline polygon, int side, Outline other) {
+  if (const auto sure = quick::crosses(polygon, side, other))
+    return *sure;
   return decide([&](auto number) {
     return continuation::crosses<decltype(number)>(polygon, side, other);
   });

@@ -68,6 +68,58 @@ inline bool any_below(Outline corners, const Line& side, double limit) {
   return false;
 }
 
+/// Returns -1, 0 or 1 for a corner outside a side, on its line, or below it, if that is
+/// certain. At both ends of the side it is 0.
+inline std::optional<int> sign_below(const Line& side, const Vec2& corner,
+                                     const Estimate& area) {
+  if (corner == side.start || corner == side.end)
+    return 0;
+  if (area.positive())
+    return 1;
+  return area.negative() ? std::optional(-1) : std::nullopt;
+}
+
+/// Tells whether a segment of a side, of positive length, lies in another convex
+/// polygon, if that is certain.
+inline std::optional<bool> crosses(Outline polygon, int side, Outline other) {
+  const Line own = line_of(polygon, side);
+  struct Bounds {
+    double least, most;
+  } from{0.0, 0.0}, to{1.0, 1.0};
+  bool is_empty = false, is_open = false;
+  all_sides(other, [&](const Line& line) {
+    const Estimate first = line.area(own.start), last = line.area(own.end);
+    const std::optional<int> before = sign_below(line, own.start, first),
+                             after = sign_below(line, own.end, last);
+    is_open = !before || !after;
+    if (is_open || (*before >= 0 && *after >= 0))
+      return !is_open;
+    is_empty = *before <= 0 && *after <= 0;
+    if (is_empty)
+      return false;
+    // The line is crossed at first / (first - last). The signs differ, and each error
+    // is at most half of its bound and of the value. So the error of the quotient is at
+    // most the larger bound over the difference, and 2u.
+    const double length = std::abs(first.value - last.value),
+                 at = std::abs(first.value) / length,
+                 bound =
+                     2.0 * (std::max(first.bound, last.bound) / length) + filter::u8;
+    if (*before > 0)
+      to = {std::min(to.least, at - bound), std::min(to.most, at + bound)};
+    else
+      from = {std::max(from.least, at - bound), std::max(from.most, at + bound)};
+    is_open = !(length < 0x1p900);
+    return !is_open;
+  });
+  if (is_empty)
+    return false;
+  if (is_open)
+    return std::nullopt;
+  if (from.most < to.least)
+    return true;
+  return from.least >= to.most ? std::optional(false) : std::nullopt;
+}
+
 /// Tells whether the depth of a corner below a side exceeds twice the shortest shift
 /// that separates two polygons, if that is certain.
 inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p1,
