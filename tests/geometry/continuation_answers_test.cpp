@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "geometry/continuation.hpp"
@@ -112,44 +113,106 @@ PolygonAxis axis_of(Outline own, int side, Outline other, bool may_face) {
   return axis;
 }
 
-TEST(ContinuationAnswers, EqualThoseOfRationals) {
+/// Three polygons, and the axis of a side of the first one.
+struct Case {
+  Polygon own, other, third;
+  int side;
+  bool may_face;
+};
+
+Case next_case(Polygons& make) {
+  make.next_frame();
+  Case c{make.next(), make.next(), make.next(), 0, make.below(2) == 0};
+  c.side = make.below(static_cast<int>(c.own.size()));
+  return c;
+}
+
+constexpr int questions = 7;
+struct Answers {
+  bool fast, exact;
+};
+
+/// Asks one of the questions. There is no answer if the other polygon is outside the
+/// side.
+std::optional<Answers> answers(int question, const Case& at) {
   using Question = continuation::AxisQuestion<Rational>;
-  Polygons make;
-  int answers[6][2] = {};
-  const auto expect = [&](int question, bool fast, bool exact) {
-    ASSERT_EQ(fast, exact) << "question " << question;
-    ++answers[question][exact];
-  };
-  for (int run = 0; run < 12000; ++run) {
-    make.next_frame();
-    const Polygon own = make.next(), other = make.next(), third = make.next();
-    const int side = make.below(static_cast<int>(own.size()));
-    const PolygonAxis axis = axis_of(own, side, other, make.below(2) == 0);
-    const Vec2 &p1 = sides::start_of(own, side), &p2 = sides::end_of(own, side),
-               &c = other[static_cast<std::size_t>(axis.corner)];
-    const std::string where = "in case " + std::to_string(run);
-    SCOPED_TRACE(where);
-    expect(0, crosses(own, side, other),
-           continuation::crosses<Rational>(own, side, other));
-    if (area(own, side, c) <= 0)
-      continue;
-    expect(1, exceeds_separating_shift(c, p1, p2, other, third),
-           continuation::exceeds_separating_shift<Rational>(c, p1, p2, other, third));
-    expect(2, exceeds_common_region(c, p1, p2, other, third),
-           continuation::exceeds_common_region<Rational>(c, p1, p2, other, third));
-    for (const Continues which : {Continues::own, Continues::other})
-      expect(3, is_hidden_by(axis, third, which),
-             Question(axis).is_hidden_by(third, which));
-    expect(4, is_in_notch_of(axis, third), Question(axis).is_in_notch_of(third));
-    expect(5, is_over_gap_to(c, p1, p2, axis, third),
-           continuation::over_gap<Rational>(c, p1, p2, axis, third));
-    if (HasFatalFailure())
-      return;
+  if (question == 0)
+    return Answers{crosses(at.own, at.side, at.third),
+                   continuation::crosses<Rational>(at.own, at.side, at.third)};
+  const PolygonAxis axis = axis_of(at.own, at.side, at.other, at.may_face);
+  const Vec2 &p1 = sides::start_of(at.own, at.side),
+             &p2 = sides::end_of(at.own, at.side),
+             &c = at.other[static_cast<std::size_t>(axis.corner)];
+  if (area(at.own, at.side, c) <= 0)
+    return std::nullopt;
+  const Outline other(at.other), third(at.third);
+  switch (question) {
+  case 1:
+    return Answers{
+        exceeds_separating_shift(c, p1, p2, other, third),
+        continuation::exceeds_separating_shift<Rational>(c, p1, p2, other, third)};
+  case 2:
+    return Answers{
+        exceeds_common_region(c, p1, p2, other, third),
+        continuation::exceeds_common_region<Rational>(c, p1, p2, other, third)};
+  case 3:
+    return Answers{is_in_notch_of(axis, third), Question(axis).is_in_notch_of(third)};
+  case 4:
+    return Answers{is_over_gap_to(c, p1, p2, axis, third),
+                   continuation::over_gap<Rational>(c, p1, p2, axis, third)};
+  default:
+    const Continues which = question == 5 ? Continues::own : Continues::other;
+    return Answers{is_hidden_by(axis, third, which),
+                   Question(axis).is_hidden_by(third, which)};
   }
-  // Each question has had both answers.
-  for (const auto& of_question : answers)
-    for (const int count : of_question)
-      EXPECT_GT(count, 50) << &of_question - answers;
+}
+
+TEST(ContinuationAnswers, EqualThoseOfRationals) {
+  Polygons make;
+  int count[questions][2] = {};
+  for (int run = 0; run < 8000; ++run) {
+    const Case at = next_case(make);
+    for (int question = 0; question < questions; ++question)
+      if (const auto found = answers(question, at)) {
+        ASSERT_EQ(found->fast, found->exact)
+            << "question " << question << " in " << run;
+        ++count[question][found->exact];
+      }
+  }
+  for (int question = 0; question < questions; ++question)
+    for (const int of_answer : count[question])
+      EXPECT_GT(of_answer, 20) << "question " << question;
+}
+
+// The third polygon moves to where the answer changes, down to the last bit of its
+// coordinates.
+TEST(ContinuationAnswers, EqualThoseOfRationalsWhereTheyChange) {
+  Polygons make;
+  int changes[questions] = {};
+  for (int run = 0; run < 2000; ++run) {
+    const Case from = next_case(make);
+    const Vec2 way = make.next().front() - from.third.front();
+    const int question = run % questions;
+    const auto ask = [&](double part) {
+      Case at = from;
+      for (Vec2& corner : at.third)
+        corner += part * way;
+      return answers(question, at);
+    };
+    const auto first = ask(0.0), last = ask(1.0);
+    if (!first || first->exact == last->exact)
+      continue;
+    ++changes[question];
+    double low = 0.0, high = 1.0;
+    for (int step = 0; step < 56; ++step) {
+      const double middle = 0.5 * (low + high);
+      const auto found = ask(middle);
+      ASSERT_EQ(found->fast, found->exact) << "question " << question << " in " << run;
+      (found->exact == first->exact ? low : high) = middle;
+    }
+  }
+  for (const int count : changes)
+    EXPECT_GT(count, 5) << "question " << &count - changes;
 }
 
 }  // namespace
