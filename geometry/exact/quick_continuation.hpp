@@ -20,8 +20,8 @@ using filter::Estimate;
 /// More than the relative error of a few operations with moderate numbers.
 inline constexpr double more = 1.0 + 1e-14, less = 1.0 - 1e-14;
 
-/// Tells whether products of a square of a length and its root are exact but for a few
-/// u, and finite.
+/// Tells whether the square of a length and its root are exact but for a few u, and
+/// finite.
 inline bool is_moderate(double length2) {
   return length2 > 0x1p-900 && length2 < 0x1p900;
 }
@@ -53,8 +53,11 @@ template <class Condition> bool all_sides(Outline polygon, const Condition& cond
 }
 
 /// Returns whether all corners are less deep below a side than a limit, which is a
-/// depth times the length of the side.
+/// depth times the length of the side. A limit that may have overflowed decides
+/// nothing.
 inline bool all_above(Outline corners, const Line& side, double limit) {
+  if (!(limit < 0x1p1000))
+    return false;
   for (const Vec2& corner : corners)
     if (const Estimate area = side.area(corner); !(area.value + area.bound < limit))
       return false;
@@ -140,24 +143,21 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
                least = less * ((value - bound) / scale);
   if (!(least > 0x1p-500))
     return std::nullopt;
-  bool is_open = false;
   const auto holds = [&](Outline own, Outline corners) {
     return all_sides(own, [&](const Line& side) {
-      const double length = std::sqrt(side.length2);
-      is_open = !is_moderate(side.length2);
-      return !is_open && any_below(corners, side, more * (most * length));
+      return is_moderate(side.length2) &&
+             any_below(corners, side, more * (most * std::sqrt(side.length2)));
     });
   };
   const auto frees = [&](Outline own, Outline corners) {
     return !all_sides(own, [&](const Line& side) {
-      return !all_above(corners, side, less * (least * std::sqrt(side.length2)));
+      return !is_moderate(side.length2) ||
+             !all_above(corners, side, less * (least * std::sqrt(side.length2)));
     });
   };
   if (holds(one, other) && holds(other, one))
     return false;
-  if (!is_open && (frees(one, other) || frees(other, one)))
-    return true;
-  return std::nullopt;
+  return frees(one, other) || frees(other, one) ? std::optional(true) : std::nullopt;
 }
 
 /// Tells whether a polygon certainly does not overlap a third one after the shift
