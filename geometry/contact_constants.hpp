@@ -63,6 +63,11 @@ inline constexpr double joint_width = 2.0;
 /// that is farther away certainly hides nothing.
 inline constexpr double widest_joint = 1.0 / 32.0;
 
+/// A third part counts if its bounding box meets that of the part that it may block,
+/// grown by this part of the sum of its extents. The length has to exceed the depth of
+/// contacts, because a third part may be reached after a shift by that depth.
+inline constexpr double third_reach = 1.0 / 128.0;
+
 /// A third part hides an axis only if the part that is shifted out through the axis
 /// overlaps the third one by at least this share of the shift. Flush surfaces then
 /// overlap by rounding only.

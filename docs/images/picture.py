@@ -35,6 +35,11 @@ class Picture:
         """A contact, or the corner of an axis."""
         self.parts.append(f'<circle cx="{x}" cy="{y}" r="4.5" fill="{colour}"/>')
 
+    def ring(self, x, y, radius, colour=INK):
+        """A circle that is not filled."""
+        self.parts.append(f'<circle cx="{x}" cy="{y}" r="{radius}" fill="none" '
+                          f'stroke="{colour}" stroke-width="1.5"/>')
+
     def text(self, x, y, text, colour=INK, anchor="middle", size=13):
         """Text around or beside a point."""
         self.parts.append(f'<text x="{x}" y="{y}" fill="{colour}" text-anchor="{anchor}" '

@@ -4,6 +4,60 @@
 from picture import ACTS, HIDDEN, INK, OTHER, ROCK, Picture
 
 
+def far():
+    """A far corner, and a deep tip that is not far because a third part holds it."""
+    p = Picture(780, 290)
+    p.block([(40, 80), (250, 120), (40, 150)], ROCK, "own", (75, 122))
+    p.block([(262, 90), (330, 90), (330, 240), (176, 240)], OTHER, "other", (285, 200))
+    p.line((40, 80), (250, 120), HIDDEN, 3)
+    p.text(140, 85, "e", HIDDEN)
+    p.line((202, 110), (176, 240), HIDDEN, 1.5, dashed=True)
+    p.text(180, 180, "d", HIDDEN, "end")
+    p.dot(176, 240, HIDDEN)
+    p.text(256, 72, "common region", INK, "end", 12)
+    p.line((236, 78), (247, 115), INK, 1, arrow=True)
+    p.text(185, 278, "far: 10 times as deep as the common region", HIDDEN, "middle", 12)
+    p.block([(420, 90), (640, 90), (420, 150)], ROCK, "own", (470, 115))
+    p.block([(640, 90), (720, 90), (720, 240), (420, 240), (420, 150)], ROCK, "T", (480, 210))
+    p.block([(604, 60), (636, 60), (620, 165)], OTHER)
+    p.text(620, 48, "other")
+    p.line((420, 90), (640, 90), ACTS, 3)
+    p.text(530, 82, "e", ACTS)
+    p.line((648, 90), (648, 160), ACTS, 1.5, dashed=True)
+    p.text(656, 135, "d", ACTS, "start")
+    p.dot(620, 165)
+    p.text(570, 278, "not far: the tip is as deep in T, a third part", ACTS, "middle", 12)
+    p.save("surface-far.svg")
+
+
+def local():
+    """The ray from the contact point, and the circle around a corner."""
+    p = Picture(800, 290)
+    for x, gap, title, colour in ((20, 12, "T is met within w: local", HIDDEN),
+                                  (290, 70, "T is not met within w", ACTS)):
+        joint = x + 130
+        p.block([(x, 150), (joint - gap, 150), (joint - gap, 250), (x, 250)], ROCK, "T",
+                (x + 25, 225))
+        p.block([(joint, 150), (joint + 100, 150), (joint + 100, 250), (joint, 250)], ROCK, "own",
+                (joint + 65, 225))
+        p.block([(x + 40, 60), (joint + 22, 60), (joint + 22, 190), (x + 40, 190)], OTHER, "other",
+                (x + 85, 95))
+        p.line((joint, 150), (joint, 250), colour, 3)
+        p.line((joint, 170), (joint - 40, 170), INK, 1.8, arrow=True)
+        p.text(joint - 20, 164, "w", INK, "middle", 12)
+        p.dot(joint, 170, colour)
+        p.text(x + 115, 280, title, colour, "middle", 12)
+    p.block([(560, 150), (665, 150), (665, 250), (560, 250)], ROCK, "T", (590, 225))
+    p.block([(669, 150), (780, 150), (780, 250), (669, 250)], ROCK, "other", (740, 225))
+    p.block([(648, 40), (712, 40), (680, 190)], OTHER, "own", (680, 65))
+    p.line((712, 40), (680, 190), HIDDEN, 3)
+    p.ring(669, 150, 24)
+    p.text(650, 132, "w", INK, "end", 12)
+    p.dot(669, 150, HIDDEN)
+    p.text(670, 280, "corner, no facing side: local", HIDDEN, "middle", 12)
+    p.save("surface-local.svg")
+
+
 def slides():
     """A slider that is shifted out of the next box, and slides up until it leaves T."""
     p = Picture(800, 300)
@@ -48,5 +102,5 @@ def notch():
 
 
 if __name__ == "__main__":
-    for figure in (slides, notch):
+    for figure in (far, local, slides, notch):
         figure()

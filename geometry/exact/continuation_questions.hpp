@@ -209,7 +209,7 @@ template <class Number> class AxisQuestion {
               square(Number(widest_joint)) *
                   least(longest_side2(axis_.own), longest_side2(axis_.other)));
     if (which == Continues::other && axis_.facing < 0)
-      return is_near(corner_, third, width2);
+      return is_within(corner_, third, width2);
     // The middle of what the two faces have in common, or the foot of the corner.
     const Number zero(0), one(1);
     const Number at =
@@ -220,6 +220,21 @@ template <class Number> class AxisQuestion {
     const Side<Number> f(axis_.other, axis_.facing);
     const Number on_f = (high_ - at) / (high_ - low_);
     return is_beyond(f.at(on_f), f.along.left(), third, width2);
+  }
+  /// Returns whether a point is at most a distance away from a polygon.
+  static bool is_within(const Arrow<Number>& point, Outline polygon,
+                        const Number& distance2) {
+    bool is_inside = true;
+    for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
+      const Side<Number> side(polygon, i);
+      const Number foot = most(Number(0), least(Number(1), side.foot(point)));
+      const Arrow<Number> apart = point - side.at(foot);
+      if (dot(apart, apart) <= distance2)
+        return true;
+    }
+    for (int i = 0; i < static_cast<int>(polygon.size()) && is_inside; ++i)
+      is_inside = Side<Number>(polygon, i).area(point) >= 0;
+    return is_inside;
   }
   static Number longest_side2(Outline polygon) {
     Number found(0);
@@ -308,12 +323,11 @@ template <class Number> Number diameter2(Outline one, Outline other) {
   return found;
 }
 
-/// Returns whether the depth of a corner below a side, less the slack, exceeds
+/// Returns whether the depth of a corner below a side exceeds
 /// `deepest_share` times a length, given by its square.
 template <class Number>
 bool exceeds(const Side<Number>& side, const Vec2& corner, const Number& length2) {
-  const Number area =
-      side.area(Arrow<Number>(corner)) - Number(contact_slack) * side.length2();
+  const Number area = side.area(Arrow<Number>(corner));
   return area > 0 &&
          square(area) > square(Number(deepest_share)) * length2 * side.length2();
 }

@@ -131,10 +131,8 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
   const Line e(p1, p2);
   if (!is_moderate(e.length2))
     return std::nullopt;
-  // The errors are those of near_or_inside: 8u of all terms, and e.area has 8u.
   const Estimate area = e.area(c);
-  const double slack = contact_slack * e.length2, value = area.value - slack,
-               bound = area.bound + filter::u8 * slack;
+  const double value = area.value, bound = area.bound;
   if (value + bound <= 0.0)
     return false;
   // Bounds of the shift that the depth exceeds just so.

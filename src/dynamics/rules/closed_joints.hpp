@@ -192,7 +192,8 @@ template <class Predicates, class Neighbours> class ClosedJoints {
     scratch_.parts.clear();
     scratch_.outlines.assign({parts_.outline(blocks_, own, scratch_.own),
                               parts_.outline(blocks_, other, scratch_.other)});
-    const PartBox near_own = PartBox(blocks_, parts_, own).grown(),
+    // No side of a part in the box, and no gap that counts, is longer than this.
+    const PartBox near_own = PartBox(blocks_, parts_, own).grown(1.5),
                   of_other(blocks_, parts_, other);
     each_covering_part(blocks_, parts_, neighbours_, own, other, [&](int part) {
       const PartBox box(blocks_, parts_, part);

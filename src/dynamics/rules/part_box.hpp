@@ -24,10 +24,9 @@ struct PartBox {
     return (lower.array() <= other.upper.array()).all() &&
            (other.lower.array() <= upper.array()).all();
   }
-  /// Returns the box grown by 1.5 times the sum of its extents. No side of a part in
-  /// the box, and no gap that counts, is longer than this.
-  PartBox grown() const {
-    const double by = 1.5 * (upper - lower).sum();
+  /// Returns the box grown by so many times the sum of its extents.
+  PartBox grown(double times) const {
+    const double by = times * (upper - lower).sum();
     return {lower.array() - by, upper.array() + by};
   }
 };

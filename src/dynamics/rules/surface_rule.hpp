@@ -12,6 +12,7 @@
 #include "dynamics/rules/pair_rule.hpp"
 #include "dynamics/rules/pair_shape.hpp"
 #include "dynamics/rules/part_box.hpp"
+#include "geometry/contact_constants.hpp"
 #include "geometry/continuation.hpp"
 #include "model/blocks.hpp"
 
@@ -21,13 +22,13 @@ namespace blocks::dynamics {
 class ThirdParts {
  public:
   /// Collects the other parts of the block of `own`, and the parts of all blocks that
-  /// the block of `other` is paired with, if their boxes meet that of `other`. For
-  /// `neighbours` see ClosedJoints.
+  /// the block of `other` is paired with, if their boxes meet the grown one of `other`.
+  /// For `neighbours` see ClosedJoints.
   template <class Neighbours>
   void collect(const Blocks& blocks, const BlockParts& parts,
                const Neighbours& neighbours, int own, int other) {
     count_ = 0;
-    const PartBox of_other(blocks, parts, other);
+    const PartBox of_other = PartBox(blocks, parts, other).grown(geometry::third_reach);
     const auto add = [&](int part) {
       if (!PartBox(blocks, parts, part).meets(of_other))
         return;
@@ -78,28 +79,32 @@ template <class Neighbours> class SurfaceRule {
   }
 
  private:
-  /// Lets the least axis act that is neither far nor hidden.
+  /// Lets the least axis act that is entered and neither far nor hidden. The axis of
+  /// least depth is always entered and never far.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!find_axes())
       return;  // the two parts are apart
-    least_ = axes_.front();
-    for (const int k : {0, 1}) {
-      take_outline(k);
-      thirds_[k].collect(blocks_, parts_, neighbours_, shape_.part(k),
-                         shape_.part(1 - k));
+    take_outlines();
+    Axis axis = least_ = take_least();
+    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0) {
+      touch(least_, shape_.find_facing(least_));
+      return;
     }
-    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0)
-      return touch(least_, shape_.find_facing(least_));
-    for (const Axis& axis : axes_) {
+    for (;; axis = take_least()) {
       const std::optional<PairSide> facing = facing_of(axis);
-      if (is_entered(axis, facing) && !is_far(axis, facing) && !is_hidden(axis, facing))
-        return touch(axis, facing);
+      if (is_entered(axis, facing) && !is_far(axis, facing) &&
+          !is_hidden(axis, facing)) {
+        touch(axis, facing);
+        return;
+      }
+      if (axes_.empty())
+        return;  // a third part carries the block
     }
   }
 
-  /// Finds the axes of all sides and sorts them by depth. Returns false if one of them
-  /// separates the two parts by more than the slack.
+  /// Finds the axes of all sides. Returns false if one of them separates the two parts
+  /// by more than the slack.
   bool find_axes() {
     axes_.clear();
     for (const int part : {0, 1})
@@ -111,22 +116,53 @@ template <class Neighbours> class SurfaceRule {
           return false;
         axes_.push_back(axis);
       }
-    std::stable_sort(axes_.begin(), axes_.end(), [&](const Axis& a, const Axis& b) {
-      return shape_.is_less(a, b);
-    });
     return true;
   }
-  /// Returns the facing side of an axis if a segment of it lies in the other part.
+  /// Removes the least axis from the list and returns it. Of equally deep axes it is
+  /// the one that was found first.
+  Axis take_least() {
+    std::vector<Axis>& axes = axes_;
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < axes.size(); ++i)
+      if (shape_.is_less(axes[i], axes[least]))
+        least = i;
+    const Axis axis = axes[least];
+    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(least));
+    return axis;
+  }
+  void take_outlines() {
+    for (const int k : {0, 1}) {
+      outline_[k].clear();
+      for (int i = 0; i < shape_.corners(k); ++i)
+        outline_[k].push_back(shape_.at({k, i}).start);
+      has_thirds_[k] = false;
+    }
+  }
+  /// Returns the third parts of part k. They are collected when they are first needed.
+  const ThirdParts& thirds(int k) {
+    if (!has_thirds_[k])
+      thirds_[k].collect(blocks_, parts_, neighbours_, shape_.part(k),
+                         shape_.part(1 - k));
+    has_thirds_[k] = true;
+    return thirds_[k];
+  }
+
+  /// Returns the facing side of an axis. If the axis is not the least one, the side has
+  /// to cross the other part.
   std::optional<PairSide> facing_of(const Axis& axis) {
     const std::optional<PairSide> facing = shape_.find_facing(axis);
-    return facing && has_segment(*facing) ? facing : std::nullopt;
+    return facing && (axis == least_ || crosses(*facing)) ? facing : std::nullopt;
   }
-  /// Returns whether the axis side or its facing side has a segment in the other part,
-  /// or the corner is inside the part. Inner sides need a segment of their own.
+  bool crosses(const PairSide& side) const {
+    return geometry::crosses(outline_[side.part], side.index, outline_[1 - side.part]);
+  }
+  /// Returns whether the axis side or its facing side crosses the other part, or the
+  /// corner is inside the part. An inner side has to cross itself.
   bool is_entered(const Axis& axis, const std::optional<PairSide>& facing) {
-    if (has_segment(axis.side))
+    if (axis == least_ || (facing && !shape_.at(axis.side).is_inner) ||
+        crosses(axis.side))
       return true;
-    return !shape_.at(axis.side).is_inner && (facing || is_inside(axis));
+    return !shape_.at(axis.side).is_inner && is_inside(axis);
   }
   bool is_inside(const Axis& axis) {
     for (int i = 0; i < shape_.corners(axis.side.part); ++i)
@@ -134,44 +170,49 @@ template <class Neighbours> class SurfaceRule {
         return false;
     return true;
   }
-  bool has_segment(const PairSide& side) {
-    return geometry::crosses(outline_[side.part], side.index, outline_[1 - side.part]);
-  }
 
-  /// Returns whether the axis is far: its corner, or the less deep end of its facing
-  /// side.
+  /// Returns whether the axis is far: its corner, or both ends of its facing side.
   bool is_far(const Axis& axis, const std::optional<PairSide>& facing) {
+    if (axis == least_)
+      return false;
     if (!facing)
       return is_far(axis.corner, axis.side);
     return is_far(*facing, axis.side) && is_far(shape_.after(*facing), axis.side);
   }
   /// Returns whether a corner is far below a side.
   bool is_far(const PairSide& corner, const PairSide& side) {
+    const geometry::filter::Estimate &depth = shape_.depth(side, corner.index),
+                                     &least = shape_.depth(least_);
+    if (depth.value + depth.bound <=
+        geometry::deepest_share * (least.value - least.bound))
+      return false;
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
-    if (shape_.depth_sign(side, corner.index) <= 0 ||
-        !geometry::exceeds_separating_shift(c, e.start, e.end, outline_[0],
-                                            outline_[1]) ||
-        !geometry::exceeds_common_region(c, e.start, e.end, outline_[0], outline_[1]))
+    const geometry::Polygon(&outline)[2] = outline_;
+    const auto exceeds_shift = [&](int k, const geometry::Polygon& from) {
+      return geometry::exceeds_separating_shift(c, e.start, e.end, outline[k], from);
+    };
+    if (!exceeds_shift(0, outline[1]) ||
+        !geometry::exceeds_common_region(c, e.start, e.end, outline[0], outline[1]))
       return false;
     for (const int k : {0, 1})
-      if (thirds_[k].any([&](const geometry::Polygon& third) {
-            return !geometry::exceeds_separating_shift(c, e.start, e.end,
-                                                       outline_[1 - k], third);
+      if (thirds(k).any([&](const geometry::Polygon& third) {
+            return !exceeds_shift(1 - k, third);
           }))
         return false;
     return true;
   }
+
   bool is_hidden(const Axis& axis, const std::optional<PairSide>& facing) {
     const geometry::PolygonAxis polygons = as_polygons(axis, facing);
     const int own = axis.side.part;
     const auto hides = [&](int k, geometry::Continues which) {
-      return thirds_[k].any([&](const geometry::Polygon& third) {
+      return thirds(k).any([&](const geometry::Polygon& third) {
         return geometry::is_hidden_by(polygons, third, which);
       });
     };
-    return hides(own, geometry::Continues::own) ||
-           hides(1 - own, geometry::Continues::other);
+    return (hides(own, geometry::Continues::own) ||
+            hides(1 - own, geometry::Continues::other));
   }
   geometry::PolygonAxis as_polygons(const Axis& axis,
                                     const std::optional<PairSide>& facing) const {
@@ -179,27 +220,19 @@ template <class Neighbours> class SurfaceRule {
             axis.corner.index, facing ? facing->index : -1};
   }
 
-  /// Adds the contacts that act along an axis.
-  void touch(const Axis& axis, const std::optional<PairSide>& facing) {
+  /// Adds the contacts that act along an axis, and returns whether there are any.
+  bool touch(const Axis& axis, const std::optional<PairSide>& facing) {
+    bool acts = false;
     each_along(shape_, axis, facing, [&](const PairSide& corner, const PairSide& side) {
       const PairSide below = find_side_below(corner, side);
-      if (!shape_.at(below).is_inner && shape_.depth_sign(below, corner.index) > 0 &&
-          (is_between(corner, below) || (!facing && has_no_end(axis, below))) &&
-          !is_far(corner, below))
-        scratch_.add({shape_.at(corner).corner, shape_.at(below).corner});
+      if (shape_.at(below).is_inner || shape_.depth_sign(below, corner.index) <= 0 ||
+          !(is_between(corner, below) || (!facing && has_no_end(axis.corner, below))) ||
+          (!(axis == least_) && is_far(corner, below)))
+        return;
+      scratch_.add({shape_.at(corner).corner, shape_.at(below).corner});
+      acts = true;
     });
-  }
-  /// Returns whether the side has no end where the foot of the corner of the axis is
-  /// beyond it: a third part rises there, or is beyond a gap.
-  bool has_no_end(const Axis& axis, const PairSide& below) {
-    const geometry::PolygonAxis polygons = as_polygons({below, axis.corner}, {}),
-                                least = as_polygons(least_, {});
-    const Segment& e = shape_.at(below);
-    return thirds_[below.part].any([&](const geometry::Polygon& third) {
-      return geometry::is_in_notch_of(polygons, third) ||
-             geometry::is_over_gap_to(shape_.at(axis.corner).start, e.start, e.end,
-                                      least, third);
-    });
+    return acts;
   }
   /// Returns the one of a side and the sides in line with it that has the foot of the
   /// corner between its ends. If there is none, returns the side itself.
@@ -217,10 +250,17 @@ template <class Neighbours> class SurfaceRule {
     const Segment& e = shape_.at(side);
     return predicates_.between(shape_.at(corner).start, e.start, e.end);
   }
-  void take_outline(int k) {
-    outline_[k].clear();
-    for (int i = 0; i < shape_.corners(k); ++i)
-      outline_[k].push_back(shape_.at({k, i}).start);
+  /// Returns whether a side has no end where the foot of the corner of its axis is
+  /// beyond it: a third part rises there, or is beyond a gap.
+  bool has_no_end(const PairSide& corner, const PairSide& side) {
+    const geometry::PolygonAxis polygons = as_polygons({side, corner}, {}),
+                                least = as_polygons(least_, {});
+    const Segment& e = shape_.at(side);
+    const Vec2& c = shape_.at(corner).start;
+    return thirds(side.part).any([&](const geometry::Polygon& third) {
+      return geometry::is_in_notch_of(polygons, third) ||
+             geometry::is_over_gap_to(c, e.start, e.end, least, third);
+    });
   }
 
   const Blocks& blocks_;
@@ -233,6 +273,7 @@ template <class Neighbours> class SurfaceRule {
   Axis least_;
   geometry::Polygon outline_[2];
   ThirdParts thirds_[2];
+  bool has_thirds_[2] = {};
 };
 
 }  // namespace blocks::dynamics
