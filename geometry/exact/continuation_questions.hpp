@@ -158,8 +158,10 @@ template <class Number> class AxisQuestion {
     if (!slide || !is_local(third, which))
       return false;
     const Number forward = slide->to(), backward = -slide->from();
-    return forward < backward ? Number(1) - low_ - forward < forward
-                              : high_ - backward < backward;
+    // A slide is no way if it is much longer than the other one.
+    const Number most_way = Number(4) * least(forward, backward);
+    return (forward > most_way || Number(1) - low_ - forward < forward) &&
+           (backward > most_way || high_ - backward < backward);
   }
   bool is_in_notch_of(Outline third) const {
     const Number before = -low_, after = low_ - Number(1);

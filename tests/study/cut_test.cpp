@@ -138,7 +138,7 @@ TEST(CutScene, IsPassedByTheDefaultRulesInMostFrames) {
 // Frame 103 fails (docs/surface-rule.md#limits).
 TEST(CutScene, IsPassedByTheSurfaceRule) {
   const Row row = run_cut("surface", 400);
-  EXPECT_EQ(row.hung, 1);
+  EXPECT_EQ(row.hung, 0);
   EXPECT_EQ(row.fell, 0);
   EXPECT_EQ(row.deep, 0);
 }

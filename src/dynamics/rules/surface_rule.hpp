@@ -80,7 +80,8 @@ template <class Neighbours> class SurfaceRule {
 
  private:
   /// Lets the least axis act that is entered and neither far nor hidden. The axis of
-  /// least depth is always entered and never far.
+  /// least depth is always entered and never far. If none is left and no third part
+  /// carries the block, it acts although it is hidden.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!find_axes())
@@ -98,8 +99,11 @@ template <class Neighbours> class SurfaceRule {
         touch(axis, facing);
         return;
       }
-      if (axes_.empty())
-        return;  // a third part carries the block
+      if (axes_.empty()) {
+        if (!is_carried())
+          touch(least_, shape_.find_facing(least_));
+        return;
+      }
     }
   }
 
@@ -203,6 +207,19 @@ template <class Neighbours> class SurfaceRule {
     return true;
   }
 
+  /// Returns whether a third part overlaps one of the two parts at least half as deep
+  /// as they overlap each other. Then it carries the block.
+  bool is_carried() {
+    const Segment& e = shape_.at(least_.side);
+    const Vec2& c = shape_.at(least_.corner).start;
+    for (const int k : {0, 1})
+      if (thirds(k).any([&](const geometry::Polygon& third) {
+            return !geometry::exceeds_separating_shift(c, e.start, e.end,
+                                                       outline_[1 - k], third);
+          }))
+        return true;
+    return false;
+  }
   bool is_hidden(const Axis& axis, const std::optional<PairSide>& facing) {
     const geometry::PolygonAxis polygons = as_polygons(axis, facing);
     const int own = axis.side.part;
