@@ -79,9 +79,9 @@ template <class Neighbours> class SurfaceRule {
   }
 
  private:
-  /// Lets the least axis act that is entered and neither far nor hidden. The axis of
-  /// least depth is always entered and never far. If none is left and no third part
-  /// carries the block, it acts although it is hidden.
+  /// Lets the first axis in the order of depth act that is neither far nor hidden. The
+  /// axis of least depth is never far. If none is left and no third part carries the
+  /// block, it acts although it is hidden.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!find_axes())
@@ -94,8 +94,7 @@ template <class Neighbours> class SurfaceRule {
     }
     for (;; axis = take_least()) {
       const std::optional<PairSide> facing = facing_of(axis);
-      if (is_entered(axis, facing) && !is_far(axis, facing) &&
-          !is_hidden(axis, facing)) {
+      if (!is_beyond_inner(axis) && !is_far(axis, facing) && !is_hidden(axis, facing)) {
         touch(axis, facing);
         return;
       }
@@ -160,19 +159,10 @@ template <class Neighbours> class SurfaceRule {
   bool crosses(const PairSide& side) const {
     return geometry::crosses(outline_[side.part], side.index, outline_[1 - side.part]);
   }
-  /// Returns whether the axis side or its facing side crosses the other part, or the
-  /// corner is inside the part. An inner side has to cross itself.
-  bool is_entered(const Axis& axis, const std::optional<PairSide>& facing) {
-    if (axis == least_ || (facing && !shape_.at(axis.side).is_inner) ||
-        crosses(axis.side))
-      return true;
-    return !shape_.at(axis.side).is_inner && is_inside(axis);
-  }
-  bool is_inside(const Axis& axis) {
-    for (int i = 0; i < shape_.corners(axis.side.part); ++i)
-      if (shape_.depth_sign({axis.side.part, i}, axis.corner.index) <= 0)
-        return false;
-    return true;
+  /// Returns whether the part beside an inner side decides, because the side does not
+  /// cross the other part.
+  bool is_beyond_inner(const Axis& axis) const {
+    return shape_.at(axis.side).is_inner && !(axis == least_) && !crosses(axis.side);
   }
 
   /// Returns whether the axis is far: its corner, or both ends of its facing side.
