@@ -52,8 +52,8 @@ inline constexpr double face_cosine = 0.95;
 // The constants of the surface rule (docs/surface-rule.md#constants).
 
 /// A contact is far if it is deeper than this factor times the region that the two
-/// parts have in common, and than this factor times every shift that frees one of them
-/// from a third part.
+/// parts have in common, and than this factor times every shift that separates the two,
+/// or one of them from a third part.
 inline constexpr double deepest_share = 2.0;
 
 /// A joint is closed if its gap is at most this factor times the deeper overlap there.
@@ -67,6 +67,10 @@ inline constexpr double widest_joint = 1.0 / 32.0;
 /// grown by this part of the sum of its extents. The length has to exceed the depth of
 /// contacts, because a third part may be reached after a shift by that depth.
 inline constexpr double third_reach = 1.0 / 128.0;
+
+/// A slide along a side is no way out of a third part if it is longer than this factor
+/// times the slide the other way.
+inline constexpr double longest_way = 4.0;
 
 /// A third part hides an axis only if the part that is shifted out through the axis
 /// overlaps the third one by at least this share of the shift. Flush surfaces then

@@ -158,8 +158,7 @@ template <class Number> class AxisQuestion {
     if (!slide || !is_local(third, which))
       return false;
     const Number forward = slide->to(), backward = -slide->from();
-    // A slide is no way if it is much longer than the other one.
-    const Number most_way = Number(4) * least(forward, backward);
+    const Number most_way = Number(longest_way) * least(forward, backward);
     return (forward > most_way || Number(1) - low_ - forward < forward) &&
            (backward > most_way || high_ - backward < backward);
   }
@@ -325,8 +324,8 @@ template <class Number> Number diameter2(Outline one, Outline other) {
   return found;
 }
 
-/// Returns whether the depth of a corner below a side exceeds
-/// `deepest_share` times a length, given by its square.
+/// Returns whether the depth of a corner below a side exceeds `deepest_share` times a
+/// length, given by its square.
 template <class Number>
 bool exceeds(const Side<Number>& side, const Vec2& corner, const Number& length2) {
   const Number area = side.area(Arrow<Number>(corner));

@@ -32,7 +32,7 @@ struct Line {
   double length2;
   Line(const Vec2& p1, const Vec2& p2)
       : start(p1), end(p2), length2(filter::squared_length(p1, p2)) {}
-  /// Twice the area below the side. The bound also covers one addition.
+  /// Twice the area below the side. The bound is twice that of the filter.
   Estimate area(const Vec2& corner) const {
     const Estimate found = filter::overlap(corner, start, end);
     return {found.value, 2.0 * found.bound};

@@ -103,9 +103,9 @@ template <class Predicates, class Neighbours> class PairRule {
   /// along a surface that took over, none acts.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
-    if (!find_axes())
+    if (!shape_.find_axes(scratch_.axes))
       return;  // the two parts are apart
-    const Axis least = take_least();
+    const Axis least = shape_.take_least(scratch_.axes);
     region_.begin(least);
     if (shape_.depth_sign(least.side, least.corner.index) <= 0) {
       touch(least, shape_.find_facing(least));
@@ -134,40 +134,10 @@ template <class Predicates, class Neighbours> class PairRule {
     stand_in(*entered);
   }
 
-  /// Finds the axes of all sides. Returns false if one of them separates the two parts
-  /// by more than the slack.
-  bool find_axes() {
-    scratch_.axes.clear();
-    for (const int part : {0, 1})
-      for (int i = 0; i < shape_.corners(part); ++i) {
-        const Axis axis = shape_.axis_of({part, i});
-        if (!is_near_or_inside(axis))
-          return false;
-        scratch_.axes.push_back(axis);
-      }
-    return true;
-  }
-  bool is_near_or_inside(const Axis& axis) {
-    const Segment& e = shape_.at(axis.side);
-    return shape_.depth(axis).positive() ||
-           predicates_.near_or_inside(shape_.at(axis.corner).start, e.start, e.end);
-  }
-  /// Removes the least axis from the list and returns it. Of equally deep axes it is
-  /// the one that was found first.
-  Axis take_least() {
-    std::vector<Axis>& axes = scratch_.axes;
-    std::size_t least = 0;
-    for (std::size_t i = 1; i < axes.size(); ++i)
-      if (shape_.is_less(axes[i], axes[least]))
-        least = i;
-    const Axis axis = axes[least];
-    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(least));
-    return axis;
-  }
   /// Returns the first entered axis in the order of depth. Far axes are not entered.
   std::optional<Axis> find_entered(const Axis& least) {
     Entry<Predicates> entry(shape_, predicates_);
-    for (Axis axis = least;; axis = take_least()) {
+    for (Axis axis = least;; axis = shape_.take_least(scratch_.axes)) {
       // Entry is tested first, because it takes less time.
       if ((!Predicates::entry || entry.is_entered(axis)) &&
           !region_.is_far(axis, shape_.find_facing(axis)))

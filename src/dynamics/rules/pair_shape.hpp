@@ -129,6 +129,32 @@ template <class Predicates> class PairShape {
     const auto &a = depth(axis), &b = depth(s, k);
     return a.value - b.value > (1.0 + 1e-9) * (a.bound + b.bound);
   }
+  /// Finds the axes of all sides. Returns false if one of them separates the two parts
+  /// by more than the slack.
+  bool find_axes(std::vector<Axis>& axes) {
+    axes.clear();
+    for (const int part : {0, 1})
+      for (int i = 0; i < corners(part); ++i) {
+        const Axis axis = axis_of({part, i});
+        const Segment& e = at(axis.side);
+        if (!depth(axis).positive() &&
+            !predicates_.near_or_inside(at(axis.corner).start, e.start, e.end))
+          return false;
+        axes.push_back(axis);
+      }
+    return true;
+  }
+  /// Removes the least axis from a list and returns it. Of equally deep axes it is the
+  /// one that was found first.
+  Axis take_least(std::vector<Axis>& axes) {
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < axes.size(); ++i)
+      if (is_less(axes[i], axes[least]))
+        least = i;
+    const Axis axis = axes[least];
+    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(least));
+    return axis;
+  }
   /// Returns whether the first axis is less deep than the second one.
   bool is_less(const Axis& a, const Axis& b) {
     if (is_surely_deeper(b, a.side, a.corner.index))

@@ -84,55 +84,29 @@ template <class Neighbours> class SurfaceRule {
   /// block, it acts although it is hidden.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
-    if (!find_axes())
+    if (!shape_.find_axes(scratch_.axes))
       return;  // the two parts are apart
     take_outlines();
-    Axis axis = least_ = take_least();
+    Axis axis = least_ = shape_.take_least(scratch_.axes);
     if (shape_.depth_sign(least_.side, least_.corner.index) <= 0) {
       touch(least_, shape_.find_facing(least_));
       return;
     }
-    for (;; axis = take_least()) {
+    for (;; axis = shape_.take_least(scratch_.axes)) {
       const std::optional<PairSide> facing = facing_of(axis);
       if (!is_beyond_inner(axis) && !is_far(axis, facing) && !is_hidden(axis, facing)) {
         touch(axis, facing);
         return;
       }
-      if (axes_.empty()) {
-        if (!is_carried())
+      if (scratch_.axes.empty()) {
+        // Otherwise a third part carries the block.
+        if (exceeds_third_shifts(least_.corner, least_.side))
           touch(least_, shape_.find_facing(least_));
         return;
       }
     }
   }
 
-  /// Finds the axes of all sides. Returns false if one of them separates the two parts
-  /// by more than the slack.
-  bool find_axes() {
-    axes_.clear();
-    for (const int part : {0, 1})
-      for (int i = 0; i < shape_.corners(part); ++i) {
-        const Axis axis = shape_.axis_of({part, i});
-        const Segment& e = shape_.at(axis.side);
-        if (!shape_.depth(axis).positive() &&
-            !predicates_.near_or_inside(shape_.at(axis.corner).start, e.start, e.end))
-          return false;
-        axes_.push_back(axis);
-      }
-    return true;
-  }
-  /// Removes the least axis from the list and returns it. Of equally deep axes it is
-  /// the one that was found first.
-  Axis take_least() {
-    std::vector<Axis>& axes = axes_;
-    std::size_t least = 0;
-    for (std::size_t i = 1; i < axes.size(); ++i)
-      if (shape_.is_less(axes[i], axes[least]))
-        least = i;
-    const Axis axis = axes[least];
-    axes.erase(axes.begin() + static_cast<std::ptrdiff_t>(least));
-    return axis;
-  }
   void take_outlines() {
     for (const int k : {0, 1}) {
       outline_[k].clear();
@@ -182,34 +156,26 @@ template <class Neighbours> class SurfaceRule {
       return false;
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
-    const geometry::Polygon(&outline)[2] = outline_;
-    const auto exceeds_shift = [&](int k, const geometry::Polygon& from) {
-      return geometry::exceeds_separating_shift(c, e.start, e.end, outline[k], from);
+    return geometry::exceeds_separating_shift(c, e.start, e.end, outline_[0],
+                                              outline_[1]) &&
+           geometry::exceeds_common_region(c, e.start, e.end, outline_[0],
+                                           outline_[1]) &&
+           exceeds_third_shifts(corner, side);
+  }
+  /// Returns whether the depth of a corner below a side exceeds twice every shift that
+  /// separates one of the two parts from a third part.
+  bool exceeds_third_shifts(const PairSide& corner, const PairSide& side) {
+    const Segment& e = shape_.at(side);
+    const Vec2& c = shape_.at(corner).start;
+    const auto holds = [&](int k) {
+      return thirds(k).any([&](const geometry::Polygon& third) {
+        return !geometry::exceeds_separating_shift(c, e.start, e.end, outline_[1 - k],
+                                                   third);
+      });
     };
-    if (!exceeds_shift(0, outline[1]) ||
-        !geometry::exceeds_common_region(c, e.start, e.end, outline[0], outline[1]))
-      return false;
-    for (const int k : {0, 1})
-      if (thirds(k).any([&](const geometry::Polygon& third) {
-            return !exceeds_shift(1 - k, third);
-          }))
-        return false;
-    return true;
+    return !holds(0) && !holds(1);
   }
 
-  /// Returns whether a third part overlaps one of the two parts at least half as deep
-  /// as they overlap each other. Then it carries the block.
-  bool is_carried() {
-    const Segment& e = shape_.at(least_.side);
-    const Vec2& c = shape_.at(least_.corner).start;
-    for (const int k : {0, 1})
-      if (thirds(k).any([&](const geometry::Polygon& third) {
-            return !geometry::exceeds_separating_shift(c, e.start, e.end,
-                                                       outline_[1 - k], third);
-          }))
-        return true;
-    return false;
-  }
   bool is_hidden(const Axis& axis, const std::optional<PairSide>& facing) {
     const geometry::PolygonAxis polygons = as_polygons(axis, facing);
     const int own = axis.side.part;
@@ -218,8 +184,8 @@ template <class Neighbours> class SurfaceRule {
         return geometry::is_hidden_by(polygons, third, which);
       });
     };
-    return (hides(own, geometry::Continues::own) ||
-            hides(1 - own, geometry::Continues::other));
+    return hides(own, geometry::Continues::own) ||
+           hides(1 - own, geometry::Continues::other);
   }
   geometry::PolygonAxis as_polygons(const Axis& axis,
                                     const std::optional<PairSide>& facing) const {
@@ -227,19 +193,15 @@ template <class Neighbours> class SurfaceRule {
             axis.corner.index, facing ? facing->index : -1};
   }
 
-  /// Adds the contacts that act along an axis, and returns whether there are any.
-  bool touch(const Axis& axis, const std::optional<PairSide>& facing) {
-    bool acts = false;
+  /// Adds the contacts that act along an axis.
+  void touch(const Axis& axis, const std::optional<PairSide>& facing) {
     each_along(shape_, axis, facing, [&](const PairSide& corner, const PairSide& side) {
       const PairSide below = find_side_below(corner, side);
-      if (shape_.at(below).is_inner || shape_.depth_sign(below, corner.index) <= 0 ||
-          !(is_between(corner, below) || (!facing && has_no_end(axis.corner, below))) ||
-          (!(axis == least_) && is_far(corner, below)))
-        return;
-      scratch_.add({shape_.at(corner).corner, shape_.at(below).corner});
-      acts = true;
+      if (!shape_.at(below).is_inner && shape_.depth_sign(below, corner.index) > 0 &&
+          (is_between(corner, below) || (!facing && has_no_end(axis.corner, below))) &&
+          (axis == least_ || !is_far(corner, below)))
+        scratch_.add({shape_.at(corner).corner, shape_.at(below).corner});
     });
-    return acts;
   }
   /// Returns the one of a side and the sides in line with it that has the foot of the
   /// corner between its ends. If there is none, returns the side itself.
@@ -276,7 +238,6 @@ template <class Neighbours> class SurfaceRule {
   PairScratch& scratch_;
   ExactPredicates predicates_;
   PairShape<ExactPredicates> shape_{scratch_.shape, predicates_};
-  std::vector<Axis> axes_;
   Axis least_;
   geometry::Polygon outline_[2];
   ThirdParts thirds_[2];
