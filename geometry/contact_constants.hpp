@@ -21,36 +21,6 @@ inline constexpr double facing_sine = 0.17364817766693033;
 inline constexpr double facing_sine_squared = 0.030153689607045807973;
 inline constexpr double facing_cosine_squared = 0.969846310392954192027;
 
-/// Neighbours close a joint if they cover at least this part of the side. Up to 1 makes
-/// no difference to the scenes of the study; above 1 no joint is ever closed, and
-/// corners hang up on the joints of flush blocks.
-inline constexpr double covered_share = 0.5;
-
-/// A contact is far, and does not act, if it is deeper than this factor times the
-/// diameter of the overlap region, and than this factor times the depth of the least
-/// axis, plus the slack of its side. Along the faces of the least axis, contacts are at
-/// most 1 / cos(10 degrees) = 1.0154 times as deep as it. A smaller factor might drop
-/// them.
-inline constexpr double far_factor = 1.02;
-
-/// Tangent of 10 degrees, as the double nearest to it, taken as exact. In a notch, the
-/// foot of a corner may be beyond an end of a side by its depth divided by this slope,
-/// and the notch has to rise more steeply than by this slope. A notch that rises less
-/// is a flat joint. With a larger slope, wedges sink between the blocks of a notch.
-inline constexpr double notch_slope = 0.17632698070846498;
-
-/// A released spring passes to another contact of the same pair only if the angle
-/// between the two edges has a larger cosine (18 degrees). Any value from 0 to
-/// 0.9999 gives the same result in all scenes of the study. Above 1 nothing passes
-/// between the two faces of a pair, and bricks fall through.
-inline constexpr double successor_cosine = 0.95;
-
-/// Two sides form a face, whose length a contact stands for, if their directions are
-/// opposite within the angle of this cosine (18 degrees).
-inline constexpr double face_cosine = 0.95;
-
-// The constants of the surface rule (docs/surface-rule.md#constants).
-
 /// A contact is far if it is deeper than this factor times the region that the two
 /// parts have in common, and than this factor times every shift that separates the two,
 /// or one of them from a third part.
@@ -72,9 +42,24 @@ inline constexpr double third_reach = 1.0 / 128.0;
 /// times the slide the other way.
 inline constexpr double longest_way = 4.0;
 
+/// If all axes are far or hidden, the least one acts if it is deeper than this factor
+/// times every overlap with a third part. Equally deep overlaps at a corner that
+/// several parts share would otherwise wait for each other.
+inline constexpr double carried_share = 0.99;
+
 /// A third part hides an axis only if the part that is shifted out through the axis
 /// overlaps the third one by at least this share of the shift. Flush surfaces then
 /// overlap by rounding only.
 inline constexpr double remaining_share = 0.02;
+
+/// A released spring passes to another contact of the same pair only if the angle
+/// between the two edges has a larger cosine (18 degrees). Any value from 0 to
+/// 0.9999 gives the same result in all scenes of the study. Above 1 nothing passes
+/// between the two faces of a pair, and bricks fall through.
+inline constexpr double successor_cosine = 0.95;
+
+/// Two sides form a face, whose length a contact stands for, if their directions are
+/// opposite within the angle of this cosine (18 degrees).
+inline constexpr double face_cosine = 0.95;
 
 }  // namespace blocks::geometry

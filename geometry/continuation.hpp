@@ -1,9 +1,10 @@
 // Decides what a third polygon changes where two others overlap: it may continue one of
-// them, so that a side is no surface or has no end (docs/surface-rule.md). The answers
+// them, so that a side is no surface or has no end (docs/contact-rule.md). The answers
 // are exact for the stored doubles. Independent of blocks and of the time loop.
 #pragma once
 
-#include "geometry/covered_side.hpp"
+#include "geometry/contact_constants.hpp"
+#include "geometry/outline.hpp"
 #include "geometry/vec2.hpp"
 
 namespace blocks::geometry {
@@ -22,21 +23,21 @@ struct PolygonAxis {
 enum class Continues { own, other };
 
 /// Returns whether a third polygon hides the axis, because it continues one of the two
-/// polygons there (docs/surface-rule.md#hidden-axes).
+/// polygons there (docs/contact-rule.md#hidden-axes).
 bool is_hidden_by(const PolygonAxis& axis, Outline third, Continues which);
 
 /// Returns whether the side of an axis has no end where the foot of the corner is
 /// beyond it, because a third polygon rises there
-/// (docs/surface-rule.md#sides-without-an-end). The result is false if the foot is
+/// (docs/contact-rule.md#sides-without-an-end). The result is false if the foot is
 /// between the ends.
 bool is_in_notch_of(const PolygonAxis& axis, Outline third);
 
 /// Returns whether the foot of corner c on the line p1 p2 is beyond an end of that
-/// side, above the gap between the side and a third polygon
-/// (docs/surface-rule.md#sides-without-an-end). least: the axis of least depth of the
-/// two polygons.
-bool is_over_gap_to(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                    const PolygonAxis& least, Outline third);
+/// side, at the joint between the side and a third polygon, which does not contain the
+/// corner (docs/contact-rule.md#sides-without-an-end). least: the axis of least depth
+/// of the two polygons.
+bool is_at_joint_with(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                      const PolygonAxis& least, Outline third);
 
 /// Returns whether a segment of a side, of positive length, lies in another convex
 /// polygon, borders included.
@@ -47,9 +48,10 @@ bool crosses(Outline polygon, int side, Outline other);
 /// region the result is false.
 bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outline one,
                            Outline other);
-/// Returns whether the depth of corner c below the line p1 p2 exceeds twice the
+/// Returns whether the depth of corner c below the line p1 p2 exceeds a multiple of the
 /// shortest shift that separates two convex polygons. It does if they are separate.
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                              Outline one, Outline other);
+                              Outline one, Outline other,
+                              double times = deepest_share);
 
 }  // namespace blocks::geometry

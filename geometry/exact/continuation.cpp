@@ -41,10 +41,10 @@ bool is_in_notch_of(const PolygonAxis& axis, Outline third) {
   });
 }
 
-bool is_over_gap_to(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                    const PolygonAxis& least, Outline third) {
+bool is_at_joint_with(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                      const PolygonAxis& least, Outline third) {
   return decide([&](auto number) {
-    return continuation::over_gap<decltype(number)>(c, p1, p2, least, third);
+    return continuation::is_at_joint<decltype(number)>(c, p1, p2, least, third);
   });
 }
 
@@ -64,12 +64,12 @@ bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outlin
 }
 
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                              Outline one, Outline other) {
-  if (const auto sure = quick::exceeds_separating_shift(c, p1, p2, one, other))
+                              Outline one, Outline other, double times) {
+  if (const auto sure = quick::exceeds_separating_shift(c, p1, p2, one, other, times))
     return *sure;
   return decide([&](auto number) {
     return continuation::exceeds_separating_shift<decltype(number)>(c, p1, p2, one,
-                                                                    other);
+                                                                    other, times);
   });
 }
 

@@ -1,5 +1,5 @@
 // PRIVATE to geometry/: what a third polygon changes where two others overlap
-// (docs/surface-rule.md), as templates over the number type. With rationals each answer
+// (docs/contact-rule.md), as templates over the number type. With rationals each answer
 // is exact. With intervals a comparison that they cannot decide throws.
 #pragma once
 
@@ -283,21 +283,24 @@ template <class Number> class AxisQuestion {
   Number low_, high_;  ///< feet of the facing side's end and start, or of the corner
 };
 
+/// Returns whether the foot of a corner is beyond an end of a side and close to a third
+/// polygon, which does not contain the corner.
 template <class Number>
-bool over_gap(const Vec2& c, const Vec2& p1, const Vec2& p2,
-              const PolygonAxis& least_one, Outline third) {
+bool is_at_joint(const Vec2& c, const Vec2& p1, const Vec2& p2,
+                 const PolygonAxis& least, Outline third) {
   const Side<Number> e(p1, p2);
-  const Number foot = e.foot(Arrow<Number>(c));
-  const Number beyond = most(-foot, foot - Number(1));
-  if (!(beyond > 0))
+  const Arrow<Number> corner(c);
+  const Number foot = e.foot(corner);
+  if (foot >= 0 && foot <= 1)
     return false;
-  const Number width2 = AxisQuestion<Number>(least_one).depth2();
-  if (square(beyond) * e.length2() > width2)
-    return false;
-  const Arrow<Number> at = e.at(foot);
-  return AxisQuestion<Number>::is_near(at, third, width2) &&
-         !AxisQuestion<Number>::is_near(at, third,
-                                        square(Number(contact_slack)) * e.length2());
+  const auto excludes_corner = [&](int i) {
+    return Side<Number>(third, i).area(corner) <= 0;
+  };
+  bool is_outside = false;
+  for (int i = 0; i < static_cast<int>(third.size()) && !is_outside; ++i)
+    is_outside = excludes_corner(i);
+  return is_outside && AxisQuestion<Number>::is_near(
+                           e.at(foot), third, AxisQuestion<Number>(least).depth2());
 }
 
 /// Returns the square of the diameter of the common region of two polygons, 0 if there
@@ -324,13 +327,13 @@ template <class Number> Number diameter2(Outline one, Outline other) {
   return found;
 }
 
-/// Returns whether the depth of a corner below a side exceeds `deepest_share` times a
-/// length, given by its square.
+/// Returns whether the depth of a corner below a side exceeds a multiple of a length,
+/// given by its square.
 template <class Number>
-bool exceeds(const Side<Number>& side, const Vec2& corner, const Number& length2) {
+bool exceeds(const Side<Number>& side, const Vec2& corner, double times,
+             const Number& length2) {
   const Number area = side.area(Arrow<Number>(corner));
-  return area > 0 &&
-         square(area) > square(Number(deepest_share)) * length2 * side.length2();
+  return area > 0 && square(area) > square(Number(times)) * length2 * side.length2();
 }
 
 /// Returns whether a segment of a side, of positive length, lies in another polygon.
@@ -343,13 +346,14 @@ template <class Number>
 bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outline one,
                            Outline other) {
   const Number region2 = diameter2<Number>(one, other);
-  return region2 > 0 && exceeds(Side<Number>(p1, p2), c, region2);
+  return region2 > 0 && exceeds(Side<Number>(p1, p2), c, deepest_share, region2);
 }
 
 template <class Number>
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                              Outline one, Outline other) {
-  return exceeds(Side<Number>(p1, p2), c, separating_shift2<Number>(one, other));
+                              Outline one, Outline other, double times) {
+  return exceeds(Side<Number>(p1, p2), c, times,
+                 separating_shift2<Number>(one, other));
 }
 
 }  // namespace blocks::geometry::continuation

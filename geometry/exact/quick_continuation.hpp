@@ -123,11 +123,11 @@ inline std::optional<bool> crosses(Outline polygon, int side, Outline other) {
   return from.least >= to.most ? std::optional(false) : std::nullopt;
 }
 
-/// Tells whether the depth of a corner below a side exceeds twice the shortest shift
-/// that separates two polygons, if that is certain.
+/// Tells whether the depth of a corner below a side exceeds a multiple of the shortest
+/// shift that separates two polygons, if that is certain.
 inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p1,
                                                     const Vec2& p2, Outline one,
-                                                    Outline other) {
+                                                    Outline other, double times) {
   const Line e(p1, p2);
   if (!is_moderate(e.length2))
     return std::nullopt;
@@ -136,7 +136,7 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
   if (value + bound <= 0.0)
     return false;
   // Bounds of the shift that the depth exceeds just so.
-  const double scale = deepest_share * std::sqrt(e.length2);
+  const double scale = times * std::sqrt(e.length2);
   const double most = more * ((value + bound) / scale),
                least = less * ((value - bound) / scale);
   if (!(least > 0x1p-500))
@@ -160,7 +160,7 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
 
 /// Tells whether a polygon certainly does not overlap a third one after the shift
 /// through an axis, or by less than `remaining_share` of the shift. The question is the
-/// first condition of docs/surface-rule.md#hidden-axes.
+/// first condition of docs/contact-rule.md#hidden-axes.
 inline bool is_free_after_shift(const PolygonAxis& axis, Outline third,
                                 Continues which) {
   const Line e = line_of(axis.own, axis.side);
@@ -238,7 +238,7 @@ inline Place place_on(const Line& side, const Foot& foot) {
               filter::underflow};
 }
 
-/// Returns the contact point of docs/surface-rule.md#hidden-axes. Its bound is not
+/// Returns the contact point of docs/contact-rule.md#hidden-axes. Its bound is not
 /// finite if there is none in the range of doubles.
 inline Place contact_point(const PolygonAxis& axis, const Line& e, Continues which) {
   const Vec2& corner = axis.other[static_cast<std::size_t>(axis.corner)];
@@ -267,7 +267,7 @@ inline Place contact_point(const PolygonAxis& axis, const Line& e, Continues whi
 
 /// Tells whether a third polygon is certainly farther from the contact point than the
 /// width of the widest joint: the point is so far outside one of its sides. The
-/// question is the second condition of docs/surface-rule.md#hidden-axes.
+/// question is the second condition of docs/contact-rule.md#hidden-axes.
 inline bool is_remote(const PolygonAxis& axis, Outline third, Continues which) {
   const Line e = line_of(axis.own, axis.side);
   const double longest2 = std::min(longest_side2(axis.own), longest_side2(axis.other));

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "geometry/covered_side.hpp"
+#include "geometry/outline.hpp"
 #include "geometry/exact/kernels.hpp"
 
 namespace blocks::geometry::sides {

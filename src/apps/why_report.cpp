@@ -34,60 +34,38 @@ const char* word(audit::Choice choice) {
     return "apart";
   case audit::Choice::touching:
     return "least axis touches";
-  case audit::Choice::entered:
-    return "first entered axis acts";
-  case audit::Choice::surface:
-    return "surface takes over";
-  case audit::Choice::inner_side:
-    return "part beside inner side decides";
-  case audit::Choice::no_entry:
-    return "no axis entered, least axis used instead";
-  case audit::Choice::no_contact:
-    return "no contact, least axis used instead";
-  case audit::Choice::still_hidden:
+  case audit::Choice::axis:
+    return "axis acts";
+  case audit::Choice::least:
+    return "least axis acts";
+  case audit::Choice::none:
     break;
   }
-  return "surfaces hidden, first entered axis used instead";
+  return "no axis left";
 }
 
-const char* word(audit::Entry entry) {
-  switch (entry) {
-  case audit::Entry::inside:
-    return "inside";
-  case audit::Entry::other_end:
-    return "other end";
-  case audit::Entry::foot:
-    return "foot";
-  case audit::Entry::crossing:
-    return "crossing";
-  case audit::Entry::none:
+const char* word(audit::Bound bound) {
+  switch (bound) {
+  case audit::Bound::separating_shift:
+    return "separating shift";
+  case audit::Bound::common_diameter:
+    return "common diameter";
+  case audit::Bound::third_part:
     break;
   }
-  return "no";
+  return "third part";
 }
 
-const char* word(audit::HidingPlace place) {
-  switch (place) {
-  case audit::HidingPlace::axis_side:
-    return "axis side";
-  case audit::HidingPlace::facing_side:
-    return "facing side";
-  case audit::HidingPlace::corner:
-    break;
-  }
-  return "corner";
+Json slide(const audit::Blocking::Slide& slide) {
+  return {{"length", slide.length}, {"rest", slide.rest}};
 }
 
-Json joint(const Blocks& blocks, const audit::Joint& joint) {
-  Json one = place(blocks, joint.corner);
-  one["side"] = side(blocks, joint.side);
-  one["surface"] = side(blocks, joint.surface);
-  one["stretch"] = joint.cover.stretch;
-  one["interval"] = joint.cover.interval;
-  one["share_of_stretch"] = joint.cover.share_of_stretch;
-  one["share_of_interval"] = joint.cover.share_of_interval;
-  one["covered_by"] = joint.cover.side ? side(blocks, *joint.cover.side) : Json();
-  return one;
+Json blocking(const audit::ExactPairRule& rule, const audit::Blocking& third) {
+  return {{"block", rule.parts()[third.part].block + 1},
+          {"third_part_of", third.whose == audit::ThirdOf::own ? "own" : "other"},
+          {"overlap", third.overlap},
+          {"slides", {slide(third.shorter), slide(third.longer)}},
+          {"hides", third.hides}};
 }
 
 Json axes(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
@@ -99,30 +77,26 @@ Json axes(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
                 {"corner", place(blocks, axis.corner)},
                 {"depth", axis.depth},
                 {"facing", axis.facing ? side(blocks, *axis.facing) : Json()},
-                {"entry_known", axis.entry_known}};
-    if (axis.entry_known)
-      one["entered"] = word(axis.entry);
-    if (axis.joints_known) {
-      Json joints = Json::array();
-      for (const audit::HidingJoint& hiding : axis.hidden_by) {
-        Json closed = joint(blocks, hiding.joint);
-        closed["place"] = word(hiding.place);
-        joints.push_back(closed);
-      }
-      one["hidden_by"] = joints;
-      one["taken_over_by"] = axis.taken_over_by >= 0
-                                 ? side(blocks, part.axes[axis.taken_over_by].side)
-                                 : Json();
+                {"examined", axis.examined}};
+    if (axis.examined) {
+      one["skipped"] = axis.skipped;
+      one["far"] =
+          axis.far ? Json{{"bound", word(axis.far->bound)}, {"twice", axis.far->twice}}
+                   : Json();
+      Json thirds = Json::array();
+      for (const audit::Blocking& third : axis.blocking)
+        thirds.push_back(blocking(rule, third));
+      one["blocking"] = thirds;
     }
     one["acts"] = i == part.chosen;
-    if (axis.entry_known || axis.joints_known || i == part.chosen)
-      one["verdict"] = audit::verdict(rule, part, i);
+    one["verdict"] = audit::verdict(rule, part, i);
     list.push_back(one);
   }
   return list;
 }
 
-Json candidates(const Blocks& blocks, const audit::PartDecision& part) {
+Json candidates(const audit::ExactPairRule& rule, const audit::PartDecision& part) {
+  const Blocks& blocks = rule.blocks();
   Json list = Json::array();
   for (const audit::Candidate& candidate : part.candidates)
     list.push_back({{"corner", place(blocks, candidate.corner)},
@@ -131,7 +105,7 @@ Json candidates(const Blocks& blocks, const audit::PartDecision& part) {
                     {"inside", candidate.inside},
                     {"between", candidate.between},
                     {"acts", candidate.acts},
-                    {"verdict", audit::verdict(candidate)}});
+                    {"verdict", audit::verdict(rule, candidate)}});
   return list;
 }
 
@@ -152,23 +126,34 @@ double stress_of(double force, const JointState& state) {
   return state.length > 0.0 ? force / state.length : 0.0;
 }
 
+/// Returns a text in lines of at most 100 columns.
+std::string lines_of(std::size_t indent, const std::string& text) {
+  std::string out;
+  for (const std::string& line : audit::in_lines(text, indent, 100))
+    out += line + '\n';
+  return out;
+}
+
 /// Describes the state of the law of a contact, and what it means for the next step.
 std::string state_in_words(const Blocks& blocks, const RememberedContact& contact) {
   const JointState& state = contact.state;
-  std::string out = fmt::format(
-      "    law of joint {}: {}, slip {:.6g}, dilation {:.6g}, length {:.6g}, normal "
-      "stress {:.6g}, shear stress {:.6g}\n",
-      state.law, word(quantities::bond_of(state.bonded, state.failed)), state.slip,
-      state.offset, state.length, stress_of(contact.normal_force, state),
-      stress_of(contact.shear_force, state));
+  std::string out = lines_of(
+      4,
+      fmt::format("law of joint {}: {}, slip {:.6g}, dilation {:.6g}, length {:.6g}, "
+                  "normal stress {:.6g}, shear stress {:.6g}",
+                  state.law, word(quantities::bond_of(state.bonded, state.failed)),
+                  state.slip, state.offset, state.length,
+                  stress_of(contact.normal_force, state),
+                  stress_of(contact.shear_force, state)));
   if (state.bonded)
-    out += fmt::format("    bonded, so it acts in the next step whatever the rule "
-                       "decides, and {} acts on no other edge of block {}\n",
-                       audit::name_of(blocks, contact.corner),
-                       blocks.corner_block[contact.edge] + 1);
+    out += lines_of(4, fmt::format("bonded, so it acts in the next step whatever the "
+                                   "rule decides, and {} acts on no other edge of "
+                                   "block {}",
+                                   audit::name_of(blocks, contact.corner),
+                                   blocks.corner_block[contact.edge] + 1));
   else if (state.offset > 0.0)
-    out += "    it also acts in the next step while overlap and dilation sum to more "
-           "than 0 between the ends of the edge\n";
+    out += lines_of(4, "it also acts in the next step while overlap and dilation sum "
+                       "to more than 0 between the ends of the edge");
   return out;
 }
 
@@ -190,7 +175,7 @@ std::string overlap_in_words(const WhyReport& report,
   if (!report.overlap)
     return "they do not overlap\n";
   const double depth = deepest(report, rule);
-  return fmt::format("they overlap by {}, an area of {} near ({:.6g}, {:.6g}); {}\n",
+  return fmt::format("they overlap by {}, an area of {} near ({:.6g}, {:.6g})\n{}\n",
                      geometry::positive_text(report.overlap->depth, 6),
                      geometry::positive_text(report.overlap->area, 6),
                      report.overlap->place.x(), report.overlap->place.y(),
@@ -230,8 +215,8 @@ std::string text(const WhyReport& report, const WhyScene& scene,
     out += "  " + lines[i] + '\n';
   const auto contacts = remembered(report, scene);
   for (const RememberedContact& contact : contacts) {
-    out += fmt::format("  in the file: {} on {} acted in the step before: normal force "
-                       "{:.6g}, shear force {:.6g}, overlap {:.6g}\n",
+    out += fmt::format("  in the file: {} on {} acted in the step before:\n"
+                       "    normal force {:.6g}, shear force {:.6g}, overlap {:.6g}\n",
                        audit::name_of(blocks, contact.corner),
                        audit::name_of_edge(blocks, contact.edge), contact.normal_force,
                        contact.shear_force, contact.overlap);
@@ -273,7 +258,7 @@ std::string json(const WhyReport& report, const WhyScene& scene,
   for (const audit::PartDecision& part : report.decision.parts)
     parts.push_back({{"choice", word(part.choice)},
                      {"axes", axes(rule, part)},
-                     {"candidates", candidates(blocks, part)}});
+                     {"candidates", candidates(rule, part)}});
   const Json all = {{"file", report.file},
                     {"time", scene.time},
                     {"step", scene.step},

@@ -14,15 +14,14 @@
 namespace blocks::audit {
 namespace {
 
-/// Returns the depth of the deepest axis that does not act because of a closed joint or
-/// because its side is an inner side, [L]. Returns 0 if there is none.
-double depth_explained_by_joints(const PairDecision& decision) {
+/// Returns the depth of the deepest axis that does not act because a third part hides
+/// it or because its side is an inner side, [L]. Returns 0 if there is none.
+double depth_explained_by_third_parts(const PairDecision& decision) {
   double depth = 0.0;
   for (const PartDecision& parts : decision.parts)
-    for (const int axis : parts.path)
-      if (const Axis& left = parts.axes[axis];
-          left.side.inner || !left.hidden_by.empty())
-        depth = std::max(depth, left.depth);
+    for (const Axis& axis : parts.axes)
+      if (axis.examined && (axis.side.inner || axis.hidden()))
+        depth = std::max(depth, axis.depth);
   return depth;
 }
 
@@ -59,7 +58,7 @@ class Auditor {
         if (!std::binary_search(listed_.begin(), listed_.end(), BlockPair(a, b)))
           found_.missed.emplace_back(a, b);
         const PairDecision exact = rule_.decide(a, b);
-        by_joint_[{a, b}] = depth_explained_by_joints(exact);
+        by_third_[{a, b}] = depth_explained_by_third_parts(exact);
         auto by_program = std::move(acting[{a, b}]);
         acting.erase({a, b});
         compare({a, b}, std::move(by_program), exact.contacts);
@@ -128,7 +127,7 @@ class Auditor {
       const ExcessOverlap excess{a,
                                  b,
                                  overlap.depth,
-                                 std::max(by.depth, by_joint_[{a, b}]),
+                                 std::max(by.depth, by_third_[{a, b}]),
                                  by.pressed,
                                  overlap.area,
                                  overlap.place};
@@ -174,8 +173,8 @@ class Auditor {
   const std::vector<BlockPair>& listed_;
   const HeldContacts held_;
   ExactPairRule rule_;
-  /// [L] depth_explained_by_joints of each pair
-  std::map<BlockPair, double> by_joint_;
+  /// [L] depth_explained_by_third_parts of each pair
+  std::map<BlockPair, double> by_third_;
   std::vector<geometry::BlockOverlap> overlaps_;
   Findings found_;
 };

@@ -96,7 +96,7 @@ struct Moment {
 /// A pair is missed if the list lacks it although the bounding boxes of its blocks may
 /// meet before the next search.
 /// Two blocks overlap in excess if they overlap deeper than their deepest acting
-/// contact and than the axes that closed joints hide. A contact is too deep if its
+/// contact and than the axes that third parts hide. A contact is too deep if its
 /// depth exceeds the extent of the exact intersection of its two blocks along its
 /// normal. Both have a tolerance of explained_slack times the shortest edge of the two
 /// blocks. Contacts that are less deep than the tolerance are not tested.

@@ -1,6 +1,5 @@
-// Finds the axes of two parts and which of them are entered (docs/contact-rule.md). The
-// choice of the axis that acts is in exact_choice.cpp, closed joints are in
-// exact_covered_side.cpp.
+// Finds the axis of two parts that acts (docs/contact-rule.md). Its contacts are found
+// in exact_contacts.cpp.
 #include "audit/exact_pair_rule.hpp"
 
 #include <algorithm>
@@ -9,17 +8,11 @@
 #include "geometry/contact_constants.hpp"
 
 namespace blocks::audit {
-namespace {
 
-/// Returns the mean of the corners, summed in order, in doubles.
-Vec2 mean_of_corners(const Blocks& blocks, const ConvexPart& part) {
-  Vec2 sum = Vec2::Zero();
-  for (const int c : part.corners)
-    sum += blocks.corner.col(c);
-  return sum / static_cast<double>(part.corners.size());
+bool Axis::hidden() const {
+  return std::any_of(blocking.begin(), blocking.end(),
+                     [](const Blocking& one) { return one.hides; });
 }
-
-}  // namespace
 
 ExactPairRule::ExactPairRule(const Blocks& blocks, std::vector<ConvexPart> parts,
                              std::vector<std::vector<int>> neighbours,
@@ -28,29 +21,18 @@ ExactPairRule::ExactPairRule(const Blocks& blocks, std::vector<ConvexPart> parts
       rank_(static_cast<std::size_t>(blocks.size())), slack_(geometry::contact_slack) {
   for (int i = 0; i < blocks.size(); ++i)
     rank_[order.empty() ? i : order[i]] = i;
-  if (!order.empty())
-    for (std::vector<int>& some : neighbours_)
-      std::sort(some.begin(), some.end(),
-                [&](int a, int b) { return rank_[a] < rank_[b]; });
   first_part_.assign(static_cast<std::size_t>(blocks.size()) + 1, 0);
   for (const ConvexPart& part : parts_)
     ++first_part_[static_cast<std::size_t>(part.block) + 1];
   for (std::size_t b = 1; b < first_part_.size(); ++b)
     first_part_[b] += first_part_[b - 1];
-  std::vector<Vec2> centroids;
-  for (const ConvexPart& part : parts_)
-    centroids.push_back(blocks.convex[part.block]
-                            ? Vec2(blocks.centroid.col(part.block))
-                            : mean_of_corners(blocks, part));
   for (const double x : blocks.corner.reshaped())
     lattice_.include(x);
-  for (const Vec2& centroid : centroids)
-    for (const double x : centroid)
-      lattice_.include(x);
-  for (int c = 0; c < blocks.corners(); ++c)
-    corner_.push_back(lattice_(Vec2(blocks.corner.col(c))));
-  for (const Vec2& centroid : centroids)
-    centroid_.push_back(lattice_(centroid));
+  for (const ConvexPart& part : parts_) {
+    shape_.emplace_back();
+    for (const int c : part.corners)
+      shape_.back().push_back(lattice_(Vec2(blocks.corner.col(c))));
+  }
 }
 
 PartSide ExactPairRule::side(int part, int index) const {
@@ -61,30 +43,17 @@ PartSide ExactPairRule::side(int part, int index) const {
   return side;
 }
 
-/// Returns the sign of a - b, where a and b are depths 2A / L.
-int ExactPairRule::compare(const Depth& a, const Depth& b) {
-  if (sign(a.area2) != sign(b.area2))
-    return sign(a.area2) > sign(b.area2) ? 1 : -1;
-  return sign(a.area2) *
-         (a.area2 * a.area2 * b.length2).compare(b.area2 * b.area2 * a.length2);
-}
-
-double ExactPairRule::rounded(const Depth& depth) const {
-  return lattice_.rounded(depth.area2, 2) /
-         std::sqrt(lattice_.rounded(depth.length2, 2));
-}
-
 double ExactPairRule::overlap(int corner, int edge) const {
-  const Point e = corner_[blocks_.next[edge]] - corner_[edge];
-  return rounded(Depth{cross(corner_[corner] - corner_[edge], e), dot(e, e)});
+  const auto point = [&](int c) { return lattice_(Vec2(blocks_.corner.col(c))); };
+  const Point start = point(edge);
+  return lattice_.rounded(
+      Line{start, point(blocks_.next[edge]) - start}.depth(point(corner)));
 }
 
-double ExactPairRule::length(const PartSide& side) const {
-  return std::sqrt(lattice_.rounded(length2(side), 2));
-}
-
-ExactPairRule::Depth ExactPairRule::depth_of(const Axis& axis) const {
-  return {area2(corner_[axis.corner], axis.side), length2(axis.side)};
+ShapeAxis ExactPairRule::shapes_of(const Axis& axis) const {
+  return {shape_[axis.side.part], axis.side.index, shape_[axis.deepest.part],
+          axis.deepest.index,
+          axis.facing ? std::optional(axis.facing->index) : std::nullopt};
 }
 
 /// Two sides face if they run against each other within ten degrees. Let D be the cross
@@ -93,7 +62,7 @@ ExactPairRule::Depth ExactPairRule::depth_of(const Axis& axis) const {
 /// triple angle, 3 s - 4 s^3, is at most 1/2. Squared, it is
 /// 4 D^2 (3 Q - 4 D^2)^2 <= Q^3.
 bool ExactPairRule::face(const PartSide& one, const PartSide& other) const {
-  const Point e = along(one), f = along(other);
+  const Point e = line(one).along, f = line(other).along;
   if (sign(dot(e, f)) >= 0)
     return false;
   const Whole d = cross(e, f), d2 = d * d, q = dot(e, e) * dot(f, f);
@@ -104,13 +73,15 @@ bool ExactPairRule::face(const PartSide& one, const PartSide& other) const {
 }
 
 std::optional<PartSide> ExactPairRule::facing_side(const Axis& axis) const {
-  const PartCorner corner{axis.corner_part, axis.corner_index};
-  const PartSide before = side_before(corner), after = side_after(corner);
+  const PartSide after = side(axis.deepest.part, axis.deepest.index),
+                 before = side_before(after);
   const bool one = face(before, axis.side), two = face(after, axis.side);
   if (one && two) {
-    const Point e = along(axis.side);
-    const Whole d1 = cross(along(before), e), d2 = cross(along(after), e);
-    return d2 * d2 * length2(before) < d1 * d1 * length2(after) ? after : before;
+    const auto sine = [&](const PartSide& f) {  // times the length of the axis side
+      const Whole turn = cross(line(f).along, line(axis.side).along);
+      return Length{abs(turn), line(f).length2()};
+    };
+    return sine(after) < sine(before) ? after : before;
   }
   if (one || two)
     return one ? before : after;
@@ -120,83 +91,200 @@ std::optional<PartSide> ExactPairRule::facing_side(const Axis& axis) const {
 /// Equally deep corners follow each other. If the side belongs to the part with the
 /// lower number, the last of them clockwise counts, otherwise the first one.
 Axis ExactPairRule::axis_of(const PartSide& side, int other) const {
-  Axis axis;
-  axis.side = side, axis.corner_part = other;
+  const Line e = line(side);
   const int count = size(other);
   std::vector<Whole> depths;
-  for (int i = 0; i < count; ++i)
-    depths.push_back(area2(at({other, i}), side));
+  depths.reserve(shape_[other].size());
+  for (const Point& point : shape_[other])
+    depths.push_back(e.area2(point));
   const auto most = std::max_element(depths.begin(), depths.end());
-  const Whole deepest = *most;
-  int& index = axis.corner_index;
-  index = static_cast<int>(most - depths.begin());
+  int index = static_cast<int>(most - depths.begin());
   const bool is_first = rank_[parts_[side.part].block] < rank_[parts_[other].block];
   const int step = is_first ? 1 : count - 1;
-  for (int k = 1; k < count && depths[(index + step) % count] == deepest; ++k)
+  for (int k = 1; k < count && depths[(index + step) % count] == *most; ++k)
     index = (index + step) % count;
-  axis.corner = number({other, axis.corner_index});
-  axis.depth = rounded(Depth{deepest, length2(side)});
-  axis.depth_sign = sign(deepest);
+  Axis axis;
+  axis.side = side;
+  axis.deepest = {other, index};
+  axis.corner = number(axis.deepest);
+  axis.depth = lattice_.rounded(depth_of(axis));
+  axis.depth_sign = sign(*most);
   axis.facing = facing_side(axis);
   return axis;
 }
 
 /// Returns all axes of two parts, the least first.
 std::vector<Axis> ExactPairRule::axes(int part, int other) const {
-  std::vector<Axis> all;
+  std::vector<std::pair<Length, Axis>> all;
   const bool in_order = rank_[parts_[part].block] < rank_[parts_[other].block];
   const int first = in_order ? part : other, second = in_order ? other : part;
   for (const auto& [mine, yours] : {std::pair(first, second), std::pair(second, first)})
-    for (int i = 0; i < size(mine); ++i)
-      all.push_back(axis_of(side(mine, i), yours));
-  std::stable_sort(all.begin(), all.end(), [&](const Axis& a, const Axis& b) {
-    return compare(depth_of(a), depth_of(b)) < 0;
-  });
-  return all;
+    for (int i = 0; i < size(mine); ++i) {
+      const Axis axis = axis_of(side(mine, i), yours);
+      all.emplace_back(depth_of(axis), axis);
+    }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Axis> found;
+  for (const auto& [depth, axis] : all)
+    found.push_back(axis);
+  return found;
 }
 
-/// Returns whether a point is outside an edge of the part.
-bool ExactPairRule::is_outside_part(const Point& point, int part) const {
-  for (int i = 0; i < size(part); ++i)
-    if (const PartSide s = side(part, i); !s.inner && outside(point, s))
-      return true;
-  return false;
+/// Returns whether the bounding box of a part meets that of another one, grown by a
+/// part of the sum of its extents.
+bool ExactPairRule::is_within_reach(int part, int other) const {
+  using Span = std::pair<double, double>;
+  const auto span = [&](int of, int axis) {
+    Span found(INFINITY, -INFINITY);
+    for (const int corner : parts_[of].corners) {
+      found.first = std::min(found.first, blocks_.corner(axis, corner));
+      found.second = std::max(found.second, blocks_.corner(axis, corner));
+    }
+    return found;
+  };
+  const Span x = span(other, 0), y = span(other, 1);
+  const double reach =
+      geometry::third_reach * ((x.second - x.first) + (y.second - y.first));
+  const auto meets = [&](const Span& one, const Span& two) {
+    return one.second >= two.first - reach && two.second + reach >= one.first;
+  };
+  return meets(span(part, 0), x) && meets(span(part, 1), y);
 }
 
-Entry ExactPairRule::entry(const Axis& axis) const {
-  if (axis.depth_sign <= 0)
-    return Entry::none;
-  const int part = axis.side.part;
-  std::vector<PartSide> others;  // other sides that have the corner outside
-  for (int i = 0; i < size(part); ++i)
-    if (const PartSide s = side(part, i);
-        i != axis.side.index && outside(corner_[axis.corner], s))
-      others.push_back(s);
-  if (others.empty())
-    return Entry::inside;
+/// Returns the third parts of `own`: those that may continue it where it meets `other`.
+std::vector<int> ExactPairRule::third_parts(int own, int other) const {
+  std::vector<int> found;
+  const auto add_parts_of = [&](int block) {
+    for (int part = first_part_[block]; part < first_part_[block + 1]; ++part)
+      if (part != own && is_within_reach(part, other))
+        found.push_back(part);
+  };
+  const int own_block = parts_[own].block, other_block = parts_[other].block;
+  add_parts_of(own_block);
+  for (const int block : neighbours_[other_block])
+    if (block != own_block)
+      add_parts_of(block);
+  return found;
+}
+
+/// Returns twice the largest bound if the corner exceeds all of them, or nothing if it
+/// is not far.
+std::optional<FarBound> ExactPairRule::far_bound(const Pair& pair,
+                                                 const PartCorner& corner,
+                                                 const PartSide& side) const {
+  const Length depth = line(side).depth(at(corner));
+  Bound which = Bound::separating_shift;
+  Length largest{0, 1};
+  const auto exceeds = [&](Bound bound, const Length& length) {
+    const Length limit = Dyadic(geometry::deepest_share) * length;
+    if (limit > largest)
+      largest = limit, which = bound;
+    return depth > largest;
+  };
+  if (!exceeds(Bound::separating_shift, pair.shift))
+    return std::nullopt;
+  for (const int own : pair.part)
+    for (const int third : pair.thirds_of(own)) {
+      const int other = own == pair.part[0] ? pair.part[1] : pair.part[0];
+      if (!exceeds(Bound::third_part, separating_shift(shape_[other], shape_[third])))
+        return std::nullopt;
+    }
+  const Length diameter = common_diameter(shape_[pair.part[0]], shape_[pair.part[1]]);
+  if (sign(diameter.n) == 0 || !exceeds(Bound::common_diameter, diameter))
+    return std::nullopt;
+  return FarBound{which, lattice_.rounded(largest)};
+}
+
+/// An axis with a facing side is far if both ends of that side are.
+std::optional<FarBound> ExactPairRule::far_bound(const Pair& pair,
+                                                 const Axis& axis) const {
   if (!axis.facing)
-    return Entry::none;
-  const Point& other_end = axis.facing->start == axis.corner
-                               ? corner_[axis.facing->end]
-                               : corner_[axis.facing->start];
-  bool is_inside = true;
-  for (int i = 0; i < size(part); ++i)
-    is_inside = is_inside && sign(area2(other_end, side(part, i))) > 0;
-  if (is_inside)
-    return Entry::other_end;
-  const Whole foot =
-      dot(corner_[axis.corner] - corner_[axis.side.start], along(axis.side));
-  const Whole l2 = length2(axis.side), slack = slack_.numerator * l2;
-  if ((foot << slack_.shift) < slack || ((l2 - foot) << slack_.shift) < slack)
-    return Entry::foot;
-  if (others.size() > 1 || others.front().inner)
-    return Entry::none;
-  const PartCorner start = start_of(axis.side), end = end_of(axis.side);
-  const bool crossing =
-      (others.front() == side_before(start) &&
-       is_outside_part(at(start), axis.corner_part)) ||
-      (others.front() == side_after(end) && is_outside_part(at(end), axis.corner_part));
-  return crossing ? Entry::crossing : Entry::none;
+    return far_bound(pair, axis.deepest, axis.side);
+  if (!far_bound(pair, start_of(*axis.facing), axis.side))
+    return std::nullopt;
+  return far_bound(pair, end_of(*axis.facing), axis.side);
+}
+
+/// Returns the first third part that overlaps one of the two deeper than they overlap
+/// each other, or -1.
+int ExactPairRule::find_carrier(const Pair& pair) const {
+  for (const int own : pair.part)
+    for (const int third : pair.thirds_of(own)) {
+      const int other = own == pair.part[0] ? pair.part[1] : pair.part[0];
+      if (pair.shift <= Dyadic(geometry::carried_share) *
+                            separating_shift(shape_[other], shape_[third]))
+        return third;
+    }
+  return -1;
+}
+
+/// Returns the third parts that block the shift out of the axis, up to the first one
+/// that hides it.
+std::vector<Blocking> ExactPairRule::blocking(const Pair& pair,
+                                              const Axis& axis) const {
+  std::vector<Blocking> found;
+  const double length = lattice_.rounded(line(axis.side).length());
+  for (const ThirdOf whose : {ThirdOf::own, ThirdOf::other})
+    for (const int third :
+         pair.thirds_of(whose == ThirdOf::own ? axis.side.part : axis.deepest.part))
+      if (const auto one = find_obstacle(shapes_of(axis), shape_[third], whose)) {
+        const auto in_length = [&](const Obstacle::Slide& slide) {
+          return Blocking::Slide{length * rounded(slide.length),
+                                 length * rounded(slide.rest)};
+        };
+        found.push_back({third, whose, lattice_.rounded(one->overlap),
+                         in_length(one->shorter), in_length(one->longer), one->hides});
+        if (one->hides)
+          return found;
+      }
+  return found;
+}
+
+/// Determines whether an axis is skipped, far or hidden. The axis of least depth is
+/// neither skipped nor far.
+void ExactPairRule::examine(const Pair& pair, Axis& axis, bool is_least) const {
+  axis.examined = true;
+  if (!is_least && axis.facing && !crosses(line(*axis.facing), shape_[axis.side.part]))
+    axis.facing.reset();
+  axis.skipped = !is_least && axis.side.inner &&
+                 !crosses(line(axis.side), shape_[axis.deepest.part]);
+  if (!axis.skipped && !is_least)
+    axis.far = far_bound(pair, axis);
+  if (!axis.skipped && !axis.far)
+    axis.blocking = blocking(pair, axis);
+}
+
+PartDecision ExactPairRule::decide_parts(int part, int other) const {
+  PartDecision decision;
+  decision.part = part, decision.other = other;
+  decision.axes = axes(part, other);
+  std::vector<Axis>& axes = decision.axes;
+  for (const Axis& axis : axes)
+    if (depth_of(axis) < -(slack_ * line(axis.side).length())) {
+      decision.separating = axis.side;
+      decision.separation = axis.depth;
+      return decision;
+    }
+  const Pair pair{{part, other},
+                  {third_parts(part, other), third_parts(other, part)},
+                  depth_of(axes.front())};
+  decision.choice = Choice::none;
+  if (axes.front().depth_sign <= 0)
+    decision.choice = Choice::touching, decision.chosen = 0;
+  for (std::size_t i = 0; i < axes.size() && decision.chosen < 0; ++i) {
+    examine(pair, axes[i], i == 0);
+    if (!axes[i].skipped && !axes[i].far && !axes[i].hidden())
+      decision.choice = Choice::axis, decision.chosen = static_cast<int>(i);
+  }
+  if (decision.chosen < 0) {
+    decision.carrier = find_carrier(pair);
+    if (decision.carrier < 0)
+      decision.choice = Choice::least, decision.chosen = 0;
+  }
+  if (decision.chosen >= 0)
+    decision.candidates = candidates(pair, axes[decision.chosen], decision.chosen == 0);
+  return decision;
 }
 
 PairDecision ExactPairRule::decide(int a, int b) const {

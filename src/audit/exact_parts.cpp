@@ -1,8 +1,10 @@
 // Tests whether the convex parts of a block tile it. The cut itself is taken as given.
+#include "audit/exact_parts.hpp"
+
 #include <algorithm>
 #include <map>
 
-#include "audit/exact_pair_rule.hpp"
+#include "audit/whole_numbers.hpp"
 
 namespace blocks::audit {
 namespace {

@@ -12,9 +12,8 @@ namespace blocks::audit {
 std::vector<ConvexPart> cut_into_parts(const Blocks& blocks);
 
 /// Returns the exact rule for these blocks. Two blocks are neighbours if their bounding
-/// boxes, grown by `reach` [L] in total, meet and one of the two is free. This needs no
-/// list of near pairs: a covering side lies partly in the block that it is tested for,
-/// so more distant neighbours have no effect. `order`: see ExactPairRule.
+/// boxes, grown by the reach of third parts, are at most `reach` [L] apart and one of
+/// the two is free. This needs no list of near pairs. `order`: see ExactPairRule.
 ExactPairRule make_exact_rule(const Blocks& blocks, double reach,
                               const std::vector<int>& order = {});
 

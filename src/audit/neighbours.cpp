@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/contact_constants.hpp"
+
 namespace blocks::audit {
 
 std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double reach) {
@@ -12,6 +14,8 @@ std::vector<std::vector<int>> blocks_near_blocks(const Blocks& blocks, double re
         blocks.corner.middleCols(blocks.first_corner[b], blocks.corners_of(b));
     low.col(b) = corners.rowwise().minCoeff();
     high.col(b) = corners.rowwise().maxCoeff();
+    const double by = geometry::third_reach * (high.col(b) - low.col(b)).sum();
+    low.col(b).array() -= by, high.col(b).array() += by;
   }
   std::vector<int> by_x;
   for (int b = 0; b < n; ++b)

@@ -13,20 +13,19 @@ namespace blocks::audit {
 /// 2".
 std::string name_of(const Blocks& blocks, const PartSide& side);
 
-/// Says why a joint is closed, or why it is open.
-std::string words(const ExactPairRule& rule, const Joint& joint);
+/// Says whether an axis acts and why, for example "not entered: ..." or "hidden by
+/// block 2, a third part of block 1: ...". Each string is one sentence.
+std::vector<std::string> verdict(const ExactPairRule& rule,
+                                 const PartDecision& decision, int axis);
 
-/// Says whether an axis acts and why, for example "not entered: ...; does not act" or
-/// "entered: ...; hidden by a closed joint: ...; the surface that takes over is ...;
-/// does not act".
-std::string verdict(const ExactPairRule& rule, const PartDecision& decision, int axis);
+/// Returns "acts", or why a corner does not act on a side of the chosen axis.
+std::string verdict(const ExactPairRule& rule, const Candidate& candidate);
 
-/// Says whether a corner on a side of the chosen axis acts, or why not.
-std::string verdict(const Candidate& candidate);
+constexpr std::size_t story_columns = 98;  ///< so that an indented line has 100
 
-/// Describes the decision about two blocks, one sentence to a line. The contacts that
-/// act come first. Each pair of parts follows with the axes that the choice has used,
-/// in their order, and the candidates for contacts.
+/// Describes the decision about two blocks in lines of at most story_columns. The
+/// contacts that act come first. Each pair of parts follows with the axes that were
+/// examined, by depth, and the candidates for contacts.
 std::vector<std::string> story(const ExactPairRule& rule, int a, int b,
                                const PairDecision& decision);
 

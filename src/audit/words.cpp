@@ -27,6 +27,23 @@ std::string contacts_in_words(const Blocks& blocks,
   return text.empty() ? "no contact" : text;
 }
 
+std::vector<std::string> in_lines(const std::string& text, std::size_t indent,
+                                  std::size_t columns) {
+  std::vector<std::string> lines;
+  std::string line(indent, ' ');
+  std::size_t at = 0;
+  while (line.size() + text.size() - at > columns) {
+    const std::size_t space = text.rfind(' ', at + columns - line.size());
+    if (space == std::string::npos || space <= at)
+      break;  // a word that is longer than a line
+    lines.push_back(line + text.substr(at, space - at));
+    line.assign(indent + 2, ' ');
+    at = space + 1;
+  }
+  lines.push_back(line + text.substr(at));
+  return lines;
+}
+
 std::string tell(const BlockPair& missed) {
   return fmt::format("the list of near pairs misses blocks {} and {}", missed.first + 1,
                      missed.second + 1);

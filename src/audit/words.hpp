@@ -25,6 +25,11 @@ std::string name_of_edge(const Blocks& blocks, int edge);
 std::string contacts_in_words(const Blocks& blocks,
                               const std::vector<std::pair<int, int>>& contacts);
 
+/// Breaks a text at spaces into lines with at most so many columns. The first line is
+/// indented, and the others by two columns more.
+std::vector<std::string> in_lines(const std::string& text, std::size_t indent,
+                                  std::size_t columns);
+
 /// Each of these describes a finding in one line.
 std::string tell(const BlockPair& missed);
 std::string tell(const Blocks& blocks, const WrongPair& wrong);

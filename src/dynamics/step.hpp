@@ -65,7 +65,7 @@ StepResult advance_by(const Rules& rules, Model& model, Workspace& work, bool re
 
   // 2. Contacts that may act. Reads blocks, motion bounds; writes decisions, slots.
   Profile::Timer timer(work.profile, Profile::decisions);
-  decide_contacts(rules, blocks, settings, dt, work.parts, work.index, work.decisions,
+  decide_contacts(rules, blocks, settings, work.parts, work.index, work.decisions,
                   work.contacts, work.split, *work.workers, work.deciding,
                   work.forces.transfer.released);
   work.count_exact_calls();

@@ -36,8 +36,8 @@ template <class Float> struct TranslatedArea {
   }
 };
 
-/// Predicates in plain floating point, without control of round-off. Only `find_cover`,
-/// which finds the neighbours that cover a side, is exact.
+/// Predicates in plain floating point, without control of round-off. Only the questions
+/// about third parts (geometry/continuation.hpp) are exact.
 template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
   using Number = typename Area::Number;
   struct Vector {
@@ -71,14 +71,8 @@ template <class Area, Ends ends> struct PlainSigns : dynamics::ExactPredicates {
     const Vector e(p1, p2);
     return in(Area::twice(c, p1, p2), Number(geometry::contact_slack) * e.dot(e));
   }
-  static bool may_be_outside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return Area::twice(c, p1, p2) <= 0;
-  }
   static bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return within_ends(c, p1, p2, Number(geometry::contact_slack));
-  }
-  static bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return within_ends(c, p1, p2, -Number(geometry::contact_slack));
   }
   /// Equation (20) for one tangent of a corner.
   static bool faces_edge(const Vec2& c, const Vec2& neighbour, const Vec2& p1,
@@ -140,12 +134,6 @@ template <Ends ends> struct ExactSigns : dynamics::ExactPredicates {
       return not_before(c, p1, p1, p2) && not_before(c, p2, p2, p1);
     else
       return !not_before(c, p1, p2, p1) && !not_before(c, p2, p1, p2);
-  }
-  static bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    if constexpr (ends == Ends::slack)
-      return geometry::well_between(c, p1, p2);
-    else
-      return between(c, p1, p2);
   }
 
  private:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "dynamics/rules/surface_rule.hpp"
 #include "dynamics/step.hpp"
 #include "study/near_corners.hpp"
 #include "study/signs.hpp"
@@ -25,26 +24,11 @@ template <class Predicates, bool transfers = true> struct PairRules {
   }
 };
 
-/// The surface rule. Every pair is decided in every step.
-struct SurfaceRules {
-  static constexpr bool keeps_decisions = false, transfers_springs = true;
-  static void decide(const Blocks& blocks, const BlockParts& parts,
-                     const PairIndex& index, int p, PairScratch& scratch) {
-    const dynamics::Neighbours neighbours{index};
-    dynamics::SurfaceRule<dynamics::Neighbours> rule(blocks, parts, neighbours,
-                                                     scratch);
-    rule.decide(index.pairs[p].low, index.pairs[p].high);
-  }
-};
-
-struct NoEntry : dynamics::ExactPredicates {
-  static constexpr bool entry = false;
-};
-struct NoCrossing : dynamics::ExactPredicates {
-  static constexpr bool crossing = false;
+struct NoFar : dynamics::ExactPredicates {
+  static constexpr bool far_sides = false;
 };
 struct NoJoints : dynamics::ExactPredicates {
-  static constexpr bool covered_sides = false, notches = false;
+  static constexpr bool joints = false;
 };
 struct NoFaces : dynamics::ExactPredicates {
   static constexpr bool faces = false;
@@ -157,24 +141,16 @@ using LongDifferences = TranslatedArea<long double>;
 const std::vector<Variant>& all_variants() {
   static const std::vector<Variant> all = {
       variant<dynamics::ContactRules>(
-          "default", "the contact rule of every run: the first entered "
-                     "axis of a pair of blocks, or the surface of a "
-                     "closed joint that hides it"),
+          "default", "the contact rule of every run: the least axis of a pair of "
+                     "blocks whose side is surface of all blocks together"),
       // the contact rule without one of its parts
-      variant<PairRules<NoEntry>>("no-entry",
-                                  "default, whether an axis is entered or not"),
-      variant<PairRules<NoCrossing>>(
-          "no-crossing", "default, but only corners inside a block have entered it"),
-      variant<PairRules<NoJoints>>("no-joints",
-                                   "default without what closed joints hide"),
+      variant<PairRules<NoFar>>("no-far", "default, whether an axis is far or not"),
+      variant<PairRules<NoJoints>>(
+          "no-joints", "default without third parts, as if pairs were alone"),
       variant<PairRules<NoFaces>>(
           "no-faces", "default, but of two faces one corner acts, the deepest"),
       variant<PairRules<dynamics::ExactPredicates, false>>(
           "no-hand-over", "default, but springs do not pass to other contacts"),
-      // another rule
-      variant<SurfaceRules>("surface",
-                            "the least axis that is surface of all blocks together, "
-                            "exact"),
       // other arithmetic
       other_signs<PlainSigns<PrintedArea, Ends::slack>>(
           "printed", "default, but (19) as printed, in doubles and absolute "

@@ -17,7 +17,7 @@ class Clusters {
  public:
   explicit Clusters(std::uint64_t seed) : random_(seed) {}
 
-  static constexpr int kinds = 12;
+  static constexpr int kinds = 13;
   /// Returns blocks of one kind, in half of the cases in a turned frame.
   std::vector<NewBlock> make(int kind) {
     outlines_.clear();
@@ -55,8 +55,11 @@ class Clusters {
     case 10:
       prongs();
       break;
-    default:
+    case 11:
       notch();
+      break;
+    default:
+      pieces();
       break;
     }
     return in_frame();
@@ -341,6 +344,30 @@ class Clusters {
     add(one_in(2) ? wedge : turned(wedge, uniform(-0.3, 0.3), tip));
     if (one_in(3))
       box(tip.x() + uniform(-1.0, 0.0), tip.y() + 1 - overlap(), 1, 0.5);
+  }
+
+  /// Pieces of rock whose corners meet in a point, where joints cross or one joint ends
+  /// at another one. Each piece is moved a little. Some are needles.
+  void pieces() {
+    constexpr double half_turn = 3.14159265358979323846;
+    std::vector<double> angles = {0.0, half_turn};
+    for (int k = 1 + whole(3); k > 0; --k)
+      angles.push_back(one_in(2) ? 0.25 * half_turn * (1 + whole(7))
+                                 : uniform(0.05, 2.0 * half_turn));
+    std::sort(angles.begin(), angles.end());
+    angles.push_back(2.0 * half_turn);
+    const double far = uniform(0.5, 2.0);
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+      const double from = angles[i], to = angles[i + 1];
+      const Vec2 moved(0.2 * small(), 0.2 * small());
+      const auto end = [&](double angle) {
+        return Vec2(moved + far * Vec2(std::cos(angle), std::sin(angle)));
+      };
+      Polygon outline = {moved, end(to), end(0.5 * (from + to)), end(from)};
+      if (one_in(4))
+        outline = turned(outline, 0.1 * small(), moved);
+      add(outline);
+    }
   }
 
   std::vector<NewBlock> in_frame() {

@@ -17,6 +17,10 @@ namespace blocks::testing {
 using ContactSet = std::vector<std::pair<int, int>>;  ///< corners and edges
 using Adjacency = std::vector<std::vector<int>>;
 
+/// The contact rule of the program.
+template <class Neighbours>
+using ProgramRule = dynamics::PairRule<dynamics::ExactPredicates, Neighbours>;
+
 /// Returns the convex parts of all blocks.
 inline std::vector<audit::ConvexPart> parts_of(const dynamics::BlockParts& cut,
                                                const Blocks& blocks) {
@@ -70,8 +74,7 @@ struct Cluster {
         visit(other);
     };
     dynamics::PairScratch scratch;
-    dynamics::PairRule<dynamics::ExactPredicates, decltype(visit_all)> rule(
-        blocks, cut, visit_all, scratch);
+    ProgramRule<decltype(visit_all)> rule(blocks, cut, visit_all, scratch);
     std::set<std::pair<int, int>> found;
     for (const dynamics::CornerOnEdge& contact : rule.decide(a, b))
       found.emplace(contact.corner, contact.edge);

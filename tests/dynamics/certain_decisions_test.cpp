@@ -42,8 +42,7 @@ struct Cluster {
     update_pairs(model, work);
     std::vector<int> due(work.index.pairs.size());
     std::iota(due.begin(), due.end(), 0);
-    certain.find(model.blocks, work.parts, work.index, work.decisions, due,
-                 model.time_step.dt);
+    certain.find(model.blocks, work.parts, work.index, work.decisions, due);
   }
 
   /// Returns the contacts of the exact rule.

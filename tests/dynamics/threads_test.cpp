@@ -9,6 +9,7 @@
 #include "dynamics/step.hpp"
 #include "dynamics/support/work_split.hpp"
 #include "dynamics/support/workers.hpp"
+#include "geometry/contact_constants.hpp"
 #include "scenes/scene.hpp"
 
 namespace blocks {
@@ -147,7 +148,7 @@ TEST(Threads, DoNotChangeResultsIfContactsAreReadAtTheEnd) {
   }
 }
 
-// Every pair is found once.
+// Every pair is found once. Boxes are grown by the reach of third parts.
 TEST(NearPairs, AreThePairsWhoseBoundingBoxesMeet) {
   const Blocks& blocks = heap(1, true).model.blocks;
   dynamics::NearSearch memory;
@@ -171,10 +172,16 @@ TEST(NearPairs, AreThePairsWhoseBoundingBoxesMeet) {
             next < found.size() && found[next].low == a && found[next].high == b;
         next += is_found;
         const bool is_free = blocks.is_free(a) || blocks.is_free(b);
-        if (is_free && gap.maxCoeff() <= 2.0 * reach) {
+        const auto extents = [&](int block) {
+          return (range(block).rowwise().maxCoeff() - range(block).rowwise().minCoeff())
+              .sum();
+        };
+        const double grown =
+            2.0 * reach + 1.5 * geometry::third_reach * (extents(a) + extents(b));
+        if (is_free && gap.maxCoeff() <= grown) {
           ASSERT_TRUE(is_found) << a << ' ' << b;
         }
-        if (!is_free || gap.maxCoeff() > 2.0 * reach + 1e-3) {
+        if (!is_free || gap.maxCoeff() > grown + 1e-3) {
           ASSERT_FALSE(is_found) << a << ' ' << b;
         }
       }

@@ -158,8 +158,8 @@ std::optional<Answers> answers(int question, const Case& at) {
   case 3:
     return Answers{is_in_notch_of(axis, third), Question(axis).is_in_notch_of(third)};
   case 4:
-    return Answers{is_over_gap_to(c, p1, p2, axis, third),
-                   continuation::over_gap<Rational>(c, p1, p2, axis, third)};
+    return Answers{is_at_joint_with(c, p1, p2, axis, third),
+                   continuation::is_at_joint<Rational>(c, p1, p2, axis, third)};
   default:
     const Continues which = question == 5 ? Continues::own : Continues::other;
     return Answers{is_hidden_by(axis, third, which),

@@ -103,7 +103,7 @@ TEST_F(WatchedStep, ReportsMissedPairsAndWrongDecisions) {
       HasSubstr("audit: wrong decision about blocks 1 and 2: the run has corner 4 of "
                 "block 2 on edge 2 of block 1; exact is corner 1 of block 2 on edge 2 "
                 "of block 1; corner 4 of block 2 on edge 2 of block 1"));
-  EXPECT_THAT(verdict.stories, ::testing::Contains(HasSubstr("entered")));
+  EXPECT_THAT(verdict.stories, ::testing::Contains(HasSubstr("acts")));
   EXPECT_EQ(watch.totals().missed, 1);
   EXPECT_EQ(watch.totals().wrong, 1);
   EXPECT_EQ(watch.totals().faults, verdict.faults);

@@ -3,8 +3,8 @@
 
 sweep_constants.py [FRAMES] builds a copy of the program that takes the constants of
 geometry/contact_constants.hpp from the environment, runs the study of contact detection for each
-value, and writes CONSTANTS.csv here and docs/images/constants.svg. 10 frames take ten minutes on two
-cores. The chart is drawn again from the table with --draw.
+value, and writes CONSTANTS.csv here and docs/images/constants.svg. 10 frames take half an hour on
+two cores. The chart is drawn again from the table with --draw.
 """
 
 import csv
@@ -26,7 +26,15 @@ CONSTANTS = {
     "slack": [1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 0.7e-6, 1e-6, 1.3e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1],
     "degrees": [1, 3, 5, 7, 10, 13, 15, 20, 30, 45, 60, 80],
     "successor": [0.0, 0.5, 0.665, 0.8, 0.9, 0.95, 0.98, 0.9999, 1.1],
-    "share": [0.01, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1.0, 1.1, 1.5]}
+    "deepest": [1.25, 1.5, 2, 3, 6],
+    "joint": [0.5, 1, 2, 4, 8],
+    "widest": [1 / 256, 1 / 64, 1 / 32, 1 / 16, 1 / 4],
+    "reach": [0.0, 1 / 1024, 1 / 256, 1 / 128, 1 / 64, 1 / 16],
+    "carried": [0.5, 0.9, 0.99, 1.0, 1.1],
+    "way": [1, 2, 4, 8, 100],
+    "remaining": [1e-12, 0.005, 0.02, 0.1, 0.3]}
+# These constants are about joints, so `cut` is run for them alone, with 500 times as many frames.
+OF_JOINTS = ("deepest", "joint", "widest", "reach", "carried", "way", "remaining")
 MAY_FAIL = ("stake", "toe", "bricks")
 
 FROM_ENVIRONMENT = """
@@ -42,8 +50,15 @@ inline const double facing_angle = from_environment("SWEEP_DEGREES", 10);
 inline const double facing_sine = std::sin(facing_angle * 3.14159265358979323846 / 180);
 inline const double facing_sine_squared = facing_sine * facing_sine;
 inline const double facing_cosine_squared = 1.0 - facing_sine_squared;
-inline const double covered_share = from_environment("SWEEP_SHARE", 0.5);
+inline const double deepest_share = from_environment("SWEEP_DEEPEST", 2.0);
+inline const double joint_width = from_environment("SWEEP_JOINT", 2.0);
+inline const double widest_joint = from_environment("SWEEP_WIDEST", 1.0 / 32.0);
+inline const double third_reach = from_environment("SWEEP_REACH", 1.0 / 128.0);
+inline const double carried_share = from_environment("SWEEP_CARRIED", 0.99);
+inline const double longest_way = from_environment("SWEEP_WAY", 4.0);
+inline const double remaining_share = from_environment("SWEEP_REMAINING", 0.02);
 inline const double successor_cosine = from_environment("SWEEP_SUCCESSOR", 0.95);
+inline constexpr double face_cosine = 0.95;
 }
 """
 CHANGES = {
@@ -51,15 +66,13 @@ CHANGES = {
         ("  const Number a2 = a * a;\n",
          "  return sign(a - Number(facing_sine_squared) * q) <= 0;\n"
          "  const Number a2 = a * a;\n")],
-    "geometry/exact/covered_side.cpp": [
-        ("(a * (Number(64) * a * a - Number(96) * a * q + Number(36) * q * q) <=\n"
-         "            q * q * q)", "(a <= Number(facing_sine_squared) * q)")],
     "src/dynamics/kernels/face_questions_body.hpp": [
         ("constexpr double slack =", "const double slack ="),
-        ("constexpr double facing_sine =", "const double facing_sine =")],
-    "src/dynamics/rules/block_parts.cpp": [("constexpr double slack =", "const double slack =")],
-    "geometry/covered_side.cpp": [
-        ("part = 0.95 -", "part = 0.9645 * std::sqrt(facing_cosine_squared) -")]}
+        ("constexpr double facing_sine =", "const double facing_sine ="),
+        ("constexpr double widest_joint =", "const double widest_joint =")],
+    "src/dynamics/search/near_pairs.cpp": [
+        ("constexpr double part_of_extents =", "const double part_of_extents =")],
+    "src/dynamics/rules/block_parts.cpp": [("constexpr double slack =", "const double slack =")]}
 
 
 def build(folder):
@@ -83,11 +96,11 @@ def build(folder):
     return folder / "build/src/blocks"
 
 
-def study(program, frames, **constants):
-    """Rows of all scenes with these constants."""
+def study(program, scene, frames, **constants):
+    """Rows of a scene, or of all, with these constants."""
     with tempfile.NamedTemporaryFile(suffix=".csv") as table:
         environment = os.environ | {f"SWEEP_{k.upper()}": repr(v) for k, v in constants.items()}
-        subprocess.run([program, "study", "contacts", "all", "--variants", "default", "--frames",
+        subprocess.run([program, "study", "contacts", scene, "--variants", "default", "--frames",
                         str(frames), "-j", str(os.cpu_count()), "--csv", table.name], check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                        env=environment)
@@ -103,9 +116,10 @@ def sweep(frames):
         out = csv.writer(file, lineterminator="\n")
         out.writerow(columns)
         for constant, values in CONSTANTS.items():
+            scene, count = ("cut", 500 * frames) if constant in OF_JOINTS else ("all", frames)
             for value in values:
-                for row in study(program, frames, **{constant: value}):
-                    out.writerow([constant, value, row["scene"], frames,
+                for row in study(program, scene, count, **{constant: value}):
+                    out.writerow([constant, value, row["scene"], count,
                                   row["hang_ups_count"] or 0, row["fall_throughs_count"] or 0])
                 file.flush()
                 print(constant, value, flush=True)
@@ -119,12 +133,10 @@ def charts():
         (scene, lambda name, scene=scene: name == scene) for scene in MAY_FAIL if scene != "bricks"]
     labels = {"slack": ("Slack: 1e-6 in the rule", "slack, part of an edge's length"),
               "degrees": ("Facing sides: ten degrees in the rule",
-                          "largest angle between them, degrees"),
-              "share": ("Covered sides: half in the rule",
-                        "share of a side that has to be covered")}
+                          "largest angle between them, degrees")}
     for constant, values in CONSTANTS.items():
         if constant not in labels:
-            continue  # The cosine of successors changes nothing that a chart would show.
+            continue  # The others change nothing that a chart would show.
         chart = Chart(*labels[constant], "frames that fail, per cent",
                       log="x" if constant == "slack" else "")
         for label, belongs in groups:

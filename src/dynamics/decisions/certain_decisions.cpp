@@ -14,15 +14,13 @@ class LaneDecision {
  public:
   LaneDecision(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
                const Decisions& decisions, int p, const FacingAnswers& answers,
-               int lane, const int* part, JointScratch& scratch, double dt)
-      : blocks_(blocks), index_(index), parts_(parts),
-        longest_(decisions.bounds.longest), rounding_(decisions.bounds.rounding),
-        answers_(answers), lane_(lane), scratch_(scratch),
-        own_(part[answers.own[lane] > 0.0]), other_(part[answers.own[lane] <= 0.0]),
+               int lane, const int* part)
+      : blocks_(blocks), index_(index), parts_(parts), bounds_(decisions.bounds),
+        answers_(answers), lane_(lane), own_(part[answers.own[lane] > 0.0]),
+        other_(part[answers.own[lane] <= 0.0]),
         side_(static_cast<int>(answers.side[lane])),
         facing_(static_cast<int>(answers.facing[lane])),
-        corner_(static_cast<int>(answers.corner[lane])), pair_(index.pairs[p]),
-        dt_(dt) {}
+        corner_(static_cast<int>(answers.corner[lane])), pair_(index.pairs[p]) {}
 
   void take(CertainDecision& decision) {
     const double apart = answers_.apart[lane_];
@@ -33,7 +31,7 @@ class LaneDecision {
       decision.room = std::min(decision.room, apart);
       return;
     }
-    if (!(room_ > 0.0) || !sides_are_isolated() || !joints_are_open()) {
+    if (!(room_ > 0.0) || !sides_are_plain() || !third_parts_are_away()) {
       decision.room = 0.0;
       return;
     }
@@ -44,53 +42,53 @@ class LaneDecision {
   }
 
  private:
-  bool sides_are_isolated() const {
+  /// Returns whether the two sides are edges and no others are in line with them.
+  bool sides_are_plain() const {
     return parts_.is_isolated(own_, side_) &&
            (facing_ < 0 || parts_.is_isolated(other_, facing_));
   }
-  int before(int part, int k) const { return (k > 0 ? k : parts_.corners(part)) - 1; }
-  bool joints_are_open() {
-    return is_open(0, {own_, side_, true, other_}) &&
-           is_open(1, {own_, side_, false, other_}) &&
-           is_open(2, {other_, facing_ < 0 ? corner_ : facing_, true, own_}) &&
-           is_open(3, {other_, facing_ < 0 ? before(other_, corner_) : facing_, false,
-                       own_});
+  /// Returns whether all third parts are so far from the contact point that they hide
+  /// nothing, even after some motion. Sets the room of neighbours.
+  bool third_parts_are_away() {
+    bool are_away = true;
+    const auto visit = [&](int part) { are_away = are_away && is_away(part); };
+    const Neighbours neighbours{index_};
+    each_third_part(blocks_, parts_, neighbours, own_, other_, visit);
+    each_third_part(blocks_, parts_, neighbours, other_, own_, visit);
+    return are_away;
   }
-  /// Returns whether a joint is open: the centroid of the other part is inside its
-  /// surface, or neighbours do not cover its side. If its side is an inner side, it is
-  /// in doubt. May reduce the rooms.
-  bool is_open(int k, const SideOfJoint& joint) {
-    if (parts_.is_inner(blocks_, parts_.side(joint.part, joint.side)))
-      return false;
-    const bool is_convex =
-        blocks_.convex[parts_.block(own_)] && blocks_.convex[parts_.block(other_)];
-    const double inside = is_convex ? answers_.joint[k][lane_] : 0.0;
-    if (inside > 0.25 * room_) {
-      room_ = std::min(room_, inside);
-      return true;
-    }
-    const double part_of_size =
-        0x1p-5 * std::min(longest_[pair_.low], longest_[pair_.high]);
-    const double few_steps = 8.0 * (way_of_step(pair_.low) + way_of_step(pair_.high));
-    const double rounding = answers_.rounding[lane_] + rounding_;
-    for (const double room : {room_, 0x1p-4 * room_, few_steps}) {
-      const double of_neighbours =
-          room == few_steps ? room : std::max(room, part_of_size);
-      if (!(room > 0.0) || room > room_ ||
-          !is_surely_uncovered(blocks_, parts_, Neighbours{index_}, joint,
-                               room + rounding, of_neighbours + rounding, scratch_))
-        continue;
-      room_ = room;
-      room_of_neighbours_ = std::min(room_of_neighbours_, of_neighbours);
-      return true;
-    }
-    room_ = std::min(room_, inside);
-    return inside > 0.0;
+  bool is_away(int part) {
+    const double least_room =
+        0x1p-10 * std::min(bounds_.longest[pair_.low], bounds_.longest[pair_.high]);
+    const double beyond =
+        answers_.reach[lane_] + answers_.rounding[lane_] + bounds_.rounding;
+    // Both the contact point and the part move, each by 1.1 times the motion at most.
+    const double hold = bounds_.rigid ? 0.45 : 0.1;
+    const double room = hold * (distance_to(part, beyond + least_room / hold) - beyond);
+    room_of_neighbours_ = std::min(room_of_neighbours_, room);
+    return room >= least_room;
   }
-  /// Returns how far block b moves in a step at its present velocity, [L].
-  double way_of_step(int b) const {
-    const double arms = std::abs(blocks_.spin[b]) + blocks_.strain_rate.col(b).norm();
-    return dt_ * (blocks_.velocity.col(b).norm() + 2.0 * longest_[b] * arms);
+  /// Returns a lower bound of the distance from the contact point to a part, [L]. It is
+  /// found with less work if it is at least `enough`.
+  double distance_to(int part, double enough) const {
+    const Vec2 point(answers_.x[lane_], answers_.y[lane_]);
+    const int block = parts_.block(part);
+    if (bounds_.rigid) {
+      const double away =
+          (point - blocks_.centroid.col(block)).lpNorm<Eigen::Infinity>() -
+          bounds_.longest[block];
+      if (away >= enough)
+        return away;
+    }
+    double farthest = 0.0;
+    Vec2 start = blocks_.corner.col(parts_.corner(part, parts_.corners(part) - 1));
+    for (int k = 0; k < parts_.corners(part) && farthest < enough; ++k) {
+      const Vec2 end = blocks_.corner.col(parts_.corner(part, k)), along = end - start;
+      const double outside = geometry::cross(along, point - start) / along.norm();
+      farthest = std::max(farthest, outside);
+      start = end;
+    }
+    return farthest;
   }
   void add_contacts(std::vector<CornerOnEdge>& contacts) {
     const auto corner = [&](int part, int k) {
@@ -117,15 +115,12 @@ class LaneDecision {
   const Blocks& blocks_;
   const PairIndex& index_;
   const BlockParts& parts_;
-  const std::vector<double>& longest_;
-  double rounding_;  ///< [L] MotionBounds::rounding
+  const MotionBounds& bounds_;
   const FacingAnswers& answers_;
   int lane_;
-  JointScratch& scratch_;
   int own_, other_;  ///< numbers of the part with the axis side and of the other part
   int side_, facing_, corner_;
   const NearPair& pair_;
-  double dt_;
   double room_ = 0.0;
   double room_of_neighbours_ = std::numeric_limits<double>::infinity();
 };
@@ -134,7 +129,7 @@ class LaneDecision {
 
 void CertainDecisions::find(const Blocks& blocks, const BlockParts& parts,
                             const PairIndex& index, const Decisions& decisions,
-                            const std::vector<int>& due, double dt) {
+                            const std::vector<int>& due) {
   decisions_.resize(std::max(decisions_.size(), due.size()));
   two_parts_.clear();
   for (std::size_t k = 0; k < due.size(); ++k) {
@@ -150,13 +145,12 @@ void CertainDecisions::find(const Blocks& blocks, const BlockParts& parts,
     });
   }
   for (std::size_t first = 0; first < two_parts_.size(); first += lane_count)
-    decide_lanes(blocks, parts, index, decisions, due, first, dt);
+    decide_lanes(blocks, parts, index, decisions, due, first);
 }
 
 void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& parts,
                                     const PairIndex& index, const Decisions& decisions,
-                                    const std::vector<int>& due, std::size_t first,
-                                    double dt) {
+                                    const std::vector<int>& due, std::size_t first) {
   const int count =
       static_cast<int>(std::min<std::size_t>(lane_count, two_parts_.size() - first));
   lanes_.most = 0;
@@ -183,8 +177,7 @@ void CertainDecisions::decide_lanes(const Blocks& blocks, const BlockParts& part
     const TwoParts& two = two_parts_[first + i];
     CertainDecision& decision = decisions_[two.of];
     if (decision.room > 0.0)
-      LaneDecision(blocks, parts, index, decisions, due[two.of], answers_, i, two.part,
-                   scratch_, dt)
+      LaneDecision(blocks, parts, index, decisions, due[two.of], answers_, i, two.part)
           .take(decision);
   }
 }

@@ -1,6 +1,6 @@
 // Decides pairs of blocks with the kernel of face_kernel.hpp where the rounding of
 // doubles cannot change the answer. Also finds how long each decision holds
-// (docs/contact-rule.md#kept-decisions).
+// (docs/kept-decisions.md).
 #pragma once
 
 #include <limits>
@@ -8,7 +8,6 @@
 
 #include "dynamics/decisions/decisions.hpp"
 #include "dynamics/kernels/face_kernel.hpp"
-#include "dynamics/rules/closed_joints.hpp"
 #include "dynamics/rules/pair_rule.hpp"
 #include "model/blocks.hpp"
 
@@ -30,10 +29,9 @@ struct CertainDecision {
 /// Decides some pairs. Also holds the working memory of one thread.
 class CertainDecisions {
  public:
-  /// Decides the pairs that are due. dt: the time step, [T]. If the room has to be
-  /// limited because of joints, it is at least the motion of eight steps.
+  /// Decides the pairs that are due.
   void find(const Blocks& blocks, const BlockParts& parts, const PairIndex& index,
-            const Decisions& decisions, const std::vector<int>& due, double dt);
+            const Decisions& decisions, const std::vector<int>& due);
   /// Returns the decision of due[k].
   const CertainDecision& operator[](std::size_t k) const { return decisions_[k]; }
 
@@ -44,13 +42,12 @@ class CertainDecisions {
   };
   void decide_lanes(const Blocks& blocks, const BlockParts& parts,
                     const PairIndex& index, const Decisions& decisions,
-                    const std::vector<int>& due, std::size_t first, double dt);
+                    const std::vector<int>& due, std::size_t first);
 
   std::vector<CertainDecision> decisions_;
   std::vector<TwoParts> two_parts_;
   PartPairs lanes_;
   FacingAnswers answers_;
-  JointScratch scratch_;
 };
 
 }  // namespace blocks::dynamics

@@ -63,9 +63,9 @@ struct DecisionMemory {
 template <class Rules>
 void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& parts,
                 const PairIndex& index, Decisions& decisions, ContactArrays& arrays,
-                double dt, DecisionThread& thread) {
+                DecisionThread& thread) {
   if (Rules::keeps_decisions)
-    thread.certain.find(blocks, parts, index, decisions, thread.due, dt);
+    thread.certain.find(blocks, parts, index, decisions, thread.due);
   for (std::size_t k = 0; k < thread.due.size(); ++k) {
     const int p = thread.due[k];
     if (Rules::keeps_decisions && thread.certain[k].room > 0.0) {
@@ -108,7 +108,7 @@ void join_changes(DecisionMemory& memory, std::vector<ReleasedSpring>& released)
 /// that the new decisions lack are added to `released`, in any order.
 template <class Rules>
 void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& settings,
-                     double dt, const BlockParts& parts, const PairIndex& index,
+                     const BlockParts& parts, const PairIndex& index,
                      Decisions& decisions, ContactArrays& arrays, WorkSplit& split,
                      Workers& workers, DecisionMemory& memory,
                      std::vector<ReleasedSpring>& released) {
@@ -127,7 +127,7 @@ void decide_contacts(const Rules& rules, const Blocks& blocks, const Settings& s
     const unsigned long long before = geometry::exact::calls();
     find_due<Rules>(blocks, index, decisions, pairs_until(begin), pairs_until(end),
                     thread.due);
-    decide_due(rules, blocks, parts, index, decisions, arrays, dt, thread);
+    decide_due(rules, blocks, parts, index, decisions, arrays, thread);
     thread.exact_calls += geometry::exact::calls() - before;
   });
   for (DecisionThread& thread : memory.threads)

@@ -1,5 +1,5 @@
 // Records how long the decision of each pair of blocks holds
-// (docs/contact-rule.md#kept-decisions). This is working state; it may be discarded
+// (docs/kept-decisions.md). This is working state; it may be discarded
 // without changing results.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Bounds of the motion of blocks. They determine how long kept decisions hold
-// (docs/contact-rule.md#kept-decisions).
+// (docs/kept-decisions.md).
 #pragma once
 
 #include <Eigen/Core>

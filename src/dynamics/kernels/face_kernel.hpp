@@ -1,5 +1,5 @@
 // Decides which two faces of two convex parts act, and how far the blocks may move
-// before that can change (docs/contact-rule.md#kept-decisions). The kernel decides
+// before that can change (docs/kept-decisions.md). The kernel decides
 // eight pairs of parts at a time. It gives no answer where rounding or a neighbour
 // could change it.
 #pragma once
@@ -27,7 +27,8 @@ struct alignas(64) PartPairs {
 /// positive, the answer is in doubt.
 struct alignas(64) FacingAnswers {
   PerLane<double> apart;  ///< margin: the parts are apart by more than the slack
-  /// Margin: the two faces below act and no others do, unless a joint hides them.
+  /// Margin: the two faces below act and no others do, unless a third part is near the
+  /// contact point.
   PerLane<double> faces;
   /// [L] bound of the rounding error of depths and positions
   PerLane<double> rounding;
@@ -37,11 +38,9 @@ struct alignas(64) FacingAnswers {
   /// none; then a single corner acts.
   PerLane<double> facing;
   PerLane<double> corner;  ///< index of the deepest corner
-  /// Margins: a joint is open, because the centroid of the other part is inside its
-  /// surface. The joints are, in this order, at the start and end of the axis side and
-  /// of the facing side. Without a facing side, the last two are the joints at the
-  /// deepest corner.
-  PerLane<double> joint[4];
+  PerLane<double> x, y;    ///< [L] the contact point, on the axis side
+  /// [L] A third part that is farther away from the contact point hides nothing.
+  PerLane<double> reach;
   /// Margins: a contact does not act, because its corner is beyond an end of the edge
   /// by more than the slack. The first two are for the start and end of the facing side
   /// on the axis side. The last two are for the start and end of the axis side on the

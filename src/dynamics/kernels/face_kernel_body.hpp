@@ -1,6 +1,6 @@
 // The computation of face_kernel.hpp. Included once for each instruction set, in a
 // namespace of its own.
-#include "dynamics/kernels/overlap_region_body.hpp"
+#include "dynamics/kernels/face_questions_body.hpp"
 
 namespace blocks::dynamics::BLOCKS_INSTRUCTION_SET {
 namespace {
@@ -37,8 +37,9 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
   // There is no margin if the square of a length may overflow or underflow.
   const Mask proper =
       (least(two[0].shortest, two[1].shortest) > smallest) & (farthest < largest);
-  const Pack reach = proper ? 0.125 * least(longest[0], longest[1]) : Pack{} - 1.0;
-  store(answers.apart, i, least(most(of_first, of_second), reach));
+  const Pack largest_room =
+      proper ? 0.125 * least(longest[0], longest[1]) : Pack{} - 1.0;
+  store(answers.apart, i, least(most(of_first, of_second), largest_room));
   store(answers.own, i, part);
   store(answers.side, i, side);
 
@@ -92,65 +93,42 @@ BLOCKS_INLINE void find_faces_of(const PartPairs& pairs, const BlockState& block
     return 0.5 * of_angle(Slope(a, b).steeper_than(slope.sine));  // both angles change
   };
 
-  // Find which corners are inside the other part.
-  const InsideBut start(own, count, side, after(side, n), f, margins);
-  const InsideBut end(own, count, side, before(side, n), f_end, margins);
-  const InsideBut e_start(other, count, facing, after(facing, m), e, margins);
-  const InsideBut e_end(other, count, facing, before(facing, m), e_after, margins);
   const Pack facing_or_none = faces ? facing : Pack{} - 1.0;
-  const Pack deeper_than_e =
+  const Pack others_are_deeper =
       all_deeper(own, side, other, facing_or_none, count, f_below, margins);
-  const Pack deeper_than_f =
-      all_deeper(own, side, other, facing_or_none, count, e_below, margins);
 
   // The axes of f are those of the same two faces, or they are deeper.
   const Pack same_faces =
       least(e_below.are_deepest, least(steeper(f, e_before), steeper(f, e_after)));
   const Pack f_is_deeper = f_below.less_than(f.depth, f.hold_of_depth, margins);
-  const Pack entered_inside =
-      least(least(most(start.all(), f_below.is_not_deepest[0]),
-                  most(end.all(), f_below.is_not_deepest[1])),
-            least(deeper_than_e, most(same_faces, f_is_deeper)));
-  const Pack e_in_turn = least(most(start.others, f_below.is_not_deepest[0]),
-                               most(end.others, f_below.is_not_deepest[1]));
-  const Pack f_in_turn = least(most(e_start.others, e_below.is_not_deepest[0]),
-                               most(e_end.others, e_below.is_not_deepest[1]));
-  const Pack entered_in_turn = least(least(most(e_in_turn, f_in_turn), same_faces),
-                                     least(deeper_than_e, deeper_than_f));
   const Mask short_e = e.length < 0.2 * f.length, short_f = f.length < 0.2 * e.length;
   const Pack ends_of_e = least(off_ends(f, e, margins), off_ends(f, e_after, margins));
   const Pack ends_of_f = least(off_ends(e, f, margins), off_ends(e, f_end, margins));
   const Pack not_at_ends = short_e ? ends_of_e : (short_f ? ends_of_f : Pack{} + never);
-  // Nothing along the two faces is far if they have a common part or e has the least
-  // axis.
-  const Pack are_near = most(f_is_deeper, common_part(e, f, f_end, margins));
-  const Pack two_faces =
-      least(least(of_angle(facing_sine - slope.sine),
-                  least(steeper(e, f_before), steeper(e, f_after))),
-            least(least(most(entered_inside, entered_in_turn), not_at_ends), are_near));
-  const Pack one_corner = least(least(least(no_face(of_corner), no_face(of_previous)),
-                                      least(start.all(), deeper_than_e)),
-                                not_in_notch(e, f, margins));
+
+  const ContactPoint point(e, f, f_end, faces);
+  const Pack hold = 0.5 * strict;
+  const Pack two_faces = least(least(of_angle(facing_sine - slope.sine),
+                                     least(steeper(e, f_before), steeper(e, f_after))),
+                               least(least(most(same_faces, f_is_deeper), not_at_ends),
+                                     margins.of(point.half, hold)));
+  const Pack foot = along(e, f.x, f.y);
+  const Pack between = margins.of(least(foot, e.length - foot), hold);
+  const Pack one_corner =
+      least(least(no_face(of_corner), no_face(of_previous)), between);
   store(answers.faces, i,
-        least(least(faces ? two_faces : one_corner, f_below.are_deepest), reach));
+        least(least(faces ? two_faces : one_corner, f_below.are_deepest),
+              least(others_are_deeper, largest_room)));
   store(answers.facing, i, facing_or_none);
   store(answers.corner, i, corner);
-
-  // A joint is open if the centroid of the other part is inside its surface.
-  const auto inside = [&](const FacingSide& surface, const Part& of, Pack hold)
-      __attribute__((always_inline)) {
-    return margins.of(depth_below(surface, of.x, of.y), hold);
-  };
-  const Pack own_longest = second ? longest[1] : longest[0];
-  const Pack other_longest = second ? longest[0] : longest[1];
-  const Pack hold_of_other = hold_of(other.x, other.y, own, own_longest, strict);
-  const Pack hold_of_own = hold_of(own.x, own.y, other, other_longest, strict);
-  store(answers.joint[0], i, inside(e_before, other, hold_of_other));
-  store(answers.joint[1], i, inside(e_after, other, hold_of_other));
-  store(answers.joint[2], i, inside(f_before, own, hold_of_own));
-  const Pack at_f_after = inside(f_after, own, hold_of_own);
-  const Pack at_corner_side = inside(at_corner, own, hold_of_own);
-  store(answers.joint[3], i, faces ? at_f_after : at_corner_side);
+  store(answers.x, i, point.x);
+  store(answers.y, i, point.y);
+  // The point may also be the middle on f, which is off by the sine times the mean
+  // depth.
+  const Pack off = faces ? 1.05 * slope.sine * slope.sine * point.half : Pack{};
+  store(answers.reach, i,
+        widest_joint * least(two[0].longest, two[1].longest) +
+            1.25 * absolute(point.depth) + off);
 
   store(answers.beyond[0], i, beyond(e, f, margins));
   store(answers.beyond[1], i, beyond(e, f_end, margins));

@@ -1,5 +1,5 @@
 // Two convex parts in each lane, and the margins of single questions about them
-// (docs/contact-rule.md#kept-decisions). Included once for each instruction set.
+// (docs/kept-decisions.md). Included once for each instruction set.
 #include "dynamics/kernels/face_kernel.hpp"
 #include "dynamics/kernels/simd_lanes.hpp"
 #include "geometry/contact_constants.hpp"
@@ -13,6 +13,7 @@ constexpr double never = 1e300;
 constexpr double smallest = 1e-140, largest = 1e140;
 constexpr double slack = geometry::contact_slack;
 constexpr double facing_sine = geometry::facing_sine;
+constexpr double widest_joint = geometry::widest_joint;
 
 BLOCKS_INLINE Pack least(Pack a, Pack b) { return a < b ? a : b; }
 BLOCKS_INLINE Pack most(Pack a, Pack b) { return a > b ? a : b; }
@@ -31,8 +32,8 @@ struct FacingSide {
 struct Part {
   FacingSide side[PartPairs::max_corners];
   Pack corners;
-  Pack x, y;      ///< [L] centroid of the block
-  Pack shortest;  ///< [L] length of the shortest side
+  Pack x, y;               ///< [L] centroid of the block
+  Pack shortest, longest;  ///< [L] lengths of the shortest and of the longest side
 };
 
 BLOCKS_INLINE Pack depth_below(const FacingSide& e, Pack x, Pack y) {
@@ -98,7 +99,7 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
     const Point at = gather_point<2>(blocks.corner, pairs.corner[part][k] + i);
     to.side[k].x = at[0], to.side[k].y = at[1];
   }
-  to.shortest = Pack{} + never;
+  to.shortest = Pack{} + never, to.longest = Pack{};
   for (int k = 0; k < pairs.most; ++k) {
     FacingSide& s = to.side[k];
     const FacingSide& next = to.side[k + 1 < pairs.most ? k + 1 : 0];
@@ -108,6 +109,7 @@ BLOCKS_INLINE void load_part(const PartPairs& pairs, const BlockState& blocks, i
     const Pack per_length = is_side ? 1.0 / s.length : Pack{};
     s.ux = x * per_length, s.uy = y * per_length;
     to.shortest = is_side ? least(to.shortest, s.length) : to.shortest;
+    to.longest = is_side ? most(to.longest, s.length) : to.longest;
   }
 }
 
@@ -167,8 +169,6 @@ struct EndsBelow {
   Pack deepest;  ///< [L]
   /// Margin: the deepest corner of the part is one of the two ends.
   Pack are_deepest;
-  /// Margins: the end is not the deepest corner.
-  Pack is_not_deepest[2];
 
   BLOCKS_INLINE EndsBelow(const Part& part, int count, Pack start, Pack end,
                           const FacingSide& first, const FacingSide& last,
@@ -187,8 +187,6 @@ struct EndsBelow {
           margins.deeper(deepest, hold_of_deepest, depth_below(e, c.x, c.y), c.hold);
       are_deepest = other ? least(are_deepest, margin) : are_deepest;
     }
-    is_not_deepest[0] = margins.deeper(depth[1], hold[1], depth[0], hold[0]);
-    is_not_deepest[1] = margins.deeper(depth[0], hold[0], depth[1], hold[1]);
   }
   /// Returns the margin by which an axis is deeper than both ends.
   BLOCKS_INLINE Pack less_than(Pack axis, Pack hold_of_axis,
@@ -198,24 +196,24 @@ struct EndsBelow {
   }
 };
 
-/// Margins: a corner is inside all sides of a part except two, and inside the second of
-/// these.
-struct InsideBut {
-  Pack others, second;
-  BLOCKS_INLINE InsideBut(const Part& part, int count, Pack first, Pack second_one,
-                          const FacingSide& corner, const Margins& margins)
-      : others(Pack{} + never), second(Pack{} + never) {
-    for (int k = 0; k < count; ++k) {
-      const Pack number = Pack{} + static_cast<double>(k);
-      const Pack margin =
-          margins.of(depth_below(part.side[k], corner.x, corner.y), corner.hold);
-      const Mask counts = (number < part.corners) & (number != first);
-      const Mask is_second = number == second_one;
-      others = counts & ~is_second ? least(others, margin) : others;
-      second = is_second ? margin : second;
-    }
+/// The middle of what two faces have in common, on the axis side e. If f is not a face,
+/// it is the foot of the corner of the axis.
+struct ContactPoint {
+  Pack x, y;   ///< [L]
+  Pack half;   ///< [L] half the length of the common part
+  Pack depth;  ///< [L] of the point of f, or of the corner, below it
+
+  BLOCKS_INLINE ContactPoint(const FacingSide& e, const FacingSide& f,
+                             const FacingSide& f_end, Mask faces) {
+    // The two sides run against each other.
+    const Pack high = along(e, f.x, f.y), low = along(e, f_end.x, f_end.y);
+    const Pack first = most(low, Pack{}), last = least(high, e.length);
+    const Pack at = faces ? 0.5 * (first + last) : high;
+    const Pack on_f = faces ? (high - at) / (high - low) : Pack{};
+    half = 0.5 * (last - first);
+    x = e.x + at * e.ux, y = e.y + at * e.uy;
+    depth = depth_below(e, f.x + on_f * (f_end.x - f.x), f.y + on_f * (f_end.y - f.y));
   }
-  BLOCKS_INLINE Pack all() const { return least(others, second); }
 };
 
 /// Returns the margin by which all axes except those of two sides are deeper than the

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/covered_side.hpp"
+#include "geometry/outline.hpp"
 #include "geometry/polygon.hpp"
 #include "model/blocks.hpp"
 

@@ -1,23 +1,23 @@
 // Decides which corners of two blocks act on which edges: the contact rule
-// (docs/contact-rule.md). The result depends only on the two blocks and on the blocks
-// whose bounding boxes meet that of one of the two. All predicates are exact. The rule
-// is independent of the contact list and of the time loop. It is a template over the
-// predicates, so that `blocks study` can replace them.
+// (docs/contact-rule.md). A closed joint is not there: of the axes of two parts whose
+// side is surface of all blocks together, the one of least depth acts. The result
+// depends only on the two blocks and on the blocks whose bounding boxes meet that of
+// one of the two. All predicates are exact. The rule is independent of the contact list
+// and of the time loop. It is a template over the predicates, so that `blocks study`
+// can replace them.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "dynamics/rules/block_parts.hpp"
-#include "dynamics/rules/closed_joints.hpp"
-#include "dynamics/rules/entry.hpp"
-#include "dynamics/rules/notches.hpp"
-#include "dynamics/rules/overlap_region.hpp"
 #include "dynamics/rules/pair_shape.hpp"
 #include "dynamics/rules/predicates.hpp"
+#include "dynamics/rules/third_parts.hpp"
+#include "geometry/continuation.hpp"
+#include "geometry/polygon.hpp"
 #include "model/blocks.hpp"
 
 namespace blocks::dynamics {
@@ -32,9 +32,8 @@ struct CornerOnEdge {
 /// Working memory of the rule for one thread. It grows as needed and is reused.
 struct PairScratch {
   PairMemory shape;
-  JointScratch joints;
-  OverlapMemory region;
-  geometry::Polygon polygon;  ///< of Notches
+  geometry::Polygon outline[2];  ///< of the two parts
+  ThirdParts thirds[2];          ///< third parts of each of the two
   std::vector<Axis> axes;
   std::vector<CornerOnEdge> found;
 
@@ -77,14 +76,12 @@ void each_along(PairShape<Predicates>& shape, const Axis& axis,
   });
 }
 
-/// The contact rule. For `neighbours` see ClosedJoints.
+/// The contact rule. For `neighbours` see each_third_part.
 template <class Predicates, class Neighbours> class PairRule {
  public:
   PairRule(const Blocks& blocks, const BlockParts& parts, const Neighbours& neighbours,
            PairScratch& scratch)
-      : blocks_(blocks), parts_(parts), scratch_(scratch),
-        joints_(blocks, parts, neighbours, shape_, predicates_, scratch.joints),
-        notches_(blocks, parts, neighbours, shape_, region_, scratch.polygon) {}
+      : blocks_(blocks), parts_(parts), neighbours_(neighbours), scratch_(scratch) {}
 
   /// Returns the contacts between two blocks, without duplicates. The result is valid
   /// until the next call.
@@ -95,146 +92,175 @@ template <class Predicates, class Neighbours> class PairRule {
   }
 
  private:
-  /// Makes the choice of docs/contact-rule.md#choice. If the first entered axis is not
-  /// hidden, its contacts act. If it is hidden, the surface of a closed joint takes
-  /// over, at most twice. If no axis is entered, or no contact acts along the first
-  /// entered axis and its side is an edge, the least axis is used instead. If the
-  /// second surface is hidden too, the first entered axis is used. If no contact acts
-  /// along a surface that took over, none acts.
+  /// Lets the first axis in the order of depth act that is neither far nor hidden. The
+  /// axis of least depth is never far. If none is left and no third part carries the
+  /// block, it acts although it is hidden.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!shape_.find_axes(scratch_.axes))
       return;  // the two parts are apart
-    const Axis least = shape_.take_least(scratch_.axes);
-    region_.begin(least);
-    if (shape_.depth_sign(least.side, least.corner.index) <= 0) {
-      touch(least, shape_.find_facing(least));
+    take_outlines();
+    Axis axis = least_ = shape_.take_least(scratch_.axes);
+    if (shape_.depth_sign(least_.side, least_.corner.index) <= 0) {
+      touch(least_, shape_.find_facing(least_));
       return;
     }
-    const std::optional<Axis> entered = find_entered(least);
-    if (!entered) {
-      stand_in(least);
-      return;
-    }
-    Axis axis = *entered;
-    for (int looks = 0; looks < 3; ++looks) {
-      const std::optional<PairSide> facing = shape_.find_facing(axis);
-      const std::optional<Surface> surface = surface_instead_of(axis, facing);
-      if (!surface || surface->axis.side == entered->side) {
-        // If the side is an inner side, the part beside it decides.
-        const bool acts = touch(axis, facing);
-        if (!acts && looks == 0 && !shape_.at(axis.side).is_inner)
-          stand_in(least);
+    for (;; axis = shape_.take_least(scratch_.axes)) {
+      const std::optional<PairSide> facing = facing_of(axis);
+      if (!is_beyond_inner(axis) && !is_far(axis, facing) && !is_hidden(axis, facing)) {
+        touch(axis, facing);
         return;
       }
-      axis = surface->axis;
-      region_.extend(surface->joint);
-    }
-    region_.begin(least);
-    stand_in(*entered);
-  }
-
-  /// Returns the first entered axis in the order of depth. Far axes are not entered.
-  std::optional<Axis> find_entered(const Axis& least) {
-    Entry<Predicates> entry(shape_, predicates_);
-    for (Axis axis = least;; axis = shape_.take_least(scratch_.axes)) {
-      // Entry is tested first, because it takes less time.
-      if ((!Predicates::entry || entry.is_entered(axis)) &&
-          !region_.is_far(axis, shape_.find_facing(axis)))
-        return axis;
-      if (scratch_.axes.empty())
-        return std::nullopt;
+      if (scratch_.axes.empty()) {
+        // Otherwise a third part carries the block.
+        if (exceeds_third_shifts(least_.corner, least_.side, geometry::carried_share))
+          touch(least_, shape_.find_facing(least_));
+        return;
+      }
     }
   }
-  /// The axis of a surface that takes over, and the corner of its joint.
-  struct Surface {
-    Axis axis;
-    PairSide joint;
-  };
 
-  /// Returns the least axis of the surfaces of all closed joints that hide the axis. If
-  /// several are equally deep, it is the surface of the joint that is visited first.
-  /// Returns nothing if the axis is not hidden.
-  std::optional<Surface> surface_instead_of(const Axis& axis,
-                                            const std::optional<PairSide>& facing) {
-    std::optional<Surface> found;
-    if (Predicates::covered_sides)
-      joints_.any_hiding(axis, facing, [&](const Joint& joint) {
-        const Axis one = shape_.axis_of(joint.surface);
-        if (!found || shape_.is_less(one, found->axis))
-          found = {one, joint.corner()};
-        return false;  // continue with the next joint
+  void take_outlines() {
+    for (const int k : {0, 1}) {
+      scratch_.outline[k].clear();
+      for (int i = 0; i < shape_.corners(k); ++i)
+        scratch_.outline[k].push_back(shape_.at({k, i}).start);
+      has_thirds_[k] = false;
+    }
+  }
+  /// Returns the third parts of part k. They are collected when they are first needed.
+  const ThirdParts& thirds(int k) {
+    if (!has_thirds_[k])
+      scratch_.thirds[k].collect(blocks_, parts_, neighbours_, shape_.part(k),
+                                 shape_.part(1 - k));
+    has_thirds_[k] = true;
+    return scratch_.thirds[k];
+  }
+
+  /// Returns the facing side of an axis. If the axis is not the least one, the side has
+  /// to cross the other part.
+  std::optional<PairSide> facing_of(const Axis& axis) {
+    const std::optional<PairSide> facing = shape_.find_facing(axis);
+    return facing && (axis == least_ || crosses(*facing)) ? facing : std::nullopt;
+  }
+  bool crosses(const PairSide& side) const {
+    return geometry::crosses(scratch_.outline[side.part], side.index,
+                             scratch_.outline[1 - side.part]);
+  }
+  /// Returns whether the part beside an inner side decides, because the side does not
+  /// cross the other part.
+  bool is_beyond_inner(const Axis& axis) const {
+    return shape_.at(axis.side).is_inner && !(axis == least_) && !crosses(axis.side);
+  }
+
+  /// Returns whether the axis is far: its corner, or both ends of its facing side.
+  bool is_far(const Axis& axis, const std::optional<PairSide>& facing) {
+    if (axis == least_)
+      return false;
+    if (!facing)
+      return is_far(axis.corner, axis.side);
+    return is_far(*facing, axis.side) && is_far(shape_.after(*facing), axis.side);
+  }
+  /// Returns whether a corner is far below a side.
+  bool is_far(const PairSide& corner, const PairSide& side) {
+    const geometry::filter::Estimate &depth = shape_.depth(side, corner.index),
+                                     &least = shape_.depth(least_);
+    if (!Predicates::far_sides ||
+        depth.value + depth.bound <=
+            geometry::deepest_share * (least.value - least.bound))
+      return false;
+    const Segment& e = shape_.at(side);
+    const Vec2& c = shape_.at(corner).start;
+    const geometry::Polygon(&outline)[2] = scratch_.outline;
+    return geometry::exceeds_separating_shift(c, e.start, e.end, outline[0],
+                                              outline[1]) &&
+           geometry::exceeds_common_region(c, e.start, e.end, outline[0], outline[1]) &&
+           exceeds_third_shifts(corner, side, geometry::deepest_share);
+  }
+  /// Returns whether the depth of a corner below a side exceeds a multiple of every
+  /// shift that separates one of the two parts from a third part.
+  bool exceeds_third_shifts(const PairSide& corner, const PairSide& side,
+                            double times) {
+    const Segment& e = shape_.at(side);
+    const Vec2& c = shape_.at(corner).start;
+    const auto holds = [&](int k) {
+      return thirds(k).any([&](const geometry::Polygon& third) {
+        return !geometry::exceeds_separating_shift(
+            c, e.start, e.end, scratch_.outline[1 - k], third, times);
       });
-    return found;
+    };
+    return !holds(0) && !holds(1);
   }
 
-  /// Adds the contacts that act along an axis and returns whether there are any. The
-  /// axis is not hidden, so its corners are not hidden either.
-  bool touch(const Axis& axis, const std::optional<PairSide>& facing) {
-    bool acts = false;
+  bool is_hidden(const Axis& axis, const std::optional<PairSide>& facing) {
+    const geometry::PolygonAxis polygons = as_polygons(axis, facing);
+    const int own = axis.side.part;
+    const auto hides = [&](int k, geometry::Continues which) {
+      return thirds(k).any([&](const geometry::Polygon& third) {
+        return geometry::is_hidden_by(polygons, third, which);
+      });
+    };
+    return Predicates::joints && (hides(own, geometry::Continues::own) ||
+                                  hides(1 - own, geometry::Continues::other));
+  }
+  geometry::PolygonAxis as_polygons(const Axis& axis,
+                                    const std::optional<PairSide>& facing) const {
+    return {scratch_.outline[axis.side.part], axis.side.index,
+            scratch_.outline[axis.corner.part], axis.corner.index,
+            facing ? facing->index : -1};
+  }
+
+  /// Adds the contacts that act along an axis.
+  void touch(const Axis& axis, const std::optional<PairSide>& facing) {
     each_along(shape_, axis, Predicates::faces ? facing : std::nullopt,
                [&](const PairSide& corner, const PairSide& side) {
-                 acts = try_contact(corner, side, !facing) || acts;
+                 const PairSide below = find_side_below(corner, side);
+                 if (!shape_.at(below).is_inner &&
+                     shape_.depth_sign(below, corner.index) > 0 &&
+                     (is_between(corner, below) ||
+                      (!facing && has_no_end(axis.corner, below))) &&
+                     (axis == least_ || !is_far(corner, below)))
+                   scratch_.add({shape_.at(corner).corner, shape_.at(below).corner});
                });
-    return acts;
   }
-  /// Adds the corner of the axis as a contact on the axis side, if the corner is inside
-  /// it and between its ends or in a notch.
-  void stand_in(const Axis& axis) {
-    try_contact(axis.corner, axis.side, !shape_.find_facing(axis));
-  }
-  /// Adds a contact if its corner is inside the side or one in line with it, is not
-  /// far and has its foot between the ends. If `may_be_in_notch`, a foot in a
-  /// notch is sufficient. Returns whether the contact acts.
-  bool try_contact(const PairSide& corner, const PairSide& side, bool may_be_in_notch) {
-    const std::optional<PairSide> found =
-        find_side_below(corner, side, may_be_in_notch);
-    if (!found || region_.is_far(*found, corner.index))
-      return false;
-    add(corner, *found);
-    return true;
-  }
-  /// Returns the one of a side and the sides in line with it that has the corner inside
-  /// and its foot between the ends. If no side has the foot between its ends, it is the
-  /// first one that has the corner in a notch at its end.
-  std::optional<PairSide> find_side_below(const PairSide& corner, const PairSide& side,
-                                          bool may_be_in_notch) {
+  /// Returns the one of a side and the sides in line with it that has the foot of the
+  /// corner between its ends. If there is none, returns the side itself.
+  PairSide find_side_below(const PairSide& corner, const PairSide& side) {
     if (is_between(corner, side))
-      return has_inside(corner, side) ? std::optional(side) : std::nullopt;
-    std::optional<PairSide> below, in_notch;
+      return side;
+    std::optional<PairSide> found;
     shape_.each_in_line(side, [&](const PairSide& one) {
-      if (!below && is_between(corner, one))
-        below = one;
+      if (!found && is_between(corner, one))
+        found = one;
     });
-    if (below)
-      return has_inside(corner, *below) ? below : std::nullopt;
-    if (may_be_in_notch)
-      shape_.each_in_line(side, [&](const PairSide& one) {
-        if (!in_notch && has_inside(corner, one) && notches_.has(corner, one))
-          in_notch = one;
-      });
-    return in_notch;
-  }
-  /// Returns whether a side is an edge that has the corner inside.
-  bool has_inside(const PairSide& corner, const PairSide& side) {
-    return !shape_.at(side).is_inner && shape_.depth_sign(side, corner.index) > 0;
+    return found.value_or(side);
   }
   bool is_between(const PairSide& corner, const PairSide& side) {
     const Segment& e = shape_.at(side);
     return predicates_.between(shape_.at(corner).start, e.start, e.end);
   }
-  void add(const PairSide& corner, const PairSide& side) {
-    scratch_.add({shape_.at(corner).corner, shape_.at(side).corner});
+  /// Returns whether a side has no end where the foot of the corner of its axis is
+  /// beyond it: a third part rises there, or is beyond a joint.
+  bool has_no_end(const PairSide& corner, const PairSide& side) {
+    const geometry::PolygonAxis polygons = as_polygons({side, corner}, {}),
+                                least = as_polygons(least_, {});
+    const Segment& e = shape_.at(side);
+    const Vec2& c = shape_.at(corner).start;
+    return Predicates::joints &&
+           thirds(side.part).any([&](const geometry::Polygon& third) {
+             return geometry::is_in_notch_of(polygons, third) ||
+                    geometry::is_at_joint_with(c, e.start, e.end, least, third);
+           });
   }
 
   const Blocks& blocks_;
   const BlockParts& parts_;
+  const Neighbours& neighbours_;
   PairScratch& scratch_;
   Predicates predicates_;
   PairShape<Predicates> shape_{scratch_.shape, predicates_};
-  OverlapRegion<Predicates> region_{shape_, scratch_.region};
-  ClosedJoints<Predicates, Neighbours> joints_;
-  Notches<Predicates, Neighbours> notches_;
+  Axis least_;
+  bool has_thirds_[2] = {};
 };
 
 }  // namespace blocks::dynamics

@@ -40,7 +40,6 @@ struct Axis {
 /// A part and the depths below its sides.
 struct PartShape {
   int part = -1;
-  Vec2 centroid;
   std::vector<Segment> sides;
   /// [L] depths[i * corners + k] is the depth of corner k of the other part below side
   /// i. `corners` is the number of corners of the other part.
@@ -61,7 +60,6 @@ template <class Predicates> class PairShape {
       parts_[part].depths.resize(parts_[0].sides.size() * parts_[1].sides.size());
   }
   int part(int k) const { return parts_[k].part; }
-  const Vec2& centroid(int k) const { return parts_[k].centroid; }
   int corners(int k) const { return static_cast<int>(parts_[k].sides.size()); }
   const Segment& at(const PairSide& s) const {
     return parts_[s.part].sides[static_cast<std::size_t>(s.index)];
@@ -173,25 +171,6 @@ template <class Predicates> class PairShape {
     return predicates_.depth_sign(depth(s, corner), at({1 - s.part, corner}).start,
                                   e.start, e.end);
   }
-  /// Counts the sides, except side `except`, of the part that the corner does not
-  /// belong to, that have the corner outside. `out` gets the last of them.
-  int sides_outside(const PairSide& corner, int except, PairSide& out) {
-    const int part = 1 - corner.part;
-    int count = 0;
-    for (int i = 0; i < corners(part); ++i)
-      if (const PairSide s{part, i}; i != except && depth_sign(s, corner.index) < 0)
-        out = s, ++count;
-    return count;
-  }
-  /// Returns whether the corner is outside an edge of the part that it does not belong
-  /// to.
-  bool has_left(const PairSide& corner) {
-    const int part = 1 - corner.part;
-    for (int i = 0; i < corners(part); ++i)
-      if (const PairSide s{part, i}; !at(s).is_inner && depth_sign(s, corner.index) < 0)
-        return true;
-    return false;
-  }
   /// Calls visit(side) for a side and the sides of its part in line with it: first the
   /// side itself, then the sides before it, then those after it.
   template <class Visit> void each_in_line(const PairSide& s, const Visit& visit) {
@@ -225,21 +204,9 @@ template <class Predicates> class PairShape {
   bool face(const Segment& s, const Segment& t) {
     return predicates_.edges_face(s.start, s.end, t.start, t.end);
   }
-  /// Returns +1 if the direction turns anticlockwise from one side to the other, -1 if
-  /// clockwise, and 0 if the sides are parallel.
-  int turn(const Segment& from, const Segment& to) {
-    return predicates_.turn_sign(from.start, from.end, to.start, to.end);
-  }
 
  private:
-  static Vec2 mean(const PartShape& shape) {
-    Vec2 sum = Vec2::Zero();
-    for (const Segment& s : shape.sides)
-      sum += s.start;
-    return sum / static_cast<double>(shape.sides.size());
-  }
-  /// Copies the sides and the centroid of a part. The centroid of a convex block is the
-  /// block's own.
+  /// Copies the sides of a part.
   static void take_part(const Blocks& blocks, const BlockParts& parts, int part,
                         PartShape& shape) {
     shape.part = part;
@@ -252,9 +219,6 @@ template <class Predicates> class PairShape {
           start, end, geometry::filter::per_length(start, end), side.start,
           parts.is_inner(blocks, side)};
     }
-    const int block = parts.block(part);
-    shape.centroid =
-        blocks.convex[block] ? Vec2(blocks.centroid.col(block)) : mean(shape);
   }
   geometry::filter::Estimate* row(const PairSide& s) {
     return &parts_[s.part]

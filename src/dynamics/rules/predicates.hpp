@@ -1,10 +1,7 @@
 // The exact predicates, which the contact rule uses in every run.
 #pragma once
 
-#include <span>
-
 #include "geometry/contact_predicates.hpp"
-#include "geometry/covered_side.hpp"
 
 namespace blocks::dynamics {
 
@@ -14,13 +11,9 @@ using geometry::Vec2;
 /// geometry/contact_predicates.hpp. Every predicate class of PairRule needs these
 /// members.
 struct ExactPredicates {
-  static constexpr bool entry = true;     ///< an axis acts only if it is entered
-  static constexpr bool crossing = true;  ///< an axis may be entered by conditions 3
-                                          ///< and 4 of docs/contact-rule.md#entry
-  static constexpr bool covered_sides = true;  ///< closed joints hide axes
-  static constexpr bool faces = true;          ///< all four ends of two faces may act
-  static constexpr bool far_sides = true;  ///< contacts deeper than the region are far
-  static constexpr bool notches = true;    ///< corners act beyond an end in a notch
+  static constexpr bool far_sides = true;  ///< far axes and contacts do not act
+  static constexpr bool joints = true;     ///< third parts hide axes and ends of sides
+  static constexpr bool faces = true;      ///< all four ends of two faces may act
 
   /// [L] Returns the depth of c below the side p1 p2, with an error bound.
   static geometry::filter::Estimate depth(const Vec2& c, const Vec2& p1, const Vec2& p2,
@@ -36,15 +29,8 @@ struct ExactPredicates {
   static bool near_or_inside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::near_or_inside(c, p1, p2);
   }
-  /// Returns whether c is not inside: it may be on the line.
-  static bool may_be_outside(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return geometry::overlap_sign(c, p1, p2) <= 0;
-  }
   static bool between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
     return geometry::between(c, p1, p2);
-  }
-  static bool well_between(const Vec2& c, const Vec2& p1, const Vec2& p2) {
-    return geometry::well_between(c, p1, p2);
   }
   static bool edges_face(const Vec2& p1, const Vec2& p2, const Vec2& q1,
                          const Vec2& q2) {
@@ -66,15 +52,6 @@ struct ExactPredicates {
   static bool in_line(const Vec2& p1, const Vec2& p2, const Vec2& q) {
     return (p2 - p1).dot(q - p2) > 0.0 && geometry::near_or_inside(q, p2, p1) &&
            geometry::near_or_inside(p1, q, p2);
-  }
-  /// Returns whether the clockwise outline of a block turns inwards at corner c.
-  static bool re_entrant(const Vec2& before, const Vec2& c, const Vec2& after) {
-    return geometry::overlap_sign(after, before, c) < 0;
-  }
-  static geometry::Cover find_cover(const geometry::SideEnd& end,
-                                    geometry::Outline other,
-                                    std::span<const geometry::Outline> neighbours) {
-    return geometry::find_cover(end, other, neighbours);
   }
 };
 

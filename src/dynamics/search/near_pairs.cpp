@@ -60,8 +60,11 @@ void find_boxes(const Blocks& blocks, double reach, NearSearch& memory) {
       const Vec2 corner = blocks.corner.col(c);
       lower = lower.cwiseMin(corner), upper = upper.cwiseMax(corner);
     }
-    // A corner that is outside an edge by less than the slack still touches it.
-    const double by = reach + 2.0 * geometry::contact_slack * (upper - lower).sum();
+    // Third parts are found at a distance, which depends on the present extents. A
+    // corner that is outside an edge by less than the slack still touches it.
+    constexpr double part_of_extents =
+        1.5 * geometry::third_reach + 2.0 * geometry::contact_slack;
+    const double by = reach + part_of_extents * (upper - lower).sum();
     memory.lower[b] = lower.array() - by, memory.upper[b] = upper.array() + by;
   }
 }

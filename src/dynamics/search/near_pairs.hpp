@@ -26,7 +26,7 @@ struct NearSearch {
 };
 
 /// Finds all pairs whose bounding boxes meet when each box is grown by `reach`, [L],
-/// and by the slack of its edges. The pairs are sorted by low, then by high. No other
+/// by the slack of its edges and by the reach of third parts. The pairs are sorted by low, then by high. No other
 /// two blocks can touch before a corner has moved by `reach`.
 void find_near_pairs(const Blocks& blocks, double reach, NearSearch& memory,
                      std::vector<NearPair>& pairs);

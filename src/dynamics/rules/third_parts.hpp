@@ -1,0 +1,69 @@
+// The parts that may continue one of the two parts of a pair
+// (docs/contact-rule.md#third-parts).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "dynamics/rules/block_parts.hpp"
+#include "dynamics/rules/part_box.hpp"
+#include "geometry/contact_constants.hpp"
+#include "geometry/polygon.hpp"
+#include "model/blocks.hpp"
+
+namespace blocks::dynamics {
+
+/// Calls visit(part) for the other parts of the block of `own` and for the parts of all
+/// blocks that the block of `other` is paired with. neighbours(b, visit) has to call
+/// visit(block) for each block that block b is paired with, in a fixed order.
+template <class Neighbours, class Visit>
+void each_third_part(const Blocks& blocks, const BlockParts& parts,
+                     const Neighbours& neighbours, int own, int other,
+                     const Visit& visit) {
+  const int own_block = parts.block(own), other_block = parts.block(other);
+  neighbours(other_block, [&](int block) {
+    if (block != own_block && block != other_block &&
+        blocks.may_touch(block, other_block))
+      for (int part = parts.first_part(block); part < parts.end_part(block); ++part)
+        visit(part);
+  });
+  for (int part = parts.first_part(own_block); part < parts.end_part(own_block); ++part)
+    if (part != own)
+      visit(part);
+}
+
+/// The third parts of one part of a pair. The memory is reused.
+class ThirdParts {
+ public:
+  /// Collects the third parts of `own` whose boxes meet the grown one of `other`, so
+  /// the result does not depend on how far the list of pairs reaches.
+  template <class Neighbours>
+  void collect(const Blocks& blocks, const BlockParts& parts,
+               const Neighbours& neighbours, int own, int other) {
+    count_ = 0;
+    const PartBox of_other = PartBox(blocks, parts, other).grown(geometry::third_reach);
+    each_third_part(blocks, parts, neighbours, own, other, [&](int part) {
+      if (!PartBox(blocks, parts, part).meets(of_other))
+        return;
+      if (outlines_.size() == count_)
+        outlines_.emplace_back();
+      geometry::Polygon& outline = outlines_[count_++];
+      outline.clear();
+      for (int i = 0; i < parts.corners(part); ++i)
+        outline.push_back(blocks.corner.col(parts.corner(part, i)));
+    });
+  }
+  /// Returns whether condition(outline) is true for one of the parts.
+  template <class Condition> bool any(const Condition& condition) const {
+    return std::any_of(outlines_.begin(),
+                       outlines_.begin() + static_cast<std::ptrdiff_t>(count_),
+                       condition);
+  }
+
+ private:
+  std::vector<geometry::Polygon> outlines_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace blocks::dynamics
