@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Figures of docs/contact-rule.md: contact_rule.py writes rule-*.svg beside itself."""
+"""Figures of docs/contact-rule.md: it writes rule-*.svg here."""
 
 from picture import ACTS, HIDDEN, INK, OTHER, ROCK, Picture
 
@@ -43,51 +43,103 @@ def faces():
     p.save("rule-faces.svg")
 
 
-def joint():
-    """A stake on a closed joint: the sides of the joint are covered, its surfaces carry."""
-    p = Picture(600, 290)
-    p.block([(40, 150), (300, 150), (300, 270), (40, 270)], ROCK, "T", (150, 220))
-    p.block([(300, 150), (560, 150), (560, 270), (300, 270)], ROCK, "A", (450, 220))
-    p.block([(250, 40), (370, 40), (312, 185)], OTHER, "B", (310, 75))
-    p.line((300, 150), (300, 270), HIDDEN, 3)
-    p.line((302, 150), (560, 150), ACTS, 3)
-    p.dot(312, 185)
-    p.text(308, 262, "g: side of A that T covers, hidden", HIDDEN, "start", 12)
-    p.text(440, 140, "s: surface of the joint, takes over", ACTS, "middle", 12)
-    p.line((318, 183), (345, 183), INK, 1)
-    p.text(350, 187, "tip: nearest to g, but acts on s", INK, "start", 12)
-    p.save("rule-joint.svg")
+def far():
+    """A far corner, and a deep tip that is not far because a third part holds it."""
+    p = Picture(780, 290)
+    p.block([(40, 80), (250, 120), (40, 150)], ROCK, "own", (75, 122))
+    p.block([(262, 90), (330, 90), (330, 240), (176, 240)], OTHER, "other", (285, 200))
+    p.line((40, 80), (250, 120), HIDDEN, 3)
+    p.text(140, 85, "e", HIDDEN)
+    p.line((202, 110), (176, 240), HIDDEN, 1.5, dashed=True)
+    p.text(180, 180, "d", HIDDEN, "end")
+    p.dot(176, 240, HIDDEN)
+    p.text(256, 72, "common region", INK, "end", 12)
+    p.line((236, 78), (247, 115), INK, 1, arrow=True)
+    p.text(185, 278, "far: 10 times as deep as the common region", HIDDEN, "middle", 12)
+    p.block([(420, 90), (640, 90), (420, 150)], ROCK, "own", (470, 115))
+    p.block([(640, 90), (720, 90), (720, 240), (420, 240), (420, 150)], ROCK, "T", (480, 210))
+    p.block([(604, 60), (636, 60), (620, 165)], OTHER)
+    p.text(620, 48, "other")
+    p.line((420, 90), (640, 90), ACTS, 3)
+    p.text(530, 82, "e", ACTS)
+    p.line((648, 90), (648, 160), ACTS, 1.5, dashed=True)
+    p.text(656, 135, "d", ACTS, "start")
+    p.dot(620, 165)
+    p.text(570, 278, "not far: the tip is as deep in T, a third part", ACTS, "middle", 12)
+    p.save("rule-far.svg")
 
 
-def choice():
-    """The steps of the choice as a flow chart."""
-    p = Picture(720, 465)
-    p.box(220, 10, 330, ["L: the axis of least depth"])
-    p.box(220, 76, 330, ["Is L deeper than 0?"])
-    p.box(220, 142, 330, ["E: first entered axis in the order of depth.", "Is there one?"])
-    p.box(220, 225, 330, ["X is E at first. Does a closed joint hide X?"])
-    p.box(220, 320, 330, ["X: least axis of the surfaces of the joints",
-                          "that hide it (at most twice)"])
-    p.box(570, 76, 250, ["contacts along L"], OTHER)
-    p.box(570, 150, 250, ["L is used instead"], OTHER)
-    p.box(570, 225, 250, ["contacts along X; if none acts", "and X is E: L instead, or nothing",
-                          "if X is an inner side"], OTHER)
-    p.box(570, 328, 250, ["hidden a third time: E is used instead"], OTHER)
-    p.box(570, 400, 250, ["the second surface is the side of E:",
-                          "the first one is not hidden"], OTHER)
-    for top, end, word in ((41, 76, ""), (107, 142, "yes"), (190, 225, "yes"), (256, 320, "yes")):
-        p.line((220, top), (220, end), arrow=True)
-        p.text(230, (top + end) / 2 + 6, word, anchor="start", size=12)
-    for y, word in ((92, "no"), (166, "no"), (241, "no"), (344, "")):
-        p.line((385, y), (445, y), arrow=True)
-        p.text(415, y - 6, word, size=12)
-    p.line((385, 360), (445, 416), arrow=True)
-    p.line((55, 344), (30, 344))
-    p.line((30, 344), (30, 241))
-    p.line((30, 241), (55, 241), arrow=True)
-    p.save("rule-choice.svg")
+def local():
+    """The ray from the contact point, and the circle around a corner."""
+    p = Picture(800, 290)
+    for x, gap, title, colour in ((20, 12, "T is met within w: local", HIDDEN),
+                                  (290, 70, "T is not met within w", ACTS)):
+        joint = x + 130
+        p.block([(x, 150), (joint - gap, 150), (joint - gap, 250), (x, 250)], ROCK, "T",
+                (x + 25, 225))
+        p.block([(joint, 150), (joint + 100, 150), (joint + 100, 250), (joint, 250)], ROCK, "own",
+                (joint + 65, 225))
+        p.block([(x + 40, 60), (joint + 22, 60), (joint + 22, 190), (x + 40, 190)], OTHER, "other",
+                (x + 85, 95))
+        p.line((joint, 150), (joint, 250), colour, 3)
+        p.line((joint, 170), (joint - 40, 170), INK, 1.8, arrow=True)
+        p.text(joint - 20, 164, "w", INK, "middle", 12)
+        p.dot(joint, 170, colour)
+        p.text(x + 115, 280, title, colour, "middle", 12)
+    p.block([(560, 150), (665, 150), (665, 250), (560, 250)], ROCK, "T", (590, 225))
+    p.block([(669, 150), (780, 150), (780, 250), (669, 250)], ROCK, "other", (740, 225))
+    p.block([(648, 40), (712, 40), (680, 190)], OTHER, "own", (680, 65))
+    p.line((712, 40), (680, 190), HIDDEN, 3)
+    p.ring(669, 150, 24)
+    p.text(650, 132, "w", INK, "end", 12)
+    p.dot(669, 150, HIDDEN)
+    p.text(670, 280, "corner, no facing side: local", HIDDEN, "middle", 12)
+    p.save("rule-local.svg")
+
+
+def slides():
+    """A slider that is shifted out of the next box, and slides up until it leaves T."""
+    p = Picture(800, 300)
+    for x, top, title, rest, colour in (
+            (20, 150, "flush: nothing is left, hidden", 0, HIDDEN),
+            (290, 138, "ledge lower than the slide: hidden", 12, HIDDEN),
+            (560, 70, "step: more is left than the slide, acts", 80, ACTS)):
+        joint = x + 130
+        p.block([(x, 150), (joint, 150), (joint, 250), (x, 250)], ROCK, "T", (x + 50, 220))
+        p.block([(joint, top), (joint + 100, top), (joint + 100, 250), (joint, 250)], ROCK, "own",
+                (joint + 65, 220))
+        p.block([(x + 30, 60), (joint + 22, 60), (joint + 22, 180), (x + 30, 180)], OTHER, "other",
+                (x + 75, 95))
+        p.line((joint, top), (joint, 250), colour, 3)
+        # The shift and the slide of the lower right corner.
+        p.line((joint + 22, 180), (joint + 2, 180), INK, 1.5, arrow=True)
+        p.line((joint - 3, 180), (joint - 3, 152), INK, 1.5, arrow=True)
+        p.text(joint - 10, 171, "t", INK, "end", 13)
+        if rest:
+            p.line((joint - 3, 150), (joint - 3, 150 - rest), colour, 1.5, dashed=True)
+        p.dot(joint + 22, 180, colour)
+        p.text(x + 115, 280, title, colour, "middle", 12)
+    p.save("rule-slides.svg")
+
+
+def notch():
+    """The tip of a wedge below the bottom of a notch acts on both flanks."""
+    p = Picture(560, 270)
+    p.block([(60, 60), (260, 180), (260, 250), (60, 250)], ROCK, "own", (120, 225))
+    p.block([(260, 180), (460, 60), (460, 250), (260, 250)], ROCK, "T", (400, 235))
+    p.block([(222, 30), (318, 30), (270, 200)], OTHER, "other", (270, 70))
+    p.line((60, 60), (260, 180), ACTS, 3)
+    p.line((260, 182), (260, 250), HIDDEN, 3)
+    # The foot of the tip on the line of the left flank.
+    p.line((260, 180), (277, 190), INK, 1, dashed=True)
+    p.line((270, 200), (277, 190), INK, 1.5)
+    p.dot(270, 200)
+    p.text(300, 196, "foot beyond the end, in T", INK, "start", 12)
+    p.text(20, 20, "this side has no end in the notch", ACTS, "start", 12)
+    p.text(252, 265, "hidden by T", HIDDEN, "end", 12)
+    p.save("rule-notch.svg")
 
 
 if __name__ == "__main__":
-    for figure in (axis, faces, joint, choice):
+    for figure in (axis, faces, far, local, slides, notch):
         figure()

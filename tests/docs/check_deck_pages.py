@@ -219,11 +219,11 @@ def disc(results, _):
 def roof(results, _):
     cracks = results.summary["cracks"]
     yield r"There are # cracks", len(cracks)
-    first = cracks[0]["time"]
-    yield r"the first # s after", first - results.summary["time"] + 1.2
-    assert 92 <= cracks[0]["parent"] < 132, "not in the upper bed of shale"
-    lowest = min(crack["time"] for crack in cracks if crack["parent"] < 52)
-    yield r"begin # s later", lowest - first
+    to_10_m = results.summary["time"] - 1.2
+    yield r"the first # s after", cracks[0]["time"] - (to_10_m - 0.8)
+    before = [crack["time"] for crack in cracks if crack["time"] < to_10_m]
+    assert [time > to_10_m - 0.4 for time in before] == [False, False, True, True], before
+    assert all(12 <= crack["parent"] < 52 for crack in cracks), "not in the lowest bed"
 
 
 def crater_cracks(results, _):
