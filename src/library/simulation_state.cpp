@@ -125,7 +125,8 @@ void Simulation::State::execute_on(Model& on, const deck::Deck& deck,
       output::CheckpointInfo from;
       on = output::read_checkpoint(run::beside(folder, card->file.value), from);
       overlaps = from.progress.overlaps;
-      watch_ = run::MotionWatch(on, from.progress.fast_told, from.progress.flight_told);
+      watch_ = run::MotionWatch(on, {from.progress.fast_told, from.progress.flight_told,
+                                     from.progress.deep_told});
       crack_watch_ = run::CrackWatch(on);
     }
   const int judged = on.blocks.size();
@@ -170,8 +171,8 @@ void Simulation::State::advance(bool reads) {
       stepper.advance(reads, model.settings.normal_stiffness * half_depth_);
   for (std::string& told : watch_.after(model, moved))
     warnings.push_back(std::move(told));
-  if (watch_.is_flight_due(model))
-    if (std::string told = watch_.flight(stepper.up_to_date()); !told.empty())
+  if (watch_.is_look_due(model))
+    for (std::string& told : watch_.look(stepper.up_to_date()))
       warnings.push_back(std::move(told));
   if (run::may_be_unsound(model.settings, moved, half_depth_)) {
     unsound = run::unsound(stepper.up_to_date(), moved, half_depth_);

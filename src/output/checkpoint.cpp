@@ -118,7 +118,8 @@ void visit(M& model, Info& info, Archive& ar) {
   ar("run/version", version);
   {
     auto& [card, steps_left, below_ratio, frames, samples, bytes, tabled_step,
-           half_depth, fast_told, flight_told, finished, warnings, overlaps] = progress;
+           half_depth, fast_told, flight_told, deep_told, finished, warnings,
+           overlaps] = progress;
     ar("run/progress/card", card);
     ar("run/progress/steps_left", steps_left);
     ar("run/progress/below_ratio", below_ratio);
@@ -129,6 +130,7 @@ void visit(M& model, Info& info, Archive& ar) {
     ar("run/progress/half_depth", half_depth);
     ar("run/progress/fast_told", fast_told);
     ar("run/progress/flight_told", flight_told);
+    ar("run/progress/deep_told", deep_told);
     ar("run/progress/finished", finished);
     ar("run/progress/warnings", warnings);
     ar.records("run/progress/overlaps", overlaps, [](auto& column, auto& overlap) {

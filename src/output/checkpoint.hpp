@@ -25,6 +25,7 @@ struct Progress {
   double half_depth = 0.0;                            ///< [L] see run/soundness.hpp
   bool fast_told = false;                             ///< a fast corner was reported
   bool flight_told = false;                           ///< a flight was reported
+  bool deep_told = false;                             ///< a deep contact was reported
   bool finished = false;                              ///< the deck was completed
   std::string warnings = {};                          ///< warnings so far, one per line
   std::vector<geometry::BlockOverlap> overlaps = {};  ///< reported so far
@@ -44,7 +45,7 @@ struct CheckpointInfo {
 };
 
 /// The version of the file format that is written and read.
-inline constexpr int checkpoint_format = 15;
+inline constexpr int checkpoint_format = 16;
 
 /// Writes a temporary file beside `path`, syncs it and renames it. Throws FileError.
 void write_checkpoint(const std::string& path, const Model& model,

@@ -46,7 +46,8 @@ void Executor::resume(const output::Progress& progress) {
   progress_ = progress;
   begun_ = progress.steps_left > 0;
   half_depth_ = progress.half_depth;
-  watch_ = MotionWatch(model_, progress.fast_told, progress.flight_told);
+  watch_ = MotionWatch(model_,
+                       {progress.fast_told, progress.flight_told, progress.deep_told});
   crack_watch_ = CrackWatch(model_);
   echoed_ = started_moving_ = true;
   std::istringstream lines(progress.warnings);
@@ -63,8 +64,9 @@ void Executor::set_card(long index) {
 output::Progress Executor::progress() const {
   output::Progress now = progress_;
   now.half_depth = half_depth_;
-  now.fast_told = watch_.fast_told();
-  now.flight_told = watch_.flight_told();
+  now.fast_told = watch_.told().fast;
+  now.flight_told = watch_.told().flight;
+  now.deep_told = watch_.told().deep;
   now.warnings.clear();
   for (const std::string& warning : warnings_)
     now.warnings += warning + '\n';
@@ -306,9 +308,8 @@ void Executor::output_if_due() {
 void Executor::watch(const dynamics::StepResult& moved) {
   for (const std::string& message : watch_.after(model_, moved))
     warn(message);
-  if (watch_.is_flight_due(model_))
-    if (const std::string message = watch_.flight(stepper_.up_to_date());
-        !message.empty())
+  if (watch_.is_look_due(model_))
+    for (const std::string& message : watch_.look(stepper_.up_to_date()))
       warn(message);
 }
 

@@ -10,36 +10,40 @@
 
 namespace blocks::run {
 
+/// The warnings of a MotionWatch that are given once.
+struct ToldWarnings {
+  bool fast = false, flight = false, deep = false;
+};
+
 /// Warns once that a step moved a corner by more than ctol, once that a block flies
-/// while LOCDAMP acts, and once for each block that left the domain.
+/// while LOCDAMP acts, once that no overlap explains the depth of a contact, and once
+/// for each block that left the domain.
 class MotionWatch {
  public:
   MotionWatch() = default;
-  /// For a resumed run. Earlier domain exits count as reported, and a fast corner or a
-  /// flight does if `fast_told` or `flight_told` is true.
-  explicit MotionWatch(const Model& model, bool fast_told = false,
-                       bool flight_told = false)
-      : exits_told_(model.exits.size()), fast_told_(fast_told),
-        flight_told_(flight_told) {}
+  /// For a resumed run. Earlier domain exits count as reported.
+  explicit MotionWatch(const Model& model, const ToldWarnings& told = {})
+      : exits_told_(model.exits.size()), told_(told) {}
 
   /// Returns the new warnings after a step or, with moved = {}, after
   /// dynamics::prepare().
   std::vector<std::string> after(const Model& model, const dynamics::StepResult& moved);
 
-  /// Whether flight() is to be called after the step that the model has made. This
-  /// depends on the model alone, so that a resumed run gives the same warning.
-  bool is_flight_due(const Model& model) const;
-  /// Returns the warning about the first block that touches nothing and has the speed
-  /// of a fall by more than ctol; empty if there is none. The model must have been
-  /// read.
-  std::string flight(const Model& model);
+  /// Whether look() is to be called after the step that the model has made. This
+  /// depends on the model alone, so that a resumed run gives the same warnings.
+  bool is_look_due(const Model& model) const;
+  /// Returns the warnings about the first block that touches nothing and has the speed
+  /// of a fall by more than ctol, and about the deepest contact that no overlap
+  /// explains (find_deep_contact). The model must have been read.
+  std::vector<std::string> look(const Model& model);
 
-  bool fast_told() const { return fast_told_; }
-  bool flight_told() const { return flight_told_; }
+  const ToldWarnings& told() const { return told_; }
 
  private:
+  bool has_flights(const Model& model) const;
+
   std::size_t exits_told_ = 0;
-  bool fast_told_ = false, flight_told_ = false;
+  ToldWarnings told_;
 };
 
 }  // namespace blocks::run

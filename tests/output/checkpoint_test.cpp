@@ -118,6 +118,7 @@ const CheckpointInfo info = {
                  .half_depth = 0.25,
                  .fast_told = true,
                  .flight_told = true,
+                 .deep_told = true,
                  .finished = true,
                  .warnings = "one\ntwo\n",
                  .overlaps = {{0, 1, 0.125, {0.25, 0.5}, 0.75}}}};
@@ -182,6 +183,7 @@ TEST(Checkpoint, KeepsModelAndRun) {
   EXPECT_EQ(read.progress.half_depth, info.progress.half_depth);
   EXPECT_EQ(read.progress.fast_told, info.progress.fast_told);
   EXPECT_EQ(read.progress.flight_told, info.progress.flight_told);
+  EXPECT_EQ(read.progress.deep_told, info.progress.deep_told);
   EXPECT_EQ(read.progress.finished, info.progress.finished);
   EXPECT_EQ(read.progress.warnings, info.progress.warnings);
   ASSERT_EQ(read.progress.overlaps.size(), 1U);
