@@ -62,4 +62,11 @@ inline constexpr double successor_cosine = 0.95;
 /// opposite within the angle of this cosine (18 degrees).
 inline constexpr double face_cosine = 0.95;
 
+/// A decision of the exact rule is kept while its blocks and their neighbours move
+/// against each other by less than this part of the overlap of the two parts, or of
+/// their distance, and by less than this part of the shorter one of the two longest
+/// arms (docs/kept-decisions.md#renewal).
+inline constexpr double renewal_of_overlap = 0.125;
+inline constexpr double renewal_of_arm = 1e-4;
+
 }  // namespace blocks::geometry

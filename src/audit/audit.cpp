@@ -7,6 +7,7 @@
 
 #include "audit/common_depth.hpp"
 #include "audit/held_contacts.hpp"
+#include "audit/kept_pairs.hpp"
 #include "audit/make_exact_rule.hpp"
 #include "geometry/overlap.hpp"
 #include "model/compression.hpp"
@@ -30,6 +31,7 @@ class Auditor {
   explicit Auditor(const Moment& moment)
       : blocks_(moment.blocks), contacts_(moment.contacts), settings_(moment.settings),
         states_(moment.joint_states), listed_(moment.listed), held_(moment),
+        kept_(moment),
         // Each of the two blocks of a pair may move by moment.left.
         rule_(make_exact_rule(moment.blocks, 2.0 * moment.left, moment.order)) {}
 
@@ -68,16 +70,20 @@ class Auditor {
         compare(pair, std::move(contacts), {});
   }
 
-  /// Records a wrong decision unless the contacts of a pair are those of the rule and
-  /// of the laws of joints.
+  /// Records a wrong decision unless the contacts of a pair are those of the rule, now
+  /// or where the pair was decided, and of the laws of joints.
   void compare(const BlockPair& pair, std::vector<std::pair<int, int>> by_program,
                const std::vector<std::pair<int, int>>& by_rule) {
     std::sort(by_program.begin(), by_program.end());
     std::vector<std::pair<int, int>> exact =
         held_.expected(pair, by_rule, by_program, rule_);
-    if (by_program != exact)
-      found_.wrong.push_back(
-          {pair.first, pair.second, std::move(by_program), std::move(exact)});
+    if (by_program == exact)
+      return;
+    if (const auto by_kept = kept_.contacts(pair, by_program, rule_);
+        by_kept && by_program == held_.expected(pair, *by_kept, by_program, rule_))
+      return;
+    found_.wrong.push_back(
+        {pair.first, pair.second, std::move(by_program), std::move(exact)});
   }
 
   double shortest_edge(int block) const {
@@ -172,6 +178,7 @@ class Auditor {
   const std::vector<JointState>& states_;
   const std::vector<BlockPair>& listed_;
   const HeldContacts held_;
+  const KeptPairs kept_;
   ExactPairRule rule_;
   /// [L] depth_explained_by_third_parts of each pair
   std::map<BlockPair, double> by_third_;

@@ -88,11 +88,15 @@ struct Moment {
   std::vector<HeldContact> held = {};  ///< of the state before the step
   /// States of the laws of joints after the step, parallel to `contacts`, or empty.
   std::vector<JointState> joint_states = {};
+  /// The decisions that the step made or kept, in the numbers of the steps.
+  KeptDecisions kept = {};
 };
 
 /// Audits all pairs of blocks that are near each other.
 /// Held contacts act besides those of the rule, or instead of them: a corner that is
 /// bonded to a block acts on no other edge of that block.
+/// The decision of a pair that is kept from an earlier step is judged where the blocks
+/// were then.
 /// A pair is missed if the list lacks it although the bounding boxes of its blocks may
 /// meet before the next search.
 /// Two blocks overlap in excess if they overlap deeper than their deepest acting

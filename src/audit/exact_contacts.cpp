@@ -54,14 +54,12 @@ Candidate ExactPairRule::candidate(const Pair& pair, const PartCorner& corner,
     return candidate_on(corner, one).between;
   });
   Candidate found = candidate_on(corner, below == sides.end() ? side : *below);
-  if (!found.inside || found.side.inner)
+  if (found.side.inner)
     return found;
-  if (!found.between && may_have_no_end)
+  found.far = may_be_far && far_bound(pair, corner, found.side).has_value();
+  if (!found.between && found.inside && may_have_no_end)
     find_end(pair, corner, found);
-  if (found.between || found.no_end) {
-    found.far = may_be_far && far_bound(pair, corner, found.side).has_value();
-    found.acts = !found.far;
-  }
+  found.acts = found.inside && (found.between || found.no_end) && !found.far;
   return found;
 }
 

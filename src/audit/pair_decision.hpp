@@ -77,7 +77,7 @@ struct Candidate {
   bool inside = false, between = false;
   std::optional<NoEnd> no_end;  ///< tested only if `between` is false
   int third = -1;               ///< the part at the notch or joint
-  bool far = false;             ///< tested only if nothing else prevents the contact
+  bool far = false;             ///< tested unless the side is an inner one
   bool acts = false;
 };
 

@@ -7,6 +7,7 @@
 namespace blocks::dynamics {
 
 void prepare(Model& model) {
+  model.kept = {};  // cards may have changed the blocks
   fix_outside_domain(model);
   if (model.time_step.blocks != model.blocks.size()) {
     // The times of later steps are counted from here.

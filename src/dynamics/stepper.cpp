@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "dynamics/cracks/cracking.hpp"
+#include "dynamics/kept_state.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -92,6 +93,13 @@ const Model& Stepper::up_to_date() {
   return model_;
 }
 
+const Model& Stepper::complete() {
+  up_to_date();
+  if (work_.springs.arrays_are_current() || work_.springs.arrays_lack_pieces())
+    model_.kept = kept_decisions(work_);
+  return model_;  // otherwise no step has been made, and the decisions are still there
+}
+
 std::vector<std::pair<int, int>> Stepper::listed_pairs() const {
   const auto outside = [&](int b) {
     return model_.order.empty() ? b : model_.order[b];
@@ -123,6 +131,8 @@ void Stepper::bring_in() {
   inside_.time = model_.time, inside_.time_origin = model_.time_origin;
   inside_.worst_overlap = model_.worst_overlap;
   inside_.energy = model_.energy;
+  inside_.kept = std::move(model_.kept);
+  model_.kept = {};
   inside_.last_kinetic_energy = model_.last_kinetic_energy;
   work_.springs.list_changed();
   inside_current_ = true;

@@ -40,6 +40,9 @@ class Stepper {
   std::function<void()> before_split;
   /// Brings the model up to the last step and returns it.
   const Model& up_to_date();
+  /// Brings the model up to the last step, with the decisions that a checkpoint needs
+  /// to go on with the same bits (Model::kept), and returns it.
+  const Model& complete();
   /// Brings the blocks of the model up to the last step. Without an order they always
   /// are, so that the list of contacts need not be written.
   void bring_out_blocks() {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dynamics/contacts/contact_list.hpp"
+#include "dynamics/kept_state.hpp"
 #include "dynamics/search/list_tolerance.hpp"
 #include "dynamics/support/memory_pages.hpp"
 #include "dynamics/symmetry_planes.hpp"
@@ -120,6 +121,8 @@ bool fits(const Workspace& work, const Blocks& blocks) {
 
 void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& also) {
   const Blocks& blocks = model.blocks;
+  if (!model.kept.empty() && !work.springs.arrays_are_current())
+    restore_decisions(model, work);
   if (!work.contacts.laws.is_of(model.settings) ||
       !(fits(work, blocks) || work.springs.arrays_lack_pieces()))
     work.springs.list_changed();

@@ -22,8 +22,9 @@
 
 namespace blocks::dynamics {
 
-/// State that the steps of a run keep in addition to the model. After catch_up() it may
-/// be discarded: this changes run time, never results.
+/// State that the steps of a run keep in addition to the model. It may be discarded
+/// after catch_up() if its decisions are copied (kept_decisions()): this changes run
+/// time, never results. Without the copy, the next step decides all pairs again.
 struct Workspace {
   explicit Workspace(int threads = 1)
       : workers(std::make_unique<Workers>(threads)),

@@ -7,6 +7,7 @@
 
 #include "model/blocks.hpp"
 #include "model/contacts.hpp"
+#include "model/kept_decisions.hpp"
 #include "model/cracks.hpp"
 #include "model/energy.hpp"
 #include "model/loads.hpp"
@@ -143,6 +144,9 @@ struct Model {
   bool started = false;      ///< a MOTION, CYCLE or SOLVE has run, so FRACTION is fixed
   double worst_overlap = 0.0;  ///< [L] largest of any active contact so far
   EnergyAccount energy;
+  /// Only in checkpoints, and from there until the next step: the decisions about pairs
+  /// that a motion goes on with.
+  KeptDecisions kept;
   std::vector<SolveRecord> solves;
   std::vector<CrackRecord> cracks;           ///< in the order in which blocks split
   std::vector<RefusedCrack> crack_refusals;  ///< ascending in block and reason

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "output/checkpoint_crack_validation.hpp"
+#include "output/checkpoint_kept_validation.hpp"
 #include "output/checkpoint_expectations.hpp"
 #include "output/checkpoint_law_validation.hpp"
 #include "quantities/curve.hpp"
@@ -431,6 +432,7 @@ void validate_checkpoint(const Model& model, const CheckpointInfo& info) {
   expect_cracks(model);
   expect_time(model);
   expect_order(model);
+  expect_kept(model);
   expect_energy(model.energy);
   expect_info(info, model.blocks.size());
   expect_all_move(model, info.progress);

@@ -28,9 +28,9 @@ void AuditWatch::before(const Model& model) {
 
 AuditWatch::Verdict AuditWatch::after(const Model& model,
                                       std::vector<audit::BlockPair> listed) {
-  const audit::Moment moment{blocks_, model.contacts,    model.settings,
-                             left_,   std::move(listed), model.order,
-                             held_,   model.joint_states};
+  const audit::Moment moment{blocks_, model.contacts,     model.settings,
+                             left_,   std::move(listed),  model.order,
+                             held_,   model.joint_states, model.kept};
   const audit::Findings found = audit::audit(moment);
   const long step = model.steps;
   const double time = model.time - model.time_step.dt;  // time of the decision

@@ -184,7 +184,9 @@ Outcome Executor::advance(long steps) {
   stepper_.changed();
   recorder_.begin(model_);
   const Outcome outcome = march(steps);
-  stepper_.up_to_date();
+  stepper_.complete();
+  if (progress_.steps_left == 0)
+    model_.kept = {};  // the next motion decides all pairs again
   return outcome;
 }
 
@@ -327,7 +329,7 @@ void Executor::crack() {
 /// or the list misses a pair.
 bool Executor::passes_audit() {
   const AuditWatch::Verdict verdict =
-      audit_.after(stepper_.up_to_date(), stepper_.listed_pairs());
+      audit_.after(stepper_.complete(), stepper_.listed_pairs());
   for (const auto* told : {&verdict.overlaps, &verdict.deep})
     for (const std::string& line : *told)
       files_.message(line);
@@ -374,7 +376,7 @@ void Executor::keep_good_state() {
   const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
   const Clock::time_point began = Clock::now();
   const output::Progress now = files_.here(progress());
-  good_ = GoodState{stepper_.up_to_date(), now, Clock::now(), seconds_since(began)};
+  good_ = GoodState{stepper_.complete(), now, Clock::now(), seconds_since(began)};
 }
 
 long Executor::save_good_state() {
@@ -428,7 +430,7 @@ Outcome Executor::pressed_for_time() {
 
 void Executor::save_checkpoint() {
   const dynamics::Profile::Timer timer(profile(), dynamics::Profile::output);
-  files_.checkpoint(stepper_.up_to_date(), progress());
+  files_.checkpoint(stepper_.complete(), progress());
   saved_ = Clock::now();
   saved_once_ = true;
   good_.reset();  // it is older than the checkpoint

@@ -23,13 +23,13 @@ class AuditedRun {
     held = audit::held_contacts(model);
     left = model.search.current ? model.search.left : dynamics::list_tolerance(model);
     stepper_.advance(true);
-    stepper_.up_to_date();
+    stepper_.complete();
     listed = stepper_.listed_pairs();
   }
   /// Judges the last step.
   audit::Findings audit() const {
     return audit::audit({before, model.contacts, model.settings, left, listed,
-                         model.order, held, model.joint_states});
+                         model.order, held, model.joint_states, model.kept});
   }
 
   Model& model;

@@ -1,10 +1,16 @@
-// Decisions that outlive a search, or cracks.
+// Decisions that outlive a search, cracks or a checkpoint.
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "dynamics/decisions/decisions.hpp"
+#include "dynamics/stepper.hpp"
+#include "output/fields.hpp"
+#include "study/scene_builder.hpp"
 
 namespace blocks::dynamics {
 namespace {
@@ -23,6 +29,7 @@ Decisions made(const PairIndex& index, double of_neighbours) {
   for (int p = 0; p < index.size(); ++p) {
     decisions.limits.push_back({1.0 + p, of_neighbours});
     decisions.next_check.push_back(0.25 + p);
+    decisions.poses.emplace_back();
   }
   return decisions;
 }
@@ -65,6 +72,103 @@ TEST(KeptDecisions, EndIfABlockOrANeighbourHasSplit) {
   among_others.keep_in(now, old, changed);
   EXPECT_EQ(limits_of(alone), (std::vector<double>{1, 2, 3, 4, 0, 0}));
   EXPECT_EQ(limits_of(among_others), (std::vector<double>{1, 2, 3, 0, 0, 0}));
+}
+
+/// The fields of the decisions that a checkpoint contains, as one text.
+std::map<std::string, std::string> fields_of(Model& model) {
+  samples::Fields fields;
+  output::visit_model(model, fields);
+  return std::move(fields.all);
+}
+
+/// Four columns of squares side by side between two walls, whose joints cross in points, and a
+/// square that falls on them.
+struct Heap {
+  explicit Heap(bool reversed)
+      : model(study::scenes::SceneBuilder("heap", "", 0).model()) {
+    model.settings.lower = {-20, -20}, model.settings.upper = {20, 20};
+    model.settings.gravity = {0.0, -9.81};
+    model.settings.damping = 0.3;
+    const auto add = [&](double x, double y, double width, double lean, bool fixed) {
+      NewBlock block;
+      block.outline = {
+          {x, y}, {x + lean, y + 1}, {x + width + lean, y + 1}, {x + width, y}};
+      block.density = 2000.0;
+      block.fixity = fixed ? Fixity::by_user : Fixity::free;
+      model.blocks.append({block});
+    };
+    add(-2, -1, 8, 0, true);
+    for (int level = 0; level < 4; ++level)
+      add(-1, level, 1.001, 0, true), add(3.999, level, 1, 0, true);
+    for (int column = 0; column < 4; ++column)
+      for (int level = 0; level < 4; ++level)
+        add(column, level, 1, 0, false);
+    add(1.7, 4.2, 1, 0.3, false);
+    prepare(model);
+    for (int b = model.blocks.size() - 1; reversed && b >= 0; --b)
+      model.order.push_back(b);
+  }
+  void step(int steps) {
+    for (int i = 0; i < steps; ++i)
+      stepper.advance(false);
+  }
+  Model model;
+  Workspace work;
+  Stepper stepper{model, work};
+};
+
+// A copy of the model with its decisions goes on with the same bits, and keeps the same
+// decisions.
+TEST(KeptDecisions, AreStateThatACopyGoesOnWith) {
+  for (const bool reversed : {false, true}) {
+    Heap heap(reversed);
+    heap.step(600);
+    Model copy = heap.stepper.complete();
+    long by_exact_rule = 0;
+    for (const KeptPair& pair : copy.kept.pairs)
+      by_exact_rule += pair.poses > 0;
+    EXPECT_GT(by_exact_rule, 5);
+    Workspace work;
+    Stepper stepper(copy, work);
+    for (int i = 0; i < 500; ++i)
+      stepper.advance(false);
+    heap.step(500);
+    stepper.complete(), heap.stepper.complete();
+    EXPECT_EQ(fields_of(copy), fields_of(heap.model));
+  }
+}
+
+// A decision of the exact rule is made again when a block or a neighbour has moved by
+// the renewal distance, but not if all of them move together.
+TEST(KeptDecisions, OfTheExactRuleEndAfterTheRenewalDistance) {
+  Model model;
+  for (const double x : {0.0, 1.0, 2.0}) {
+    NewBlock block;
+    block.outline = {{x, 0}, {x, 1}, {x + 1, 1}, {x + 1, 0}};
+    block.density = 1.0;
+    model.blocks.append({block});
+  }
+  Blocks& blocks = model.blocks;
+  const PairIndex index = index_of({{0, 1}, {1, 2}}, 3);
+  Decisions decisions;
+  decisions.bounds.start(blocks, true);
+  decisions.reset(blocks, 2);
+  const double room = 1e-5;
+  decisions.keep_exact(blocks, index, 0, room);
+  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
+  blocks.centroid.colwise() += Vec2(3.0, 5.0);
+  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
+  blocks.centroid(0, 2) += 0.9 * room;  // a neighbour of block 1
+  EXPECT_GT(decisions.growth_left(blocks, index, 0), 0.0);
+  blocks.centroid(0, 2) += 0.2 * room;
+  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
+  decisions.keep_exact(blocks, index, 0, room);
+  blocks.gradient.col(1) = Eigen::Vector4d(1.0, -room, room, 1.0);
+  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
+  // However large the room is, the distance is a part of the arms.
+  decisions.keep_exact(blocks, index, 0, 1.0);
+  blocks.centroid(0, 1) += 1e-4;
+  EXPECT_EQ(decisions.growth_left(blocks, index, 0), 0.0);
 }
 
 }  // namespace

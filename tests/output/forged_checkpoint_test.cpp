@@ -54,6 +54,17 @@ Model full_model() {
   model.crack_refusals = {{0, CrackRefusal::small}, {1, CrackRefusal::full}};
   samples::add_laws(model);
   model.energy.kept = true;
+  model.kept.start = {{.block = 0}, {.block = 1}};
+  model.kept.poses = model.kept.start;
+  model.kept.contacts = {{.corner = 4, .edge = 1, .tested = true}};
+  model.kept.pairs = {{.low = 0,
+                       .high = 1,
+                       .limit = 1e-3,
+                       .limit_of_neighbours = 2e-3,
+                       .contacts = 1,
+                       .poses = 2}};
+  model.kept.pieces = {1};
+  model.kept.spoiled = 1;
   model.energy.sums.assign(energy_entries, 0.25);
   model.energy.errors.assign(energy_entries, 0.0);
   return model;
@@ -85,7 +96,7 @@ class Forger {
     }
     // These lists may have any length, or are empty because all blocks are convex.
     if (name == "output/blocks" || name == "blocks/cuts" ||
-        name == "history/quantities" || name == "plots/times")
+        name == "history/quantities" || name == "plots/times" || name == "kept/pieces")
       return;
     if (how_ == How::longer && now(name))
       column.push_back(column.back());

@@ -75,8 +75,14 @@ void decide_due(const Rules& rules, const Blocks& blocks, const BlockParts& part
       arrays.assign(blocks, index, p, decision.contacts, true, thread.changes);
     } else {
       rules.decide(blocks, parts, index, p, thread.scratch);
-      arrays.assign(blocks, index, p, thread.scratch.found, false, thread.changes);
-      decisions.expire(p);
+      const PairScratch& scratch = thread.scratch;
+      const bool is_kept = Rules::keeps_decisions && scratch.room > 0.0;
+      arrays.assign(blocks, index, p, is_kept ? scratch.candidates : scratch.found,
+                    is_kept, thread.changes);
+      if (is_kept)
+        decisions.keep_exact(blocks, index, p, scratch.room);
+      else
+        decisions.expire(p);
     }
   }
 }

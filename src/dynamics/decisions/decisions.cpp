@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "geometry/contact_constants.hpp"
+
 namespace blocks::dynamics {
 namespace {
 
@@ -48,6 +50,7 @@ void Decisions::reset(const Blocks& blocks, int pairs) {
   begin_phase(blocks);
   limits.assign(static_cast<std::size_t>(pairs), {});
   next_check.assign(static_cast<std::size_t>(pairs), 0.0);
+  poses.assign(static_cast<std::size_t>(pairs), {});
 }
 
 void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
@@ -58,6 +61,8 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
   std::vector<double> old_checks(now.pairs.size(), 0.0);
   limits.swap(old_limits);
   next_check.swap(old_checks);
+  std::vector<std::vector<KeptPose>> old_poses(now.pairs.size());
+  poses.swap(old_poses);
   std::size_t k = 0;
   for (std::size_t p = 0; p < now.pairs.size(); ++p) {
     const auto [low, high] = now.pairs[p];
@@ -70,6 +75,7 @@ void Decisions::keep_in(const PairIndex& now, const PairIndex& old,
     if (is_piece || (needs_neighbours && (touched[low] != 0 || touched[high] != 0)))
       continue;
     limits[p] = old_limits[k], next_check[p] = old_checks[k];
+    poses[p].swap(old_poses[k]);
   }
 }
 
@@ -92,8 +98,45 @@ PairMotion Decisions::motion_of(const Blocks& blocks, const PairIndex& index, in
   return {two, two + farthest};
 }
 
+void Decisions::keep_exact(const Blocks& blocks, const PairIndex& index, int p,
+                           double room) {
+  const auto [low, high] = index.pairs[p];
+  const double limit =
+      std::min(room, geometry::renewal_of_arm *
+                         std::min(bounds.longest[low], bounds.longest[high]));
+  limits[p] = {limit, limit};
+  std::vector<KeptPose>& kept = poses[p];
+  kept.clear();
+  const auto add = [&](int block) {
+    kept.push_back({block, blocks.centroid.col(block), blocks.gradient.col(block)});
+  };
+  add(low);
+  index.neighbours.each(low, add);
+  index.neighbours.each(high, add);
+  next_check[p] = bounds.most + growth_until(limits[p]);
+}
+
+double Decisions::motion_since(const Blocks& blocks,
+                               const std::vector<KeptPose>& kept) const {
+  const auto shift = [&](const KeptPose& pose) -> Vec2 {
+    return blocks.centroid.col(pose.block) - pose.centroid;
+  };
+  const auto turn = [&](const KeptPose& pose) {
+    return bounds.turn(blocks, pose.block, pose.gradient.data());
+  };
+  const Vec2 own = shift(kept.front());
+  double most = 0.0;
+  for (const KeptPose& pose : kept)
+    most = std::max(most, 1.0000001 * (shift(pose) - own).norm() + turn(pose));
+  return most + turn(kept.front());
+}
+
 double Decisions::growth_left(const Blocks& blocks, const PairIndex& index,
                               int p) const {
+  if (!poses[p].empty()) {
+    const double left = limits[p].two - motion_since(blocks, poses[p]);
+    return growth_until({left, left});
+  }
   const bool neighbours = limits[p].neighbours < infinite;
   const PairMotion now = motion_of(blocks, index, p, neighbours);
   return growth_until({limits[p].two - now.two, limits[p].neighbours - now.neighbours});
@@ -101,6 +144,7 @@ double Decisions::growth_left(const Blocks& blocks, const PairIndex& index,
 
 bool Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
                      const PairMotion& room) {
+  poses[p].clear();
   // A motion from now on is at most the sum of the motions of the phase until now and
   // until then. So the limits are the rooms less the motions until now.
   const PairMotion now = motion_of(blocks, index, p, room.neighbours < infinite);
@@ -113,6 +157,11 @@ bool Decisions::keep(const Blocks& blocks, const PairIndex& index, int p,
 void Decisions::carry_over(const Blocks& blocks, const PairIndex& index, int begin,
                            int end) {
   for (int p = begin; p < end; ++p) {
+    if (!poses[p].empty()) {
+      const double left = limits[p].two - motion_since(blocks, poses[p]);
+      next_check[p] = growth_until({left, left});
+      continue;
+    }
     PairMotion& limit = limits[p];
     const PairMotion now = motion_of(blocks, index, p, limit.neighbours < infinite);
     limit.two -= now.two, limit.neighbours -= now.neighbours;

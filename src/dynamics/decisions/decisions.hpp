@@ -1,6 +1,6 @@
 // Records how long the decision of each pair of blocks holds
-// (docs/kept-decisions.md). This is working state; it may be discarded
-// without changing results.
+// (docs/kept-decisions.md). Checkpoints contain it
+// (kept_state.hpp).
 #pragma once
 
 #include <vector>
@@ -19,6 +19,9 @@ struct PairMotion {
 
 struct Decisions {
   MotionBounds bounds;
+  /// (pairs) The poses of the two blocks and their neighbours when the exact rule
+  /// decided the pair; empty for other decisions.
+  std::vector<std::vector<KeptPose>> poses;
   /// (pairs) [L] The decision of a pair holds while both motions are below these
   /// limits. The limit for neighbours is infinite if they do not matter.
   std::vector<PairMotion> limits;
@@ -46,7 +49,10 @@ struct Decisions {
     return spoiled * cost_of_decision > static_cast<long>(limits.size());
   }
   /// Discards the decision of pair p.
-  void expire(int p) { limits[p] = {}, next_check[p] = 0.0; }
+  void expire(int p) { limits[p] = {}, next_check[p] = 0.0, poses[p].clear(); }
+  /// Keeps the decision of pair p, made now by the exact rule, while neither its blocks
+  /// nor their neighbours move against each other by `room`.
+  void keep_exact(const Blocks& blocks, const PairIndex& index, int p, double room);
   /// Begins a phase at the current positions of the blocks.
   void begin_phase(const Blocks& blocks);
   /// Keeps the decisions of the pairs [begin, end) in the phase that is about to begin.
@@ -56,6 +62,7 @@ struct Decisions {
   /// `neighbours`, only that of its two blocks counts.
   PairMotion motion_of(const Blocks& blocks, const PairIndex& index, int p,
                        bool neighbours) const;
+  double motion_since(const Blocks& blocks, const std::vector<KeptPose>& kept) const;
   /// Returns by how much MotionBounds::most may grow before the decision of pair p may
   /// expire, [L]. If the result is not positive, the decision has expired.
   double growth_left(const Blocks& blocks, const PairIndex& index, int p) const;

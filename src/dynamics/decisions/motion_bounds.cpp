@@ -47,4 +47,19 @@ void MotionBounds::begin_phase(const Blocks& blocks) {
   gradient = blocks.gradient;
 }
 
+void MotionBounds::begin_phase(const std::vector<KeptPose>& start) {
+  most = 0.0;
+  centroid.resize(Eigen::NoChange, static_cast<Eigen::Index>(start.size()));
+  gradient.resize(Eigen::NoChange, static_cast<Eigen::Index>(start.size()));
+  for (const KeptPose& pose : start)
+    centroid.col(pose.block) = pose.centroid, gradient.col(pose.block) = pose.gradient;
+}
+
+std::vector<KeptPose> MotionBounds::poses() const {
+  std::vector<KeptPose> all;
+  for (int b = 0; b < centroid.cols(); ++b)
+    all.push_back({b, centroid.col(b), gradient.col(b)});
+  return all;
+}
+
 }  // namespace blocks::dynamics

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/blocks.hpp"
+#include "model/kept_decisions.hpp"
 
 namespace blocks::dynamics {
 
@@ -34,6 +35,10 @@ struct MotionBounds {
   void take_in(const Blocks& blocks, const std::vector<char>& changed);
   /// Begins a phase at the current positions of the blocks.
   void begin_phase(const Blocks& blocks);
+  /// Begins a phase at other positions, (blocks).
+  void begin_phase(const std::vector<KeptPose>& start);
+  /// Returns the positions at the beginning of the phase, (blocks).
+  std::vector<KeptPose> poses() const;
 
   /// Returns the motion of the centroid of block b, [L].
   Vec2 shift(const Blocks& blocks, int b) const {
@@ -43,8 +48,11 @@ struct MotionBounds {
   /// moves a unit arm by the norm of the first column of the difference of the
   /// gradients.
   double turn(const Blocks& blocks, int b) const {
+    return turn(blocks, b, &gradient(0, b));
+  }
+  /// The same since the block had another gradient, `then`.
+  double turn(const Blocks& blocks, int b, const double* then) const {
     const double* const now = &blocks.gradient(0, b);
-    const double* const then = &gradient(0, b);
     double sum = std::abs(now[0] - then[0]) + std::abs(now[2] - then[2]);
     if (!rigid)
       sum += std::abs(now[1] - then[1]) + std::abs(now[3] - then[3]);

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,11 +38,15 @@ struct PairScratch {
   ThirdParts thirds[2];          ///< third parts of each of the two
   std::vector<Axis> axes;
   std::vector<CornerOnEdge> found;
+  /// The contacts that may act while blocks move by less than `room`: each of them acts
+  /// if its corner is inside its edge and between the ends.
+  std::vector<CornerOnEdge> candidates;
+  double room = 0.0;  ///< [L]
 
   /// Adds a contact unless it is there already.
-  void add(const CornerOnEdge& contact) {
-    if (std::find(found.begin(), found.end(), contact) == found.end())
-      found.push_back(contact);
+  static void add(std::vector<CornerOnEdge>& list, const CornerOnEdge& contact) {
+    if (std::find(list.begin(), list.end(), contact) == list.end())
+      list.push_back(contact);
   }
 };
 
@@ -87,6 +93,8 @@ template <class Predicates, class Neighbours> class PairRule {
   /// until the next call.
   const std::vector<CornerOnEdge>& decide(int a, int b) {
     scratch_.found.clear();
+    scratch_.candidates.clear();
+    scratch_.room = std::numeric_limits<double>::infinity();
     each_pair_of_parts(parts_, a, b, [&](int p, int q) { decide_parts(p, q); });
     return scratch_.found;
   }
@@ -97,10 +105,13 @@ template <class Predicates, class Neighbours> class PairRule {
   /// block, it acts although it is hidden.
   void decide_parts(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
-    if (!shape_.find_axes(scratch_.axes))
+    if (!shape_.find_axes(scratch_.axes)) {
+      limit_room(shape_.separation());
       return;  // the two parts are apart
+    }
     take_outlines();
     Axis axis = least_ = shape_.take_least(scratch_.axes);
+    limit_room(std::abs(shape_.depth(least_).value));
     if (shape_.depth_sign(least_.side, least_.corner.index) <= 0) {
       touch(least_, shape_.find_facing(least_));
       return;
@@ -118,6 +129,10 @@ template <class Predicates, class Neighbours> class PairRule {
         return;
       }
     }
+  }
+
+  void limit_room(double overlap) {
+    scratch_.room = std::min(scratch_.room, geometry::renewal_of_overlap * overlap);
   }
 
   void take_outlines() {
@@ -212,16 +227,25 @@ template <class Predicates, class Neighbours> class PairRule {
 
   /// Adds the contacts that act along an axis.
   void touch(const Axis& axis, const std::optional<PairSide>& facing) {
-    each_along(shape_, axis, Predicates::faces ? facing : std::nullopt,
-               [&](const PairSide& corner, const PairSide& side) {
-                 const PairSide below = find_side_below(corner, side);
-                 if (!shape_.at(below).is_inner &&
-                     shape_.depth_sign(below, corner.index) > 0 &&
-                     (is_between(corner, below) ||
-                      (!facing && has_no_end(axis.corner, below))) &&
-                     (axis == least_ || !is_far(corner, below)))
-                   scratch_.add({shape_.at(corner).corner, shape_.at(below).corner});
-               });
+    each_along(
+        shape_, axis, Predicates::faces ? facing : std::nullopt,
+        [&](const PairSide& corner, const PairSide& side) {
+          const PairSide below = find_side_below(corner, side);
+          if (shape_.at(below).is_inner || (axis != least_ && is_far(corner, below)))
+            return;
+          const CornerOnEdge contact{shape_.at(corner).corner, shape_.at(below).corner};
+          PairScratch::add(scratch_.candidates, contact);
+          if (!parts_.is_isolated(shape_.part(below.part), below.index))
+            limit_room(0.0);
+          if (shape_.depth_sign(below, corner.index) <= 0)
+            return;
+          if (is_between(corner, below))
+            return PairScratch::add(scratch_.found, contact);
+          if (!facing && has_no_end(axis.corner, below)) {
+            limit_room(0.0);
+            PairScratch::add(scratch_.found, contact);
+          }
+        });
   }
   /// Returns the one of a side and the sides in line with it that has the foot of the
   /// corner between its ends. If there is none, returns the side itself.

@@ -136,12 +136,16 @@ template <class Predicates> class PairShape {
         const Axis axis = axis_of({part, i});
         const Segment& e = at(axis.side);
         if (!depth(axis).positive() &&
-            !predicates_.near_or_inside(at(axis.corner).start, e.start, e.end))
+            !predicates_.near_or_inside(at(axis.corner).start, e.start, e.end)) {
+          separation_ = -depth(axis).value;
           return false;
+        }
         axes.push_back(axis);
       }
     return true;
   }
+  /// [L] the distance by which find_axes has found the two parts separated
+  double separation() const { return separation_; }
   /// Removes the least axis from a list and returns it. Of equally deep axes it is the
   /// one that was found first.
   Axis take_least(std::vector<Axis>& axes) {
@@ -231,6 +235,7 @@ template <class Predicates> class PairShape {
 
   PairMemory& parts_;
   Predicates& predicates_;
+  double separation_ = 0.0;
 };
 
 }  // namespace blocks::dynamics

@@ -1,0 +1,88 @@
+#include "audit/kept_pairs.hpp"
+
+#include <algorithm>
+
+#include "audit/make_exact_rule.hpp"
+#include "geometry/contact_constants.hpp"
+
+namespace blocks::audit {
+namespace {
+
+/// Returns 1 if the corner is inside the edge and between its ends, 0 if not, and -1 if
+/// that is within rounding.
+int is_on(const Blocks& blocks, int corner, int edge, double depth) {
+  constexpr double rounding = 1e-9;
+  const Vec2 start = blocks.corner.col(edge),
+             side = blocks.corner.col(blocks.next[edge]) - start;
+  const double length = side.norm();
+  const double foot =
+      (Vec2(blocks.corner.col(corner)) - start).dot(side) / (length * length);
+  const double least =
+      std::min(depth / length, std::min(foot, 1.0 - foot) + geometry::contact_slack);
+  if (std::abs(least) <= rounding)
+    return -1;
+  return least > 0.0 ? 1 : 0;
+}
+
+}  // namespace
+
+KeptPairs::KeptPairs(const Moment& moment)
+    : blocks_(moment.blocks), order_(moment.order) {
+  const auto outside = [&](int b) { return order_.empty() ? b : order_[b]; };
+  auto pose = moment.kept.poses.begin();
+  for (const KeptPair& pair : moment.kept.pairs) {
+    std::vector<KeptPose> poses(pose, pose + pair.poses);
+    pose += pair.poses;
+    if (poses.empty())
+      continue;
+    for (KeptPose& one : poses)
+      one.block = outside(one.block);
+    poses_.emplace(std::minmax(outside(pair.low), outside(pair.high)),
+                   std::move(poses));
+  }
+}
+
+Blocks KeptPairs::blocks_at(const std::vector<KeptPose>& poses) const {
+  Blocks then = blocks_;
+  for (const KeptPose& pose : poses) {
+    const int b = pose.block;
+    if (then.centroid.col(b) == pose.centroid && then.gradient.col(b) == pose.gradient)
+      continue;  // corners that have never moved are not sums of centroid and arm
+    then.centroid.col(b) = pose.centroid, then.gradient.col(b) = pose.gradient;
+    const Eigen::Vector4d& g = pose.gradient;
+    for (int c = then.first_corner[b]; c < then.first_corner[b + 1]; ++c) {
+      const Vec2 arm = then.arm.col(c);
+      then.corner.col(c) = pose.centroid + Vec2(g[0] * arm.x() + g[1] * arm.y(),
+                                                g[3] * arm.y() + g[2] * arm.x());
+    }
+  }
+  return then;
+}
+
+std::optional<std::vector<std::pair<int, int>>>
+KeptPairs::contacts(const BlockPair& pair,
+                    const std::vector<std::pair<int, int>>& acting,
+                    const ExactPairRule& now) const {
+  const auto found = poses_.find(pair);
+  if (found == poses_.end())
+    return std::nullopt;
+  const Blocks then = blocks_at(found->second);
+  const ExactPairRule rule = make_exact_rule(then, 0.0, order_);
+  std::vector<std::pair<int, int>> all;
+  for (const PartDecision& parts : rule.decide(pair.first, pair.second).parts)
+    for (const Candidate& candidate : parts.candidates) {
+      const std::pair contact(candidate.corner, candidate.side.start);
+      if (candidate.side.inner || candidate.far)
+        continue;
+      const int on = is_on(blocks_, contact.first, contact.second,
+                           now.overlap(contact.first, contact.second));
+      if (on > 0 ||
+          (on < 0 && std::binary_search(acting.begin(), acting.end(), contact)))
+        all.push_back(contact);
+    }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace blocks::audit

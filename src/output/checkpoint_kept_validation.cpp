@@ -1,0 +1,68 @@
+#include "output/checkpoint_kept_validation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "output/checkpoint_expectations.hpp"
+
+namespace blocks::output {
+
+using namespace expectations;
+
+namespace {
+
+void expect_poses(const char* name, const std::vector<KeptPose>& poses, int blocks) {
+  for (const KeptPose& pose : poses) {
+    expect_index(name, pose.block, blocks);
+    expect(name, pose.centroid);
+    for (const double value : pose.gradient)
+      expect(name, value, finite);
+  }
+}
+
+void expect_counts(const char* name, long counted, std::size_t rows) {
+  if (counted != static_cast<long>(rows))
+    reject_checkpoint(fmt::format("{} has {} rows, expected {}", name, rows, counted));
+}
+
+}  // namespace
+
+void expect_kept(const Model& model) {
+  const KeptDecisions& kept = model.kept;
+  const auto blocks = static_cast<int>(kept.start.size());
+  expect_counts("kept/start", std::min(blocks, model.blocks.size()), kept.start.size());
+  expect_poses("kept/start", kept.start, blocks);
+  for (int b = 0; b < blocks; ++b)
+    if (kept.start[static_cast<std::size_t>(b)].block != b)
+      reject_checkpoint(fmt::format("kept/start: block {} is out of order", b + 1));
+  expect_poses("kept/poses", kept.poses, model.blocks.size());
+  std::pair last(-1, -1);
+  long contacts = 0, poses = 0;
+  for (const KeptPair& pair : kept.pairs) {
+    expect_index("kept/pairs/low", pair.low, blocks);
+    expect_index("kept/pairs/high", pair.high, blocks);
+    if (pair.low >= pair.high || std::pair(pair.low, pair.high) <= last)
+      reject_checkpoint("kept/pairs is out of order");
+    last = {pair.low, pair.high};
+    expect("kept/pairs/limit", pair.limit, finite);
+    expect("kept/pairs/limit_of_neighbours", pair.limit_of_neighbours, finite);
+    expect("kept/pairs/contacts", pair.contacts, count_from_0);
+    expect("kept/pairs/poses", pair.poses, count_from_0);
+    contacts += pair.contacts, poses += pair.poses;
+  }
+  expect_counts("kept/contacts", contacts, kept.contacts.size());
+  expect_counts("kept/poses", poses, kept.poses.size());
+  for (const KeptContact& contact : kept.contacts) {
+    expect_index("kept/contacts/corner", contact.corner, model.blocks.corners());
+    expect_index("kept/contacts/edge", contact.edge, model.blocks.corners());
+    if (contact.corner == contact.edge)
+      reject_checkpoint("kept/contacts has a corner on its own edge");
+  }
+  for (const int block : kept.pieces)
+    expect_index("kept/pieces", block, model.blocks.size());
+  expect("kept/spoiled", static_cast<double>(kept.spoiled), count_from_0);
+}
+
+}  // namespace blocks::output
