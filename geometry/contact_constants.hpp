@@ -42,11 +42,6 @@ inline constexpr double third_reach = 1.0 / 128.0;
 /// times the slide the other way.
 inline constexpr double longest_way = 4.0;
 
-/// If all axes are far or hidden, the least one acts if it is deeper than this factor
-/// times every overlap with a third part. Equally deep overlaps at a corner that
-/// several parts share would otherwise wait for each other.
-inline constexpr double carried_share = 0.99;
-
 /// A third part hides an axis only if the part that is shifted out through the axis
 /// overlaps the third one by at least this share of the shift. Flush surfaces then
 /// overlap by rounding only.

@@ -3,7 +3,6 @@
 // are exact for the stored doubles. Independent of blocks and of the time loop.
 #pragma once
 
-#include "geometry/contact_constants.hpp"
 #include "geometry/outline.hpp"
 #include "geometry/vec2.hpp"
 
@@ -48,10 +47,9 @@ bool crosses(Outline polygon, int side, Outline other);
 /// region the result is false.
 bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outline one,
                            Outline other);
-/// Returns whether the depth of corner c below the line p1 p2 exceeds a multiple of the
+/// Returns whether the depth of corner c below the line p1 p2 exceeds twice the
 /// shortest shift that separates two convex polygons. It does if they are separate.
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                              Outline one, Outline other,
-                              double times = deepest_share);
+                              Outline one, Outline other);
 
 }  // namespace blocks::geometry

@@ -64,12 +64,12 @@ bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outlin
 }
 
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                              Outline one, Outline other, double times) {
-  if (const auto sure = quick::exceeds_separating_shift(c, p1, p2, one, other, times))
+                              Outline one, Outline other) {
+  if (const auto sure = quick::exceeds_separating_shift(c, p1, p2, one, other))
     return *sure;
   return decide([&](auto number) {
     return continuation::exceeds_separating_shift<decltype(number)>(c, p1, p2, one,
-                                                                    other, times);
+                                                                    other);
   });
 }
 

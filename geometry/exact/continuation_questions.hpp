@@ -327,13 +327,13 @@ template <class Number> Number diameter2(Outline one, Outline other) {
   return found;
 }
 
-/// Returns whether the depth of a corner below a side exceeds a multiple of a length,
-/// given by its square.
+/// Returns whether the depth of a corner below a side exceeds `deepest_share` times a
+/// length, given by its square.
 template <class Number>
-bool exceeds(const Side<Number>& side, const Vec2& corner, double times,
-             const Number& length2) {
+bool exceeds(const Side<Number>& side, const Vec2& corner, const Number& length2) {
   const Number area = side.area(Arrow<Number>(corner));
-  return area > 0 && square(area) > square(Number(times)) * length2 * side.length2();
+  return area > 0 &&
+         square(area) > square(Number(deepest_share)) * length2 * side.length2();
 }
 
 /// Returns whether a segment of a side, of positive length, lies in another polygon.
@@ -346,14 +346,13 @@ template <class Number>
 bool exceeds_common_region(const Vec2& c, const Vec2& p1, const Vec2& p2, Outline one,
                            Outline other) {
   const Number region2 = diameter2<Number>(one, other);
-  return region2 > 0 && exceeds(Side<Number>(p1, p2), c, deepest_share, region2);
+  return region2 > 0 && exceeds(Side<Number>(p1, p2), c, region2);
 }
 
 template <class Number>
 bool exceeds_separating_shift(const Vec2& c, const Vec2& p1, const Vec2& p2,
-                              Outline one, Outline other, double times) {
-  return exceeds(Side<Number>(p1, p2), c, times,
-                 separating_shift2<Number>(one, other));
+                              Outline one, Outline other) {
+  return exceeds(Side<Number>(p1, p2), c, separating_shift2<Number>(one, other));
 }
 
 }  // namespace blocks::geometry::continuation

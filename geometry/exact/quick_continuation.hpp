@@ -123,11 +123,11 @@ inline std::optional<bool> crosses(Outline polygon, int side, Outline other) {
   return from.least >= to.most ? std::optional(false) : std::nullopt;
 }
 
-/// Tells whether the depth of a corner below a side exceeds a multiple of the shortest
-/// shift that separates two polygons, if that is certain.
+/// Tells whether the depth of a corner below a side exceeds twice the shortest shift
+/// that separates two polygons, if that is certain.
 inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p1,
                                                     const Vec2& p2, Outline one,
-                                                    Outline other, double times) {
+                                                    Outline other) {
   const Line e(p1, p2);
   if (!is_moderate(e.length2))
     return std::nullopt;
@@ -136,7 +136,7 @@ inline std::optional<bool> exceeds_separating_shift(const Vec2& c, const Vec2& p
   if (value + bound <= 0.0)
     return false;
   // Bounds of the shift that the depth exceeds just so.
-  const double scale = times * std::sqrt(e.length2);
+  const double scale = deepest_share * std::sqrt(e.length2);
   const double most = more * ((value + bound) / scale),
                least = less * ((value - bound) / scale);
   if (!(least > 0x1p-500))

@@ -12,7 +12,7 @@ const std::map<std::string, CommandPage>& command_pages() {
       {"why",
        {"blocks why stack.vtkhdf --block 2 --block 3", run_stack,
         "Shows which corners of two blocks act on which edges: the axes in the order "
-        "in which they are tested, which of them are entered or hidden by closed "
+        "in which they are tested, which of them are far or hidden by closed "
         "joints, and the contacts along the chosen axis. Every decision is exact. With "
         "one block, it lists the blocks near it."}},
       {"check",

@@ -206,14 +206,20 @@ std::optional<FarBound> ExactPairRule::far_bound(const Pair& pair,
   return far_bound(pair, end_of(*axis.facing), axis.side);
 }
 
-/// Returns the first third part that overlaps one of the two deeper than they overlap
-/// each other, or -1.
+/// Returns the first third part that overlaps one of the two at least half as deep as
+/// they overlap each other, and has a contact with it, or -1.
 int ExactPairRule::find_carrier(const Pair& pair) const {
   for (const int own : pair.part)
     for (const int third : pair.thirds_of(own)) {
       const int other = own == pair.part[0] ? pair.part[1] : pair.part[0];
-      if (pair.shift <= Dyadic(geometry::carried_share) *
-                            separating_shift(shape_[other], shape_[third]))
+      if (pair.shift > Dyadic(geometry::deepest_share) *
+                           separating_shift(shape_[other], shape_[third]))
+        continue;
+      const bool in_order = parts_[third].block < parts_[other].block;
+      const PartDecision decision =
+          in_order ? find_axis(third, other) : find_axis(other, third);
+      if (std::any_of(decision.candidates.begin(), decision.candidates.end(),
+                      [](const Candidate& one) { return one.acts; }))
         return third;
     }
   return -1;
@@ -256,6 +262,25 @@ void ExactPairRule::examine(const Pair& pair, Axis& axis, bool is_least) const {
 }
 
 PartDecision ExactPairRule::decide_parts(int part, int other) const {
+  PartDecision decision = find_axis(part, other);
+  if (decision.choice != Choice::none)
+    return decision;
+  const Pair pair = pair_of(part, other, depth_of(decision.axes.front()));
+  decision.carrier = find_carrier(pair);
+  if (decision.carrier >= 0)
+    return decision;
+  decision.choice = Choice::least, decision.chosen = 0;
+  decision.candidates = candidates(pair, decision.axes.front(), true);
+  return decision;
+}
+
+ExactPairRule::Pair ExactPairRule::pair_of(int part, int other,
+                                           const Length& shift) const {
+  return {{part, other}, {third_parts(part, other), third_parts(other, part)}, shift};
+}
+
+/// Decides two parts, but if no axis is left, nothing acts.
+PartDecision ExactPairRule::find_axis(int part, int other) const {
   PartDecision decision;
   decision.part = part, decision.other = other;
   decision.axes = axes(part, other);
@@ -266,9 +291,7 @@ PartDecision ExactPairRule::decide_parts(int part, int other) const {
       decision.separation = axis.depth;
       return decision;
     }
-  const Pair pair{{part, other},
-                  {third_parts(part, other), third_parts(other, part)},
-                  depth_of(axes.front())};
+  const Pair pair = pair_of(part, other, depth_of(axes.front()));
   decision.choice = Choice::none;
   if (axes.front().depth_sign <= 0)
     decision.choice = Choice::touching, decision.chosen = 0;
@@ -276,11 +299,6 @@ PartDecision ExactPairRule::decide_parts(int part, int other) const {
     examine(pair, axes[i], i == 0);
     if (!axes[i].skipped && !axes[i].far && !axes[i].hidden())
       decision.choice = Choice::axis, decision.chosen = static_cast<int>(i);
-  }
-  if (decision.chosen < 0) {
-    decision.carrier = find_carrier(pair);
-    if (decision.carrier < 0)
-      decision.choice = Choice::least, decision.chosen = 0;
   }
   if (decision.chosen >= 0)
     decision.candidates = candidates(pair, axes[decision.chosen], decision.chosen == 0);

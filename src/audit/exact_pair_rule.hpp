@@ -91,6 +91,8 @@ class ExactPairRule {
   int find_carrier(const Pair& pair) const;
   std::vector<Blocking> blocking(const Pair& pair, const Axis& axis) const;
   void examine(const Pair& pair, Axis& axis, bool is_least) const;
+  Pair pair_of(int part, int other, const Length& shift) const;
+  PartDecision find_axis(int part, int other) const;
   PartDecision decide_parts(int part, int other) const;
 
   // These are defined in exact_contacts.cpp.

@@ -82,12 +82,13 @@ void add_axes(const ExactPairRule& rule, const PartDecision& decision, Lines& li
       lines.add(2, sentence);
   }
   if (decision.choice == Choice::none)
-    lines.add(0, fmt::format("no axis is left: nothing acts, because {} overlaps one "
-                             "of the two deeper",
-                             name_of_part(rule, decision.carrier)));
+    lines.add(0,
+              fmt::format("no axis is left: nothing acts, because {} carries: it has "
+                          "a contact with one of the two",
+                          name_of_part(rule, decision.carrier)));
   else if (decision.choice == Choice::least)
-    lines.add(0, "no axis is left, and no third part overlaps one of the two deeper: "
-                 "the least axis acts");
+    lines.add(0, "no axis is left, and no third part carries: the least axis "
+                 "acts");
   else if (rest > 0)
     lines.add(0, fmt::format("{} deeper axes are not needed", rest));
 }

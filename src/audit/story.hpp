@@ -13,7 +13,7 @@ namespace blocks::audit {
 /// 2".
 std::string name_of(const Blocks& blocks, const PartSide& side);
 
-/// Says whether an axis acts and why, for example "not entered: ..." or "hidden by
+/// Says whether an axis acts and why, for example "far: ..." or "hidden by
 /// block 2, a third part of block 1: ...". Each string is one sentence.
 std::vector<std::string> verdict(const ExactPairRule& rule,
                                  const PartDecision& decision, int axis);

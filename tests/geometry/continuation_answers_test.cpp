@@ -148,9 +148,9 @@ std::optional<Answers> answers(int question, const Case& at) {
   const Outline other(at.other), third(at.third);
   switch (question) {
   case 1:
-    return Answers{exceeds_separating_shift(c, p1, p2, other, third, deepest_share),
-                   continuation::exceeds_separating_shift<Rational>(
-                       c, p1, p2, other, third, deepest_share)};
+    return Answers{
+        exceeds_separating_shift(c, p1, p2, other, third),
+        continuation::exceeds_separating_shift<Rational>(c, p1, p2, other, third)};
   case 2:
     return Answers{
         exceeds_common_region(c, p1, p2, other, third),

@@ -30,11 +30,10 @@ CONSTANTS = {
     "joint": [0.5, 1, 2, 4, 8],
     "widest": [1 / 256, 1 / 64, 1 / 32, 1 / 16, 1 / 4],
     "reach": [0.0, 1 / 1024, 1 / 256, 1 / 128, 1 / 64, 1 / 16],
-    "carried": [0.5, 0.9, 0.99, 1.0, 1.1],
     "way": [1, 2, 4, 8, 100],
     "remaining": [1e-12, 0.005, 0.02, 0.1, 0.3]}
 # These constants are about joints, so `cut` is run for them alone, with 500 times as many frames.
-OF_JOINTS = ("deepest", "joint", "widest", "reach", "carried", "way", "remaining")
+OF_JOINTS = ("deepest", "joint", "widest", "reach", "way", "remaining")
 MAY_FAIL = ("stake", "toe", "bricks")
 
 FROM_ENVIRONMENT = """
@@ -54,7 +53,6 @@ inline const double deepest_share = from_environment("SWEEP_DEEPEST", 2.0);
 inline const double joint_width = from_environment("SWEEP_JOINT", 2.0);
 inline const double widest_joint = from_environment("SWEEP_WIDEST", 1.0 / 32.0);
 inline const double third_reach = from_environment("SWEEP_REACH", 1.0 / 128.0);
-inline const double carried_share = from_environment("SWEEP_CARRIED", 0.99);
 inline const double longest_way = from_environment("SWEEP_WAY", 4.0);
 inline const double remaining_share = from_environment("SWEEP_REMAINING", 0.02);
 inline const double successor_cosine = from_environment("SWEEP_SUCCESSOR", 0.95);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct PairScratch {
   /// The contacts that may act while blocks move by less than `room`: each of them acts
   /// if its corner is inside its edge and between the ends.
   std::vector<CornerOnEdge> candidates;
-  double room = 0.0;  ///< [L]
+  double room = 0.0;                      ///< [L]
+  std::unique_ptr<PairScratch> of_third;  ///< for a third part with one of the two
 
   /// Adds a contact unless it is there already.
   static void add(std::vector<CornerOnEdge>& list, const CornerOnEdge& contact) {
@@ -92,43 +94,72 @@ template <class Predicates, class Neighbours> class PairRule {
   /// Returns the contacts between two blocks, without duplicates. The result is valid
   /// until the next call.
   const std::vector<CornerOnEdge>& decide(int a, int b) {
-    scratch_.found.clear();
-    scratch_.candidates.clear();
-    scratch_.room = std::numeric_limits<double>::infinity();
+    clear();
     each_pair_of_parts(parts_, a, b, [&](int p, int q) { decide_parts(p, q); });
     return scratch_.found;
   }
 
  private:
+  void clear() {
+    scratch_.found.clear();
+    scratch_.candidates.clear();
+    scratch_.room = std::numeric_limits<double>::infinity();
+  }
   /// Lets the first axis in the order of depth act that is neither far nor hidden. The
   /// axis of least depth is never far. If none is left and no third part carries the
   /// block, it acts although it is hidden.
   void decide_parts(int p, int q) {
+    if (!find_axis(p, q) && !is_carried())
+      touch(least_, shape_.find_facing(least_));
+  }
+  /// The same, but if no axis is left, nothing acts. Returns false in that case.
+  bool find_axis(int p, int q) {
     shape_.take(blocks_, parts_, p, q);
     if (!shape_.find_axes(scratch_.axes)) {
       limit_room(shape_.separation());
-      return;  // the two parts are apart
+      return true;  // the two parts are apart
     }
     take_outlines();
     Axis axis = least_ = shape_.take_least(scratch_.axes);
     limit_room(std::abs(shape_.depth(least_).value));
     if (shape_.depth_sign(least_.side, least_.corner.index) <= 0) {
       touch(least_, shape_.find_facing(least_));
-      return;
+      return true;
     }
     for (;; axis = shape_.take_least(scratch_.axes)) {
       const std::optional<PairSide> facing = facing_of(axis);
       if (!is_beyond_inner(axis) && !is_far(axis, facing) && !is_hidden(axis, facing)) {
         touch(axis, facing);
-        return;
+        return true;
       }
-      if (scratch_.axes.empty()) {
-        // Otherwise a third part carries the block.
-        if (exceeds_third_shifts(least_.corner, least_.side, geometry::carried_share))
-          touch(least_, shape_.find_facing(least_));
-        return;
-      }
+      if (scratch_.axes.empty())
+        return false;
     }
+  }
+  /// Returns whether a third part overlaps one of the two at least half as deep as they
+  /// overlap each other, and a contact acts between these two.
+  bool is_carried() {
+    const Segment& e = shape_.at(least_.side);
+    const Vec2& c = shape_.at(least_.corner).start;
+    bool found = false;
+    for (const int k : {0, 1})
+      thirds(k).each([&](int part, const geometry::Polygon& third) {
+        found = found || (!geometry::exceeds_separating_shift(
+                              c, e.start, e.end, scratch_.outline[1 - k], third) &&
+                          has_contact(part, shape_.part(1 - k)));
+      });
+    return found;
+  }
+  bool has_contact(int p, int q) {
+    if (!scratch_.of_third)
+      scratch_.of_third = std::make_unique<PairScratch>();
+    PairRule rule(blocks_, parts_, neighbours_, *scratch_.of_third);
+    rule.clear();
+    if (parts_.block(p) < parts_.block(q))
+      rule.find_axis(p, q);
+    else
+      rule.find_axis(q, p);
+    return !scratch_.of_third->found.empty();
   }
 
   void limit_room(double overlap) {
@@ -190,18 +221,17 @@ template <class Predicates, class Neighbours> class PairRule {
     return geometry::exceeds_separating_shift(c, e.start, e.end, outline[0],
                                               outline[1]) &&
            geometry::exceeds_common_region(c, e.start, e.end, outline[0], outline[1]) &&
-           exceeds_third_shifts(corner, side, geometry::deepest_share);
+           exceeds_third_shifts(corner, side);
   }
-  /// Returns whether the depth of a corner below a side exceeds a multiple of every
-  /// shift that separates one of the two parts from a third part.
-  bool exceeds_third_shifts(const PairSide& corner, const PairSide& side,
-                            double times) {
+  /// Returns whether the depth of a corner below a side exceeds twice every shift that
+  /// separates one of the two parts from a third part.
+  bool exceeds_third_shifts(const PairSide& corner, const PairSide& side) {
     const Segment& e = shape_.at(side);
     const Vec2& c = shape_.at(corner).start;
     const auto holds = [&](int k) {
       return thirds(k).any([&](const geometry::Polygon& third) {
-        return !geometry::exceeds_separating_shift(
-            c, e.start, e.end, scratch_.outline[1 - k], third, times);
+        return !geometry::exceeds_separating_shift(c, e.start, e.end,
+                                                   scratch_.outline[1 - k], third);
       });
     };
     return !holds(0) && !holds(1);

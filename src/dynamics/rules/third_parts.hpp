@@ -47,12 +47,18 @@ class ThirdParts {
       if (!PartBox(blocks, parts, part).meets(of_other))
         return;
       if (outlines_.size() == count_)
-        outlines_.emplace_back();
+        outlines_.emplace_back(), part_.emplace_back();
+      part_[count_] = part;
       geometry::Polygon& outline = outlines_[count_++];
       outline.clear();
       for (int i = 0; i < parts.corners(part); ++i)
         outline.push_back(blocks.corner.col(parts.corner(part, i)));
     });
+  }
+  /// Calls visit(part, outline) for each of them.
+  template <class Visit> void each(const Visit& visit) const {
+    for (std::size_t i = 0; i < count_; ++i)
+      visit(part_[i], outlines_[i]);
   }
   /// Returns whether condition(outline) is true for one of the parts.
   template <class Condition> bool any(const Condition& condition) const {
@@ -62,6 +68,7 @@ class ThirdParts {
   }
 
  private:
+  std::vector<int> part_;
   std::vector<geometry::Polygon> outlines_;
   std::size_t count_ = 0;
 };
