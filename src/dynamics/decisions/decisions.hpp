@@ -1,6 +1,5 @@
-// Records how long the decision of each pair of blocks holds
-// (docs/kept-decisions.md). Checkpoints contain it
-// (kept_state.hpp).
+// Records how long the decision of each pair of blocks holds (docs/kept-decisions.md).
+// Checkpoints contain it (kept_state.hpp).
 #pragma once
 
 #include <vector>
@@ -62,6 +61,8 @@ struct Decisions {
   /// `neighbours`, only that of its two blocks counts.
   PairMotion motion_of(const Blocks& blocks, const PairIndex& index, int p,
                        bool neighbours) const;
+  /// Returns by how much blocks have moved against the first one since they were at
+  /// these poses, [L].
   double motion_since(const Blocks& blocks, const std::vector<KeptPose>& kept) const;
   /// Returns by how much MotionBounds::most may grow before the decision of pair p may
   /// expire, [L]. If the result is not positive, the decision has expired.
