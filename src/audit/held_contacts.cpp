@@ -28,21 +28,26 @@ HeldContacts::HeldContacts(const Moment& moment) : blocks_(moment.blocks) {
   }
 }
 
-int HeldContacts::holds_open(const CornerEdge& contact, double offset,
-                             const ExactPairRule& rule) const {
+int is_on_edge(const Blocks& blocks, const CornerEdge& contact, double overlap) {
   // A fraction of the length of the edge: much more than the rounding of the step, much
   // less than any dilation that matters.
   constexpr double tolerance = 1e-9;
   const auto [corner, edge] = contact;
-  const Vec2 start = blocks_.corner.col(edge),
-             side = blocks_.corner.col(blocks_.next[edge]) - start;
+  const Vec2 start = blocks.corner.col(edge),
+             side = blocks.corner.col(blocks.next[edge]) - start;
   const double length = side.norm();
   const double part =
-      (Vec2(blocks_.corner.col(corner)) - start).dot(side) / (length * length);
-  const double depth = (rule.overlap(corner, edge) + offset) / length;
+      (Vec2(blocks.corner.col(corner)) - start).dot(side) / (length * length);
+  const double depth = overlap / length;
   const double between = std::min(part, 1.0 - part) + geometry::contact_slack;
   const double least = std::min(depth, between);
   return std::abs(least) <= tolerance ? -1 : least > 0.0 ? 1 : 0;
+}
+
+int HeldContacts::holds_open(const CornerEdge& contact, double offset,
+                             const ExactPairRule& rule) const {
+  return is_on_edge(blocks_, contact,
+                    rule.overlap(contact.first, contact.second) + offset);
 }
 
 std::array<CornerEdge, 2> HeldContacts::at_same_end(const CornerEdge& contact) const {

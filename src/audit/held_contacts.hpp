@@ -14,6 +14,10 @@ namespace blocks::audit {
 /// A corner and the first corner of an edge.
 using CornerEdge = std::pair<int, int>;
 
+/// Returns 1 if a corner that is below an edge by `overlap` [L] is inside it and
+/// between its ends, 0 if not, and -1 if that is within rounding.
+int is_on_edge(const Blocks& blocks, const CornerEdge& contact, double overlap);
+
 class HeldContacts {
  public:
   /// Keeps the held contacts of the moment, and refers to its blocks.

@@ -2,30 +2,10 @@
 
 #include <algorithm>
 
+#include "audit/held_contacts.hpp"
 #include "audit/make_exact_rule.hpp"
-#include "geometry/contact_constants.hpp"
 
 namespace blocks::audit {
-namespace {
-
-/// Returns 1 if the corner is inside the edge and between its ends, 0 if not, and -1 if
-/// that is within rounding.
-int is_on(const Blocks& blocks, int corner, int edge, double depth) {
-  constexpr double rounding = 1e-9;
-  const Vec2 start = blocks.corner.col(edge),
-             side = blocks.corner.col(blocks.next[edge]) - start;
-  const double length = side.norm();
-  const double foot =
-      (Vec2(blocks.corner.col(corner)) - start).dot(side) / (length * length);
-  const double least =
-      std::min(depth / length, std::min(foot, 1.0 - foot) + geometry::contact_slack);
-  if (std::abs(least) <= rounding)
-    return -1;
-  return least > 0.0 ? 1 : 0;
-}
-
-}  // namespace
-
 KeptPairs::KeptPairs(const Moment& moment)
     : blocks_(moment.blocks), order_(moment.order) {
   const auto outside = [&](int b) { return order_.empty() ? b : order_[b]; };
@@ -71,11 +51,11 @@ KeptPairs::contacts(const BlockPair& pair,
   std::vector<std::pair<int, int>> all;
   for (const PartDecision& parts : rule.decide(pair.first, pair.second).parts)
     for (const Candidate& candidate : parts.candidates) {
-      const std::pair contact(candidate.corner, candidate.side.start);
+      const CornerEdge contact(candidate.corner, candidate.side.start);
       if (candidate.side.inner || candidate.far)
         continue;
-      const int on = is_on(blocks_, contact.first, contact.second,
-                           now.overlap(contact.first, contact.second));
+      const int on =
+          is_on_edge(blocks_, contact, now.overlap(contact.first, contact.second));
       if (on > 0 ||
           (on < 0 && std::binary_search(acting.begin(), acting.end(), contact)))
         all.push_back(contact);

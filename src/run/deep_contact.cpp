@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "dynamics/rules/block_parts.hpp"
 #include "dynamics/rules/third_parts.hpp"
+#include "dynamics/search/near_pairs.hpp"
+#include "dynamics/search/pair_index.hpp"
 #include "geometry/continuation.hpp"
 
 namespace blocks::run {
@@ -12,16 +16,6 @@ namespace {
 
 using dynamics::BlockParts;
 using dynamics::ThirdParts;
-
-/// Calls visit for each block except b: all of them may be third blocks of a pair.
-struct AllOthers {
-  int count;
-  template <class Visit> void operator()(int b, const Visit& visit) const {
-    for (int other = 0; other < count; ++other)
-      if (other != b)
-        visit(other);
-  }
-};
 
 class Search {
  public:
@@ -52,10 +46,20 @@ class Search {
                                              blocks_.area[block_of(contact.edge)]));
   }
 
+  /// Most looks find no contact that needs the parts and neighbours of blocks.
+  void find_near_blocks() {
+    if (std::exchange(has_index_, true))
+      return;
+    parts_.make(blocks_);
+    dynamics::NearSearch memory;
+    std::vector<dynamics::NearPair> pairs;
+    dynamics::find_near_pairs(blocks_, 0.0, memory, pairs);
+    index_.take(pairs, blocks_.size());
+  }
+
   /// Returns whether no overlap explains the depth, whichever parts the corner is in.
   bool is_unexplained(const Contact& contact) {
-    if (!has_parts_)
-      parts_.make(blocks_), has_parts_ = true;
+    find_near_blocks();
     const int a = block_of(contact.corner), b = block_of(contact.edge);
     for (int q = parts_.first_part(b); q < parts_.end_part(b); ++q)
       for (int p = parts_.first_part(a); p < parts_.end_part(a); ++p)
@@ -75,7 +79,7 @@ class Search {
     if (!exceeds(of_p, of_q))
       return false;
     const auto explains = [&](int own, int other, const geometry::Polygon& shifted) {
-      thirds_.collect(blocks_, parts_, AllOthers{blocks_.size()}, own, other);
+      thirds_.collect(blocks_, parts_, dynamics::Neighbours{index_}, own, other);
       return thirds_.any(
           [&](const geometry::Polygon& third) { return !exceeds(shifted, third); });
     };
@@ -105,7 +109,8 @@ class Search {
   const Blocks& blocks_;
   BlockParts parts_;
   ThirdParts thirds_;
-  bool has_parts_ = false;
+  dynamics::PairIndex index_;
+  bool has_index_ = false;
 };
 
 }  // namespace

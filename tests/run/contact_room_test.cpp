@@ -5,15 +5,12 @@
 
 #include <vector>
 
+#include "run/rectangle.hpp"
+
 namespace blocks::run {
 namespace {
 
-NewBlock rectangle(double x, double y, double width, double height) {
-  NewBlock block;
-  block.outline = {{x, y}, {x, y + height}, {x + width, y + height}, {x + width, y}};
-  block.density = 1.0;
-  return block;
-}
+using testing::rectangle;
 
 // Block 1 is the floor, which is near many bricks and so no typical sample.
 TEST(LikelyList, HasNearlyTheNumberOfPairsOfAWall) {

@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "run/motion_watch.hpp"
+#include "run/rectangle.hpp"
 
 namespace blocks::run {
 namespace {
 
-NewBlock rectangle(double x, double y, double width, double height) {
-  NewBlock block;
-  block.outline = {{x, y}, {x, y + height}, {x + width, y + height}, {x + width, y}};
-  block.density = 1.0;
-  return block;
-}
+using testing::rectangle;
 
 /// Two squares that overlap at a corner by `overlap`. The corner of the second one acts
 /// on the bottom of the first one, which it is almost as far above as the square is

@@ -1,0 +1,47 @@
+// The fields of the decisions that a checkpoint contains. Part of model_fields.hpp,
+// which describes archives.
+#pragma once
+
+#include "model/kept_decisions.hpp"
+
+namespace blocks::output {
+
+template <class P, class Archive>
+void visit_poses(P& poses, const char* name, Archive& ar) {
+  ar.records(name, poses, [](auto& column, auto& pose) {
+    auto& [block, centroid, gradient] = pose;
+    column("block", block);
+    column("x", centroid.x());
+    column("y", centroid.y());
+    column("g0", gradient[0]);
+    column("g1", gradient[1]);
+    column("g2", gradient[2]);
+    column("g3", gradient[3]);
+  });
+}
+
+template <class K, class Archive> void visit_kept(K& kept, Archive& ar) {
+  auto& [pairs, contacts, poses, start, pieces, spoiled] = kept;
+  ar.records("kept/pairs", pairs, [](auto& column, auto& pair) {
+    auto& [low, high, limit, limit_of_neighbours, contact_count, pose_count] = pair;
+    column("low", low);
+    column("high", high);
+    column("limit", limit);
+    column("limit_of_neighbours", limit_of_neighbours);
+    column("contacts", contact_count);
+    column("poses", pose_count);
+  });
+  ar.records("kept/contacts", contacts, [](auto& column, auto& contact) {
+    auto& [corner, edge, tested, certain] = contact;
+    column("corner", corner);
+    column("edge", edge);
+    column("tested", tested);
+    column("certain", certain);
+  });
+  visit_poses(poses, "kept/poses", ar);
+  visit_poses(start, "kept/start", ar);
+  ar("kept/pieces", pieces);
+  ar("kept/spoiled", spoiled);
+}
+
+}  // namespace blocks::output
