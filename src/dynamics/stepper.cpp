@@ -30,6 +30,7 @@ StepResult Stepper::advance(bool readings, double alarm) {
   if (moved.block >= 0)
     moved.block = outwards_.blocks().new_of[moved.block];
   outside_current_ = false;
+  model_.kept = {};  // they were those of the moment before
   bring_out_time();
   return moved;
 }

@@ -121,8 +121,12 @@ bool fits(const Workspace& work, const Blocks& blocks) {
 
 void update_pairs(Model& model, Workspace& work, const std::vector<NearPair>& also) {
   const Blocks& blocks = model.blocks;
-  if (!model.kept.empty() && !work.springs.arrays_are_current())
-    restore_decisions(model, work);
+  if (!model.kept.empty()) {
+    if (work.springs.arrays_are_current() || work.springs.arrays_lack_pieces())
+      model.kept = {};  // of a checkpoint that a step before has written
+    else
+      restore_decisions(model, work);
+  }
   if (!work.contacts.laws.is_of(model.settings) ||
       !(fits(work, blocks) || work.springs.arrays_lack_pieces()))
     work.springs.list_changed();

@@ -258,6 +258,23 @@ Model in_other_order(bool rigid) {
   return model;
 }
 
+// A run writes checkpoints now and then, by the clock. Their decisions are old when the
+// next block splits.
+TEST(Cracks, GiveTheSameBitsWithAnyCheckpoints) {
+  for (const bool rigid : {true, false})
+    for (const Model& model : {shattering({}, rigid), in_other_order(rigid)}) {
+      const auto straight = stepped(model);
+      for (const int every : {7, 23, 110})  // not after the last step
+        EXPECT_EQ(stepped(model, 1,
+                          [&](int i, dynamics::Stepper& stepper) {
+                            if (i % every == 0)
+                              stepper.complete();
+                          }),
+                  straight)
+            << every;
+    }
+}
+
 // Each step has a new stepper, which knows only the model, as after a checkpoint.
 TEST(Cracks, ContinueFromTheModelAlone) {
   for (const bool rigid : {true, false}) {
