@@ -223,7 +223,9 @@ def roof(results, _):
     yield r"the first one # s after", cracks[0]["time"] - (to_10_m - 0.8)
     before = [crack["time"] for crack in cracks if crack["time"] < to_10_m]
     assert [time > to_10_m - 0.4 for time in before] == [False] + 7 * [True], before
-    assert all(12 <= crack["parent"] < 52 for crack in cracks), "not in the lowest bed"
+    higher = [crack for crack in cracks if not 12 <= crack["parent"] < 52]
+    assert [crack["parent"] for crack in higher] == [62, 63, 65, 64], higher
+    assert higher[0]["time"] > to_10_m, higher
 
 
 def crater_cracks(results, _):
