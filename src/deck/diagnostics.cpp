@@ -8,7 +8,7 @@
 namespace blocks::deck {
 namespace {
 
-constexpr std::size_t most_printed = 200;
+constexpr std::size_t most_printed = 100;
 constexpr std::size_t widest_line = 120;
 constexpr std::size_t tab_stop = 8;
 

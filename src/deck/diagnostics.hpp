@@ -47,7 +47,7 @@ class Diagnostics {
 
   /// Returns one message as printed; every line ends with '\n'.
   std::string format(const Diagnostic& diagnostic) const;
-  /// Returns all messages in the order of the deck's lines, at most the first 200, then
+  /// Returns all messages in the order of the deck's lines, at most the first 100, then
   /// "2 errors, 1 warning". Empty if there are none.
   std::string format_all() const;
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "deck/suggest.hpp"
 
@@ -39,19 +41,23 @@ std::vector<NamedCurve> named_curves(const deck::Command& command,
   if (card.quantities.empty())
     for (const char* usual : quantities::usual_curves)
       curves.push_back({quantities::parse_curve(usual), command.where});
+  std::map<std::string, std::vector<deck::SourceLocation>> places;
   for (const deck::Word& word : card.quantities) {
     try {
       NamedCurve named{quantities::parse_curve(word.value), word.where};
-      for (const NamedCurve& other : curves)
-        if (other.curve.name() == named.curve.name())
-          diagnostics.error(word.where, command.name,
-                            fmt::format("{} is named twice", named.curve.name()),
-                            "name every quantity once");
+      places[named.curve.name()].push_back(word.where);
       curves.push_back(std::move(named));
     } catch (const CurveFault& fault) {
       diagnostics.error(word.where, command.name, fault.what(), hint_for(fault));
     }
   }
+  for (const auto& [name, at] : places)
+    if (at.size() > 1)
+      diagnostics.error(
+          at[1], command.name,
+          fmt::format("{} is named {}", name,
+                      at.size() == 2 ? "twice" : fmt::format("{} times", at.size())),
+          "name every quantity once");
   return curves;
 }
 
