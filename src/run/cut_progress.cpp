@@ -20,9 +20,10 @@ void CutProgress::operator()(int line, const std::string& step, double part) {
       std::fputs("\r\033[K", stderr);
     shown_ = false;
   };
-  if (part < 1.0 && interrupt_requested()) {
-    clear();
-    throw Interrupted();
+  if (part < 1.0) {
+    if (interrupt_requested())
+      clear();
+    stop_if_interrupted();
   }
   const Clock::time_point now = Clock::now();
   if (line != line_ || part >= 1.0) {

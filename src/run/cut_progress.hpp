@@ -2,15 +2,9 @@
 #pragma once
 
 #include <chrono>
-#include <stdexcept>
 #include <string>
 
 namespace blocks::run {
-
-/// Thrown if an interrupt stops the work on a card.
-struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted") {}
-};
 
 class CutProgress {
  public:

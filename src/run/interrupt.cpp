@@ -11,7 +11,9 @@ thread_local std::function<bool()> polled;
 
 void on_signal(int signal) {
   requested = 1;
-  std::signal(signal, SIG_DFL);
+  // The system repeats SIGXCPU every second; the checkpoint may take longer.
+  if (signal != SIGXCPU)
+    std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
@@ -19,11 +21,18 @@ void on_signal(int signal) {
 void catch_interrupts() {
   if (polled)
     return;
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGXCPU})
+    std::signal(signal, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN)
+    std::signal(SIGHUP, SIG_IGN);
 }
 
 bool interrupt_requested() { return polled ? polled() : requested != 0; }
+
+void stop_if_interrupted() {
+  if (interrupt_requested())
+    throw Interrupted();
+}
 
 InterruptPoll::InterruptPoll(std::function<bool()> poll) { polled = std::move(poll); }
 InterruptPoll::~InterruptPoll() { polled = nullptr; }

@@ -1,14 +1,26 @@
-// Handles Ctrl-C and SIGTERM: the run finishes its step, writes a checkpoint and stops.
+// Handles the signals that ask a run to end: Ctrl-C (SIGINT), SIGTERM, the end of the
+// session (SIGHUP) and of the processor time (SIGXCPU). The run finishes its step,
+// writes a checkpoint and stops.
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 namespace blocks::run {
 
-/// Installs the signal handlers, unless an InterruptPoll exists. A second signal ends
-/// the program at once.
+/// Installs the signal handlers, unless an InterruptPoll exists. A second SIGINT,
+/// SIGTERM or SIGHUP ends the program at once. SIGHUP remains ignored if it is ignored
+/// at the start, as nohup does.
 void catch_interrupts();
 bool interrupt_requested();
+
+/// Thrown if an interrupt stops the work on a card.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Throws Interrupted if an interrupt is requested.
+void stop_if_interrupted();
 
 /// For programs that handle signals themselves: while it exists, runs of this thread
 /// install no handlers, and ask this function whether to stop.

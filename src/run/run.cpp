@@ -68,6 +68,7 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
   for (std::size_t i = job.first_command(); i < job.deck.commands.size(); ++i) {
     const deck::Command& command = job.deck.commands[i];
     try {
+      stop_if_interrupted();
       builder.apply(command);
     } catch (const Interrupted&) {
       std::fputs("blocks: interrupted; no file was written\n", stderr);
@@ -371,8 +372,9 @@ int run_deck(const RunOptions& options) {
   return execute(job, console, warnings_of(job.diagnostics));
 }
 
-CheckedDeck build_checked(const RunOptions& options) {
-  Job job(options);
+namespace {
+
+CheckedDeck checked_deck(Job& job) {
   CheckedDeck checked;
   checked.file = job.diagnostics.file();
   const bool sound = check(job, checked.model, checked.notes);
@@ -384,9 +386,17 @@ CheckedDeck build_checked(const RunOptions& options) {
   return checked;
 }
 
+}  // namespace
+
+CheckedDeck build_checked(const RunOptions& options) {
+  Job job(options);
+  return checked_deck(job);
+}
+
 int check_deck(const RunOptions& options) {
+  Job job(options);
   catch_interrupts();
-  const auto checked = build_checked(options);
+  const auto checked = checked_deck(job);
   if (checked.code != done)
     return checked.code;
   if (!options.quiet) {
