@@ -6,6 +6,7 @@
 
 #include "output/file_tools.hpp"
 #include "output/results_mark.hpp"
+#include "run/shell_word.hpp"
 
 namespace blocks::run {
 namespace {
@@ -55,21 +56,25 @@ const std::string& replaceable(const std::string& name) {
 }
 
 [[noreturn]] void refuse_to_continue(const std::string& path,
+                                     const std::string& checkpoint,
                                      const std::string& reason) {
   throw output::FileError(
-      fmt::format("cannot continue {}: {}; use -o NAME for new files", path, reason));
+      fmt::format("cannot continue {}: {}; use --restart {} -o NAME for new files",
+                  path, reason, shell_word(checkpoint)));
 }
 
 /// Throws FileError unless the listing holds everything written before the checkpoint.
-void expect_listing(const std::string& path, long bytes) {
+void expect_listing(const std::string& path, long bytes,
+                    const std::string& checkpoint) {
   std::error_code missing;
   const auto size = std::filesystem::file_size(path, missing);
   if (missing)
-    refuse_to_continue(path, "it does not exist");
+    refuse_to_continue(path, checkpoint, "it does not exist");
   if (size < static_cast<std::uintmax_t>(bytes))
     refuse_to_continue(
-        path, fmt::format("it has {} bytes, but {} were written before the checkpoint",
-                          size, bytes));
+        path, checkpoint,
+        fmt::format("it has {} bytes, but {} were written before the checkpoint", size,
+                    bytes));
 }
 
 /// Truncates the listing to its length at the checkpoint. Returns the path.
@@ -167,15 +172,16 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
   if (!from.results_run.empty() &&
       output::ResultsWriter::run_id_of(results) == from.results_run) {
     expect_idle(name);
-    expect_listing(name + ".out", listing_bytes);
+    expect_listing(name + ".out", listing_bytes, checkpoint);
     return true;
   }
+  // The checkpoint alone suffices. Existing results of its name must not be replaced.
   std::error_code ignored;
   for (const char* ending : {".ckpt.h5", ".ckpt.h5.prev"})
-    if (std::filesystem::equivalent(checkpoint, name + ending, ignored))
-      refuse_to_continue(
-          results, exists(results) ? "another run wrote it, not that of the checkpoint"
-                                   : "it does not exist");
+    if (exists(results) &&
+        std::filesystem::equivalent(checkpoint, name + ending, ignored))
+      refuse_to_continue(results, checkpoint,
+                         "another run wrote it, not that of the checkpoint");
   return false;  // existing files, if any, belong to another run
 }
 

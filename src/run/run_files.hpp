@@ -24,8 +24,8 @@ class RunFiles {
   /// new ones.
   ///
   /// Throws FileError and changes nothing if the files lack data written before the
-  /// checkpoint. It also does so if the checkpoint is that of NAME but results of its
-  /// run are missing.
+  /// checkpoint. It also does so if the checkpoint is that of NAME but the results are
+  /// of another run. Without results, the checkpoint suffices: it creates new files.
   static RunFiles behind(const std::string& name, const output::RunIdentity& identity,
                          const output::CheckpointInfo& from,
                          const std::string& checkpoint);

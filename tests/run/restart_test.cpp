@@ -1,4 +1,5 @@
 // A run continued with RESTART ends in the state of the uninterrupted run, bit for bit.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "post/results_reader.hpp"
@@ -6,6 +7,8 @@
 
 namespace blocks::testing {
 namespace {
+
+using ::testing::HasSubstr;
 
 /// A deck with a name for the list of tests.
 struct Case {
@@ -100,6 +103,31 @@ TEST(RestartOption, RefusesAFileThatIsNoCheckpoint) {
   run_text(folder, "first", deformable + "CYCLE, 20\n");
   folder.write("second.deck", "RESTART, nowhere.ckpt.h5\nCYCLE, 10\n");
   EXPECT_EQ(blocks("run second.deck --restart first.out", folder.path()).code, 5);
+}
+
+// A tape that was copied to another machine comes without results and listing.
+TEST(RestartCard, NeedsNothingButTheCheckpoint) {
+  const TemporaryFolder first, second;
+  run_text(first, "a", preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 3\n");
+  fs::copy_file(first / "a.ckpt.h5", second / "b.ckpt.h5");
+  run_text(second, "b", "RESTART\nCYCLE, 3\n");
+  EXPECT_TRUE(second.holds("b.vtkhdf"));
+  EXPECT_EQ(summary(second, "b")["steps"], 6);
+}
+
+// With -o alone, the checkpoint would be sought under the new name.
+TEST(RestartCard, TellsHowToLeaveForeignResultsAlone) {
+  const TemporaryFolder folder;
+  const std::string deck = preliminary() + rectangle(0, 0, 1, 1) + "CYCLE, 3\n";
+  run_text(folder, "a", deck);
+  run_text(folder, "other", deck + "CYCLE, 1\n");
+  fs::copy_file(folder / "other.vtkhdf", folder / "a.vtkhdf",
+                fs::copy_options::overwrite_existing);
+  folder.write("go.deck", "RESTART\nCYCLE, 3\n");
+  const Outcome refused = blocks("run go.deck -o a", folder.path());
+  EXPECT_EQ(refused.code, 5);
+  EXPECT_THAT(refused.err, HasSubstr("use --restart a.ckpt.h5 -o NAME for new files"));
+  EXPECT_EQ(blocks("run go.deck --restart a.ckpt.h5 -o new", folder.path()).code, 0);
 }
 
 TEST(RestartCard, IsReportedIfItsFileIsMissing) {

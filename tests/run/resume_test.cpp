@@ -225,8 +225,8 @@ TEST(Resumed, AfterAKillHasTheSameBits) {
               left_by_run(straight.path(), "killed"), "killed");
 }
 
-// After SIGINT, SIGTERM (130) and a time limit (75) the program finishes the step and
-// writes a checkpoint.
+// After SIGINT, SIGTERM, SIGHUP (130) and a time limit (75) the program finishes the
+// step and writes a checkpoint.
 TEST(Resumed, AfterASignalOrATimeLimitHasTheSameBits) {
   const TemporaryFolder straight, parts;
   const std::string deck =
@@ -239,6 +239,10 @@ TEST(Resumed, AfterASignalOrATimeLimitHasTheSameBits) {
   EXPECT_EQ(summary(parts, "signal")["status"], "interrupted");
   EXPECT_EQ(killed("run signal.deck --restart signal.ckpt.h5 --checkpoint-every 0.001",
                    "signal.ckpt.h5.prev", 0.0, SIGTERM, parts.path()),
+            130);
+  fs::remove(parts / "signal.ckpt.h5.prev");
+  EXPECT_EQ(killed("run signal.deck --restart signal.ckpt.h5 --checkpoint-every 0.001",
+                   "signal.ckpt.h5.prev", 0.0, SIGHUP, parts.path()),
             130);
   EXPECT_EQ(
       blocks("run signal.deck --restart signal.ckpt.h5 --time-limit 0.02", parts.path())
@@ -356,10 +360,9 @@ TEST(Resumed, WithDamagedFilesOfItsOwnIsRefused) {
     std::string reason;
   };
   for (const auto& [spoil, reason] :
-       {Case{damage(listing, 0),
-             "own.out: it does not exist; use -o NAME for new files"},
+       {Case{damage(listing, 0), "own.out: it does not exist; use --restart "
+                                 "own.ckpt.h5 -o NAME for new files"},
         Case{damage(listing, 900), "own.out: it has 900 bytes, but "},
-        Case{damage(results, 0), "own.vtkhdf: it does not exist; use -o NAME for"},
         Case{damage(results, 3000), "own.vtkhdf: "},
         Case{no_frames,
              "own.vtkhdf: another run wrote it, not that of the checkpoint"}}) {
