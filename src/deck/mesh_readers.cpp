@@ -130,8 +130,11 @@ namespace {
 
 std::string read_all(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_character_file(path, ignored))  // it may have no end
-    fail({path}, "cannot read the mesh file: it is a device");
+  // A device may have no end, and a pipe no writer. A run reads the mesh twice.
+  if (std::filesystem::exists(path, ignored) &&
+      !std::filesystem::is_directory(path, ignored) &&
+      !std::filesystem::is_regular_file(path, ignored))
+    fail({path}, "cannot read the mesh file: it is a device or a pipe");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in)

@@ -1,6 +1,10 @@
 // Damaged mesh files are read, or refused with a name and a reason.
+#include <filesystem>
 #include <random>
 #include <vector>
+
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "deck/mesh_samples.hpp"
 
@@ -73,6 +77,22 @@ TEST(MeshErrors, MutantsAreReadOrRefused) {
   // The mutants must reach both outcomes.
   EXPECT_GT(read, 1000u);
   EXPECT_GT(refused, 10000u);
+}
+
+// Opening a pipe without a writer would wait for ever.
+TEST(MeshErrors, PipesAndDevicesAreRefused) {
+  const auto pipe = std::filesystem::temp_directory_path() /
+                    ("blocks_mesh_pipe_" + std::to_string(::getpid()));
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe.string(), std::string("/dev/zero")})
+    try {
+      read_mesh(path);
+      ADD_FAILURE() << path << " is read";
+    } catch (const MeshError& error) {
+      EXPECT_EQ(error.what(),
+                path + ": cannot read the mesh file: it is a device or a pipe");
+    }
+  std::filesystem::remove(pipe);
 }
 
 TEST(MeshErrors, GmshFilesAreRefusedIfTruncatedAnywhere) {
