@@ -110,7 +110,7 @@ class Generator {
       inner = (high - low) / spacing;
       if (!(std::max(high, -low) / spacing < 0x1p50))  // numbers of tracks are doubles
         refuse(set_, "the start is too many tracks away from the outline",
-               "give a start near the outline");
+               "increase the spacing, or give a start near the outline");
       tracks = exact_spacing() ? inner
                                : (std::max(high, 0.0) - std::min(low, 0.0)) / spacing;
     }

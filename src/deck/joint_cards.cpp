@@ -45,7 +45,9 @@ CardSpec joint_set() {
                  mean("gap", "mean gap between two traces of a track"),
                  half_range("gdev", "half range of gap, <= gap"),
                  {"x0", exact, "0", any, "[L]", "x of the start of track 0"},
-                 {"y0", exact, "0", any, "[L]", "y of the start of track 0"},
+                 {"y0", exact, "0", any, "[L]",
+                  "y of the start; if both are blank and (0, 0) is too far away: the "
+                  "first corner of the outline"},
                  {"law",
                   word,
                   "UNIFORM",

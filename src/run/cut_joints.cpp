@@ -86,10 +86,28 @@ class Generator {
   }
 
   void prepare(const deck::Jset& card) {
-    const geometry::JointSet set = joint_set(card, key("JSET", card.id.value));
-    sets_.emplace(&card, set);
-    const double pieces = geometry::expected_pieces(set, around_.outline);
-    expect(pieces, card.space.where, "JSET");
+    geometry::JointSet set = joint_set(card, key("JSET", card.id.value));
+    if (!card.x0.given && !card.y0.given && is_far(set)) {
+      set.start = around_.outline.front();
+      made_.notes.push_back(
+          fmt::format("JSET in line {}: track 0 begins at the first corner of the "
+                      "outline, ({:.9g}, "
+                      "{:.9g}), because x0 and y0 are blank and (0, 0) is too far away",
+                      card.where.line, set.start.x.value(), set.start.y.value()));
+    }
+    guarded(card.space.where, "JSET", [&] {
+      expect(geometry::expected_pieces(set, around_.outline), card.space.where, "JSET");
+    });
+    sets_.emplace(&card, std::move(set));
+  }
+  /// Whether too many tracks or traces are between the start and the outline.
+  bool is_far(const geometry::JointSet& set) const {
+    try {
+      return geometry::expected_pieces(set, around_.outline) >
+             geometry::max_joint_pieces;
+    } catch (const geometry::CutError&) {
+      return true;
+    }
   }
   void prepare(const deck::Voronoi& card) {
     std::string places;  // so that equal cards cut different outlines differently

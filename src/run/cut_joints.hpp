@@ -26,7 +26,7 @@ struct CutSurroundings {
 
 struct CutJoints {
   std::vector<geometry::JointSegment> segments;
-  std::vector<std::string> notes;  ///< on files and prolonged ends, one per line
+  std::vector<std::string> notes;  ///< on files, ends and starts, one per line
 };
 
 /// Generates the joints. Returns nothing after a fault, which has been reported at its

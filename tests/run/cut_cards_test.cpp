@@ -232,6 +232,16 @@ TEST_F(CutCards, GiveTheSameBitsForAnyThreadsAndAfterARestart) {
   EXPECT_EQ(summary(other, "a")["cuts"].size(), 2U);
 }
 
+// 2e8 tracks of random spacing would lie between (0, 0) and this outline.
+TEST_F(CutCards, SetsInNationalCoordinatesBeginAtTheOutline) {
+  const fs::path deck =
+      fs::path(BLOCKS_SOURCE_DIR) / "tests/corpus/networks/national_grid.deck";
+  const Outcome check = blocks("check '" + deck.string() + "'", folder_.path());
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("JSET in line 16: track 0 begins at the first "
+                                   "corner of the outline, (100000000, 100000000)"));
+}
+
 TEST_F(CutCards, LongWorkShowsProgressAndEndsAtAnInterrupt) {
   std::string cards = start();
   cards.replace(0, cards.find('\n'), "START, 2000000, 500");
