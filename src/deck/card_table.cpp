@@ -97,7 +97,7 @@ std::vector<CardSpec> preliminary_cards() {
        .notes =
            "A block with n contacts and DAMPING b is stable up to a FRACTION of "
            "(sqrt(1 + 3 n b^2) - b sqrt(3 n)) / sqrt(6 n). A warning is given above "
-           "this value for n = 8.",
+           "this value for n = 8, and an error above three times the value.",
        .example = "FRACTION, .05"});
   add({.name = "MATERIAL",
        .required = true,
@@ -141,13 +141,14 @@ std::vector<CardSpec> preliminary_cards() {
        .once = true,
        .section = "ours",
        .summary = "seed of the random numbers",
-       .fields = {{"seed",
-                   integer,
-                   {},
-                   not_negative,
-                   "[-]",
-                   "seed of random layers and joints; the same seed gives the same blocks on "
-                   "every machine"}},
+       .fields =
+           {{"seed",
+             integer,
+             {},
+             not_negative,
+             "[-]",
+             "seed of random layers and joints; the same seed gives the same blocks on "
+             "every machine"}},
        .notes = "Without this card a fixed seed is used and printed.",
        .example = "SEED, 42"});
   add({.name = "UNITS",

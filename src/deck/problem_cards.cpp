@@ -182,7 +182,7 @@ void add_load_cards(std::vector<CardSpec>& cards) {
                 "reaching beyond it by 1e-9 of the block. The card acts "
                 "at its place in the deck, so blocks can be removed in stages between "
                 "MOTION cards. The numbers of the other blocks stay.",
-       .example = "REMOVE, , , , 4\n39., 39., 43., 43.\n3.5, 5.5, 5.5, 3.5"});
+       .example = "REMOVE, , , , 4\n39., 39., 43., 43.\n4., 5.5, 5.5, 4."});
   cards.push_back({.name = "FREE",
                    .section = "ours",
                    .summary = "free fixed blocks",

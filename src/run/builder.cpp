@@ -45,8 +45,9 @@ Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
       unread_(options_.unread), corners_(shared_corners(cards)),
-      makers_(model.blocks.size()), domain_blocks_(model.blocks.size()),
-      known_blocks_(model.blocks.size()), checked_blocks_(model.blocks.size()),
+      makers_(model.blocks.size()), plausibility_(diagnostics),
+      domain_blocks_(model.blocks.size()), known_blocks_(model.blocks.size()),
+      checked_blocks_(model.blocks.size()),
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
@@ -71,10 +72,6 @@ struct Builder::Visitor {
              const std::string& hint = {}) {
     self.diagnostics_.error(where, command.name, message, hint);
   }
-  void warning(deck::SourceLocation where, const std::string& message,
-               const std::string& hint = {}) {
-    self.diagnostics_.warning(where, command.name, message, hint);
-  }
   BlockBuilder builder() {
     return {model, self.diagnostics_, command, self.corners_[self.stretch_],
             self.unread_};
@@ -93,12 +90,12 @@ struct Builder::Visitor {
   void operator()(const deck::XLimits& card) {
     settings.lower.x() = card.xmin.value;
     settings.upper.x() = card.xmax.value;
-    self.domain_cards_[0] = command.where;
+    self.places_.x_limits = command.where;
   }
   void operator()(const deck::YLimits& card) {
     settings.lower.y() = card.ymin.value;
     settings.upper.y() = card.ymax.value;
-    self.domain_cards_[1] = command.where;
+    self.places_.y_limits = command.where;
   }
   void operator()(const deck::Boxes& card) {
     constexpr long most = 100'000'000;  // 400 MB of box pointers
@@ -110,12 +107,12 @@ struct Builder::Visitor {
     settings.boxes_x = static_cast<int>(card.iboxes.value);
     settings.boxes_y = static_cast<int>(card.jboxes.value);
     settings.contact_tolerance = card.ctol.value;
-    self.tolerance_ = card.ctol.where;
+    self.places_.tolerance = card.ctol.where;
   }
   void operator()(const deck::Stiff& card) {
     settings.normal_stiffness = card.stifn.value;
     settings.shear_stiffness = card.stifs.value;
-    self.stiffness_ = card.stifn.where;
+    self.places_.stiffness = card.stifn.where;
   }
   void operator()(const deck::Fraction& card) {
     settings.fraction = card.tfrac.value;
@@ -125,6 +122,7 @@ struct Builder::Visitor {
     settings.materials[static_cast<int>(card.mat.value)] = {
         card.e.value, card.g.value, card.rho.value, card.name.value};
     materials.emplace_back(command, card);
+    self.places_.modulus[static_cast<int>(card.mat.value)] = card.e.where;
   }
   void operator()(const deck::Function& card) {
     for (const deck::Real& t : card.t)
@@ -213,15 +211,7 @@ struct Builder::Visitor {
   void operator()(const deck::Free& card) { self.free(command, card.blocks); }
   void operator()(const deck::PressBc& card) { self.press(command, card); }
   void operator()(const deck::Force& card) { self.push(command, card); }
-  void operator()(const deck::Frictn& card) {
-    constexpr double greatest = 5.0;  // tan 79 degrees
-    if (card.fric.value > greatest)
-      warning(
-          card.fric.where,
-          fmt::format("the friction coefficient {:g} is very large", card.fric.value),
-          "fric is the tangent of the friction angle, not an angle in degrees");
-    settings.friction = card.fric.value;
-  }
+  void operator()(const deck::Frictn& card) { settings.friction = card.fric.value; }
   void operator()(const deck::SetVel& card) {
     set_velocity(self.blocks_in_range(command, card.nb1, card.nb2), card.nb1.where,
                  card);
@@ -315,6 +305,7 @@ void Builder::apply(const Command& command) {
   take_in_pieces();
   const int before = model_.blocks.size();
   std::visit(Visitor{*this, command}, command.card);
+  plausibility_.test(Moment::card, plan({&command, 1}), command);
   if (model_.blocks.size() == before)
     failed_blocks_ += most_blocks(command);
   makers_.record(command, model_.blocks.size());

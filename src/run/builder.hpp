@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,8 +21,7 @@
 #include "model/model.hpp"
 #include "run/block_makers.hpp"
 #include "run/cut_store.hpp"
-#include "run/domain_check.hpp"
-#include "run/physics_check.hpp"
+#include "run/plausibility.hpp"
 #include "run/unread_cards.hpp"
 
 namespace blocks::run {
@@ -60,11 +60,11 @@ class Builder {
   /// SOLVE lies between, so the blocks are where they will be at that moment.
   void check_before_motion(const deck::Command& command, bool in_place);
 
-  /// Warns of blocks made since the last call that lie outside the domain, because the
-  /// motion will fix them, and once of springs and tolerances that do not fit the
-  /// blocks. The blocks are taken where the deck puts them, so the run need not repeat
-  /// this.
-  void check_physics(const deck::Command& motion);
+  /// Tests the rules of plausibility about the blocks before a motion. The blocks are
+  /// taken where the deck puts them, so the run need not repeat this.
+  void check_plausibility(const deck::Command& motion);
+  /// Tests the rules of plausibility about the whole deck, when all cards are read.
+  void check_deck(std::span<const deck::Command> cards);
 
   /// Replaces check_before_motion() before the first MOTION, CYCLE or SOLVE if another
   /// builder has checked the same cards. `certificate` is the certificate of that
@@ -193,6 +193,7 @@ class Builder {
   /// Warns of CRACK cards by which no block can split, once for each card.
   void check_cracks();
 
+  Plan plan(std::span<const deck::Command> cards) const;
   void check_planes();
   void check_room(const deck::Command& command);
   void check_overlaps(const deck::Command& command);
@@ -232,9 +233,9 @@ class Builder {
   std::vector<deck::Command> planes_;  ///< SPLANE cards that are not checked yet
   std::vector<std::pair<deck::Command, deck::Material>> materials_;  ///< checked at END
   BlockMakers makers_;
-  DomainCards domain_cards_;
+  CardPlaces places_;
+  Plausibility plausibility_;
   int domain_blocks_;  ///< blocks compared with the domain
-  bool stiffness_told_ = false, tolerance_told_ = false;
   /// The number of blocks before the first motion in which blocks may split; empty if
   /// there is none, or if steps are made. Later blocks have unknown numbers.
   std::optional<int> sure_blocks_;
@@ -247,8 +248,6 @@ class Builder {
       fraction_by_;                       ///< last FRACTION, DAMPING or LOCDAMP card
   std::optional<deck::Command> output_;   ///< OUTPUT card not checked yet
   std::vector<deck::Command> histories_;  ///< HISTORY cards not checked yet
-  std::optional<deck::SourceLocation> tolerance_;  ///< place of ctol on the BOXES card
-  std::optional<deck::SourceLocation> stiffness_;  ///< place of the STIFF card
   SharedCertificate certificate_;
 };
 

@@ -17,20 +17,18 @@ namespace blocks::run {
 
 using deck::Command;
 
-void Builder::check_physics(const Command& motion) {
-  check_domain(model_, std::exchange(domain_blocks_, model_.blocks.size()),
-               domain_cards_, makers_, motion, diagnostics_);
-  const auto warn_once = [&](bool& told, const std::optional<Doubt>& doubt,
-                             const std::optional<deck::SourceLocation>& where,
-                             const char* card) {
-    if (told || !doubt)
-      return;
-    told = true;
-    diagnostics_.warning(where.value_or(motion.where), where ? card : motion.name,
-                         doubt->message, doubt->hint);
-  };
-  warn_once(stiffness_told_, doubt_stiffness(model_), stiffness_, "STIFF");
-  warn_once(tolerance_told_, doubt_tolerance(model_), tolerance_, "BOXES");
+void Builder::check_plausibility(const Command& motion) {
+  plausibility_.test(Moment::motion, plan({&motion, 1}), motion);
+  domain_blocks_ = model_.blocks.size();
+}
+
+void Builder::check_deck(std::span<const Command> cards) {
+  if (!cards.empty())
+    plausibility_.test(Moment::end, plan(cards), cards.back());
+}
+
+Plan Builder::plan(std::span<const Command> cards) const {
+  return {model_, makers_, places_, domain_blocks_, cards};
 }
 
 void Builder::check_before_motion(const Command& command, bool in_place) {
@@ -81,7 +79,8 @@ void Builder::check_room(const Command& command) {
     return;
   constexpr double gigabyte = 1e9;
   diagnostics_.error(
-      tolerance_.value_or(command.where), tolerance_ ? "BOXES" : command.name,
+      places_.tolerance.value_or(command.where),
+      places_.tolerance ? "BOXES" : command.name,
       fmt::format("with ctol = {:g} about {:.2g} pairs of blocks are near each other",
                   ctol, list.pairs),
       fmt::format("their contacts need about {:.2g} GB, and this machine has {:.2g} GB "
@@ -185,19 +184,25 @@ void Builder::check_fraction(const Command& command) {
   const Settings& settings = model_.settings;
   const double safe = dynamics::safe_fraction(settings.damping, settings.local_damping);
   const Command& to_blame = fraction_by_ ? *fraction_by_ : command;
-  if (settings.fraction > safe && (fraction_told_ == 0.0 || safe < fraction_told_))
-    diagnostics_.warning(
-        to_blame.where, to_blame.name,
-        fmt::format(
-            "FRACTION {:g} with DAMPING {:g}{} may never let packed blocks come "
-            "to rest",
-            settings.fraction, settings.damping,
-            settings.local_damping > 0.0
-                ? fmt::format(" and LOCDAMP {:g}", settings.local_damping)
-                : ""),
+  if (settings.fraction > safe && (fraction_told_ == 0.0 || safe < fraction_told_)) {
+    const std::string given = fmt::format(
+        "FRACTION {:g} with DAMPING {:g}{}", settings.fraction, settings.damping,
+        settings.local_damping > 0.0
+            ? fmt::format(" and LOCDAMP {:g}", settings.local_damping)
+            : "");
+    const std::string hint =
         fmt::format("for 8 contacts per block the largest safe FRACTION is {:.2g} "
                     "(docs/departures.md, time step)",
-                    safe));
+                    safe);
+    // Without damping, such a step is unstable even for a single contact.
+    constexpr double refused = 3.0;
+    if (settings.fraction > refused * safe)
+      diagnostics_.error(to_blame.where, to_blame.name,
+                         given + " is unstable: packed blocks would fly apart", hint);
+    else
+      diagnostics_.warning(to_blame.where, to_blame.name,
+                           given + " may never let packed blocks come to rest", hint);
+  }
   fraction_told_ = safe;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "dynamics/domain.hpp"
@@ -11,6 +13,19 @@
 namespace blocks::run {
 namespace {
 
+double low_of(const Model& model, int b, int axis) {
+  const Blocks& blocks = model.blocks;
+  return blocks.corner.row(axis)
+      .segment(blocks.first_corner[b], blocks.corners_of(b))
+      .minCoeff();
+}
+double high_of(const Model& model, int b, int axis) {
+  const Blocks& blocks = model.blocks;
+  return blocks.corner.row(axis)
+      .segment(blocks.first_corner[b], blocks.corners_of(b))
+      .maxCoeff();
+}
+
 /// Where a block crosses the limits of an axis: which limit, and how far it reaches.
 struct Crossing {
   bool outside = false, below = false;
@@ -18,10 +33,7 @@ struct Crossing {
 };
 
 Crossing crossing(const Model& model, int b, int axis) {
-  const Blocks& blocks = model.blocks;
-  const auto along =
-      blocks.corner.row(axis).segment(blocks.first_corner[b], blocks.corners_of(b));
-  const double low = along.minCoeff(), high = along.maxCoeff();
+  const double low = low_of(model, b, axis), high = high_of(model, b, axis);
   if (low < model.settings.lower[axis])
     return {true, true, low};
   return {high > model.settings.upper[axis], false, high};
@@ -38,27 +50,59 @@ std::string reach_text(const Model& model, int b, int axis, const BlockMakers& m
                      at.below ? settings.lower[axis] : settings.upper[axis]);
 }
 
+/// Returns the new free blocks that are inside or outside the domain.
+std::vector<int> new_blocks(const Plan& plan, bool inside) {
+  std::vector<int> found;
+  for (int b = plan.first_block; b < plan.model.blocks.size(); ++b)
+    if (plan.model.blocks.is_free(b) &&
+        dynamics::is_inside_domain(plan.model.blocks, b, plan.model.settings) == inside)
+      found.push_back(b);
+  return found;
+}
+
+const std::optional<deck::SourceLocation>& place(const Plan& plan, int axis) {
+  return axis == 0 ? plan.places.x_limits : plan.places.y_limits;
+}
+
+const char* card(int axis) { return axis == 0 ? "XLIMITS" : "YLIMITS"; }
+
 }  // namespace
 
-void check_domain(const Model& model, int begin, const DomainCards& cards,
-                  const BlockMakers& makers, const deck::Command& motion,
-                  deck::Diagnostics& diagnostics) {
+std::vector<Doubt> doubt_outside_domain(const Plan& plan) {
   std::array<std::vector<int>, 2> outside;
-  for (int b = begin; b < model.blocks.size(); ++b)
-    if (model.blocks.is_free(b) &&
-        !dynamics::is_inside_domain(model.blocks, b, model.settings))
-      outside[crossing(model, b, 0).outside ? 0 : 1].push_back(b);
+  for (const int b : new_blocks(plan, false))
+    outside[crossing(plan.model, b, 0).outside ? 0 : 1].push_back(b);
+  std::vector<Doubt> doubts;
+  for (int axis = 0; axis < 2; ++axis)
+    if (const std::vector<int>& found = outside[axis]; !found.empty())
+      doubts.push_back(
+          {fmt::format("{} outside the domain will be fixed: {}",
+                       counted(found.size(), "block"), number_ranges(found)),
+           reach_text(plan.model, found.front(), axis, plan.makers), place(plan, axis),
+           card(axis)});
+  return doubts;
+}
+
+std::vector<Doubt> doubt_edge_of_domain(const Plan& plan) {
+  const Settings& settings = plan.model.settings;
+  const std::vector<int> inside = new_blocks(plan, true);
+  std::vector<Doubt> doubts;
   for (int axis = 0; axis < 2; ++axis) {
-    const std::vector<int>& found = outside[axis];
-    if (found.empty())
-      continue;
-    const char* card = axis == 0 ? "XLIMITS" : "YLIMITS";
-    diagnostics.warning(
-        cards[axis].value_or(motion.where), cards[axis] ? card : motion.name,
-        fmt::format("{} outside the domain will be fixed: {}",
-                    counted(found.size(), "block"), number_ranges(found)),
-        reach_text(model, found.front(), axis, makers));
+    const double rounding = 1e-9 * (settings.upper[axis] - settings.lower[axis]);
+    std::vector<int> found;
+    for (const int b : inside)
+      if (low_of(plan.model, b, axis) - settings.lower[axis] <= rounding ||
+          settings.upper[axis] - high_of(plan.model, b, axis) <= rounding)
+        found.push_back(b);
+    if (!found.empty())
+      doubts.push_back(
+          {fmt::format("{} on the edge of the domain will be fixed by the least motion "
+                       "beyond it: {}",
+                       counted(found.size(), "block"), number_ranges(found)),
+           "rounding decides which of them move at all: make the domain a little wider",
+           place(plan, axis), card(axis)});
   }
+  return doubts;
 }
 
 }  // namespace blocks::run

@@ -1,24 +1,19 @@
-// Warns of blocks outside XLIMITS and YLIMITS, which the first step after them fixes.
+// Rules of plausibility about blocks and the domain (docs/plausibility.md).
 #pragma once
 
-#include <array>
-#include <optional>
+#include <vector>
 
-#include "deck/commands.hpp"
-#include "deck/diagnostics.hpp"
-#include "model/model.hpp"
-#include "run/block_makers.hpp"
+#include "run/plausibility.hpp"
 
 namespace blocks::run {
 
-/// The places of the XLIMITS and the YLIMITS card, if the deck has them.
-using DomainCards = std::array<std::optional<deck::SourceLocation>, 2>;
+/// Returns a doubt for each of XLIMITS and YLIMITS about the new free blocks that have
+/// a corner outside its limits: the first step after them fixes these blocks. A block
+/// outside both is named once, with XLIMITS.
+std::vector<Doubt> doubt_outside_domain(const Plan& plan);
 
-/// Adds a warning for each of the two cards with the free blocks from `begin` on that
-/// have a corner outside its limits. A block outside both is named once, with XLIMITS.
-/// Without such a card, as in a restart, the warning is at `motion`.
-void check_domain(const Model& model, int begin, const DomainCards& cards,
-                  const BlockMakers& makers, const deck::Command& motion,
-                  deck::Diagnostics& diagnostics);
+/// Returns a doubt for each of XLIMITS and YLIMITS about the new free blocks inside the
+/// domain that reach to its edge, up to rounding. The least motion takes them out.
+std::vector<Doubt> doubt_edge_of_domain(const Plan& plan);
 
 }  // namespace blocks::run

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "dynamics/time_step.hpp"
@@ -66,10 +67,14 @@ Column heaviest_column(const std::vector<Shadow>& shadows) {
   return best;
 }
 
-}  // namespace
+/// The heaviest column and its lowest block.
+struct Base {
+  Column column;
+  Shadow lowest;
+};
 
-std::optional<Doubt> doubt_stiffness(const Model& model) {
-  constexpr double largest_share = 0.05, good_share = 0.01;  // of the block
+/// Returns nothing if there is no gravity or no free block.
+std::optional<Base> base_of_heaviest(const Model& model) {
   if (model.settings.gravity.isZero(0.0))
     return std::nullopt;
   const std::vector<Shadow> all = shadows(model);
@@ -81,27 +86,61 @@ std::optional<Doubt> doubt_stiffness(const Model& model) {
     if (shadow.begin <= column.at && column.at <= shadow.end &&
         (lowest == nullptr || shadow.depth > lowest->depth))
       lowest = &shadow;
-  if (lowest == nullptr)
-    return std::nullopt;
-  const double weight = column.line_load * (lowest->end - lowest->begin);
-  const double size = dynamics::least_width(model.blocks, lowest->block);
-  const double overlap = weight / model.settings.normal_stiffness;
-  if (!(overlap > largest_share * size))
-    return std::nullopt;
-  return Doubt{
-      fmt::format(
-          "the contacts are too soft for the weight of the blocks: at rest block "
-          "{} overlaps its support by about W/Kn = {:.3g}, and its width is {:.3g}",
-          lowest->block + 1, overlap, size),
-      fmt::format(
-          "W = {:.3g} is the weight of the heaviest column; stifn = {:.2g} makes "
-          "the overlap 1 % of the block",
-          weight, weight / (good_share * size))};
+  return lowest == nullptr ? std::nullopt : std::optional(Base{column, *lowest});
 }
 
-std::optional<Doubt> doubt_tolerance(const Model& model) {
-  const Blocks& blocks = model.blocks;
-  const double ctol = model.settings.contact_tolerance;
+constexpr double largest_share = 0.05, good_share = 0.01;  // of the block
+
+}  // namespace
+
+std::vector<Doubt> doubt_stiffness(const Plan& plan) {
+  const std::optional<Base> base = base_of_heaviest(plan.model);
+  if (!base)
+    return {};
+  const auto& [column, lowest] = *base;
+  const double weight = column.line_load * (lowest.end - lowest.begin);
+  const double size = dynamics::least_width(plan.model.blocks, lowest.block);
+  const double overlap = weight / plan.model.settings.normal_stiffness;
+  if (!(overlap > largest_share * size))
+    return {};
+  return {
+      {fmt::format(
+           "the contacts are too soft for the weight of the blocks: at rest block "
+           "{} overlaps its support by about W/Kn = {:.3g}, and its width is {:.3g}",
+           lowest.block + 1, overlap, size),
+       fmt::format(
+           "W = {:.3g} is the weight of the heaviest column; stifn = {:.2g} makes "
+           "the overlap 1 % of the block",
+           weight, weight / (good_share * size)),
+       plan.places.stiffness, "STIFF"}};
+}
+
+std::vector<Doubt> doubt_modulus(const Plan& plan) {
+  const Settings& settings = plan.model.settings;
+  const std::optional<Base> base =
+      settings.rigid ? std::nullopt : base_of_heaviest(plan.model);
+  if (!base)
+    return {};
+  const int material = plan.model.blocks.material[base->lowest.block];
+  const double load = base->column.line_load;
+  const double strain = load / settings.materials.at(material).youngs_modulus;
+  if (!(strain > largest_share))
+    return {};
+  const auto place = plan.places.modulus.find(material);
+  return {
+      {fmt::format("the blocks are too soft for their weight: at rest block {} is "
+                   "compressed by about {:.3g} % of its height",
+                   base->lowest.block + 1, 100.0 * strain),
+       fmt::format("E has the units of force per area, as 20.E9 for 20 GPa in Pa; "
+                   "E = {:.2g} makes it 1 %",
+                   load / good_share),
+       place == plan.places.modulus.end() ? std::nullopt : std::optional(place->second),
+       "MATERIAL"}};
+}
+
+std::vector<Doubt> doubt_tolerance(const Plan& plan) {
+  const Blocks& blocks = plan.model.blocks;
+  const double ctol = plan.model.settings.contact_tolerance;
   double least = std::numeric_limits<double>::infinity();
   int narrowest = -1;
   for (int b = 0; b < blocks.size(); ++b)
@@ -111,12 +150,13 @@ std::optional<Doubt> doubt_tolerance(const Model& model) {
       narrowest = b;
     }
   if (!(ctol > least))
-    return std::nullopt;
-  return Doubt{fmt::format("ctol = {:g} is more than the width of block {}, {:.3g}",
-                           ctol, narrowest + 1, least),
-               fmt::format("a corner may then pass through the block unnoticed; a good "
-                           "ctol is a tenth of a block: {:.2g}",
-                           0.1 * least)};
+    return {};
+  return {{fmt::format("ctol = {:g} is more than the width of block {}, {:.3g}", ctol,
+                       narrowest + 1, least),
+           fmt::format("a corner may then pass through the block unnoticed; a good "
+                       "ctol is a tenth of a block: {:.2g}",
+                       0.1 * least),
+           plan.places.tolerance, "BOXES"}};
 }
 
 }  // namespace blocks::run

@@ -1,26 +1,26 @@
-// Warns of decks whose numbers do not fit together: springs too soft for the weight on
-// them, and a contact tolerance too large for the blocks.
+// Rules of plausibility about numbers that do not fit together: springs and blocks too
+// soft for the weight on them, and a contact tolerance too large for the blocks
+// (docs/plausibility.md).
 #pragma once
 
-#include <optional>
-#include <string>
+#include <vector>
 
-#include "model/model.hpp"
+#include "run/plausibility.hpp"
 
 namespace blocks::run {
-
-/// A warning without its place in the deck.
-struct Doubt {
-  std::string message, hint;
-};
 
 /// Estimates the overlap at rest under gravity: the weight W of the heaviest column of
 /// free blocks on its lowest block, divided by the normal stiffness Kn. Returns a doubt
 /// if it is more than a twentieth of the least width of that block.
-std::optional<Doubt> doubt_stiffness(const Model& model);
+std::vector<Doubt> doubt_stiffness(const Plan& plan);
+
+/// Estimates the compression at rest of deformable blocks: the weight of the heaviest
+/// column per width, divided by E of its lowest block. Returns a doubt if it is more
+/// than a twentieth.
+std::vector<Doubt> doubt_modulus(const Plan& plan);
 
 /// Returns a doubt if the contact tolerance is more than the least width of the
 /// narrowest free block.
-std::optional<Doubt> doubt_tolerance(const Model& model);
+std::vector<Doubt> doubt_tolerance(const Plan& plan);
 
 }  // namespace blocks::run

@@ -78,7 +78,7 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
     if (!deck::passes_time(command))
       continue;
     if (!job.diagnostics.has_errors()) {
-      builder.check_physics(command);
+      builder.check_plausibility(command);
       // A resumed run checks in place itself.
       builder.check_before_motion(command, !has_moved && !job.resumes);
     }
@@ -89,14 +89,8 @@ bool check(Job& job, Model& start, std::vector<std::string>& notes) {
       !job.deck.commands.empty())
     builder.check_without_motion(job.deck.commands.back());
   builder.check_output_blocks();
-  if (!job.continues() && !job.diagnostics.has_errors() &&
-      std::none_of(job.deck.commands.begin(), job.deck.commands.end(),
-                   deck::passes_time))
-    job.diagnostics.warning(
-        job.deck.commands.back().where, job.deck.commands.back().name,
-        "the deck has no MOTION, CYCLE or SOLVE, so a run makes no step",
-        "MOTION, dt passes a time, CYCLE, ncycle makes a number of steps, and SOLVE "
-        "makes steps until the forces are balanced");
+  if (!job.diagnostics.has_errors())
+    builder.check_deck(job.deck.commands);
   notes = builder.take_notes();
   if (!has_moved)
     start = std::move(model);

@@ -58,7 +58,7 @@ TEST_F(LawCards, JointTakesAllItsValues) {
   expected.dilation = 1.0, expected.dilation_limit = 0.005;
   expected.normal_stiffness = 1e9, expected.shear_stiffness = 2e9;
   EXPECT_EQ(law, expected);
-  EXPECT_EQ(said_, "");
+  EXPECT_THAT(said_, HasSubstr("no BOND card bonds joint id 1000000000"));
 }
 
 // The residual tension is lowered because the peak is, and a second time by its own
@@ -74,7 +74,7 @@ TEST_F(LawCards, TensionIsLoweredToTheApexOfTheStrength) {
               HasSubstr("deck:12:35: warning: JOINT: tenr = 200000 is lowered to "
                         "cohr / fricr = 80000"));
   EXPECT_EQ(built("JOINT, 3, 0, 0, 3e5\n").settings.joint_laws.at(3).tension, 3e5);
-  EXPECT_EQ(said_, "");
+  EXPECT_THAT(said_, Not(HasSubstr("is lowered")));
 }
 
 TEST_F(LawCards, WaltonAndBartonExtendAJoint) {

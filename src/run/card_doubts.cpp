@@ -1,0 +1,150 @@
+#include "run/card_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dynamics/time_step.hpp"
+#include "geometry/overlap.hpp"
+#include "geometry/polygon.hpp"
+#include "model/counted.hpp"
+#include "run/number_ranges.hpp"
+
+namespace blocks::run {
+namespace {
+
+/// The blocks, not removed, of which a part is inside the outline and a part outside.
+std::vector<int> crossed_blocks(const Blocks& blocks, const deck::Selection& named) {
+  std::vector<geometry::DecimalPoint> corners;
+  for (std::size_t i = 0; i < named.x.size(); ++i)
+    corners.push_back({named.x[i].value, named.y[i].value});
+  geometry::Polygon outline = geometry::place_outline(corners, {}, 0);
+  const geometry::OutlineCheck check = geometry::check_outline(outline);
+  if (check.fault != geometry::OutlineFault::none)
+    return {};
+  if (check.anticlockwise)
+    outline = geometry::reversed(outline);
+  constexpr double rounding = 1e-9;  // part of the block, as in geometry/region.hpp
+  std::vector<int> crossed;
+  for (int b = 0; b < blocks.size(); ++b) {
+    if (blocks.is_removed(b))
+      continue;
+    const auto overlaps = geometry::overlapping_pairs({outline, blocks.outline(b)}, {},
+                                                      geometry::Figures::quick);
+    const double share = overlaps.empty() ? 0.0 : overlaps[0].area / blocks.area[b];
+    if (rounding < share && share < 1.0 - rounding)
+      crossed.push_back(b);
+  }
+  return crossed;
+}
+
+/// Whether a BOND card bonds faces of this joint id.
+bool is_bonded(std::span<const deck::Command> cards, long id) {
+  return std::any_of(cards.begin(), cards.end(), [&](const deck::Command& command) {
+    const auto* bond = std::get_if<deck::Bond>(&command.card);
+    return bond != nullptr && (bond->id.value == 0 || bond->id.value == id);
+  });
+}
+
+}  // namespace
+
+std::vector<Doubt> doubt_friction(const Plan& plan) {
+  constexpr double greatest = 5.0;  // tan 79 degrees
+  const deck::Command& command = plan.cards.back();
+  const auto* frictn = std::get_if<deck::Frictn>(&command.card);
+  const auto* joint = std::get_if<deck::Joint>(&command.card);
+  const deck::Real* fric = frictn ? &frictn->fric : joint ? &joint->fric : nullptr;
+  if (fric == nullptr || !(fric->value > greatest))
+    return {};
+  return {{fmt::format("the friction coefficient {:g} is very large", fric->value),
+           "fric is the tangent of the friction angle, not an angle in degrees",
+           fric->where, command.name}};
+}
+
+std::vector<Doubt> doubt_outline(const Plan& plan) {
+  const deck::Command& command = plan.cards.back();
+  const auto* remove = std::get_if<deck::Remove>(&command.card);
+  const auto* free = std::get_if<deck::Free>(&command.card);
+  const deck::Selection* named = remove ? &remove->blocks
+                                 : free ? &free->blocks
+                                        : nullptr;
+  if (named == nullptr || !named->nc.given)
+    return {};
+  const std::vector<int> crossed = crossed_blocks(plan.model.blocks, *named);
+  if (crossed.empty())
+    return {};
+  return {
+      {fmt::format("{} {} the outline: {}", counted(crossed.size(), "block"),
+                   crossed.size() == 1 ? "crosses" : "cross", number_ranges(crossed)),
+       command.name +
+           " acts only on blocks that are entirely inside; CUT may move sides that "
+           "are shorter than emin across the outline",
+       named->nc.where, command.name}};
+}
+
+std::vector<Doubt> doubt_strength(const Plan& plan) {
+  if (std::holds_alternative<deck::Restart>(plan.cards.front().card))
+    return {};
+  std::vector<Doubt> doubts;
+  for (const deck::Command& command : plan.cards) {
+    const auto* joint = std::get_if<deck::Joint>(&command.card);
+    if (joint == nullptr || is_bonded(plan.cards, joint->id.value))
+      continue;
+    const bool cohesive = joint->coh.value > joint->cohr.value;
+    if (!cohesive && !(joint->ten.value > joint->tenr.value))
+      continue;
+    const deck::Real& peak = cohesive ? joint->coh : joint->ten;
+    const deck::Real& rest = cohesive ? joint->cohr : joint->tenr;
+    doubts.push_back(
+        {fmt::format("{} = {:g} does not act, because no BOND card bonds joint id {}",
+                     cohesive ? "coh" : "ten", peak.value, joint->id.value),
+         fmt::format("contacts that are not bonded have the residual value, {} = "
+                     "{:g}{}; put BOND, {} after the cards that make the blocks",
+                     cohesive ? "cohr" : "tenr", rest.value,
+                     rest.given ? "" : " if blank", joint->id.value),
+         peak.where, command.name});
+  }
+  return doubts;
+}
+
+std::vector<Doubt> doubt_ramp(const Plan& plan) {
+  std::vector<Doubt> doubts;
+  for (auto card = plan.cards.begin(); card != plan.cards.end(); ++card) {
+    const auto* gravity = std::get_if<deck::Gravity>(&card->card);
+    if (gravity == nullptr || !(gravity->tramp.value > 0.0))
+      continue;
+    double left = 0.0;
+    bool passes = false, solves = false, replaced = false;
+    for (auto next = card + 1; next != plan.cards.end() && !replaced; ++next) {
+      passes = passes || deck::passes_time(*next);
+      replaced = std::holds_alternative<deck::Gravity>(next->card);
+      solves = solves || std::holds_alternative<deck::Solve>(next->card);
+      if (const auto* motion = std::get_if<deck::Motion>(&next->card))
+        left += motion->dt.value;
+      else if (const auto* cycle = std::get_if<deck::Cycle>(&next->card))
+        left += static_cast<double>(cycle->ncycle.value) *
+                dynamics::choose_time_step(plan.model).dt;
+    }
+    if (!passes || solves || replaced || left >= gravity->tramp.value)
+      continue;
+    doubts.push_back(
+        {fmt::format(
+             "gravity rises during {:g}, and the deck ends {:g} after this card",
+             gravity->tramp.value, left),
+         "a decimal comma makes two values of one: write 9.81, not 9,81; or let the "
+         "deck last longer",
+         gravity->tramp.where, card->name});
+  }
+  return doubts;
+}
+
+std::vector<Doubt> doubt_motion(const Plan& plan) {
+  if (std::holds_alternative<deck::Restart>(plan.cards.front().card) ||
+      std::any_of(plan.cards.begin(), plan.cards.end(), deck::passes_time))
+    return {};
+  return {{"the deck has no MOTION, CYCLE or SOLVE, so a run makes no step",
+           "MOTION, dt passes a time, CYCLE, ncycle makes a number of steps, and SOLVE "
+           "makes steps until the forces are balanced"}};
+}
+
+}  // namespace blocks::run

@@ -1,0 +1,59 @@
+#include "run/plausibility.hpp"
+
+#include <iterator>
+
+#include "run/card_doubts.hpp"
+#include "run/domain_check.hpp"
+#include "run/physics_check.hpp"
+
+namespace blocks::run {
+namespace {
+
+constexpr PlausibilityRule rules[] = {
+    {"friction-in-degrees",
+     "fric of FRICTN or JOINT is above 5, the tangent of 79 degrees",
+     "give the tangent of the friction angle", Moment::card, false, doubt_friction},
+    {"outline-crosses-blocks", "the outline of REMOVE or FREE crosses blocks",
+     "draw it wider or narrower, along joints", Moment::card, false, doubt_outline},
+    {"outside-domain", "a free block reaches beyond XLIMITS or YLIMITS",
+     "make the domain wider, or fix the block", Moment::motion, false,
+     doubt_outside_domain},
+    {"edge-of-domain", "a free block reaches to XLIMITS or YLIMITS, up to rounding",
+     "make the domain wider, or fix the block", Moment::motion, false,
+     doubt_edge_of_domain},
+    {"soft-contacts",
+     "the heaviest column overlaps its support by over 5 % of its width",
+     "raise stifn of STIFF", Moment::motion, true, doubt_stiffness},
+    {"soft-blocks", "the heaviest column compresses its lowest block by over 5 %",
+     "raise E of MATERIAL, or make the blocks rigid", Moment::motion, true,
+     doubt_modulus},
+    {"large-ctol", "ctol of BOXES is more than the width of the narrowest free block",
+     "give ctol as a tenth of a block", Moment::motion, true, doubt_tolerance},
+    {"strength-without-bond",
+     "coh or ten of JOINT exceeds its residual value, and no BOND names the id",
+     "add BOND, or give equal residual values", Moment::end, false, doubt_strength},
+    {"endless-ramp", "the deck ends before the ramp of a GRAVITY card does",
+     "let the deck last longer, or shorten tramp", Moment::end, false, doubt_ramp},
+    {"no-motion", "a new deck has no MOTION, CYCLE or SOLVE", "add one", Moment::end,
+     false, doubt_motion},
+};
+
+}  // namespace
+
+std::span<const PlausibilityRule> plausibility_rules() { return rules; }
+
+void Plausibility::test(Moment moment, const Plan& plan, const deck::Command& at) {
+  for (const PlausibilityRule& rule : rules) {
+    if (rule.moment != moment || told_.contains(rule.name))
+      continue;
+    for (const Doubt& doubt : rule.doubts(plan)) {
+      diagnostics_.warning(doubt.where.value_or(at.where),
+                           doubt.where ? doubt.card : at.name, doubt.message,
+                           doubt.hint);
+      if (rule.once)
+        told_.insert(rule.name);
+    }
+  }
+}
+
+}  // namespace blocks::run
