@@ -44,7 +44,8 @@ long most_blocks(const Command& command) {
 Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
-      unread_(options_.unread), corners_(shared_corners(cards)),
+      unread_(options_.unread), certain_blocks_(model.blocks.size()),
+      corners_(shared_corners(cards)),
       makers_(model.blocks.size()), plausibility_(diagnostics),
       domain_blocks_(model.blocks.size()), known_blocks_(model.blocks.size()),
       checked_blocks_(model.blocks.size()),
@@ -129,6 +130,12 @@ struct Builder::Visitor {
       model.loads.function.t.push_back(t.value);
     for (const deck::Real& p : card.p)
       model.loads.function.p.push_back(p.value);
+    for (std::size_t i = 1; i < card.t.size(); ++i)
+      if (card.t[i - 1].value == card.t[i].value)
+        self.notes_.push_back(
+            fmt::format("FUNCTION in line {}: a step from {:g} to {:g} at t = {:g}",
+                        card.t[i].where.line, card.p[i - 1].value, card.p[i].value,
+                        card.t[i].value));
   }
   void operator()(const deck::Rigid&) { settings.rigid = true; }
   void operator()(const deck::Seed& card) {
@@ -308,6 +315,8 @@ void Builder::apply(const Command& command) {
   plausibility_.test(Moment::card, plan({&command, 1}), command);
   if (model_.blocks.size() == before)
     failed_blocks_ += most_blocks(command);
+  if (most_missing(command.where.line) == 0)
+    certain_blocks_ = model_.blocks.size();
   makers_.record(command, model_.blocks.size());
   known_blocks_ = model_.blocks.size();
   if (deck::passes_time(command))

@@ -170,7 +170,7 @@ class Builder {
   /// Returns whether there is a FUNCTION card. Reports an error if not.
   bool has_function(const deck::Command& command);
   /// Returns the side of block b with this number, from 0. Returns -1 after an error,
-  /// or if cards above have failed, so that b may be another block.
+  /// or if a card before that of b has failed, so that b may be another block.
   int side(const deck::Command& command, int b, const deck::Int& number);
   /// Returns whether block b is inside the domain, where blocks move. Otherwise reports
   /// an error, or a warning if the block has left it.
@@ -212,6 +212,7 @@ class Builder {
   BuildOptions options_;
   UnreadCards unread_;
   long failed_blocks_ = 0;  ///< the most blocks that cards with errors should make
+  int certain_blocks_;  ///< blocks before the first such card: their numbers are sure
   std::vector<geometry::SharedCorners> corners_;  ///< one for each section of the deck
   std::size_t stretch_ = 0;  ///< index of the section between motions
   /// The blocks are where they will be when the next card acts. This is false after a

@@ -108,7 +108,8 @@ void Builder::error_no_block(const Command& command, const deck::Int& number) {
   diagnostics_.error(
       number.where, command.name, fmt::format("there is no block {}", number.value),
       most == 0      ? "no block has been created so far"
-      : most > count ? fmt::format("at most {} exist here", counted(most, "block"))
+      : most > count ? fmt::format("at most {} {} here", counted(most, "block"),
+                                   most == 1 ? "exists" : "exist")
       : count == 1   ? std::string("only block 1 exists here")
                      : fmt::format("blocks 1 to {} exist here", count));
 }

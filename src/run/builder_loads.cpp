@@ -21,7 +21,7 @@ bool Builder::has_function(const Command& command) {
 }
 
 int Builder::side(const Command& command, int b, const deck::Int& number) {
-  if (most_missing(command.where.line) > 0)
+  if (b >= certain_blocks_)
     return -1;
   const int sides = model_.blocks.corners_of(b);
   if (number.value >= 1 && number.value <= sides)

@@ -68,6 +68,22 @@ TEST_F(CheckFaults, OfAFaultyCreateHideOnlyItsOwnBlock) {
                     HasSubstr("no FUNCTION"), HasSubstr("4 errors")));
 }
 
+// Block 1 comes before the faulty card, so it certainly is block 1; block 2 may not be.
+TEST_F(CheckFaults, OfAFaultyCreateHideNoFaultOfTheBlocksBefore) {
+  const std::string faults =
+      faults_of(preliminary("RIGID\nFUNCTION, 1\n0, 1\n") + square +
+                "CREATE, 4, 1\n2, 2, 3\n0, 1, 1, 0\n" + rectangle(5, 5, 6, 6) +
+                "PRESSBC, 1, 9, 1, 1\nPRESSBC, 2, 9, 1, 1\n");
+  EXPECT_THAT(faults, AllOf(HasSubstr("PRESSBC: there is no side 9\n"),
+                            HasSubstr("hint: block 1 has sides 1 to 4\n"),
+                            HasSubstr("2 errors")));
+}
+
+TEST_F(CheckFaults, CountOneBlockInTheSingular) {
+  EXPECT_THAT(faults_of(preliminary() + "CREATE, 4, 1\n2, 2, 3\n0, 1, 1, 0\nFIX, 2\n"),
+              HasSubstr("at most 1 block exists here"));
+}
+
 TEST_F(CheckFaults, OfAFaultyMaterialHideOnlyItsOwnNumber) {
   EXPECT_THAT(faults_of(preliminary("RIGID\nMATERIAL, 7, , , heavy\n") + of_material_7 +
                         "SETVELM, 7, 1, 1\nSETVELM, 8, 1, 1\n"),
