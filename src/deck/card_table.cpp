@@ -126,8 +126,9 @@ std::vector<CardSpec> preliminary_cards() {
                    from_one,
                    "[-]",
                    "number of points, one line each"}},
-       .follow_on = {{"t, p", "time [T] and value [-] of a point; ntimep lines, times "
-                              "strictly increasing"}},
+       .follow_on = {{"t, p",
+                      "time [T] and value [-] of a point; ntimep lines, times "
+                      "not decreasing; a time that is given again makes a step"}},
        .notes = "Linear between the points; constant before the first and after the "
                 "last. Time is measured from the arrival time of each load.",
        .example = "FUNCTION, 3\n0., 0.\n1.D-3, 1.\n5.D-3, 0."});

@@ -174,9 +174,9 @@ FunctionPoints read_points(long count, const std::vector<Line>& lines,
     const Value t = read_value(fields[0], time, card, diagnostics);
     const Value p = read_value(fields[1], load, card, diagnostics);
     out.ok = out.ok && t.ok && p.ok;
-    if (t.ok && before != nullptr && t.number.value() <= before->number.value()) {
+    if (t.ok && before != nullptr && t.number.value() < before->number.value()) {
       diagnostics.error(
-          t.where, card, "times must increase from line to line",
+          t.where, card, "times must not decrease from line to line",
           fmt::format("the previous line has t = {:g}", before->number.value()));
       out.ok = false;
     }

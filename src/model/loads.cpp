@@ -11,7 +11,7 @@ double TimeFunction::factor(double time, double arrival) const {
   const double since = time - arrival;
   if (since < 0.0 || t.empty())
     return 0.0;
-  if (since <= t.front())
+  if (since < t.front())
     return p.front();
   if (since >= t.back())
     return p.back();

@@ -11,7 +11,7 @@ namespace blocks {
 
 /// FUNCTION: a piecewise linear function of time, constant beyond its ends.
 struct TimeFunction {
-  std::vector<double> t;  ///< [T] increasing
+  std::vector<double> t;  ///< [T] not decreasing; equal times make a step
   std::vector<double> p;  ///< factor
 
   /// The arrival time of loads that act at all times and are not multiplied by the
@@ -20,7 +20,8 @@ struct TimeFunction {
 
   bool empty() const { return t.empty(); }
   /// Returns 0 before the arrival time, then the function of the time since arrival
-  /// (docs/theory.md#pressure-and-forces). Returns 1 if the arrival is `always`.
+  /// (docs/theory.md#pressure-and-forces). At a step it returns the later value.
+  /// Returns 1 if the arrival is `always`.
   double factor(double time, double arrival) const;
 };
 

@@ -124,6 +124,17 @@ TEST(Force, ActsAtTheCentroidFromItsArrivalTime) {
   EXPECT_EQ(scene.model.blocks.spin[b], 0.0);
 }
 
+// Decks of 1982 may give a load that acts at once.
+TEST(TimeFunction, StepsAtEqualTimes) {
+  const TimeFunction f{{1, 2, 2, 4}, {10, 20, 50, 0}};
+  EXPECT_EQ(f.factor(1.5, 0.0), 15.0);
+  EXPECT_LT(f.factor(std::nextafter(2.0, 0.0), 0.0), 20.0 + 1e-12);
+  EXPECT_EQ(f.factor(2.0, 0.0), 50.0);
+  EXPECT_EQ(f.factor(3.0, 0.0), 25.0);
+  const TimeFunction at_start{{0, 0}, {0, 1}};
+  EXPECT_EQ(at_start.factor(0.0, 0.0), 1.0);
+}
+
 TEST(TimeFunction, IsLinearAndConstantBeyondItsEnds) {
   const TimeFunction f{{1, 2, 4}, {10, 20, 0}};
   EXPECT_EQ(f.factor(0.5, 1.0), 0.0);

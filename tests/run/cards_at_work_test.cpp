@@ -123,6 +123,22 @@ TEST_F(CardsAtWork, SetvelmActsOnBlocksOfAMaterial) {
 }
 
 // CLOOP makes n blocks in total. The first one is at the place of the CREATE card.
+// A step load of a deck of 1982. A force of 1000 N on 1000 kg acts from t = 0.02 on.
+TEST_F(CardsAtWork, FunctionWithEqualTimesIsAStep) {
+  const std::string deck =
+      preliminary("RIGID\nFUNCTION, 4\n0, 0\n.02, 0\n.02, 1\n1, 1\n") +
+      rectangle(0, 0, 1, 1) + "FORCE, 1, 1000, 0\n";
+  run_text(folder_, "a", deck + "MOTION, .02\n");
+  folder_.write("b.deck", "RESTART, a.ckpt.h5\nMOTION, .02\n");
+  EXPECT_EQ(blocks("run b.deck", folder_.path()).code, 0);
+  const post::ResultsReader before((folder_ / "a.vtkhdf").string());
+  EXPECT_EQ(before.frame(before.frames() - 1).velocity(0, 0), 0.0);
+  const post::ResultsReader after((folder_ / "b.vtkhdf").string());
+  EXPECT_NEAR(after.frame(after.frames() - 1).velocity(0, 0), 0.02, 1e-3);
+  EXPECT_THAT(blocks("check a.deck", folder_.path()).out,
+              HasSubstr("FUNCTION in line 14: a step from 0 to 1 at t = 0.02\n"));
+}
+
 TEST_F(CardsAtWork, CloopRepeatsABlockWithAShift) {
   run(four_squares + "CYCLE, 1\n");
   ASSERT_EQ(first().number.size(), 4U);
