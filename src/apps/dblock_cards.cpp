@@ -155,7 +155,7 @@ DblockCards read_dblock_cards(const std::string& text, deck::Diagnostics& faults
     const auto found = table().find(name);
     if (found == table().end()) {
       const std::string near = deck::suggest(name, names());
-      faults.error(head.where, {}, "DBLOCK has no card '" + head.text + "' of DBLOCK",
+      faults.error(head.where, {}, "DBLOCK has no card '" + head.text + "'",
                    near.empty()
                        ? fmt::format("its cards are {}", fmt::join(names(), ", "))
                        : "did you mean " + near + "?");

@@ -13,6 +13,9 @@ std::string did_you_mean(const std::string& word) {
 }
 
 std::string not_a_number_hint(const std::string& text) {
+  if (text.starts_with('*')) {
+    return comment_hint;
+  }
   for (const char c : text) {
     if (static_cast<unsigned char>(c) >= 0x80) {
       return "a number has only digits, point, sign and exponent; retype it, because "

@@ -2,17 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <string_view>
+#include <vector>
 
 #include "deck/free_field.hpp"
 
 namespace blocks::deck {
 namespace {
 
-/// Returns UTF-16, UTF-16LE or UTF-16BE if the text begins like one of them; otherwise
-/// empty. Without a byte order mark, one of the first two bytes is zero, because a deck
+/// Returns the name of the encoding if the text begins like UTF-16 or UTF-32; otherwise
+/// empty. Without a byte order mark, some of the first bytes are zero, because a deck
 /// begins with an ASCII character.
-std::string_view utf16_kind(std::string_view text) {
+std::string_view wide_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xff\xfe\0\0"sv) || text.starts_with("\0\0\xfe\xff"sv)) {
+    return "UTF-32";
+  }
+  if (text.substr(0, 3) == "\0\0\0"sv) {
+    return "UTF-32BE";
+  }
+  if (text.size() >= 4 && text[0] != '\0' && text.substr(1, 3) == "\0\0\0"sv) {
+    return "UTF-32LE";
+  }
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
     return "UTF-16";
   }
@@ -22,11 +35,36 @@ std::string_view utf16_kind(std::string_view text) {
   return text[1] == '\0' ? "UTF-16LE" : "UTF-16BE";
 }
 
+/// Whether all lines end with sequence numbers in columns 73 to 80, as decks of punched
+/// cards do: letters and digits, the last of them a digit.
+bool has_sequence_numbers(const std::vector<std::string>& lines) {
+  constexpr std::size_t first = 72, end = 80, fewest_lines = 3;
+  std::size_t numbered = 0;
+  for (std::string line : lines) {
+    line.erase(line.find_last_not_of(" \t\x1a") + 1);
+    if (line.empty()) {
+      continue;
+    }
+    if (line.size() <= first || line.size() > end ||
+        !std::isdigit(static_cast<unsigned char>(line.back()))) {
+      return false;
+    }
+    const std::string tag = line.substr(line.find_first_not_of(' ', first));
+    if (!std::all_of(tag.begin(), tag.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0; })) {
+      return false;
+    }
+    ++numbered;
+  }
+  return numbered >= fewest_lines;
+}
+
 }  // namespace
 
 bool is_deck_text(const std::string& text, Diagnostics& diagnostics) {
-  if (const std::string_view kind = utf16_kind(text); !kind.empty()) {
-    diagnostics.error({1, 1, 1}, "", "the deck is stored as UTF-16",
+  if (const std::string_view kind = wide_encoding(text); !kind.empty()) {
+    diagnostics.error({1, 1, 1}, "",
+                      fmt::format("the deck is stored as {}", kind.substr(0, 6)),
                       fmt::format("save it as UTF-8, or convert it with iconv -f {} -t "
                                   "UTF-8 OLD.deck >NEW.deck",
                                   kind));
@@ -38,8 +76,15 @@ bool is_deck_text(const std::string& text, Diagnostics& diagnostics) {
     return false;
   }
   constexpr std::size_t longest = 1'000'000;  // bytes
+  const std::vector<std::string> lines = source_lines(text);
+  if (has_sequence_numbers(lines)) {
+    diagnostics.error({1, 73, 8}, "",
+                      "the lines have sequence numbers in columns 73 to 80",
+                      "a deck is read beyond column 72: cut -c1-72 OLD.deck >NEW.deck");
+    return false;
+  }
   int number = 0;
-  for (const std::string& line : source_lines(text)) {
+  for (const std::string& line : lines) {
     ++number;
     if (line.size() > longest) {
       diagnostics.error(

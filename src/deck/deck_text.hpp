@@ -7,8 +7,9 @@
 
 namespace blocks::deck {
 
-/// Reports a text in UTF-16, one with control characters, or one with a line of more
-/// than a million bytes. Returns whether it is none of them.
+/// Reports a text in UTF-16 or UTF-32, one with control characters, one with sequence
+/// numbers of punched cards, or one with a line of more than a million bytes. Returns
+/// whether it is none of them.
 bool is_deck_text(const std::string& text, Diagnostics& diagnostics);
 
 }  // namespace blocks::deck

@@ -43,6 +43,9 @@ struct Line {
   bool is_data() const;
 };
 
+/// The hint where a line looks like a comment of another program.
+inline constexpr const char* comment_hint = "a comment begins with $ or !";
+
 /// Returns the lines of a deck without their line ends (LF, CR LF or CR) and without a
 /// UTF-8 byte order mark.
 std::vector<std::string> source_lines(std::string_view text);

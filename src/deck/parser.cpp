@@ -156,6 +156,8 @@ void Parser::unknown(const Line& line) {
   std::string hint = "'blocks cards' lists all cards";
   if (spec != nullptr) {
     hint = fmt::format("did you mean {}?", spec->name);
+  } else if (word.text.find_first_not_of("Cc") == std::string::npos) {
+    hint = comment_hint;
   } else if (capitals(word.text) == "RANDOM") {
     hint = "RANDOM is the last value of the LAYER card";
   }

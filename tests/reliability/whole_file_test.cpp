@@ -74,18 +74,27 @@ TEST(WholeFile, IsRefusedIfItIsNoText) {
 }
 
 // The command of the hint makes a sound deck.
-TEST(WholeFile, IsRefusedWithTheConversionIfItIsUtf16) {
-  std::string little, big;
+TEST(WholeFile, IsRefusedWithTheConversionIfItIsUtf16OrUtf32) {
+  using namespace std::string_literals;
+  std::string little, big, little_32, big_32;
   for (const char c : sound) {
     little += {c, '\0'};
     big += {'\0', c};
+    little_32 += {c, '\0', '\0', '\0'};
+    big_32 += {'\0', '\0', '\0', c};
   }
-  const std::pair<std::string, std::string> decks[] = {{"UTF-16", "\xff\xfe" + little},
-                                                       {"UTF-16", "\xfe\xff" + big},
-                                                       {"UTF-16LE", little},
-                                                       {"UTF-16BE", big}};
+  const std::pair<std::string, std::string> decks[] = {
+      {"UTF-16", "\xff\xfe" + little},
+      {"UTF-16", "\xfe\xff" + big},
+      {"UTF-16LE", little},
+      {"UTF-16BE", big},
+      {"UTF-32", "\xff\xfe\0\0"s + little_32},
+      {"UTF-32", "\0\0\xfe\xff"s + big_32},
+      {"UTF-32LE", little_32},
+      {"UTF-32BE", big_32}};
   for (const auto& [kind, deck] : decks) {
-    expect_refused(deck, "a.deck:1:1: error: the deck is stored as UTF-16\n");
+    expect_refused(deck, "a.deck:1:1: error: the deck is stored as " +
+                             kind.substr(0, 6) + "\n");
     expect_refused(deck, "\n  hint: save it as UTF-8, or convert it with iconv -f " +
                              kind + " -t UTF-8 OLD.deck >NEW.deck\n1 error\n");
     const TemporaryFolder folder;
