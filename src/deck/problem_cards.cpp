@@ -265,12 +265,15 @@ void add_load_cards(std::vector<CardSpec>& cards) {
 /// Adds the cards for output and running, A.2.16 to A.2.21.
 void add_run_cards(std::vector<CardSpec>& cards) {
   using enum Kind;
-  cards.push_back({.name = "DUMP",
-                   .section = "A.2.16",
-                   .summary = "print blocks, boxes and contacts in full",
-                   .fields = {},
-                   .notes = "Useful for debugging; long for many blocks.",
-                   .example = "DUMP"});
+  cards.push_back(
+      {.name = "DUMP",
+       .section = "A.2.16",
+       .summary = "print blocks, their states, boxes and contacts in full",
+       .fields = {},
+       .notes =
+           "Has the quantities of the report's Appendix D under their names there. "
+           "Useful for debugging; long for many blocks.",
+       .example = "DUMP"});
   cards.push_back(
       {.name = "OUTPUT",
        .section = "A.2.17",

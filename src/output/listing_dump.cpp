@@ -1,7 +1,8 @@
-// DUMP: the blocks and the boxes with their corners, and the whole contact list (report
-// A.2.16).
+// DUMP: what Appendix D of the report stores. These are the blocks with their corners
+// and states, the pressures, the boxes and the whole contact list (report A.2.16).
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 
 #include "output/listing.hpp"
@@ -58,6 +59,56 @@ std::string blocks_dump(const Blocks& blocks) {
   return text;
 }
 
+/// Appendix D: what the report stores of each block, with its names there.
+std::string states_dump(const Blocks& blocks) {
+  const auto rows = [&](const std::string& titles, const auto& values) {
+    std::string text = "\n" + over_whole("block") + titles + "\n";
+    for (int b = 0; b < blocks.size(); ++b)
+      text += whole(b + 1) + values(b) + "\n";
+    return text;
+  };
+  const auto titles = [](std::initializer_list<const char*> names) {
+    std::string text;
+    for (const char* name : names)
+      text += over_number(name);
+    return text;
+  };
+  std::string text =
+      rows(over_whole("NC") + titles({"XC", "YC", "MASS", "RMOI"}), [&](int b) {
+        return whole(blocks.corners_of(b)) + number(blocks.centroid(0, b)) +
+               number(blocks.centroid(1, b)) + number(blocks.mass[b]) +
+               number(blocks.inertia[b]);
+      });
+  text += rows(titles({"VX", "VY", "TDOT", "FX", "FY", "MOM"}), [&](int b) {
+    return number(blocks.velocity(0, b)) + number(blocks.velocity(1, b)) +
+           number(blocks.spin[b]) + number(blocks.force(0, b)) +
+           number(blocks.force(1, b)) + number(blocks.moment[b]);
+  });
+  const auto tensors = [&](std::initializer_list<const char*> names,
+                           const Eigen::Matrix4Xd& tensor) {
+    text += rows(titles(names), [&](int b) {
+      std::string row;
+      for (int i = 0; i < 4; ++i)
+        row += number(tensor(i, b));
+      return row;
+    });
+  };
+  tensors({"TAUA11", "TAUA12", "TAUA21", "TAUA22"}, blocks.applied);
+  tensors({"TAUI11", "TAUI12", "TAUI21", "TAUI22"}, blocks.stress);
+  tensors({"EDOT11", "EDOT12", "EDOT21", "EDOT22"}, blocks.strain_rate);
+  return text;
+}
+
+/// Appendix D: the boundary conditions of PRESSBC.
+std::string pressures_dump(const std::vector<Pressure>& pressures) {
+  std::string text = over_whole("NB") + over_whole("NSIDE") + over_number("P1") +
+                     over_number("P2") + over_number("TARRIV") + "\n";
+  for (const Pressure& one : pressures)
+    text += whole(one.block + 1) + whole(one.side + 1) + number(one.p1) +
+            number(one.p2) + number(one.arrival) + "\n";
+  return text;
+}
+
 std::string corner_name(const Blocks& blocks, int c) {
   const int b = blocks.corner_block[static_cast<std::size_t>(c)];
   return fmt::format(" {}:{}", b + 1,
@@ -105,6 +156,25 @@ std::string contacts_dump(const Model& model) {
   return text;
 }
 
+/// Appendix D: the direction of each contact's edge and its point, the corner.
+std::string contact_places_dump(const Model& model) {
+  const Blocks& blocks = model.blocks;
+  std::string text = over_whole("block") + over_whole("corner") + over_whole("block") +
+                     over_whole("edge") + over_number("SIN") + over_number("COS") +
+                     over_number("XCP") + over_number("YCP") + "\n";
+  for (const Contact& contact : model.contacts) {
+    const Vec2 along =
+        (blocks.corner.col(blocks.next[static_cast<std::size_t>(contact.edge)]) -
+         blocks.corner.col(contact.edge))
+            .normalized();
+    const Vec2 point = blocks.corner.col(contact.corner);
+    text += named(blocks, contact.corner) + named(blocks, contact.edge) +
+            number(along.y()) + number(along.x()) + number(point.x()) +
+            number(point.y()) + "\n";
+  }
+  return text;
+}
+
 /// The contacts that have the law of a joint, in the order of the list.
 std::string joint_states_dump(const Model& model) {
   std::string text = over_whole("block") + over_whole("corner") + over_whole("block") +
@@ -147,10 +217,13 @@ std::string plane_contacts_dump(const Model& model) {
 void Listing::dump(const Model& model) {
   out_ << heading(
               fmt::format("DUMP    time {:.9g}    step {}", model.time, model.steps))
-       << blocks_dump(model.blocks) << heading("BOXES THAT HOLD CORNERS")
-       << boxes_dump(model)
+       << blocks_dump(model.blocks) << states_dump(model.blocks);
+  if (!model.loads.pressures.empty())
+    out_ << heading("PRESSURES") << pressures_dump(model.loads.pressures);
+  out_ << heading("BOXES THAT HOLD CORNERS") << boxes_dump(model)
        << heading(fmt::format("CONTACTS, {} listed", model.contacts.size()))
-       << contacts_dump(model);
+       << contacts_dump(model) << "\n"
+       << contact_places_dump(model);
   if (!model.joint_states.empty())
     out_ << heading("CONTACTS OF JOINTS WITH A LAW") << joint_states_dump(model);
   if (model.plane_contacts.size() > 0)

@@ -52,6 +52,18 @@ TEST(MergeRecord, ShowsThatTheWidthIsLessThanTheLimit) {
             "just below 3, by less than doubles resolve");
 }
 
+// Appendix D of the report.
+TEST(Dump, HasAllThatTheReportStores) {
+  const std::string text = full_listing();
+  const std::string dump = text.substr(text.find("DUMP    time"));
+  for (const char* name :
+       {"NC",     "XC",     "YC",     "MASS",   "RMOI", "MAT",   "x",      "y",
+        "VX",     "VY",     "TDOT",   "FX",     "FY",   "MOM",   "TAUA11", "TAUA22",
+        "TAUI12", "TAUI21", "EDOT11", "EDOT22", "NB",   "NSIDE", "P1",     "P2",
+        "TARRIV", "FN",     "FS",     "SIN",    "COS",  "XCP",   "YCP"})
+    EXPECT_THAT(dump, HasSubstr(std::string(" ") + name)) << name;
+}
+
 TEST(Listing, SeparatesNumbers) {
   const TemporaryFolder folder;
   Model model = samples::two_blocks();
