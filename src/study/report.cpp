@@ -208,7 +208,14 @@ std::string text(const Study& study) {
       table.back().push_back(counted(row.deep, row.frames, row.deep_frames));
     if (row.variant == &all_variants().front()) {
       if (std::isnan(row.hang_ups.value))
-        notes += "hang-ups: not possible here, because nothing should move\n";
+        notes += study.expected.empty()
+                     ? "hang-ups: not possible here, because nothing should move\n"
+                     : "hang-ups: not counted, because the expected motion ends near "
+                       "its start; another number of --steps may end elsewhere\n";
+      if (!study.expected.empty())
+        notes += fmt::format("the deck's own MOTION, CYCLE and SOLVE are replaced by "
+                             "{} steps\n",
+                             study.steps);
       if (!study.must_pass)
         notes += "default is known to fail here in some frames\n";
       notes += frames_line("hung", row.hung_in, study.again);

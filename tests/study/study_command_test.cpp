@@ -46,6 +46,11 @@ TEST(StudyCommand, RunsADeck) {
              folder.path());
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.out, HasSubstr("0/2 0-66"));
+  EXPECT_THAT(done.out, HasSubstr("the deck's own MOTION, CYCLE and SOLVE are replaced "
+                                  "by 100 steps\n"));
+  // The blocks move, but end near their start.
+  EXPECT_THAT(done.out, HasSubstr("hang-ups: not counted, because the expected motion "
+                                  "ends near its start"));
   EXPECT_EQ(blocks("study contacts none.deck", folder.path()).code, 5);
 }
 
