@@ -70,6 +70,7 @@ TEST_F(Dblock, ReportsFaultsWithTheirPlaces) {
   EXPECT_THAT(faults.err,
               HasSubstr("cards.txt:1:1: error: ZOOM: expected xmin < xmax"));
   EXPECT_THAT(faults.err, HasSubstr("cards.txt:2:7: error: TMAX: expected a number"));
+  EXPECT_THAT(faults.err, HasSubstr("error: DBLOCK has no card 'GREAN'\n"));
   EXPECT_THAT(faults.err, HasSubstr("did you mean GREEN?"));
   EXPECT_THAT(faults.err, HasSubstr("cards.txt:4:12: error: FRAMESIZE: expected 1, 2"));
   EXPECT_THAT(plot("BLUE, 1\nRED, 77").err,
