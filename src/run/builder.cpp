@@ -45,10 +45,9 @@ Builder::Builder(Model& model, deck::Diagnostics& diagnostics,
                  const std::vector<Command>& cards, BuildOptions options)
     : model_(model), diagnostics_(diagnostics), options_(std::move(options)),
       unread_(options_.unread), certain_blocks_(model.blocks.size()),
-      corners_(shared_corners(cards)),
-      makers_(model.blocks.size()), plausibility_(diagnostics),
-      domain_blocks_(model.blocks.size()), known_blocks_(model.blocks.size()),
-      checked_blocks_(model.blocks.size()),
+      corners_(shared_corners(cards)), makers_(model.blocks.size()),
+      plausibility_(diagnostics), domain_blocks_(model.blocks.size()),
+      known_blocks_(model.blocks.size()), checked_blocks_(model.blocks.size()),
       moved_blocks_(model.steps > 0 ? model.blocks.size() : 0) {
   if (options_.seed)
     model_.settings.seed = *options_.seed;
