@@ -9,6 +9,7 @@
 
 #include "deck/suggest.hpp"
 #include "output/check_outputs.hpp"
+#include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "run/run.hpp"
 #include "study/figure.hpp"
@@ -177,12 +178,10 @@ bool chooses_frames(const StudyOptions& options) {
 /// as .bak.
 void save(const StudyOptions& options, const std::vector<study::Study>& studies) {
   const auto write = [&](const std::string& path, const std::string& text) {
-    if (studies.size() == 1) {
-      write_text_file(path, text);
-    } else {
-      write_text_file(path + ".tmp", text);
-      std::filesystem::rename(path + ".tmp", path);
-    }
+    if (studies.size() == 1)
+      output::replace_file_keeping_older(path, text);
+    else
+      output::replace_file(path, text);
   };
   if (!options.csv.empty())
     write(options.csv, study::csv(studies));

@@ -28,6 +28,11 @@ std::filesystem::path file_of(const std::string& path) {
   return unknown ? std::filesystem::path(path) : folder / given.filename();
 }
 
+std::string name_of(const std::string& path) {
+  const std::string ending = ".vtkhdf";
+  return path.ends_with(ending) ? path.substr(0, path.size() - ending.size()) : path;
+}
+
 FileClaim::FileClaim(const std::string& path) : file_(file_of(path)) {
   Claims& all = claims();
   const std::lock_guard lock(all.guard);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "output/name_lock.hpp"
 #include "output/results.hpp"
 
 namespace blocks::library {
@@ -13,6 +14,9 @@ namespace blocks::library {
 /// Symbolic links in the folder are followed. A link at the file name itself is not,
 /// because writing would replace it.
 std::filesystem::path file_of(const std::string& path);
+
+/// The output name that a run with these results has: the path without .vtkhdf.
+std::string name_of(const std::string& path);
 
 /// Reserves a file for one writer during the lifetime of the object.
 class FileClaim {
@@ -29,17 +33,18 @@ class FileClaim {
 
 class ResultsInUse {
  public:
-  /// Throws output::FileError if another Simulation writes to the file, or if it cannot
-  /// be written.
+  /// Throws output::FileError if another Simulation or program writes to the file, or
+  /// if it cannot be written.
   ResultsInUse(const std::string& path, const output::RunIdentity& identity)
-      : claim_(path), writer_(path, identity) {}
+      : claim_(path), lock_(name_of(path), path), writer_(path, identity) {}
 
   /// Appends the state, unless it is already the last frame. `changes` counts the
   /// changes made to the model between steps.
   void write(const Model& model, long changes);
 
  private:
-  FileClaim claim_;
+  FileClaim claim_;  ///< also where a file system has no locks
+  output::NameLock lock_;
   output::ResultsWriter writer_;
   long written_changes_ = -1;
 };

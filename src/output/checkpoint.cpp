@@ -14,6 +14,7 @@
 #include "output/checkpoint_validation.hpp"
 #include "output/file_tools.hpp"
 #include "output/model_archive.hpp"
+#include "output/results_errors.hpp"
 
 namespace blocks::output {
 namespace {
@@ -153,6 +154,7 @@ void keep_previous(const std::string& path) {
   std::error_code fault;
   if (!std::filesystem::exists(path, fault))
     return;
+  expect_replaceable(previous);
   std::filesystem::remove(previous, fault);
   std::filesystem::create_hard_link(path, previous, fault);
   if (fault)  // the file system has no hard links
@@ -163,8 +165,7 @@ void keep_previous(const std::string& path) {
 
 void write_checkpoint(const std::string& path, const Model& model,
                       const CheckpointInfo& info) {
-  expect_replaceable(path);
-  TemporaryFile temporary(path + ".tmp");
+  TemporaryFile temporary(path);
   with_file_errors("write", path, [&] {
     hdf5::Handle file = hdf5::create_file(temporary.path(), seal_size);
     hdf5::write_text_attribute(file.get(), "magic", "BLOCKS checkpoint");
@@ -177,7 +178,7 @@ void write_checkpoint(const std::string& path, const Model& model,
   set_seal(temporary.path(), path);
   sync_file(temporary.path(), path);
   keep_previous(path);
-  temporary.take_name(path);
+  temporary.take_name();
   sync_folder_of(path);
 }
 

@@ -24,6 +24,15 @@ bool sync(const std::string& path, int flags) {
   return synced;
 }
 
+/// Returns whether a new, empty file was created; errno tells why not.
+bool create_new(const std::string& path) {
+  constexpr int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  const int descriptor = ::open(path.c_str(), flags, 0666);
+  if (descriptor >= 0)
+    ::close(descriptor);
+  return descriptor >= 0;
+}
+
 }  // namespace
 
 void throw_errno(const char* verb, const std::string& path) {
@@ -33,7 +42,9 @@ void throw_errno(const char* verb, const std::string& path) {
 
 void expect_replaceable(const std::string& path) {
   std::error_code ignored;
-  const std::filesystem::file_status there = std::filesystem::status(path, ignored);
+  const auto there = std::filesystem::symlink_status(path, ignored);
+  if (std::filesystem::is_symlink(there))
+    throw FileError("cannot write " + path + ": it is a link; choose another name");
   if (std::filesystem::is_directory(there))
     throw FileError("cannot write " + path +
                     ": it is a folder; give the name of a file");
@@ -59,24 +70,63 @@ void move_file(const std::string& from, const std::string& to) {
     throw_errno("write", to);
 }
 
+void create_new_file(const std::string& path) {
+  if (!create_new(path))
+    throw_errno("write", path);
+}
+
+TemporaryFile::TemporaryFile(const std::string& name) : name_(name) {
+  expect_replaceable(name_);
+  std::string path = name_ + ".tmp";
+  for (int number = 2; !create_new(path); ++number) {
+    if (errno != EEXIST)
+      throw_errno("write", name_);
+    path = fmt::format("{}.tmp{}", name_, number);
+  }
+  path_ = std::move(path);
+}
+
 TemporaryFile::~TemporaryFile() {
   if (!path_.empty())
     ::unlink(path_.c_str());
 }
 
-void TemporaryFile::take_name(const std::string& name) {
-  move_file(path_, name);
+void TemporaryFile::take_name() {
+  move_file(path_, name_);
   path_.clear();
 }
 
-void replace_file(const std::string& path, const std::string& content) {
-  TemporaryFile temporary(path + ".tmp");
+void TemporaryFile::take_name_keeping_older(const std::string& aside) {
+  std::error_code ignored;  // move_file() reports errors
+  if (std::filesystem::exists(name_, ignored))
+    move_file(name_, name_ + aside);
+  take_name();
+}
+
+namespace {
+
+void write_all(const TemporaryFile& temporary, const std::string& path,
+               const std::string& content) {
+  errno = 0;
   std::ofstream file(temporary.path(), std::ios::binary);
   file << content;
   file.close();
   if (!file)
     throw_errno("write", path);
-  temporary.take_name(path);
+}
+
+}  // namespace
+
+void replace_file(const std::string& path, const std::string& content) {
+  TemporaryFile temporary(path);
+  write_all(temporary, path, content);
+  temporary.take_name();
+}
+
+void replace_file_keeping_older(const std::string& path, const std::string& content) {
+  TemporaryFile temporary(path);
+  write_all(temporary, path, content);
+  temporary.take_name_keeping_older();
 }
 
 void sync_file(const std::string& path, const std::string& meant) {

@@ -6,29 +6,21 @@
 #include <string>
 #include <string_view>
 
-#include "output/file_access_guard.hpp"
-#include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
 
 namespace blocks::output {
 
-/// Runs `action` and converts hdf5::Failure to FileError: "cannot write NAME: reason".
-template <class Action>
-auto with_file_errors(const char* verb, const std::string& path, Action&& action) {
-  const FileAccessGuard in_hand(verb, path);
-  try {
-    return action();
-  } catch (const hdf5::Failure& failure) {
-    throw FileError("cannot " + (verb + (" " + path)) + ": " + failure.what());
-  }
-}
-
 /// Throws FileError: "cannot write NAME: " and the message of errno.
 [[noreturn]] void throw_errno(const char* verb, const std::string& path);
 
-/// Throws FileError if `path` exists and is not a regular file, such as a folder, a
-/// device or a FIFO. Call it before a new file replaces the old one or renames it.
+/// Throws FileError if `path` exists and is not a regular file, such as a link, a
+/// folder, a device or a FIFO. Call it before a new file replaces the old one or
+/// renames it.
 void expect_replaceable(const std::string& path);
+
+/// Creates a new, empty file. If the name exists, even as a link to a missing file,
+/// throws FileError and changes nothing.
+void create_new_file(const std::string& path);
 
 /// Creates the folder of `path` and the folders above it, if they are missing. Throws
 /// FileError.
@@ -38,26 +30,33 @@ void create_folder_of(const std::string& path);
 /// device, a FIFO or a folder.
 void move_file(const std::string& from, const std::string& to);
 
-/// A file with a temporary name. The destructor removes it unless take_name() was
-/// called.
+/// A new file that gets its name when it is complete. All files that replace others are
+/// written in this way, so existing files and links are neither written to nor removed.
+/// The destructor removes the file unless it has got its name.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
+  /// Creates NAME.tmp, or NAME.tmp2 and so on if files of these names exist. Throws
+  /// FileError if it cannot be created, or if `name` cannot be replaced.
+  explicit TemporaryFile(const std::string& name);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Renames the file to `name`, replacing an existing file. Throws FileError.
-  void take_name(const std::string& name);
+  /// Renames the file to its name, replacing an existing file. Throws FileError.
+  void take_name();
+  /// The same, but an existing file gets the ending `aside` first. Throws FileError.
+  void take_name_keeping_older(const std::string& aside = ".bak");
 
  private:
-  std::string path_;
+  std::string name_, path_;
 };
 
 /// Writes a file all at once: it has the old content or the new one at any moment.
 /// Throws FileError.
 void replace_file(const std::string& path, const std::string& content);
+/// The same, but an older file is kept as PATH.bak.
+void replace_file_keeping_older(const std::string& path, const std::string& content);
 
 /// Waits until the bytes of a file, or the entries of its folder, are on disk. Throws
 /// FileError that names `meant`; `path` may be its temporary file.

@@ -4,12 +4,10 @@
 #include "output/results.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <filesystem>
 #include <random>
 
 #include "output/file_tools.hpp"
+#include "output/results_errors.hpp"
 #include "output/results_frames.hpp"
 #include "output/results_history.hpp"
 #include "output/results_mark.hpp"
@@ -24,9 +22,9 @@ constexpr int format = 1;
 
 struct ResultsWriter::File {
   std::string path;
-  std::string written_as;  ///< temporary name until the first frame
-  std::string aside;       ///< ending for an older file of this name
-  ChangeMark mark;         ///< destroyed after the HDF5 handles
+  std::optional<TemporaryFile> temporary;  ///< until the first frame
+  std::string aside;                       ///< ending for an older file of this name
+  ChangeMark mark;                         ///< destroyed after the HDF5 handles
   hdf5::Handle file;
   ResultsGroups groups;
   long frames = 0;
@@ -41,7 +39,6 @@ struct ResultsWriter::File {
   void keep(long count);
   void append(const Model& model);
   void appear();
-  void discard();
   void flush_history();
   void publish(long count) {
     hdf5::check(H5Fflush(file.get(), H5F_SCOPE_GLOBAL));
@@ -79,13 +76,9 @@ void ResultsWriter::File::keep(long count) {
 
 /// Gives the file its final name after the first frame and renames an older file.
 void ResultsWriter::File::appear() {
-  if (written_as.empty())
-    return;
-  std::error_code ignored;  // move_file() reports errors
-  if (std::filesystem::exists(path, ignored))
-    move_file(path, path + aside);
-  move_file(written_as, path);
-  written_as.clear();
+  if (temporary)
+    temporary->take_name_keeping_older(aside);
+  temporary.reset();
 }
 
 void ResultsWriter::File::flush_history() {
@@ -95,12 +88,6 @@ void ResultsWriter::File::flush_history() {
   history->flush();
   publish(frames);
   mark.end();
-}
-
-/// Removes a file that has no frame.
-void ResultsWriter::File::discard() {
-  if (!written_as.empty())
-    ::unlink(written_as.c_str());
 }
 
 void ResultsWriter::File::append(const Model& model) {
@@ -130,14 +117,13 @@ std::string new_run_id() {
 ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identity,
                              std::string aside)
     : file_(std::make_unique<File>()) {
-  expect_replaceable(path);
   File& to = *file_;
   to.path = path;
-  to.written_as = path + ".tmp";
+  to.temporary.emplace(path);
   to.aside = std::move(aside);
   const auto create = [&] {
-    to.file = hdf5::create_file(to.written_as, mark_size);
-    to.mark = ChangeMark::make(to.written_as);
+    to.file = hdf5::create_file(to.temporary->path(), mark_size);
+    to.mark = ChangeMark::make(to.temporary->path());
     to.mark.begin();
     to.groups.vtk = hdf5::create_group(to.file.get(), "VTKHDF");
     const hdf5::Handle version_space = [] {
@@ -170,12 +156,7 @@ ResultsWriter::ResultsWriter(const std::string& path, const RunIdentity& identit
     to.publish(0);
     to.mark.end();
   };
-  try {
-    with_file_errors("write", path, create);
-  } catch (...) {
-    to.discard();
-    throw;
-  }
+  with_file_errors("write", path, create);
 }
 
 ResultsWriter::ResultsWriter(std::unique_ptr<File> file) : file_(std::move(file)) {}
@@ -212,7 +193,7 @@ ResultsWriter ResultsWriter::reopen(const std::string& path, long frames,
 ResultsWriter::~ResultsWriter() {
   if (file_ == nullptr)
     return;
-  file_->discard();
+  file_->temporary.reset();  // a file without a frame is removed
   const FileAccessGuard in_hand("close", file_->path);
   file_.reset();
 }

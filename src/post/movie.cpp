@@ -17,7 +17,6 @@
 #include "output/file_tools.hpp"
 #include "output/results.hpp"
 #include "post/figure_page.hpp"
-#include "post/page_file.hpp"
 
 namespace blocks::post {
 namespace {
@@ -155,13 +154,10 @@ void draw_movie(const std::string& path, const ResultsReader& results,
             height = even(options.page.unit * page.height());
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height),
                         cairo_surface_destroy);
-  output::expect_replaceable(path);
-  const std::string draft = path + ".tmp";
-  Encoder encoder(ffmpeg(draft, std::filesystem::path(path).extension() == ".gif",
-                         width, height, rate));
-  // removes an incomplete movie on every error
-  const std::unique_ptr<const char, void (*)(const char*)> draft_goes(
-      draft.c_str(), [](const char* name) { std::remove(name); });
+  output::TemporaryFile temporary(path);  // also removes an incomplete movie
+  Encoder encoder(ffmpeg(temporary.path(),
+                         std::filesystem::path(path).extension() == ".gif", width,
+                         height, rate));
   ResultsTracker tracker(results);
   bool well = true;
   for (const long i : frames) {
@@ -187,7 +183,7 @@ void draw_movie(const std::string& path, const ResultsReader& results,
   well = encoder.finish() && well;
   if (!well)
     throw output::FileError("cannot write " + path + ": ffmpeg failed");
-  take_name(draft, path);
+  temporary.take_name_keeping_older();
 }
 
 }  // namespace blocks::post

@@ -3,10 +3,7 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -63,8 +60,8 @@ void write_page(const std::string& path, const PageSize& page, double page_heigh
   if (ending != ".png" && ending != ".svg" && ending != ".pdf")
     throw std::runtime_error(
         "the figure's name must end in .png, .svg or .pdf, found '" + path + "'");
-  output::expect_replaceable(path);
-  const std::string draft = path + ".tmp";
+  output::TemporaryFile temporary(path);
+  const std::string& draft = temporary.path();
   constexpr double points_per_inch = 72.0;
   const double dots =  // per point
       ending == ".png" && page.printed ? page.resolution() / points_per_inch : 1.0;
@@ -90,7 +87,6 @@ void write_page(const std::string& path, const PageSize& page, double page_heigh
   } catch (...) {
     text.reset();
     surface.reset();
-    std::remove(draft.c_str());
     throw;
   }
   cairo_status_t status = ending == ".png"
@@ -99,15 +95,13 @@ void write_page(const std::string& path, const PageSize& page, double page_heigh
   cairo_surface_finish(surface.get());
   if (status == CAIRO_STATUS_SUCCESS)
     status = cairo_surface_status(surface.get());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    std::remove(draft.c_str());
+  if (status != CAIRO_STATUS_SUCCESS)
     cannot_write(path, cairo_status_to_string(status));
-  }
   if (text)
     text->insert_into(draft);
   if (dots != 1.0)
     set_png_resolution(draft, page.resolution());
-  take_name(draft, path);
+  temporary.take_name_keeping_older();
 }
 
 std::string svg_page(const PageSize& page, double height,
@@ -138,15 +132,6 @@ std::string png_page(const PageSize& page, double height,
   cairo_surface_write_to_png_stream(surface.get(), append, &png);
   expect_drawn(surface.get());
   return png;
-}
-
-void take_name(const std::string& draft, const std::string& path) {
-  output::expect_replaceable(path);
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored))
-    std::filesystem::rename(path, path + ".bak", ignored);
-  if (std::rename(draft.c_str(), path.c_str()) != 0)
-    cannot_write(path, std::strerror(errno));
 }
 
 }  // namespace blocks::post

@@ -31,8 +31,4 @@ std::string svg_page(const PageSize& page, double height,
 std::string png_page(const PageSize& page, double height,
                      const std::function<void(cairo_t*)>& draw);
 
-/// Renames the complete file `draft` to `path`; an older file is kept as NAME.bak.
-/// Throws output::FileError.
-void take_name(const std::string& draft, const std::string& path);
-
 }  // namespace blocks::post

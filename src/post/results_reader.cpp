@@ -8,9 +8,9 @@
 #include <optional>
 #include <tuple>
 
-#include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
+#include "output/results_errors.hpp"
 #include "output/results_mark.hpp"
 #include "output/results_names.hpp"
 #include "post/frame_units.hpp"

@@ -4,16 +4,15 @@
 #include <fstream>
 #include <string>
 
+#include "output/file_tools.hpp"
+
 namespace blocks::post {
 
 class WholeFile {
  public:
-  /// Creates PATH.tmp. Throws output::FileError.
+  /// Creates a temporary file. Without close(), it is removed. Throws
+  /// output::FileError.
   explicit WholeFile(std::string path);
-  /// Removes the file unless close() was called.
-  ~WholeFile();
-  WholeFile(const WholeFile&) = delete;
-  WholeFile& operator=(const WholeFile&) = delete;
 
   WholeFile& operator<<(const std::string& text) {
     out_ << text;
@@ -25,6 +24,7 @@ class WholeFile {
 
  private:
   std::string path_;
+  output::TemporaryFile temporary_;
   std::ofstream out_;
 };
 

@@ -98,16 +98,6 @@ std::string end_of_log(const std::string& path) {
   return size > most ? "...\n" + text.substr(text.find('\n') + 1) : text;
 }
 
-void write_whole(const std::string& path, const std::string& text) {
-  output::TemporaryFile temporary(path + ".tmp");
-  std::ofstream file(temporary.path(), std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
-    output::throw_errno("write", path);
-  temporary.take_name(path);
-}
-
 std::string facts_table(const Ensemble& ensemble, const RunRow& row) {
   std::string text = "<table class=\"facts\">";
   const auto add = [&](const std::string& name, const std::string& value) {
@@ -159,7 +149,7 @@ void write_view(const Ensemble& ensemble, const RunRow& row, const std::string& 
   std::string page = post::view_page(post::view_data(results, 1, mirror_of(ensemble)));
   const std::string head = "<head>\n";
   page.insert(page.find(head) + head.size(), view_mark(ensemble) + '\n');
-  write_whole(path, page);
+  output::replace_file(path, page);
 }
 
 /// Returns the rows whose runs get a page that plays them.
@@ -212,7 +202,7 @@ RunPages write_run_pages(const Ensemble& ensemble, const Analysis& analysis,
         if (plays)
           write_view(ensemble, row, page);
         else
-          write_whole(page, summary_page(ensemble, row, with_results[r]));
+          output::replace_file(page, summary_page(ensemble, row, with_results[r]));
       } catch (const output::FileError& fault) {
         pages.fault = fault.what();
       } catch (const std::runtime_error&) {

@@ -15,6 +15,7 @@
 #include "model/counted.hpp"
 #include "model/equilibrium.hpp"
 #include "output/file_tools.hpp"
+#include "output/name_lock.hpp"
 #include "run/builder.hpp"
 #include "run/check_report.hpp"
 #include "run/continuation_hint.hpp"
@@ -144,6 +145,8 @@ bool sound_in_place(Builder& builder, deck::Diagnostics& said,
 /// Runs the deck. Returns an ExitCode.
 int execute(Job& job, Console& console, const std::vector<std::string>& warnings) {
   const auto began = std::chrono::steady_clock::now();
+  output::create_folder_of(job.name);
+  const output::NameLock lock(job.name, job.name + ".vtkhdf");
   Model model;
   if (job.loads())
     model = job.load();
@@ -163,7 +166,6 @@ int execute(Job& job, Console& console, const std::vector<std::string>& warnings
       break;
     }
   }
-  output::create_folder_of(job.name);
   const output::RunIdentity identity = job.identity(model);
   RunFiles files =
       job.resumes ? RunFiles::resumed(job.name, identity, job.from, job.checkpoint())

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "output/file_tools.hpp"
 #include "output/results_mark.hpp"
@@ -16,28 +18,67 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path, ignored);
 }
 
-/// The first of .bak, .bak2, ... whose files may be overwritten. Files of another deck
-/// are kept, and so are files of a finished run (with a summary) if the present files
-/// have no summary.
-std::string free_ending(const std::string& name, const output::RunIdentity& identity) {
-  for (int number = 1;; ++number) {
-    std::string ending = number == 1 ? ".bak" : fmt::format(".bak{}", number);
-    const std::string results = name + ".vtkhdf" + ending;
-    const std::string summary = name + ".summary.json";
-    if (exists(summary + ending) && !exists(summary))
-      continue;
-    if (!exists(results)) {
-      if (!exists(summary + ending) && !exists(name + ".ckpt.h5" + ending))
-        return ending;
-      continue;  // their deck is unknown
-    }
-    if (const auto deck = output::ResultsWriter::identity_of(results);
-        deck && deck->same_deck(identity))
-      return ending;
-  }
+/// The files of a run, all of which get the same ending when they are renamed.
+constexpr const char* endings[] = {".out", ".vtkhdf", ".ckpt.h5", ".ckpt.h5.prev",
+                                   ".summary.json"};
+
+/// Whether a regular file begins with this text at this place.
+bool has_text(const std::string& path, std::streamoff at, const std::string& text) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, ignored)))
+    return false;
+  std::ifstream in(path, std::ios::binary);
+  std::string head(text.size(), '\0');
+  return in.seekg(at).read(head.data(), static_cast<std::streamsize>(head.size())) &&
+         head == text;
 }
 
-/// Throws FileError if another run is writing files of this name.
+/// Whether the files with this ending may be overwritten: there are none, or they
+/// belong to a run of this deck. A file that another program may have written is kept,
+/// and so are files of a finished run (with a summary) if the present files have no
+/// summary.
+bool may_overwrite(const std::string& name, const std::string& ending,
+                   const output::RunIdentity& identity) {
+  const std::string results = name + ".vtkhdf" + ending,
+                    listing = name + ".out" + ending, summary = name + ".summary.json";
+  if (!exists(results))
+    return std::none_of(std::begin(endings), std::end(endings), [&](const char* kind) {
+      return exists(name + kind + ending);  // their deck is unknown
+    });
+  if (exists(listing) && !has_text(listing, 0, "BLOCKS "))
+    return false;
+  if (exists(summary + ending) && !exists(summary))
+    return false;
+  const auto deck = output::ResultsWriter::identity_of(results);
+  return deck && deck->same_deck(identity);
+}
+
+/// The first of .bak, .bak2, ... whose files may be overwritten.
+std::string free_ending(const std::string& name, const output::RunIdentity& identity) {
+  for (int number = 1;; ++number)
+    if (std::string ending = number == 1 ? ".bak" : fmt::format(".bak{}", number);
+        may_overwrite(name, ending, identity))
+      return ending;
+}
+
+/// Removes the temporary files that killed runs have left, which may be large. Files
+/// that another program may have written stay. The name is locked.
+void remove_leftovers(const std::string& name) {
+  for (const std::string& file : {name + ".vtkhdf", name + ".ckpt.h5"})
+    for (int number = 1;; ++number) {
+      const std::string path =
+          file + (number == 1 ? ".tmp" : fmt::format(".tmp{}", number));
+      std::error_code ignored;
+      if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored)))
+        break;
+      // The text at the head of a checkpoint is written last.
+      if (has_text(path, 0, "BLOCKS ") || has_text(path, 512, "\x89HDF\r\n\x1a\n"))
+        std::filesystem::remove(path, ignored);
+    }
+}
+
+/// Throws FileError if a program without NameLock, such as an earlier version, is
+/// writing the results.
 void expect_idle(const std::string& name) {
   const std::string results = name + ".vtkhdf";
   if (output::is_being_written(results) || output::is_being_written(results + ".tmp"))
@@ -50,8 +91,9 @@ void expect_idle(const std::string& name) {
 /// replaced or is being written.
 const std::string& replaceable(const std::string& name) {
   expect_idle(name);
-  for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".summary.json"})
+  for (const char* ending : endings)
     output::expect_replaceable(name + ending);
+  remove_leftovers(name);
   return name;
 }
 
@@ -77,8 +119,15 @@ void expect_listing(const std::string& path, long bytes,
                     bytes));
 }
 
+/// Creates the listing, never through a link. Returns the path.
+std::string created(const std::string& path) {
+  output::create_new_file(path);
+  return path;
+}
+
 /// Truncates the listing to its length at the checkpoint. Returns the path.
 std::string cut(const std::string& path, long bytes) {
+  output::expect_replaceable(path);
   std::error_code ignored;  // opening the listing reports errors
   std::filesystem::resize_file(path, static_cast<std::uintmax_t>(bytes), ignored);
   return path;
@@ -114,7 +163,7 @@ RunFiles::RunFiles(const std::string& name, const output::RunIdentity& identity)
       put_aside_(foreign(results_path(), identity, older_.ending)),
       results_(std::make_unique<output::ResultsWriter>(results_path(), identity,
                                                        older_.ending)),
-      listing_(step_aside(name + ".out"), false) {
+      listing_(created(step_aside(name + ".out")), false) {
   for (const std::string& path :
        {checkpoint_path(), checkpoint_path() + ".prev", summary_path()})
     step_aside(path);
@@ -172,6 +221,7 @@ bool RunFiles::continues(const std::string& name, const output::CheckpointInfo& 
   if (!from.results_run.empty() &&
       output::ResultsWriter::run_id_of(results) == from.results_run) {
     expect_idle(name);
+    remove_leftovers(name);
     expect_listing(name + ".out", listing_bytes, checkpoint);
     return true;
   }

@@ -133,7 +133,7 @@ bool has_plan(const std::string& folder) {
 void write_plan(const std::string& folder, const Plan& plan) {
   const std::string path = plan_path(folder);
   output::create_folder_of(path);
-  output::TemporaryFile temporary(path + ".tmp");
+  output::TemporaryFile temporary(path);
   std::ofstream file(temporary.path(), std::ios::binary);
   std::string head = head_of(plan).dump(-1, ' ', false, Json::error_handler_t::replace);
   head.pop_back();  // the closing brace
@@ -146,7 +146,7 @@ void write_plan(const std::string& folder, const Plan& plan) {
   if (!file)
     output::throw_errno("write", path);
   output::sync_file(temporary.path(), path);
-  temporary.take_name(path);
+  temporary.take_name();
 }
 
 Plan read_plan(const std::string& folder) {
