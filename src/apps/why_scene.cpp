@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -19,6 +20,8 @@ namespace {
 
 /// Returns the first bytes of a file. Throws output::FileError.
 std::string head_of(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path) && std::filesystem::exists(path))
+    throw output::FileError("cannot read " + path + ": it is not a regular file");
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw output::FileError("cannot read " + path + ": " +

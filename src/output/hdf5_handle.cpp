@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <new>
 
@@ -69,6 +70,31 @@ void expect_in_file(hid_t object, const std::string& name, hsize_t values) {
   check(H5Fget_filesize(file.get(), &bytes));
   if (values > bytes)
     throw Failure(name + " is longer than the file");
+}
+
+/// Throws Failure if the path leads to another place or file. HDF5 would open that
+/// file, and wait for ever if it is a FIFO. Files of BLOCKS have no such links.
+void expect_no_links(hid_t parent, const std::string& path) {
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = path.find('/', end + 1);
+    const std::string part = path.substr(0, end);
+    H5L_info_t link;
+    if (H5Lget_info(parent, part.c_str(), &link, H5P_DEFAULT) < 0)
+      return;  // opening it reports the reason
+    if (link.type != H5L_TYPE_HARD)
+      throw Failure(part + " is a link to another place or file");
+  }
+}
+
+/// Opens a dataset whose values are in this file.
+Handle open_dataset(hid_t parent, const std::string& path) {
+  expect_no_links(parent, path);
+  Handle dataset(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle creation(H5Dget_create_plist(dataset.get()), H5Pclose);
+  if (H5Pget_layout(creation.get()) == H5D_VIRTUAL ||
+      H5Pget_external_count(creation.get()) != 0)
+    throw Failure(path + " is stored in another file");
+  return dataset;
 }
 
 /// The rows per chunk of a dataset; 1 if it is not chunked.
@@ -137,6 +163,10 @@ Handle create_file(const std::string& path, hsize_t user_block) {
 }
 
 Handle open_file(const std::string& path, bool writable) {
+  std::error_code ignored;
+  const auto there = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_fifo(there) || std::filesystem::is_character_file(there))
+    throw Failure("it is not a regular file");  // opening it may never end
   const Handle access = file_access(writable);
   return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.get()),
           H5Fclose};
@@ -149,10 +179,12 @@ Handle create_group(hid_t parent, const std::string& path) {
 }
 
 Handle open_group(hid_t parent, const std::string& path) {
+  expect_no_links(parent, path);
   return {H5Gopen2(parent, path.c_str(), H5P_DEFAULT), H5Gclose};
 }
 
 bool exists(hid_t parent, const std::string& name) {
+  expect_no_links(parent, name);
   return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0;
 }
 
@@ -228,7 +260,7 @@ void write_text(hid_t parent, const std::string& path, const std::string& text) 
 }
 
 std::string read_text(hid_t parent, const std::string& path) {
-  const Handle dataset(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle dataset = open_dataset(parent, path);
   const Handle type(H5Dget_type(dataset.get()), H5Tclose);
   const Handle space(H5Dget_space(dataset.get()), H5Sclose);
   return fetch_text(dataset.get(), path, type, space, [&](char* text) {
@@ -255,7 +287,7 @@ Column::Column(hid_t parent, const std::string& path, hid_t type, hsize_t width,
 Column Column::open(hid_t parent, const std::string& path) {
   Column column;
   column.path_ = path;
-  column.dataset_ = Handle(H5Dopen2(parent, path.c_str(), H5P_DEFAULT), H5Dclose);
+  column.dataset_ = open_dataset(parent, path);
   const Handle space(H5Dget_space(column.dataset_.get()), H5Sclose);
   expect_number(Handle(H5Dget_type(column.dataset_.get()), H5Tclose), path);
   const int rank = check(H5Sget_simple_extent_ndims(space.get()));

@@ -84,6 +84,9 @@ template <class T> hid_t type_of() {
   }
 }
 
+/// Objects are only opened if their data are in this file. Links, external storage and
+/// virtual datasets, which could lead to any file of the machine, are refused.
+///
 /// Files are never locked, so that they can be read during a run. Files being written
 /// are consistent at every moment (ordered_file.hpp). `user_block` is the number of
 /// bytes at the head that HDF5 does not use.

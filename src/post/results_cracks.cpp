@@ -1,5 +1,7 @@
 #include "post/results_cracks.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -75,9 +77,13 @@ std::vector<Crack> ResultsReader::File::read_cracks() const {
   real("kinetic_after", &Crack::kinetic_after);
   real("strain_before", &Crack::strain_before);
   real("strain_after", &Crack::strain_after);
+  const auto blocks = static_cast<std::int64_t>(
+      count("NumberOfCells", step_value("PartOffsets", times.size() - 1)));
   for (const Crack& crack : cracks)
-    if (crack.parent < 1 || crack.child < 1)
-      throw Failure("cracks has a block number below 1");
+    for (const int block : {crack.parent, crack.child})
+      if (block < 1 || block > blocks)
+        throw Failure(fmt::format("cracks is out of range: block {} is not in 1 to {}",
+                                  block, blocks));
   return cracks;
 }
 

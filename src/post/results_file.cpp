@@ -1,8 +1,11 @@
 #include "post/results_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -42,6 +45,30 @@ void hide_removed(Frame& frame) {
   }
 }
 
+/// Throws Failure unless every contact is that of a corner and an edge that exist.
+/// `corners` has the number of corners of each block. The edges of block 0 are planes.
+void expect_in_range(const FrameContacts& contacts,
+                     const std::vector<std::int64_t>& corners) {
+  const auto expect = [&](const char* name, std::int64_t value, std::int64_t from,
+                          std::int64_t to) {
+    if (value < from || value > to)
+      throw Failure(fmt::format("contacts/{} is out of range: {} is not in {} to {}",
+                                name, value, from, to));
+  };
+  const auto blocks = static_cast<std::int64_t>(corners.size());
+  const auto corners_of = [&](int block) {
+    return corners[static_cast<std::size_t>(block) - 1];
+  };
+  for (std::size_t i = 0; i < contacts.corner.size(); ++i) {
+    const int block = contacts.corner_block[i], other = contacts.edge_block[i];
+    expect("CornerBlock", block, 1, blocks);
+    expect("Corner", contacts.corner[i], 1, corners_of(block));
+    expect("EdgeBlock", other, 0, blocks);
+    expect("Edge", contacts.edge[i], 1,
+           other == 0 ? std::numeric_limits<int>::max() : corners_of(other));
+  }
+}
+
 }  // namespace
 
 std::vector<int> ResultsReader::File::read_joints(hsize_t i, hsize_t points) const {
@@ -61,6 +88,20 @@ std::vector<int> ResultsReader::File::read_joints(hsize_t i, hsize_t points) con
   if (std::any_of(joints.begin(), joints.end(), [](int joint) { return joint < 0; }))
     throw Failure("Joint is negative");
   return joints;
+}
+
+std::vector<std::int64_t> ResultsReader::File::read_corner_counts(hsize_t i) const {
+  const hsize_t part = step_value("PartOffsets", i);
+  const hsize_t n = count("NumberOfCells", part);
+  const auto starts =
+      rows<std::int64_t>("Offsets", step_value("CellOffsets", i) + part, n + 1);
+  std::vector<std::int64_t> counts(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    if (starts[b] < 0 || starts[b + 1] < starts[b])
+      throw Failure("Offsets are out of range");
+    counts[b] = starts[b + 1] - starts[b];
+  }
+  return counts;
 }
 
 void ResultsReader::File::read_outlines(hsize_t i, hsize_t part, hsize_t n,
@@ -106,6 +147,10 @@ Frame ResultsReader::File::read(hsize_t i) const {
   frame.number = cells<int>("BlockNumber", i, n, 1);
   frame.material = cells<int>("Material", i, n, 1);
   frame.fixed = cells<int>("Fixed", i, n, 1);
+  if (std::any_of(frame.fixed.begin(), frame.fixed.end(), [](int fixity) {
+        return fixity < 0 || fixity > static_cast<int>(Fixity::driven);
+      }))
+    throw Failure("CellData/Fixed is out of range");
   frame.centroid = in_plane(cells<double>("Centroid", i, n, 3));
   frame.velocity = in_plane(cells<double>("Velocity", i, n, 3));
   frame.angle = vector(cells<double>("Angle", i, n, 1));
@@ -149,6 +194,7 @@ FrameContacts ResultsReader::File::read_contacts(hsize_t i) const {
   rows.overlap = vector(contact<double>("Overlap", from, m, 1));
   if (output::hdf5::exists(own.get(), last_law_column))
     rows.laws = read_laws(from, m);
+  expect_in_range(rows, read_corner_counts(i));
   return rows;
 }
 

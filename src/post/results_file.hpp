@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "output/file_tools.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/results.hpp"
+#include "output/results_errors.hpp"
 #include "output/results_mark.hpp"
 #include "output/results_names.hpp"
 #include "post/frame_units.hpp"
@@ -113,6 +113,8 @@ struct ResultsReader::File {
   std::vector<int> parents(hsize_t i, hsize_t n) const;
   /// Returns the joint ids of all points of a frame; empty if the file has none.
   std::vector<int> read_joints(hsize_t i, hsize_t points) const;
+  /// Returns the number of corners of each block in frame i.
+  std::vector<std::int64_t> read_corner_counts(hsize_t i) const;
   void read_outlines(hsize_t i, hsize_t part, hsize_t n, Frame& frame) const;
 };
 

@@ -12,8 +12,11 @@ namespace blocks::post {
 namespace fs = std::filesystem;
 
 std::string fault_of_head(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
   std::error_code ignored;
+  const fs::file_status there = fs::status(path, ignored);
+  if (fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there))
+    return "it is not a regular file";  // opening a FIFO may never end
+  std::ifstream in(path, std::ios::binary);
   if (!in || fs::is_directory(path, ignored))
     return {};  // opening the file reports why
   std::string head(8, '\0');

@@ -255,7 +255,7 @@ TEST(ResultsCracks, AreRefusedIfTheyDoNotFitTheFile) {
   EXPECT_EQ(refusal("step", std::int64_t{8}), "");
   EXPECT_THAT(refusal("counts", std::int64_t{-1}), HasSubstr("counts is negative"));
   EXPECT_THAT(refusal("counts", std::int64_t{1} << 60), HasSubstr("cannot read"));
-  EXPECT_THAT(refusal("child", 0), HasSubstr("block number below 1"));
+  EXPECT_THAT(refusal("child", 0), HasSubstr("block 0 is not in 1 to 3"));
 }
 
 json summary_of(const Model& model) {

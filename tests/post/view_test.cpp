@@ -236,8 +236,8 @@ TEST(View, RefusesAContactAtAMissingCorner) {
   }
   const Outcome run = blocks("view two.vtkhdf", folder.path());
   EXPECT_EQ(run.code, 5);
-  EXPECT_THAT(run.err, HasSubstr("cannot read two.vtkhdf: it is damaged: a contact is "
-                                 "at corner 2000000000 of block "));
+  EXPECT_THAT(run.err, HasSubstr("cannot read two.vtkhdf: contacts/Corner is out of "
+                                 "range: 2000000000 is not in 1 to "));
 }
 
 TEST(View, NamesTheFileThatItCannotRead) {
