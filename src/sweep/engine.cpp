@@ -105,7 +105,10 @@ class Engine {
     const ParallelChoice choice{choice_.run, choice_.jobs, choice_.pack.value_or(1),
                                 choice_.logins, choice_.quiet};
     if (choice_.dry_run) {
-      fmt::print("{}\n", shell_line(parallel_words(folder_, choice)));
+      const ParallelCall call = parallel_call(folder_, choice);
+      for (const auto& [name, value] : call.variables)
+        fmt::print("{}={} ", name, run::shell_word(value));
+      fmt::print("{}\n", shell_line(call.words));
       return run::done;
     }
     const ParallelEnd result =

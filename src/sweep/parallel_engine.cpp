@@ -7,12 +7,14 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "output/file_tools.hpp"
 #include "sweep/external_program.hpp"
@@ -100,6 +102,11 @@ void prepare(const std::string& folder, const std::vector<std::size_t>& ids,
   write_packs(packs_path(folder), packs_of(ids, pack));
 }
 
+// GNU parallel replaces {}, {#}, {= Perl =} and others in its command, so that the name
+// of a folder could be a program. Paths are therefore passed as variables.
+constexpr const char* program_variable = "BLOCKS_SWEEP_PROGRAM";
+constexpr const char* folder_variable = "BLOCKS_SWEEP_FOLDER";
+
 std::size_t count_open(const std::string& folder, const std::vector<std::size_t>& ids) {
   return static_cast<std::size_t>(std::count_if(ids.begin(), ids.end(), [&](auto id) {
     return !has_outcome(run_folder(folder, id));
@@ -108,23 +115,24 @@ std::size_t count_open(const std::string& folder, const std::vector<std::size_t>
 
 }  // namespace
 
-std::vector<std::string> parallel_words(const std::string& folder,
-                                        const ParallelChoice& choice) {
+ParallelCall parallel_call(const std::string& folder, const ParallelChoice& choice) {
   std::vector<std::string> words{"parallel",          "--will-cite",     "--joblog",
                                  log_path(folder),    "--resume-failed", "--termseq",
                                  "TERM,60000,KILL,25"};
   if (choice.jobs > 0)
     words.insert(words.end(), {"--jobs", fmt::format("{}", choice.jobs)});
   if (!choice.logins.empty())
-    words.insert(words.end(), {"--sshloginfile", whole_path(choice.logins)});
-  words.insert(words.end(), {"--arg-file", packs_path(folder), "--quote",
-                             this_program(), "sweep", whole_path(folder), "--runs",
-                             "{}", "-J", "1", "--quiet", "--checkpoint-every",
-                             fmt::format("{:g}", choice.run.checkpoint_every)});
+    words.insert(words.end(), {"--sshloginfile", whole_path(choice.logins), "--env",
+                               program_variable, "--env", folder_variable});
+  std::string command =
+      fmt::format("\"${}\" sweep \"${}\" --runs {{}} -J 1 --quiet --checkpoint-every "
+                  "{:g}",
+                  program_variable, folder_variable, choice.run.checkpoint_every);
   if (choice.run.time_limit > 0.0)
-    words.insert(words.end(),
-                 {"--time-limit", fmt::format("{:g}", choice.run.time_limit)});
-  return words;
+    command += fmt::format(" --time-limit {:g}", choice.run.time_limit);
+  words.insert(words.end(), {"--arg-file", packs_path(folder), std::move(command)});
+  return {{{program_variable, this_program()}, {folder_variable, whole_path(folder)}},
+          std::move(words)};
 }
 
 ParallelEnd run_parallel(const std::string& folder, const std::vector<std::size_t>& ids,
@@ -133,7 +141,10 @@ ParallelEnd run_parallel(const std::string& folder, const std::vector<std::size_
   prepare(folder, ids, choice.pack);
   SignalWatch signals;
   Progress progress(all - ids.size(), all, choice.quiet);
-  ProgramProcess parallel(parallel_words(folder, choice));
+  const ParallelCall call = parallel_call(folder, choice);
+  for (const auto& [name, value] : call.variables)
+    ::setenv(name, value.c_str(), 1);
+  ProgramProcess parallel(call.words);
   while (!parallel.has_ended()) {
     if (signals.asked() != SignalWatch::Asked::nothing) {
       // The first signal makes it start no more jobs, the second end those at work.

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sweep/one_run.hpp"
@@ -18,10 +19,16 @@ struct ParallelChoice {
   bool quiet = false;
 };
 
-/// Returns the words that call GNU parallel. The packs are in DIR/parallel/packs, and
-/// its log is DIR/parallel/joblog.
-std::vector<std::string> parallel_words(const std::string& folder,
-                                        const ParallelChoice& choice);
+/// How GNU parallel is called.
+struct ParallelCall {
+  /// Environment variables by name: the paths of this program and of the folder.
+  std::vector<std::pair<const char*, std::string>> variables;
+  std::vector<std::string> words;
+};
+
+/// The packs are in DIR/parallel/packs, and the log of GNU parallel is
+/// DIR/parallel/joblog.
+ParallelCall parallel_call(const std::string& folder, const ParallelChoice& choice);
 
 struct ParallelEnd {
   int signal = 0;  ///< that stopped it; 0: none

@@ -57,6 +57,12 @@ void write_script(const std::string& path, const std::string& text) {
     output::throw_errno("write", path);
 }
 
+/// Whether Slurm would use another folder for its logs. There is no way to write such
+/// a path, so the script opens the log itself. It then lacks the messages of Slurm.
+bool slurm_replaces_in(const std::string& path) {
+  return path.find_first_of("%\\") != std::string::npos;
+}
+
 std::string words_of_run_choice(const RunChoice& choice) {
   std::string words = fmt::format(" --checkpoint-every {:g}", choice.checkpoint_every);
   if (choice.time_limit > 0.0)
@@ -77,7 +83,7 @@ std::string slurm_script(const std::string& folder, const std::string& packs_pat
 #SBATCH --signal=B:TERM@60
 #SBATCH --requeue --open-mode=append
 
-runs=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {packs})
+{log}runs=$(sed -n "$((SLURM_ARRAY_TASK_ID + 1))p" {packs})
 stopped=no
 trap 'stopped=yes; kill -TERM $child 2>/dev/null' TERM
 {program} sweep {folder} --runs "$runs" -J 1 --quiet{choice} &
@@ -108,6 +114,11 @@ while [ $code -eq 75 ] && [ $tries -lt 60 ]; do
 done
 exit $code
 )sh",
+      fmt::arg("log", slurm_replaces_in(slurm_folder(folder))
+                          ? fmt::format("exec >>{}/\"${{SLURM_ARRAY_JOB_ID}}_"
+                                        "$SLURM_ARRAY_TASK_ID.log\" 2>&1\n",
+                                        shell_word(slurm_folder(folder)))
+                          : ""),
       fmt::arg("last", packs - 1), fmt::arg("at_once", at_once),
       fmt::arg("packs", shell_word(packs_path)),
       fmt::arg("program", shell_word(this_program())),
@@ -126,7 +137,9 @@ SlurmJob slurm_job(const std::string& folder, const std::vector<std::size_t>& id
   job.script_path = name + ".sh";
   job.script = slurm_script(folder, job.packs_path, job.packs.size(), choice);
   job.words = {"sbatch", "--parsable",
-               "--output=" + slurm_folder(folder) + "/%A_%a.log"};
+               "--output=" + (slurm_replaces_in(slurm_folder(folder))
+                                  ? "/dev/null"
+                                  : slurm_folder(folder) + "/%A_%a.log")};
   job.words.insert(job.words.end(), choice.options.begin(), choice.options.end());
   job.words.push_back(job.script_path);
   return job;

@@ -258,6 +258,40 @@ def same_slurm(case):
     same(case, case.slurm(), "--engine", "slurm", "--pack", "8")
 
 
+def same_with_any_name(case, place, *words):
+    """The paths have every printable character, and what GNU parallel, Slurm and shells would replace."""
+    printable = "".join(map(chr, range(0x20, 0x7f))).replace("/", "")
+    with place as processes:
+        for name in (printable, '{= system "id >P"; =}{}{#}{%}$(id >P)', "{}", "%A_%a\\%j", "-x\ny\u00e9"):
+            folder = case.folder / name
+            folder.mkdir()
+            deck = folder / f"{name}.deck"
+            deck.write_text(DECK.format(time=SHORT))
+            program = shutil.copy(case.blocks, folder / name)
+            sweep = Sweep(program, deck, folder / f"{name} sweep", "--seeds", "1-3", *words, env=processes.env)
+            code, text = sweep.call()
+            expect(code == 0, f"{name}: exit code {code}: {text}")
+            if isinstance(processes, SlurmCluster):
+                processes.wait_idle()
+                expect(len(list((sweep.folder / "slurm").glob("*_*.log"))) == 3, f"{name}: a log is missing")
+            outcomes = [sweep.outcome(run) for run in sweep.runs()]
+            expect([outcome and outcome["code"] for outcome in outcomes] == [0, 0, 0], f"{name}: {outcomes}")
+    expect(not list(case.folder.rglob("P")), "a program was run")
+
+
+def names_parallel(case):
+    same_with_any_name(case, case.processes(), "--engine", "parallel")
+
+
+def names_ssh(case):
+    ssh = case.ssh()
+    same_with_any_name(case, ssh, "--engine", "parallel", "--sshloginfile", case.logins(ssh))
+
+
+def names_slurm(case):
+    same_with_any_name(case, case.slurm(), "--engine", "slurm")
+
+
 def jobs_of(processes):
     """Returns the processes that are not daemons."""
     return processes.all() - set(processes.roots())
@@ -489,8 +523,8 @@ def cancelled(case):
 
 
 CASES = {case.__name__: case for case in (
-    same_parallel, same_ssh, same_slurm, killed_local, killed_parallel, killed_slurm, interrupted_local,
-    interrupted_parallel, two_commands, full_disk, requeue, cancelled)}
+    same_parallel, same_ssh, same_slurm, names_parallel, names_ssh, names_slurm, killed_local, killed_parallel,
+    killed_slurm, interrupted_local, interrupted_parallel, two_commands, full_disk, requeue, cancelled)}
 
 
 def main():

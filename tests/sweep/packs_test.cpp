@@ -36,10 +36,11 @@ TEST(SlurmJob, HasOneTaskPerPackAndQuotesTheFolder) {
 
 TEST(Parallel, NamesJobsAndMachines) {
   ParallelChoice choice;
-  EXPECT_THAT(parallel_words("d", choice), testing::Not(testing::Contains("--jobs")));
+  EXPECT_THAT(parallel_call("d", choice).words,
+              testing::Not(testing::Contains("--jobs")));
   choice.jobs = 4;
   choice.logins = "machines";
-  const auto words = parallel_words("d", choice);
+  const std::vector<std::string> words = parallel_call("d", choice).words;
   EXPECT_THAT(words, testing::IsSupersetOf({"--jobs", "4", "--sshloginfile"}));
   EXPECT_THAT(words, testing::IsSupersetOf({"--resume-failed", "--joblog"}));
 }
