@@ -101,20 +101,30 @@ std::string in_xml(const std::string& text) {
   return safe;
 }
 
+/// Whether write_pvd() gives files such names: blocks_07.vtu, contacts_07.vtu.
+bool is_piece(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const auto digits = name.find_first_of("0123456789");
+  const std::string kind = name.substr(0, digits);
+  return (kind == "blocks_" || kind == "contacts_") &&
+         name.find_first_not_of("0123456789", digits) + 4 == name.size() &&
+         name.ends_with(".vtu");
+}
+
 /// Renames an older folder of .vtu files to .bak. An earlier .bak is deleted first, but
-/// only the .vtu files in it.
+/// only the files in it that write_pvd() has written.
 void make_room(const fs::path& folder) {
   std::error_code fault;
   if (!fs::exists(folder, fault))
     return;
   const fs::path aside = folder.string() + ".bak";
-  if (fs::is_directory(aside, fault)) {
+  if (fs::is_directory(fs::symlink_status(aside, fault))) {
     for (const auto& entry : fs::directory_iterator(aside, fault))
-      if (entry.path().extension() == ".vtu")
+      if (is_piece(entry.path()))
         fs::remove(entry.path(), fault);
     fs::remove(aside, fault);
   }
-  if (fs::exists(aside, fault))
+  if (fs::exists(fs::symlink_status(aside, fault)))
     throw output::FileError(
         fmt::format("cannot write {}: it exists, and {} contains other files",
                     folder.string(), aside.string()));

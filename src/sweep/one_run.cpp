@@ -38,8 +38,8 @@ run::RunOptions options_of(const Plan& plan, const Variation& run) {
 /// The files of a run that the program has not finished.
 class RunFolder {
  public:
-  RunFolder(std::string folder, const std::string& name)
-      : folder_(std::move(folder)), name_(folder_ + '/' + name) {}
+  RunFolder(const std::string& folder, const std::string& name)
+      : name_(folder + '/' + name) {}
 
   const std::string& name() const { return name_; }
   /// The checkpoint from which the run goes on; empty if there is none.
@@ -49,12 +49,14 @@ class RunFolder {
         return name_ + ending;
     return {};
   }
-  /// Removes what a run without a checkpoint has left: all but the log, which is the
-  /// lock.
+  /// Removes the files that a run without a checkpoint has left. Others stay.
   void clear() const {
-    for (const auto& entry : fs::directory_iterator(folder_))
-      if (entry.path().filename() != RunLog::file_name)
-        fs::remove_all(entry.path());
+    for (const char* ending : {".out", ".vtkhdf", ".ckpt.h5", ".ckpt.h5.prev",
+                               ".summary.json", ".layers.json"}) {
+      const std::string path = name_ + ending;
+      output::expect_replaceable(path);
+      fs::remove(path);
+    }
   }
   /// Keeps the measures of the blocks at the start. A run that goes on from a
   /// checkpoint does not make them again.
@@ -69,7 +71,7 @@ class RunFolder {
  private:
   std::string layers_path() const { return name_ + ".layers.json"; }
 
-  std::string folder_, name_;
+  std::string name_;
 };
 
 /// Runs the deck, or goes on with it. Returns its exit code.

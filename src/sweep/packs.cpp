@@ -1,9 +1,8 @@
 #include "sweep/packs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "output/file_tools.hpp"
 
@@ -22,12 +21,7 @@ std::vector<std::string> packs_of(const std::vector<std::size_t>& ids,
 
 void write_packs(const std::string& path, const std::vector<std::string>& packs) {
   output::create_folder_of(path);
-  std::ofstream file(path, std::ios::binary);
-  for (const std::string& pack : packs)
-    file << pack << '\n';
-  file.close();
-  if (!file)
-    output::throw_errno("write", path);
+  output::replace_file(path, fmt::format("{}\n", fmt::join(packs, "\n")));
 }
 
 }  // namespace blocks::sweep

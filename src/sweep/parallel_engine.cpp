@@ -98,6 +98,7 @@ void prepare(const std::string& folder, const std::vector<std::size_t>& ids,
   if (can_resume(folder, ids))
     return;
   std::error_code absent;
+  output::expect_replaceable(log_path(folder));
   fs::rename(log_path(folder), log_path(folder) + ".bak", absent);
   write_packs(packs_path(folder), packs_of(ids, pack));
 }

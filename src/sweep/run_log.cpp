@@ -1,10 +1,13 @@
 #include "sweep/run_log.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -13,13 +16,30 @@
 
 namespace blocks::sweep {
 
+namespace {
+
+/// Throws output::FileError if the folder of a run, or that of 1000 runs, is a link.
+void expect_no_link(const std::filesystem::path& run_folder) {
+  std::error_code ignored;
+  for (const auto& folder : {run_folder.parent_path(), run_folder})
+    if (std::filesystem::is_symlink(folder, ignored))
+      throw output::FileError(
+          fmt::format("cannot write to {}: it is a link", folder.string()));
+}
+
+}  // namespace
+
 RunLog::RunLog(const std::string& run_folder) : path_(run_folder + '/' + file_name) {
-  const int flags = O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, mode = 0666;
+  const int flags = O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK,
+            mode = 0666;
+  expect_no_link(run_folder);
   file_ = ::open(path_.c_str(), flags, mode);
   if (file_ < 0 && errno == ENOENT) {
     output::create_folder_of(path_);
     file_ = ::open(path_.c_str(), flags, mode);
   }
+  if (file_ < 0 && errno == ELOOP)
+    output::expect_replaceable(path_);  // says that it is a link
   if (file_ < 0)
     output::throw_errno("write", path_);
 }

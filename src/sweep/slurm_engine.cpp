@@ -49,14 +49,6 @@ std::string next_name(const std::string& folder) {
   }
 }
 
-void write_script(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
-    output::throw_errno("write", path);
-}
-
 /// Whether Slurm would use another folder for its logs. There is no way to write such
 /// a path, so the script opens the log itself. It then lacks the messages of Slurm.
 bool slurm_replaces_in(const std::string& path) {
@@ -192,7 +184,7 @@ std::size_t most_tasks() {
 
 std::string submit(const std::string& folder, const SlurmJob& job) {
   write_packs(job.packs_path, job.packs);
-  write_script(job.script_path, job.script);
+  output::replace_file(job.script_path, job.script);
   const ProgramEnd end = call_program(job.words, true);
   if (end.code != 0)
     throw std::runtime_error(fmt::format(
@@ -200,6 +192,7 @@ std::string submit(const std::string& folder, const SlurmJob& job) {
         "--sbatch, or what its message says, and give the same command again",
         end.code));
   const std::string number = end.output.substr(0, end.output.find(';'));
+  output::expect_replaceable(jobs_path(folder));
   std::ofstream jobs(jobs_path(folder), std::ios::app);
   jobs << number << '\n';
   jobs.close();

@@ -84,10 +84,12 @@ TEST_F(ExportTimes, DoesNotReplaceAFolderWithForeignFiles) {
   for (int i = 0; i < 2; ++i)
     ASSERT_EQ(run("-o a.pvd").code, 0);
   folder_.write("a_vtu.bak/mine.txt", "precious");
+  folder_.write("a_vtu.bak/blocks_mine.vtu", "precious");
   const Outcome refused = run("-o a.pvd");
   EXPECT_EQ(refused.code, 5);
   EXPECT_THAT(refused.err, HasSubstr("a_vtu.bak contains other files"));
   EXPECT_EQ(slurp(folder_ / "a_vtu.bak/mine.txt"), "precious");
+  EXPECT_EQ(slurp(folder_ / "a_vtu.bak/blocks_mine.vtu"), "precious");
   EXPECT_TRUE(folder_.holds("a_vtu/blocks_0.vtu"));
 }
 

@@ -159,11 +159,40 @@ TEST_F(Sweep, ALogThatCannotBeWrittenEndsTheSweepOnce) {
   fs::create_symlink("/dev/full", of_run("s", 2, "log.txt"));
   const Outcome run = sweep("s -J 2");
   EXPECT_EQ(run.code, 5);
-  EXPECT_THAT(run.err, HasSubstr("run 2 could not write its files"));
-  EXPECT_THAT(run.err, HasSubstr("hint: make room"));
+  EXPECT_THAT(run.err, HasSubstr("run 2 could not write its files: cannot write "
+                                 "s/runs/000/000002/log.txt: it is a link"));
+  EXPECT_THAT(run.err, HasSubstr("hint: correct this"));
   fs::remove(of_run("s", 2, "log.txt"));
   sweep_well("s");
   EXPECT_THAT(sweep_well("status s").out, HasSubstr("\n4 done\n"));
+}
+
+// A folder or file of the user is in the place of what the sweep makes.
+TEST_F(Sweep, FilesOfTheUserStay) {
+  sweep_well("a.deck --seeds 1-2 -o s --dry-run");
+  fs::create_directories(folder_ / "precious");
+  folder_.write("precious/a.out", "of the user");
+  fs::create_directories(folder_ / "s/runs/000");
+  fs::create_directory_symlink(folder_ / "precious", folder_ / "s/runs/000/000001");
+  const Outcome run = sweep("s -J 1");
+  EXPECT_EQ(run.code, 5);
+  EXPECT_THAT(run.err, HasSubstr("cannot write to s/runs/000/000001: it is a link"));
+  EXPECT_EQ(slurp(folder_ / "precious/a.out"), "of the user");
+  EXPECT_FALSE(folder_.holds("precious/log.txt"));
+  fs::remove(folder_ / "s/runs/000/000001");
+
+  fs::create_directories(of_run("s", 1, "data"));
+  folder_.write("s/runs/000/000001/notes", "of the user");
+  folder_.write("s/runs/000/000001/data/notes", "of the user");
+  folder_.write("s/runs/000/000001/a.out", "BLOCKS of a killed run");
+  for (const char* name : {"outcome.json.tmp", "a.layers.json.tmp"})
+    fs::create_symlink(folder_ / "precious/a.out", of_run("s", 1, name));
+  sweep_well("s");
+  EXPECT_EQ(slurp(of_run("s", 1, "notes")), "of the user");
+  EXPECT_EQ(slurp(of_run("s", 1, "data/notes")), "of the user");
+  EXPECT_EQ(slurp(folder_ / "precious/a.out"), "of the user");
+  EXPECT_TRUE(fs::is_symlink(of_run("s", 1, "outcome.json.tmp")));
+  EXPECT_FALSE(fs::exists(of_run("s", 1, "a.out.bak")));
 }
 
 TEST_F(Sweep, ADeckMayBeNamedLikeTheFilesOfASweep) {
